@@ -1,0 +1,34 @@
+# Language level, output folders, warnings and floating-point rules for our own targets.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+include(GNUInstallDirs)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
+file(RELATIVE_PATH _dentalscr_bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/${_dentalscr_bin_to_lib}")
+
+find_program(DENTALSCR_CCACHE ccache)
+if(DENTALSCR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${DENTALSCR_CCACHE}")
+endif()
+
+# Applied to every target of ours, not to what is found: dentalscr_target_settings(<target>).
+function(dentalscr_target_settings target)
+  # ITK's macros end in stray semicolons: no -Wpedantic.
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    # No contraction: a fused multiply-add would make the bits depend on the machine.
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Woverloaded-virtual -Wnon-virtual-dtor -ffp-contract=off)
+    if(DENTALSCR_WARNINGS_AS_ERRORS)
+      target_compile_options(${target} PRIVATE -Werror)
+    endif()
+  endif()
+endfunction()

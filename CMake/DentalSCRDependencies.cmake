@@ -1,0 +1,12 @@
+# Every outside package, in one place. Documentation/Dependencies.md says why each was chosen.
+find_package(ITK 5.2 REQUIRED)
+find_package(OpenMesh REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+find_package(Threads REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
+if(DENTALSCR_BUILD_TESTING)
+  find_package(GTest 1.12 REQUIRED)
+endif()

@@ -1,0 +1,7 @@
+itk_module(DentalCommon
+  DEPENDS
+    ITKCommon
+    ITKMesh
+  DESCRIPTION
+    "What every module shares: input errors, flat surfaces and the projection that kernels speak, seeded random numbers."
+)

@@ -1,0 +1,111 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDentalContour_h
+#define itkDentalContour_h
+
+#include "DentalContourExport.h"
+#include "itkToothCode.h"
+
+#include "itkDefaultStaticMeshTraits.h"
+#include "itkMesh.h"
+
+#include <vector>
+
+namespace itk
+{
+/** \class DentalContour
+ * \brief Contours in a radiograph: a 2-D mesh with line cells, the tooth's FDI number as the points' pixel data.
+ *
+ * Points are continuous pixel indices (0 = centre of the first pixel, u right, v down). Every segment is a LineCell, so
+ * that a gap between two teeth is a gap and not an edge; where only points matter it serves as an itk::PointSet. Used
+ * alike for a tracing (fixed contour), for a silhouette (moving contour) and for what a segmentation yields.
+ *
+ * Polylines are read back from the cells: they are runs of line cells in which each starts where the one before ended;
+ * a run that returns to its first point is closed; a point without a cell is a polyline of one point. A contour built
+ * with the Mesh interface alone is therefore as good as one built with AddPolyline().
+ *
+ * \ingroup DentalContour
+ */
+class DentalContour_EXPORT DentalContour
+  : public Mesh<uint8_t, 2, DefaultStaticMeshTraits<uint8_t, 2, 2, double, double, uint8_t>>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(DentalContour);
+
+  using Self = DentalContour;
+  using Superclass = Mesh<uint8_t, 2, DefaultStaticMeshTraits<uint8_t, 2, 2, double, double, uint8_t>>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(DentalContour, Mesh);
+
+  using PointType = Superclass::PointType;
+
+  /** One stretch of contour. A closed one does not repeat its first point. */
+  struct PolylineType
+  {
+    ToothCode              code;
+    bool                   closed{ false };
+    std::vector<PointType> points;
+    /** Weights of the points, 1 = full, 0 = ignored (uncertain tracing); empty means all 1. */
+    std::vector<double> weights;
+  };
+
+  /** Appends a polyline. Throws where a point is not finite, where weights are given but are not one a point in [0, 1],
+   * or where a closed polyline has fewer than 3 points. An empty polyline adds nothing. */
+  void
+  AddPolyline(const PolylineType & polyline);
+  void
+  AddPolyline(const std::vector<PointType> & points, ToothCode code = ToothCode(), bool closed = false);
+
+  /** The polylines in the order of their cells, then the lone points. */
+  std::vector<PolylineType>
+  GetPolylines() const;
+
+  /** Sum of the segments' lengths, pixels. */
+  double
+  GetLength() const;
+
+  /** Code of a point; unknown where the point has no data. */
+  ToothCode
+  GetToothCode(PointIdentifier id) const;
+
+  /** Weight of a point; 1 where none was given. */
+  double
+  GetPointWeight(PointIdentifier id) const;
+
+  void
+  Initialize() override;
+
+  void
+  Graft(const DataObject * data) override;
+
+protected:
+  DentalContour() = default;
+  ~DentalContour() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  std::vector<double> m_PointWeights;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,214 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDentalContour.h"
+
+#include "itkLineCell.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+void
+DentalContour::AddPolyline(const std::vector<PointType> & points, ToothCode code, bool closed)
+{
+  this->AddPolyline(PolylineType{ code, closed, points, {} });
+}
+
+void
+DentalContour::AddPolyline(const PolylineType & polyline)
+{
+  if (polyline.points.empty())
+  {
+    return;
+  }
+  if (polyline.closed && polyline.points.size() < 3)
+  {
+    itkExceptionMacro("A closed contour needs at least 3 points, not " << polyline.points.size() << ".");
+  }
+  if (!polyline.weights.empty() && polyline.weights.size() != polyline.points.size())
+  {
+    itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << polyline.weights.size()
+                                       << " weights; give one a point or none.");
+  }
+  for (const PointType & point : polyline.points)
+  {
+    if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
+    {
+      itkExceptionMacro("A contour point " << point << " is not finite.");
+    }
+  }
+  for (const double weight : polyline.weights)
+  {
+    if (!(weight >= 0.0 && weight <= 1.0))
+    {
+      itkExceptionMacro("A point's weight " << weight << " is not in [0, 1].");
+    }
+  }
+  const PointIdentifier first = this->GetNumberOfPoints();
+  const auto            count = static_cast<PointIdentifier>(polyline.points.size());
+  for (PointIdentifier i = 0; i < count; ++i)
+  {
+    this->SetPoint(first + i, polyline.points[i]);
+    this->SetPointData(first + i, polyline.code.GetFDI());
+  }
+  if (!polyline.weights.empty() || !m_PointWeights.empty())
+  {
+    m_PointWeights.resize(first, 1.0);
+    if (polyline.weights.empty())
+    {
+      m_PointWeights.resize(first + count, 1.0);
+    }
+    else
+    {
+      m_PointWeights.insert(m_PointWeights.end(), polyline.weights.begin(), polyline.weights.end());
+    }
+  }
+  const PointIdentifier segments = polyline.closed ? count : count - 1;
+  CellIdentifier        cellId = this->GetNumberOfCells();
+  for (PointIdentifier i = 0; i < segments; ++i)
+  {
+    CellAutoPointer cell;
+    cell.TakeOwnership(new LineCell<CellType>);
+    cell->SetPointId(0, first + i);
+    cell->SetPointId(1, first + (i + 1) % count);
+    this->SetCell(cellId++, cell);
+  }
+  this->Modified();
+}
+
+auto
+DentalContour::GetPolylines() const -> std::vector<PolylineType>
+{
+  std::vector<PolylineType> polylines;
+  const auto *              points = this->GetPoints();
+  if (points == nullptr)
+  {
+    return polylines;
+  }
+  std::vector<bool> used(points->Size(), false);
+  const auto        append = [&](PolylineType & polyline, PointIdentifier id) {
+    polyline.points.push_back(points->ElementAt(id));
+    if (!m_PointWeights.empty())
+    {
+      polyline.weights.push_back(this->GetPointWeight(id));
+    }
+    used[id] = true;
+  };
+  const auto * cells = this->GetCells();
+  if (cells != nullptr)
+  {
+    PointIdentifier firstId = 0;
+    PointIdentifier lastId = 0;
+    bool            open = false;
+    for (auto it = cells->Begin(); it != cells->End(); ++it)
+    {
+      const CellType * cell = it.Value();
+      if (cell->GetNumberOfPoints() != 2)
+      {
+        itkExceptionMacro("Cell " << it.Index() << " of the contour has " << cell->GetNumberOfPoints()
+                                  << " points; a contour is made of line cells.");
+      }
+      const PointIdentifier from = cell->GetPointIds()[0];
+      const PointIdentifier to = cell->GetPointIds()[1];
+      if (from >= used.size() || to >= used.size())
+      {
+        itkExceptionMacro("Cell " << it.Index() << " of the contour names a point that it has not.");
+      }
+      if (!open || from != lastId)
+      {
+        polylines.emplace_back();
+        polylines.back().code = this->GetToothCode(from);
+        append(polylines.back(), from);
+        firstId = from;
+        open = true;
+      }
+      if (to == firstId && polylines.back().points.size() >= 3)
+      {
+        polylines.back().closed = true;
+        open = false;
+      }
+      else
+      {
+        append(polylines.back(), to);
+        lastId = to;
+      }
+    }
+  }
+  for (PointIdentifier id = 0; id < used.size(); ++id)
+  {
+    if (!used[id])
+    {
+      polylines.emplace_back();
+      polylines.back().code = this->GetToothCode(id);
+      append(polylines.back(), id);
+    }
+  }
+  return polylines;
+}
+
+double
+DentalContour::GetLength() const
+{
+  double length = 0.0;
+  for (const PolylineType & polyline : this->GetPolylines())
+  {
+    const std::size_t count = polyline.points.size();
+    for (std::size_t i = 0; i + 1 < count + (polyline.closed ? 1 : 0); ++i)
+    {
+      length += polyline.points[i].EuclideanDistanceTo(polyline.points[(i + 1) % count]);
+    }
+  }
+  return length;
+}
+
+ToothCode
+DentalContour::GetToothCode(PointIdentifier id) const
+{
+  uint8_t fdi = 0;
+  return this->GetPointData() != nullptr && this->GetPointData(id, &fdi) ? ToothCode(fdi) : ToothCode();
+}
+
+double
+DentalContour::GetPointWeight(PointIdentifier id) const
+{
+  return id < m_PointWeights.size() ? m_PointWeights[id] : 1.0;
+}
+
+void
+DentalContour::Initialize()
+{
+  Superclass::Initialize();
+  m_PointWeights.clear();
+}
+
+void
+DentalContour::Graft(const DataObject * data)
+{
+  Superclass::Graft(data);
+  const auto * contour = dynamic_cast<const Self *>(data);
+  m_PointWeights = contour == nullptr ? std::vector<double>() : contour->m_PointWeights;
+}
+
+void
+DentalContour::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "PointWeights: " << m_PointWeights.size() << std::endl;
+}
+} // namespace itk

@@ -1,0 +1,121 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDentalContour.h"
+
+#include "itkLineCell.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace
+{
+using ContourType = itk::DentalContour;
+
+ContourType::PointType
+P(double u, double v)
+{
+  ContourType::PointType point;
+  point[0] = u;
+  point[1] = v;
+  return point;
+}
+} // namespace
+
+TEST(DentalContour, GivesBackItsPolylines)
+{
+  const auto contour = ContourType::New();
+  contour->AddPolyline({ P(0, 0), P(3, 4) }, itk::ToothCode(11));
+  contour->AddPolyline({ P(10, 0), P(11, 0), P(11, 1), P(10, 1) }, itk::ToothCode(12), true);
+  contour->AddPolyline({ P(20, 20) }, itk::ToothCode(13));
+  contour->AddPolyline({ P(30, 0), P(30, 2) });
+  contour->AddPolyline(std::vector<ContourType::PointType>{});
+
+  EXPECT_EQ(contour->GetNumberOfPoints(), 9u);
+  EXPECT_EQ(contour->GetNumberOfCells(), 1u + 4u + 1u);
+  EXPECT_DOUBLE_EQ(contour->GetLength(), 5.0 + 4.0 + 2.0);
+
+  const auto polylines = contour->GetPolylines();
+  ASSERT_EQ(polylines.size(), 4u);
+  EXPECT_EQ(polylines[0].code, itk::ToothCode(11));
+  EXPECT_EQ(polylines[0].points.size(), 2u);
+  EXPECT_FALSE(polylines[0].closed);
+  EXPECT_TRUE(polylines[1].closed);
+  EXPECT_EQ(polylines[1].points.size(), 4u);
+  EXPECT_FALSE(polylines[2].code.IsKnown());
+  // The lone point comes last.
+  EXPECT_EQ(polylines[3].code, itk::ToothCode(13));
+  EXPECT_EQ(polylines[3].points.size(), 1u);
+  EXPECT_TRUE(polylines[3].weights.empty());
+}
+
+TEST(DentalContour, ReadsPolylinesOfAPlainMesh)
+{
+  const auto contour = ContourType::New();
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    contour->SetPoint(i, P(i, 0));
+  }
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    ContourType::CellAutoPointer cell;
+    cell.TakeOwnership(new itk::LineCell<ContourType::CellType>);
+    cell->SetPointId(0, i);
+    cell->SetPointId(1, i + 1);
+    contour->SetCell(i, cell);
+  }
+  const auto polylines = contour->GetPolylines();
+  ASSERT_EQ(polylines.size(), 1u);
+  EXPECT_EQ(polylines[0].points.size(), 3u);
+  EXPECT_FALSE(polylines[0].code.IsKnown());
+}
+
+TEST(DentalContour, CarriesWeightsWhereGiven)
+{
+  const auto contour = ContourType::New();
+  contour->AddPolyline({ P(0, 0), P(1, 0) });
+  ContourType::PolylineType uncertain;
+  uncertain.points = { P(5, 0), P(6, 0) };
+  uncertain.weights = { 0.25, 1.0 };
+  contour->AddPolyline(uncertain);
+  contour->AddPolyline({ P(9, 0), P(9, 1) });
+  EXPECT_EQ(contour->GetPointWeight(0), 1.0);
+  EXPECT_EQ(contour->GetPointWeight(2), 0.25);
+  EXPECT_EQ(contour->GetPointWeight(5), 1.0);
+  EXPECT_EQ(contour->GetPolylines()[1].weights, uncertain.weights);
+
+  const auto copy = ContourType::New();
+  copy->Graft(contour);
+  EXPECT_EQ(copy->GetPointWeight(2), 0.25);
+  contour->Initialize();
+  EXPECT_EQ(contour->GetPolylines().size(), 0u);
+}
+
+TEST(DentalContour, RefusesWhatIsNoContour)
+{
+  const auto contour = ContourType::New();
+  EXPECT_THROW(contour->AddPolyline({ P(0, 0), P(1, 1) }, itk::ToothCode(), true), itk::ExceptionObject);
+  EXPECT_THROW(contour->AddPolyline({ P(0, std::numeric_limits<double>::quiet_NaN()) }), itk::ExceptionObject);
+  ContourType::PolylineType polyline;
+  polyline.points = { P(0, 0), P(1, 0) };
+  polyline.weights = { 2.0, 1.0 };
+  EXPECT_THROW(contour->AddPolyline(polyline), itk::ExceptionObject);
+  polyline.weights = { 1.0 };
+  EXPECT_THROW(contour->AddPolyline(polyline), itk::ExceptionObject);
+  EXPECT_EQ(contour->GetNumberOfPoints(), 0u);
+}
