@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Installs, builds, makes a sample case with the toolkit's own phantom, registers it and names the picture to look at.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+Utilities/install-dependencies.sh
+cmake --preset demo >/dev/null
+cmake --build --preset demo
+
+rm -rf out/sample out/result
+mkdir -p out
+build/demo/bin/dentalscr phantom --level typical --seed 7 --output out/sample
+build/demo/bin/dentalscr register out/sample/case.json --output out/result
+echo
+echo "Look at $PWD/out/result/overlay_upper.png and overlay_lower.png;"
+echo "the numbers are in $PWD/out/result/result.json."

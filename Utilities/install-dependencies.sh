@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Installs what building and testing need from Debian's packages. Does nothing where all of it is there.
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build ccache pkg-config
+  libinsighttoolkit5-dev libvtk9-dev libopenmesh-dev libeigen3-dev
+  nlohmann-json3-dev libcli11-dev libcairo2-dev fonts-dejavu-core
+  libgtest-dev python3 python3-pytest python3-numpy
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+sudo=()
+if [ "$(id -u)" -ne 0 ]; then
+  sudo=(sudo)
+fi
+echo "Installing ${missing[*]}"
+export DEBIAN_FRONTEND=noninteractive
+"${sudo[@]}" apt-get update -qq
+"${sudo[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
