@@ -7,16 +7,17 @@
 # A dependency that starts with "ITK" is one of ITK's own modules, any other is ours.
 include(GenerateExportHeader)
 
-macro(itk_module _name)
-  cmake_parse_arguments(_itk_module "" "DESCRIPTION" "DEPENDS;TEST_DEPENDS" ${ARGN})
+# A function: a macro would split a description at its semicolons.
+function(itk_module _name)
+  cmake_parse_arguments(PARSE_ARGV 1 _itk_module "" "DESCRIPTION" "DEPENDS;TEST_DEPENDS")
   if(_itk_module_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "itk_module(${_name}): unknown arguments ${_itk_module_UNPARSED_ARGUMENTS}")
   endif()
-  set(itk-module ${_name})
-  set(DENTALSCR_MODULE_${_name}_DEPENDS ${_itk_module_DEPENDS})
-  set(DENTALSCR_MODULE_${_name}_TEST_DEPENDS ${_itk_module_TEST_DEPENDS})
-  set(DENTALSCR_MODULE_${_name}_DESCRIPTION "${_itk_module_DESCRIPTION}")
-endmacro()
+  set(itk-module ${_name} PARENT_SCOPE)
+  set(DENTALSCR_MODULE_${_name}_DEPENDS ${_itk_module_DEPENDS} PARENT_SCOPE)
+  set(DENTALSCR_MODULE_${_name}_TEST_DEPENDS ${_itk_module_TEST_DEPENDS} PARENT_SCOPE)
+  set(DENTALSCR_MODULE_${_name}_DESCRIPTION "${_itk_module_DESCRIPTION}" PARENT_SCOPE)
+endfunction()
 
 # Splits a dependency list into targets of ours, and libraries and include folders of ITK.
 function(_dentalscr_resolve_dependencies _targets _itk_libraries _itk_includes)
