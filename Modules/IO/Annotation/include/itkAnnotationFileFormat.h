@@ -1,0 +1,60 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkAnnotationFileFormat_h
+#define itkAnnotationFileFormat_h
+
+#include "AnnotationExport.h"
+
+#include <cstdint>
+#include <ostream>
+
+namespace itk
+{
+/** What an annotation file is written in. \ingroup Annotation */
+enum class AnnotationFileFormatEnum : uint8_t
+{
+  /** Names that end in .csv, .tsv or .txt are CSV. Of JSON, what has "markups" is Slicer's, "shapes" labelme's, all
+   * else the toolkit's own. */
+  Automatic,
+  /** contours.json, landmarks2d.json, landmarks3d.json of Documentation/FileFormats.md. */
+  DentalSCR,
+  /** 3D Slicer's .mrk.json. */
+  SlicerMarkups,
+  Labelme,
+  /** Lines "label,x,y" or "label,x,y,z"; empty lines and lines that start with '#' are skipped, a header too. */
+  CSV
+};
+
+/** Where a 2-D annotation's (0, 0) is. \ingroup Annotation */
+enum class AnnotationPixelOriginEnum : uint8_t
+{
+  /** Corner for labelme, Centre for all others. */
+  FormatDefault,
+  /** The centre of the first pixel, as ITK's continuous index has it. */
+  Centre,
+  /** The corner of the first pixel: half a pixel is taken off both coordinates. */
+  Corner
+};
+
+Annotation_EXPORT std::ostream &
+                  operator<<(std::ostream & os, AnnotationFileFormatEnum format);
+Annotation_EXPORT std::ostream &
+                  operator<<(std::ostream & os, AnnotationPixelOriginEnum origin);
+} // namespace itk
+
+#endif

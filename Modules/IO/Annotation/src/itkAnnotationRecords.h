@@ -1,0 +1,74 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkAnnotationRecords_h
+#define itkAnnotationRecords_h
+
+#include "itkAnnotationFileFormat.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** What every annotation format comes down to; not installed. Points have three coordinates, of which contours use two.
+ */
+struct AnnotationPolyline
+{
+  /** Path of the polyline, of its code and of its points in the file, for messages. */
+  std::string field;
+  std::string codeField;
+  std::string label;
+  /** "upper" or "lower" where the file says so, else "". */
+  std::string                        jaw;
+  bool                               closed{ false };
+  std::vector<std::array<double, 3>> points;
+  std::vector<double>                weights;
+};
+
+struct AnnotationLandmark
+{
+  std::string           field;
+  std::string           name;
+  std::array<double, 3> point;
+};
+
+struct AnnotationRecords
+{
+  AnnotationFileFormatEnum                  format{ AnnotationFileFormatEnum::DentalSCR };
+  std::optional<std::array<std::size_t, 2>> imageSize;
+  std::string                               imageSizeField;
+  std::optional<std::string>                numbering;
+  std::string                               numberingField;
+  std::vector<AnnotationPolyline>           polylines;
+  std::vector<AnnotationLandmark>           landmarks;
+  std::vector<std::string>                  warnings;
+};
+
+/** Every polyline of a file. Throws DentalInputError. */
+AnnotationRecords
+ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format);
+
+/** Every landmark of a file, with `dimension` coordinates. Throws DentalInputError. */
+AnnotationRecords
+ReadLandmarkRecords(const std::string & fileName, AnnotationFileFormatEnum format, unsigned int dimension);
+} // namespace itk
+
+#endif

@@ -1,0 +1,156 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDentalContourFileWriter.h"
+
+#include "itkJsonNumber.h"
+#include "itkTextFile.h"
+
+#include <sstream>
+
+namespace itk
+{
+namespace
+{
+std::string
+CodeText(ToothCode code, ToothCode::NumberingEnum numbering)
+{
+  if (!code.IsKnown())
+  {
+    return std::string();
+  }
+  switch (numbering)
+  {
+    case ToothCode::NumberingEnum::FDI:
+      return std::to_string(code.GetFDI());
+    case ToothCode::NumberingEnum::Universal:
+      return std::to_string(code.GetUniversal());
+    default:
+      return code.GetName();
+  }
+}
+
+void
+AppendJaw(std::ostream & os, const char * jaw, const DentalContour & contour, ToothCode::NumberingEnum numbering)
+{
+  os << "    " << JsonString(jaw) << ": [";
+  const char * separator = "\n";
+  for (const DentalContour::PolylineType & polyline : contour.GetPolylines())
+  {
+    os << separator << "      {\"code\": " << JsonString(CodeText(polyline.code, numbering));
+    if (polyline.closed)
+    {
+      os << ", \"closed\": true";
+    }
+    os << ", \"points\": [";
+    for (std::size_t i = 0; i < polyline.points.size(); ++i)
+    {
+      os << (i == 0 ? "[" : ", [") << JsonNumber(polyline.points[i][0]) << ", " << JsonNumber(polyline.points[i][1])
+         << ']';
+    }
+    os << ']';
+    if (!polyline.weights.empty())
+    {
+      os << ", \"weights\": [";
+      for (std::size_t i = 0; i < polyline.weights.size(); ++i)
+      {
+        os << (i == 0 ? "" : ", ") << JsonNumber(polyline.weights[i]);
+      }
+      os << ']';
+    }
+    os << '}';
+    separator = ",\n";
+  }
+  os << "\n    ]";
+}
+} // namespace
+
+DentalContourFileWriter::DentalContourFileWriter()
+{
+  m_ImageSize.Fill(0);
+}
+
+void
+DentalContourFileWriter::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  if (m_FileName.empty())
+  {
+    itkExceptionMacro("No file to write. Call SetFileName() first.");
+  }
+  if (this->GetUpper() == nullptr && this->GetLower() == nullptr)
+  {
+    itkExceptionMacro("Nothing to write. Call SetUpper() or SetLower() first.");
+  }
+  if (m_ImageSize[0] == 0 || m_ImageSize[1] == 0)
+  {
+    itkExceptionMacro("ImageSize is " << m_ImageSize << ". Call SetImageSize() with the radiograph's size.");
+  }
+}
+
+void
+DentalContourFileWriter::Write()
+{
+  this->VerifyPreconditions();
+  for (const char * name : { "Upper", "Lower" })
+  {
+    if (DataObject * const input = this->GetInput(name))
+    {
+      input->Update();
+    }
+  }
+  this->InvokeEvent(StartEvent());
+  this->GenerateData();
+  this->UpdateProgress(1.0f);
+  this->InvokeEvent(EndEvent());
+}
+
+void
+DentalContourFileWriter::GenerateData()
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "{\n  \"image_size\": [" << m_ImageSize[0] << ", " << m_ImageSize[1] << "],\n";
+  if (m_Numbering != NumberingEnum::Quadrant)
+  {
+    text << "  \"numbering\": \"" << m_Numbering << "\",\n";
+  }
+  text << "  \"contours\": {\n";
+  const DentalContour * const upper = this->GetUpper();
+  const DentalContour * const lower = this->GetLower();
+  if (upper != nullptr)
+  {
+    AppendJaw(text, "upper", *upper, m_Numbering);
+  }
+  if (lower != nullptr)
+  {
+    text << (upper == nullptr ? "" : ",\n");
+    AppendJaw(text, "lower", *lower, m_Numbering);
+  }
+  text << "\n  }\n}\n";
+  WriteFileAtomically(m_FileName, text.str());
+}
+
+void
+DentalContourFileWriter::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << m_FileName << std::endl;
+  os << indent << "ImageSize: " << m_ImageSize << std::endl;
+  os << indent << "Numbering: " << m_Numbering << std::endl;
+}
+} // namespace itk
