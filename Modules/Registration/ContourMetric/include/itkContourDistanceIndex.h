@@ -1,0 +1,158 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkContourDistanceIndex_h
+#define itkContourDistanceIndex_h
+
+#include "ContourMetricExport.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+/** \class ContourDistanceIndex
+ * \brief Exact nearest point of a planar contour.
+ *
+ * The targets are points, or segments and lone points. The search looks a query up in a grid whose cells list every
+ * target that is nearest somewhere in the cell, so that a query costs a look-up and a few distances, near the contour
+ * and far from it alike (k-d trees collapse far away). Cells are filled when first touched, each from the list of the
+ * block around it; grids three times as wide take over where the one before ends. Up to a dozen targets are compared
+ * one by one. The result is that of the comparison with every target but for the last bit of the distance.
+ *
+ * Queries fill cells: one object serves one thread at a time. Copies are independent. Free of ITK.
+ *
+ * \ingroup ContourMetric
+ */
+class ContourMetric_EXPORT ContourDistanceIndex
+{
+public:
+  enum class SearchEnum : std::uint8_t
+  {
+    Automatic,
+    BruteForce,
+    Grid
+  };
+
+  /** The nearest point of the contour: its place, and the point or segment that it lies on (lone points are numbered
+   * after the segments). Of equally near targets any one. */
+  struct NearestType
+  {
+    double        squaredDistance;
+    double        x;
+    double        y;
+    std::uint32_t target;
+  };
+
+  /** Targets are the points x0 y0 x1 y1 ... of count points. No count limits; count = 0 leaves nothing to find. */
+  void
+  SetPoints(const double * xy, std::size_t count);
+
+  /** Targets are the segments, two point numbers each, and the points that no segment uses. */
+  void
+  SetSegments(const double * xy, std::size_t count, const std::uint32_t * segments, std::size_t numberOfSegments);
+
+  /** How to search; Automatic takes the grid where it pays. */
+  void
+  SetSearch(SearchEnum search)
+  {
+    m_Search = search;
+  }
+
+  std::size_t
+  GetNumberOfTargets() const
+  {
+    return m_IsSegments ? m_Segments.size() : m_X.size();
+  }
+
+  /** The nearest point of the contour to (x, y), which must be finite; there must be a target. */
+  NearestType
+  FindNearest(double x, double y) const;
+
+private:
+  struct SegmentType
+  {
+    double x;
+    double y;
+    double dx;
+    double dy;
+    double inverseSquaredLength;
+  };
+  struct CellType
+  {
+    std::uint32_t first{ 0 };
+    std::uint32_t count{ 0 };
+  };
+  struct BoxType
+  {
+    double x0;
+    double y0;
+    double x1;
+    double y1;
+  };
+  /** One square of the plane and its nested grids; the last is the finest. */
+  struct DomainType
+  {
+    BoxType                              box;
+    double                               cellsPerUnit{ 0.0 };
+    std::array<std::vector<CellType>, 3> cells;
+  };
+
+  void
+  Reset();
+  void
+  PlaceDomains(const double * xy, std::size_t count);
+  NearestType
+  FindByBruteForce(double x, double y) const;
+  void
+  TestTarget(std::uint32_t target, double x, double y, NearestType & nearest) const;
+  double
+  LowerBound(std::uint32_t target, const BoxType & box) const;
+  double
+  UpperBound(std::uint32_t target, const BoxType & box) const;
+  CellType
+  GetCell(DomainType & domain, unsigned int level, std::uint32_t ix, std::uint32_t iy) const;
+  void
+  KeepPossiblyNearest(const BoxType & box, const std::uint32_t * from, std::size_t count) const;
+  void
+  DropDominatedPoints(const BoxType & box) const;
+  void
+  DropDominatedSegments(const BoxType & box) const;
+
+  SearchEnum               m_Search{ SearchEnum::Automatic };
+  bool                     m_IsSegments{ false };
+  std::vector<double>      m_X;
+  std::vector<double>      m_Y;
+  std::vector<SegmentType> m_Segments;
+  double                   m_CenterX{ 0.0 };
+  double                   m_CenterY{ 0.0 };
+  double                   m_HalfWidth{ 0.0 };
+  bool                     m_HasGrid{ false };
+  /** Cells a side of a domain's nested grids, coarse to fine. */
+  std::array<std::uint32_t, 3> m_Grid{};
+
+  mutable std::vector<DomainType>    m_Domains;
+  mutable std::vector<std::uint32_t> m_Lists;
+  mutable std::vector<std::uint32_t> m_Kept;
+  mutable std::vector<std::uint32_t> m_Order;
+  mutable std::vector<double>        m_Bounds;
+};
+} // namespace itk
+
+#endif

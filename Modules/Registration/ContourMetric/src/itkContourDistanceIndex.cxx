@@ -1,0 +1,465 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkContourDistanceIndex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace itk
+{
+namespace
+{
+constexpr std::size_t   BruteForceLimit = 12;
+constexpr std::uint32_t NumberOfDomains = 7;
+constexpr double        DomainGrowth = 3.0;
+constexpr std::uint32_t Unfilled = std::numeric_limits<std::uint32_t>::max();
+
+// Cells a side of the nested grids; each divides the next.
+constexpr std::array<std::uint32_t, 3> SmallGrid{ 8, 32, 128 };
+constexpr std::array<std::uint32_t, 3> LargeGrid{ 8, 64, 512 };
+constexpr std::size_t                  LargeGridFrom = 1500;
+
+inline double
+Square(double value)
+{
+  return value * value;
+}
+} // namespace
+
+void
+ContourDistanceIndex::Reset()
+{
+  m_X.clear();
+  m_Y.clear();
+  m_Segments.clear();
+  m_Domains.clear();
+  m_Lists.clear();
+}
+
+void
+ContourDistanceIndex::SetPoints(const double * xy, std::size_t count)
+{
+  this->Reset();
+  m_IsSegments = false;
+  m_X.resize(count);
+  m_Y.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    m_X[i] = xy[2 * i];
+    m_Y[i] = xy[2 * i + 1];
+  }
+  this->PlaceDomains(xy, count);
+}
+
+void
+ContourDistanceIndex::SetSegments(const double *        xy,
+                                  std::size_t           count,
+                                  const std::uint32_t * segments,
+                                  std::size_t           numberOfSegments)
+{
+  this->Reset();
+  m_IsSegments = true;
+  std::vector<bool> used(count, false);
+  m_Segments.reserve(numberOfSegments);
+  for (std::size_t i = 0; i < numberOfSegments; ++i)
+  {
+    const std::uint32_t from = segments[2 * i];
+    const std::uint32_t to = segments[2 * i + 1];
+    used[from] = true;
+    used[to] = true;
+    SegmentType segment{ xy[2 * from], xy[2 * from + 1], 0.0, 0.0, 0.0 };
+    segment.dx = xy[2 * to] - segment.x;
+    segment.dy = xy[2 * to + 1] - segment.y;
+    const double squaredLength = segment.dx * segment.dx + segment.dy * segment.dy;
+    segment.inverseSquaredLength = squaredLength > 0.0 ? 1.0 / squaredLength : 0.0;
+    if (!std::isfinite(segment.inverseSquaredLength))
+    {
+      segment.inverseSquaredLength = 0.0;
+    }
+    m_Segments.push_back(segment);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (!used[i])
+    {
+      m_Segments.push_back({ xy[2 * i], xy[2 * i + 1], 0.0, 0.0, 0.0 });
+    }
+  }
+  this->PlaceDomains(xy, count);
+}
+
+void
+ContourDistanceIndex::PlaceDomains(const double * xy, std::size_t count)
+{
+  if (count == 0)
+  {
+    return;
+  }
+  double low[2] = { xy[0], xy[1] };
+  double high[2] = { xy[0], xy[1] };
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      low[k] = std::min(low[k], xy[2 * i + k]);
+      high[k] = std::max(high[k], xy[2 * i + k]);
+    }
+  }
+  m_CenterX = 0.5 * (low[0] + high[0]);
+  m_CenterY = 0.5 * (low[1] + high[1]);
+  m_HalfWidth = 0.51 * std::max(high[0] - low[0], high[1] - low[1]);
+  m_Grid = this->GetNumberOfTargets() < LargeGridFrom ? SmallGrid : LargeGrid;
+  // Cells must be far above the rounding of the coordinates.
+  const double magnitude = std::max(std::abs(m_CenterX), std::abs(m_CenterY));
+  m_HasGrid = m_HalfWidth > 1e-6 * magnitude && m_HalfWidth < 1e100 && m_HalfWidth > 1e-100;
+}
+
+inline void
+ContourDistanceIndex::TestTarget(std::uint32_t target, double x, double y, NearestType & nearest) const
+{
+  if (m_IsSegments)
+  {
+    const SegmentType & segment = m_Segments[target];
+    const double along = ((x - segment.x) * segment.dx + (y - segment.y) * segment.dy) * segment.inverseSquaredLength;
+    const double t = along < 0.0 ? 0.0 : (along > 1.0 ? 1.0 : along);
+    const double footX = segment.x + t * segment.dx;
+    const double footY = segment.y + t * segment.dy;
+    const double squaredDistance = Square(x - footX) + Square(y - footY);
+    if (squaredDistance < nearest.squaredDistance)
+    {
+      nearest = { squaredDistance, footX, footY, target };
+    }
+  }
+  else
+  {
+    const double squaredDistance = Square(x - m_X[target]) + Square(y - m_Y[target]);
+    if (squaredDistance < nearest.squaredDistance)
+    {
+      nearest = { squaredDistance, m_X[target], m_Y[target], target };
+    }
+  }
+}
+
+auto
+ContourDistanceIndex::FindByBruteForce(double x, double y) const -> NearestType
+{
+  NearestType nearest{ std::numeric_limits<double>::infinity(), x, y, 0 };
+  const auto  count = static_cast<std::uint32_t>(this->GetNumberOfTargets());
+  if (!m_IsSegments)
+  {
+    // Four lanes, so that the compiler makes vectors of it.
+    constexpr std::uint32_t Lanes = 4;
+    double                  best[Lanes];
+    double                  at[Lanes];
+    std::fill(best, best + Lanes, nearest.squaredDistance);
+    std::fill(at, at + Lanes, 0.0);
+    const std::uint32_t whole = count - count % Lanes;
+    const double *      px = m_X.data();
+    const double *      py = m_Y.data();
+    for (std::uint32_t i = 0; i < whole; i += Lanes)
+    {
+      for (std::uint32_t k = 0; k < Lanes; ++k)
+      {
+        const double squaredDistance = Square(x - px[i + k]) + Square(y - py[i + k]);
+        const bool   less = squaredDistance < best[k];
+        best[k] = less ? squaredDistance : best[k];
+        at[k] = less ? static_cast<double>(i) : at[k];
+      }
+    }
+    for (std::uint32_t k = 0; k < Lanes && whole > 0; ++k)
+    {
+      const auto target = static_cast<std::uint32_t>(at[k]) + k;
+      if (best[k] < nearest.squaredDistance || (best[k] == nearest.squaredDistance && target < nearest.target))
+      {
+        nearest = { best[k], px[target], py[target], target };
+      }
+    }
+    for (std::uint32_t i = whole; i < count; ++i)
+    {
+      this->TestTarget(i, x, y, nearest);
+    }
+    return nearest;
+  }
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    this->TestTarget(i, x, y, nearest);
+  }
+  return nearest;
+}
+
+// Squared distance from the box to the target, or less.
+inline double
+ContourDistanceIndex::LowerBound(std::uint32_t target, const BoxType & box) const
+{
+  const auto outside = [](double low, double high, double from, double to) {
+    return std::max(0.0, std::max(from - high, low - to));
+  };
+  if (!m_IsSegments)
+  {
+    return Square(outside(m_X[target], m_X[target], box.x0, box.x1)) +
+           Square(outside(m_Y[target], m_Y[target], box.y0, box.y1));
+  }
+  // A segment misses the box by its bounding box or by its normal, whichever is more.
+  const SegmentType & segment = m_Segments[target];
+  const double        xMin = std::min(segment.x, segment.x + segment.dx);
+  const double        xMax = std::max(segment.x, segment.x + segment.dx);
+  const double        yMin = std::min(segment.y, segment.y + segment.dy);
+  const double        yMax = std::max(segment.y, segment.y + segment.dy);
+  const double        byBox = Square(outside(xMin, xMax, box.x0, box.x1)) + Square(outside(yMin, yMax, box.y0, box.y1));
+  const double        centerX = 0.5 * (box.x0 + box.x1) - segment.x;
+  const double        centerY = 0.5 * (box.y0 + box.y1) - segment.y;
+  const double radius = 0.5 * ((box.x1 - box.x0) * std::abs(segment.dy) + (box.y1 - box.y0) * std::abs(segment.dx));
+  const double across = std::max(0.0, std::abs(centerX * segment.dy - centerY * segment.dx) - radius);
+  return std::max(byBox, Square(across) * segment.inverseSquaredLength * (1.0 - 1e-9));
+}
+
+// Squared distance from the box's farthest point to the target: at a corner, since the distance is convex.
+inline double
+ContourDistanceIndex::UpperBound(std::uint32_t target, const BoxType & box) const
+{
+  if (!m_IsSegments)
+  {
+    return std::max(Square(box.x0 - m_X[target]), Square(box.x1 - m_X[target])) +
+           std::max(Square(box.y0 - m_Y[target]), Square(box.y1 - m_Y[target]));
+  }
+  double largest = 0.0;
+  for (const double x : { box.x0, box.x1 })
+  {
+    for (const double y : { box.y0, box.y1 })
+    {
+      NearestType corner{ std::numeric_limits<double>::infinity(), 0.0, 0.0, 0 };
+      this->TestTarget(target, x, y, corner);
+      largest = std::max(largest, corner.squaredDistance);
+    }
+  }
+  return largest;
+}
+
+// Fills m_Kept with those of the list that can be nearest somewhere in the box.
+void
+ContourDistanceIndex::KeepPossiblyNearest(const BoxType & box, const std::uint32_t * from, std::size_t count) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  m_Bounds.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::uint32_t target = from == nullptr ? static_cast<std::uint32_t>(i) : from[i];
+    m_Bounds[i] = this->LowerBound(target, box);
+    if (m_Bounds[i] < least)
+    {
+      least = std::min(least, this->UpperBound(target, box));
+    }
+  }
+  const double limit = least * (1.0 + 1e-9);
+  m_Kept.clear();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (m_Bounds[i] <= limit)
+    {
+      m_Kept.push_back(from == nullptr ? static_cast<std::uint32_t>(i) : from[i]);
+    }
+  }
+}
+
+// The difference of two squared distances to points is linear in the place: a point that is not nearer than another at
+// any corner of the box is nowhere nearer in it.
+void
+ContourDistanceIndex::DropDominatedPoints(const BoxType & box) const
+{
+  const std::size_t count = m_Kept.size();
+  m_Bounds.resize(5 * count);
+  m_Order.resize(count);
+  const double centerX = 0.5 * (box.x0 + box.x1);
+  const double centerY = 0.5 * (box.y0 + box.y1);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double x = m_X[m_Kept[i]];
+    const double y = m_Y[m_Kept[i]];
+    double *     corner = &m_Bounds[5 * i];
+    corner[0] = Square(box.x0 - x) + Square(box.y0 - y);
+    corner[1] = Square(box.x1 - x) + Square(box.y0 - y);
+    corner[2] = Square(box.x0 - x) + Square(box.y1 - y);
+    corner[3] = Square(box.x1 - x) + Square(box.y1 - y);
+    corner[4] = Square(centerX - x) + Square(centerY - y);
+    m_Order[i] = static_cast<std::uint32_t>(i);
+  }
+  // Those near the centre drop the others. Of points at the same place the first stays.
+  std::stable_sort(m_Order.begin(), m_Order.end(), [this](std::uint32_t a, std::uint32_t b) {
+    return m_Bounds[5 * a + 4] < m_Bounds[5 * b + 4];
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double * a = &m_Bounds[5 * m_Order[i]];
+    bool           dominated = false;
+    for (std::size_t j = 0; j < kept && !dominated; ++j)
+    {
+      const double * b = &m_Bounds[5 * m_Order[j]];
+      dominated = b[0] <= a[0] && b[1] <= a[1] && b[2] <= a[2] && b[3] <= a[3];
+    }
+    if (!dominated)
+    {
+      m_Order[kept++] = m_Order[i];
+    }
+  }
+  for (std::size_t i = 0; i < kept; ++i)
+  {
+    m_Order[i] = m_Kept[m_Order[i]];
+  }
+  m_Kept.assign(m_Order.begin(), m_Order.begin() + kept);
+}
+
+// A segment stays that can be nearest in one of sixteen parts of the box.
+void
+ContourDistanceIndex::DropDominatedSegments(const BoxType & box) const
+{
+  constexpr int     Parts = 4;
+  const std::size_t count = m_Kept.size();
+  if (count < 3)
+  {
+    return;
+  }
+  m_Order.assign(count, 0);
+  m_Bounds.resize(count);
+  for (int ix = 0; ix < Parts; ++ix)
+  {
+    for (int iy = 0; iy < Parts; ++iy)
+    {
+      const double  stepX = (box.x1 - box.x0) / Parts;
+      const double  stepY = (box.y1 - box.y0) / Parts;
+      const BoxType part{
+        box.x0 + ix * stepX, box.y0 + iy * stepY, box.x0 + (ix + 1) * stepX, box.y0 + (iy + 1) * stepY
+      };
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        m_Bounds[i] = this->LowerBound(m_Kept[i], part);
+        if (m_Bounds[i] < least)
+        {
+          least = std::min(least, this->UpperBound(m_Kept[i], part));
+        }
+      }
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        m_Order[i] |= static_cast<std::uint32_t>(m_Bounds[i] <= least * (1.0 + 1e-9));
+      }
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (m_Order[i] != 0)
+    {
+      m_Kept[kept++] = m_Kept[i];
+    }
+  }
+  m_Kept.resize(kept);
+}
+
+auto
+ContourDistanceIndex::GetCell(DomainType & domain, unsigned int level, std::uint32_t ix, std::uint32_t iy) const
+  -> CellType
+{
+  const std::uint32_t side = m_Grid[level];
+  const std::size_t   number = static_cast<std::size_t>(iy) * side + ix;
+  if (domain.cells[level].empty())
+  {
+    domain.cells[level].assign(static_cast<std::size_t>(side) * side, CellType{ Unfilled, 0 });
+  }
+  if (domain.cells[level][number].first != Unfilled)
+  {
+    return domain.cells[level][number];
+  }
+  CellType parent{ Unfilled, static_cast<std::uint32_t>(this->GetNumberOfTargets()) };
+  if (level > 0)
+  {
+    const std::uint32_t factor = side / m_Grid[level - 1];
+    parent = this->GetCell(domain, level - 1, ix / factor, iy / factor);
+  }
+  const double width = (domain.box.x1 - domain.box.x0) / side;
+  // A little more than the cell: a query on its border may be counted to either side.
+  const double  margin = 1e-6 * width;
+  const BoxType box{ domain.box.x0 + ix * width - margin,
+                     domain.box.y0 + iy * width - margin,
+                     domain.box.x0 + (ix + 1) * width + margin,
+                     domain.box.y0 + (iy + 1) * width + margin };
+  this->KeepPossiblyNearest(box, parent.first == Unfilled ? nullptr : m_Lists.data() + parent.first, parent.count);
+  if (level + 1 == m_Grid.size())
+  {
+    if (m_IsSegments)
+    {
+      this->DropDominatedSegments(box);
+    }
+    else
+    {
+      this->DropDominatedPoints(box);
+    }
+  }
+  const CellType cell{ static_cast<std::uint32_t>(m_Lists.size()), static_cast<std::uint32_t>(m_Kept.size()) };
+  m_Lists.insert(m_Lists.end(), m_Kept.begin(), m_Kept.end());
+  domain.cells[level][number] = cell;
+  return cell;
+}
+
+auto
+ContourDistanceIndex::FindNearest(double x, double y) const -> NearestType
+{
+  if (!m_HasGrid || m_Search == SearchEnum::BruteForce ||
+      (m_Search == SearchEnum::Automatic && this->GetNumberOfTargets() <= BruteForceLimit))
+  {
+    return this->FindByBruteForce(x, y);
+  }
+  const double  away = std::max(std::abs(x - m_CenterX), std::abs(y - m_CenterY));
+  double        halfWidth = m_HalfWidth;
+  std::uint32_t number = 0;
+  while (!(away < halfWidth) && number < NumberOfDomains)
+  {
+    halfWidth *= DomainGrowth;
+    ++number;
+  }
+  if (number == NumberOfDomains)
+  {
+    return this->FindByBruteForce(x, y);
+  }
+  if (m_Domains.empty())
+  {
+    m_Domains.resize(NumberOfDomains);
+  }
+  DomainType & domain = m_Domains[number];
+  if (domain.cellsPerUnit == 0.0)
+  {
+    domain.box = { m_CenterX - halfWidth, m_CenterY - halfWidth, m_CenterX + halfWidth, m_CenterY + halfWidth };
+    domain.cellsPerUnit = m_Grid.back() / (2.0 * halfWidth);
+  }
+  const auto clip = [this](double cell) {
+    return cell <= 0.0 ? 0u : std::min(static_cast<std::uint32_t>(cell), m_Grid.back() - 1);
+  };
+  const CellType        cell = this->GetCell(domain,
+                                      static_cast<unsigned int>(m_Grid.size() - 1),
+                                      clip((x - domain.box.x0) * domain.cellsPerUnit),
+                                      clip((y - domain.box.y0) * domain.cellsPerUnit));
+  NearestType           nearest{ std::numeric_limits<double>::infinity(), x, y, 0 };
+  const std::uint32_t * list = m_Lists.data() + cell.first;
+  for (std::uint32_t i = 0; i < cell.count; ++i)
+  {
+    this->TestTarget(list[i], x, y, nearest);
+  }
+  return nearest;
+}
+} // namespace itk
