@@ -1,0 +1,11 @@
+itk_module(UMidlineDentalAxis
+  DEPENDS
+    DentalCommon
+    ITKCommon
+    ITKMesh
+    ITKTransform
+  TEST_DEPENDS
+    ITKTestKernel
+  DESCRIPTION
+    "The anatomical frame of dental arches: U-midline dental axis (UMDA), mirror plane, occlusion check."
+)
