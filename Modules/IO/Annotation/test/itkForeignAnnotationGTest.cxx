@@ -15,4 +15,175 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "itkDentalContourFileReader.h"
+#include "itkDentalLandmarkFileReader.h"
+
+#include "itkAnnotationTestFile.h"
+
 #include <gtest/gtest.h>
+
+using itk::DentalContourFileReader;
+using Landmarks2D = itk::DentalLandmarkFileReader<2>;
+using Landmarks3D = itk::DentalLandmarkFileReader<3>;
+using FormatEnum = itk::AnnotationFileFormatEnum;
+
+namespace
+{
+const char * const Markups = R"({
+ "@schema": "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#",
+ "markups": [
+  {"type": "Curve", "name": "UR1", "coordinateSystem": "RAS", "coordinateUnits": "mm", "controlPoints": [
+    {"id": "1", "label": "UR1-1", "position": [-10.0, -20.0, 0.0], "positionStatus": "defined"},
+    {"id": "2", "label": "UR1-2", "position": [0.0, 0.0, 0.0], "positionStatus": "preview"},
+    {"id": "3", "label": "UR1-3", "position": [-11.0, -22.0, 0.0]}]},
+  {"type": "ClosedCurve", "name": "LR6", "controlPoints": [
+    {"position": [1, 1, 0]}, {"position": [5, 1, 0]}, {"position": [5, 5, 0]}]},
+  {"type": "Fiducial", "name": "F", "coordinateSystem": "LPS", "controlPoints": [
+    {"label": "UR1_tip", "position": [3, 4, 5], "positionStatus": "defined"},
+    {"label": "Sella", "position": [3, 4, 5], "positionStatus": "defined"}]}]})";
+
+const char * const Labelme = R"({"version": "5.0.1", "flags": {}, "imagePath": "ceph.png", "imageData": null,
+ "imageHeight": 200, "imageWidth": 100, "shapes": [
+  {"label": "UR1", "points": [[10.5, 20.5], [11.5, 21.5]], "group_id": null, "shape_type": "linestrip", "flags": {}},
+  {"label": "lower", "points": [[1, 1], [9, 1], [9, 9]], "shape_type": "polygon"},
+  {"label": "UR1_tip", "points": [[30.5, 40.5]], "shape_type": "point"}]})";
+
+DentalContourFileReader::Pointer
+ContourReader(const std::string & name, const std::string & text)
+{
+  const auto reader = DentalContourFileReader::New();
+  reader->SetFileName(itk::WriteTestFile(name, text));
+  reader->SetImageSize({ { 100, 200 } });
+  return reader;
+}
+} // namespace
+
+TEST(SlicerMarkups, CurvesBecomeContoursInPixels)
+{
+  const auto reader = ContourReader("ceph.mrk.json", Markups);
+  reader->Update();
+  EXPECT_EQ(reader->GetReadFileFormat(), FormatEnum::SlicerMarkups);
+  const auto upper = reader->GetUpperOutput()->GetPolylines();
+  ASSERT_EQ(upper.size(), 1u);
+  EXPECT_EQ(upper[0].code.GetName(), "UR1");
+  // RAS to LPS, and the point that was never placed is left out.
+  ASSERT_EQ(upper[0].points.size(), 2u);
+  EXPECT_EQ(upper[0].points[1][0], 11.0);
+  EXPECT_EQ(upper[0].points[1][1], 22.0);
+  EXPECT_TRUE(reader->GetLowerOutput()->GetPolylines().at(0).closed);
+
+  DentalContourFileReader::VectorType spacing;
+  spacing[0] = 0.5;
+  spacing[1] = 0.25;
+  DentalContourFileReader::VectorType origin;
+  origin.Fill(1.0);
+  reader->SetMarkupsSpacing(spacing);
+  reader->SetMarkupsOrigin(origin);
+  reader->Update();
+  EXPECT_EQ(reader->GetUpperOutput()->GetPolylines().at(0).points[1][0], 20.0);
+  EXPECT_EQ(reader->GetUpperOutput()->GetPolylines().at(0).points[1][1], 84.0);
+}
+
+TEST(SlicerMarkups, FiducialsBecomeLandmarksInLPS)
+{
+  const auto reader = Landmarks3D::New();
+  reader->SetFileName(itk::WriteTestFile("l.mrk.json", Markups));
+  reader->Update();
+  ASSERT_EQ(reader->GetOutput()->GetNumberOfLandmarks(), 1u);
+  EXPECT_EQ(reader->GetOutput()->Find("UR1_tip")->point[2], 5.0);
+  EXPECT_EQ(reader->GetWarnings().size(), 1u);
+}
+
+TEST(SlicerMarkups, WhatCannotBeUsedIsNamed)
+{
+  const auto field = [](const std::string & markup) {
+    const auto reader = ContourReader("ceph.mrk.json", "{\"markups\": [" + markup + "]}");
+    return itk::ExpectInputError([&] { reader->Update(); }).GetField();
+  };
+  EXPECT_EQ(field(R"({"name": "UR1"})"), "markups[0].type");
+  EXPECT_EQ(field(R"({"type": "Curve", "name": "C", "controlPoints": [{"position": [1, 1, 0]}]})"), "markups[0].name");
+  EXPECT_EQ(field(R"({"type": "Curve", "controlPoints": [{"position": [1, 1, 0]}]})"), "markups[0].name");
+  EXPECT_EQ(field(R"({"type": "Curve", "name": "UR1", "controlPoints": [{"position": [1, 1]}]})"),
+            "markups[0].controlPoints[0].position");
+  EXPECT_EQ(
+    field(R"({"type": "Curve", "name": "UR1", "controlPoints": [{"position": [1, 1, 0]}, {"position": [1, 1, 2]}]})"),
+    "markups[0].controlPoints[1]");
+  EXPECT_EQ(field(R"({"type": "Curve", "name": "UR1", "coordinateSystem": "IJK", "controlPoints": []})"),
+            "markups[0].coordinateSystem");
+  EXPECT_EQ(field(R"({"type": "Curve", "name": "UR1", "coordinateUnits": "m", "controlPoints": []})"),
+            "markups[0].coordinateUnits");
+}
+
+TEST(Labelme, ShapesBecomeContoursCountedFromPixelCentres)
+{
+  const auto reader = ContourReader("ceph.json", Labelme);
+  reader->Update();
+  EXPECT_EQ(reader->GetReadFileFormat(), FormatEnum::Labelme);
+  const auto upper = reader->GetUpperOutput()->GetPolylines();
+  ASSERT_EQ(upper.size(), 1u);
+  EXPECT_EQ(upper[0].points[0][0], 10.0);
+  EXPECT_EQ(upper[0].points[0][1], 20.0);
+  const auto lower = reader->GetLowerOutput()->GetPolylines();
+  ASSERT_EQ(lower.size(), 1u);
+  EXPECT_TRUE(lower[0].closed);
+  EXPECT_FALSE(lower[0].code.IsKnown());
+  reader->SetPixelOrigin(itk::AnnotationPixelOriginEnum::Centre);
+  reader->Update();
+  EXPECT_EQ(reader->GetUpperOutput()->GetPolylines().at(0).points[0][0], 10.5);
+  reader->SetImageSize({ { 101, 200 } });
+  EXPECT_EQ(itk::ExpectInputError([&] { reader->Update(); }).GetField(), "imageWidth");
+}
+
+TEST(Labelme, PointsBecomeLandmarks)
+{
+  const auto reader = Landmarks2D::New();
+  reader->SetFileName(itk::WriteTestFile("ceph.json", Labelme));
+  reader->Update();
+  ASSERT_EQ(reader->GetOutput()->GetNumberOfLandmarks(), 1u);
+  EXPECT_EQ(reader->GetOutput()->Find("UR1_tip")->point[0], 30.0);
+  const auto threeD = Landmarks3D::New();
+  threeD->SetFileName(reader->GetFileName());
+  itk::ExpectInputError([&] { threeD->Update(); });
+}
+
+TEST(AnnotationCSV, RunsOfALabelBecomeContours)
+{
+  for (const char * text : { "label,x,y\nUR1,1.5,2\nUR1,3,4\r\n\n# comment\n\"LR1\", 5 ,6,px\n",
+                             "UR1;1.5;2\nUR1;3;4\nLR1;5;6",
+                             "\xef\xbb\xbfUR1\t1.5\t2\nUR1\t3\t4\nLR1\t5\t6\n" })
+  {
+    const auto reader = ContourReader("ceph.csv", text);
+    reader->Update();
+    EXPECT_EQ(reader->GetReadFileFormat(), FormatEnum::CSV);
+    const auto upper = reader->GetUpperOutput()->GetPolylines();
+    ASSERT_EQ(upper.size(), 1u) << text;
+    ASSERT_EQ(upper[0].points.size(), 2u);
+    EXPECT_EQ(upper[0].points[0][0], 1.5);
+    EXPECT_EQ(reader->GetLowerOutput()->GetNumberOfPoints(), 1u);
+  }
+}
+
+TEST(AnnotationCSV, LandmarksOfBothDimensions)
+{
+  const auto threeD = Landmarks3D::New();
+  threeD->SetFileName(itk::WriteTestFile("l.csv", "label,x,y,z\nUR1_tip,1,2,-3e-1\n"));
+  threeD->Update();
+  EXPECT_EQ(threeD->GetOutput()->Find("UR1_tip")->point[2], -0.3);
+  const auto twoD = Landmarks2D::New();
+  twoD->SetFileName(itk::WriteTestFile("l2.csv", "UR1_tip,1,2\n"));
+  twoD->SetPixelOrigin(itk::AnnotationPixelOriginEnum::Corner);
+  twoD->Update();
+  EXPECT_EQ(twoD->GetOutput()->Find("UR1_tip")->point[0], 0.5);
+  twoD->SetFileName(itk::WriteTestFile("l3.csv", "UR1_tip,1,2\nUR1_tip,1,2\n"));
+  EXPECT_EQ(itk::ExpectInputError([&] { twoD->Update(); }).GetField(), "line 2");
+}
+
+TEST(AnnotationCSV, WrongLinesAreNamed)
+{
+  for (const char * line :
+       { "UR1,1", "UR1,1,x", "UR1,1,nan", "UR1,1,inf", "UR1,1,", "UR1,1,2,mm", "UR1,1,2,3,4", "XX,1,2", ",1,2" })
+  {
+    const auto reader = ContourReader("ceph.csv", std::string("UR2,1,2\n") + line + '\n');
+    EXPECT_EQ(itk::ExpectInputError([&] { reader->Update(); }).GetField(), "line 2") << line;
+  }
+}
