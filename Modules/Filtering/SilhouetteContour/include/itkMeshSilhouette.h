@@ -86,7 +86,8 @@ struct Silhouette
  * uncovered sides, which cross, in what order along an edge, where to turn. There is no tolerance and no pose or mesh
  * for which the walk around the boundary does not close: open shells, several parts, T-junctions, non-manifold edges,
  * duplicate, needle and degenerate triangles, axis-aligned views are ordinary input. Orientation of the triangles is
- * not needed. Faces seen exactly edge-on count as the line they project to, so that a loop may run there and back.
+ * not needed. Faces seen exactly edge-on count as the line they project to, so that a loop may run there and back;
+ * triangles with two corners at one position are left out.
  *
  * Holes are ignored, and parts that lie inside another part's outer boundary.
  *
