@@ -1,0 +1,203 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDentalPhantomParameters_h
+#define itkDentalPhantomParameters_h
+
+#include "DentalPhantomExport.h"
+
+#include <array>
+#include <cstdint>
+#include <ostream>
+#include <sstream>
+#include <string>
+
+namespace itk
+{
+/** \struct DentalPhantomTooth
+ * \brief Size and place of one crown. Lengths in mm, angles in radians.
+ *
+ * \ingroup DentalPhantom
+ */
+struct DentalPhantomTooth
+{
+  bool   missing{ false };
+  double mesiodistal{ 8.0 };
+  double buccolingual{ 8.0 };
+  /** From the cervical line to the incisal edge or the highest cusp. */
+  double height{ 8.0 };
+  /** About the tooth's long axis. */
+  double rotation{ 0.0 };
+  /** Mesial crown tip, in the tooth's mesiodistal plane. */
+  double tip{ 0.0 };
+  /** Buccal crown torque: positive leans the crown outward. */
+  double torque{ 0.0 };
+  /** Off the arch line; positive is buccal. */
+  double buccalOffset{ 0.0 };
+  /** Positive moves the crown out of the gingiva. */
+  double occlusalOffset{ 0.0 };
+  /** Gap to the mesial neighbour; negative is overlap (crowding). */
+  double mesialGap{ 0.0 };
+};
+
+/** \struct DentalPhantomJaw
+ * \brief One jaw: fourteen crowns, gingiva, trimming. Lengths in mm, angles in radians.
+ *
+ * \ingroup DentalPhantom
+ */
+struct DentalPhantomJaw
+{
+  /** Right 1..7 (central incisor to second molar), then left 1..7. */
+  std::array<DentalPhantomTooth, 14> teeth{};
+  /** What the scan shows behind the second molar, right and left. */
+  std::array<double, 2> distalExtension{ { 3.0, 3.0 } };
+  /** Height of the gingiva that the scan shows below the cervical line. */
+  double buccalFlange{ 6.0 };
+  double lingualFlange{ 6.0 };
+  /** Oblique trimming of the gingiva: change of the flange per mm toward the front and toward the left. */
+  double trimSlopeAnterior{ 0.0 };
+  double trimSlopeLeft{ 0.0 };
+  /** Wavy border of a scan: amplitude, mm, and phase. */
+  double trimWave{ 0.5 };
+  double trimPhase{ 0.0 };
+  /** A palate (or floor of the mouth) closes the arch. */
+  bool   palate{ false };
+  double palateDepth{ 13.0 };
+};
+
+/** \struct DentalPhantomParameters
+ * \brief Everything that shapes a pair of phantom jaws. Lengths in mm, angles in radians.
+ *
+ * A default-constructed set is an average ovoid pair without irregularity; Draw() makes one of a kind for a seed.
+ * Crown sizes are the textbook means (Ash, Wheeler's Dental Anatomy).
+ *
+ * \ingroup DentalPhantom
+ */
+struct DentalPhantom_EXPORT DentalPhantomParameters
+{
+  enum class ArchFamilyEnum : uint8_t
+  {
+    Tapered,
+    Ovoid,
+    Square
+  };
+  /** The frame of the meshes. */
+  enum class FrameEnum : uint8_t
+  {
+    /** x anterior, y patient's left, z superior; both jaws in occlusion. */
+    Anatomical,
+    /** A random rigid motion of that, the same for both jaws, as a scanner exports them. */
+    SharedScanner,
+    /** A random rigid motion for each jaw. */
+    SeparateScanner
+  };
+
+  /** How irregular Draw() makes a dentition; all are one standard deviation or a probability. */
+  struct Variation
+  {
+    double rotationDegrees{ 5.0 };
+    double tipDegrees{ 2.0 };
+    double torqueDegrees{ 3.0 };
+    double buccalOffset{ 0.3 };
+    double occlusalOffset{ 0.15 };
+    double spacedArchProbability{ 0.15 };
+    double palateProbability{ 0.5 };
+    double stoneBaseProbability{ 0.0 };
+  };
+
+  DentalPhantomParameters();
+
+  /** Arch family, sizes, occlusion, irregularity and trimming for a seed. The scanner frame is SharedScanner. */
+  static DentalPhantomParameters
+  Draw(std::uint64_t seed, const Variation & variation);
+  static DentalPhantomParameters
+  Draw(std::uint64_t seed);
+
+  /** A rigid motion p -> rotation p + translation; rotation row-major. */
+  struct RigidMotion
+  {
+    std::array<double, 9> rotation{ { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } };
+    std::array<double, 3> translation{};
+
+    std::array<double, 3>
+    Apply(const std::array<double, 3> & point) const;
+    std::array<double, 3>
+    ApplyInverse(const std::array<double, 3> & point) const;
+  };
+
+  /** From the anatomical frame to that of a jaw's mesh (0 upper, 1 lower), as frame and frameSeed say. */
+  RigidMotion
+  ComputeFrame(unsigned int jaw) const;
+
+  /** Every value, a line each, behind an indentation. */
+  template <typename TIndent>
+  void
+  Print(std::ostream & os, const TIndent & indent) const
+  {
+    std::ostringstream space;
+    space << indent;
+    this->Write(os, space.str());
+  }
+
+  /** Throws std::invalid_argument that names the value where no jaws can be made of it. */
+  void
+  Validate() const;
+
+  /** Upper, lower. */
+  std::array<DentalPhantomJaw, 2> jaws;
+
+  ArchFamilyEnum archFamily{ ArchFamilyEnum::Ovoid };
+  /** Exponent of the arch |y/w|^p + |x/d|^p = 1: 2 is an ellipse, more is squarer. */
+  double archExponent{ 2.15 };
+  /** How far along a quarter of that curve the second molar ends: smaller is more tapered. */
+  double archCoverage{ 1.36 };
+  /** Half the upper arch's width between the crown lines at the distal ends of the second molars. */
+  double archHalfWidth{ 29.0 };
+
+  double overjet{ 2.5 };
+  double overbite{ 2.0 };
+  /** Depth of the curve of Spee. */
+  double speeDepth{ 1.2 };
+  /** Curve of Wilson: factor on the molars' transverse inclination. */
+  double wilson{ 1.0 };
+
+  /** A trimmed plaster cast: closed body with a base of this thickness below the deepest gingiva. */
+  bool   stoneBase{ false };
+  double baseHeight{ 10.0 };
+
+  /** Standard deviation of the scan along its normals. */
+  double        scannerNoise{ 0.0 };
+  std::uint64_t noiseSeed{ 1 };
+
+  FrameEnum     frame{ FrameEnum::Anatomical };
+  std::uint64_t frameSeed{ 1 };
+
+  /** Approximate, each jaw (reached within 10 %). */
+  std::uint32_t numberOfTriangles{ 60000 };
+
+private:
+  void
+  Write(std::ostream & os, const std::string & indent) const;
+};
+
+DentalPhantom_EXPORT std::ostream &
+                     operator<<(std::ostream & os, DentalPhantomParameters::ArchFamilyEnum family);
+DentalPhantom_EXPORT std::ostream &
+                     operator<<(std::ostream & os, DentalPhantomParameters::FrameEnum frame);
+} // namespace itk
+
+#endif
