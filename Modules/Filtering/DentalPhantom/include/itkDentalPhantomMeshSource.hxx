@@ -169,6 +169,7 @@ DentalPhantomMeshSource<TOutputMesh>::GenerateData()
     mesh->SetPoints(points);
     mesh->SetPointData(data);
     using TriangleType = TriangleCell<typename TOutputMesh::CellType>;
+    mesh->SetCells(TOutputMesh::CellsContainer::New());
     mesh->GetCells()->Reserve(made.surface.triangles.size());
     for (std::size_t i = 0; i < made.surface.triangles.size(); ++i)
     {
