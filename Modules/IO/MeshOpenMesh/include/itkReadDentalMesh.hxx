@@ -26,6 +26,7 @@ template <typename TMesh>
 typename TMesh::Pointer
 ReadDentalMesh(const std::string & fileName)
 {
+  static_assert(TMesh::PointDimension == 3, "A surface has points in three dimensions.");
   if (fileName.empty())
   {
     itkDentalInputErrorMacro("mesh file", "", "the name is empty", "name an STL, PLY, OBJ or OFF file");
