@@ -1,0 +1,280 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseRefinementTypes_h
+#define itkPoseRefinementTypes_h
+
+#include "itkTriangleSurface.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** Plain data of the robust registration, free of ITK headers.
+ *
+ * Frames: mesh (mm, as the surface is), dental (x anterior, y patient's left, z superior, origin on the midline plane),
+ * cephalostat (CephalometricGeometry). Lengths "in px" are units of 0.25 mm in the detector plane, whatever the image's
+ * pixel: the working plane w = ((u - pp_u) f sp_u, (v - pp_v) sp_v) / 0.25 has the patient facing right.
+ */
+
+/** One unit of the working plane, mm in the detector plane. */
+constexpr double PoseWorkingPixel = 0.25;
+
+/** Which side's outline was traced. */
+enum class PoseTracedSideEnum : std::uint8_t
+{
+  Right,
+  Left,
+  /** Double contours bisected. */
+  Mean,
+  /** Both sides, each polyline with the code of its side. */
+  Both
+};
+
+/** Which border of the traced side's crowns the tracing follows. */
+enum class PoseContourStyleEnum : std::uint8_t
+{
+  /** The outer border of everything on that side. */
+  Silhouette,
+  /** The border of the buccal surfaces, which lies inside the silhouette where lingual cusps reach further. */
+  Buccal,
+  /** Both are fitted, the significantly better one is kept. */
+  Automatic
+};
+
+/** A stretch of tracing, continuous pixel indices of the radiograph. */
+struct PosePolyline
+{
+  std::vector<std::array<double, 2>> points;
+  /** One a point in [0, 1], or empty: all 1. */
+  std::vector<double> weights;
+  /** FDI number of the tooth, 0 unknown. */
+  std::uint8_t tooth{ 0 };
+  bool         closed{ false };
+};
+
+/** Dental frame of a mesh: p_dental = rotation (p_mesh - origin). Rows of the rotation (row-major) are the axes x, y,
+ * z. */
+struct PoseFrame
+{
+  std::array<double, 9> rotation{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } };
+  std::array<double, 3> origin{ { 0, 0, 0 } };
+};
+
+/** Nominal imaging geometry. */
+struct PoseGeometry
+{
+  double sourceToMidsagittal{ 1524.0 };
+  double sourceToDetector{ 1674.0 };
+  /** k: +1 source on the patient's right, -1 left. */
+  double sourceSign{ 1.0 };
+  /** f: +1 facing right in the image, -1 left. */
+  double                facingSign{ 1.0 };
+  std::array<double, 2> pixelSpacing{ { 0.25, 0.25 } };
+  bool                  pixelSpacingKnown{ true };
+  std::array<double, 2> principalPoint{ { 0.0, 0.0 } };
+  bool                  principalPointKnown{ true };
+};
+
+/** A jaw to register. */
+struct PoseJawInput
+{
+  /** Mesh frame, mm; must outlive the call. */
+  const TriangleSurface *   surface{ nullptr };
+  PoseFrame                 frame;
+  bool                      upper{ true };
+  std::vector<PosePolyline> tracing;
+};
+
+/** pitch (about y), roll (about x), yaw (about z) in rad, translation x, y, z in mm, kappa = log of the scale factor
+ * that multiplies the geometry's magnification. c = Ry(pitch) Rx(roll) Rz(yaw) p_dental + t. */
+using PoseParameters = std::array<double, 7>;
+enum PoseParameterIndex : unsigned int
+{
+  PosePitch = 0,
+  PoseRoll,
+  PoseYaw,
+  PoseTx,
+  PoseTy,
+  PoseTz,
+  PoseKappa
+};
+
+/** Every ingredient of the method; the defaults are preset "robust". */
+struct PoseRefinementOptions
+{
+  PoseTracedSideEnum   tracedSide{ PoseTracedSideEnum::Right };
+  PoseContourStyleEnum contourStyle{ PoseContourStyleEnum::Automatic };
+
+  /** Cut at the midline plane, or take the whole mesh's outline. */
+  bool useSideSelection{ true };
+  /** Triangles of the right side: y < midlineMargin mm. */
+  double midlineMargin{ 0.5 };
+  /** Keep only the occlusal and anterior part of the outline. */
+  bool useFacingFilter{ true };
+  /** Match position and normal, or position only. Weight of a unit normal, px. */
+  bool   useOrientation{ true };
+  double orientationWeight{ 8.0 };
+  /** Correlation along the tracing (generalised least squares), or independent points. */
+  bool   useCorrelatedNoise{ true };
+  double correlationLength{ 12.0 };
+  double covarianceCorrelationLength{ 25.0 };
+  /** Factor on the standard deviations. */
+  double covarianceInflation{ 1.1 };
+  /** Estimate the two noise levels (REML), or keep the initial ones. */
+  bool   estimateNoise{ true };
+  double initialSmoothSigma{ 1.3 };
+  double initialWhiteSigma{ 0.6 };
+  /** Geman-McClure, or least squares. */
+  bool useRobustKernel{ true };
+  /** 6 degrees of freedom and scale, or a similarity: pitch, tx, tz, kappa. */
+  bool useFullPose{ true };
+  /** One pose for all jaws given, or one a jaw. */
+  bool useJointPose{ true };
+  /** Yaw of the global start, rad. */
+  std::vector<double> yawStarts{ -0.1396263401595464, 0.0, 0.1396263401595464 };
+  /** Candidates kept a yaw start. */
+  unsigned int startsPerYaw{ 4 };
+  /** Weight of the tooth codes' arc positions in the choice among candidates, px-free cost a mm; 0: off. */
+  double codeWeight{ 0.02 };
+  /** Regenerate the outline at each evaluation, or keep that of the start. */
+  bool         regenerateOutline{ true };
+  unsigned int maximumEvaluations{ 14 };
+
+  /** Standard deviations of the Gaussian priors; 0: fixed. */
+  double rollSigma{ 0.06981317007977318 };
+  double yawSigma{ 0.06981317007977318 };
+  double tySigma{ 2.0 };
+  double kappaSigma{ 0.016 };
+  /** Of kappa where the pixel spacing is not known. */
+  double kappaSigmaWithoutSpacing{ 0.25 };
+
+  /** Manual control. */
+  bool           fixScale{ false };
+  bool           fixRotation{ false };
+  bool           fixTranslation{ false };
+  bool           useInitialPose{ false };
+  PoseParameters initialPose{ {} };
+  /** FDI numbers of teeth to leave out. */
+  std::vector<std::uint8_t> excludedTeeth;
+
+  /** Points a jaw above which a tracing is thinned. */
+  unsigned int maximumTracingPoints{ 200 };
+  unsigned int numberOfThreads{ 0 };
+
+  /** Called with progress in [0, 1]; returns true to abort. */
+  std::function<bool(double)> progress;
+};
+
+/** How well a jaw's tracing is explained at the solution, with a fixed kernel width of 4 px; lengths in px. */
+struct PoseFitStatistics
+{
+  std::size_t numberOfPoints{ 0 };
+  /** mean(1 - sqrt(w)), w the Geman-McClure weight: 0 perfect, 1 nothing fits. */
+  double cost{ 1.0 };
+  double medianResidual{ 0.0 };
+  double rmsResidual{ 0.0 };
+  double p90Residual{ 0.0 };
+  /** Share of the tracing within 4 px of the moving contour. */
+  double inlierShare{ 0.0 };
+  /** Share of the moving contour that has a tracing beside it: the overlap the other way. */
+  double overlap{ 0.0 };
+  /** Mean of (arc of tooth - expected arc of its code), mm; 0 without codes. */
+  double codeOffset{ 0.0 };
+  bool   hasCodes{ false };
+  /** Length of the tracing and of the open moving contour, px. */
+  double tracingLength{ 0.0 };
+  double contourLength{ 0.0 };
+};
+
+/** One minimum of the criterion. */
+struct PoseCandidate
+{
+  PoseParameters parameters{ {} };
+  /** Fixed-width cost + code term: what candidates are ranked by. */
+  double score{ 0.0 };
+  double cost{ 0.0 };
+  double codeTerm{ 0.0 };
+  /** Rms distance of the moving contours to those of the best candidate, px. */
+  double distance{ 0.0 };
+};
+
+/** Result for one jaw. */
+struct PoseJawResult
+{
+  bool upper{ true };
+  bool registered{ false };
+  /** Why not, where not. */
+  std::string failure;
+  /** Mesh frame to cephalostat frame. */
+  std::array<double, 9> rotation{ {} };
+  std::array<double, 3> translation{ {} };
+  /** Mesh frame (mm) to continuous pixel index, row-major 3x4. */
+  std::array<double, 12> projection{ {} };
+  /** p = scale R(angle) q + (tx, ty) on the geometry's own projection of the dental frame, least squares over the jaw.
+   */
+  double                similarityScale{ 1.0 };
+  double                similarityAngle{ 0.0 };
+  std::array<double, 2> similarityTranslation{ { 0.0, 0.0 } };
+  double                similarityRms{ 0.0 };
+  PoseFitStatistics     fit;
+  /** The moving contour at the solution: open, in pixels of the radiograph, with its points in the mesh frame. */
+  std::vector<std::array<double, 2>> contour;
+  std::vector<std::array<double, 3>> contourPoints;
+};
+
+/** Result for a group of jaws that share one pose. */
+struct PoseGroupResult
+{
+  std::vector<std::size_t> jaws;
+  PoseParameters           parameters{ {} };
+  /** 7x7, row-major; inflation included. */
+  std::array<double, 49> covariance{ {} };
+  double                 smoothSigma{ 0.0 };
+  double                 whiteSigma{ 0.0 };
+  /** Largest |parameter - prior mean| / sigma, and which. */
+  double                     priorTension{ 0.0 };
+  unsigned int               priorTensionParameter{ 0 };
+  double                     score{ 1.0 };
+  std::vector<PoseCandidate> candidates;
+  /** Score of the best candidate that is elsewhere minus the best's; 1 where there is none. */
+  double       margin{ 1.0 };
+  unsigned int evaluations{ 0 };
+  bool         converged{ false };
+  /** The style that was used. */
+  PoseContourStyleEnum contourStyle{ PoseContourStyleEnum::Silhouette };
+  /** Of each style tried (Silhouette, Buccal): minus twice the log likelihood; 0 where not tried. */
+  std::array<double, 2> styleDeviance{ { 0.0, 0.0 } };
+};
+
+struct PoseRefinementResult
+{
+  std::vector<PoseJawResult>   jaws;
+  std::vector<PoseGroupResult> groups;
+  /** Index into groups, a jaw; the number of groups where the jaw was not registered. */
+  std::vector<std::size_t> groupOfJaw;
+  /** What the working plane was made with: the given values or the estimates. */
+  PoseGeometry geometry;
+  bool         aborted{ false };
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,706 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseEstimator.h"
+
+#include "itkPoseNoiseModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace itk
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double ScoreWidth = 4.0;
+
+double
+GemanMcClure(double d, double c)
+{
+  const double a = c * c / (c * c + d * d);
+  return a * a;
+}
+
+/** Contour samples in buckets along u, for the oriented nearest neighbour. */
+class ContourIndex
+{
+public:
+  explicit ContourIndex(const PoseContour & contour)
+  {
+    const std::size_t n = contour.Size();
+    if (n == 0)
+    {
+      return;
+    }
+    m_Low = *std::min_element(contour.u.begin(), contour.u.end());
+    const double high = *std::max_element(contour.u.begin(), contour.u.end());
+    m_Buckets = static_cast<int>((high - m_Low) / Width) + 1;
+    m_Start.assign(m_Buckets + 1, 0);
+    std::vector<int> bucket(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      bucket[i] = std::min(m_Buckets - 1, static_cast<int>((contour.u[i] - m_Low) / Width));
+      ++m_Start[bucket[i] + 1];
+    }
+    for (int b = 0; b < m_Buckets; ++b)
+    {
+      m_Start[b + 1] += m_Start[b];
+    }
+    std::vector<std::size_t> next(m_Start.begin(), m_Start.end() - 1);
+    m_Sample.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t k = next[bucket[i]]++;
+      m_Sample[k] = { contour.u[i], contour.v[i], contour.nu[i], contour.nv[i], i };
+    }
+  }
+
+  bool
+  Empty() const
+  {
+    return m_Sample.empty();
+  }
+
+  std::size_t
+  Nearest(double u, double v, double nu, double nv, double normalWeight2) const
+  {
+    const int   centre = std::min(m_Buckets - 1, std::max(0, static_cast<int>((u - m_Low) / Width)));
+    double      best = Infinity;
+    std::size_t index = 0;
+    const auto  scan = [&](int b) {
+      for (std::size_t k = m_Start[b]; k < m_Start[b + 1]; ++k)
+      {
+        const Sample & s = m_Sample[k];
+        const double   du = s.u - u;
+        const double   dv = s.v - v;
+        const double   d = du * du + dv * dv + normalWeight2 * (2.0 - 2.0 * (s.nu * nu + s.nv * nv));
+        if (d < best || (d == best && s.index < index))
+        {
+          best = d;
+          index = s.index;
+        }
+      }
+    };
+    scan(centre);
+    for (int step = 1; step < m_Buckets; ++step)
+    {
+      // Distance along u to the nearer side of the next buckets.
+      const int    left = centre - step;
+      const int    right = centre + step;
+      const double dl = u - (m_Low + (left + 1) * Width);
+      const double dr = m_Low + right * Width - u;
+      const bool   useLeft = left >= 0 && (dl <= 0.0 || dl * dl <= best);
+      const bool   useRight = right < m_Buckets && (dr <= 0.0 || dr * dr <= best);
+      if (useLeft)
+      {
+        scan(left);
+      }
+      if (useRight)
+      {
+        scan(right);
+      }
+      if (!useLeft && !useRight)
+      {
+        break;
+      }
+    }
+    return index;
+  }
+
+private:
+  static constexpr double Width = 8.0;
+  struct Sample
+  {
+    double      u, v, nu, nv;
+    std::size_t index;
+  };
+  double                   m_Low{ 0.0 };
+  int                      m_Buckets{ 0 };
+  std::vector<std::size_t> m_Start;
+  std::vector<Sample>      m_Sample;
+};
+} // namespace
+
+/** The normal equations at a linearisation. */
+class PoseEstimator::Solver
+{
+public:
+  Solver(const PoseEstimator & estimator, bool similarityOnly, double correlationLength)
+    : m_Estimator(estimator)
+    , m_CorrelationLength(correlationLength)
+  {
+    const auto sigmas = estimator.GetPriorSigmas(similarityOnly);
+    for (unsigned int k = 0; k < 7; ++k)
+    {
+      if (sigmas[k] > 0.0)
+      {
+        m_Active.push_back(k);
+      }
+    }
+    m_Precision.resize(m_Active.size());
+    for (std::size_t a = 0; a < m_Active.size(); ++a)
+    {
+      const double s = sigmas[m_Active[a]];
+      m_Precision[a] = std::isinf(s) ? 0.0 : 1.0 / (s * s);
+    }
+  }
+
+  Eigen::VectorXd
+  Offset(const PoseParameters & parameters) const
+  {
+    Eigen::VectorXd offset(m_Active.size());
+    const auto      mean = this->PriorMean();
+    for (std::size_t a = 0; a < m_Active.size(); ++a)
+    {
+      offset[a] = parameters[m_Active[a]] - mean[m_Active[a]];
+    }
+    return offset;
+  }
+
+  PoseParameters
+  PriorMean() const
+  {
+    return PoseParameters{ {} };
+  }
+
+  /** Weights by distance, correlation by normals. */
+  void
+  SetBlocks(const Linearization & lin, double width, bool robust)
+  {
+    m_Blocks.clear();
+    std::size_t offset = 0;
+    for (const PoseStrand & strand : m_Estimator.m_Strands)
+    {
+      const std::size_t n = strand.tracing.Size();
+      PoseNoiseBlock    block;
+      block.weight.resize(n);
+      block.residual.resize(n);
+      block.jacobian.resize(n, m_Active.size());
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const std::size_t k = offset + i;
+        const double      w = robust ? GemanMcClure(lin.distance[k], width) : 1.0;
+        block.weight[i] = lin.facing[k] ? w * strand.tracing.weight[i] : 0.0;
+        block.residual[i] = lin.residual[k];
+        for (std::size_t a = 0; a < m_Active.size(); ++a)
+        {
+          block.jacobian(i, a) = lin.jacobian[7 * k + m_Active[a]];
+        }
+      }
+      block.SetCorrelation(strand.tracing, &lin.nu[offset], &lin.nv[offset], m_CorrelationLength);
+      m_Blocks.push_back(std::move(block));
+      offset += n;
+    }
+  }
+
+  void
+  Factor(const PoseNoise & noise)
+  {
+    m_Factors.clear();
+    m_Information = m_Precision.asDiagonal();
+    m_Gradient = Eigen::VectorXd::Zero(m_Active.size());
+    for (const PoseNoiseBlock & block : m_Blocks)
+    {
+      m_Factors.emplace_back(block.Covariance(noise));
+      const Eigen::MatrixXd j = m_Factors.back().matrixL().solve(block.jacobian);
+      const Eigen::VectorXd r = m_Factors.back().matrixL().solve(block.residual);
+      m_Information.noalias() += j.transpose() * j;
+      m_Gradient.noalias() += j.transpose() * r;
+    }
+  }
+
+  /** r' K^-1 r + prior for residuals of another pose, same covariance. */
+  double
+  Objective(const Linearization & lin, const PoseParameters & parameters) const
+  {
+    const Eigen::VectorXd offset = this->Offset(parameters);
+    double                value = offset.dot(m_Precision.cwiseProduct(offset));
+    std::size_t           begin = 0;
+    for (const auto & factor : m_Factors)
+    {
+      const Eigen::Index                      n = factor.rows();
+      const Eigen::Map<const Eigen::VectorXd> r(&lin.residual[begin], n);
+      value += factor.matrixL().solve(r).squaredNorm();
+      begin += n;
+    }
+    return value;
+  }
+
+  PoseParameters
+  Step(const PoseParameters & parameters, double damping) const
+  {
+    Eigen::MatrixXd information = m_Information;
+    information.diagonal() += damping * m_Information.diagonal();
+    // Not singular, where nothing at all is observed.
+    information.diagonal().array() += 1e-9;
+    const Eigen::VectorXd gradient = m_Gradient + m_Precision.cwiseProduct(this->Offset(parameters));
+    const Eigen::VectorXd step = -information.ldlt().solve(gradient);
+    // A common factor, so that the direction stays.
+    static const double limits[7] = { 0.1, 0.07, 0.07, 6.0, 6.0, 6.0, 0.03 };
+    double              factor = 1.0;
+    for (std::size_t a = 0; a < m_Active.size(); ++a)
+    {
+      factor = std::min(factor, limits[m_Active[a]] / std::max(std::abs(step[a]), 1e-300));
+    }
+    PoseParameters moved = parameters;
+    for (std::size_t a = 0; a < m_Active.size(); ++a)
+    {
+      moved[m_Active[a]] += factor * step[a];
+    }
+    return moved;
+  }
+
+  const PoseEstimator &                    m_Estimator;
+  double                                   m_CorrelationLength;
+  std::vector<unsigned int>                m_Active;
+  Eigen::VectorXd                          m_Precision;
+  std::vector<PoseNoiseBlock>              m_Blocks;
+  std::vector<Eigen::LLT<Eigen::MatrixXd>> m_Factors;
+  Eigen::MatrixXd                          m_Information;
+  Eigen::VectorXd                          m_Gradient;
+};
+
+PoseEstimator::PoseEstimator(const PoseGeometry &          geometry,
+                             const PoseRefinementOptions & options,
+                             std::vector<PoseStrand>       strands)
+  : m_Geometry(geometry)
+  , m_Options(options)
+  , m_Strands(std::move(strands))
+{
+  for (const PoseStrand & strand : m_Strands)
+  {
+    m_Count += strand.tracing.Size();
+  }
+}
+
+std::array<double, 7>
+PoseEstimator::GetPriorSigmas(bool similarityOnly) const
+{
+  std::array<double, 7> sigmas{
+    { Infinity, m_Options.rollSigma, m_Options.yawSigma, Infinity, m_Options.tySigma, Infinity, m_Options.kappaSigma }
+  };
+  if (!m_Geometry.pixelSpacingKnown)
+  {
+    sigmas[PoseKappa] = m_Options.kappaSigmaWithoutSpacing;
+  }
+  if (similarityOnly || !m_Options.useFullPose || m_Options.tracedSide == PoseTracedSideEnum::Mean)
+  {
+    sigmas[PoseRoll] = sigmas[PoseYaw] = sigmas[PoseTy] = 0.0;
+  }
+  if (m_Options.fixScale)
+  {
+    sigmas[PoseKappa] = 0.0;
+  }
+  if (m_Options.fixRotation)
+  {
+    sigmas[PosePitch] = sigmas[PoseRoll] = sigmas[PoseYaw] = 0.0;
+  }
+  if (m_Options.fixTranslation)
+  {
+    sigmas[PoseTx] = sigmas[PoseTy] = sigmas[PoseTz] = 0.0;
+  }
+  return sigmas;
+}
+
+std::vector<PoseContour>
+PoseEstimator::ComputeContours(const PoseParameters & parameters) const
+{
+  const PoseModel          model(m_Geometry, parameters);
+  std::vector<PoseContour> contours(m_Strands.size());
+  for (std::size_t s = 0; s < m_Strands.size(); ++s)
+  {
+    for (const PoseContourModel * contourModel : m_Strands[s].models)
+    {
+      PoseContour   more = contourModel->Compute(model);
+      PoseContour & all = contours[s];
+      if (all.Size() == 0)
+      {
+        all = std::move(more);
+        continue;
+      }
+      for (std::size_t run : more.runs)
+      {
+        all.runs.push_back(run + all.u.size());
+      }
+      all.u.insert(all.u.end(), more.u.begin(), more.u.end());
+      all.v.insert(all.v.end(), more.v.begin(), more.v.end());
+      all.nu.insert(all.nu.end(), more.nu.begin(), more.nu.end());
+      all.nv.insert(all.nv.end(), more.nv.begin(), more.nv.end());
+      all.rim.insert(all.rim.end(), more.rim.begin(), more.rim.end());
+      all.rimOther.insert(all.rimOther.end(), more.rimOther.begin(), more.rimOther.end());
+    }
+  }
+  return contours;
+}
+
+PoseEstimator::Linearization
+PoseEstimator::Linearize(const PoseParameters &           parameters,
+                         const std::vector<PoseContour> & contours,
+                         bool                             withJacobian) const
+{
+  const PoseModel model(m_Geometry, parameters);
+  Linearization   lin;
+  lin.residual.resize(m_Count);
+  lin.distance.resize(m_Count);
+  lin.nu.resize(m_Count);
+  lin.nv.resize(m_Count);
+  lin.facing.resize(m_Count);
+  lin.match.resize(m_Count);
+  lin.jacobian.assign(withJacobian ? 7 * m_Count : 0, 0.0);
+  const double normalWeight2 =
+    m_Options.useOrientation ? m_Options.orientationWeight * m_Options.orientationWeight : 0.0;
+  std::size_t k = 0;
+  for (std::size_t s = 0; s < m_Strands.size(); ++s)
+  {
+    const PoseTracing & tracing = m_Strands[s].tracing;
+    const PoseContour & contour = contours[s];
+    const ContourIndex  index(contour);
+    for (std::size_t i = 0; i < tracing.Size(); ++i, ++k)
+    {
+      if (index.Empty())
+      {
+        // Nothing to match: a residual that no pose can change, without weight.
+        lin.residual[k] = lin.distance[k] = 1e3;
+        lin.nv[k] = 1.0;
+        lin.facing[k] = 0;
+        continue;
+      }
+      const std::size_t j = index.Nearest(tracing.u[i], tracing.v[i], tracing.nu[i], tracing.nv[i], normalWeight2);
+      const double      nu = contour.nu[j];
+      const double      nv = contour.nv[j];
+      const double      du = tracing.u[i] - contour.u[j];
+      const double      dv = tracing.v[i] - contour.v[j];
+      const double      r = nu * du + nv * dv;
+      const double      tangential = std::abs(nu * dv - nv * du);
+      lin.residual[k] = r;
+      lin.distance[k] = tangential > 1.5 ? std::hypot(du, dv) : std::abs(r);
+      lin.nu[k] = nu;
+      lin.nv[k] = nv;
+      lin.facing[k] = !m_Options.useOrientation || nu * tracing.nu[i] + nv * tracing.nv[i] > 0.5;
+      lin.match[k] = j;
+      if (withJacobian)
+      {
+        double w[2], jacobian[14];
+        model.ProjectWithJacobian(contour.rim[j].data(), w, jacobian);
+        if (!contour.rimOther.empty())
+        {
+          double other[14];
+          model.ProjectWithJacobian(contour.rimOther[j].data(), w, other);
+          for (int a = 0; a < 14; ++a)
+          {
+            jacobian[a] = 0.5 * (jacobian[a] + other[a]);
+          }
+        }
+        for (int a = 0; a < 7; ++a)
+        {
+          lin.jacobian[7 * k + a] = -(nu * jacobian[a] + nv * jacobian[7 + a]);
+        }
+      }
+    }
+  }
+  return lin;
+}
+
+PoseState
+PoseEstimator::Refine(const PoseState & start, const PoseSchedule & schedule) const
+{
+  if (!m_Options.regenerateOutline)
+  {
+    return this->Run(start, schedule, nullptr, start.parameters);
+  }
+  return this->Run(start, schedule, nullptr, start.parameters);
+}
+
+PoseState
+PoseEstimator::RefineFrozen(const PoseState &                start,
+                            const PoseSchedule &             schedule,
+                            const std::vector<PoseContour> & contours,
+                            const PoseParameters &           contourPose) const
+{
+  return this->Run(start, schedule, &contours, contourPose);
+}
+
+PoseState
+PoseEstimator::Run(const PoseState &                start,
+                   const PoseSchedule &             schedule,
+                   const std::vector<PoseContour> * frozen,
+                   const PoseParameters &           frozenPose) const
+{
+  std::vector<PoseContour> own;
+  if (frozen == nullptr && !m_Options.regenerateOutline)
+  {
+    own = this->ComputeContours(start.parameters);
+    frozen = &own;
+  }
+  const PoseModel frozenModel(m_Geometry, frozenPose);
+  const auto      contoursAt = [&](const PoseParameters & parameters) {
+    if (frozen == nullptr)
+    {
+      return this->ComputeContours(parameters);
+    }
+    std::vector<PoseContour> contours = *frozen;
+    const PoseModel          model(m_Geometry, parameters);
+    for (PoseContour & contour : contours)
+    {
+      PoseContourModel::Reproject(contour, frozenModel, model);
+    }
+    return contours;
+  };
+  const bool correlated = schedule.correlated && m_Options.useCorrelatedNoise;
+  Solver     solver(*this, schedule.similarityOnly, correlated ? m_Options.correlationLength : 0.0);
+  PoseState  state = start;
+  state.evaluations = 0;
+  state.converged = false;
+  std::vector<PoseContour> contours = contoursAt(state.parameters);
+  Linearization            lin = this->Linearize(state.parameters, contours, true);
+  state.evaluations = 1;
+  double       damping = 0.0;
+  unsigned int accepted = 0;
+  const bool   estimate = schedule.estimateNoise && m_Options.estimateNoise;
+  while (!solver.m_Active.empty())
+  {
+    const bool annealed = accepted >= schedule.widths.size();
+    double     width = annealed ? schedule.widths.back() : schedule.widths[accepted];
+    if (annealed && estimate)
+    {
+      width = 2.5 * std::hypot(state.noise.smooth, state.noise.white);
+    }
+    solver.SetBlocks(lin, width, m_Options.useRobustKernel);
+    // Every second step once the kernel is narrow: the levels settle much faster than the pose.
+    if (estimate && annealed && (accepted - schedule.widths.size()) % 2 == 0)
+    {
+      state.noise =
+        EstimatePoseNoise(solver.m_Blocks, solver.m_Precision, solver.Offset(state.parameters), state.noise);
+    }
+    solver.Factor(state.noise);
+    const double before = solver.Objective(lin, state.parameters);
+    bool         moved = false;
+    while (state.evaluations < schedule.maximumEvaluations)
+    {
+      const PoseParameters     next = solver.Step(state.parameters, damping);
+      std::vector<PoseContour> nextContours = contoursAt(next);
+      Linearization            nextLin = this->Linearize(next, nextContours, true);
+      ++state.evaluations;
+      const double distance = this->ContourDistance(contours, state.parameters, next);
+      if (solver.Objective(nextLin, next) < before)
+      {
+        state.parameters = next;
+        contours = std::move(nextContours);
+        lin = std::move(nextLin);
+        damping = damping > 1e-4 ? 0.1 * damping : 0.0;
+        moved = true;
+        ++accepted;
+        state.converged = distance < schedule.tolerance;
+        break;
+      }
+      if (distance < schedule.tolerance)
+      {
+        state.converged = true;
+        break;
+      }
+      damping = std::max(10.0 * damping, 1e-2);
+    }
+    if (!moved && !(state.converged && !annealed))
+    {
+      break;
+    }
+    if (!moved)
+    {
+      // Nothing to gain at this width: go on to the narrower one.
+      ++accepted;
+      state.converged = false;
+    }
+    if (state.converged && accepted > schedule.widths.size())
+    {
+      break;
+    }
+    if (state.evaluations >= schedule.maximumEvaluations)
+    {
+      break;
+    }
+  }
+  this->Score(state, contours);
+  return state;
+}
+
+void
+PoseEstimator::Score(PoseState & state, const std::vector<PoseContour> & contours) const
+{
+  state.cost = 0.0;
+  state.codeTerm = 0.0;
+  double      total = 0.0;
+  std::size_t coded = 0;
+  for (std::size_t s = 0; s < m_Strands.size(); ++s)
+  {
+    const PoseFitStatistics fit = this->ComputeStatistics(s, contours[s]);
+    state.cost += fit.cost * static_cast<double>(fit.numberOfPoints);
+    total += static_cast<double>(fit.numberOfPoints);
+    if (fit.hasCodes)
+    {
+      state.codeTerm += std::abs(fit.codeOffset);
+      ++coded;
+    }
+  }
+  state.cost = total > 0.0 ? state.cost / total : 1.0;
+  state.codeTerm = coded > 0 ? state.codeTerm / static_cast<double>(coded) : 0.0;
+  state.score = state.cost + m_Options.codeWeight * state.codeTerm;
+}
+
+PoseFitStatistics
+PoseEstimator::ComputeStatistics(std::size_t s, const PoseContour & contour) const
+{
+  const PoseStrand &  strand = m_Strands[s];
+  const PoseTracing & tracing = strand.tracing;
+  PoseFitStatistics   fit;
+  fit.numberOfPoints = tracing.Size();
+  fit.tracingLength = tracing.length;
+  fit.contourLength = PoseContourModel::Spacing * static_cast<double>(contour.Size());
+  if (contour.Size() == 0 || tracing.Size() == 0)
+  {
+    fit.inlierShare = 0.0;
+    return fit;
+  }
+  const ContourIndex index(contour);
+  const double       normalWeight2 =
+    m_Options.useOrientation ? m_Options.orientationWeight * m_Options.orientationWeight : 0.0;
+  std::vector<double>   distances;
+  double                weights = 0.0, cost = 0.0, squares = 0.0, inliers = 0.0;
+  std::array<double, 9> arcSum{}, arcCount{}, arcExpected{};
+  for (std::size_t i = 0; i < tracing.Size(); ++i)
+  {
+    const std::size_t j = index.Nearest(tracing.u[i], tracing.v[i], tracing.nu[i], tracing.nv[i], normalWeight2);
+    const double      du = tracing.u[i] - contour.u[j];
+    const double      dv = tracing.v[i] - contour.v[j];
+    const double      nu = contour.nu[j];
+    const double      nv = contour.nv[j];
+    const double      r = std::abs(nu * du + nv * dv);
+    const double      d = std::abs(nu * dv - nv * du) > 1.5 ? std::hypot(du, dv) : r;
+    const bool        facing = !m_Options.useOrientation || nu * tracing.nu[i] + nv * tracing.nv[i] > 0.5;
+    const double      w = facing ? GemanMcClure(d, ScoreWidth) : 0.0;
+    weights += tracing.weight[i];
+    cost += tracing.weight[i] * (1.0 - std::sqrt(w));
+    inliers += facing && d < ScoreWidth ? tracing.weight[i] : 0.0;
+    squares += d * d;
+    distances.push_back(d);
+    const double expected = PoseArch::ExpectedArc(tracing.tooth[i]);
+    if (expected > 0.0 && strand.arch != nullptr && strand.arch->IsValid())
+    {
+      const int position = tracing.tooth[i] % 10;
+      arcSum[position] += std::abs(strand.arch->Arc(contour.rim[j][0], contour.rim[j][1]));
+      arcCount[position] += 1.0;
+      arcExpected[position] = expected;
+    }
+  }
+  double teeth = 0.0;
+  for (int k = 1; k < 9; ++k)
+  {
+    if (arcCount[k] > 0.0)
+    {
+      fit.codeOffset += arcSum[k] / arcCount[k] - arcExpected[k];
+      teeth += 1.0;
+    }
+  }
+  if (teeth > 0.0)
+  {
+    fit.codeOffset /= teeth;
+    fit.hasCodes = true;
+  }
+  fit.cost = weights > 0.0 ? cost / weights : 1.0;
+  fit.inlierShare = weights > 0.0 ? inliers / weights : 0.0;
+  fit.rmsResidual = std::sqrt(squares / static_cast<double>(distances.size()));
+  std::sort(distances.begin(), distances.end());
+  const auto quantile = [&](double q) {
+    const double      x = q * static_cast<double>(distances.size() - 1);
+    const std::size_t k = static_cast<std::size_t>(x);
+    const std::size_t l = std::min(k + 1, distances.size() - 1);
+    return distances[k] + (x - static_cast<double>(k)) * (distances[l] - distances[k]);
+  };
+  fit.medianResidual = quantile(0.5);
+  fit.p90Residual = quantile(0.9);
+  return fit;
+}
+
+std::array<double, 49>
+PoseEstimator::ComputeCovariance(const PoseState & state, PoseNoise & noise) const
+{
+  Solver solver(*this, false, m_Options.useCorrelatedNoise ? m_Options.covarianceCorrelationLength : 0.0);
+  noise = state.noise;
+  std::array<double, 49> covariance{};
+  if (solver.m_Active.empty())
+  {
+    return covariance;
+  }
+  const Linearization lin = this->Linearize(state.parameters, this->ComputeContours(state.parameters), true);
+  solver.SetBlocks(
+    lin, std::max(3.0, 2.5 * std::hypot(state.noise.smooth, state.noise.white)), m_Options.useRobustKernel);
+  if (m_Options.estimateNoise)
+  {
+    noise = EstimatePoseNoise(solver.m_Blocks, solver.m_Precision, solver.Offset(state.parameters), state.noise);
+  }
+  solver.Factor(noise);
+  Eigen::MatrixXd information = solver.m_Information;
+  information.diagonal().array() += 1e-9;
+  const Eigen::MatrixXd inverse =
+    information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+  const double factor = m_Options.covarianceInflation * m_Options.covarianceInflation;
+  for (std::size_t a = 0; a < solver.m_Active.size(); ++a)
+  {
+    for (std::size_t b = 0; b < solver.m_Active.size(); ++b)
+    {
+      covariance[7 * solver.m_Active[a] + solver.m_Active[b]] = factor * 0.5 * (inverse(a, b) + inverse(b, a));
+    }
+  }
+  return covariance;
+}
+
+double
+PoseEstimator::ComputeDeviance(const PoseState & state) const
+{
+  Solver              solver(*this, false, m_Options.useCorrelatedNoise ? m_Options.correlationLength : 0.0);
+  const Linearization lin = this->Linearize(state.parameters, this->ComputeContours(state.parameters), true);
+  solver.SetBlocks(lin, ScoreWidth, m_Options.useRobustKernel);
+  double deviance = 0.0;
+  EstimatePoseNoise(solver.m_Blocks, solver.m_Precision, solver.Offset(state.parameters), state.noise, &deviance);
+  return deviance;
+}
+
+double
+PoseEstimator::ContourDistance(const std::vector<PoseContour> & contours,
+                               const PoseParameters &           contourPose,
+                               const PoseParameters &           other) const
+{
+  const PoseModel from(m_Geometry, contourPose);
+  const PoseModel to(m_Geometry, other);
+  double          sum = 0.0;
+  double          count = 0.0;
+  for (const PoseContour & contour : contours)
+  {
+    // Every fifth sample: 2.5 px apart.
+    for (std::size_t i = 0; i < contour.Size(); i += 5)
+    {
+      double a[2], b[2];
+      from.Project(contour.rim[i].data(), a);
+      to.Project(contour.rim[i].data(), b);
+      sum += (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+} // namespace itk

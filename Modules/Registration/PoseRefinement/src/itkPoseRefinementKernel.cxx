@@ -1,0 +1,746 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseRefinementKernel.h"
+
+#include "itkParallelFor.h"
+#include "itkPoseEstimator.h"
+#include "itkPoseStartSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace itk
+{
+namespace
+{
+using Vector3 = std::array<double, 3>;
+
+/** All that belongs to one jaw. */
+struct Jaw
+{
+  const PoseJawInput *                           input{ nullptr };
+  TriangleSurface                                surface;
+  PoseArch                                       arch;
+  std::vector<std::unique_ptr<PoseContourModel>> models;
+};
+
+TriangleSurface
+ToDentalFrame(const TriangleSurface & surface, const PoseFrame & frame)
+{
+  TriangleSurface moved;
+  moved.triangles = surface.triangles;
+  moved.points.resize(surface.points.size());
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
+  {
+    const Vector3 d{ { surface.points[i][0] - frame.origin[0],
+                       surface.points[i][1] - frame.origin[1],
+                       surface.points[i][2] - frame.origin[2] } };
+    for (int k = 0; k < 3; ++k)
+    {
+      moved.points[i][k] =
+        frame.rotation[3 * k] * d[0] + frame.rotation[3 * k + 1] * d[1] + frame.rotation[3 * k + 2] * d[2];
+    }
+  }
+  return moved;
+}
+
+bool
+IsLeft(std::uint8_t tooth)
+{
+  return tooth / 10 == 2 || tooth / 10 == 3;
+}
+
+std::vector<PosePolyline>
+SelectPolylines(const PoseJawInput & jaw, const PoseRefinementOptions & options)
+{
+  std::vector<PosePolyline> selected;
+  for (const PosePolyline & polyline : jaw.tracing)
+  {
+    const auto & excluded = options.excludedTeeth;
+    if (polyline.tooth == 0 || std::find(excluded.begin(), excluded.end(), polyline.tooth) == excluded.end())
+    {
+      selected.push_back(polyline);
+    }
+  }
+  return selected;
+}
+
+std::size_t
+CountPoints(const std::vector<PosePolyline> & polylines)
+{
+  std::size_t count = 0;
+  for (const PosePolyline & polyline : polylines)
+  {
+    count += polyline.points.size();
+  }
+  return count;
+}
+
+/** Fills in what is not known: the principal point by the tracing's centroid, the spacing from the arch's length. */
+PoseGeometry
+CompleteGeometry(const std::vector<PoseJawInput> & jaws, PoseGeometry geometry, const PoseRefinementOptions & options)
+{
+  double low[2] = { 1e300, 1e300 };
+  double high[2] = { -1e300, -1e300 };
+  double sum[2] = { 0, 0 };
+  double count = 0.0;
+  for (const PoseJawInput & jaw : jaws)
+  {
+    for (const PosePolyline & polyline : SelectPolylines(jaw, options))
+    {
+      for (const auto & p : polyline.points)
+      {
+        for (int k = 0; k < 2; ++k)
+        {
+          low[k] = std::min(low[k], p[k]);
+          high[k] = std::max(high[k], p[k]);
+          sum[k] += p[k];
+        }
+        count += 1.0;
+      }
+    }
+  }
+  if (count == 0.0)
+  {
+    return geometry;
+  }
+  if (!geometry.principalPointKnown)
+  {
+    geometry.principalPoint = { { sum[0] / count, sum[1] / count } };
+  }
+  if (!geometry.pixelSpacingKnown)
+  {
+    // The length of the arches along x against that of the tracing. Teeth at the back may be untraced: the search over
+    // scale settles the rest.
+    double depth = 0.0;
+    for (const PoseJawInput & jaw : jaws)
+    {
+      if (jaw.surface == nullptr)
+      {
+        continue;
+      }
+      double front = -1e300, back = 1e300;
+      for (const auto & p : jaw.surface->points)
+      {
+        const double x = jaw.frame.rotation[0] * (p[0] - jaw.frame.origin[0]) +
+                         jaw.frame.rotation[1] * (p[1] - jaw.frame.origin[1]) +
+                         jaw.frame.rotation[2] * (p[2] - jaw.frame.origin[2]);
+        front = std::max(front, x);
+        back = std::min(back, x);
+      }
+      depth = std::max(depth, front - back);
+    }
+    const double pixels = std::max(1.0, std::hypot(high[0] - low[0], 0.5 * (high[1] - low[1])));
+    const double spacing = depth * geometry.sourceToDetector / geometry.sourceToMidsagittal / pixels;
+    geometry.pixelSpacing = { { spacing, spacing } };
+  }
+  return geometry;
+}
+
+void
+CheckGeometry(const PoseGeometry & geometry)
+{
+  if (!(geometry.sourceToMidsagittal > 0.0) || !(geometry.sourceToDetector > geometry.sourceToMidsagittal))
+  {
+    throw std::invalid_argument("source-to-midsagittal distance " + std::to_string(geometry.sourceToMidsagittal) +
+                                " mm must be positive and smaller than the source-to-detector distance " +
+                                std::to_string(geometry.sourceToDetector) + " mm");
+  }
+  if (!(geometry.pixelSpacing[0] > 0.0) || !(geometry.pixelSpacing[1] > 0.0))
+  {
+    throw std::invalid_argument("the pixel spacing must be positive; mark it as unknown where it is not known");
+  }
+}
+
+/** Registers one group of jaws that share a pose. */
+class GroupRun
+{
+public:
+  GroupRun(const PoseGeometry & geometry, const PoseRefinementOptions & options, std::vector<PoseStrand> strands)
+    : m_Options(options)
+    , m_Estimator(geometry, options, std::move(strands))
+  {}
+
+  /** \return false on abort. */
+  bool
+  Run(PoseGroupResult & group);
+
+  const PoseEstimator &
+  GetEstimator() const
+  {
+    return m_Estimator;
+  }
+
+private:
+  std::vector<PoseState>
+  StartsAt(double yaw, unsigned int & evaluations) const;
+
+  std::vector<PoseState>
+  Distinct(const std::vector<PoseState> & states, double distance, std::size_t maximum) const;
+
+  bool
+  Aborted(double progress) const
+  {
+    return m_Options.progress && m_Options.progress(progress);
+  }
+
+  PoseRefinementOptions    m_Options;
+  PoseEstimator            m_Estimator;
+  std::vector<PoseContour> m_Reference;
+  PoseParameters           m_ReferencePose{ {} };
+};
+
+std::vector<PoseState>
+GroupRun::StartsAt(double yaw, unsigned int & evaluations) const
+{
+  // The view direction is that of the tracing: two rounds settle the perspective.
+  PoseParameters           pose{ {} };
+  std::vector<PoseContour> contours;
+  pose[PoseYaw] = yaw;
+  double      target[2] = { 0, 0 };
+  std::size_t points = 0;
+  for (const PoseStrand & strand : m_Estimator.GetStrands())
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      target[k] += strand.tracing.centroid[k] * static_cast<double>(strand.tracing.Size());
+    }
+    points += strand.tracing.Size();
+  }
+  for (double & t : target)
+  {
+    t /= static_cast<double>(points);
+  }
+  for (int round = 0; round < 2; ++round)
+  {
+    contours = m_Estimator.ComputeContours(pose);
+    ++evaluations;
+    Vector3     centre{ { 0, 0, 0 } };
+    std::size_t samples = 0;
+    for (const PoseContour & contour : contours)
+    {
+      for (const auto & rim : contour.rim)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          centre[k] += rim[k];
+        }
+      }
+      samples += contour.Size();
+    }
+    if (samples == 0)
+    {
+      return {};
+    }
+    for (double & x : centre)
+    {
+      x /= static_cast<double>(samples);
+    }
+    if (round == 0)
+    {
+      PoseModel(m_Estimator.GetGeometry(), pose).SolveTranslation(centre.data(), target, pose[PoseTx], pose[PoseTz]);
+    }
+  }
+  PoseStartSearch search;
+  search.maximumStarts = m_Options.startsPerYaw + 2;
+  if (!m_Estimator.GetGeometry().pixelSpacingKnown && !m_Options.fixScale)
+  {
+    search.kappas = { 0.0, -0.35, -0.28, -0.21, -0.14, -0.07, 0.07, 0.14, 0.21, 0.28, 0.35 };
+    search.maximumStarts *= 2;
+  }
+  if (m_Options.fixRotation)
+  {
+    search.rotationRange = 0.0;
+  }
+  PoseSchedule schedule;
+  schedule.widths = { 10.0, 8.0, 6.0, 5.0, 4.0, 3.0 };
+  schedule.maximumEvaluations = 13;
+  schedule.similarityOnly = true;
+  schedule.correlated = false;
+  schedule.estimateNoise = false;
+  schedule.tolerance = 0.05;
+  std::vector<PoseState> states;
+  for (const auto & start : search.Search(m_Estimator, contours, pose))
+  {
+    PoseState state;
+    state.parameters = start.parameters;
+    state.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
+    states.push_back(m_Estimator.RefineFrozen(state, schedule, contours, pose));
+  }
+  std::stable_sort(
+    states.begin(), states.end(), [](const PoseState & a, const PoseState & b) { return a.score < b.score; });
+  std::vector<PoseState> distinct;
+  for (const PoseState & state : states)
+  {
+    const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const PoseState & other) {
+      return m_Estimator.ContourDistance(contours, state.parameters, other.parameters) < 3.0;
+    });
+    if (!near && distinct.size() < m_Options.startsPerYaw)
+    {
+      distinct.push_back(state);
+    }
+  }
+  return distinct;
+}
+
+std::vector<PoseState>
+GroupRun::Distinct(const std::vector<PoseState> & states, double distance, std::size_t maximum) const
+{
+  std::vector<PoseState> distinct;
+  for (const PoseState & state : states)
+  {
+    const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const PoseState & other) {
+      return m_Estimator.ContourDistance(m_Reference, state.parameters, other.parameters) < distance;
+    });
+    if (!near && distinct.size() < maximum)
+    {
+      distinct.push_back(state);
+    }
+  }
+  return distinct;
+}
+
+bool
+GroupRun::Run(PoseGroupResult & group)
+{
+  const auto byScore = [](const PoseState & a, const PoseState & b) { return a.score < b.score; };
+  if (this->Aborted(0.0))
+  {
+    return false;
+  }
+  std::vector<PoseState> pool;
+  if (m_Options.useInitialPose)
+  {
+    PoseState state;
+    state.parameters = m_Options.initialPose;
+    state.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
+    pool.push_back(state);
+  }
+  else
+  {
+    std::vector<double> yaws{ 0.0 };
+    if (m_Options.tracedSide != PoseTracedSideEnum::Mean && m_Options.useFullPose && !m_Options.fixRotation &&
+        !m_Options.yawStarts.empty())
+    {
+      yaws = m_Options.yawStarts;
+    }
+    std::vector<std::vector<PoseState>> found(yaws.size());
+    std::vector<unsigned int>           evaluations(yaws.size(), 0);
+    ParallelFor(yaws.size(), m_Options.numberOfThreads, [&](std::size_t y) {
+      found[y] = this->StartsAt(yaws[y], evaluations[y]);
+    });
+    for (std::size_t y = 0; y < yaws.size(); ++y)
+    {
+      pool.insert(pool.end(), found[y].begin(), found[y].end());
+      group.evaluations += evaluations[y];
+    }
+  }
+  if (pool.empty() || this->Aborted(0.3))
+  {
+    return !pool.empty() ? false : true;
+  }
+  std::stable_sort(pool.begin(), pool.end(), byScore);
+  m_ReferencePose = pool.front().parameters;
+  m_Reference = m_Estimator.ComputeContours(m_ReferencePose);
+
+  // A few steps of each, then the best ones to the end.
+  PoseSchedule coarse;
+  coarse.maximumEvaluations = 6;
+  coarse.estimateNoise = false;
+  coarse.tolerance = 0.05;
+  ParallelFor(
+    pool.size(), m_Options.numberOfThreads, [&](std::size_t i) { pool[i] = m_Estimator.Refine(pool[i], coarse); });
+  for (const PoseState & state : pool)
+  {
+    group.evaluations += state.evaluations;
+  }
+  std::stable_sort(pool.begin(), pool.end(), byScore);
+  pool = this->Distinct(pool, 1.0, 4);
+  const double limit = pool.front().score + 0.12;
+  pool.erase(std::remove_if(pool.begin(), pool.end(), [&](const PoseState & s) { return s.score > limit; }),
+             pool.end());
+  if (this->Aborted(0.6))
+  {
+    return false;
+  }
+  PoseSchedule fine;
+  fine.widths = { 3.0 };
+  fine.maximumEvaluations = m_Options.maximumEvaluations;
+  ParallelFor(
+    pool.size(), m_Options.numberOfThreads, [&](std::size_t i) { pool[i] = m_Estimator.Refine(pool[i], fine); });
+  for (const PoseState & state : pool)
+  {
+    group.evaluations += state.evaluations;
+  }
+  std::stable_sort(pool.begin(), pool.end(), byScore);
+  if (this->Aborted(0.9))
+  {
+    return false;
+  }
+  const PoseState & best = pool.front();
+  group.parameters = best.parameters;
+  group.score = best.score;
+  group.converged = best.converged;
+  group.smoothSigma = best.noise.smooth;
+  group.whiteSigma = best.noise.white;
+  for (const PoseState & state : pool)
+  {
+    PoseCandidate candidate;
+    candidate.parameters = state.parameters;
+    candidate.score = state.score;
+    candidate.cost = state.cost;
+    candidate.codeTerm = state.codeTerm;
+    candidate.distance = m_Estimator.ContourDistance(m_Reference, best.parameters, state.parameters);
+    group.candidates.push_back(candidate);
+    if (candidate.distance > 4.0)
+    {
+      group.margin = std::min(group.margin, candidate.score - best.score);
+    }
+  }
+  PoseNoise noise;
+  group.covariance = m_Estimator.ComputeCovariance(best, noise);
+  const auto sigmas = m_Estimator.GetPriorSigmas(false);
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    if (sigmas[k] > 0.0 && !std::isinf(sigmas[k]) && std::abs(best.parameters[k]) / sigmas[k] > group.priorTension)
+    {
+      group.priorTension = std::abs(best.parameters[k]) / sigmas[k];
+      group.priorTensionParameter = k;
+    }
+  }
+  return true;
+}
+
+/** Pose and projection in the mesh's frame, and the equivalent similarity. */
+void
+FillJaw(const Jaw & jaw, const PoseGeometry & geometry, const PoseParameters & parameters, PoseJawResult & result)
+{
+  const PoseModel   model(geometry, parameters);
+  const PoseFrame & frame = jaw.input->frame;
+  const auto &      r = model.GetRotation();
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      result.rotation[3 * i + j] =
+        r[3 * i] * frame.rotation[j] + r[3 * i + 1] * frame.rotation[3 + j] + r[3 * i + 2] * frame.rotation[6 + j];
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    result.translation[i] = parameters[PoseTx + i] - result.rotation[3 * i] * frame.origin[0] -
+                            result.rotation[3 * i + 1] * frame.origin[1] - result.rotation[3 * i + 2] * frame.origin[2];
+  }
+  result.projection = model.GetPixelProjection(frame);
+
+  // Least squares similarity from q = (f m x / sp_u, -m z / sp_v) of the dental frame.
+  double      sq[2] = { 0, 0 }, sp[2] = { 0, 0 }, qq = 0.0, dot = 0.0, cross = 0.0, pp = 0.0;
+  std::size_t n = 0;
+  const auto  visit = [&](const Vector3 & p, double q[2], double image[2]) {
+    const double m = geometry.sourceToDetector / (geometry.sourceToMidsagittal + geometry.sourceSign * p[1]);
+    q[0] = geometry.facingSign * m * p[0] / geometry.pixelSpacing[0];
+    q[1] = -m * p[2] / geometry.pixelSpacing[1];
+    double w[2];
+    model.Project(p.data(), w);
+    const auto pixel = PoseModel::ToPixel(geometry, { { w[0], w[1] } });
+    image[0] = pixel[0];
+    image[1] = pixel[1];
+  };
+  const std::size_t step = std::max<std::size_t>(1, jaw.surface.points.size() / 2000);
+  for (std::size_t i = 0; i < jaw.surface.points.size(); i += step, ++n)
+  {
+    double q[2], p[2];
+    visit(jaw.surface.points[i], q, p);
+    for (int k = 0; k < 2; ++k)
+    {
+      sq[k] += q[k];
+      sp[k] += p[k];
+    }
+  }
+  if (n == 0)
+  {
+    return;
+  }
+  const double count = static_cast<double>(n);
+  for (std::size_t i = 0; i < jaw.surface.points.size(); i += step)
+  {
+    double q[2], p[2];
+    visit(jaw.surface.points[i], q, p);
+    for (int k = 0; k < 2; ++k)
+    {
+      q[k] -= sq[k] / count;
+      p[k] -= sp[k] / count;
+    }
+    qq += q[0] * q[0] + q[1] * q[1];
+    pp += p[0] * p[0] + p[1] * p[1];
+    dot += q[0] * p[0] + q[1] * p[1];
+    cross += q[0] * p[1] - q[1] * p[0];
+  }
+  result.similarityAngle = std::atan2(cross, dot);
+  result.similarityScale = qq > 0.0 ? std::hypot(dot, cross) / qq : 1.0;
+  const double c = result.similarityScale * std::cos(result.similarityAngle);
+  const double s = result.similarityScale * std::sin(result.similarityAngle);
+  result.similarityTranslation = { { (sp[0] - c * sq[0] + s * sq[1]) / count,
+                                     (sp[1] - s * sq[0] - c * sq[1]) / count } };
+  result.similarityRms = std::sqrt(std::max(0.0, pp - result.similarityScale * std::hypot(dot, cross)) / count);
+}
+} // namespace
+
+TriangleSurface
+PoseRefinementKernel::SelectSide(const TriangleSurface & surface, double side, double margin)
+{
+  TriangleSurface            half;
+  std::vector<std::uint32_t> index(surface.points.size(), std::numeric_limits<std::uint32_t>::max());
+  for (const auto & triangle : surface.triangles)
+  {
+    const double y =
+      (surface.points[triangle[0]][1] + surface.points[triangle[1]][1] + surface.points[triangle[2]][1]) / 3.0;
+    if (side * y >= margin)
+    {
+      continue;
+    }
+    TriangleSurface::TriangleType kept;
+    for (int k = 0; k < 3; ++k)
+    {
+      std::uint32_t & i = index[triangle[k]];
+      if (i == std::numeric_limits<std::uint32_t>::max())
+      {
+        i = static_cast<std::uint32_t>(half.points.size());
+        half.points.push_back(surface.points[triangle[k]]);
+      }
+      kept[k] = i;
+    }
+    half.triangles.push_back(kept);
+  }
+  return half;
+}
+
+PoseRefinementResult
+PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
+                          const PoseGeometry &              nominal,
+                          const PoseRefinementOptions &     options)
+{
+  PoseRefinementResult result;
+  result.geometry = CompleteGeometry(inputs, nominal, options);
+  CheckGeometry(result.geometry);
+  result.jaws.resize(inputs.size());
+
+  // What is there, per jaw.
+  std::vector<Jaw>                     jaws(inputs.size());
+  std::vector<std::vector<PoseStrand>> strands(inputs.size());
+  const bool                           mean = options.tracedSide == PoseTracedSideEnum::Mean;
+  ParallelFor(inputs.size(), options.numberOfThreads, [&](std::size_t j) {
+    const PoseJawInput & input = inputs[j];
+    Jaw &                jaw = jaws[j];
+    jaw.input = &input;
+    result.jaws[j].upper = input.upper;
+    if (input.surface == nullptr || input.surface->triangles.empty())
+    {
+      result.jaws[j].failure = "there is no surface";
+      return;
+    }
+    const std::vector<PosePolyline> polylines = SelectPolylines(input, options);
+    const std::size_t               points = CountPoints(polylines);
+    if (points < 5)
+    {
+      result.jaws[j].failure = "the tracing has " + std::to_string(points) + " points, at least 5 are needed";
+      return;
+    }
+    jaw.surface = ToDentalFrame(*input.surface, input.frame);
+    jaw.arch = PoseArch(jaw.surface, input.upper);
+    const auto side = [&](double sign) {
+      return options.useSideSelection ? PoseRefinementKernel::SelectSide(jaw.surface, sign, options.midlineMargin)
+                                      : jaw.surface;
+    };
+    const auto add = [&](const std::vector<PosePolyline> & part, std::vector<const PoseContourModel *> models) {
+      PoseStrand strand;
+      strand.tracing = PoseTracing(result.geometry, part, input.upper, options.maximumTracingPoints);
+      strand.models = std::move(models);
+      strand.arch = &jaw.arch;
+      strand.upper = input.upper;
+      strand.jaw = j;
+      if (strand.tracing.Size() > 0)
+      {
+        strands[j].push_back(std::move(strand));
+      }
+    };
+    const bool filter = options.useFacingFilter;
+    if (mean)
+    {
+      jaw.models.push_back(std::make_unique<PoseContourModel>(side(1.0), side(-1.0), input.upper, filter));
+      add(polylines, { jaw.models[0].get() });
+    }
+    else if (options.tracedSide == PoseTracedSideEnum::Both)
+    {
+      std::vector<PosePolyline> right, left, unknown;
+      for (const PosePolyline & polyline : polylines)
+      {
+        (polyline.tooth == 0 ? unknown : IsLeft(polyline.tooth) ? left : right).push_back(polyline);
+      }
+      jaw.models.push_back(std::make_unique<PoseContourModel>(side(1.0), input.upper, filter));
+      jaw.models.push_back(std::make_unique<PoseContourModel>(side(-1.0), input.upper, filter));
+      add(right, { jaw.models[0].get() });
+      add(left, { jaw.models[1].get() });
+      add(unknown, { jaw.models[0].get(), jaw.models[1].get() });
+    }
+    else
+    {
+      const double sign = options.tracedSide == PoseTracedSideEnum::Right ? 1.0 : -1.0;
+      jaw.models.push_back(std::make_unique<PoseContourModel>(side(sign), input.upper, filter));
+      add(polylines, { jaw.models[0].get() });
+    }
+    if (strands[j].empty())
+    {
+      result.jaws[j].failure = "no part of the tracing can lie on the occlusal or anterior outline";
+    }
+  });
+
+  // Groups of jaws with one pose.
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t j = 0; j < inputs.size(); ++j)
+  {
+    if (!result.jaws[j].failure.empty())
+    {
+      continue;
+    }
+    if (options.useJointPose && !groups.empty())
+    {
+      groups[0].push_back(j);
+    }
+    else
+    {
+      groups.push_back({ j });
+    }
+  }
+  result.groupOfJaw.assign(inputs.size(), groups.size());
+  for (const auto & members : groups)
+  {
+    std::vector<PoseStrand> groupStrands;
+    for (std::size_t j : members)
+    {
+      groupStrands.insert(groupStrands.end(), strands[j].begin(), strands[j].end());
+    }
+    PoseGroupResult group;
+    group.jaws = members;
+    GroupRun run(result.geometry, options, std::move(groupStrands));
+    if (!run.Run(group))
+    {
+      result.aborted = true;
+      return result;
+    }
+    const std::size_t index = result.groups.size();
+    if (group.candidates.empty())
+    {
+      for (std::size_t j : members)
+      {
+        result.jaws[j].failure = "no start was found: the contour of the surface is empty";
+      }
+      result.groups.push_back(std::move(group));
+      continue;
+    }
+    const PoseEstimator & estimator = run.GetEstimator();
+    const auto            contours = estimator.ComputeContours(group.parameters);
+    for (std::size_t j : members)
+    {
+      PoseJawResult & jaw = result.jaws[j];
+      result.groupOfJaw[j] = index;
+      jaw.registered = true;
+      FillJaw(jaws[j], result.geometry, group.parameters, jaw);
+      const PoseFrame & frame = inputs[j].frame;
+      bool              first = true;
+      for (std::size_t s = 0; s < contours.size(); ++s)
+      {
+        if (estimator.GetStrands()[s].jaw != j)
+        {
+          continue;
+        }
+        const PoseFitStatistics fit = estimator.ComputeStatistics(s, contours[s]);
+        // Two strands of a jaw: the worse one speaks.
+        if (first || fit.cost > jaw.fit.cost)
+        {
+          jaw.fit = fit;
+        }
+        first = false;
+        for (std::size_t i = 0; i < contours[s].Size(); ++i)
+        {
+          jaw.contour.push_back(PoseModel::ToPixel(result.geometry, { { contours[s].u[i], contours[s].v[i] } }));
+          const auto & p = contours[s].rim[i];
+          Vector3      q = frame.origin;
+          for (int a = 0; a < 3; ++a)
+          {
+            for (int b = 0; b < 3; ++b)
+            {
+              q[a] += frame.rotation[3 * b + a] * p[b];
+            }
+          }
+          jaw.contourPoints.push_back(q);
+        }
+      }
+    }
+    result.groups.push_back(std::move(group));
+  }
+  return result;
+}
+
+std::array<double, 4>
+PoseRefinementKernel::LandmarkCovariance(const PoseRefinementResult &  result,
+                                         const PoseJawInput &          jaw,
+                                         std::size_t                   jawIndex,
+                                         const std::array<double, 3> & point)
+{
+  std::array<double, 4> covariance{};
+  const std::size_t     groupIndex = result.groupOfJaw.at(jawIndex);
+  if (groupIndex >= result.groups.size())
+  {
+    return covariance;
+  }
+  const PoseGroupResult & group = result.groups[groupIndex];
+  const PoseModel         model(result.geometry, group.parameters);
+  double                  p[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    p[k] = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      p[k] += jaw.frame.rotation[3 * k + c] * (point[c] - jaw.frame.origin[c]);
+    }
+  }
+  double w[2], jacobian[14];
+  model.ProjectWithJacobian(p, w, jacobian);
+  const double scale[2] = { PoseWorkingPixel * result.geometry.facingSign / result.geometry.pixelSpacing[0],
+                            PoseWorkingPixel / result.geometry.pixelSpacing[1] };
+  for (int a = 0; a < 2; ++a)
+  {
+    for (int b = 0; b < 2; ++b)
+    {
+      double sum = 0.0;
+      for (int i = 0; i < 7; ++i)
+      {
+        for (int k = 0; k < 7; ++k)
+        {
+          sum += jacobian[7 * a + i] * group.covariance[7 * i + k] * jacobian[7 * b + k];
+        }
+      }
+      covariance[2 * a + b] = scale[a] * scale[b] * sum;
+    }
+  }
+  return covariance;
+}
+} // namespace itk

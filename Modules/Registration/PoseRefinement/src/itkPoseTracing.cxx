@@ -1,0 +1,290 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseTracing.h"
+
+#include "itkPoseModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace itk
+{
+namespace
+{
+using Point2 = std::array<double, 2>;
+
+struct Strand
+{
+  std::vector<Point2> points;
+  std::vector<double> weights;
+  std::uint8_t        tooth{ 0 };
+  Point2              centroid{ { 0, 0 } };
+};
+
+double
+Distance(const Point2 & a, const Point2 & b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+/** The part of a closed polyline that can lie on the open moving contour, as one open polyline. */
+void
+OpenClosedPolyline(Strand & strand, bool upper)
+{
+  const std::size_t n = strand.points.size();
+  if (n < 3)
+  {
+    return;
+  }
+  double area = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Point2 & a = strand.points[i];
+    const Point2 & b = strand.points[(i + 1) % n];
+    area += a[0] * b[1] - a[1] * b[0];
+  }
+  const double      sign = area > 0.0 ? 1.0 : -1.0;
+  std::vector<char> keep(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Point2 & a = strand.points[(i + n - 1) % n];
+    const Point2 & b = strand.points[(i + 1) % n];
+    const double   length = std::max(Distance(a, b), 1e-12);
+    keep[i] = PoseTracing::Faces(sign * (b[1] - a[1]) / length, -sign * (b[0] - a[0]) / length, upper);
+  }
+  // Cut in the middle of the longest run of points that do not face the right way.
+  std::size_t best = 0, bestLength = 0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    std::size_t run = 0;
+    while (run < n && !keep[(i + run) % n])
+    {
+      ++run;
+    }
+    if (run > bestLength)
+    {
+      bestLength = run;
+      best = (i + run) % n;
+    }
+  }
+  Strand open;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t j = (best + i) % n;
+    if (keep[j])
+    {
+      open.points.push_back(strand.points[j]);
+      open.weights.push_back(strand.weights[j]);
+    }
+  }
+  strand.points.swap(open.points);
+  strand.weights.swap(open.weights);
+}
+
+/** Every k-th point, so that at most maximum are left in the jaw; the white noise of neighbours averages out anyway. */
+void
+Thin(std::vector<Strand> & strands, unsigned int maximum)
+{
+  std::size_t count = 0;
+  for (const Strand & strand : strands)
+  {
+    count += strand.points.size();
+  }
+  if (maximum == 0 || count <= maximum)
+  {
+    return;
+  }
+  const std::size_t step = (count + maximum - 1) / maximum;
+  for (Strand & strand : strands)
+  {
+    Strand thin;
+    // Centred, so that neither end is favoured.
+    for (std::size_t i = ((strand.points.size() - 1) % step) / 2; i < strand.points.size(); i += step)
+    {
+      thin.points.push_back(strand.points[i]);
+      thin.weights.push_back(strand.weights[i]);
+    }
+    strand.points.swap(thin.points);
+    strand.weights.swap(thin.weights);
+  }
+}
+} // namespace
+
+PoseTracing::PoseTracing(const PoseGeometry &              geometry,
+                         const std::vector<PosePolyline> & polylines,
+                         bool                              upper,
+                         unsigned int                      maximumPoints)
+{
+  std::vector<Strand> strands;
+  for (const PosePolyline & polyline : polylines)
+  {
+    if (polyline.points.empty())
+    {
+      continue;
+    }
+    Strand strand;
+    strand.tooth = polyline.tooth;
+    strand.weights = polyline.weights;
+    strand.weights.resize(polyline.points.size(), 1.0);
+    for (const auto & pixel : polyline.points)
+    {
+      strand.points.push_back(PoseModel::ToWorkingPlane(geometry, pixel));
+    }
+    if (polyline.closed)
+    {
+      OpenClosedPolyline(strand, upper);
+    }
+    if (!strand.points.empty())
+    {
+      strands.push_back(std::move(strand));
+    }
+  }
+  if (strands.empty())
+  {
+    return;
+  }
+  for (Strand & strand : strands)
+  {
+    for (const Point2 & p : strand.points)
+    {
+      strand.centroid[0] += p[0] / strand.points.size();
+      strand.centroid[1] += p[1] / strand.points.size();
+    }
+    for (std::size_t i = 1; i < strand.points.size(); ++i)
+    {
+      length += Distance(strand.points[i - 1], strand.points[i]);
+    }
+  }
+  const bool coded = std::all_of(strands.begin(), strands.end(), [](const Strand & s) { return s.tooth != 0; });
+  std::stable_sort(strands.begin(), strands.end(), [coded](const Strand & a, const Strand & b) {
+    if (coded && a.tooth % 10 != b.tooth % 10)
+    {
+      return a.tooth % 10 < b.tooth % 10;
+    }
+    return a.centroid[0] > b.centroid[0];
+  });
+
+  // Directions by dynamic programming over (as is, reversed). The first link prefers the front end first.
+  const std::size_t                  count = strands.size();
+  std::vector<std::array<double, 2>> best(count);
+  std::vector<std::array<int, 2>>    from(count);
+  const auto first = [](const Strand & s, int r) { return r ? s.points.back() : s.points.front(); };
+  const auto last = [](const Strand & s, int r) { return r ? s.points.front() : s.points.back(); };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (int r = 0; r < 2; ++r)
+    {
+      best[i][r] = 0.0;
+      if (i == 0)
+      {
+        // A tie-break for the lone polyline, too weak to matter beside a gap.
+        best[i][r] = 1e-3 * (last(strands[0], r)[0] - first(strands[0], r)[0]);
+        from[i][r] = 0;
+        continue;
+      }
+      best[i][r] = std::numeric_limits<double>::max();
+      for (int q = 0; q < 2; ++q)
+      {
+        const double cost = best[i - 1][q] + Distance(last(strands[i - 1], q), first(strands[i], r));
+        if (cost < best[i][r])
+        {
+          best[i][r] = cost;
+          from[i][r] = q;
+        }
+      }
+    }
+  }
+  int reversed = best[count - 1][0] <= best[count - 1][1] ? 0 : 1;
+  for (std::size_t i = count; i-- > 0;)
+  {
+    const int previous = from[i][reversed];
+    if (reversed)
+    {
+      std::reverse(strands[i].points.begin(), strands[i].points.end());
+      std::reverse(strands[i].weights.begin(), strands[i].weights.end());
+    }
+    reversed = previous;
+  }
+  Thin(strands, maximumPoints);
+
+  for (const Strand & strand : strands)
+  {
+    for (std::size_t i = 0; i < strand.points.size(); ++i)
+    {
+      const Point2 & p = strand.points[i];
+      arc.push_back(u.empty() ? 0.0 : arc.back() + std::hypot(p[0] - u.back(), p[1] - v.back()));
+      u.push_back(p[0]);
+      v.push_back(p[1]);
+      weight.push_back(strand.weights[i]);
+      tooth.push_back(strand.tooth);
+    }
+  }
+  const std::size_t n = u.size();
+  nu.resize(n);
+  nv.resize(n);
+  double occlusal = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    // Slopes of u and v over arc length.
+    double sw = 0, ss = 0, sss = 0, su = 0, sv = 0, ssu = 0, ssv = 0;
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      const double d = arc[j] - arc[i];
+      if (std::abs(d) > 15.0)
+      {
+        continue;
+      }
+      const double w = std::exp(-d * d / 50.0);
+      sw += w;
+      ss += w * d;
+      sss += w * d * d;
+      su += w * u[j];
+      sv += w * v[j];
+      ssu += w * d * u[j];
+      ssv += w * d * v[j];
+    }
+    double       tu = sw * ssu - ss * su;
+    double       tv = sw * ssv - ss * sv;
+    const double size = std::hypot(tu, tv);
+    if (size > 1e-12)
+    {
+      tu /= size;
+      tv /= size;
+    }
+    else
+    {
+      tu = -1.0;
+      tv = 0.0;
+    }
+    nu[i] = upper ? tv : -tv;
+    nv[i] = upper ? -tu : tu;
+    occlusal += upper ? nv[i] : -nv[i];
+    centroid[0] += u[i] / n;
+    centroid[1] += v[i] / n;
+  }
+  if (occlusal < 0.0)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      nu[i] = -nu[i];
+      nv[i] = -nv[i];
+    }
+  }
+}
+} // namespace itk
