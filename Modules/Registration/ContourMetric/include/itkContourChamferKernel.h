@@ -81,14 +81,20 @@ public:
              SearchEnum            search = SearchEnum::Automatic);
 
   /** Symmetric: the sum of both directed means, else one of them. With a gradient, its derivatives by scale, angle, tx
-   * and ty. With maximumNumberOfPoints > 0 each mean is taken over at most that many evenly spaced points: for ranking
-   * candidates only. The scale must be positive, everything finite. */
+   * and ty. The scale must be positive, everything finite. */
   double
   Evaluate(const ContourSimilarity & similarity,
            DirectionEnum             direction = DirectionEnum::Symmetric,
            GradientType *            gradient = nullptr,
-           double                    truncation = std::numeric_limits<double>::infinity(),
-           std::size_t               maximumNumberOfPoints = 0) const;
+           double                    truncation = std::numeric_limits<double>::infinity()) const;
+
+  /** About the same value for ranking many candidates: from a field of distances (see
+   * ContourDistanceIndex::FindApproximateDistance) at up to numberOfPoints evenly spaced points of each contour. */
+  double
+  EvaluateApproximately(const ContourSimilarity & similarity,
+                        DirectionEnum             direction,
+                        double                    truncation,
+                        std::size_t               numberOfPoints) const;
 
   /** Distances of all points, in their order; NaN for ignored ones. */
   std::vector<double>

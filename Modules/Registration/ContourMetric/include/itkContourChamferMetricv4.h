@@ -71,9 +71,9 @@ protected:
   void
   InitializeContours(const ContourArrays & fixed, const ContourArrays & moving) override;
   MeasureType
-  ComputeValue(const ContourSimilarity &            similarity,
-               ContourChamferKernel::GradientType * gradient,
-               SizeValueType                        maximumNumberOfPoints) const override;
+  ComputeValue(const ContourSimilarity & similarity, ContourChamferKernel::GradientType * gradient) const override;
+  MeasureType
+  ComputeApproximateValue(const ContourSimilarity & similarity, SizeValueType numberOfPoints) const override;
 
 private:
   DirectionEnum        m_Direction{ DirectionEnum::Symmetric };

@@ -85,6 +85,11 @@ public:
   NearestType
   FindNearest(double x, double y) const;
 
+  /** The distance at the centre of a cell around (x, y): off by at most 3 % of the contour's width near it (more far
+   * away, in proportion), for ranking many candidates at a nanosecond or two a query. */
+  double
+  FindApproximateDistance(double x, double y) const;
+
 private:
   struct SegmentType
   {
@@ -112,6 +117,8 @@ private:
     BoxType                              box;
     double                               cellsPerUnit{ 0.0 };
     std::array<std::vector<CellType>, 3> cells;
+    /** Distances at the centres of a coarse grid; negative where not yet filled. */
+    std::vector<float> field;
   };
 
   void
@@ -122,6 +129,8 @@ private:
   FindByBruteForce(double x, double y) const;
   void
   TestTarget(std::uint32_t target, double x, double y, NearestType & nearest) const;
+  DomainType *
+  FindDomain(double x, double y) const;
   double
   LowerBound(std::uint32_t target, const BoxType & box) const;
   double
@@ -130,6 +139,8 @@ private:
   GetCell(DomainType & domain, unsigned int level, std::uint32_t ix, std::uint32_t iy) const;
   void
   KeepPossiblyNearest(const BoxType & box, const std::uint32_t * from, std::size_t count) const;
+  double
+  FindUpperBound(const BoxType & box, const std::uint32_t * from, std::size_t count) const;
   void
   DropDominatedPoints(const BoxType & box) const;
   void

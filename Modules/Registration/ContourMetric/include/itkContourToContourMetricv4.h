@@ -25,6 +25,8 @@
 #include "itkObjectToObjectMetricBase.h"
 #include "itkSimilarity2DTransform.h"
 
+#include <array>
+
 namespace itk
 {
 /** \class ContourToContourMetricv4
@@ -136,10 +138,14 @@ public:
   ContourSimilarity
   GetCurrentSimilarity() const;
 
-  /** Value at a position, the metric left where it stands. maximumNumberOfPoints > 0 thins the contours: for ranking
-   * candidates. */
+  /** Value at a position, the metric left where it stands. */
   MeasureType
-  EvaluateAt(const ParametersType & parameters, SizeValueType maximumNumberOfPoints = 0) const;
+  EvaluateAt(const ParametersType & parameters) const;
+
+  /** About the value at a position within the bounds, much faster: for ranking many candidates. numberOfPoints thins
+   * the contours. */
+  MeasureType
+  EvaluateApproximatelyAt(const ParametersType & parameters, SizeValueType numberOfPoints = 48) const;
 
   /** Smallest value evaluated by GetValue() or GetValueAndDerivative() within the bounds since ResetBest(), and where.
    */
@@ -200,17 +206,23 @@ protected:
 
   /** The value and, where gradient is not null, its derivatives (plus sign) by scale, angle, tx, ty. */
   virtual MeasureType
-  ComputeValue(const ContourSimilarity &            similarity,
-               ContourChamferKernel::GradientType * gradient,
-               SizeValueType                        maximumNumberOfPoints) const = 0;
+  ComputeValue(const ContourSimilarity & similarity, ContourChamferKernel::GradientType * gradient) const = 0;
+
+  /** About the value, for ranking; here the value itself. */
+  virtual MeasureType
+  ComputeApproximateValue(const ContourSimilarity & similarity, SizeValueType numberOfPoints) const;
 
 private:
+  using PositionType = std::array<double, NumberOfParameters>;
+
   MeasureType
-  Compute(const ParametersType & parameters, DerivativeType * derivative, SizeValueType maximumNumberOfPoints) const;
+  Compute(const ParametersType & parameters, DerivativeType * derivative) const;
   MeasureType
   ComputeAndRemember(DerivativeType * derivative) const;
-  ParametersType
+  PositionType
   Clip(const ParametersType & parameters) const;
+  ContourSimilarity
+  MapToSimilarity(const double * parameters) const;
   void
   UpdateTransform();
   void
@@ -225,6 +237,7 @@ private:
   ContourSimilarity      m_Reference;
   PointType              m_ReferencePosition;
   ParametersType         m_Parameters;
+  ParametersType         m_TransformParameters;
   bool                   m_HasBounds{ false };
   ParametersType         m_LowerBound;
   ParametersType         m_UpperBound;

@@ -110,24 +110,21 @@ double
 AccumulateMean(const std::vector<double> &          points,
                const std::vector<double> &          weights,
                double                               truncation,
-               std::size_t                          maximumNumberOfPoints,
                double                               scale,
                ContourChamferKernel::GradientType * gradient,
                const TMatch &                       match)
 {
   const std::size_t count = weights.size();
-  const std::size_t used = maximumNumberOfPoints > 0 ? std::min(count, maximumNumberOfPoints) : count;
   double            sum = 0.0;
   double            sumOfWeights = 0.0;
   double            byScale = 0.0;
   double            byAngle = 0.0;
   double            byX = 0.0;
   double            byY = 0.0;
-  for (std::size_t k = 0; k < used; ++k)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const std::size_t i = used == count ? k : (2 * k + 1) * count / (2 * used);
-    const Pair        pair = match(points[2 * i], points[2 * i + 1]);
-    const double      weight = weights[i];
+    const Pair   pair = match(points[2 * i], points[2 * i + 1]);
+    const double weight = weights[i];
     sumOfWeights += weight;
     if (pair.distance >= truncation)
     {
@@ -146,6 +143,28 @@ AccumulateMean(const std::vector<double> &          points,
     (*gradient)[1] += byAngle / sumOfWeights;
     (*gradient)[2] += byX / sumOfWeights;
     (*gradient)[3] += byY / sumOfWeights;
+  }
+  return sum / sumOfWeights;
+}
+
+/** Weighted mean of what the function gives at evenly spaced points of a side. */
+template <typename TDistance>
+double
+SampleMean(const std::vector<double> & points,
+           const std::vector<double> & weights,
+           double                      truncation,
+           std::size_t                 numberOfPoints,
+           const TDistance &           distance)
+{
+  const std::size_t count = weights.size();
+  const std::size_t used = std::min(count, std::max<std::size_t>(numberOfPoints, 1));
+  double            sum = 0.0;
+  double            sumOfWeights = 0.0;
+  for (std::size_t k = 0; k < used; ++k)
+  {
+    const std::size_t i = (2 * k + 1) * count / (2 * used);
+    sum += weights[i] * std::min(truncation, distance(points[2 * i], points[2 * i + 1]));
+    sumOfWeights += weights[i];
   }
   return sum / sumOfWeights;
 }
@@ -218,8 +237,7 @@ double
 ContourChamferKernel::Evaluate(const ContourSimilarity & similarity,
                                DirectionEnum             direction,
                                GradientType *            gradient,
-                               double                    truncation,
-                               std::size_t               maximumNumberOfPoints) const
+                               double                    truncation) const
 {
   const Map map(similarity);
   if (gradient != nullptr)
@@ -229,20 +247,45 @@ ContourChamferKernel::Evaluate(const ContourSimilarity & similarity,
   double value = 0.0;
   if (direction != DirectionEnum::FixedToMoving)
   {
-    value += AccumulateMean(m_Moving.points,
-                            m_Moving.weights,
-                            truncation,
-                            maximumNumberOfPoints,
-                            map.scale,
-                            gradient,
-                            [&](double x, double y) { return MatchMoving(map, m_Fixed.index, x, y); });
+    value +=
+      AccumulateMean(m_Moving.points, m_Moving.weights, truncation, map.scale, gradient, [&](double x, double y) {
+        return MatchMoving(map, m_Fixed.index, x, y);
+      });
   }
   if (direction != DirectionEnum::MovingToFixed)
   {
-    value += AccumulateMean(
-      m_Fixed.points, m_Fixed.weights, truncation, maximumNumberOfPoints, map.scale, gradient, [&](double x, double y) {
-        return MatchFixed(map, m_Moving.index, x, y);
-      });
+    value += AccumulateMean(m_Fixed.points, m_Fixed.weights, truncation, map.scale, gradient, [&](double x, double y) {
+      return MatchFixed(map, m_Moving.index, x, y);
+    });
+  }
+  return value;
+}
+
+double
+ContourChamferKernel::EvaluateApproximately(const ContourSimilarity & similarity,
+                                            DirectionEnum             direction,
+                                            double                    truncation,
+                                            std::size_t               numberOfPoints) const
+{
+  const Map map(similarity);
+  double    value = 0.0;
+  if (direction != DirectionEnum::FixedToMoving)
+  {
+    value += SampleMean(m_Moving.points, m_Moving.weights, truncation, numberOfPoints, [&](double x, double y) {
+      double rx;
+      double ry;
+      map.Rotate(x, y, rx, ry);
+      return m_Fixed.index.FindApproximateDistance(rx + map.tx, ry + map.ty);
+    });
+  }
+  if (direction != DirectionEnum::MovingToFixed)
+  {
+    value += SampleMean(m_Fixed.points, m_Fixed.weights, truncation, numberOfPoints, [&](double x, double y) {
+      double qx;
+      double qy;
+      map.Invert(x, y, qx, qy);
+      return map.scale * m_Moving.index.FindApproximateDistance(qx, qy);
+    });
   }
   return value;
 }

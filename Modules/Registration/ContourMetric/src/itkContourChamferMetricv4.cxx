@@ -47,10 +47,16 @@ ContourChamferMetricv4::InitializeContours(const ContourArrays & fixed, const Co
 
 auto
 ContourChamferMetricv4::ComputeValue(const ContourSimilarity &            similarity,
-                                     ContourChamferKernel::GradientType * gradient,
-                                     SizeValueType                        maximumNumberOfPoints) const -> MeasureType
+                                     ContourChamferKernel::GradientType * gradient) const -> MeasureType
 {
-  return m_Kernel.Evaluate(similarity, m_Direction, gradient, m_Truncation, maximumNumberOfPoints);
+  return m_Kernel.Evaluate(similarity, m_Direction, gradient, m_Truncation);
+}
+
+auto
+ContourChamferMetricv4::ComputeApproximateValue(const ContourSimilarity & similarity,
+                                                SizeValueType             numberOfPoints) const -> MeasureType
+{
+  return m_Kernel.EvaluateApproximately(similarity, m_Direction, m_Truncation, numberOfPoints);
 }
 
 void

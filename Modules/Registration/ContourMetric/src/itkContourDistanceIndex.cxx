@@ -35,10 +35,19 @@ constexpr std::array<std::uint32_t, 3> SmallGrid{ 8, 32, 128 };
 constexpr std::array<std::uint32_t, 3> LargeGrid{ 8, 64, 512 };
 constexpr std::size_t                  LargeGridFrom = 1500;
 
+// Cells a side of the field of approximate distances: a multiple of the coarsest grid's.
+constexpr std::uint32_t FieldSide = 64;
+
 inline double
 Square(double value)
 {
   return value * value;
+}
+
+inline std::uint32_t
+CellNumber(double place, std::uint32_t side)
+{
+  return place > 0.0 ? std::min(static_cast<std::uint32_t>(place), side - 1) : 0u;
 }
 } // namespace
 
@@ -251,28 +260,46 @@ ContourDistanceIndex::UpperBound(std::uint32_t target, const BoxType & box) cons
   return largest;
 }
 
-// Fills m_Kept with those of the list that can be nearest somewhere in the box.
-void
-ContourDistanceIndex::KeepPossiblyNearest(const BoxType & box, const std::uint32_t * from, std::size_t count) const
+// Largest squared distance in the box to the target nearest to its centre. Leaves the squared distances from the centre
+// in m_Bounds.
+double
+ContourDistanceIndex::FindUpperBound(const BoxType & box, const std::uint32_t * from, std::size_t count) const
 {
-  double least = std::numeric_limits<double>::infinity();
+  const double  centerX = 0.5 * (box.x0 + box.x1);
+  const double  centerY = 0.5 * (box.y0 + box.y1);
+  double        least = std::numeric_limits<double>::infinity();
+  std::uint32_t nearest = 0;
   m_Bounds.resize(count);
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::uint32_t target = from == nullptr ? static_cast<std::uint32_t>(i) : from[i];
-    m_Bounds[i] = this->LowerBound(target, box);
-    if (m_Bounds[i] < least)
+    NearestType         center{ std::numeric_limits<double>::infinity(), 0.0, 0.0, 0 };
+    this->TestTarget(target, centerX, centerY, center);
+    m_Bounds[i] = center.squaredDistance;
+    if (center.squaredDistance < least)
     {
-      least = std::min(least, this->UpperBound(target, box));
+      least = center.squaredDistance;
+      nearest = target;
     }
   }
-  const double limit = least * (1.0 + 1e-9);
+  return this->UpperBound(nearest, box);
+}
+
+// Fills m_Kept with those of the list that can be nearest somewhere in the box.
+void
+ContourDistanceIndex::KeepPossiblyNearest(const BoxType & box, const std::uint32_t * from, std::size_t count) const
+{
+  const double upper = this->FindUpperBound(box, from, count) * (1.0 + 1e-9);
+  // No point of the box is farther than this from its centre.
+  const double radius = 0.5 * std::hypot(box.x1 - box.x0, box.y1 - box.y0);
+  const double limit = Square(std::sqrt(upper) + radius) * (1.0 + 1e-9);
   m_Kept.clear();
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (m_Bounds[i] <= limit)
+    const std::uint32_t target = from == nullptr ? static_cast<std::uint32_t>(i) : from[i];
+    if (m_Bounds[i] <= limit && this->LowerBound(target, box) <= upper)
     {
-      m_Kept.push_back(from == nullptr ? static_cast<std::uint32_t>(i) : from[i]);
+      m_Kept.push_back(target);
     }
   }
 }
@@ -346,18 +373,10 @@ ContourDistanceIndex::DropDominatedSegments(const BoxType & box) const
       const BoxType part{
         box.x0 + ix * stepX, box.y0 + iy * stepY, box.x0 + (ix + 1) * stepX, box.y0 + (iy + 1) * stepY
       };
-      double least = std::numeric_limits<double>::infinity();
+      const double upper = this->FindUpperBound(part, m_Kept.data(), count) * (1.0 + 1e-9);
       for (std::size_t i = 0; i < count; ++i)
       {
-        m_Bounds[i] = this->LowerBound(m_Kept[i], part);
-        if (m_Bounds[i] < least)
-        {
-          least = std::min(least, this->UpperBound(m_Kept[i], part));
-        }
-      }
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        m_Order[i] |= static_cast<std::uint32_t>(m_Bounds[i] <= least * (1.0 + 1e-9));
+        m_Order[i] |= static_cast<std::uint32_t>(m_Order[i] != 0 || this->LowerBound(m_Kept[i], part) <= upper);
       }
     }
   }
@@ -417,25 +436,20 @@ ContourDistanceIndex::GetCell(DomainType & domain, unsigned int level, std::uint
   return cell;
 }
 
+// The smallest domain that holds the place; none far outside.
 auto
-ContourDistanceIndex::FindNearest(double x, double y) const -> NearestType
+ContourDistanceIndex::FindDomain(double x, double y) const -> DomainType *
 {
-  if (!m_HasGrid || m_Search == SearchEnum::BruteForce ||
-      (m_Search == SearchEnum::Automatic && this->GetNumberOfTargets() <= BruteForceLimit))
-  {
-    return this->FindByBruteForce(x, y);
-  }
   const double  away = std::max(std::abs(x - m_CenterX), std::abs(y - m_CenterY));
   double        halfWidth = m_HalfWidth;
   std::uint32_t number = 0;
-  while (!(away < halfWidth) && number < NumberOfDomains)
+  while (!(away < halfWidth))
   {
     halfWidth *= DomainGrowth;
-    ++number;
-  }
-  if (number == NumberOfDomains)
-  {
-    return this->FindByBruteForce(x, y);
+    if (++number == NumberOfDomains)
+    {
+      return nullptr;
+    }
   }
   if (m_Domains.empty())
   {
@@ -447,19 +461,62 @@ ContourDistanceIndex::FindNearest(double x, double y) const -> NearestType
     domain.box = { m_CenterX - halfWidth, m_CenterY - halfWidth, m_CenterX + halfWidth, m_CenterY + halfWidth };
     domain.cellsPerUnit = m_Grid.back() / (2.0 * halfWidth);
   }
-  const auto clip = [this](double cell) {
-    return cell <= 0.0 ? 0u : std::min(static_cast<std::uint32_t>(cell), m_Grid.back() - 1);
-  };
-  const CellType        cell = this->GetCell(domain,
-                                      static_cast<unsigned int>(m_Grid.size() - 1),
-                                      clip((x - domain.box.x0) * domain.cellsPerUnit),
-                                      clip((y - domain.box.y0) * domain.cellsPerUnit));
-  NearestType           nearest{ std::numeric_limits<double>::infinity(), x, y, 0 };
-  const std::uint32_t * list = m_Lists.data() + cell.first;
+  return &domain;
+}
+
+auto
+ContourDistanceIndex::FindNearest(double x, double y) const -> NearestType
+{
+  if (!m_HasGrid || m_Search == SearchEnum::BruteForce ||
+      (m_Search == SearchEnum::Automatic && this->GetNumberOfTargets() <= BruteForceLimit))
+  {
+    return this->FindByBruteForce(x, y);
+  }
+  DomainType * domain = this->FindDomain(x, y);
+  if (domain == nullptr)
+  {
+    return this->FindByBruteForce(x, y);
+  }
+  const std::uint32_t ix = CellNumber((x - domain->box.x0) * domain->cellsPerUnit, m_Grid.back());
+  const std::uint32_t iy = CellNumber((y - domain->box.y0) * domain->cellsPerUnit, m_Grid.back());
+  const CellType      cell = this->GetCell(*domain, static_cast<unsigned int>(m_Grid.size() - 1), ix, iy);
+  NearestType         nearest{ std::numeric_limits<double>::infinity(), x, y, 0 };
   for (std::uint32_t i = 0; i < cell.count; ++i)
   {
-    this->TestTarget(list[i], x, y, nearest);
+    this->TestTarget(m_Lists[cell.first + i], x, y, nearest);
   }
   return nearest;
+}
+
+double
+ContourDistanceIndex::FindApproximateDistance(double x, double y) const
+{
+  DomainType * domain = m_HasGrid ? this->FindDomain(x, y) : nullptr;
+  if (domain == nullptr)
+  {
+    return std::sqrt(this->FindByBruteForce(x, y).squaredDistance);
+  }
+  if (domain->field.empty())
+  {
+    domain->field.assign(static_cast<std::size_t>(FieldSide) * FieldSide, -1.0f);
+  }
+  const double        width = (domain->box.x1 - domain->box.x0) / FieldSide;
+  const std::uint32_t ix = CellNumber((x - domain->box.x0) / width, FieldSide);
+  const std::uint32_t iy = CellNumber((y - domain->box.y0) / width, FieldSide);
+  float &             distance = domain->field[static_cast<std::size_t>(iy) * FieldSide + ix];
+  if (distance < 0.0f)
+  {
+    const double        centerX = domain->box.x0 + (ix + 0.5) * width;
+    const double        centerY = domain->box.y0 + (iy + 0.5) * width;
+    const std::uint32_t side = m_Grid[0];
+    const CellType      cell = this->GetCell(*domain, 0, ix * side / FieldSide, iy * side / FieldSide);
+    NearestType         nearest{ std::numeric_limits<double>::infinity(), x, y, 0 };
+    for (std::uint32_t i = 0; i < cell.count; ++i)
+    {
+      this->TestTarget(m_Lists[cell.first + i], centerX, centerY, nearest);
+    }
+    distance = static_cast<float>(std::sqrt(nearest.squaredDistance));
+  }
+  return distance;
 }
 } // namespace itk

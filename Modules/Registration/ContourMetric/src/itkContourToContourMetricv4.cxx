@@ -31,6 +31,7 @@ constexpr double ExcessSlope = 10.0;
 
 ContourToContourMetricv4::ContourToContourMetricv4()
   : m_Parameters(NumberOfParameters)
+  , m_TransformParameters(NumberOfParameters)
   , m_LowerBound(NumberOfParameters)
   , m_UpperBound(NumberOfParameters)
   , m_BestValue(NumericTraits<MeasureType>::max())
@@ -39,6 +40,7 @@ ContourToContourMetricv4::ContourToContourMetricv4()
   m_Pivot.Fill(0.0);
   m_ReferencePosition.Fill(0.0);
   m_Parameters.Fill(0.0);
+  m_TransformParameters.Fill(0.0);
   m_LowerBound.Fill(0.0);
   m_UpperBound.Fill(0.0);
   m_BestParameters.Fill(0.0);
@@ -194,6 +196,12 @@ ContourSimilarity
 ContourToContourMetricv4::GetSimilarity(const ParametersType & parameters) const
 {
   this->CheckInitialized();
+  return this->MapToSimilarity(parameters.data_block());
+}
+
+ContourSimilarity
+ContourToContourMetricv4::MapToSimilarity(const double * parameters) const
+{
   ContourSimilarity similarity;
   similarity.scale = m_Reference.scale * std::exp(parameters[0] / m_ReferenceLength);
   similarity.angle = m_Reference.angle + parameters[1] / m_ReferenceLength;
@@ -221,19 +229,17 @@ ContourToContourMetricv4::GetOptimizerParameters(const ContourSimilarity & simil
 ContourSimilarity
 ContourToContourMetricv4::GetCurrentSimilarity() const
 {
-  return this->GetSimilarity(this->Clip(m_Parameters));
+  this->CheckInitialized();
+  return this->MapToSimilarity(this->Clip(m_Parameters).data());
 }
 
 auto
-ContourToContourMetricv4::Clip(const ParametersType & parameters) const -> ParametersType
+ContourToContourMetricv4::Clip(const ParametersType & parameters) const -> PositionType
 {
-  ParametersType clipped(parameters);
-  if (m_HasBounds)
+  PositionType clipped;
+  for (unsigned int i = 0; i < NumberOfParameters; ++i)
   {
-    for (unsigned int i = 0; i < NumberOfParameters; ++i)
-    {
-      clipped[i] = std::min(std::max(parameters[i], m_LowerBound[i]), m_UpperBound[i]);
-    }
+    clipped[i] = m_HasBounds ? std::min(std::max(parameters[i], m_LowerBound[i]), m_UpperBound[i]) : parameters[i];
   }
   return clipped;
 }
@@ -245,12 +251,11 @@ ContourToContourMetricv4::UpdateTransform()
   const auto &            center = m_MovingTransform->GetCenter();
   const double            c = similarity.scale * std::cos(similarity.angle);
   const double            s = similarity.scale * std::sin(similarity.angle);
-  ParametersType          parameters(NumberOfParameters);
-  parameters[0] = similarity.scale;
-  parameters[1] = similarity.angle;
-  parameters[2] = similarity.tx - center[0] + (c * center[0] - s * center[1]);
-  parameters[3] = similarity.ty - center[1] + (s * center[0] + c * center[1]);
-  m_MovingTransform->SetParameters(parameters);
+  m_TransformParameters[0] = similarity.scale;
+  m_TransformParameters[1] = similarity.angle;
+  m_TransformParameters[2] = similarity.tx - center[0] + (c * center[0] - s * center[1]);
+  m_TransformParameters[3] = similarity.ty - center[1] + (s * center[0] + c * center[1]);
+  m_MovingTransform->SetParameters(m_TransformParameters);
 }
 
 void
@@ -285,25 +290,23 @@ ContourToContourMetricv4::UpdateTransformParameters(const DerivativeType & deriv
   {
     parameters[i] = m_Parameters[i] + factor * derivative[i];
   }
-  parameters = this->Clip(parameters);
+  const PositionType clipped = this->Clip(parameters);
+  std::copy(clipped.begin(), clipped.end(), parameters.begin());
   this->SetParameters(parameters);
 }
 
 auto
-ContourToContourMetricv4::Compute(const ParametersType & parameters,
-                                  DerivativeType *       derivative,
-                                  SizeValueType          maximumNumberOfPoints) const -> MeasureType
+ContourToContourMetricv4::Compute(const ParametersType & parameters, DerivativeType * derivative) const -> MeasureType
 {
-  const ParametersType               inside = this->Clip(parameters);
-  const ContourSimilarity            similarity = this->GetSimilarity(inside);
+  const PositionType                 inside = this->Clip(parameters);
+  const ContourSimilarity            similarity = this->MapToSimilarity(inside.data());
   ContourChamferKernel::GradientType gradient;
   if (!(similarity.scale > 1e-12 * m_Reference.scale) || !(similarity.scale < 1e12 * m_Reference.scale))
   {
     itkExceptionMacro("The optimizer asks for a scale of " << similarity.scale
                                                            << "; set bounds or a smaller step length.");
   }
-  MeasureType value =
-    this->ComputeValue(similarity, derivative == nullptr ? nullptr : &gradient, maximumNumberOfPoints);
+  MeasureType value = this->ComputeValue(similarity, derivative == nullptr ? nullptr : &gradient);
   if (derivative != nullptr)
   {
     // t = (u, v) - s R c moves with scale and angle.
@@ -336,7 +339,7 @@ auto
 ContourToContourMetricv4::ComputeAndRemember(DerivativeType * derivative) const -> MeasureType
 {
   this->CheckInitialized();
-  const MeasureType value = this->Compute(m_Parameters, derivative, 0);
+  const MeasureType value = this->Compute(m_Parameters, derivative);
   this->m_Value = value;
   ++m_NumberOfEvaluations;
   if (value < m_BestValue)
@@ -348,11 +351,25 @@ ContourToContourMetricv4::ComputeAndRemember(DerivativeType * derivative) const 
 }
 
 auto
-ContourToContourMetricv4::EvaluateAt(const ParametersType & parameters, SizeValueType maximumNumberOfPoints) const
+ContourToContourMetricv4::EvaluateAt(const ParametersType & parameters) const -> MeasureType
+{
+  this->CheckInitialized();
+  return this->Compute(parameters, nullptr);
+}
+
+auto
+ContourToContourMetricv4::EvaluateApproximatelyAt(const ParametersType & parameters, SizeValueType numberOfPoints) const
   -> MeasureType
 {
   this->CheckInitialized();
-  return this->Compute(parameters, nullptr, maximumNumberOfPoints);
+  return this->ComputeApproximateValue(this->MapToSimilarity(this->Clip(parameters).data()), numberOfPoints);
+}
+
+auto
+ContourToContourMetricv4::ComputeApproximateValue(const ContourSimilarity & similarity, SizeValueType) const
+  -> MeasureType
+{
+  return this->ComputeValue(similarity, nullptr);
 }
 
 void
@@ -404,6 +421,7 @@ ContourToContourMetricv4::PrintSelf(std::ostream & os, Indent indent) const
      << m_Reference.ty << std::endl;
   os << indent << "ReferencePosition: " << m_ReferencePosition << std::endl;
   os << indent << "Parameters: " << m_Parameters << std::endl;
+  os << indent << "TransformParameters: " << m_TransformParameters << std::endl;
   os << indent << "HasBounds: " << (m_HasBounds ? "On" : "Off") << std::endl;
   os << indent << "LowerBound: " << m_LowerBound << std::endl;
   os << indent << "UpperBound: " << m_UpperBound << std::endl;

@@ -45,7 +45,7 @@ namespace itk
  *
  * Metric: ContourChamferMetricv4 (symmetric, point to point) unless set. Optimizer: LBFGSBOptimizerv4 unless set; any
  * v4 optimizer serves. The method sets on it: the metric; on LBFGSB the bounds and the initial position; on Amoeba with
- * automatic simplex a simplex of a quarter of the bounds; on OnePlusOneEvolutionary without a generator a seeded one;
+ * automatic simplex a simplex of a quarter of the bounds; on OnePlusOneEvolutionary a generator seeded with RandomSeed;
  * on Exhaustive without scales those that make its grid of +-NumberOfSteps * StepLength = +-1 reach the bounds; the
  * number of iterations where the level gives one. Other optimizers are kept within the bounds by the metric. What ITK's
  * own optimizers do is deterministic, hence so is this, for any number of threads.
@@ -138,6 +138,10 @@ public:
   itkGetConstMacro(FixTranslation, bool);
   itkBooleanMacro(FixTranslation);
 
+  /** Seed of the generator that OnePlusOneEvolutionary is given at each run; the other optimizers draw nothing. */
+  itkSetMacro(RandomSeed, uint64_t);
+  itkGetConstMacro(RandomSeed, uint64_t);
+
   /** The paper's three stages (default): scale 35/10/3 %, rotation 20/6/2 degrees, shift 15/3.75/1 mm (60/15/4 px of
    * 0.25 mm); the coarse level explores. */
   void
@@ -223,6 +227,7 @@ private:
   OptimizerType::Pointer       m_Optimizer;
   std::vector<LevelType>       m_Levels;
   double                       m_PixelSpacing{ 0.25 };
+  uint64_t                     m_RandomSeed{ 0 };
   bool                         m_FixScale{ false };
   bool                         m_FixRotation{ false };
   bool                         m_FixTranslation{ false };

@@ -16,3 +16,154 @@
  *
  *=========================================================================*/
 #include "itkRegistrationIterationCommand.h"
+
+#include "itkRegistrationIterationInformation.h"
+
+#include "itkObjectToObjectOptimizerBase.h"
+
+#include <ostream>
+#include <sstream>
+#include <typeinfo>
+
+namespace itk
+{
+unsigned long
+RegistrationIterationCommand::Observe(Object * caller)
+{
+  if (caller == nullptr)
+  {
+    itkExceptionMacro("There is nothing to observe: give Observe() a registration method or an optimizer.");
+  }
+  return caller->AddObserver(AnyEvent(), this);
+}
+
+void
+RegistrationIterationCommand::SetStream(std::ostream * stream)
+{
+  m_Stream = stream;
+}
+
+void
+RegistrationIterationCommand::SetWriteEvery(unsigned int iterations)
+{
+  if (iterations == 0)
+  {
+    itkExceptionMacro("Writing every 0th iteration makes no sense; give 1 or more.");
+  }
+  m_WriteEvery = iterations;
+}
+
+void
+RegistrationIterationCommand::Execute(Object * caller, const EventObject & event)
+{
+  this->Execute(const_cast<const Object *>(caller), event);
+}
+
+void
+RegistrationIterationCommand::Execute(const Object * caller, const EventObject & event)
+{
+  // The exact types: optimizers report mere evaluations by subclasses of IterationEvent.
+  RecordType record;
+  if (typeid(event) == typeid(StartEvent))
+  {
+    m_Records.clear();
+    record.kind = KindEnum::Start;
+  }
+  else if (typeid(event) == typeid(MultiResolutionIterationEvent))
+  {
+    record.kind = KindEnum::Level;
+  }
+  else if (typeid(event) == typeid(IterationEvent))
+  {
+    record.kind = KindEnum::Iteration;
+  }
+  else if (typeid(event) == typeid(AbortEvent))
+  {
+    record.kind = KindEnum::Abort;
+  }
+  else if (typeid(event) == typeid(EndEvent))
+  {
+    record.kind = KindEnum::End;
+  }
+  else
+  {
+    return;
+  }
+  if (const auto * method = dynamic_cast<const RegistrationIterationInformation *>(caller))
+  {
+    if (record.kind != KindEnum::Start)
+    {
+      record.level = method->GetCurrentLevel();
+      record.iteration = method->GetOptimizerIteration();
+      record.value = method->GetMetricValue();
+      record.parameters = method->GetOptimizerPosition();
+      if (record.kind != KindEnum::Iteration)
+      {
+        record.stopReason = method->GetOptimizerStopConditionDescription();
+      }
+    }
+  }
+  else if (const auto * optimizer = dynamic_cast<const ObjectToObjectOptimizerBaseTemplate<double> *>(caller))
+  {
+    if (record.kind != KindEnum::Start)
+    {
+      record.iteration = optimizer->GetCurrentIteration();
+      record.value = optimizer->GetValue();
+      record.parameters = optimizer->GetCurrentPosition();
+      if (record.kind != KindEnum::Iteration)
+      {
+        record.stopReason = optimizer->GetStopConditionDescription();
+      }
+    }
+  }
+  else
+  {
+    return;
+  }
+  m_Records.push_back(record);
+  this->Write(record);
+}
+
+void
+RegistrationIterationCommand::Write(const RecordType & record)
+{
+  if (m_Stream == nullptr ||
+      (record.kind == KindEnum::Iteration && m_WriteEvery > 1 && record.iteration % m_WriteEvery != 0))
+  {
+    return;
+  }
+  std::ostringstream line;
+  line.precision(9);
+  switch (record.kind)
+  {
+    case KindEnum::Start:
+      line << "start";
+      break;
+    case KindEnum::Level:
+      line << "level " << record.level;
+      break;
+    case KindEnum::Iteration:
+      line << "level " << record.level << " iteration " << record.iteration;
+      break;
+    case KindEnum::Abort:
+      line << "abort level " << record.level << " iteration " << record.iteration;
+      break;
+    case KindEnum::End:
+      line << "end level " << record.level << " iteration " << record.iteration;
+      break;
+  }
+  if (record.kind != KindEnum::Start)
+  {
+    line << " value " << record.value << " parameters";
+    for (const double parameter : record.parameters)
+    {
+      line << ' ' << parameter;
+    }
+  }
+  if (!record.stopReason.empty())
+  {
+    line << " (" << record.stopReason << ')';
+  }
+  *m_Stream << line.str() << '\n';
+}
+} // namespace itk

@@ -16,3 +16,9 @@
  *
  *=========================================================================*/
 #include "itkRegistrationIterationInformation.h"
+
+namespace itk
+{
+// Out of line, so that the type information lives in this library.
+RegistrationIterationInformation::~RegistrationIterationInformation() = default;
+} // namespace itk
