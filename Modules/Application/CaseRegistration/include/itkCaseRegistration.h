@@ -1,0 +1,126 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkCaseRegistration_h
+#define itkCaseRegistration_h
+
+#include "CaseRegistrationExport.h"
+#include "itkCaseResult.h"
+#include "itkDentalCaseData.h"
+
+#include "itkProcessObject.h"
+
+#include <memory>
+
+namespace itk
+{
+/** \class CaseRegistration
+ * \brief Takes a case through the chain of a preset: dental axis, projection, contour, registration, landmarks,
+ * verdict.
+ *
+ * One class for the program and for Python. Set the data (LoadDentalCase() reads it from a case file), call Update(),
+ * take the result. A jaw that can't be registered does not stop the other: its status and reasons say why.
+ *
+ * Events: StartEvent, ProgressEvent, MultiResolutionIterationEvent where a stage begins (GetCurrentStage()), EndEvent;
+ * AbortGenerateDataOn() ends the run with ProcessAborted.
+ *
+ * \ingroup CaseRegistration
+ */
+class CaseRegistration_EXPORT CaseRegistration : public ProcessObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(CaseRegistration);
+
+  using Self = CaseRegistration;
+  using Superclass = ProcessObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(CaseRegistration, ProcessObject);
+
+  using DataPointer = std::shared_ptr<const DentalCaseData>;
+
+  void
+  SetData(DataPointer data);
+  const DentalCaseData *
+  GetData() const
+  {
+    return m_Data.get();
+  }
+
+  itkSetEnumMacro(Preset, CasePresetEnum);
+  itkGetEnumMacro(Preset, CasePresetEnum);
+
+  /** Points of the resampled silhouette (upper, lower): the paper's 441 and 439. */
+  itkSetMacro(NumberOfUpperContourPoints, unsigned int);
+  itkGetConstMacro(NumberOfUpperContourPoints, unsigned int);
+  itkSetMacro(NumberOfLowerContourPoints, unsigned int);
+  itkGetConstMacro(NumberOfLowerContourPoints, unsigned int);
+
+  /** Take the paper's silhouette from the surface DRR (default) or exactly from the mesh. */
+  itkSetMacro(UseSurfaceDRR, bool);
+  itkGetConstMacro(UseSurfaceDRR, bool);
+  itkBooleanMacro(UseSurfaceDRR);
+
+  /** Valid after Update(). */
+  const CaseResult &
+  GetResult() const
+  {
+    return m_Result;
+  }
+
+  /** What runs now, e.g. "upper: registration". */
+  const std::string &
+  GetCurrentStage() const
+  {
+    return m_CurrentStage;
+  }
+
+  void
+  Update() override;
+
+protected:
+  CaseRegistration() = default;
+  ~CaseRegistration() override = default;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+  void
+  GenerateData() override;
+
+private:
+  using JawEnum = ToothCode::JawEnum;
+
+  void
+  EnterStage(const std::string & stage, float progress);
+  void
+  SkipWhatIsIncomplete();
+
+  DataPointer      m_Data;
+  CasePresetEnum   m_Preset{ CasePresetEnum::Paper };
+  unsigned int     m_NumberOfUpperContourPoints{ 441 };
+  unsigned int     m_NumberOfLowerContourPoints{ 439 };
+  bool             m_UseSurfaceDRR{ true };
+  CaseResult       m_Result;
+  std::string      m_CurrentStage;
+  ModifiedTimeType m_ResultMTime{ 0 };
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,160 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkCaseResult_h
+#define itkCaseResult_h
+
+#include "itkDentalCaseData.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace itk
+{
+/** Ordered from good to bad. */
+enum class CaseStatusEnum : uint8_t
+{
+  Ok,
+  /** A person should look; the reasons say why. */
+  Suspect,
+  Failed
+};
+
+/** How a case is registered. */
+enum class CasePresetEnum : uint8_t
+{
+  Robust,
+  Paper,
+  BoundingBox,
+  SingleStage
+};
+
+/** Point-to-point distances between tracing and moving contour, pixels, by the paper's definitions. */
+struct ContourFigures
+{
+  double chamfer{ 0.0 };
+  double hausdorff{ 0.0 };
+  double movingToFixed{ 0.0 };
+  double fixedToMoving{ 0.0 };
+};
+
+/** Errors of the predicted against the marked landmarks, pixels; a group without landmarks is absent. */
+struct LandmarkFigures
+{
+  std::size_t                   count{ 0 };
+  double                        mean{ 0.0 };
+  double                        rmse{ 0.0 };
+  double                        standardDeviation{ 0.0 };
+  std::map<std::string, double> groups;
+  /** One a landmark (of the middle of two sides where the tracing was bisected). */
+  std::vector<std::pair<std::string, double>> landmarks;
+};
+
+/** A predicted landmark. */
+struct LandmarkPrediction
+{
+  std::string           name;
+  std::array<double, 2> position{ { 0.0, 0.0 } };
+  /** Row-major 2x2, square pixels; absent where the method has none. */
+  std::optional<std::array<double, 4>> covariance;
+
+  /** Standard deviation an axis: the root of half the covariance's trace. */
+  double
+  GetSigma() const;
+};
+
+/** What is known of one registered jaw. */
+struct JawResult
+{
+  using RowsType = std::array<double, 12>;
+
+  CaseStatusEnum           status{ CaseStatusEnum::Ok };
+  std::vector<std::string> reasons;
+  /** The numbers below mean something only where registered. */
+  bool registered{ false };
+
+  /** Mesh file (its unit) to continuous pixel index, homogeneous, row-major 3x4. */
+  RowsType             projection{};
+  SimilarityParameters similarity;
+  /** Mesh (mm) to UMDA frame and to cephalostat frame, row-major 3x4, rigid. */
+  RowsType meshToUMDA{};
+  RowsType meshToCephalostat{};
+
+  /** The first is the one that presets are compared on, "whole". */
+  std::vector<std::pair<std::string, ContourFigures>> metrics;
+  std::vector<LandmarkPrediction>                     landmarks;
+  /** Only where landmarks were marked in the radiograph. */
+  std::optional<LandmarkFigures> error;
+
+  /** Aligned contours to draw and to measure, pixels: name and contour, the first the whole silhouette. */
+  std::vector<std::pair<std::string, DentalContour::Pointer>> contours;
+
+  double archWidth{ 0.0 };
+  double archDepth{ 0.0 };
+  double frameConfidence{ 0.0 };
+
+  /** Further numbers of the method, in the order of the result file. */
+  std::vector<std::pair<std::string, double>> details;
+  /** Stage and seconds. */
+  std::vector<std::pair<std::string, double>> seconds;
+
+  void
+  AddReason(CaseStatusEnum atLeast, const std::string & reason);
+};
+
+/** What a registered case is: all that goes into the output folder. */
+struct CaseResult
+{
+  using JawEnum = ToothCode::JawEnum;
+
+  CasePresetEnum                        preset{ CasePresetEnum::Paper };
+  std::map<JawEnum, JawResult>          jaws;
+  std::map<JawEnum, std::string>        skipped;
+  std::shared_ptr<const DentalCaseData> data;
+  /** The marked landmarks, to draw beside the predicted ones; set after registration, null where there are none. */
+  DentalLandmarkSet<2>::ConstPointer markedLandmarks;
+  /** The geometry as it was used: estimates filled in. */
+  CephalometricGeometry::Pointer geometry;
+  /** Where both jaws are in one frame, mm. */
+  bool                     jawsShareFrame{ false };
+  std::optional<double>    overjet;
+  std::optional<double>    overbite;
+  std::vector<std::string> warnings;
+  /** What the data could not tell. */
+  std::vector<std::string> notCheckable;
+  double                   totalSeconds{ 0.0 };
+
+  /** The worst of the jaws. */
+  CaseStatusEnum
+  GetStatus() const;
+};
+
+const char *
+ToString(CaseStatusEnum status);
+const char *
+ToString(CasePresetEnum preset);
+/** Throws std::invalid_argument that lists the presets. */
+CasePresetEnum
+CasePresetFromString(const std::string & text);
+} // namespace itk
+
+#endif

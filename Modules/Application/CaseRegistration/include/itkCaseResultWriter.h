@@ -1,0 +1,48 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkCaseResultWriter_h
+#define itkCaseResultWriter_h
+
+#include "CaseRegistrationExport.h"
+#include "itkCaseResult.h"
+
+#include <string>
+
+namespace itk
+{
+/** Adds the landmark errors: the only place where 2-D landmarks meet a result. With a bisected tracing the errors are
+ * those of the middle between a right and its left landmark.
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked);
+
+/** The text of result.json (Documentation/FileFormats.md). \ingroup CaseRegistration */
+CaseRegistration_EXPORT std::string
+                        CaseResultToJson(const CaseResult & result);
+
+/** Writes everything that a result is made of into a folder: result.json, overlays, scans in the cephalostat frame,
+ * transforms. Made in a folder beside it and moved when complete: the files appear whole or not at all, those of an
+ * earlier run are replaced. Throws DentalInputError where the folder can't be written.
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+WriteCaseResult(const CaseResult & result, const std::string & folder);
+} // namespace itk
+
+#endif

@@ -1,0 +1,108 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDentalCase_h
+#define itkDentalCase_h
+
+#include "itkCephalometricGeometry.h"
+#include "itkToothCode.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** Which side's contours the tracing shows. */
+enum class TracedSideEnum : uint8_t
+{
+  Right,
+  Left,
+  /** Double contours bisected. */
+  Mean,
+  Both
+};
+
+/** Whether upper and lower mesh share one frame in occlusion. */
+enum class OcclusionEnum : uint8_t
+{
+  Yes,
+  No,
+  Check
+};
+
+/** A similarity in pixels on the geometry's own projection: p = scale R(rotation) q + translation. */
+struct SimilarityParameters
+{
+  double                scale{ 1.0 };
+  double                rotation{ 0.0 };
+  std::array<double, 2> translation{ { 0.0, 0.0 } };
+};
+
+/** \struct DentalCase
+ * \brief One patient as a case file says it: paths, units, what is known of the geometry, manual control.
+ *
+ * Documentation/FileFormats.md is the contract. Nothing is defaulted here but what the contract defaults: an absent
+ * optional is unknown. Paths are as they can be opened from the current directory.
+ *
+ * \ingroup CaseRegistration
+ */
+struct DentalCase
+{
+  /** The case file itself, for messages. */
+  std::string fileName;
+
+  std::string upperFile;
+  std::string lowerFile;
+  std::string meshUnit{ "mm" };
+  /** mm in one unit of the mesh files. */
+  double        millimetresPerUnit{ 1.0 };
+  OcclusionEnum occlusion{ OcclusionEnum::Check };
+
+  std::string                                          imageFile;
+  std::optional<std::array<double, 2>>                 pixelSpacing;
+  bool                                                 spacingAtMidsagittalPlane{ false };
+  std::optional<CephalometricGeometry::FacingEnum>     facing;
+  std::optional<double>                                sourceToMidsagittal;
+  std::optional<double>                                sourceToDetector;
+  std::optional<CephalometricGeometry::SourceSideEnum> sourceSide;
+  std::optional<std::array<double, 2>>                 principalPoint;
+
+  std::string                             contoursFile;
+  TracedSideEnum                          tracedSide{ TracedSideEnum::Right };
+  std::optional<ToothCode::NumberingEnum> numbering;
+  std::string                             landmarks3DFile;
+  /** Only for measuring errors: nothing that registers reads it. */
+  std::string landmarks2DFile;
+
+  /** Manual control. The key is the jaw. */
+  std::map<ToothCode::JawEnum, SimilarityParameters> initialSimilarity;
+  /** Mesh (mm) to cephalostat frame, row-major 3x4, for all jaws. */
+  std::optional<std::array<double, 12>> initialPose;
+  std::vector<ToothCode>                excludedTeeth;
+  bool                                  fixScale{ false };
+  bool                                  fixRotation{ false };
+  bool                                  fixTranslation{ false };
+
+  /** What the file has that is not understood or looks odd, a line each. */
+  std::vector<std::string> warnings;
+};
+} // namespace itk
+
+#endif

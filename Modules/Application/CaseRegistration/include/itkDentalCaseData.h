@@ -1,0 +1,113 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDentalCaseData_h
+#define itkDentalCaseData_h
+
+#include "itkDentalCase.h"
+
+#include "itkDentalContour.h"
+#include "itkDentalLandmarkSet.h"
+#include "itkImage.h"
+#include "itkMesh.h"
+
+#include <functional>
+
+namespace itk
+{
+/** Where a value comes from; the result says so of each. */
+enum class ValueSourceEnum : uint8_t
+{
+  Given,
+  DICOM,
+  Default,
+  Estimated
+};
+
+/** \struct DentalCaseData
+ * \brief A case in memory: scans in mm, tracing, radiograph, nominal geometry with the origin of each value.
+ *
+ * It has no 2-D landmarks: what registers can't see them.
+ *
+ * \ingroup CaseRegistration
+ */
+struct DentalCaseData
+{
+  using MeshType = Mesh<float, 3>;
+  using ImageType = Image<float, 2>;
+  using JawEnum = ToothCode::JawEnum;
+
+  struct JawType
+  {
+    /** Mesh-file frame, mm; null without a scan. */
+    MeshType::Pointer mesh;
+    /** Continuous pixel indices; null without a tracing. */
+    DentalContour::Pointer contour;
+  };
+  struct SourcesType
+  {
+    ValueSourceEnum sourceToMidsagittal{ ValueSourceEnum::Default };
+    ValueSourceEnum sourceToDetector{ ValueSourceEnum::Default };
+    ValueSourceEnum sourceSide{ ValueSourceEnum::Default };
+    ValueSourceEnum facing{ ValueSourceEnum::Default };
+    ValueSourceEnum pixelSpacing{ ValueSourceEnum::Estimated };
+    ValueSourceEnum principalPoint{ ValueSourceEnum::Estimated };
+  };
+
+  DentalCase description;
+  JawType    upper;
+  JawType    lower;
+  /** Null without a radiograph. */
+  ImageType::Pointer          image;
+  std::array<unsigned int, 2> imageSize{ { 0, 0 } };
+  /** Identity pose. Without a known spacing it has none; without a known principal point that is (0, 0). */
+  CephalometricGeometry::Pointer geometry;
+  SourcesType                    sources;
+  /** How the pixel spacing came about, in words. */
+  std::string spacingProvenance;
+  /** In the mesh files' unit and frame; null where none were given. */
+  DentalLandmarkSet<3>::Pointer landmarks3D;
+  std::vector<std::string>      warnings;
+  double                        readSeconds{ 0.0 };
+
+  const JawType &
+  GetJaw(JawEnum jaw) const
+  {
+    return jaw == JawEnum::Lower ? lower : upper;
+  }
+  JawType &
+  GetJaw(JawEnum jaw)
+  {
+    return jaw == JawEnum::Lower ? lower : upper;
+  }
+  bool
+  HasPixelSpacing() const
+  {
+    return geometry->HasPixelSpacing();
+  }
+  bool
+  HasPrincipalPoint() const
+  {
+    return sources.principalPoint != ValueSourceEnum::Estimated;
+  }
+};
+
+const char *
+ToString(ValueSourceEnum source);
+} // namespace itk
+
+#endif

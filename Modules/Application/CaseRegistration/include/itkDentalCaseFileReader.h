@@ -1,0 +1,57 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDentalCaseFileReader_h
+#define itkDentalCaseFileReader_h
+
+#include "CaseRegistrationExport.h"
+#include "itkDentalCase.h"
+
+namespace itk
+{
+/** Reads a case file. Throws DentalInputError for what makes it unusable; unknown fields become warnings. The files
+ * that it names are checked to exist, not read.
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT DentalCase
+ReadDentalCase(const std::string & fileName);
+
+/** Reads an alignment to start from, as the case file's "init", out of a file of its own. \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase);
+
+/** \name Words of the case file and the command line
+ * Each throws std::invalid_argument that names the text and what was expected.
+ * @{ */
+CaseRegistration_EXPORT double
+MillimetresPerUnitFromString(const std::string & unit);
+CaseRegistration_EXPORT TracedSideEnum
+TracedSideFromString(const std::string & text);
+CaseRegistration_EXPORT OcclusionEnum
+OcclusionFromString(const std::string & text);
+/** Adds "scale", "rotation" or "translation" to the case's fixed parameters. */
+CaseRegistration_EXPORT void
+FixParameter(DentalCase & dentalCase, const std::string & text);
+/** @} */
+
+CaseRegistration_EXPORT const char *
+ToString(TracedSideEnum side);
+CaseRegistration_EXPORT const char *
+ToString(OcclusionEnum occlusion);
+} // namespace itk
+
+#endif

@@ -1,0 +1,25 @@
+itk_module(CaseRegistration
+  DEPENDS
+    DentalCommon
+    CephalometricGeometry
+    DentalContour
+    MeshOpenMesh
+    Annotation
+    Cephalogram
+    UMidlineDentalAxis
+    SurfaceDRR
+    SilhouetteContour
+    ContourMetric
+    SilhouetteToContour
+    RegistrationEvaluation
+    RegistrationReport
+    ITKCommon
+    ITKMesh
+    ITKTransform
+    ITKIOTransformBase
+    ITKIOTransformInsightLegacy
+  TEST_DEPENDS
+    DentalPhantom
+  DESCRIPTION
+    "A case file through the whole chain to its result: what the program and the Python package share."
+)

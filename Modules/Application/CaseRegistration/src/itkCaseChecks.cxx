@@ -1,0 +1,291 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCaseChecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace itk
+{
+namespace
+{
+using JawEnum = ToothCode::JawEnum;
+using PointType = std::array<double, 3>;
+
+/** Width of a dental arch, mm: formats' limits. */
+constexpr double NarrowestArch = 30.0;
+constexpr double WidestArch = 120.0;
+/** A landmark belongs to a scan that passes within this distance, mm. */
+constexpr double LandmarkDistance = 3.0;
+
+const DentalJawFrame &
+FrameOf(const DentalFrameResult & frames, JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? frames.upper : frames.lower;
+}
+
+/** Extent along the frame's lateral axis; along the longest diagonal where there is no frame. */
+double
+LateralExtent(const DentalCaseData::MeshType * mesh, const DentalJawFrame & frame)
+{
+  if (!frame.valid)
+  {
+    const auto * box = mesh->GetBoundingBox();
+    return std::sqrt(static_cast<double>(box->GetDiagonalLength2()));
+  }
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+  for (auto it = mesh->GetPoints()->Begin(); it != mesh->GetPoints()->End(); ++it)
+  {
+    double y = 0.0;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      y += frame.axes[1][d] * it.Value()[d];
+    }
+    low = std::min(low, y);
+    high = std::max(high, y);
+  }
+  return high - low;
+}
+
+void
+CheckUnit(const DentalCaseData & data, JawEnum jaw, const DentalJawFrame & frame, JawResult & result)
+{
+  const double extent = LateralExtent(data.GetJaw(jaw).mesh, frame);
+  if (extent >= NarrowestArch && extent <= WidestArch)
+  {
+    return;
+  }
+  std::ostringstream reason;
+  reason << "the arch is " << std::setprecision(3) << extent << " mm wide, not 30 to 120";
+  const double                                             inFile = extent / data.description.millimetresPerUnit;
+  constexpr std::array<std::pair<const char *, double>, 4> units{
+    { { "mm", 1.0 }, { "cm", 10.0 }, { "m", 1000.0 }, { "um", 0.001 } }
+  };
+  for (const auto & unit : units)
+  {
+    if (inFile * unit.second >= NarrowestArch && inFile * unit.second <= WidestArch)
+    {
+      reason << "; \"mesh_unit\": \"" << unit.first << "\" would fit";
+    }
+  }
+  result.AddReason(CaseStatusEnum::Suspect, reason.str());
+}
+
+/** Distance from a point (mm) to the nearest vertex of a scan. */
+double
+DistanceToScan(const PointType & point, const DentalCaseData::MeshType * mesh)
+{
+  double best = std::numeric_limits<double>::max();
+  for (auto it = mesh->GetPoints()->Begin(); it != mesh->GetPoints()->End(); ++it)
+  {
+    double squared = 0.0;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const double difference = it.Value()[d] - point[d];
+      squared += difference * difference;
+    }
+    best = std::min(best, squared);
+  }
+  return std::sqrt(best);
+}
+
+double
+Median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/** Landmarks (mm) of a jaw by their names. */
+std::vector<std::pair<ToothCode, PointType>>
+LandmarksOf(const DentalCaseData & data, JawEnum jaw)
+{
+  std::vector<std::pair<ToothCode, PointType>> landmarks;
+  if (data.landmarks3D.IsNotNull())
+  {
+    for (const auto & landmark : data.landmarks3D->GetLandmarks())
+    {
+      if (landmark.tooth.GetJaw() == jaw)
+      {
+        PointType point;
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          point[d] = landmark.point[d] * data.description.millimetresPerUnit;
+        }
+        landmarks.emplace_back(landmark.tooth, point);
+      }
+    }
+  }
+  return landmarks;
+}
+
+/** \return whether the names could tell. */
+bool
+CheckNamesAgainstScans(const DentalCaseData & data, CaseResult & result)
+{
+  bool told = false;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
+    const auto    landmarks = LandmarksOf(data, jaw);
+    const auto *  own = data.GetJaw(jaw).mesh.GetPointer();
+    if (landmarks.empty() || own == nullptr)
+    {
+      continue;
+    }
+    const auto *        opposite = data.GetJaw(other).mesh.GetPointer();
+    std::vector<double> toOwn;
+    std::vector<double> toOther;
+    for (const auto & landmark : landmarks)
+    {
+      toOwn.push_back(DistanceToScan(landmark.second, own));
+      if (opposite != nullptr)
+      {
+        toOther.push_back(DistanceToScan(landmark.second, opposite));
+      }
+    }
+    told = true;
+    const double ownMedian = Median(toOwn);
+    const char * name = jaw == JawEnum::Upper ? "upper" : "lower";
+    if (opposite != nullptr && ownMedian > 0.5 && Median(toOther) < 0.5 * ownMedian)
+    {
+      for (auto & entry : result.jaws)
+      {
+        entry.second.AddReason(CaseStatusEnum::Suspect,
+                               std::string("upper and lower scan seem exchanged: the ") + name +
+                                 " landmarks lie on the other scan");
+      }
+    }
+    else if (ownMedian > LandmarkDistance && result.jaws.count(jaw) != 0)
+    {
+      std::ostringstream reason;
+      reason << "the 3-D landmarks are " << std::setprecision(3) << ownMedian
+             << " mm away from the scan; are they in the scan's unit and frame, and is it the right scan?";
+      result.jaws[jaw].AddReason(CaseStatusEnum::Suspect, reason.str());
+    }
+  }
+  return told;
+}
+
+void
+CheckMirroring(const DentalCaseData & data, JawEnum jaw, const DentalJawFrame & frame, CaseResult & result)
+{
+  JawResult & jawResult = result.jaws[jaw];
+  if (frame.windingAgreement < -0.2)
+  {
+    jawResult.AddReason(CaseStatusEnum::Suspect, "the surface is wound inward: the scan may be mirrored");
+  }
+  double right = 0.0;
+  double left = 0.0;
+  int    rights = 0;
+  int    lefts = 0;
+  for (const auto & landmark : LandmarksOf(data, jaw))
+  {
+    double y = 0.0;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      y += frame.axes[1][d] * (landmark.second[d] - frame.origin[d]);
+    }
+    if (landmark.first.IsRight())
+    {
+      right += y;
+      ++rights;
+    }
+    else
+    {
+      left += y;
+      ++lefts;
+    }
+  }
+  // Mean of one side's landmarks: 15 mm or more from the midline.
+  const bool rightOnLeft = rights > 0 && right / rights > 5.0;
+  const bool leftOnRight = lefts > 0 && left / lefts < -5.0;
+  if (rightOnLeft || leftOnRight)
+  {
+    jawResult.AddReason(
+      CaseStatusEnum::Suspect,
+      "the landmarks named for one side lie on the other: the scan may be mirrored, or the names exchanged");
+  }
+}
+
+/** By shape alone: the upper arch is the wider one and overlaps the lower in front. */
+bool
+CheckShapesForExchange(const DentalFrameResult & frames, CaseResult & result)
+{
+  if (!frames.upper.valid || !frames.lower.valid)
+  {
+    return false;
+  }
+  const double widthDifference = frames.upper.archWidth - frames.lower.archWidth;
+  const bool   reversedWidth = widthDifference < -2.0;
+  const bool   reversedOverjet = frames.jawsShareFrame && frames.overjet < -1.0;
+  // A crossbite reverses the one, a class III the other: either alone does not tell unless it is large.
+  if ((reversedWidth && reversedOverjet) || widthDifference < -6.0)
+  {
+    for (auto & entry : result.jaws)
+    {
+      std::ostringstream reason;
+      reason << "upper and lower scan may be exchanged: the upper arch is " << std::setprecision(2) << -widthDifference
+             << " mm narrower than the lower";
+      if (reversedOverjet)
+      {
+        reason << " and lies " << -frames.overjet << " mm behind it";
+      }
+      entry.second.AddReason(CaseStatusEnum::Suspect, reason.str());
+    }
+  }
+  return frames.jawsShareFrame;
+}
+} // namespace
+
+void
+CheckCase(const DentalCaseData & data, const DentalFrameResult & frames, CaseResult & result)
+{
+  const bool namesTold = CheckNamesAgainstScans(data, result);
+  const bool shapesTold = CheckShapesForExchange(frames, result);
+  if (!namesTold && !shapesTold)
+  {
+    result.notCheckable.push_back(
+      "whether upper and lower scan were exchanged: there are no 3-D landmarks, and no two jaws in one frame");
+  }
+  for (auto & entry : result.jaws)
+  {
+    const DentalJawFrame & frame = FrameOf(frames, entry.first);
+    CheckUnit(data, entry.first, frame, entry.second);
+    if (!frame.valid)
+    {
+      continue;
+    }
+    CheckMirroring(data, entry.first, frame, result);
+    if (frame.confidence < 0.5)
+    {
+      std::ostringstream reason;
+      reason << "the dental axis is unsure (confidence " << std::setprecision(2) << frame.confidence << ")";
+      entry.second.AddReason(CaseStatusEnum::Suspect, reason.str());
+    }
+    if (frame.openness < 0.1)
+    {
+      result.notCheckable.push_back("whether a closed cast was mirrored: its winding looks the same either way");
+    }
+  }
+}
+} // namespace itk

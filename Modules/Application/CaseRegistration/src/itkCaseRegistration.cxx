@@ -1,0 +1,308 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCaseRegistration.h"
+
+#include "itkCaseChecks.h"
+#include "itkCaseSimilarityRegistration.h"
+
+#include "itkMakeTriangleSurface.h"
+#include "itkTimeProbe.h"
+
+namespace itk
+{
+namespace
+{
+constexpr ToothCode::JawEnum Jaws[] = { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower };
+/** A tracing of fewer points does not determine a similarity with any redundancy. */
+constexpr unsigned int MinimumTracingPoints = 5;
+
+std::string
+Name(ToothCode::JawEnum jaw)
+{
+  return jaw == ToothCode::JawEnum::Upper ? "upper" : "lower";
+}
+
+DentalFrameEnums::JawsShareFrame
+ToFrameOption(OcclusionEnum occlusion)
+{
+  switch (occlusion)
+  {
+    case OcclusionEnum::Yes:
+      return DentalFrameEnums::JawsShareFrame::On;
+    case OcclusionEnum::No:
+      return DentalFrameEnums::JawsShareFrame::Off;
+    default:
+      return DentalFrameEnums::JawsShareFrame::Check;
+  }
+}
+
+/** Every 3-D landmark of the jaw through the matrix that users act on. */
+void
+PredictLandmarks(const DentalCaseData & data, ToothCode::JawEnum jaw, JawResult & result)
+{
+  if (data.landmarks3D.IsNull())
+  {
+    return;
+  }
+  const auto & m = result.projection;
+  for (const auto & landmark : data.landmarks3D->GetLandmarks())
+  {
+    if (landmark.tooth.GetJaw() != jaw)
+    {
+      continue;
+    }
+    double sums[3];
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      sums[row] = m[4 * row] * landmark.point[0] + m[4 * row + 1] * landmark.point[1] +
+                  m[4 * row + 2] * landmark.point[2] + m[4 * row + 3];
+    }
+    LandmarkPrediction prediction;
+    prediction.name = landmark.name;
+    prediction.position = { { sums[0] / sums[2], sums[1] / sums[2] } };
+    result.landmarks.push_back(prediction);
+  }
+}
+} // namespace
+
+void
+CaseRegistration::SetData(DataPointer data)
+{
+  if (m_Data != data)
+  {
+    m_Data = std::move(data);
+    this->Modified();
+  }
+}
+
+void
+CaseRegistration::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  if (!m_Data)
+  {
+    itkExceptionMacro("There is no case: call SetData() with what LoadDentalCase() returns.");
+  }
+}
+
+void
+CaseRegistration::Update()
+{
+  // The inputs are no pipeline objects, hence neither is the check of what changed.
+  if (m_ResultMTime >= this->GetMTime())
+  {
+    return;
+  }
+  this->VerifyPreconditions();
+  this->ResetPipeline();
+  this->SetAbortGenerateData(false);
+  this->InvokeEvent(StartEvent());
+  try
+  {
+    this->GenerateData();
+  }
+  catch (const ProcessAborted &)
+  {
+    this->InvokeEvent(AbortEvent());
+    throw;
+  }
+  this->UpdateProgress(1.0F);
+  this->InvokeEvent(EndEvent());
+  m_ResultMTime = this->GetMTime();
+}
+
+void
+CaseRegistration::EnterStage(const std::string & stage, float progress)
+{
+  m_CurrentStage = stage;
+  this->UpdateProgress(progress);
+  this->InvokeEvent(MultiResolutionIterationEvent());
+  if (this->GetAbortGenerateData())
+  {
+    throw ProcessAborted(__FILE__, __LINE__);
+  }
+}
+
+void
+CaseRegistration::SkipWhatIsIncomplete()
+{
+  for (const JawEnum jaw : Jaws)
+  {
+    const auto & input = m_Data->GetJaw(jaw);
+    const auto   points = input.contour.IsNull() ? 0u : static_cast<unsigned int>(input.contour->GetNumberOfPoints());
+    if (input.mesh.IsNull())
+    {
+      m_Result.skipped[jaw] = points > 0 ? "traced, but there is no scan of this jaw" : "neither scan nor tracing";
+    }
+    else if (points == 0)
+    {
+      m_Result.skipped[jaw] = "there is a scan, but no tracing of this jaw";
+    }
+    else
+    {
+      JawResult & result = m_Result.jaws[jaw];
+      if (points < MinimumTracingPoints)
+      {
+        result.AddReason(CaseStatusEnum::Failed,
+                         "the tracing has " + std::to_string(points) + " points; at least " +
+                           std::to_string(MinimumTracingPoints) + " are needed, better 30 or more");
+      }
+    }
+  }
+  if (m_Result.skipped.size() == 2 && m_Result.jaws.empty())
+  {
+    for (auto & skipped : m_Result.skipped)
+    {
+      if (!m_Data->GetJaw(skipped.first).mesh.IsNull())
+      {
+        m_Result.jaws[skipped.first].AddReason(CaseStatusEnum::Failed, skipped.second);
+      }
+    }
+  }
+}
+
+void
+CaseRegistration::GenerateData()
+{
+  TimeProbe total;
+  total.Start();
+  m_Result = CaseResult();
+  m_Result.preset = m_Preset;
+  m_Result.data = m_Data;
+  m_Result.warnings = m_Data->warnings;
+  this->SkipWhatIsIncomplete();
+
+  this->EnterStage("dental axis", 0.1F);
+  TimeProbe axisProbe;
+  axisProbe.Start();
+  TriangleSurface    surfaces[2];
+  DentalFrameOptions frameOptions;
+  frameOptions.jawsShareFrame = ToFrameOption(m_Data->description.occlusion);
+  frameOptions.refineMidline = m_Preset == CasePresetEnum::Robust;
+  frameOptions.abort = [this]() { return this->GetAbortGenerateData(); };
+  for (const JawEnum jaw : Jaws)
+  {
+    if (m_Data->GetJaw(jaw).mesh.IsNotNull())
+    {
+      surfaces[jaw == JawEnum::Upper ? 0 : 1] = MakeTriangleSurface(m_Data->GetJaw(jaw).mesh.GetPointer());
+    }
+  }
+  const DentalFrameResult frames = EstimateDentalFrame(m_Data->upper.mesh.IsNull() ? nullptr : &surfaces[0],
+                                                       m_Data->lower.mesh.IsNull() ? nullptr : &surfaces[1],
+                                                       frameOptions);
+  axisProbe.Stop();
+  this->EnterStage("checks", 0.3F);
+  m_Result.jawsShareFrame = frames.jawsShareFrame;
+  if (frames.jawsShareFrame)
+  {
+    m_Result.overjet = frames.overjet;
+    m_Result.overbite = frames.overbite;
+  }
+  for (auto & entry : m_Result.jaws)
+  {
+    const DentalJawFrame & frame = entry.first == JawEnum::Upper ? frames.upper : frames.lower;
+    entry.second.archWidth = frame.archWidth;
+    entry.second.archDepth = frame.archDepth;
+    entry.second.frameConfidence = frame.confidence;
+    entry.second.seconds.emplace_back("read", m_Data->readSeconds);
+    entry.second.seconds.emplace_back("axis", axisProbe.GetTotal());
+    if (!frame.valid && entry.second.status != CaseStatusEnum::Failed)
+    {
+      entry.second.AddReason(CaseStatusEnum::Failed, "the scan has no recognisable dental arch");
+    }
+  }
+  CheckCase(*m_Data, frames, m_Result);
+
+  // A spacing that nobody knows is estimated once for both jaws: they lie in one image.
+  m_Result.geometry = CephalometricGeometry::New();
+  m_Result.geometry->CopyParameters(m_Data->geometry);
+  if (!m_Data->HasPixelSpacing())
+  {
+    double       sum = 0.0;
+    unsigned int count = 0;
+    for (const auto & entry : m_Result.jaws)
+    {
+      if (entry.second.status != CaseStatusEnum::Failed)
+      {
+        sum += EstimatePixelSpacing(*m_Data, entry.first, entry.first == JawEnum::Upper ? frames.upper : frames.lower);
+        ++count;
+      }
+    }
+    m_Result.geometry->SetPixelSpacing(CephalometricGeometry::PixelSpacingType(count > 0 ? sum / count : 0.25));
+    m_Result.warnings.push_back(
+      "the pixel spacing is unknown and was estimated from the arch's size; lengths in mm are rough");
+  }
+
+  CaseSimilaritySettings settings;
+  settings.preset = m_Preset;
+  settings.useSurfaceDRR = m_UseSurfaceDRR;
+  settings.caller = this;
+  float progress = 0.35F;
+  for (auto & entry : m_Result.jaws)
+  {
+    JawResult & result = entry.second;
+    if (result.status == CaseStatusEnum::Failed)
+    {
+      continue;
+    }
+    this->EnterStage(Name(entry.first) + ": registration", progress);
+    progress += 0.3F;
+    settings.numberOfContourPoints =
+      entry.first == JawEnum::Upper ? m_NumberOfUpperContourPoints : m_NumberOfLowerContourPoints;
+    try
+    {
+      RegisterJawBySimilarity(*m_Data,
+                              entry.first,
+                              entry.first == JawEnum::Upper ? frames.upper : frames.lower,
+                              m_Result.geometry,
+                              settings,
+                              result);
+    }
+    catch (const ProcessAborted &)
+    {
+      throw;
+    }
+    catch (const ExceptionObject & error)
+    {
+      result.registered = false;
+      result.AddReason(CaseStatusEnum::Failed, error.GetDescription());
+      continue;
+    }
+    PredictLandmarks(*m_Data, entry.first, result);
+    // The paper's recipe can fit the wrong place well (Documentation/Registration.md): it never vouches for itself.
+    result.AddReason(CaseStatusEnum::Suspect,
+                     std::string("preset ") + ToString(m_Preset) +
+                       " does not check its own accuracy: look at the overlay");
+  }
+  total.Stop();
+  m_Result.totalSeconds = total.GetTotal() + m_Data->readSeconds;
+}
+
+void
+CaseRegistration::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Data: " << (m_Data ? m_Data->description.fileName : "(none)") << std::endl;
+  os << indent << "Preset: " << ToString(m_Preset) << std::endl;
+  os << indent << "NumberOfUpperContourPoints: " << m_NumberOfUpperContourPoints << std::endl;
+  os << indent << "NumberOfLowerContourPoints: " << m_NumberOfLowerContourPoints << std::endl;
+  os << indent << "UseSurfaceDRR: " << m_UseSurfaceDRR << std::endl;
+  os << indent << "CurrentStage: " << m_CurrentStage << std::endl;
+  os << indent << "ResultStatus: " << ToString(m_Result.GetStatus()) << std::endl;
+}
+} // namespace itk

@@ -1,0 +1,434 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCaseResultWriter.h"
+
+#include "itkCaseOverlay.h"
+#include "itkDentalInputError.h"
+#include "itkDentalSCRVersion.h"
+#include "itkLandmarkErrorFilter.h"
+#include "itkReadDentalMesh.h"
+#include "itkTextFile.h"
+
+#include "itkSimilarity2DTransform.h"
+#include "itkTransformFileWriter.h"
+#include "itkTxtTransformIO.h"
+#include "itkVersorRigid3DTransform.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <sstream>
+
+namespace itk
+{
+namespace
+{
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using JawEnum = ToothCode::JawEnum;
+using MeshType = DentalCaseData::MeshType;
+
+const char *
+Name(JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? "upper" : "lower";
+}
+
+Json
+MatrixToJson(const std::array<double, 12> & matrix)
+{
+  Json rows = Json::array();
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    rows.push_back({ matrix[4 * row], matrix[4 * row + 1], matrix[4 * row + 2], matrix[4 * row + 3] });
+  }
+  return rows;
+}
+
+template <typename TValue>
+Json
+Provenance(const TValue & value, ValueSourceEnum source)
+{
+  return { { "value", value }, { "source", ToString(source) } };
+}
+
+Json
+GeometryToJson(const CaseResult & result)
+{
+  const auto & geometry = *result.geometry;
+  const auto & sources = result.data->sources;
+  Json         json;
+  json["source_to_midsagittal_mm"] = Provenance(geometry.GetSourceToMidsagittalDistance(), sources.sourceToMidsagittal);
+  json["source_to_detector_mm"] = Provenance(geometry.GetSourceToDetectorDistance(), sources.sourceToDetector);
+  json["source_side"] = Provenance(
+    geometry.GetSourceSide() == CephalometricGeometry::SourceSideEnum::Right ? "right" : "left", sources.sourceSide);
+  json["facing"] =
+    Provenance(geometry.GetFacing() == CephalometricGeometry::FacingEnum::Right ? "right" : "left", sources.facing);
+  json["pixel_spacing_mm"] =
+    Provenance(Json::array({ geometry.GetPixelSpacing()[0], geometry.GetPixelSpacing()[1] }), sources.pixelSpacing);
+  json["pixel_spacing_mm"]["how"] = result.data->spacingProvenance;
+  json["principal_point_px"] = Provenance(
+    Json::array({ geometry.GetPrincipalPoint()[0], geometry.GetPrincipalPoint()[1] }), sources.principalPoint);
+  return json;
+}
+
+Json
+FiguresToJson(const ContourFigures & figures)
+{
+  return { { "chamfer_px", figures.chamfer },
+           { "hausdorff_px", figures.hausdorff },
+           { "ios_to_cr_px", figures.movingToFixed },
+           { "cr_to_ios_px", figures.fixedToMoving } };
+}
+
+Json
+JawToJson(const JawResult & jaw)
+{
+  Json json;
+  json["status"] = ToString(jaw.status);
+  json["reasons"] = jaw.reasons;
+  if (jaw.registered)
+  {
+    json["projection_3x4"] = MatrixToJson(jaw.projection);
+    json["similarity"] = { { "scale", jaw.similarity.scale },
+                           { "rotation_rad", jaw.similarity.rotation },
+                           { "translation_px", jaw.similarity.translation } };
+    json["mesh_to_umda_mm"] = MatrixToJson(jaw.meshToUMDA);
+    json["mesh_to_cephalostat_mm"] = MatrixToJson(jaw.meshToCephalostat);
+    if (!jaw.metrics.empty())
+    {
+      Json & metrics = json["metrics"] = { { "moving_contour", jaw.metrics.front().first } };
+      metrics.update(FiguresToJson(jaw.metrics.front().second));
+      for (std::size_t i = 1; i < jaw.metrics.size(); ++i)
+      {
+        json["metrics_" + jaw.metrics[i].first] = { { "moving_contour", jaw.metrics[i].first } };
+        json["metrics_" + jaw.metrics[i].first].update(FiguresToJson(jaw.metrics[i].second));
+      }
+    }
+    Json landmarks = Json::object();
+    Json sigmas = Json::object();
+    Json covariances = Json::object();
+    for (const LandmarkPrediction & landmark : jaw.landmarks)
+    {
+      landmarks[landmark.name] = landmark.position;
+      if (landmark.covariance)
+      {
+        const auto & c = *landmark.covariance;
+        sigmas[landmark.name] = landmark.GetSigma();
+        covariances[landmark.name] = { { c[0], c[1] }, { c[2], c[3] } };
+      }
+    }
+    json["landmarks_px"] = landmarks;
+    if (!sigmas.empty())
+    {
+      json["landmark_sigma_px"] = sigmas;
+      json["landmark_covariance_px2"] = covariances;
+    }
+    if (jaw.error)
+    {
+      Json groups = Json::object();
+      for (const auto & group : jaw.error->groups)
+      {
+        groups[group.first] = group.second;
+      }
+      Json each = Json::object();
+      for (const auto & landmark : jaw.error->landmarks)
+      {
+        each[landmark.first] = landmark.second;
+      }
+      json["error"] = { { "mean_px", jaw.error->mean },
+                        { "rmse_px", jaw.error->rmse },
+                        { "std_px", jaw.error->standardDeviation },
+                        { "groups", groups },
+                        { "landmarks", each } };
+    }
+  }
+  json["arch"] = { { "width_mm", jaw.archWidth },
+                   { "depth_mm", jaw.archDepth },
+                   { "frame_confidence", jaw.frameConfidence } };
+  for (const auto & detail : jaw.details)
+  {
+    json["details"][detail.first] = detail.second;
+  }
+  Json & seconds = json["seconds"] = Json::object();
+  for (const char * stage : { "read", "axis", "projection", "contour", "registration" })
+  {
+    seconds[stage] = 0.0;
+  }
+  for (const auto & stage : jaw.seconds)
+  {
+    seconds[stage.first] = seconds.value(stage.first, 0.0) + stage.second;
+  }
+  return json;
+}
+
+MeshType::Pointer
+MoveMesh(const MeshType * mesh, const std::array<double, 12> & matrix)
+{
+  auto moved = MeshType::New();
+  moved->Graft(mesh);
+  auto points = MeshType::PointsContainer::New();
+  points->Reserve(mesh->GetNumberOfPoints());
+  for (auto it = mesh->GetPoints()->Begin(); it != mesh->GetPoints()->End(); ++it)
+  {
+    MeshType::PointType point;
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      double sum = matrix[4 * row + 3];
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        sum += matrix[4 * row + d] * it.Value()[d];
+      }
+      point[row] = static_cast<float>(sum);
+    }
+    points->SetElement(it.Index(), point);
+  }
+  moved->SetPoints(points);
+  return moved;
+}
+
+/** Writes through ITK, then adds a comment below the header line. */
+void
+WriteTransform(const TransformBaseTemplate<double> * transform, const std::string & comment, const fs::path & path)
+{
+  auto writer = TransformFileWriterTemplate<double>::New();
+  auto io = TxtTransformIOTemplate<double>::New();
+  writer->SetTransformIO(io);
+  writer->SetInput(transform);
+  writer->SetFileName(path.string());
+  writer->Update();
+  std::string       text = ReadTextFile(path.string(), "a transform");
+  const std::size_t end = text.find('\n');
+  WriteFileAtomically(path.string(), text.substr(0, end + 1) + "# " + comment + '\n' + text.substr(end + 1));
+}
+
+void
+WriteRigidTransform(const std::array<double, 12> & matrix, const std::string & comment, const fs::path & path)
+{
+  using TransformType = VersorRigid3DTransform<double>;
+  auto                            transform = TransformType::New();
+  TransformType::MatrixType       rotation;
+  TransformType::OutputVectorType translation;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rotation(row, column) = matrix[4 * row + column];
+    }
+    translation[row] = matrix[4 * row + 3];
+  }
+  transform->SetMatrix(rotation);
+  transform->SetTranslation(translation);
+  WriteTransform(transform, comment, path);
+}
+
+void
+WriteFiles(const CaseResult & result, const fs::path & folder)
+{
+  for (const auto & entry : result.jaws)
+  {
+    const JawResult & jaw = entry.second;
+    const std::string name = Name(entry.first);
+    if (!jaw.registered)
+    {
+      continue;
+    }
+    WriteDentalMesh(MoveMesh(result.data->GetJaw(entry.first).mesh, jaw.meshToCephalostat).GetPointer(),
+                    (folder / (name + "_ceph.stl")).string());
+    WriteRigidTransform(jaw.meshToUMDA,
+                        "maps points of the scan (mm) to its UMDA frame (mm): x anterior, y patient's left, z superior",
+                        folder / (name + "_umda.tfm"));
+    using SimilarityType = Similarity2DTransform<double>;
+    auto                           similarity = SimilarityType::New();
+    SimilarityType::ParametersType parameters(4);
+    parameters[0] = jaw.similarity.scale;
+    parameters[1] = jaw.similarity.rotation;
+    parameters[2] = jaw.similarity.translation[0];
+    parameters[3] = jaw.similarity.translation[1];
+    similarity->SetParameters(parameters);
+    WriteTransform(
+      similarity,
+      "maps the geometry's own projection q (pixels) to the radiograph's pixels; 2-D: for ITK, not for Slicer",
+      folder / (name + "_similarity2d.tfm"));
+    WriteCaseOverlay(result, entry.first, (folder / ("overlay_" + name + ".png")).string());
+  }
+  // Last: where it is, everything is.
+  WriteFileAtomically((folder / "result.json").string(), CaseResultToJson(result));
+}
+
+[[noreturn]] void
+FailToWrite(const fs::path & folder, const std::string & why)
+{
+  itkDentalInputErrorMacro(folder.string(), "", "can't be written: " + why, "choose another output folder");
+}
+
+/** Names of every file that a run can leave: those of an earlier run that this one does not make are stale. */
+const char * const OutputNames[] = { "upper_ceph.stl",    "lower_ceph.stl",         "upper_umda.tfm",
+                                     "lower_umda.tfm",    "upper_similarity2d.tfm", "lower_similarity2d.tfm",
+                                     "overlay_upper.png", "overlay_lower.png",      "result.json" };
+} // namespace
+
+void
+MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked)
+{
+  using FilterType = LandmarkErrorFilter;
+  for (auto & entry : result.jaws)
+  {
+    JawResult & jaw = entry.second;
+    jaw.error.reset();
+    if (!jaw.registered || marked == nullptr)
+    {
+      continue;
+    }
+    auto predicted = DentalLandmarkSet<2>::New();
+    for (const LandmarkPrediction & landmark : jaw.landmarks)
+    {
+      DentalLandmarkSet<2>::PointType point;
+      point[0] = landmark.position[0];
+      point[1] = landmark.position[1];
+      predicted->AddLandmark(landmark.name, point);
+    }
+    auto filter = FilterType::New();
+    filter->SetPredictedLandmarks(predicted);
+    filter->SetReferenceLandmarks(marked);
+    filter->SetJaw(entry.first);
+    filter->SetBisectSides(result.data->description.tracedSide == TracedSideEnum::Mean);
+    filter->Update();
+    const auto & statistics = filter->GetStatistics();
+    if (statistics.GetCount() == 0)
+    {
+      continue;
+    }
+    LandmarkFigures figures;
+    figures.count = statistics.GetCount();
+    figures.mean = statistics.GetMean();
+    figures.rmse = statistics.GetRMSE();
+    figures.standardDeviation = statistics.GetStandardDeviation();
+    const std::pair<const char *, ToothCode::GroupEnum> groups[] = { { "incisors_canines",
+                                                                       ToothCode::GroupEnum::IncisorsAndCanines },
+                                                                     { "premolars", ToothCode::GroupEnum::Premolars },
+                                                                     { "molars", ToothCode::GroupEnum::Molars } };
+    for (const auto & group : groups)
+    {
+      if (statistics.GetCount(group.second) > 0)
+      {
+        figures.groups[group.first] = statistics.GetMean(group.second);
+      }
+    }
+    for (const auto & error : filter->GetErrors())
+    {
+      figures.landmarks.emplace_back(error.name, error.distance);
+    }
+    jaw.error = figures;
+  }
+}
+
+std::string
+CaseResultToJson(const CaseResult & result)
+{
+  Json json;
+  json["schema"] = "dentalscr-result/1";
+  json["software"] = DentalSCRVersion;
+  json["preset"] = ToString(result.preset);
+  json["status"] = ToString(result.GetStatus());
+  json["skipped"] = Json::object();
+  for (const auto & skipped : result.skipped)
+  {
+    json["skipped"][Name(skipped.first)] = skipped.second;
+  }
+  json["jaws"] = Json::object();
+  for (const auto & entry : result.jaws)
+  {
+    json["jaws"][Name(entry.first)] = JawToJson(entry.second);
+  }
+  json["geometry"] = GeometryToJson(result);
+  json["jaws_share_frame"] = result.jawsShareFrame;
+  if (result.overjet && result.overbite)
+  {
+    json["overjet_mm"] = *result.overjet;
+    json["overbite_mm"] = *result.overbite;
+  }
+  json["traced_side"] = ToString(result.data->description.tracedSide);
+  json["warnings"] = result.warnings;
+  json["not_checkable"] = result.notCheckable;
+  json["total_seconds"] = result.totalSeconds;
+  json["notice"] = "Research software, not a medical device.";
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void
+WriteCaseResult(const CaseResult & result, const std::string & folderName)
+{
+  const fs::path  folder = fs::absolute(fs::u8path(folderName)).lexically_normal();
+  const fs::path  target = folder.has_filename() ? folder : folder.parent_path();
+  std::error_code error;
+  if (fs::exists(target, error) && !fs::is_directory(target, error))
+  {
+    FailToWrite(target, "it is a file");
+  }
+  fs::create_directories(target.parent_path(), error);
+  if (error)
+  {
+    FailToWrite(target, error.message());
+  }
+  std::random_device device;
+  const fs::path     staging =
+    target.parent_path() / ("." + target.filename().string() + ".part-" + std::to_string(device()));
+  fs::create_directory(staging, error);
+  if (error)
+  {
+    FailToWrite(target, error.message());
+  }
+  try
+  {
+    WriteFiles(result, staging);
+    if (!fs::exists(target))
+    {
+      fs::rename(staging, target);
+    }
+    else
+    {
+      fs::remove(target / "result.json");
+      for (const char * name : OutputNames)
+      {
+        if (fs::exists(staging / name))
+        {
+          fs::rename(staging / name, target / name);
+        }
+        else
+        {
+          fs::remove(target / name);
+        }
+      }
+      fs::remove_all(staging);
+    }
+  }
+  catch (const fs::filesystem_error & failure)
+  {
+    fs::remove_all(staging, error);
+    FailToWrite(target, failure.code().message());
+  }
+  catch (...)
+  {
+    fs::remove_all(staging, error);
+    throw;
+  }
+}
+} // namespace itk

@@ -1,0 +1,451 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDentalCaseFileReader.h"
+
+#include "itkDentalInputError.h"
+#include "itkJsonDocument.h"
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace itk
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/** The member as a path beside the case file; "" where absent. Throws where there is no such file. */
+std::string
+FindFile(const JsonNode & root, const std::string & key, const fs::path & directory)
+{
+  const auto node = root.Find(key);
+  if (!node)
+  {
+    return {};
+  }
+  const std::string & text = node->AsString();
+  if (text.empty())
+  {
+    node->Fail("empty path", "name the file or leave the field out");
+  }
+  const fs::path  path = directory / fs::u8path(text);
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+  {
+    node->Fail("\"" + text + "\" is a folder", "name a file");
+  }
+  if (!fs::exists(path, ignored))
+  {
+    node->Fail("there is no file \"" + text + "\"", "paths are relative to the case file");
+  }
+  return path.string();
+}
+
+/** Turns the words' std::invalid_argument into an error at the node. */
+template <typename TFunction>
+auto
+Interpret(const JsonNode & node, TFunction && function)
+{
+  const std::string & text = node.AsString();
+  try
+  {
+    return function(text);
+  }
+  catch (const std::invalid_argument & error)
+  {
+    node.Fail(error.what(), "");
+  }
+}
+
+double
+PositiveNumber(const JsonNode & node, const char * remedy)
+{
+  const double value = node.AsNumber();
+  if (!(value > 0.0))
+  {
+    node.Fail(std::to_string(value) + " is not positive", remedy);
+  }
+  return value;
+}
+
+bool
+IsLeft(const JsonNode & node)
+{
+  const std::string & text = node.AsString();
+  if (text != "right" && text != "left")
+  {
+    node.Fail("\"" + text + "\" is neither \"right\" nor \"left\"", "write one of them");
+  }
+  return text == "left";
+}
+
+SimilarityParameters
+ReadSimilarity(const JsonNode & node)
+{
+  node.WarnAboutUnknownFields({ "scale", "rotation_rad", "translation_px" });
+  SimilarityParameters similarity;
+  if (const auto scale = node.Find("scale"))
+  {
+    similarity.scale = PositiveNumber(*scale, "1 is the geometry's own scale");
+  }
+  if (const auto rotation = node.Find("rotation_rad"))
+  {
+    similarity.rotation = rotation->AsNumber();
+  }
+  const std::vector<double> translation = node.Get("translation_px").AsNumbers(2, "[u, v]");
+  similarity.translation = { { translation[0], translation[1] } };
+  return similarity;
+}
+
+void
+ReadInit(const JsonNode & init, DentalCase & dentalCase)
+{
+  init.WarnAboutUnknownFields({ "upper", "lower", "similarity", "pose" });
+  const std::pair<const char *, ToothCode::JawEnum> jaws[] = { { "upper", ToothCode::JawEnum::Upper },
+                                                               { "lower", ToothCode::JawEnum::Lower } };
+  if (const auto similarity = init.Find("similarity"))
+  {
+    for (const auto & jaw : jaws)
+    {
+      dentalCase.initialSimilarity[jaw.second] = ReadSimilarity(*similarity);
+    }
+  }
+  for (const auto & jaw : jaws)
+  {
+    if (const auto node = init.Find(jaw.first))
+    {
+      node->WarnAboutUnknownFields({ "similarity" });
+      dentalCase.initialSimilarity[jaw.second] = ReadSimilarity(node->Get("similarity"));
+    }
+  }
+  if (const auto pose = init.Find("pose"))
+  {
+    if (!pose->IsArray() || pose->GetSize() < 3)
+    {
+      pose->Fail("is no 3x4 matrix", "write three rows [r, r, r, t] from mesh (mm) to cephalostat frame");
+    }
+    std::array<double, 12> matrix{};
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      const std::vector<double> numbers = pose->At(row).AsNumbers(4, "[r, r, r, t]");
+      std::copy(numbers.begin(), numbers.end(), matrix.begin() + 4 * row);
+    }
+    for (unsigned int a = 0; a < 3; ++a)
+    {
+      for (unsigned int b = 0; b < 3; ++b)
+      {
+        double product = 0.0;
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          product += matrix[4 * a + d] * matrix[4 * b + d];
+        }
+        if (std::abs(product - (a == b ? 1.0 : 0.0)) > 1e-6)
+        {
+          pose->Fail("its rotation is not orthonormal", "give a rigid pose; the mesh's unit belongs in \"mesh_unit\"");
+        }
+      }
+    }
+    const auto & m = matrix;
+    if (m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]) <
+        0.0)
+    {
+      pose->Fail("mirrors the mesh", "the side that the patient faces belongs in \"facing\"");
+    }
+    dentalCase.initialPose = matrix;
+  }
+}
+
+void
+ReadCephalogram(const JsonNode & node, const fs::path & directory, DentalCase & dentalCase)
+{
+  node.WarnAboutUnknownFields({ "image", "pixel_spacing_mm", "spacing_plane", "facing" });
+  dentalCase.imageFile = FindFile(node, "image", directory);
+  if (const auto spacing = node.Find("pixel_spacing_mm"))
+  {
+    const std::vector<double> numbers = spacing->AsNumbers(2, "[u, v]");
+    for (const double number : numbers)
+    {
+      // A cephalogram's pixels are 0.05 to 0.5 mm; 5 mm is no radiograph.
+      if (!(number > 0.001 && number < 5.0))
+      {
+        spacing->Fail(std::to_string(number) + " mm a pixel is not possible",
+                      "give mm a pixel, about 0.1 to 0.3, or leave the field out where it is unknown");
+      }
+    }
+    dentalCase.pixelSpacing = { { numbers[0], numbers[1] } };
+  }
+  if (const auto plane = node.Find("spacing_plane"))
+  {
+    const std::string & text = plane->AsString();
+    if (text != "detector" && text != "midsagittal")
+    {
+      plane->Fail("\"" + text + "\" is neither \"detector\" nor \"midsagittal\"", "write one of them");
+    }
+    dentalCase.spacingAtMidsagittalPlane = text == "midsagittal";
+  }
+  if (const auto facing = node.Find("facing"))
+  {
+    dentalCase.facing =
+      IsLeft(*facing) ? CephalometricGeometry::FacingEnum::Left : CephalometricGeometry::FacingEnum::Right;
+  }
+}
+
+void
+ReadGeometry(const JsonNode & node, DentalCase & dentalCase)
+{
+  node.WarnAboutUnknownFields(
+    { "source_to_midsagittal_mm", "source_to_detector_mm", "source_side", "principal_point_px" });
+  if (const auto distance = node.Find("source_to_midsagittal_mm"))
+  {
+    dentalCase.sourceToMidsagittal = PositiveNumber(*distance, "give mm, about 1500");
+  }
+  if (const auto distance = node.Find("source_to_detector_mm"))
+  {
+    dentalCase.sourceToDetector = PositiveNumber(*distance, "give mm, about 1650");
+  }
+  if (dentalCase.sourceToMidsagittal && dentalCase.sourceToDetector &&
+      *dentalCase.sourceToDetector <= *dentalCase.sourceToMidsagittal)
+  {
+    node.Get("source_to_detector_mm")
+      .Fail("the detector is not behind the midsagittal plane",
+            "source_to_detector_mm is larger than source_to_midsagittal_mm; were they exchanged?");
+  }
+  if (const auto side = node.Find("source_side"))
+  {
+    dentalCase.sourceSide =
+      IsLeft(*side) ? CephalometricGeometry::SourceSideEnum::Left : CephalometricGeometry::SourceSideEnum::Right;
+  }
+  if (const auto point = node.Find("principal_point_px"))
+  {
+    const std::vector<double> numbers = point->AsNumbers(2, "[u, v]");
+    dentalCase.principalPoint = { { numbers[0], numbers[1] } };
+  }
+}
+} // namespace
+
+double
+MillimetresPerUnitFromString(const std::string & unit)
+{
+  if (unit == "mm")
+  {
+    return 1.0;
+  }
+  if (unit == "cm")
+  {
+    return 10.0;
+  }
+  if (unit == "m")
+  {
+    return 1000.0;
+  }
+  if (unit == "um")
+  {
+    return 0.001;
+  }
+  throw std::invalid_argument("\"" + unit + "\" is no mesh unit (\"mm\", \"cm\", \"m\" or \"um\")");
+}
+
+TracedSideEnum
+TracedSideFromString(const std::string & text)
+{
+  for (const TracedSideEnum side :
+       { TracedSideEnum::Right, TracedSideEnum::Left, TracedSideEnum::Mean, TracedSideEnum::Both })
+  {
+    if (text == ToString(side))
+    {
+      return side;
+    }
+  }
+  throw std::invalid_argument("\"" + text + "\" is no traced side (\"right\", \"left\", \"mean\" or \"both\")");
+}
+
+OcclusionEnum
+OcclusionFromString(const std::string & text)
+{
+  for (const OcclusionEnum occlusion : { OcclusionEnum::Yes, OcclusionEnum::No, OcclusionEnum::Check })
+  {
+    if (text == ToString(occlusion))
+    {
+      return occlusion;
+    }
+  }
+  throw std::invalid_argument("\"" + text +
+                              "\" does not say whether the jaws are in occlusion (true, false or \"check\")");
+}
+
+void
+FixParameter(DentalCase & dentalCase, const std::string & text)
+{
+  if (text == "scale")
+  {
+    dentalCase.fixScale = true;
+  }
+  else if (text == "rotation")
+  {
+    dentalCase.fixRotation = true;
+  }
+  else if (text == "translation")
+  {
+    dentalCase.fixTranslation = true;
+  }
+  else
+  {
+    throw std::invalid_argument("\"" + text + "\" can't be fixed (\"scale\", \"rotation\" or \"translation\")");
+  }
+}
+
+const char *
+ToString(TracedSideEnum side)
+{
+  switch (side)
+  {
+    case TracedSideEnum::Right:
+      return "right";
+    case TracedSideEnum::Left:
+      return "left";
+    case TracedSideEnum::Mean:
+      return "mean";
+    default:
+      return "both";
+  }
+}
+
+const char *
+ToString(OcclusionEnum occlusion)
+{
+  switch (occlusion)
+  {
+    case OcclusionEnum::Yes:
+      return "true";
+    case OcclusionEnum::No:
+      return "false";
+    default:
+      return "check";
+  }
+}
+
+void
+ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase)
+{
+  const JsonDocument document = JsonDocument::ReadFile(fileName);
+  ReadInit(document.GetRoot(), dentalCase);
+  const auto & warnings = document.GetWarnings();
+  dentalCase.warnings.insert(dentalCase.warnings.end(), warnings.begin(), warnings.end());
+}
+
+DentalCase
+ReadDentalCase(const std::string & fileName)
+{
+  const JsonDocument document = JsonDocument::ReadFile(fileName);
+  const JsonNode     root = document.GetRoot();
+  if (!root.IsObject())
+  {
+    root.Fail("is no JSON object", "a case file is { \"upper\": ..., \"contours\": ... }");
+  }
+  root.WarnAboutUnknownFields({ "upper",
+                                "lower",
+                                "mesh_unit",
+                                "occlusion",
+                                "cephalogram",
+                                "geometry",
+                                "contours",
+                                "traced_side",
+                                "numbering",
+                                "landmarks_3d",
+                                "landmarks_2d",
+                                "init",
+                                "exclude",
+                                "fix" });
+  DentalCase dentalCase;
+  dentalCase.fileName = fileName;
+  const fs::path directory = fs::path(fileName).parent_path();
+
+  dentalCase.upperFile = FindFile(root, "upper", directory);
+  dentalCase.lowerFile = FindFile(root, "lower", directory);
+  if (dentalCase.upperFile.empty() && dentalCase.lowerFile.empty())
+  {
+    itkDentalInputErrorMacro(fileName, "upper", "neither \"upper\" nor \"lower\" is given", "name at least one scan");
+  }
+  if (!root.Find("contours"))
+  {
+    itkDentalInputErrorMacro(fileName, "contours", "missing", "name the file with the tracing");
+  }
+  dentalCase.contoursFile = FindFile(root, "contours", directory);
+  dentalCase.landmarks3DFile = FindFile(root, "landmarks_3d", directory);
+  dentalCase.landmarks2DFile = FindFile(root, "landmarks_2d", directory);
+
+  if (const auto unit = root.Find("mesh_unit"))
+  {
+    dentalCase.millimetresPerUnit = Interpret(*unit, MillimetresPerUnitFromString);
+    dentalCase.meshUnit = unit->AsString();
+  }
+  if (const auto occlusion = root.Find("occlusion"))
+  {
+    if (occlusion->GetKind() == JsonNode::KindEnum::Boolean)
+    {
+      dentalCase.occlusion = occlusion->AsBoolean() ? OcclusionEnum::Yes : OcclusionEnum::No;
+    }
+    else
+    {
+      dentalCase.occlusion = Interpret(*occlusion, OcclusionFromString);
+    }
+  }
+  if (const auto side = root.Find("traced_side"))
+  {
+    dentalCase.tracedSide = Interpret(*side, TracedSideFromString);
+  }
+  if (const auto numbering = root.Find("numbering"))
+  {
+    dentalCase.numbering = Interpret(*numbering, ToothCode::NumberingFromString);
+  }
+  if (const auto cephalogram = root.Find("cephalogram"))
+  {
+    ReadCephalogram(*cephalogram, directory, dentalCase);
+  }
+  if (const auto geometry = root.Find("geometry"))
+  {
+    ReadGeometry(*geometry, dentalCase);
+  }
+  if (const auto init = root.Find("init"))
+  {
+    ReadInit(*init, dentalCase);
+  }
+  if (const auto exclude = root.Find("exclude"))
+  {
+    const auto numbering = dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant);
+    for (std::size_t i = 0; i < exclude->GetSize(); ++i)
+    {
+      dentalCase.excludedTeeth.push_back(Interpret(
+        exclude->At(i), [numbering](const std::string & text) { return ToothCode::FromString(text, numbering); }));
+    }
+  }
+  if (const auto fix = root.Find("fix"))
+  {
+    for (std::size_t i = 0; i < fix->GetSize(); ++i)
+    {
+      Interpret(fix->At(i), [&dentalCase](const std::string & text) {
+        FixParameter(dentalCase, text);
+        return 0;
+      });
+    }
+  }
+  dentalCase.warnings = document.GetWarnings();
+  return dentalCase;
+}
+} // namespace itk

@@ -1,0 +1,192 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrCommands.h"
+
+#include "itkDentalInputError.h"
+#include "itkDentalLandmarkFileReader.h"
+#include "itkJsonDocument.h"
+#include "itkLandmarkErrorFilter.h"
+#include "itkLandmarkErrorStatistics.h"
+#include "itkTextFile.h"
+
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace dentalscr
+{
+namespace
+{
+using JawEnum = itk::ToothCode::JawEnum;
+using GroupEnum = itk::ToothCode::GroupEnum;
+
+struct EvaluateOptions
+{
+  std::vector<std::string> results;
+  std::vector<std::string> landmarks;
+  std::string              csv;
+};
+
+itk::DentalLandmarkSet<2>::Pointer
+ReadPredictions(const itk::JsonNode & jaw)
+{
+  auto landmarks = itk::DentalLandmarkSet<2>::New();
+  if (const auto node = jaw.Find("landmarks_px"))
+  {
+    for (const auto & member : node->GetMembers())
+    {
+      const std::vector<double>            numbers = member.second.AsNumbers(2, "[u, v]");
+      itk::DentalLandmarkSet<2>::PointType point;
+      point[0] = numbers[0];
+      point[1] = numbers[1];
+      try
+      {
+        landmarks->AddLandmark(member.first, point);
+      }
+      catch (const std::invalid_argument & error)
+      {
+        member.second.Fail(error.what(), "");
+      }
+    }
+  }
+  return landmarks;
+}
+
+/** One row: a jaw of a case, or of the cohort. A group without landmarks is empty, not 0. */
+void
+WriteRow(
+  std::ostream & os, const std::string & name, JawEnum jaw, const itk::LandmarkErrorStatistics & statistics, bool csv)
+{
+  std::ostringstream row;
+  row << std::fixed << std::setprecision(csv ? 6 : 2);
+  const auto cell = [&](const std::string & text, int width) {
+    if (csv)
+    {
+      row << ',' << text;
+    }
+    else
+    {
+      row << std::setw(width) << text;
+    }
+  };
+  const auto number = [&](bool there, double value) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(csv ? 6 : 2) << value;
+    return there ? text.str() : std::string(csv ? "" : "-");
+  };
+  if (csv)
+  {
+    row << name;
+  }
+  else
+  {
+    row << std::left << std::setw(40) << name << std::right;
+  }
+  cell(jaw == JawEnum::Upper ? "upper" : "lower", 7);
+  cell(std::to_string(statistics.GetCount()), 5);
+  const bool any = statistics.GetCount() > 0;
+  cell(number(any, any ? statistics.GetMean() : 0.0), 10);
+  cell(number(any, any ? statistics.GetRMSE() : 0.0), 10);
+  cell(number(any, any ? statistics.GetStandardDeviation() : 0.0), 10);
+  for (const GroupEnum group : { GroupEnum::IncisorsAndCanines, GroupEnum::Premolars, GroupEnum::Molars })
+  {
+    const bool there = statistics.GetCount(group) > 0;
+    cell(number(there, there ? statistics.GetMean(group) : 0.0), 10);
+  }
+  os << row.str() << '\n';
+}
+
+int
+Evaluate(const EvaluateOptions & options, const CommonOptions & common)
+{
+  if (options.results.size() != options.landmarks.size())
+  {
+    itkDentalInputErrorMacro("command line",
+                             "--landmarks",
+                             std::to_string(options.results.size()) + " results but " +
+                               std::to_string(options.landmarks.size()) + " landmark files",
+                             "give one landmark file a result, in the same order");
+  }
+  itk::LandmarkErrorStatistics cohort[2];
+  std::ostringstream           table;
+  std::ostringstream           csv;
+  csv << "case,jaw,landmarks,mean_px,rmse_px,std_px,incisors_canines_px,premolars_px,molars_px\n";
+  table << std::left << std::setw(40) << "case" << std::right << std::setw(7) << "jaw" << std::setw(5) << "n"
+        << std::setw(10) << "mean" << std::setw(10) << "RMSE" << std::setw(10) << "std" << std::setw(10) << "Inc.&Can."
+        << std::setw(10) << "PreM" << std::setw(10) << "Molars" << '\n';
+  for (std::size_t i = 0; i < options.results.size(); ++i)
+  {
+    const auto root = itk::JsonDocument::ReadFile(options.results[i]).GetRoot();
+    auto       reader = itk::DentalLandmarkFileReader<2>::New();
+    reader->SetFileName(options.landmarks[i]);
+    reader->Update();
+    const auto side = root.Find("traced_side");
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      const auto node = root.Get("jaws").Find(jaw == JawEnum::Upper ? "upper" : "lower");
+      if (!node)
+      {
+        continue;
+      }
+      auto filter = itk::LandmarkErrorFilter::New();
+      filter->SetPredictedLandmarks(ReadPredictions(*node));
+      filter->SetReferenceLandmarks(reader->GetOutput());
+      filter->SetJaw(jaw);
+      filter->SetBisectSides(side && side->AsString() == "mean");
+      filter->Update();
+      WriteRow(table, options.results[i], jaw, filter->GetStatistics(), false);
+      WriteRow(csv, options.results[i], jaw, filter->GetStatistics(), true);
+      cohort[jaw == JawEnum::Upper ? 0 : 1].Add(filter->GetStatistics());
+    }
+  }
+  if (options.results.size() > 1)
+  {
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      WriteRow(table, "all, landmarks pooled", jaw, cohort[jaw == JawEnum::Upper ? 0 : 1], false);
+      WriteRow(csv, "all", jaw, cohort[jaw == JawEnum::Upper ? 0 : 1], true);
+    }
+  }
+  if (!options.csv.empty())
+  {
+    itk::WriteFileAtomically(options.csv, csv.str());
+  }
+  if (!common.quiet)
+  {
+    std::cout << table.str() << std::flush;
+  }
+  return AllRegistered;
+}
+} // namespace
+
+void
+AddEvaluateCommand(CLI::App & program, const CommonOptions & common, RunFunction & run)
+{
+  auto   options = std::make_shared<EvaluateOptions>();
+  auto * command = program.add_subcommand("evaluate", "Landmark errors of results against marked landmarks, in pixels");
+  command->add_option("results", options->results, "result.json of one or more cases")->required();
+  command->add_option("--landmarks", options->landmarks, "2-D landmark file of each case, in the same order")
+    ->required();
+  command->add_option("--csv", options->csv, "Write the table to a file too");
+  command->footer("With several results the last rows pool all landmarks, as the paper's tables do.\n"
+                  "Example:\n"
+                  "  dentalscr evaluate result/result.json --landmarks case/landmarks2d.json\n");
+  command->callback([options, &common, &run]() { run = [options, &common]() { return Evaluate(*options, common); }; });
+}
+} // namespace dentalscr

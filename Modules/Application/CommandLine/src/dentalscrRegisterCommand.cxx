@@ -1,0 +1,183 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrCommands.h"
+
+#include "itkCaseRegistration.h"
+#include "itkCaseResultWriter.h"
+#include "itkDentalCaseFileReader.h"
+#include "itkDentalCaseLoader.h"
+#include "itkDentalLandmarkFileReader.h"
+
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+namespace dentalscr
+{
+namespace
+{
+struct RegisterOptions
+{
+  std::string              caseFile;
+  std::string              output;
+  std::string              preset{ "paper" };
+  std::string              init;
+  std::vector<std::string> exclude;
+  std::vector<std::string> fix;
+  std::string              silhouette{ "drr" };
+};
+
+/** The words of an option; what they throw names the option. */
+template <typename TFunction>
+void
+Apply(const char * option, TFunction && function)
+{
+  try
+  {
+    function();
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkDentalInputErrorMacro(option, "", error.what(), "see dentalscr register --help");
+  }
+}
+
+void
+PrintSummary(const itk::CaseResult & result, const std::string & output)
+{
+  std::cout << std::fixed << std::setprecision(1);
+  for (const auto & entry : result.jaws)
+  {
+    const itk::JawResult & jaw = entry.second;
+    std::cout << entry.first << ": " << itk::ToString(jaw.status);
+    if (jaw.registered && !jaw.metrics.empty())
+    {
+      std::cout << ", Chamfer " << jaw.metrics.front().second.chamfer << " px";
+    }
+    if (jaw.error)
+    {
+      std::cout << ", landmark error " << jaw.error->mean << " px (mean of " << jaw.error->count << ")";
+    }
+    std::cout << '\n';
+  }
+  for (const auto & entry : result.skipped)
+  {
+    std::cout << entry.first << ": skipped, " << entry.second << '\n';
+  }
+  std::cout << "written to " << output << std::endl;
+}
+
+void
+PrintReasons(const itk::CaseResult & result)
+{
+  for (const std::string & warning : result.warnings)
+  {
+    std::cerr << "dentalscr: warning: " << warning << '\n';
+  }
+  for (const auto & entry : result.jaws)
+  {
+    for (const std::string & reason : entry.second.reasons)
+    {
+      std::cerr << "dentalscr: " << entry.first << ": " << itk::ToString(entry.second.status) << ": " << reason << '\n';
+    }
+  }
+}
+
+int
+Register(const RegisterOptions & options, const CommonOptions & common)
+{
+  itk::DentalCase description = itk::ReadDentalCase(options.caseFile);
+  if (!options.init.empty())
+  {
+    itk::ReadInitialAlignment(options.init, description);
+  }
+  Apply("--exclude", [&]() {
+    for (const std::string & code : options.exclude)
+    {
+      description.excludedTeeth.push_back(
+        itk::ToothCode::FromString(code, description.numbering.value_or(itk::ToothCode::NumberingEnum::Quadrant)));
+    }
+  });
+  Apply("--fix", [&]() {
+    for (const std::string & what : options.fix)
+    {
+      itk::FixParameter(description, what);
+    }
+  });
+  auto registration = itk::CaseRegistration::New();
+  Apply("--preset", [&]() { registration->SetPreset(itk::CasePresetFromString(options.preset)); });
+  registration->SetUseSurfaceDRR(options.silhouette == "drr");
+  registration->SetNumberOfWorkUnits(common.threads > 0 ? common.threads
+                                                        : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
+  registration->SetData(itk::LoadDentalCase(description));
+  {
+    const InterruptGuard guard(registration);
+    const ProgressLine   progress(
+      registration, [&]() { return registration->GetCurrentStage(); }, common.quiet);
+    registration->Update();
+  }
+
+  // Only now, when nothing can be registered with them any more.
+  itk::CaseResult result = registration->GetResult();
+  if (!description.landmarks2DFile.empty())
+  {
+    auto reader = itk::DentalLandmarkFileReader<2>::New();
+    reader->SetFileName(description.landmarks2DFile);
+    if (description.numbering)
+    {
+      reader->SetNumbering(*description.numbering);
+    }
+    reader->Update();
+    result.warnings.insert(result.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
+    itk::MeasureLandmarkErrors(result, reader->GetOutput());
+    result.markedLandmarks = reader->GetOutput();
+  }
+  itk::WriteCaseResult(result, options.output);
+  PrintReasons(result);
+  if (!common.quiet)
+  {
+    PrintSummary(result, options.output);
+  }
+  return result.GetStatus() == itk::CaseStatusEnum::Failed ? SomeFailed : AllRegistered;
+}
+} // namespace
+
+void
+AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction & run)
+{
+  auto   options = std::make_shared<RegisterOptions>();
+  auto * command = program.add_subcommand("register", "Registers a case: scans and tracing in, aligned case out");
+  command->add_option("case", options->caseFile, "Case file (JSON)")->required();
+  command->add_option("-o,--output", options->output, "Folder for the result")->required();
+  command->add_option("--preset", options->preset, "paper, bounding-box or single-stage")->capture_default_str();
+  command->add_option("--init", options->init, "JSON file with the alignment to start from, as the case's \"init\"");
+  command->add_option("--exclude", options->exclude, "Teeth to leave out of the tracing, e.g. UR3,UR4")->delimiter(',');
+  command->add_option("--fix", options->fix, "What to hold at its start: scale, rotation, translation")->delimiter(',');
+  command
+    ->add_option(
+      "--silhouette", options->silhouette, "Where the paper's silhouette comes from: drr, or the mesh exactly")
+    ->check(CLI::IsMember({ "drr", "mesh" }))
+    ->capture_default_str();
+  command->footer("Exit code: 0 every jaw registered, 1 a jaw failed, 2 unusable input.\n"
+                  "Examples:\n"
+                  "  dentalscr register case.json --output result\n"
+                  "  dentalscr register case.json --output result --preset bounding-box --exclude UR8\n");
+  command->callback([options, &common, &run]() { run = [options, &common]() { return Register(*options, common); }; });
+}
+} // namespace dentalscr

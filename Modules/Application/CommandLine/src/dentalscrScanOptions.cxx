@@ -1,0 +1,228 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrScanOptions.h"
+
+#include "itkDentalCaseFileReader.h"
+#include "itkDentalCaseLoader.h"
+#include "itkDentalInputError.h"
+#include "itkJsonDocument.h"
+#include "itkMakeTriangleSurface.h"
+
+namespace dentalscr
+{
+namespace
+{
+using JawEnum = itk::ToothCode::JawEnum;
+using GeometryType = itk::CephalometricGeometry;
+
+std::array<double, 12>
+ReadMatrix(const itk::JsonNode & node)
+{
+  std::array<double, 12> matrix{};
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    const std::vector<double> numbers = node.At(row).AsNumbers(4, "[r, r, r, t]");
+    std::copy(numbers.begin(), numbers.end(), matrix.begin() + 4 * row);
+  }
+  return matrix;
+}
+} // namespace
+
+void
+ScanOptions::AddTo(CLI::App * command, bool withGeometry)
+{
+  auto * caseFile = command->add_option("--case", m_CaseFile, "Take scans and geometry from a case file");
+  command->add_option("--upper", m_Upper, "Upper scan (STL, PLY, OBJ, OFF)")->excludes(caseFile);
+  command->add_option("--lower", m_Lower, "Lower scan")->excludes(caseFile);
+  command->add_option("--mesh-unit", m_MeshUnit, "Unit of the scans: mm, cm, m or um (default mm)")->excludes(caseFile);
+  command->add_option("--occlusion", m_Occlusion, "Jaws in one frame: true, false or check (default check)");
+  if (withGeometry)
+  {
+    command->add_option("--spacing", m_PixelSpacing, "Pixel spacing in the detector plane, mm: u v")->expected(2);
+    command->add_option("--facing", m_Facing, "Where the face looks in the image")
+      ->check(CLI::IsMember({ "right", "left" }));
+    command->add_option("--source-side", m_SourceSide, "The patient's side at which the source is")
+      ->check(CLI::IsMember({ "right", "left" }));
+    command
+      ->add_option("--distances", m_Distances, "Source to midsagittal plane and to detector, mm (default 1524 1674)")
+      ->expected(2);
+  }
+}
+
+std::shared_ptr<itk::DentalCaseData>
+ScanOptions::Load() const
+{
+  itk::DentalCase description;
+  if (!m_CaseFile.empty())
+  {
+    description = itk::ReadDentalCase(m_CaseFile);
+  }
+  else
+  {
+    description.fileName = "command line";
+    description.upperFile = m_Upper;
+    description.lowerFile = m_Lower;
+    if (m_Upper.empty() && m_Lower.empty())
+    {
+      itkDentalInputErrorMacro("command line", "--upper", "no scan is named", "give --case, --upper or --lower");
+    }
+  }
+  try
+  {
+    if (!m_MeshUnit.empty())
+    {
+      description.meshUnit = m_MeshUnit;
+      description.millimetresPerUnit = itk::MillimetresPerUnitFromString(m_MeshUnit);
+    }
+    if (!m_Occlusion.empty())
+    {
+      description.occlusion = itk::OcclusionFromString(m_Occlusion);
+    }
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkDentalInputErrorMacro("command line", "", error.what(), "see --help");
+  }
+  if (m_PixelSpacing.size() == 2)
+  {
+    if (!(m_PixelSpacing[0] > 0.0 && m_PixelSpacing[1] > 0.0))
+    {
+      itkDentalInputErrorMacro("command line", "--spacing", "is not positive", "give mm a pixel, about 0.1 to 0.3");
+    }
+    description.pixelSpacing = { { m_PixelSpacing[0], m_PixelSpacing[1] } };
+    description.spacingAtMidsagittalPlane = false;
+  }
+  if (!m_Facing.empty())
+  {
+    description.facing = m_Facing == "left" ? GeometryType::FacingEnum::Left : GeometryType::FacingEnum::Right;
+  }
+  if (!m_SourceSide.empty())
+  {
+    description.sourceSide =
+      m_SourceSide == "left" ? GeometryType::SourceSideEnum::Left : GeometryType::SourceSideEnum::Right;
+  }
+  if (m_Distances.size() == 2)
+  {
+    description.sourceToMidsagittal = m_Distances[0];
+    description.sourceToDetector = m_Distances[1];
+  }
+  return itk::LoadDentalCase(description);
+}
+
+itk::DentalFrameResult
+EstimateFrames(const itk::DentalCaseData & data)
+{
+  itk::TriangleSurface surfaces[2];
+  const bool           have[2] = { data.upper.mesh.IsNotNull(), data.lower.mesh.IsNotNull() };
+  if (have[0])
+  {
+    surfaces[0] = itk::MakeTriangleSurface(data.upper.mesh.GetPointer());
+  }
+  if (have[1])
+  {
+    surfaces[1] = itk::MakeTriangleSurface(data.lower.mesh.GetPointer());
+  }
+  itk::DentalFrameOptions options;
+  switch (data.description.occlusion)
+  {
+    case itk::OcclusionEnum::Yes:
+      options.jawsShareFrame = itk::DentalFrameEnums::JawsShareFrame::On;
+      break;
+    case itk::OcclusionEnum::No:
+      options.jawsShareFrame = itk::DentalFrameEnums::JawsShareFrame::Off;
+      break;
+    default:
+      options.jawsShareFrame = itk::DentalFrameEnums::JawsShareFrame::Check;
+      break;
+  }
+  auto frames = itk::EstimateDentalFrame(have[0] ? &surfaces[0] : nullptr, have[1] ? &surfaces[1] : nullptr, options);
+  for (unsigned int jaw = 0; jaw < 2; ++jaw)
+  {
+    if (have[jaw] && !(jaw == 0 ? frames.upper : frames.lower).valid)
+    {
+      itkDentalInputErrorMacro(jaw == 0 ? data.description.upperFile : data.description.lowerFile,
+                               "",
+                               "has no recognisable dental arch",
+                               "check the file and --mesh-unit");
+    }
+  }
+  return frames;
+}
+
+GeometryType::Pointer
+PlaceJaw(const itk::DentalCaseData &    data,
+         JawEnum                        jaw,
+         const itk::DentalFrameResult & frames,
+         const std::string &            resultFile)
+{
+  auto geometry = GeometryType::New();
+  geometry->CopyParameters(data.geometry);
+  GeometryType::RotationType rotation;
+  GeometryType::VectorType   translation;
+  if (resultFile.empty())
+  {
+    // Jaws in one frame keep their relation to each other.
+    const itk::DentalJawFrame & own = jaw == JawEnum::Upper ? frames.upper : frames.lower;
+    const itk::DentalJawFrame & frame = frames.jawsShareFrame && frames.joint.valid ? frames.joint : own;
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      translation[row] = 0.0;
+      for (unsigned int column = 0; column < 3; ++column)
+      {
+        rotation(row, column) = frame.axes[row][column];
+        translation[row] -= frame.axes[row][column] * frame.origin[column];
+      }
+    }
+    GeometryType::PixelIndexType principal;
+    principal.Fill(0.0);
+    geometry->SetPrincipalPoint(principal);
+  }
+  else
+  {
+    const auto root = itk::JsonDocument::ReadFile(resultFile).GetRoot();
+    const auto node = root.Get("jaws").Get(jaw == JawEnum::Upper ? "upper" : "lower");
+    const auto matrix = ReadMatrix(node.Get("mesh_to_cephalostat_mm"));
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      translation[row] = matrix[4 * row + 3];
+      for (unsigned int column = 0; column < 3; ++column)
+      {
+        rotation(row, column) = matrix[4 * row + column];
+      }
+    }
+    const auto spacing = root.Get("geometry").Get("pixel_spacing_mm").Get("value").AsNumbers(2, "[u, v]");
+    const auto point = root.Get("geometry").Get("principal_point_px").Get("value").AsNumbers(2, "[u, v]");
+    GeometryType::PixelSpacingType pixelSpacing;
+    GeometryType::PixelIndexType   principal;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      pixelSpacing[d] = spacing[d];
+      principal[d] = point[d];
+    }
+    geometry->SetPixelSpacing(pixelSpacing);
+    geometry->SetPrincipalPoint(principal);
+  }
+  geometry->SetPose(rotation, translation);
+  if (!geometry->HasPixelSpacing())
+  {
+    itkDentalInputErrorMacro(
+      data.description.fileName, "--spacing", "the pixel spacing is unknown", "give mm a pixel in the detector plane");
+  }
+  return geometry;
+}
+} // namespace dentalscr

@@ -1,0 +1,81 @@
+"""What the black-box tests share: the built program and a sample case that the toolkit makes itself."""
+import json
+import pathlib
+import shutil
+import subprocess
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def pytest_addoption(parser):
+    parser.addoption("--build-dir", default=str(ROOT / "build" / "test"), help="build tree with bin/dentalscr")
+
+
+@pytest.fixture(scope="session")
+def build_dir(request):
+    return pathlib.Path(request.config.getoption("--build-dir")).resolve()
+
+
+@pytest.fixture(scope="session")
+def program(build_dir):
+    path = build_dir / "bin" / "dentalscr"
+    assert path.exists(), f"{path} is not built"
+    return path
+
+
+@pytest.fixture(scope="session")
+def run(program):
+    """Runs the program; returns the completed process with text output."""
+
+    def call(*arguments, **keywords):
+        return subprocess.run(
+            [str(program), *map(str, arguments)], capture_output=True, text=True, timeout=300, **keywords
+        )
+
+    return call
+
+
+@pytest.fixture(scope="session")
+def sample(run, tmp_path_factory):
+    """A phantom case; read it, don't write to it."""
+    folder = tmp_path_factory.mktemp("sample") / "case"
+    done = run("phantom", "--level", "typical", "--seed", 11, "--output", folder)
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+@pytest.fixture
+def case(sample, tmp_path):
+    """A copy of the sample that a test may spoil."""
+    folder = tmp_path / "case"
+    shutil.copytree(sample, folder)
+    return CaseFolder(folder)
+
+
+@pytest.fixture(scope="session")
+def shared_cases():
+    folder = ROOT.parent / "shared" / "cases"
+    if not folder.is_dir():
+        pytest.skip("the shared sample cases are not here")
+    return folder
+
+
+class CaseFolder:
+    """A case on disk with its JSON files at hand."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.file = folder / "case.json"
+
+    def load(self, name="case.json"):
+        return json.loads((self.folder / name).read_text())
+
+    def save(self, content, name="case.json"):
+        (self.folder / name).write_text(json.dumps(content))
+
+    def change(self, name="case.json", **members):
+        content = self.load(name)
+        content.update(members)
+        self.save(content, name)
