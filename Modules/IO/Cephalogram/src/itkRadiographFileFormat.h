@@ -1,0 +1,56 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkRadiographFileFormat_h
+#define itkRadiographFileFormat_h
+
+#include <cstdint>
+#include <string>
+
+namespace itk
+{
+/** Not installed: the reader's look at a file before a decoder sees it. */
+enum class RadiographFileFormatEnum : uint8_t
+{
+  PNG,
+  JPEG,
+  TIFF,
+  BMP,
+  NRRD,
+  MetaImage,
+  DICOM
+};
+
+const char *
+ToString(RadiographFileFormatEnum format);
+
+/** By what stands in the file; throws DentalInputError for a missing, empty or unreadable file, a directory, or one
+ * that is none of the formats. */
+RadiographFileFormatEnum
+DetectRadiographFileFormat(const std::string & fileName);
+
+/** Throws DentalInputError where a PNG, JPEG, BMP or uncompressed TIFF ends too early: the decoders fill up what is
+ * missing and tell nobody. */
+void
+VerifyRadiographFileIsComplete(const std::string & fileName, RadiographFileFormatEnum format);
+
+/** The header of a NRRD or MetaImage, a line "key: value" or "key = value" each, in lower case, at most 64 KiB. */
+std::string
+ReadRadiographTextHeader(const std::string & fileName);
+} // namespace itk
+
+#endif
