@@ -88,10 +88,10 @@ SurfaceDRR_EXPORT std::ostream &
  * if wanted; the geometry. Output: one image, streamed by requested region. Same bits for any region, number of threads
  * and rerun.
  *
- * The error relative to the image's maximum stays within Tolerance; SurfaceSplatKernel and Documentation/SurfaceDRR.md
- * say how. Flattening and vertex areas are kept until a mesh changes, projected splats until anything that they depend
- * on changes: strips do not repeat them. A change made through the elements of a container alone needs
- * mesh->Modified().
+ * The error relative to the maximum on the detector plane stays within Tolerance; SurfaceSplatKernel and
+ * Documentation/SurfaceDRR.md say how. Flattening and vertex areas are kept until a mesh changes, projected splats
+ * until anything that they depend on changes: strips do not repeat them. A change made through the elements of a
+ * container alone needs mesh->Modified().
  *
  * Errors: no mesh or geometry, a mesh without triangles, cells that are not triangles, a point not in front of the
  * source, a width that is not positive or is above 1000 pixels, an incomplete geometry. Triangles without area are no
@@ -180,7 +180,7 @@ public:
   itkSetMacro(Attenuation, double);
   itkGetConstMacro(Attenuation, double);
 
-  /** Largest error of L relative to the image's maximum, in [1e-6, 0.1]. Default 1e-3. */
+  /** Largest error of L relative to the maximum on the detector plane, in [1e-6, 0.1]. Default 1e-3. */
   itkSetMacro(Tolerance, double);
   itkGetConstMacro(Tolerance, double);
 

@@ -98,7 +98,7 @@ struct SurfaceDRR_EXPORT SurfaceSplatProjector
  * image, never of the region, and a pixel takes its splats in the order of their numbers: value and bits of a pixel do
  * not depend on the region asked for or on the threads.
  *
- * Methods, chosen by the tolerance (relative to the image's maximum) and a cost model:
+ * Methods, chosen by the tolerance (relative to the maximum on the detector plane) and a cost model:
  *  - Table: outer product of two sampled Gaussians, interpolated between sub-pixel positions. Any width.
  *  - CubicSpline, QuinticSpline: weights are binned with B-splines, then filtered with a symmetric FIR fitted so that
  *    spline * FIR is the Gaussian. For wide splats; the error of the fit is computed for the width at hand.
@@ -126,7 +126,7 @@ public:
    * position or weight is not finite, or the arrays differ in length.
    * \param layer  the splats; copied where they reach the image
    * \param image  the whole image
-   * \param tolerance  largest error relative to the image's maximum
+   * \param tolerance  largest error relative to the maximum on the detector plane
    * \param method  Automatic, but for tests and benchmarks; a spline that misses the tolerance is then used all the
    *                same */
   SurfaceSplatKernel(const SurfaceSplatLayer &  layer,
