@@ -154,6 +154,10 @@ struct SilhouetteSample
   std::uint32_t segment{ 0 };
 };
 
+/** The corners of a loop; the normal is that of the segment that begins there. */
+SilhouetteContour_EXPORT std::vector<SilhouetteSample>
+                         SampleSilhouetteLoopCorners(const SilhouetteLoop & loop);
+
 /** The given number of points at equal distances along a loop, beginning at its first point. The rim point is
  * interpolated on the mesh edge so that it projects to the sample. Empty for an empty loop or one of no length. */
 SilhouetteContour_EXPORT std::vector<SilhouetteSample>

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkMeshSilhouette.h"
 
+#include "itkContourResampling.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -1446,41 +1448,49 @@ MeshSilhouette::ComputeOuterBoundary(const PerspectiveProjection & projection) c
 }
 
 std::vector<SilhouetteSample>
+SampleSilhouetteLoopCorners(const SilhouetteLoop & loop)
+{
+  std::vector<SilhouetteSample> samples(loop.points.size());
+  double                        arcLength = 0.0;
+  for (std::size_t i = 0; i < loop.points.size(); ++i)
+  {
+    const auto &       p = loop.points[i];
+    const auto &       q = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+    const double       du = q[0] - p[0];
+    const double       dv = q[1] - p[1];
+    const double       norm = std::hypot(du, dv);
+    SilhouetteSample & sample = samples[i];
+    sample.u = p[0];
+    sample.v = p[1];
+    // Two crossings of one edge may be the same in double precision.
+    sample.normal = norm > 0.0 ? std::array<double, 2>{ dv / norm, -du / norm }
+                    : i > 0    ? samples[i - 1].normal
+                               : std::array<double, 2>{ 0.0, 0.0 };
+    sample.rim = loop.rimStart[i];
+    sample.arcLength = arcLength;
+    sample.segment = static_cast<std::uint32_t>(i);
+    arcLength += norm;
+  }
+  return samples;
+}
+
+std::vector<SilhouetteSample>
 ResampleSilhouetteLoop(const SilhouetteLoop & loop, const PerspectiveProjection & projection, std::size_t count)
 {
-  std::vector<SilhouetteSample> samples;
-  const std::size_t             segments = loop.points.size();
-  std::vector<double>           ends(segments);
-  double                        length = 0.0;
-  for (std::size_t i = 0; i < segments; ++i)
-  {
-    const auto & p = loop.points[i];
-    const auto & q = loop.points[i + 1 < segments ? i + 1 : 0];
-    length += std::hypot(q[0] - p[0], q[1] - p[1]);
-    ends[i] = length;
-  }
-  if (!(length > 0.0))
-  {
-    return samples;
-  }
+  std::vector<SilhouetteSample>      samples;
+  const std::vector<ContourPosition> positions = ResamplePolyline(loop.points, true, count);
+  const double                       length = ComputePolylineLength(loop.points, true);
   samples.reserve(count);
-  std::size_t i = 0;
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; k < positions.size(); ++k)
   {
-    SilhouetteSample sample;
-    sample.arcLength = length * static_cast<double>(k) / static_cast<double>(count);
-    // A corner belongs to the segment that begins there.
-    while (i + 1 < segments && ends[i] <= sample.arcLength)
-    {
-      ++i;
-    }
-    const double begin = i == 0 ? 0.0 : ends[i - 1];
-    const double t = std::min(1.0, std::max(0.0, (sample.arcLength - begin) / (ends[i] - begin)));
-    const auto & p = loop.points[i];
-    const auto & q = loop.points[i + 1 < segments ? i + 1 : 0];
-    const double du = q[0] - p[0];
-    const double dv = q[1] - p[1];
-    const double norm = std::hypot(du, dv);
+    const std::size_t i = positions[k].segment;
+    const double      t = positions[k].share;
+    const auto &      p = loop.points[i];
+    const auto &      q = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+    const double      du = q[0] - p[0];
+    const double      dv = q[1] - p[1];
+    const double      norm = std::hypot(du, dv);
+    SilhouetteSample  sample;
     sample.u = p[0] + t * du;
     sample.v = p[1] + t * dv;
     sample.normal = { dv / norm, -du / norm };
@@ -1489,6 +1499,7 @@ ResampleSilhouetteLoop(const SilhouetteLoop & loop, const PerspectiveProjection 
                              loop.rimEnd[i],
                              projection.Depth(loop.rimEnd[i].data()),
                              t);
+    sample.arcLength = length * static_cast<double>(k) / static_cast<double>(count);
     sample.segment = static_cast<std::uint32_t>(i);
     samples.push_back(sample);
   }
@@ -1502,14 +1513,7 @@ ResampleSilhouetteLoopBySpacing(const SilhouetteLoop & loop, const PerspectivePr
   {
     throw std::invalid_argument("The spacing of contour points must be positive.");
   }
-  double length = 0.0;
-  for (std::size_t i = 0; i < loop.points.size(); ++i)
-  {
-    const auto & p = loop.points[i];
-    const auto & q = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
-    length += std::hypot(q[0] - p[0], q[1] - p[1]);
-  }
-  return ResampleSilhouetteLoop(
-    loop, projection, static_cast<std::size_t>(std::max(1.0, std::floor(length / spacing + 0.5))));
+  const double count = std::floor(ComputePolylineLength(loop.points, true) / spacing + 0.5);
+  return ResampleSilhouetteLoop(loop, projection, static_cast<std::size_t>(std::max(1.0, count)));
 }
 } // namespace itk

@@ -1,0 +1,172 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkMeshSilhouetteContourSource_hxx
+#define itkMeshSilhouetteContourSource_hxx
+
+#include "itkContourResampling.h"
+#include "itkMakeTriangleSurface.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace itk
+{
+template <typename TInputMesh>
+MeshSilhouetteContourSource<TInputMesh>::MeshSilhouetteContourSource()
+{
+  this->SetNumberOfRequiredInputs(0);
+}
+
+template <typename TInputMesh>
+void
+MeshSilhouetteContourSource<TInputMesh>::SetInput(const InputMeshType * mesh)
+{
+  this->ProcessObject::SetNthInput(0, const_cast<InputMeshType *>(mesh));
+}
+
+template <typename TInputMesh>
+auto
+MeshSilhouetteContourSource<TInputMesh>::GetInput() const -> const InputMeshType *
+{
+  return itkDynamicCastInDebugMode<const InputMeshType *>(this->GetPrimaryInput());
+}
+
+template <typename TInputMesh>
+void
+MeshSilhouetteContourSource<TInputMesh>::VerifyPreconditions() ITKv5_CONST
+{
+  if (this->GetInput() == nullptr)
+  {
+    itkExceptionMacro("No mesh: call SetInput() with a mesh of triangles.");
+  }
+  if (this->GetGeometry() == nullptr)
+  {
+    itkExceptionMacro("No geometry: call SetGeometry() with a CephalometricGeometry.");
+  }
+  Superclass::VerifyPreconditions();
+}
+
+template <typename TInputMesh>
+void
+MeshSilhouetteContourSource<TInputMesh>::UpdateKernel()
+{
+  const InputMeshType * const mesh = this->GetInput();
+  ModifiedTimeType            time = std::max(mesh->GetMTime(), mesh->GetUpdateMTime());
+  if (mesh->GetPoints() != nullptr)
+  {
+    time = std::max(time, mesh->GetPoints()->GetMTime());
+  }
+  if (mesh->GetCells() != nullptr)
+  {
+    time = std::max(time, mesh->GetCells()->GetMTime());
+  }
+  if (m_Kernel == nullptr || m_KernelMesh != mesh || m_KernelTime != time)
+  {
+    m_Kernel.reset();
+    try
+    {
+      m_Kernel = std::make_unique<MeshSilhouette>(MakeTriangleSurface(mesh));
+    }
+    catch (const std::invalid_argument & error)
+    {
+      itkExceptionMacro(<< error.what() << " The mesh is broken; read or build it again.");
+    }
+    m_KernelMesh = mesh;
+    m_KernelTime = time;
+  }
+}
+
+template <typename TInputMesh>
+void
+MeshSilhouetteContourSource<TInputMesh>::GenerateData()
+{
+  DentalContour * const output = this->GetOutput();
+  output->Initialize();
+  m_Samples.clear();
+  m_Silhouette.loops.clear();
+  this->GetGeometry()->VerifyComplete();
+  this->UpdateKernel();
+  this->UpdateProgress(0.5f);
+
+  const PerspectiveProjection projection = this->GetGeometry()->GetProjection();
+  try
+  {
+    m_Silhouette = m_Kernel->ComputeOuterBoundary(projection);
+  }
+  catch (const std::domain_error & error)
+  {
+    itkExceptionMacro(<< error.what());
+  }
+
+  const std::size_t parts =
+    m_LargestPartOnly ? std::min<std::size_t>(1, m_Silhouette.loops.size()) : m_Silhouette.loops.size();
+  std::vector<std::size_t> counts;
+  if (m_NumberOfPoints > 0 && parts > 0)
+  {
+    std::vector<double> lengths;
+    for (std::size_t l = 0; l < parts; ++l)
+    {
+      lengths.push_back(ComputePolylineLength(m_Silhouette.loops[l].points, true));
+    }
+    try
+    {
+      counts = DistributeContourPoints(lengths, std::vector<std::size_t>(parts, 3), m_NumberOfPoints);
+    }
+    catch (const std::invalid_argument & error)
+    {
+      itkExceptionMacro(<< error.what() << " Call SetNumberOfPoints() with more, or LargestPartOnlyOn().");
+    }
+  }
+  for (std::size_t l = 0; l < parts; ++l)
+  {
+    const SilhouetteLoop & loop = m_Silhouette.loops[l];
+    // A flat part seen edge-on has two corners; a closed polyline needs three points.
+    const std::size_t count = !counts.empty() ? counts[l] : (loop.points.size() < 3 ? 4 : 0);
+    const SamplesType samples =
+      count > 0 ? ResampleSilhouetteLoop(loop, projection, count) : SampleSilhouetteLoopCorners(loop);
+    DentalContour::PolylineType polyline;
+    polyline.closed = true;
+    for (const SilhouetteSample & sample : samples)
+    {
+      DentalContour::PointType point;
+      point[0] = sample.u;
+      point[1] = sample.v;
+      polyline.points.push_back(point);
+    }
+    output->AddPolyline(polyline);
+    m_Samples.insert(m_Samples.end(), samples.begin(), samples.end());
+  }
+  this->UpdateProgress(1.0f);
+}
+
+template <typename TInputMesh>
+void
+MeshSilhouetteContourSource<TInputMesh>::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "LargestPartOnly: " << (m_LargestPartOnly ? "On" : "Off") << std::endl;
+  os << indent << "NumberOfPoints: " << m_NumberOfPoints << std::endl;
+  os << indent << "Silhouette: " << m_Silhouette.loops.size() << " parts" << std::endl;
+  os << indent << "Samples: " << m_Samples.size() << std::endl;
+  os << indent << "Kernel: " << (m_Kernel == nullptr ? 0 : m_Kernel->GetNumberOfEdges()) << " edges" << std::endl;
+  os << indent << "KernelMesh: " << static_cast<const void *>(m_KernelMesh) << std::endl;
+  os << indent << "KernelTime: " << m_KernelTime << std::endl;
+}
+} // namespace itk
+
+#endif
