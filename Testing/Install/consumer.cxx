@@ -33,7 +33,7 @@ main()
   geometry->SetPixelSpacing(itk::CephalometricGeometry::PixelSpacingType(0.25));
 
   auto silhouette = itk::MeshSilhouetteContourSource<itk::Mesh<float, 3>>::New();
-  silhouette->SetMesh(phantom->GetUpperOutput());
+  silhouette->SetInput(phantom->GetUpperOutput());
   silhouette->SetGeometry(geometry);
   silhouette->SetNumberOfPoints(441);
   silhouette->Update();

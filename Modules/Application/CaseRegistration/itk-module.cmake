@@ -11,6 +11,7 @@ itk_module(CaseRegistration
     SilhouetteContour
     ContourMetric
     SilhouetteToContour
+    PoseRefinement
     RegistrationEvaluation
     RegistrationReport
     ITKCommon

@@ -28,6 +28,9 @@
 
 namespace itk
 {
+struct DentalFrameResult;
+struct TriangleSurface;
+
 /** \class CaseRegistration
  * \brief Takes a case through the chain of a preset: dental axis, projection, contour, registration, landmarks,
  * verdict.
@@ -111,6 +114,10 @@ private:
   EnterStage(const std::string & stage, float progress);
   void
   SkipWhatIsIncomplete();
+  void
+  RegisterBySimilarity(const DentalFrameResult & frames);
+  void
+  RegisterByPose(const DentalFrameResult & frames, const std::array<TriangleSurface, 2> & surfaces);
 
   DataPointer      m_Data;
   CasePresetEnum   m_Preset{ CasePresetEnum::Paper };

@@ -43,6 +43,13 @@ CaseRegistration_EXPORT std::string
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT void
 WriteCaseResult(const CaseResult & result, const std::string & folder);
+
+/** Writes the rigid map from a scan (mm) to its UMDA frame, row-major 3x4, as an ITK transform that Slicer loads
+ * safely.
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+WriteUMDATransform(const std::array<double, 12> & meshToUMDA, const std::string & fileName);
 } // namespace itk
 
 #endif

@@ -79,6 +79,8 @@ struct DentalCaseData
   SourcesType                    sources;
   /** How the pixel spacing came about, in words. */
   std::string spacingProvenance;
+  /** Detector, Calibrated, EstimatedMagnification, UserGiven or Unknown. */
+  std::string spacingVerdict{ "Unknown" };
   /** In the mesh files' unit and frame; null where none were given. */
   DentalLandmarkSet<3>::Pointer landmarks3D;
   std::vector<std::string>      warnings;

@@ -18,6 +18,7 @@
 #include "itkCaseRegistration.h"
 
 #include "itkCaseChecks.h"
+#include "itkCasePoseRegistration.h"
 #include "itkCaseSimilarityRegistration.h"
 
 #include "itkMakeTriangleSurface.h"
@@ -48,34 +49,6 @@ ToFrameOption(OcclusionEnum occlusion)
       return DentalFrameEnums::JawsShareFrame::Off;
     default:
       return DentalFrameEnums::JawsShareFrame::Check;
-  }
-}
-
-/** Every 3-D landmark of the jaw through the matrix that users act on. */
-void
-PredictLandmarks(const DentalCaseData & data, ToothCode::JawEnum jaw, JawResult & result)
-{
-  if (data.landmarks3D.IsNull())
-  {
-    return;
-  }
-  const auto & m = result.projection;
-  for (const auto & landmark : data.landmarks3D->GetLandmarks())
-  {
-    if (landmark.tooth.GetJaw() != jaw)
-    {
-      continue;
-    }
-    double sums[3];
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      sums[row] = m[4 * row] * landmark.point[0] + m[4 * row + 1] * landmark.point[1] +
-                  m[4 * row + 2] * landmark.point[2] + m[4 * row + 3];
-    }
-    LandmarkPrediction prediction;
-    prediction.name = landmark.name;
-    prediction.position = { { sums[0] / sums[2], sums[1] / sums[2] } };
-    result.landmarks.push_back(prediction);
   }
 }
 } // namespace
@@ -190,8 +163,8 @@ CaseRegistration::GenerateData()
   this->EnterStage("dental axis", 0.1F);
   TimeProbe axisProbe;
   axisProbe.Start();
-  TriangleSurface    surfaces[2];
-  DentalFrameOptions frameOptions;
+  std::array<TriangleSurface, 2> surfaces;
+  DentalFrameOptions             frameOptions;
   frameOptions.jawsShareFrame = ToFrameOption(m_Data->description.occlusion);
   frameOptions.refineMidline = m_Preset == CasePresetEnum::Robust;
   frameOptions.abort = [this]() { return this->GetAbortGenerateData(); };
@@ -228,9 +201,43 @@ CaseRegistration::GenerateData()
   }
   CheckCase(*m_Data, frames, m_Result);
 
-  // A spacing that nobody knows is estimated once for both jaws: they lie in one image.
   m_Result.geometry = CephalometricGeometry::New();
   m_Result.geometry->CopyParameters(m_Data->geometry);
+  if (!m_Data->HasPixelSpacing())
+  {
+    m_Result.warnings.push_back(
+      "the pixel spacing is unknown and was estimated from the arch's size; lengths in mm are rough");
+  }
+  if (m_Preset == CasePresetEnum::Robust)
+  {
+    this->RegisterByPose(frames, surfaces);
+  }
+  else
+  {
+    this->RegisterBySimilarity(frames);
+  }
+  total.Stop();
+  m_Result.totalSeconds = total.GetTotal() + m_Data->readSeconds;
+}
+
+void
+CaseRegistration::RegisterByPose(const DentalFrameResult & frames, const std::array<TriangleSurface, 2> & surfaces)
+{
+  this->EnterStage("registration", 0.35F);
+  CasePoseSettings settings;
+  settings.numberOfThreads = this->GetNumberOfWorkUnits();
+  settings.numberOfContourPoints = { { m_NumberOfUpperContourPoints, m_NumberOfLowerContourPoints } };
+  settings.progress = [this](double progress) {
+    this->UpdateProgress(0.35F + 0.6F * static_cast<float>(progress));
+    return this->GetAbortGenerateData();
+  };
+  RegisterCaseByPose(*m_Data, frames, surfaces, settings, m_Result);
+}
+
+void
+CaseRegistration::RegisterBySimilarity(const DentalFrameResult & frames)
+{
+  // A spacing that nobody knows is estimated once for both jaws: they lie in one image.
   if (!m_Data->HasPixelSpacing())
   {
     double       sum = 0.0;
@@ -289,8 +296,6 @@ CaseRegistration::GenerateData()
                      std::string("preset ") + ToString(m_Preset) +
                        " does not check its own accuracy: look at the overlay");
   }
-  total.Stop();
-  m_Result.totalSeconds = total.GetTotal() + m_Data->readSeconds;
 }
 
 void

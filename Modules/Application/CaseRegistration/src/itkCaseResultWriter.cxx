@@ -83,6 +83,7 @@ GeometryToJson(const CaseResult & result)
     Provenance(geometry.GetFacing() == CephalometricGeometry::FacingEnum::Right ? "right" : "left", sources.facing);
   json["pixel_spacing_mm"] =
     Provenance(Json::array({ geometry.GetPixelSpacing()[0], geometry.GetPixelSpacing()[1] }), sources.pixelSpacing);
+  json["pixel_spacing_mm"]["verdict"] = result.data->spacingVerdict;
   json["pixel_spacing_mm"]["how"] = result.data->spacingProvenance;
   json["principal_point_px"] = Provenance(
     Json::array({ geometry.GetPrincipalPoint()[0], geometry.GetPrincipalPoint()[1] }), sources.principalPoint);
@@ -220,26 +221,6 @@ WriteTransform(const TransformBaseTemplate<double> * transform, const std::strin
 }
 
 void
-WriteRigidTransform(const std::array<double, 12> & matrix, const std::string & comment, const fs::path & path)
-{
-  using TransformType = VersorRigid3DTransform<double>;
-  auto                            transform = TransformType::New();
-  TransformType::MatrixType       rotation;
-  TransformType::OutputVectorType translation;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation(row, column) = matrix[4 * row + column];
-    }
-    translation[row] = matrix[4 * row + 3];
-  }
-  transform->SetMatrix(rotation);
-  transform->SetTranslation(translation);
-  WriteTransform(transform, comment, path);
-}
-
-void
 WriteFiles(const CaseResult & result, const fs::path & folder)
 {
   for (const auto & entry : result.jaws)
@@ -252,9 +233,7 @@ WriteFiles(const CaseResult & result, const fs::path & folder)
     }
     WriteDentalMesh(MoveMesh(result.data->GetJaw(entry.first).mesh, jaw.meshToCephalostat).GetPointer(),
                     (folder / (name + "_ceph.stl")).string());
-    WriteRigidTransform(jaw.meshToUMDA,
-                        "maps points of the scan (mm) to its UMDA frame (mm): x anterior, y patient's left, z superior",
-                        folder / (name + "_umda.tfm"));
+    WriteUMDATransform(jaw.meshToUMDA, (folder / (name + "_umda.tfm")).string());
     using SimilarityType = Similarity2DTransform<double>;
     auto                           similarity = SimilarityType::New();
     SimilarityType::ParametersType parameters(4);
@@ -338,6 +317,28 @@ MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked)
     }
     jaw.error = figures;
   }
+}
+
+void
+WriteUMDATransform(const std::array<double, 12> & matrix, const std::string & fileName)
+{
+  using TransformType = VersorRigid3DTransform<double>;
+  auto                            transform = TransformType::New();
+  TransformType::MatrixType       rotation;
+  TransformType::OutputVectorType translation;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rotation(row, column) = matrix[4 * row + column];
+    }
+    translation[row] = matrix[4 * row + 3];
+  }
+  transform->SetMatrix(rotation);
+  transform->SetTranslation(translation);
+  WriteTransform(transform,
+                 "maps points of the scan (mm) to its UMDA frame (mm): x anterior, y patient's left, z superior",
+                 fs::path(fileName));
 }
 
 std::string

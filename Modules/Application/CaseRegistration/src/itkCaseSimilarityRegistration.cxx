@@ -96,7 +96,7 @@ MakeSilhouette(const MeshType *               mesh,
   {
     contourProbe.Start();
     auto source = MeshSilhouetteContourSource<MeshType>::New();
-    source->SetMesh(mesh);
+    source->SetInput(mesh);
     source->SetGeometry(geometry);
     resample->SetInput(source->GetOutput());
     resample->Update();
@@ -179,6 +179,42 @@ MeshToFrame(const DentalJawFrame & frame)
     }
   }
   return matrix;
+}
+
+ContourFigures
+ToContourFigures(const ContourDistanceFilter * distances)
+{
+  return { distances->GetChamfer(),
+           distances->GetHausdorff(),
+           distances->GetMovingToFixedMean(),
+           distances->GetFixedToMovingMean() };
+}
+
+void
+PredictLandmarks(const DentalCaseData & data, ToothCode::JawEnum jaw, JawResult & result)
+{
+  if (data.landmarks3D.IsNull())
+  {
+    return;
+  }
+  const auto & m = result.projection;
+  for (const auto & landmark : data.landmarks3D->GetLandmarks())
+  {
+    if (landmark.tooth.GetJaw() != jaw)
+    {
+      continue;
+    }
+    double sums[3];
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      sums[row] = m[4 * row] * landmark.point[0] + m[4 * row + 1] * landmark.point[1] +
+                  m[4 * row + 2] * landmark.point[2] + m[4 * row + 3];
+    }
+    LandmarkPrediction prediction;
+    prediction.name = landmark.name;
+    prediction.position = { { sums[0] / sums[2], sums[1] / sums[2] } };
+    result.landmarks.push_back(prediction);
+  }
 }
 
 double
@@ -297,11 +333,7 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
   distances->SetMovingContour(silhouette);
   distances->SetTransform(method->GetTransform());
   distances->Update();
-  result.metrics.emplace_back("whole",
-                              ContourFigures{ distances->GetChamfer(),
-                                              distances->GetHausdorff(),
-                                              distances->GetMovingToFixedMean(),
-                                              distances->GetFixedToMovingMean() });
+  result.metrics.emplace_back("whole", ToContourFigures(distances));
 
   auto aligned = DentalContour::New();
   for (auto polyline : silhouette->GetPolylines())

@@ -54,6 +54,16 @@ EstimatePixelSpacing(const DentalCaseData & data, ToothCode::JawEnum jaw, const 
 /** The rigid map of a frame, mesh (mm) to frame, row-major 3x4. */
 std::array<double, 12>
 MeshToFrame(const DentalJawFrame & frame);
+
+class ContourDistanceFilter;
+
+/** The figures of an updated filter. */
+ContourFigures
+ToContourFigures(const ContourDistanceFilter * distances);
+
+/** Every 3-D landmark of the jaw through the matrix that users act on. */
+void
+PredictLandmarks(const DentalCaseData & data, ToothCode::JawEnum jaw, JawResult & result);
 } // namespace itk
 
 #endif

@@ -25,6 +25,7 @@
 
 #include "itkTimeProbe.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace itk
@@ -37,6 +38,14 @@ void
 Append(std::vector<std::string> & to, const std::vector<std::string> & from)
 {
   to.insert(to.end(), from.begin(), from.end());
+}
+
+std::string
+Print(PixelSpacingVerdictEnum verdict)
+{
+  std::ostringstream text;
+  text << verdict;
+  return text.str();
 }
 
 DentalCaseData::MeshType::Pointer
@@ -140,20 +149,58 @@ SettleGeometry(const CephalogramFileReader * reader, DentalCaseData & data)
     data.spacingProvenance = description.spacingAtMidsagittalPlane
                                ? "case file, midsagittal plane, converted to the detector's"
                                : "case file, detector plane";
+    data.spacingVerdict = Print(PixelSpacingVerdictEnum::UserGiven);
   }
   else if (reader != nullptr && reader->HasPixelSpacing())
   {
-    data.geometry->SetPixelSpacing(reader->GetDetectorPixelSpacing(data.geometry->GetSourceToMidsagittalDistance(),
-                                                                   data.geometry->GetSourceToDetectorDistance()));
+    data.geometry->SetPixelSpacing(reader->GetDetectorPixelSpacing(data.geometry->GetSourceToDetectorDistance(),
+                                                                   data.geometry->GetSourceToMidsagittalDistance()));
     data.sources.pixelSpacing = ValueSourceEnum::DICOM;
-    data.spacingProvenance = reader->GetPixelSpacingProvenance();
+    data.spacingVerdict = Print(reader->GetPixelSpacingVerdict());
+    data.spacingProvenance = reader->GetProvenance().at("pixel_spacing");
   }
   else
   {
     data.spacingProvenance =
-      reader != nullptr ? reader->GetPixelSpacingProvenance() : "no radiograph and no spacing given";
+      reader != nullptr ? reader->GetProvenance().at("pixel_spacing") : "no radiograph and no spacing given";
   }
 }
+void
+LoadContours(DentalCaseData & data)
+{
+  const DentalCase & description = data.description;
+  auto               contourReader = DentalContourFileReader::New();
+  contourReader->SetFileName(description.contoursFile);
+  if (description.numbering)
+  {
+    contourReader->SetNumbering(*description.numbering);
+  }
+  if (data.image.IsNotNull())
+  {
+    contourReader->SetImageSize(data.image->GetLargestPossibleRegion().GetSize());
+  }
+  contourReader->Update();
+  Append(data.warnings, contourReader->GetWarnings());
+  data.imageSize = { { static_cast<unsigned int>(contourReader->GetReadImageSize()[0]),
+                       static_cast<unsigned int>(contourReader->GetReadImageSize()[1]) } };
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    DentalContour * contour = contourReader->GetOutput(jaw);
+    if (contour->GetNumberOfPoints() > 0)
+    {
+      data.GetJaw(jaw).contour = DentalContour::New();
+      for (const auto & polyline : contour->GetPolylines())
+      {
+        const auto & excluded = description.excludedTeeth;
+        if (!polyline.code.IsKnown() || std::find(excluded.begin(), excluded.end(), polyline.code) == excluded.end())
+        {
+          data.GetJaw(jaw).contour->AddPolyline(polyline);
+        }
+      }
+    }
+  }
+}
+
 } // namespace
 
 std::shared_ptr<DentalCaseData>
@@ -179,35 +226,9 @@ LoadDentalCase(const DentalCase & description)
   }
   SettleGeometry(imageReader, *data);
 
-  auto contourReader = DentalContourFileReader::New();
-  contourReader->SetFileName(description.contoursFile);
-  if (description.numbering)
+  if (!description.contoursFile.empty())
   {
-    contourReader->SetNumbering(*description.numbering);
-  }
-  if (data->image.IsNotNull())
-  {
-    contourReader->SetImageSize(data->image->GetLargestPossibleRegion().GetSize());
-  }
-  contourReader->Update();
-  Append(data->warnings, contourReader->GetWarnings());
-  data->imageSize = { { static_cast<unsigned int>(contourReader->GetReadImageSize()[0]),
-                        static_cast<unsigned int>(contourReader->GetReadImageSize()[1]) } };
-  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
-  {
-    DentalContour * contour = contourReader->GetOutput(jaw);
-    if (contour->GetNumberOfPoints() > 0)
-    {
-      data->GetJaw(jaw).contour = DentalContour::New();
-      for (const auto & polyline : contour->GetPolylines())
-      {
-        const auto & excluded = description.excludedTeeth;
-        if (!polyline.code.IsKnown() || std::find(excluded.begin(), excluded.end(), polyline.code) == excluded.end())
-        {
-          data->GetJaw(jaw).contour->AddPolyline(polyline);
-        }
-      }
-    }
+    LoadContours(*data);
   }
   if (!description.landmarks3DFile.empty())
   {

@@ -1,0 +1,303 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCasePoseRegistration.h"
+
+#include "itkCaseSimilarityRegistration.h"
+#include "itkContourDistanceFilter.h"
+#include "itkMeshSilhouette.h"
+#include "itkPoseRefinementKernel.h"
+
+#include "itkTimeProbe.h"
+
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+using JawEnum = ToothCode::JawEnum;
+
+PoseTracedSideEnum
+ToPoseSide(TracedSideEnum side)
+{
+  switch (side)
+  {
+    case TracedSideEnum::Left:
+      return PoseTracedSideEnum::Left;
+    case TracedSideEnum::Mean:
+      return PoseTracedSideEnum::Mean;
+    case TracedSideEnum::Both:
+      return PoseTracedSideEnum::Both;
+    default:
+      return PoseTracedSideEnum::Right;
+  }
+}
+
+PoseFrame
+ToPoseFrame(const DentalJawFrame & frame)
+{
+  PoseFrame poseFrame;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    std::copy(frame.axes[row].begin(), frame.axes[row].end(), poseFrame.rotation.begin() + 3 * row);
+  }
+  poseFrame.origin = frame.origin;
+  return poseFrame;
+}
+
+PoseGeometry
+ToPoseGeometry(const DentalCaseData & data)
+{
+  const CephalometricGeometry & geometry = *data.geometry;
+  PoseGeometry                  pose;
+  pose.sourceToMidsagittal = geometry.GetSourceToMidsagittalDistance();
+  pose.sourceToDetector = geometry.GetSourceToDetectorDistance();
+  pose.sourceSign = geometry.GetSourceSign();
+  pose.facingSign = geometry.GetFacingSign();
+  pose.pixelSpacingKnown = data.HasPixelSpacing();
+  pose.principalPointKnown = data.HasPrincipalPoint();
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    if (pose.pixelSpacingKnown)
+    {
+      pose.pixelSpacing[d] = geometry.GetPixelSpacing()[d];
+    }
+    pose.principalPoint[d] = geometry.GetPrincipalPoint()[d];
+  }
+  return pose;
+}
+
+std::vector<PosePolyline>
+ToPosePolylines(const DentalContour * contour)
+{
+  std::vector<PosePolyline> polylines;
+  for (const auto & polyline : contour->GetPolylines())
+  {
+    PosePolyline converted;
+    converted.tooth = polyline.code.GetFDI();
+    converted.closed = polyline.closed;
+    converted.weights = polyline.weights;
+    for (const auto & point : polyline.points)
+    {
+      converted.points.push_back({ { point[0], point[1] } });
+    }
+    polylines.push_back(converted);
+  }
+  return polylines;
+}
+
+/** The exact silhouette of the whole scan at the solution, and the paper's figures on it. */
+void
+MeasureWholeSilhouette(const TriangleSurface &       surface,
+                       const CephalometricGeometry * placed,
+                       DentalContour *               tracing,
+                       unsigned int                  numberOfPoints,
+                       JawResult &                   result)
+{
+  const PerspectiveProjection projection = placed->GetProjection();
+  const Silhouette            silhouette = MeshSilhouette(surface).ComputeOuterBoundary(projection);
+  auto                        contour = DentalContour::New();
+  if (!silhouette.loops.empty())
+  {
+    DentalContour::PolylineType polyline;
+    polyline.closed = true;
+    for (const SilhouetteSample & sample : ResampleSilhouetteLoop(silhouette.loops.front(), projection, numberOfPoints))
+    {
+      DentalContour::PointType point;
+      point[0] = sample.u;
+      point[1] = sample.v;
+      polyline.points.push_back(point);
+    }
+    contour->AddPolyline(polyline);
+  }
+  auto distances = ContourDistanceFilter::New();
+  distances->SetFixedContour(tracing);
+  distances->SetMovingContour(contour);
+  distances->Update();
+  result.metrics.emplace_back("whole", ToContourFigures(distances));
+  result.contours.emplace_back("whole", contour);
+}
+
+void
+MeasureMatchedContour(const PoseJawResult & pose, DentalContour * tracing, JawResult & result)
+{
+  auto                                  contour = DentalContour::New();
+  std::vector<DentalContour::PointType> points;
+  for (const auto & position : pose.contour)
+  {
+    DentalContour::PointType point;
+    point[0] = position[0];
+    point[1] = position[1];
+    points.push_back(point);
+  }
+  contour->AddPolyline(points);
+  auto distances = ContourDistanceFilter::New();
+  distances->SetFixedContour(tracing);
+  distances->SetMovingContour(contour);
+  distances->Update();
+  result.metrics.emplace_back("matched", ToContourFigures(distances));
+  result.contours.emplace_back("matched", contour);
+}
+} // namespace
+
+void
+RegisterCaseByPose(const DentalCaseData &                 data,
+                   const DentalFrameResult &              frames,
+                   const std::array<TriangleSurface, 2> & surfaces,
+                   const CasePoseSettings &               settings,
+                   CaseResult &                           result)
+{
+  std::vector<PoseJawInput> inputs;
+  std::vector<JawEnum>      jaws;
+  for (const auto & entry : result.jaws)
+  {
+    if (entry.second.status == CaseStatusEnum::Failed)
+    {
+      continue;
+    }
+    const bool             upper = entry.first == JawEnum::Upper;
+    const DentalJawFrame & own = upper ? frames.upper : frames.lower;
+    PoseJawInput           input;
+    input.surface = &surfaces[upper ? 0 : 1];
+    input.frame = ToPoseFrame(frames.jawsShareFrame && frames.joint.valid ? frames.joint : own);
+    input.upper = upper;
+    input.tracing = ToPosePolylines(data.GetJaw(entry.first).contour);
+    inputs.push_back(input);
+    jaws.push_back(entry.first);
+  }
+  if (inputs.empty())
+  {
+    return;
+  }
+  PoseRefinementOptions options;
+  options.tracedSide = ToPoseSide(data.description.tracedSide);
+  options.useJointPose = frames.jawsShareFrame;
+  options.fixScale = data.description.fixScale;
+  options.fixRotation = data.description.fixRotation;
+  options.fixTranslation = data.description.fixTranslation;
+  options.numberOfThreads = settings.numberOfThreads;
+  options.progress = settings.progress;
+
+  TimeProbe probe;
+  probe.Start();
+  const PoseRefinementResult pose = PoseRefinementKernel::Run(inputs, ToPoseGeometry(data), options);
+  probe.Stop();
+  if (pose.aborted)
+  {
+    throw ProcessAborted(__FILE__, __LINE__);
+  }
+
+  CephalometricGeometry::PixelSpacingType spacing;
+  CephalometricGeometry::PixelIndexType   principal;
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    spacing[d] = pose.geometry.pixelSpacing[d];
+    principal[d] = pose.geometry.principalPoint[d];
+  }
+  result.geometry->SetPixelSpacing(spacing);
+  result.geometry->SetPrincipalPoint(principal);
+
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    const PoseJawResult & poseJaw = pose.jaws[i];
+    JawResult &           jaw = result.jaws[jaws[i]];
+    jaw.seconds.emplace_back("registration", probe.GetTotal());
+    if (!poseJaw.registered)
+    {
+      jaw.AddReason(CaseStatusEnum::Failed, poseJaw.failure);
+      continue;
+    }
+    jaw.registered = true;
+    const double unit = data.description.millimetresPerUnit;
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      for (unsigned int column = 0; column < 3; ++column)
+      {
+        jaw.projection[4 * row + column] = poseJaw.projection[4 * row + column] * unit;
+        jaw.meshToCephalostat[4 * row + column] = poseJaw.rotation[3 * row + column];
+      }
+      jaw.projection[4 * row + 3] = poseJaw.projection[4 * row + 3];
+      jaw.meshToCephalostat[4 * row + 3] = poseJaw.translation[row];
+    }
+    DentalJawFrame used;
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      std::copy_n(inputs[i].frame.rotation.begin() + 3 * row, 3, used.axes[row].begin());
+    }
+    used.origin = inputs[i].frame.origin;
+    jaw.meshToUMDA = MeshToFrame(used);
+    jaw.similarity = { poseJaw.similarityScale, poseJaw.similarityAngle, poseJaw.similarityTranslation };
+
+    const PoseGroupResult & group = pose.groups[pose.groupOfJaw[i]];
+    const double            kappa = group.parameters[PoseKappa];
+    jaw.details = { { "pitch_rad", group.parameters[PosePitch] },
+                    { "roll_rad", group.parameters[PoseRoll] },
+                    { "yaw_rad", group.parameters[PoseYaw] },
+                    { "scale_factor", std::exp(kappa) },
+                    { "noise_correlated_px", group.smoothSigma },
+                    { "noise_white_px", group.whiteSigma },
+                    { "fit_cost", poseJaw.fit.cost },
+                    { "fit_median_px", poseJaw.fit.medianResidual },
+                    { "fit_p90_px", poseJaw.fit.p90Residual },
+                    { "fit_inlier_share", poseJaw.fit.inlierShare },
+                    { "overlap", poseJaw.fit.overlap },
+                    { "prior_tension_sd", group.priorTension },
+                    { "ambiguity_margin", group.margin },
+                    { "similarity_rms_px", poseJaw.similarityRms } };
+
+    // Scale is spacing x magnification: as a geometry it is a pixel of another size.
+    auto placed = CephalometricGeometry::New();
+    placed->CopyParameters(result.geometry);
+    placed->SetPixelSpacing(spacing * std::exp(-kappa));
+    CephalometricGeometry::RotationType rotation;
+    CephalometricGeometry::VectorType   translation;
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      translation[row] = poseJaw.translation[row];
+      for (unsigned int column = 0; column < 3; ++column)
+      {
+        rotation(row, column) = poseJaw.rotation[3 * row + column];
+      }
+    }
+    placed->SetPose(rotation, translation);
+    TimeProbe contourProbe;
+    contourProbe.Start();
+    DentalContour * tracing = data.GetJaw(jaws[i]).contour;
+    MeasureWholeSilhouette(
+      *inputs[i].surface, placed, tracing, settings.numberOfContourPoints[inputs[i].upper ? 0 : 1], jaw);
+    MeasureMatchedContour(poseJaw, tracing, jaw);
+    contourProbe.Stop();
+    jaw.seconds.emplace_back("contour", contourProbe.GetTotal());
+
+    PredictLandmarks(data, jaws[i], jaw);
+    if (data.landmarks3D.IsNotNull())
+    {
+      for (LandmarkPrediction & landmark : jaw.landmarks)
+      {
+        const auto &          point = data.landmarks3D->Find(landmark.name)->point;
+        std::array<double, 3> inMillimetres;
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          inMillimetres[d] = point[d] * unit;
+        }
+        landmark.covariance = PoseRefinementKernel::LandmarkCovariance(pose, inputs[i], i, inMillimetres);
+      }
+    }
+  }
+}
+} // namespace itk

@@ -1,0 +1,178 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrCommands.h"
+#include "dentalscrScanOptions.h"
+
+#include "itkContourResampleFilter.h"
+#include "itkDentalContourFileWriter.h"
+#include "itkDentalInputError.h"
+#include "itkImageFileReader.h"
+#include "itkMeshSilhouetteContourSource.h"
+#include "itkSilhouetteContourFilter.h"
+
+#include <iostream>
+#include <memory>
+
+namespace dentalscr
+{
+namespace
+{
+using JawEnum = itk::ToothCode::JawEnum;
+using MeshType = itk::DentalCaseData::MeshType;
+
+struct ContourOptions
+{
+  ScanOptions  scans;
+  std::string  labels;
+  std::string  jaw{ "upper" };
+  bool         wholeLabels{ false };
+  std::string  output;
+  std::string  result;
+  unsigned int points{ 0 };
+};
+
+itk::DentalContour::Pointer
+Resample(itk::DentalContour * contour, unsigned int points)
+{
+  if (points == 0)
+  {
+    contour->DisconnectPipeline();
+    return contour;
+  }
+  auto resample = itk::ContourResampleFilter::New();
+  resample->SetInput(contour);
+  resample->SetNumberOfPoints(points);
+  resample->Update();
+  itk::DentalContour::Pointer output = resample->GetOutput();
+  output->DisconnectPipeline();
+  return output;
+}
+
+/** The contours of a label map; with teeth as labels (FDI numbers) each goes to its jaw. */
+void
+ContoursOfLabels(const ContourOptions & options, itk::DentalContour * contours[2], itk::Size<2> & size)
+{
+  using LabelType = itk::Image<unsigned short, 2>;
+  LabelType::Pointer labels;
+  try
+  {
+    labels = itk::ReadImage<LabelType>(options.labels);
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    itkDentalInputErrorMacro(options.labels, "", "is no readable label image", "name a 2-D image of whole numbers");
+  }
+  size = labels->GetLargestPossibleRegion().GetSize();
+  using FilterType = itk::SilhouetteContourFilter<LabelType>;
+  auto filter = FilterType::New();
+  filter->SetInput(labels);
+  filter->SetContent(options.wholeLabels ? FilterType::ContentEnum::MergedLabels
+                                         : FilterType::ContentEnum::ToothLabels);
+  filter->SetLargestPartOnly(options.wholeLabels);
+  filter->Update();
+  const auto contour = Resample(filter->GetOutput(), options.points);
+  for (const auto & polyline : contour->GetPolylines())
+  {
+    const JawEnum jaw =
+      polyline.code.IsKnown() ? polyline.code.GetJaw() : (options.jaw == "upper" ? JawEnum::Upper : JawEnum::Lower);
+    contours[jaw == JawEnum::Upper ? 0 : 1]->AddPolyline(polyline);
+  }
+}
+
+void
+ContoursOfScans(const ContourOptions & options, itk::DentalContour * contours[2], itk::Size<2> & size)
+{
+  const auto data = options.scans.Load();
+  const auto frames = EstimateFrames(*data);
+  size[0] = data->imageSize[0];
+  size[1] = data->imageSize[1];
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    if (data->GetJaw(jaw).mesh.IsNull())
+    {
+      continue;
+    }
+    const auto geometry = PlaceJaw(*data, jaw, frames, options.result);
+    auto       source = itk::MeshSilhouetteContourSource<MeshType>::New();
+    source->SetInput(data->GetJaw(jaw).mesh);
+    source->SetGeometry(geometry);
+    source->SetNumberOfPoints(options.points);
+    source->Update();
+    for (const auto & polyline : source->GetOutput()->GetPolylines())
+    {
+      contours[jaw == JawEnum::Upper ? 0 : 1]->AddPolyline(polyline);
+    }
+  }
+}
+
+int
+Contour(const ContourOptions & options, const CommonOptions & common)
+{
+  auto                 upper = itk::DentalContour::New();
+  auto                 lower = itk::DentalContour::New();
+  itk::DentalContour * contours[2] = { upper, lower };
+  itk::Size<2>         size;
+  size.Fill(0);
+  if (!options.labels.empty())
+  {
+    ContoursOfLabels(options, contours, size);
+  }
+  else
+  {
+    ContoursOfScans(options, contours, size);
+  }
+  auto writer = itk::DentalContourFileWriter::New();
+  writer->SetUpper(upper);
+  writer->SetLower(lower);
+  writer->SetImageSize(size);
+  writer->SetFileName(options.output);
+  writer->Update();
+  if (!common.quiet)
+  {
+    std::cout << "upper " << upper->GetNumberOfPoints() << " points, lower " << lower->GetNumberOfPoints()
+              << " points, written to " << options.output << std::endl;
+  }
+  return AllRegistered;
+}
+} // namespace
+
+void
+AddContourCommand(CLI::App & program, const CommonOptions & common, RunFunction & run)
+{
+  auto   options = std::make_shared<ContourOptions>();
+  auto * command =
+    program.add_subcommand("contour", "Contours in pixels: silhouettes of scans, or the outlines of a label image");
+  options->scans.AddTo(command, true);
+  command->add_option("--labels", options->labels, "Label image; a label is a tooth's FDI number")
+    ->check(CLI::ExistingFile);
+  command->add_flag("--whole", options->wholeLabels, "One outline around everything that is not 0");
+  command->add_option("--jaw", options->jaw, "Jaw of outlines without a tooth")
+    ->check(CLI::IsMember({ "upper", "lower" }))
+    ->capture_default_str();
+  command->add_option("-o,--output", options->output, "contours.json")->required();
+  command->add_option("--result", options->result, "result.json: silhouettes where the case was registered");
+  command->add_option("--points", options->points, "Resample to so many points (0: as they come)")
+    ->capture_default_str();
+  command->footer(
+    "Without --result the central ray passes through the centroid of the jaws, which is at pixel (0, 0).\n"
+    "Examples:\n"
+    "  dentalscr contour --case case.json --result result/result.json --output silhouettes.json\n"
+    "  dentalscr contour --labels crowns.png --output contours.json\n");
+  command->callback([options, &common, &run]() { run = [options, &common]() { return Contour(*options, common); }; });
+}
+} // namespace dentalscr

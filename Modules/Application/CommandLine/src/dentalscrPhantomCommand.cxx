@@ -1,0 +1,147 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrCommands.h"
+
+#include "itkDentalInputError.h"
+#include "itkDentalPhantomCaseSource.h"
+#include "itkDentalPhantomCaseWriter.h"
+
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace dentalscr
+{
+namespace
+{
+using SourceType = itk::DentalPhantomCaseSource;
+
+struct PhantomOptions
+{
+  std::string   output;
+  std::string   level{ "typical" };
+  std::string   tracedSide{ "right" };
+  std::uint64_t seed{ 1 };
+  unsigned int  count{ 1 };
+  unsigned int  triangles{ 60000 };
+  bool          buccal{ false };
+  bool          stoneBase{ false };
+  double        toothBias{ 0.0 };
+  double        dropOut{ 0.0 };
+  std::string   facing{ "right" };
+  std::string   sourceSide{ "right" };
+  std::string   frame{ "shared" };
+};
+
+int
+Phantom(const PhantomOptions & options, const CommonOptions & common)
+{
+  for (unsigned int i = 0; i < options.count; ++i)
+  {
+    std::string folder = options.output;
+    if (options.count > 1)
+    {
+      std::ostringstream name;
+      name << options.level << '-' << std::setw(4) << std::setfill('0') << options.seed + i;
+      folder = (std::filesystem::path(options.output) / name.str()).string();
+    }
+    if (std::filesystem::exists(folder) &&
+        (!std::filesystem::is_directory(folder) || !std::filesystem::is_empty(folder)))
+    {
+      itkDentalInputErrorMacro(folder, "", "is there already", "name a new or an empty folder");
+    }
+    auto source = SourceType::New();
+    source->SetSeed(options.seed + i);
+    source->SetCohort(options.level == "ideal"     ? SourceType::CohortEnum::Ideal
+                      : options.level == "typical" ? SourceType::CohortEnum::Typical
+                                                   : SourceType::CohortEnum::Hard);
+    source->SetTracedSide(options.tracedSide == "right"  ? SourceType::TracedSideEnum::Right
+                          : options.tracedSide == "left" ? SourceType::TracedSideEnum::Left
+                          : options.tracedSide == "mean" ? SourceType::TracedSideEnum::Mean
+                                                         : SourceType::TracedSideEnum::Both);
+    source->SetNumberOfTriangles(options.triangles);
+    source->SetBuccalOutline(options.buccal);
+    source->SetStoneBase(options.stoneBase);
+    source->SetToothBias(options.toothBias);
+    source->SetDropOutFraction(options.dropOut);
+    source->SetFacing(options.facing == "left" ? itk::CephalometricGeometry::FacingEnum::Left
+                                               : itk::CephalometricGeometry::FacingEnum::Right);
+    source->SetSourceSide(options.sourceSide == "left" ? itk::CephalometricGeometry::SourceSideEnum::Left
+                                                       : itk::CephalometricGeometry::SourceSideEnum::Right);
+    source->SetFrame(options.frame == "separate" ? SourceType::FrameEnum::SeparateScanner
+                                                 : SourceType::FrameEnum::SharedScanner);
+    std::error_code error;
+    std::filesystem::create_directories(std::filesystem::absolute(folder).parent_path(), error);
+    if (error)
+    {
+      itkDentalInputErrorMacro(folder, "", "can't be written: " + error.message(), "choose another output folder");
+    }
+    auto writer = itk::DentalPhantomCaseWriter::New();
+    writer->SetCaseSource(source);
+    writer->SetDirectoryName(folder);
+    writer->Update();
+    if (!common.quiet)
+    {
+      std::cout << "written to " << folder << std::endl;
+    }
+  }
+  return AllRegistered;
+}
+} // namespace
+
+void
+AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction & run)
+{
+  auto   options = std::make_shared<PhantomOptions>();
+  auto * command = program.add_subcommand("phantom", "Makes simulated cases with a known answer");
+  command->add_option("-o,--output", options->output, "Folder of the case, or of the cases")->required();
+  command->add_option("--level", options->level, "ideal, typical or hard")
+    ->check(CLI::IsMember({ "ideal", "typical", "hard" }))
+    ->capture_default_str();
+  command->add_option("--traced-side", options->tracedSide, "right, left, mean (bisected) or both")
+    ->check(CLI::IsMember({ "right", "left", "mean", "both" }))
+    ->capture_default_str();
+  command->add_option("--seed", options->seed, "Of the first case; the same seed gives the same bits")
+    ->capture_default_str();
+  command->add_option("--count", options->count, "Number of cases, a folder each")
+    ->check(CLI::Range(1u, 100000u))
+    ->capture_default_str();
+  command->add_option("--triangles", options->triangles, "Of each scan")
+    ->check(CLI::Range(2000u, 4000000u))
+    ->capture_default_str();
+  command->add_flag("--buccal", options->buccal, "Trace the buccal cusps, inside the silhouette");
+  command->add_flag("--stone-base", options->stoneBase, "Closed casts with bases instead of open shells");
+  command
+    ->add_option(
+      "--tooth-bias", options->toothBias, "Each tooth drawn with an error of its own (1: 1.2 px, 2 degrees, 3 %)")
+    ->check(CLI::Range(0.0, 10.0));
+  command->add_option("--drop-out", options->dropOut, "Part of each tooth's border that is not drawn")
+    ->check(CLI::Range(0.0, 0.9));
+  command->add_option("--facing", options->facing, "Where the face looks")->check(CLI::IsMember({ "right", "left" }));
+  command->add_option("--source-side", options->sourceSide, "The patient's side at which the source is")
+    ->check(CLI::IsMember({ "right", "left" }));
+  command->add_option("--frame", options->frame, "Scans in one frame or each in its own")
+    ->check(CLI::IsMember({ "shared", "separate" }));
+  command->footer("Examples:\n"
+                  "  dentalscr phantom --level hard --seed 3 --output sample\n"
+                  "  dentalscr phantom --count 34 --output cohort\n");
+  command->callback([options, &common, &run]() { run = [options, &common]() { return Phantom(*options, common); }; });
+}
+} // namespace dentalscr
