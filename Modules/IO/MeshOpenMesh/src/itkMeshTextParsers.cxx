@@ -418,8 +418,6 @@ ParseOFF(const char * bytes, std::size_t size)
   }
   const std::int64_t points = cursor.ParseInteger(word, "the number of points");
   const std::int64_t faces = cursor.ParseInteger(cursor.NextWord(), "the number of faces");
-  // The number of edges is of no use, and some leave it out.
-  cursor.SkipLine();
   // "0 0 0\n" and "3 0 0 0\n" are the shortest records.
   const auto remaining = static_cast<std::int64_t>(cursor.GetRemaining()) + 1;
   if (points < 0 || faces < 0 || points > remaining / 6 || faces > remaining / 8)
@@ -428,6 +426,8 @@ ParseOFF(const char * bytes, std::size_t size)
                   " faces, more than " + std::to_string(remaining - 1) + " bytes can hold",
                 "export or copy the scan again");
   }
+  // The number of edges is of no use, and some leave it out.
+  cursor.SkipLine();
   SurfaceMeshFile surface;
   surface.doublePoints.reserve(static_cast<std::size_t>(points));
   surface.triangles.reserve(static_cast<std::size_t>(faces));
