@@ -122,7 +122,7 @@ public:
   SetRadiographSize(unsigned int width, unsigned int height);
   itkGetConstReferenceMacro(RadiographSize, PictureSizeType);
 
-  /** Grey values shown as black and white. Both 0 (the default): the 0.5 and 99.5 % quantiles. */
+  /** Grey values shown as black and white. Both 0 (the default): the 0.2 and 99.8 % quantiles. */
   void
   SetWindow(double black, double white);
   itkGetConstMacro(WindowBlack, double);

@@ -39,6 +39,8 @@ constexpr Colour TextColour{ 228, 230, 233 };
 constexpr Colour FaintColour{ 150, 155, 163 };
 constexpr Colour White{ 255, 255, 255 };
 constexpr Colour Black{ 0, 0, 0 };
+/** The radiograph is shown a little darker than it is, so that the overlay stands out on bright crowns. */
+constexpr double RadiographGain = 0.85;
 
 struct Box
 {
@@ -484,7 +486,7 @@ PenOf(RoleEnum role)
     case RoleEnum::Moving:
       return { OverlayColour::Silhouette, 1.8, 1.0 };
     default:
-      return { OverlayColour::Secondary, 1.0, 0.75 };
+      return { OverlayColour::Secondary, 1.4, 0.9 };
   }
 }
 
@@ -498,7 +500,7 @@ DrawContours(Canvas & canvas, const OverlayScene & scene, const Mapping & map, c
     {
       for (const OverlayScene::ContourType & contour : scene.contours)
       {
-        if (contour.role != role || (halo && role == RoleEnum::Secondary))
+        if (contour.role != role)
         {
           continue;
         }
@@ -696,7 +698,8 @@ DrawLandmarks(Canvas & canvas, const OverlayScene & scene, const Mapping & map, 
       const double length = Distance(touch, anchor);
       const Point  start{ anchor[0] + 6.0 * (touch[0] - anchor[0]) / length,
                          anchor[1] + 6.0 * (touch[1] - anchor[1]) / length };
-      canvas.Line(start, touch, White, 1.0, 0.6);
+      canvas.Line(start, touch, Black, 3.0, 0.5);
+      canvas.Line(start, touch, White, 1.2);
     }
     canvas.FillBox(best, Black, 0.6, 3.0);
     canvas.Text(text, best.x + 4.0, middle[1] + 0.36 * font, White);
@@ -1080,6 +1083,11 @@ PaintOverlay(const OverlayScene & scene, int width, int height)
     {
       throw std::runtime_error("The overlay cannot be drawn: no memory for the radiograph.");
     }
+    std::uint32_t shade[256];
+    for (std::uint32_t value = 0; value < 256; ++value)
+    {
+      shade[value] = static_cast<std::uint32_t>(RadiographGain * value + 0.5);
+    }
     unsigned char * data = cairo_image_surface_get_data(radiograph.get());
     const int       stride = cairo_image_surface_get_stride(radiograph.get());
     for (int y = 0; y < scene.height; ++y)
@@ -1087,7 +1095,7 @@ PaintOverlay(const OverlayScene & scene, int width, int height)
       auto * row = reinterpret_cast<std::uint32_t *>(data + static_cast<std::ptrdiff_t>(y) * stride);
       for (int x = 0; x < scene.width; ++x)
       {
-        const std::uint32_t g = scene.grey[static_cast<std::size_t>(y) * scene.width + x];
+        const std::uint32_t g = shade[scene.grey[static_cast<std::size_t>(y) * scene.width + x]];
         row[x] = g << 16 | g << 8 | g;
       }
     }
@@ -1119,8 +1127,10 @@ PaintOverlay(const OverlayScene & scene, int width, int height)
   double thumbTop = bottom;
   if (scene.width > 0 && scene.height > 0)
   {
-    const double  aspect = layout.scale[1] / layout.scale[0];
-    const double  scale = std::min({ panel.width / scene.width, 0.3 * panel.height / (scene.height * aspect), 1.0 });
+    const double aspect = layout.scale[1] / layout.scale[0];
+    // A long table needs the room more.
+    const double  part = scene.landmarks.size() > 10 ? 0.2 : 0.3;
+    const double  scale = std::min({ panel.width / scene.width, part * panel.height / (scene.height * aspect), 1.0 });
     const Mapping small{ { -0.5, -0.5 },
                          { scale, scale * aspect },
                          { panel.x + 0.5 * (panel.width - scale * scene.width),

@@ -68,8 +68,8 @@ ToGrey(const Image<float, 2> * image, double black, double white)
         std::nth_element(finite.begin(), at, finite.end());
         return static_cast<double>(*at);
       };
-      black = quantile(0.005);
-      white = quantile(0.995);
+      black = quantile(0.002);
+      white = quantile(0.998);
       if (!(white > black))
       {
         black = *std::min_element(finite.begin(), finite.end());
