@@ -142,9 +142,7 @@ private:
   double
   FindUpperBound(const BoxType & box, const std::uint32_t * from, std::size_t count) const;
   void
-  DropDominatedPoints(const BoxType & box) const;
-  void
-  DropDominatedSegments(const BoxType & box) const;
+  DropDominated(const BoxType & box) const;
 
   SearchEnum               m_Search{ SearchEnum::Automatic };
   bool                     m_IsSegments{ false };
@@ -161,7 +159,7 @@ private:
   mutable std::vector<DomainType>    m_Domains;
   mutable std::vector<std::uint32_t> m_Lists;
   mutable std::vector<std::uint32_t> m_Kept;
-  mutable std::vector<std::uint32_t> m_Order;
+  mutable std::vector<NearestType>   m_Ranked;
   mutable std::vector<double>        m_Bounds;
 };
 } // namespace itk

@@ -32,7 +32,7 @@ constexpr std::uint32_t Unfilled = std::numeric_limits<std::uint32_t>::max();
 
 // Cells a side of the nested grids; each divides the next.
 constexpr std::array<std::uint32_t, 3> SmallGrid{ 8, 32, 128 };
-constexpr std::array<std::uint32_t, 3> LargeGrid{ 8, 64, 512 };
+constexpr std::array<std::uint32_t, 3> LargeGrid{ 8, 64, 256 };
 constexpr std::size_t                  LargeGridFrom = 1500;
 
 // Cells a side of the field of approximate distances: a multiple of the coarsest grid's.
@@ -304,91 +304,57 @@ ContourDistanceIndex::KeepPossiblyNearest(const BoxType & box, const std::uint32
   }
 }
 
-// The difference of two squared distances to points is linear in the place: a point that is not nearer than another at
-// any corner of the box is nowhere nearer in it.
+// For a place x and a point p, |x - y|^2 - |x - p|^2 is linear in x for every y: a target that is no nearer than p at
+// all four corners of the box is nowhere nearer in it. p is the point of another target next to the box's centre.
 void
-ContourDistanceIndex::DropDominatedPoints(const BoxType & box) const
+ContourDistanceIndex::DropDominated(const BoxType & box) const
 {
   const std::size_t count = m_Kept.size();
-  m_Bounds.resize(5 * count);
-  m_Order.resize(count);
-  const double centerX = 0.5 * (box.x0 + box.x1);
-  const double centerY = 0.5 * (box.y0 + box.y1);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double x = m_X[m_Kept[i]];
-    const double y = m_Y[m_Kept[i]];
-    double *     corner = &m_Bounds[5 * i];
-    corner[0] = Square(box.x0 - x) + Square(box.y0 - y);
-    corner[1] = Square(box.x1 - x) + Square(box.y0 - y);
-    corner[2] = Square(box.x0 - x) + Square(box.y1 - y);
-    corner[3] = Square(box.x1 - x) + Square(box.y1 - y);
-    corner[4] = Square(centerX - x) + Square(centerY - y);
-    m_Order[i] = static_cast<std::uint32_t>(i);
-  }
-  // Those near the centre drop the others. Of points at the same place the first stays.
-  std::stable_sort(m_Order.begin(), m_Order.end(), [this](std::uint32_t a, std::uint32_t b) {
-    return m_Bounds[5 * a + 4] < m_Bounds[5 * b + 4];
-  });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double * a = &m_Bounds[5 * m_Order[i]];
-    bool           dominated = false;
-    for (std::size_t j = 0; j < kept && !dominated; ++j)
-    {
-      const double * b = &m_Bounds[5 * m_Order[j]];
-      dominated = b[0] <= a[0] && b[1] <= a[1] && b[2] <= a[2] && b[3] <= a[3];
-    }
-    if (!dominated)
-    {
-      m_Order[kept++] = m_Order[i];
-    }
-  }
-  for (std::size_t i = 0; i < kept; ++i)
-  {
-    m_Order[i] = m_Kept[m_Order[i]];
-  }
-  m_Kept.assign(m_Order.begin(), m_Order.begin() + kept);
-}
-
-// A segment stays that can be nearest in one of sixteen parts of the box.
-void
-ContourDistanceIndex::DropDominatedSegments(const BoxType & box) const
-{
-  constexpr int     Parts = 4;
-  const std::size_t count = m_Kept.size();
-  if (count < 3)
+  if (count < 2)
   {
     return;
   }
-  m_Order.assign(count, 0);
-  m_Bounds.resize(count);
-  for (int ix = 0; ix < Parts; ++ix)
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  const double     centerX = 0.5 * (box.x0 + box.x1);
+  const double     centerY = 0.5 * (box.y0 + box.y1);
+  // Those near the centre drop the others, hence first.
+  m_Ranked.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    for (int iy = 0; iy < Parts; ++iy)
+    m_Ranked[i] = { Infinity, 0.0, 0.0, m_Kept[i] };
+    this->TestTarget(m_Kept[i], centerX, centerY, m_Ranked[i]);
+  }
+  std::sort(m_Ranked.begin(), m_Ranked.end(), [](const NearestType & a, const NearestType & b) {
+    return a.squaredDistance < b.squaredDistance || (a.squaredDistance == b.squaredDistance && a.target < b.target);
+  });
+  const double cornerX[4] = { box.x0, box.x1, box.x0, box.x1 };
+  const double cornerY[4] = { box.y0, box.y0, box.y1, box.y1 };
+  m_Kept.clear();
+  m_Bounds.clear();
+  for (const NearestType & ranked : m_Ranked)
+  {
+    double corner[4];
+    for (int k = 0; k < 4; ++k)
     {
-      const double  stepX = (box.x1 - box.x0) / Parts;
-      const double  stepY = (box.y1 - box.y0) / Parts;
-      const BoxType part{
-        box.x0 + ix * stepX, box.y0 + iy * stepY, box.x0 + (ix + 1) * stepX, box.y0 + (iy + 1) * stepY
-      };
-      const double upper = this->FindUpperBound(part, m_Kept.data(), count) * (1.0 + 1e-9);
-      for (std::size_t i = 0; i < count; ++i)
+      NearestType nearest{ Infinity, 0.0, 0.0, 0 };
+      this->TestTarget(ranked.target, cornerX[k], cornerY[k], nearest);
+      corner[k] = nearest.squaredDistance;
+    }
+    bool dominated = false;
+    for (std::size_t j = 0; j < m_Bounds.size() && !dominated; j += 4)
+    {
+      const double * other = &m_Bounds[j];
+      dominated = other[0] <= corner[0] && other[1] <= corner[1] && other[2] <= corner[2] && other[3] <= corner[3];
+    }
+    if (!dominated)
+    {
+      m_Kept.push_back(ranked.target);
+      for (int k = 0; k < 4; ++k)
       {
-        m_Order[i] |= static_cast<std::uint32_t>(m_Order[i] != 0 || this->LowerBound(m_Kept[i], part) <= upper);
+        m_Bounds.push_back(Square(cornerX[k] - ranked.x) + Square(cornerY[k] - ranked.y));
       }
     }
   }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (m_Order[i] != 0)
-    {
-      m_Kept[kept++] = m_Kept[i];
-    }
-  }
-  m_Kept.resize(kept);
 }
 
 auto
@@ -419,16 +385,10 @@ ContourDistanceIndex::GetCell(DomainType & domain, unsigned int level, std::uint
                      domain.box.x0 + (ix + 1) * width + margin,
                      domain.box.y0 + (iy + 1) * width + margin };
   this->KeepPossiblyNearest(box, parent.first == Unfilled ? nullptr : m_Lists.data() + parent.first, parent.count);
-  if (level + 1 == m_Grid.size())
+  // The coarsest lists are long and rarely used.
+  if (level > 0)
   {
-    if (m_IsSegments)
-    {
-      this->DropDominatedSegments(box);
-    }
-    else
-    {
-      this->DropDominatedPoints(box);
-    }
+    this->DropDominated(box);
   }
   const CellType cell{ static_cast<std::uint32_t>(m_Lists.size()), static_cast<std::uint32_t>(m_Kept.size()) };
   m_Lists.insert(m_Lists.end(), m_Kept.begin(), m_Kept.end());
