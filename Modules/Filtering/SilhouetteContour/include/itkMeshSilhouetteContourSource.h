@@ -110,6 +110,11 @@ protected:
   void
   VerifyPreconditions() ITKv5_CONST override;
 
+  /** Neither the mesh nor the geometry has information that a contour could copy. */
+  void
+  GenerateOutputInformation() override
+  {}
+
   void
   GenerateData() override;
 

@@ -97,6 +97,8 @@ MeshSilhouetteContourSource<TInputMesh>::GenerateData()
 {
   DentalContour * const output = this->GetOutput();
   output->Initialize();
+  // Without it every Update() would execute again.
+  output->SetBufferedRegion(output->GetRequestedRegion());
   m_Samples.clear();
   m_Silhouette.loops.clear();
   this->GetGeometry()->VerifyComplete();

@@ -62,7 +62,10 @@ template <typename TInputImage>
 void
 SilhouetteContourFilter<TInputImage>::GenerateData()
 {
-  this->GetOutput()->Initialize();
+  DentalContour * const output = this->GetOutput();
+  output->Initialize();
+  // Without it every Update() would execute again.
+  output->SetBufferedRegion(output->GetRequestedRegion());
   m_UsedLevel = 0.0;
   if (this->GetInput()->GetBufferedRegion().GetNumberOfPixels() == 0)
   {

@@ -44,6 +44,8 @@ ContourResampleFilter::GenerateData()
 {
   DentalContour * const output = this->GetOutput();
   output->Initialize();
+  // Without it every Update() would execute again.
+  output->SetBufferedRegion(output->GetRequestedRegion());
   const auto polylines = this->GetInput()->GetPolylines();
 
   std::vector<std::vector<std::array<double, 2>>> points;
