@@ -157,7 +157,11 @@ public:
     return m_Warnings;
   }
   /** "PNG", "JPEG", "TIFF", "BMP", "NRRD", "MetaImage" or "DICOM". */
-  itkGetStringMacro(FileFormat);
+  const std::string &
+  GetFileFormat() const
+  {
+    return m_FileFormat;
+  }
   /** @} */
 
 protected:

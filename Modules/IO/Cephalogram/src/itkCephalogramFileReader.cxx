@@ -29,13 +29,26 @@
 #include "itkPNGImageIO.h"
 #include "itkTIFFImageIO.h"
 
+#include <gdcmTrace.h>
+
 #include <charconv>
 #include <cmath>
+#include <cstdarg>
 #include <limits>
 #include <memory>
 #include <new>
 #include <sstream>
 #include <type_traits>
+
+// Of the libtiff inside ITK, whose header is not installed; weak, as an ITK on the system's libtiff has not these
+// names.
+extern "C" {
+using TIFFHandler = void (*)(const char *, const char *, va_list);
+__attribute__((weak)) TIFFHandler
+itk_TIFFSetWarningHandler(TIFFHandler handler);
+__attribute__((weak)) TIFFHandler
+itk_TIFFSetErrorHandler(TIFFHandler handler);
+}
 
 namespace itk
 {
@@ -43,22 +56,51 @@ namespace
 {
 using Format = RadiographFileFormatEnum;
 
-/** ITK's readers warn on stderr, of MONOCHROME1 for one; a library does not print. */
+/** ITK's readers warn on stderr, of MONOCHROME1 for one, and so do GDCM and libtiff; a library does not print. */
 class SilencedWarnings
 {
 public:
   SilencedWarnings()
     : m_Before(Object::GetGlobalWarningDisplay())
+    , m_GDCMWarning(gdcm::Trace::GetWarningFlag())
+    , m_GDCMError(gdcm::Trace::GetErrorFlag())
   {
     Object::SetGlobalWarningDisplay(false);
+    gdcm::Trace::WarningOff();
+    gdcm::Trace::ErrorOff();
+    if (itk_TIFFSetWarningHandler != nullptr && itk_TIFFSetErrorHandler != nullptr)
+    {
+      m_TIFFWarning = itk_TIFFSetWarningHandler(nullptr);
+      m_TIFFError = itk_TIFFSetErrorHandler(nullptr);
+    }
   }
-  ~SilencedWarnings() { Object::SetGlobalWarningDisplay(m_Before); }
+  ~SilencedWarnings()
+  {
+    Object::SetGlobalWarningDisplay(m_Before);
+    if (m_GDCMWarning)
+    {
+      gdcm::Trace::WarningOn();
+    }
+    if (m_GDCMError)
+    {
+      gdcm::Trace::ErrorOn();
+    }
+    if (itk_TIFFSetWarningHandler != nullptr && itk_TIFFSetErrorHandler != nullptr)
+    {
+      itk_TIFFSetWarningHandler(m_TIFFWarning);
+      itk_TIFFSetErrorHandler(m_TIFFError);
+    }
+  }
   SilencedWarnings(const SilencedWarnings &) = delete;
   SilencedWarnings &
   operator=(const SilencedWarnings &) = delete;
 
 private:
-  bool m_Before;
+  bool        m_Before;
+  bool        m_GDCMWarning;
+  bool        m_GDCMError;
+  TIFFHandler m_TIFFWarning{ nullptr };
+  TIFFHandler m_TIFFError{ nullptr };
 };
 
 ImageIOBase::Pointer
@@ -140,6 +182,14 @@ ToString(double value)
   os.imbue(std::locale::classic());
   os << value;
   return os.str();
+}
+
+/** The grey level that a white-is-zero TIFF's 0 stands for; ITK's reader leaves such a file a negative. */
+float
+GetWhite(IOComponentEnum type)
+{
+  return type == IOComponentEnum::UCHAR ? std::numeric_limits<unsigned char>::max()
+                                        : std::numeric_limits<unsigned short>::max();
 }
 
 /** Grey from interleaved components. */
@@ -596,6 +646,10 @@ CephalogramFileReader::GenerateOutputInformation()
     default:
       m_Provenance["pixel_spacing"] = m_FileFormat + " has no pixel spacing; a resolution in dots per inch is not one";
   }
+  if (IsWhiteIsZeroTIFF(m_FileName))
+  {
+    m_Provenance["photometric"] = "TIFF PhotometricInterpretation WhiteIsZero, inverted on reading";
+  }
   if (m_UserPixelSpacing)
   {
     m_Provenance["pixel_spacing"] = "given by the user; the file: " + m_Provenance["pixel_spacing"];
@@ -616,7 +670,7 @@ CephalogramFileReader::GenerateOutputInformation()
   direction.SetIdentity();
   output->SetDirection(direction);
 
-  // On a dictionary of its own: an image shares that of its ImageIO.
+  // Not the file's own dictionary: that of a DICOM file has the patient's name.
   MetaDataDictionary dictionary;
   std::ostringstream verdict;
   verdict << m_PixelSpacingVerdict;
@@ -659,6 +713,16 @@ CephalogramFileReader::GenerateData()
                            m_ImageIO->GetNumberOfComponents(),
                            output->GetBufferPointer());
   });
+  const IOComponentEnum type = m_ImageIO->GetComponentType();
+  if (m_ImageIO->GetNumberOfComponents() == 1 && (type == IOComponentEnum::UCHAR || type == IOComponentEnum::USHORT) &&
+      IsWhiteIsZeroTIFF(m_FileName))
+  {
+    const float white = GetWhite(type);
+    for (std::size_t i = 0; i < size[0] * size[1]; ++i)
+    {
+      output->GetBufferPointer()[i] = white - output->GetBufferPointer()[i];
+    }
+  }
   if (!finite)
   {
     itkDentalInputErrorMacro(m_FileName, "", "has pixels that are not finite (NaN or Inf)", "export it again");

@@ -18,13 +18,19 @@
 #include "itkRadiographFileFormat.h"
 
 #include "itkDentalInputError.h"
+#include "itkDicomFileCheck.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <locale>
+#include <map>
+#include <sstream>
 #include <vector>
 
 namespace itk
@@ -65,20 +71,100 @@ LittleEndian32(const Bytes & bytes, std::size_t offset)
          (uint32_t{ bytes[offset + 3] } << 24);
 }
 
+uint32_t
+CyclicRedundancyCheck(const unsigned char * bytes, std::size_t count)
+{
+  static const std::array<uint32_t, 256> table = [] {
+    std::array<uint32_t, 256> values{};
+    for (uint32_t i = 0; i < 256; ++i)
+    {
+      uint32_t value = i;
+      for (int bit = 0; bit < 8; ++bit)
+      {
+        value = (value & 1u) != 0 ? 0xedb88320u ^ (value >> 1) : value >> 1;
+      }
+      values[i] = value;
+    }
+    return values;
+  }();
+  uint32_t value = 0xffffffffu;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    value = table[(value ^ bytes[i]) & 255u] ^ (value >> 8);
+  }
+  return value ^ 0xffffffffu;
+}
+
+/** Chunks whole, their checksums right, and a header that libpng accepts: in reading the information ITK has no answer
+ * to libpng's errors, which then abort the program. */
 bool
 PNGIsComplete(const Bytes & bytes)
 {
-  std::size_t position = 8;
+  constexpr uint32_t largest = 1000000;
+  std::size_t        position = 8;
+  std::size_t        colours = 0;
+  bool               hasData = false;
+  unsigned int       depth = 0;
+  unsigned int       colourType = 0;
   while (position + 12 <= bytes.size())
   {
     const std::size_t length = BigEndian32(bytes, position);
-    if (length > bytes.size() - position - 12)
+    if (length > bytes.size() - position - 12 ||
+        CyclicRedundancyCheck(bytes.data() + position + 4, length + 4) != BigEndian32(bytes, position + 8 + length))
     {
       return false;
     }
-    if (StartsWith(bytes, "IEND", position + 4))
+    const std::string type(bytes.begin() + static_cast<std::ptrdiff_t>(position + 4),
+                           bytes.begin() + static_cast<std::ptrdiff_t>(position + 8));
+    const bool        first = position == 8;
+    if (first != (type == "IHDR"))
     {
-      return true;
+      return false;
+    }
+    if (type == "IHDR")
+    {
+      if (length != 13)
+      {
+        return false;
+      }
+      const uint32_t width = BigEndian32(bytes, position + 8);
+      const uint32_t height = BigEndian32(bytes, position + 12);
+      depth = bytes[position + 16];
+      colourType = bytes[position + 17];
+      const bool bits = depth == 8 || (depth == 16 && colourType != 3) ||
+                        ((depth == 1 || depth == 2 || depth == 4) && (colourType == 0 || colourType == 3));
+      const bool types = colourType == 0 || colourType == 2 || colourType == 3 || colourType == 4 || colourType == 6;
+      if (width == 0 || height == 0 || width > largest || height > largest || !bits || !types ||
+          bytes[position + 18] != 0 || bytes[position + 19] != 0 || bytes[position + 20] > 1)
+      {
+        return false;
+      }
+    }
+    else if (type == "PLTE")
+    {
+      if (colours != 0 || hasData || length == 0 || length % 3 != 0 || length > 768 ||
+          (colourType == 3 && length / 3 > (std::size_t{ 1 } << depth)))
+      {
+        return false;
+      }
+      colours = length / 3;
+    }
+    else if (type == "IDAT")
+    {
+      if (colourType == 3 && colours == 0)
+      {
+        return false;
+      }
+      hasData = true;
+    }
+    else if (type == "IEND")
+    {
+      return hasData;
+    }
+    else if (type[0] >= 'A' && type[0] <= 'Z')
+    {
+      // No other chunk is critical.
+      return false;
     }
     position += 12 + length;
   }
@@ -143,6 +229,210 @@ BMPIsComplete(const Bytes & bytes)
   // Both factors are below 2^38 and 2^32: divide, do not multiply.
   const uint64_t row = (width * bits + 31) / 32 * 4;
   return row == 0 || height == 0 || (bytes.size() >= offset && (bytes.size() - offset) / row >= height);
+}
+
+/** Every value and every strip or tile of every directory lies in the file. BigTIFF is left to the decoder. */
+bool
+TIFFIsComplete(const Bytes & bytes)
+{
+  const bool bigEndian = bytes[0] == 'M';
+  const auto number = [&bytes, bigEndian](uint64_t offset, unsigned int count) {
+    uint64_t value = 0;
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      value |= uint64_t{ bytes[offset + (bigEndian ? count - 1 - i : i)] } << (8 * i);
+    }
+    return value;
+  };
+  if (bytes.size() < 8)
+  {
+    return false;
+  }
+  if (number(2, 2) == 43)
+  {
+    return true;
+  }
+  constexpr unsigned int sizes[] = { 0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4 };
+  uint64_t               directory = number(4, 4);
+  // A directory that leads back to one before is not followed for ever.
+  for (unsigned int page = 0; directory != 0 && page < 1000; ++page)
+  {
+    if (directory + 2 > bytes.size())
+    {
+      return false;
+    }
+    const uint64_t entries = number(directory, 2);
+    if (entries == 0 || directory + 2 + 12 * entries + 4 > bytes.size())
+    {
+      return false;
+    }
+    std::vector<uint64_t> offsets;
+    std::vector<uint64_t> lengths;
+    for (uint64_t entry = 0; entry < entries; ++entry)
+    {
+      const uint64_t at = directory + 2 + 12 * entry;
+      const uint64_t tag = number(at, 2);
+      const uint64_t type = number(at + 2, 2);
+      const uint64_t count = number(at + 4, 4);
+      if (type == 0 || type >= std::size(sizes))
+      {
+        continue;
+      }
+      const uint64_t length = count * sizes[type];
+      const uint64_t value = length <= 4 ? at + 8 : number(at + 8, 4);
+      if (value + length > bytes.size())
+      {
+        return false;
+      }
+      // Strips are 273 and 279, tiles 324 and 325.
+      if ((tag == 273 || tag == 279 || tag == 324 || tag == 325) && (type == 3 || type == 4))
+      {
+        std::vector<uint64_t> & list = tag == 273 || tag == 324 ? offsets : lengths;
+        for (uint64_t i = 0; i < count; ++i)
+        {
+          list.push_back(number(value + i * sizes[type], sizes[type]));
+        }
+      }
+    }
+    if (offsets.empty())
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < std::min(offsets.size(), lengths.size()); ++i)
+    {
+      if (offsets[i] + lengths[i] > bytes.size())
+      {
+        return false;
+      }
+    }
+    directory = number(directory + 2 + 12 * entries, 4);
+  }
+  return true;
+}
+
+std::string
+LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](char character) {
+    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
+  });
+  return text;
+}
+
+/** MetaImage's own reader prints what it misses, and returns what there is. */
+void
+VerifyMetaImage(const std::string & fileName)
+{
+  const auto fail = [&fileName](const std::string & field, const std::string & problem) {
+    itkDentalInputErrorMacro(fileName, field, problem, "write the MetaImage again, binary, in one piece");
+  };
+  const Bytes                        head = ReadBytes(fileName, 1u << 16);
+  std::map<std::string, std::string> fields;
+  std::size_t                        position = 0;
+  while (position < head.size() && fields.count("elementdatafile") == 0)
+  {
+    std::string line;
+    while (position < head.size() && head[position] != '\n')
+    {
+      line += static_cast<char>(head[position++]);
+    }
+    ++position;
+    const std::size_t equals = line.find('=');
+    if (equals == std::string::npos)
+    {
+      fail("", "the header has a line without \"=\"");
+    }
+    const auto trim = [](const std::string & text) {
+      const std::size_t first = text.find_first_not_of(" \t\r");
+      return first == std::string::npos ? std::string()
+                                        : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+    };
+    fields[LowerCase(trim(line.substr(0, equals)))] = trim(line.substr(equals + 1));
+  }
+  for (const char * name : { "NDims", "DimSize", "ElementType", "ElementDataFile" })
+  {
+    if (fields[LowerCase(name)].empty())
+    {
+      fail(name, "missing field");
+    }
+  }
+  if (LowerCase(fields["binarydata"]) == "false")
+  {
+    fail("BinaryData", "is False: pixels written as text are not read");
+  }
+  const std::map<std::string, double> sizes = { { "met_char", 1 },   { "met_uchar", 1 },      { "met_short", 2 },
+                                                { "met_ushort", 2 }, { "met_int", 4 },        { "met_uint", 4 },
+                                                { "met_long", 4 },   { "met_ulong", 4 },      { "met_long_long", 8 },
+                                                { "met_float", 4 },  { "met_ulong_long", 8 }, { "met_double", 8 } };
+  const auto                          size = sizes.find(LowerCase(fields["elementtype"]));
+  if (size == sizes.end())
+  {
+    fail("ElementType", "\"" + fields["elementtype"].substr(0, 40) + "\" is no type of a grey or RGB pixel");
+  }
+  const auto numbers = [&fail](const std::string & name, const std::string & text) {
+    std::istringstream  is(text);
+    std::vector<double> values;
+    is.imbue(std::locale::classic());
+    for (double value = 0.0; is >> value;)
+    {
+      values.push_back(value);
+    }
+    if (!is.eof() || values.empty())
+    {
+      fail(name, "\"" + text.substr(0, 40) + "\" is no list of numbers");
+    }
+    return values;
+  };
+  double                    expected = size->second;
+  const std::vector<double> dimensions = numbers("DimSize", fields["dimsize"]);
+  if (numbers("NDims", fields["ndims"]).front() != static_cast<double>(dimensions.size()))
+  {
+    fail("DimSize", "does not have NDims numbers");
+  }
+  for (const double dimension : dimensions)
+  {
+    if (!(dimension >= 1.0 && dimension < 2147483648.0))
+    {
+      fail("DimSize", "\"" + fields["dimsize"].substr(0, 40) + "\" is no image size");
+    }
+    expected *= dimension;
+  }
+  if (!fields["elementnumberofchannels"].empty())
+  {
+    expected *= numbers("ElementNumberOfChannels", fields["elementnumberofchannels"]).front();
+  }
+  if (LowerCase(fields["compresseddata"]) == "true")
+  {
+    // Without its own length the decompressor finds the end.
+    expected =
+      fields["compresseddatasize"].empty() ? 1.0 : numbers("CompressedDataSize", fields["compresseddatasize"]).front();
+  }
+  const double headerSize = fields["headersize"].empty() ? 0.0 : numbers("HeaderSize", fields["headersize"]).front();
+
+  const std::string dataFile = fields["elementdatafile"];
+  const bool        local = LowerCase(dataFile) == "local";
+  if (LowerCase(dataFile).compare(0, 4, "list") == 0 || dataFile.find('%') != std::string::npos)
+  {
+    fail("ElementDataFile", "names several files");
+  }
+  const std::filesystem::path path =
+    local ? std::filesystem::path(fileName) : std::filesystem::path(fileName).parent_path() / dataFile;
+  std::error_code status;
+  const auto      fileSize = std::filesystem::file_size(path, status);
+  if (status)
+  {
+    fail("ElementDataFile", "\"" + dataFile.substr(0, 200) + "\" is not there");
+  }
+  const double available =
+    static_cast<double>(fileSize) - (local ? static_cast<double>(position) : std::max(headerSize, 0.0));
+  if (available < expected)
+  {
+    std::ostringstream os;
+    os.imbue(std::locale::classic());
+    os.precision(17);
+    os << "the pixels are truncated: " << std::max(available, 0.0) << " of " << expected << " bytes are there";
+    fail("", os.str());
+  }
 }
 } // namespace
 
@@ -232,7 +522,17 @@ DetectRadiographFileFormat(const std::string & fileName)
 void
 VerifyRadiographFileIsComplete(const std::string & fileName, RadiographFileFormatEnum format)
 {
-  if (format != Format::PNG && format != Format::JPEG && format != Format::BMP)
+  if (format == Format::MetaImage)
+  {
+    VerifyMetaImage(fileName);
+    return;
+  }
+  if (format == Format::DICOM)
+  {
+    VerifyDicomFile(fileName);
+    return;
+  }
+  if (format == Format::NRRD)
   {
     return;
   }
@@ -241,17 +541,64 @@ VerifyRadiographFileIsComplete(const std::string & fileName, RadiographFileForma
   // No radiograph is longer; its decoder decides on what follows.
   constexpr std::uintmax_t longest = std::uintmax_t{ 1 } << 30;
   const Bytes bytes = ReadBytes(fileName, static_cast<std::size_t>(status ? longest : std::min(size, longest)));
-  const bool  complete = format == Format::PNG    ? PNGIsComplete(bytes)
-                         : format == Format::JPEG ? JPEGIsComplete(bytes)
-                                                  : BMPIsComplete(bytes);
+  bool        complete = true;
+  switch (format)
+  {
+    case Format::PNG:
+      complete = PNGIsComplete(bytes);
+      break;
+    case Format::JPEG:
+      complete = JPEGIsComplete(bytes);
+      break;
+    case Format::TIFF:
+      complete = TIFFIsComplete(bytes);
+      break;
+    default:
+      complete = BMPIsComplete(bytes);
+  }
   if (!complete)
   {
     itkDentalInputErrorMacro(fileName,
                              "",
-                             std::string("the ") + ToString(format) + " file is truncated at " +
-                               std::to_string(bytes.size()) + " bytes",
+                             std::string("the ") + ToString(format) + " file of " + std::to_string(bytes.size()) +
+                               " bytes is truncated or damaged",
                              "copy or export it again");
   }
+}
+
+bool
+IsWhiteIsZeroTIFF(const std::string & fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  unsigned char head[8] = {};
+  file.read(reinterpret_cast<char *>(head), sizeof(head));
+  const bool bigEndian = head[0] == 'M' && head[1] == 'M' && head[3] == 42;
+  if (!file || (!bigEndian && !(head[0] == 'I' && head[1] == 'I' && head[2] == 42)))
+  {
+    return false;
+  }
+  const auto number = [bigEndian](const unsigned char * bytes, unsigned int count) {
+    uint32_t value = 0;
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      value |= uint32_t{ bytes[bigEndian ? count - 1 - i : i] } << (8 * i);
+    }
+    return value;
+  };
+  file.seekg(number(head + 4, 4));
+  unsigned char count[2] = {};
+  file.read(reinterpret_cast<char *>(count), sizeof(count));
+  unsigned char entry[12] = {};
+  for (uint32_t i = 0; i < number(count, 2) && file.read(reinterpret_cast<char *>(entry), sizeof(entry)); ++i)
+  {
+    constexpr uint32_t photometric = 262;
+    if (number(entry, 2) == photometric)
+    {
+      // Of type SHORT the value stands in the first bytes of its field.
+      return number(entry + 2, 2) == 3 ? number(entry + 8, 2) == 0 : number(entry + 8, 4) == 0;
+    }
+  }
+  return false;
 }
 
 std::string

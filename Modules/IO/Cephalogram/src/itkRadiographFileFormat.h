@@ -43,10 +43,14 @@ ToString(RadiographFileFormatEnum format);
 RadiographFileFormatEnum
 DetectRadiographFileFormat(const std::string & fileName);
 
-/** Throws DentalInputError where a PNG, JPEG, BMP or uncompressed TIFF ends too early: the decoders fill up what is
- * missing and tell nobody. */
+/** Throws DentalInputError where the file is not whole, before a decoder sees it: some of them fill up what is missing
+ * and tell nobody, some print, and one aborts the program. NRRD is left to its decoder, which checks. */
 void
 VerifyRadiographFileIsComplete(const std::string & fileName, RadiographFileFormatEnum format);
+
+/** A TIFF whose first picture has 0 for white. False for all other files, and for a TIFF that is not whole. */
+bool
+IsWhiteIsZeroTIFF(const std::string & fileName);
 
 /** The header of a NRRD or MetaImage, a line "key: value" or "key = value" each, in lower case, at most 64 KiB. */
 std::string

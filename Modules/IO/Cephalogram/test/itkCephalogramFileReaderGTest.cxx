@@ -15,4 +15,411 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "itkCephalogramFileReader.h"
+
+#include "itkCephalogramTestFile.h"
+
+#include "itkBMPImageIO.h"
+#include "itkImageFileWriter.h"
+#include "itkJPEGImageIO.h"
+#include "itkMetaDataObject.h"
+#include "itkMetaImageIO.h"
+#include "itkNrrdImageIO.h"
+#include "itkPNGImageIO.h"
+#include "itkRGBAPixel.h"
+#include "itkRGBPixel.h"
+#include "itkTIFFImageIO.h"
+
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using itk::CephalogramFileReader;
+using Verdict = itk::PixelSpacingVerdictEnum;
+using Plane = itk::SpacingPlaneEnum;
+
+namespace
+{
+/** 20 x 12, pixel (u, v) made by the function. */
+template <typename TPixel, unsigned int VDimension = 2, typename TFunction>
+typename itk::Image<TPixel, VDimension>::Pointer
+MakeImage(const TFunction & function, itk::SizeValueType slices = 1)
+{
+  using ImageType = itk::Image<TPixel, VDimension>;
+  typename ImageType::SizeType size;
+  size.Fill(slices);
+  size[0] = 20;
+  size[1] = 12;
+  const auto image = ImageType::New();
+  image->SetRegions(size);
+  image->Allocate();
+  for (itk::SizeValueType i = 0; i < image->GetLargestPossibleRegion().GetNumberOfPixels(); ++i)
+  {
+    image->GetBufferPointer()[i] = function(i % 20, i / 20 % 12);
+  }
+  return image;
+}
+
+template <typename TImageIO, typename TImage>
+std::string
+WriteImage(const std::string & name, const TImage * image)
+{
+  const std::string path = itk::TestFolder() + '/' + name;
+  const auto        writer = itk::ImageFileWriter<TImage>::New();
+  writer->SetFileName(path);
+  writer->SetInput(image);
+  writer->SetImageIO(TImageIO::New());
+  writer->Update();
+  return path;
+}
+
+CephalogramFileReader::Pointer
+Read(const std::string & path)
+{
+  const auto reader = CephalogramFileReader::New();
+  reader->SetFileName(path);
+  reader->Update();
+  return reader;
+}
+
+float
+GetPixel(const CephalogramFileReader * reader, itk::IndexValueType u, itk::IndexValueType v)
+{
+  return reader->GetOutput()->GetPixel({ { u, v } });
+}
+
+const auto Ramp = [](auto u, auto v) { return static_cast<unsigned char>(10 * u + v); };
+
+template <typename TImage>
+void
+SetSpacing(TImage * image, double u, double v)
+{
+  auto spacing = image->GetSpacing();
+  spacing[0] = u;
+  spacing[1] = v;
+  image->SetSpacing(spacing);
+}
+
+std::string
+ReadProblem(const std::string & path)
+{
+  const auto error = itk::ExpectInputError([&] { Read(path); });
+  EXPECT_EQ(error.GetInputFile(), path);
+  EXPECT_FALSE(error.GetRemedy().empty());
+  return error.GetProblem();
+}
+} // namespace
+
+TEST(CephalogramFileReader, ReadsPicturesWithoutFactoriesAndWithoutASpacing)
+{
+  const auto image = MakeImage<unsigned char>(Ramp);
+  // The writers turn this into dots per inch, which is what many exports have.
+  SetSpacing(image.GetPointer(), 0.1, 0.1);
+  for (const auto & [path, format] :
+       { std::make_pair(WriteImage<itk::PNGImageIO>("a.png", image.GetPointer()), "PNG"),
+         std::make_pair(WriteImage<itk::BMPImageIO>("a.bmp", image.GetPointer()), "BMP"),
+         std::make_pair(WriteImage<itk::TIFFImageIO>("a.tif", image.GetPointer()), "TIFF") })
+  {
+    const auto reader = Read(path);
+    EXPECT_EQ(reader->GetFileFormat(), format);
+    EXPECT_EQ(reader->GetPixelSpacingVerdict(), Verdict::Unknown) << format;
+    EXPECT_FALSE(reader->HasPixelSpacing()) << format;
+    EXPECT_THROW(reader->GetPixelSpacing(), itk::ExceptionObject) << format;
+    EXPECT_EQ(reader->GetOutput()->GetSpacing()[0], 1.0) << format;
+    EXPECT_EQ(reader->GetOutput()->GetLargestPossibleRegion().GetSize()[0], 20u) << format;
+    EXPECT_EQ(GetPixel(reader, 7, 5), 75.0f) << format;
+    EXPECT_EQ(GetPixel(reader, 0, 11), 11.0f) << format;
+  }
+}
+
+TEST(CephalogramFileReader, ReadsJPEGAndTakesNoDotsPerInch)
+{
+  const auto flat = MakeImage<unsigned char>([](auto, auto) { return static_cast<unsigned char>(77); });
+  SetSpacing(flat.GetPointer(), 0.1, 0.1);
+  const auto reader = Read(WriteImage<itk::JPEGImageIO>("a.jpg", flat.GetPointer()));
+  EXPECT_EQ(reader->GetFileFormat(), "JPEG");
+  EXPECT_EQ(reader->GetPixelSpacingVerdict(), Verdict::Unknown);
+  EXPECT_EQ(reader->GetOutput()->GetSpacing()[0], 1.0);
+  // A flat block is coded within one grey level.
+  EXPECT_NEAR(GetPixel(reader, 7, 5), 77.0f, 1.0f);
+}
+
+TEST(CephalogramFileReader, RecognisesAFileByItsContent)
+{
+  const auto        image = MakeImage<unsigned char>(Ramp);
+  const std::string path = WriteImage<itk::PNGImageIO>("a.png", image.GetPointer());
+  const std::string renamed = itk::TestFolder() + "/ceph";
+  std::filesystem::copy_file(path, renamed);
+  EXPECT_EQ(GetPixel(Read(renamed), 7, 5), 75.0f);
+  const std::string wrong = itk::TestFolder() + "/ceph.jpg";
+  std::filesystem::copy_file(path, wrong);
+  EXPECT_EQ(Read(wrong)->GetFileFormat(), "PNG");
+}
+
+TEST(CephalogramFileReader, SixteenBitsAreKept)
+{
+  const auto image =
+    MakeImage<unsigned short>([](auto u, auto v) { return static_cast<unsigned short>(3000 * u + v); });
+  EXPECT_EQ(GetPixel(Read(WriteImage<itk::PNGImageIO>("a.png", image.GetPointer())), 19, 5), 57005.0f);
+  EXPECT_EQ(GetPixel(Read(WriteImage<itk::TIFFImageIO>("a.tif", image.GetPointer())), 19, 5), 57005.0f);
+}
+
+TEST(CephalogramFileReader, ColourBecomesLuminanceAndTransparencyBlack)
+{
+  const auto colour = MakeImage<itk::RGBPixel<unsigned char>>([](auto, auto) {
+    itk::RGBPixel<unsigned char> pixel;
+    pixel.Set(200, 100, 50);
+    return pixel;
+  });
+  EXPECT_NEAR(GetPixel(Read(WriteImage<itk::PNGImageIO>("a.png", colour.GetPointer())), 3, 3),
+              0.2126 * 200 + 0.7152 * 100 + 0.0722 * 50,
+              1e-4);
+  const auto transparent = MakeImage<itk::RGBAPixel<unsigned char>>([](auto u, auto) {
+    itk::RGBAPixel<unsigned char> pixel;
+    pixel.Set(100, 100, 100, u < 10 ? 255 : 0);
+    return pixel;
+  });
+  const auto reader = Read(WriteImage<itk::PNGImageIO>("b.png", transparent.GetPointer()));
+  EXPECT_NEAR(GetPixel(reader, 9, 0), 100.0f, 1e-4);
+  EXPECT_EQ(GetPixel(reader, 10, 0), 0.0f);
+}
+
+TEST(CephalogramFileReader, ExplicitSpacingOfNrrdAndMetaImageIsTheDetectors)
+{
+  const auto image = MakeImage<unsigned char>(Ramp);
+  SetSpacing(image.GetPointer(), 0.2, 0.1);
+  auto origin = image->GetOrigin();
+  origin.Fill(30.0);
+  image->SetOrigin(origin);
+  for (const std::string & path : { WriteImage<itk::NrrdImageIO>("a.nrrd", image.GetPointer()),
+                                    WriteImage<itk::MetaImageIO>("a.mha", image.GetPointer()),
+                                    WriteImage<itk::MetaImageIO>("a.mhd", image.GetPointer()) })
+  {
+    const auto reader = Read(path);
+    EXPECT_EQ(reader->GetPixelSpacingVerdict(), Verdict::Detector) << path;
+    EXPECT_NEAR(reader->GetPixelSpacing()[0], 0.2, 1e-12) << path;
+    EXPECT_NEAR(reader->GetPixelSpacing()[1], 0.1, 1e-12) << path;
+    EXPECT_EQ(reader->GetOutput()->GetOrigin()[0], 0.0) << path;
+    EXPECT_EQ(GetPixel(reader, 7, 5), 75.0f) << path;
+  }
+}
+
+TEST(CephalogramFileReader, DefaultAndScreenSpacingsOfNrrdAndMetaImageAreUnknown)
+{
+  for (const double spacing : { 1.0, 25.4 / 72.0, 25.4 / 96.0 })
+  {
+    const auto image = MakeImage<unsigned char>(Ramp);
+    SetSpacing(image.GetPointer(), spacing, spacing);
+    for (const std::string & path : { WriteImage<itk::NrrdImageIO>("a.nrrd", image.GetPointer()),
+                                      WriteImage<itk::MetaImageIO>("a.mha", image.GetPointer()) })
+    {
+      const auto reader = Read(path);
+      EXPECT_EQ(reader->GetPixelSpacingVerdict(), Verdict::Unknown) << path << spacing;
+      EXPECT_EQ(reader->GetOutput()->GetSpacing()[0], 1.0) << path;
+    }
+  }
+  const std::string header = "NRRD0004\ntype: unsigned char\ndimension: 2\nsizes: 2 2\nencoding: raw\n";
+  EXPECT_EQ(Read(itk::WriteTestFile("none.nrrd", header + "\nabcd"))->GetPixelSpacingVerdict(), Verdict::Unknown);
+  const std::string inches = itk::WriteTestFile("in.nrrd", header + "spacings: 2 2\nunits: \"um\" \"um\"\n\nabcd");
+  EXPECT_EQ(Read(inches)->GetPixelSpacingVerdict(), Verdict::Unknown);
+  const std::string millimetres = itk::WriteTestFile("mm.nrrd", header + "spacings: 2 3\nunits: \"mm\" \"mm\"\n\nabcd");
+  EXPECT_EQ(Read(millimetres)->GetPixelSpacing()[1], 3.0);
+}
+
+TEST(CephalogramFileReader, OneSliceIsAPictureAndSeveralAreAnError)
+{
+  const auto one = MakeImage<short, 3>(Ramp);
+  EXPECT_EQ(GetPixel(Read(WriteImage<itk::NrrdImageIO>("one.nrrd", one.GetPointer())), 7, 5), 75.0f);
+  EXPECT_EQ(GetPixel(Read(WriteImage<itk::MetaImageIO>("one.mha", one.GetPointer())), 7, 5), 75.0f);
+  const auto two = MakeImage<unsigned char, 3>(Ramp, 2);
+  EXPECT_TRUE(itk::Contains(ReadProblem(WriteImage<itk::NrrdImageIO>("two.nrrd", two.GetPointer())), "2 frames"));
+  EXPECT_TRUE(itk::Contains(ReadProblem(WriteImage<itk::MetaImageIO>("two.mha", two.GetPointer())), "2 frames"));
+  EXPECT_TRUE(itk::Contains(ReadProblem(WriteImage<itk::TIFFImageIO>("two.tif", two.GetPointer())), "2 frames"));
+}
+
+TEST(CephalogramFileReader, NotFiniteIsRefused)
+{
+  const auto image = MakeImage<float>(
+    [](auto u, auto) { return u == 3 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(u); });
+  EXPECT_TRUE(itk::Contains(ReadProblem(WriteImage<itk::NrrdImageIO>("a.nrrd", image.GetPointer())), "not finite"));
+}
+
+TEST(CephalogramFileReader, TruncatedFilesAreRefusedSilently)
+{
+  const auto image =
+    MakeImage<unsigned char>([](auto u, auto v) { return static_cast<unsigned char>(u * 37 + v * v * 11); });
+  SetSpacing(image.GetPointer(), 0.1, 0.1);
+  for (const std::string & path : { WriteImage<itk::PNGImageIO>("a.png", image.GetPointer()),
+                                    WriteImage<itk::JPEGImageIO>("a.jpg", image.GetPointer()),
+                                    WriteImage<itk::BMPImageIO>("a.bmp", image.GetPointer()),
+                                    WriteImage<itk::TIFFImageIO>("a.tif", image.GetPointer()),
+                                    WriteImage<itk::NrrdImageIO>("a.nrrd", image.GetPointer()),
+                                    WriteImage<itk::MetaImageIO>("a.mha", image.GetPointer()) })
+  {
+    const std::string bytes = itk::ReadTestFile(path);
+    const std::string name = std::filesystem::path(path).filename().string();
+    for (const double part : { 0.0, 0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0 })
+    {
+      const auto length = static_cast<std::size_t>(part * static_cast<double>(bytes.size() - 1));
+      const auto cut = itk::WriteTestFile("cut_" + name, bytes.substr(0, length));
+      testing::internal::CaptureStderr();
+      testing::internal::CaptureStdout();
+      bool refused = false;
+      try
+      {
+        Read(cut);
+      }
+      catch (const itk::DentalInputError &)
+      {
+        refused = true;
+      }
+      EXPECT_EQ(testing::internal::GetCapturedStdout(), "") << name << ' ' << length;
+      EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << name << ' ' << length;
+      EXPECT_TRUE(refused) << name << ' ' << length << " of " << bytes.size();
+    }
+    EXPECT_NO_THROW(Read(path)) << name;
+  }
+}
+
+TEST(CephalogramFileReader, WhatIsNoImageIsNamed)
+{
+  EXPECT_TRUE(itk::Contains(ReadProblem(itk::TestFolder() + "/none.png"), "no such file"));
+  EXPECT_TRUE(itk::Contains(ReadProblem(itk::TestFolder()), "directory"));
+  EXPECT_TRUE(itk::Contains(ReadProblem(itk::WriteTestFile("empty.png", "")), "empty"));
+  EXPECT_TRUE(itk::Contains(ReadProblem(itk::WriteTestFile("text.png", "this is no picture")), "no image"));
+  EXPECT_TRUE(itk::Contains(ReadProblem(itk::WriteTestFile("scan.stl", std::string(84, '\0'))), "no image"));
+  for (const char * signature : { "\x89PNG\r\n\x1a\n", "\xff\xd8\xff", "BM", "NRRD0004\n", "ObjectType = Image\n" })
+  {
+    ReadProblem(itk::WriteTestFile("head", signature));
+    ReadProblem(itk::WriteTestFile("junk", signature + std::string(500, 'x')));
+  }
+  ReadProblem(itk::WriteTestFile("head.tif", std::string("II*\0", 4)));
+  ReadProblem(itk::WriteTestFile("junk.tif", std::string("II*\0", 4) + std::string(500, 'x')));
+  ReadProblem(itk::WriteTestFile("head.dcm", std::string(128, '\0') + "DICM"));
+  ReadProblem(itk::WriteTestFile("junk.dcm", std::string(128, '\0') + "DICM" + std::string(500, 'x')));
+}
+
+TEST(CephalogramFileReader, AbsurdSizesAreRefusedBeforeMemoryIsTaken)
+{
+  const auto header = [](const std::string & sizes) {
+    return "NRRD0004\ntype: unsigned char\ndimension: 2\nsizes: " + sizes + "\nencoding: raw\n\nabcd";
+  };
+  EXPECT_TRUE(itk::Contains(ReadProblem(itk::WriteTestFile("a.nrrd", header("200000 200000"))), "200000 x 200000"));
+  ReadProblem(itk::WriteTestFile("b.nrrd", header("4000000000 4000000000")));
+  ReadProblem(itk::WriteTestFile("c.nrrd", header("0 4")));
+  ReadProblem(itk::WriteTestFile("d.nrrd", header("-1 4")));
+  ReadProblem(itk::WriteTestFile(
+    "a.mha",
+    "ObjectType = Image\nNDims = 2\nDimSize = 200000 200000\nElementType = MET_UCHAR\nElementDataFile = LOCAL\nab"));
+  // A PNG's own size stands behind its signature.
+  const auto  image = MakeImage<unsigned char>(Ramp);
+  std::string png = itk::ReadTestFile(WriteImage<itk::PNGImageIO>("a.png", image.GetPointer()));
+  png[16] = 0x10;
+  ReadProblem(itk::WriteTestFile("wide.png", png));
+}
+
+TEST(CephalogramFileReader, WhiteIsZeroTiffIsNotShownAsANegative)
+{
+  // An uncompressed little-endian TIFF of 2 x 1 pixels, 0 and 200, by hand: ITK's writer knows no white-is-zero.
+  for (const unsigned int photometric : { 0u, 1u })
+  {
+    std::string tiff("II*\0\x08\0\0\0", 8);
+    const auto  number = [&tiff](unsigned int value, unsigned int count) {
+      for (unsigned int i = 0; i < count; ++i)
+      {
+        tiff += static_cast<char>((value >> (8 * i)) & 255u);
+      }
+    };
+    const std::vector<std::pair<unsigned int, unsigned int>> entries = {
+      { 256, 2 }, { 257, 1 }, { 258, 8 }, { 259, 1 }, { 262, photometric }, { 273, 8 + 2 + 9 * 12 + 4 },
+      { 277, 1 }, { 278, 1 }, { 279, 2 }
+    };
+    number(static_cast<unsigned int>(entries.size()), 2);
+    for (const auto & [tag, value] : entries)
+    {
+      number(tag, 2);
+      number(4, 2);
+      number(1, 4);
+      number(value, 4);
+    }
+    number(0, 4);
+    tiff += std::string("\x00\xc8", 2);
+    const auto reader = Read(itk::WriteTestFile("a.tif", tiff));
+    if (photometric == 1)
+    {
+      EXPECT_EQ(GetPixel(reader, 0, 0), 0.0f);
+      EXPECT_EQ(GetPixel(reader, 1, 0), 200.0f);
+    }
+    else
+    {
+      EXPECT_EQ(GetPixel(reader, 0, 0), 255.0f);
+      EXPECT_EQ(GetPixel(reader, 1, 0), 55.0f);
+    }
+  }
+}
+
+TEST(CephalogramFileReader, InformationComesWithoutPixelsAndOnce)
+{
+  const auto reader = CephalogramFileReader::New();
+  reader->SetFileName(WriteImage<itk::PNGImageIO>("a.png", MakeImage<unsigned char>(Ramp).GetPointer()));
+  unsigned int runs = 0;
+  reader->AddObserver(itk::StartEvent(), [&runs](const itk::EventObject &) { ++runs; });
+  reader->UpdateOutputInformation();
+  EXPECT_EQ(runs, 0u);
+  EXPECT_EQ(reader->GetOutput()->GetLargestPossibleRegion().GetSize()[1], 12u);
+  EXPECT_EQ(reader->GetFileFormat(), "PNG");
+  reader->Update();
+  reader->Update();
+  EXPECT_EQ(runs, 1u);
+  CephalogramFileReader::PixelSpacingType spacing;
+  spacing.Fill(0.25);
+  reader->SetUserPixelSpacing(spacing);
+  reader->Update();
+  EXPECT_EQ(runs, 2u);
+  EXPECT_EQ(reader->GetOutput()->GetSpacing()[0], 0.25);
+  reader->SetUserPixelSpacing(spacing);
+  reader->Update();
+  EXPECT_EQ(runs, 2u);
+  std::string verdict;
+  itk::ExposeMetaData<std::string>(
+    reader->GetOutput()->GetMetaDataDictionary(), CephalogramFileReader::VerdictKey, verdict);
+  EXPECT_EQ(verdict, "UserGiven");
+}
+
+TEST(CephalogramFileReader, SaysWhatToCall)
+{
+  const auto reader = CephalogramFileReader::New();
+  try
+  {
+    reader->Update();
+    FAIL();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    EXPECT_TRUE(itk::Contains(error.GetDescription(), "SetFileName()")) << error.GetDescription();
+  }
+  EXPECT_THROW(reader->GetPixelSpacing(), itk::ExceptionObject);
+  std::ostringstream os;
+  reader->Print(os);
+  EXPECT_TRUE(itk::Contains(os.str(), "PixelSpacingVerdict: Unknown"));
+}
+
+TEST(CephalogramFileReader, ReadsTheSharedCephalograms)
+{
+  const std::string folder = std::string(DENTALSCR_SHARED_DIR) + "/cephalograms";
+  if (!std::filesystem::exists(folder))
+  {
+    GTEST_SKIP() << "no folder " << folder;
+  }
+  const auto jpeg = Read(folder + "/webceph-ceph1.jpg");
+  EXPECT_EQ(jpeg->GetOutput()->GetLargestPossibleRegion().GetSize()[0], 1578u);
+  EXPECT_EQ(jpeg->GetOutput()->GetLargestPossibleRegion().GetSize()[1], 2089u);
+  EXPECT_EQ(jpeg->GetPixelSpacingVerdict(), Verdict::Unknown);
+  const auto png = Read(folder + "/cephalometric-sample-traced.png");
+  EXPECT_EQ(png->GetOutput()->GetLargestPossibleRegion().GetSize()[0], 1398u);
+  EXPECT_EQ(png->GetOutput()->GetLargestPossibleRegion().GetSize()[1], 1702u);
+  EXPECT_EQ(png->GetPixelSpacingVerdict(), Verdict::Unknown);
+  EXPECT_EQ(png->GetOutput()->GetSpacing()[0], 1.0);
+}
