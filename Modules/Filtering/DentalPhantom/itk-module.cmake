@@ -1,9 +1,14 @@
 itk_module(DentalPhantom
   DEPENDS
+    Annotation
+    CephalometricGeometry
     DentalCommon
     DentalContour
-    CephalometricGeometry
+    MeshOpenMesh
     ITKCommon
+    ITKIOImageBase
+    ITKIOMeshBase
+    ITKIOPNG
     ITKMesh
   TEST_DEPENDS
     ITKTestKernel

@@ -28,8 +28,12 @@
 #include "itkMeshSource.h"
 #include "itkVector.h"
 
+#include <memory>
+
 namespace itk
 {
+class DentalPhantomModel;
+
 /** \class DentalPhantomMeshSource
  * \brief A pair of parametric dental arches in occlusion, with tooth labels, landmarks and known axes.
  *
@@ -99,6 +103,13 @@ public:
   VectorType
   GetFrameTranslation(unsigned int jaw) const;
 
+  /** The solids behind the meshes, in the anatomical frame; made by Update(), null before. */
+  std::shared_ptr<const DentalPhantomModel>
+  GetModel() const
+  {
+    return m_Model;
+  }
+
   using Superclass::MakeOutput;
   DataObjectPointer
   MakeOutput(DataObjectPointerArraySizeType index) override;
@@ -114,7 +125,8 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  ParametersType m_Parameters;
+  ParametersType                            m_Parameters;
+  std::shared_ptr<const DentalPhantomModel> m_Model;
 };
 } // namespace itk
 

@@ -53,6 +53,7 @@ void
 DentalPhantomMeshSource<TOutputMesh>::SetParameters(const ParametersType & parameters)
 {
   m_Parameters = parameters;
+  m_Model = nullptr;
   this->Modified();
 }
 
@@ -126,11 +127,11 @@ DentalPhantomMeshSource<TOutputMesh>::GenerateData()
   {
     itkExceptionMacro(<< error.what() << " Correct it before SetParameters().");
   }
-  const unsigned int       threads = this->GetNumberOfWorkUnits();
-  const DentalPhantomModel model(m_Parameters, threads);
+  const unsigned int threads = this->GetNumberOfWorkUnits();
+  m_Model = std::make_shared<const DentalPhantomModel>(m_Parameters, threads);
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
-    const auto made = model.MakeJaw(jaw, threads, [this, jaw](double done) {
+    const auto made = m_Model->MakeJaw(jaw, threads, [this, jaw](double done) {
       this->UpdateProgress(static_cast<float>(0.3 + 0.35 * (jaw + done)));
       if (this->GetAbortGenerateData())
       {
@@ -199,6 +200,7 @@ DentalPhantomMeshSource<TOutputMesh>::PrintSelf(std::ostream & os, Indent indent
   Superclass::PrintSelf(os, indent);
   os << indent << "Parameters:" << std::endl;
   m_Parameters.Print(os, indent.GetNextIndent());
+  os << indent << "Model: " << (m_Model ? "made" : "(null)") << std::endl;
 }
 } // namespace itk
 

@@ -33,7 +33,7 @@ namespace itk
 /** \class DentalPhantomModel
  * \brief The solid crowns and the gingiva behind a phantom, and the meshes that a scanner would make of them.
  *
- * Each crown is an implicit body in a frame of its own (mesial, buccal, occlusal): superelliptic sections whose widths
+ * Each crown is an implicit body in a frame of its own (mesial, buccal, occlusal): squircle sections whose widths
  * change with height, cut by an occlusal surface of cusps; the gingiva is a ridge along the arch. A jaw's mesh is a
  * grid of rays that fan out from a curve inside the ridge and stop where they leave the solid, so that it is a
  * manifold open shell by construction and shows undercuts that the curve can see. The lower crowns are moved
@@ -143,7 +143,7 @@ private:
     double       depth{ 0.0 };
     double       height{ 0.0 };
     double       rootLength{ 13.0 };
-    double       exponent{ 2.4 };
+    double       squareness{ 0.4 };
     double       smoothness{ 0.4 };
     double       edge{ 0.0 };
     Profile      mesiodistal;

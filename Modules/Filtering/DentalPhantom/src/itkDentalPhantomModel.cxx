@@ -67,6 +67,78 @@ Quantise(double value)
 {
   return std::nearbyint(value * 1e4) / 1e4;
 }
+
+/** Ears of a simple polygon in the plane, best shaped first, in the polygon's own order of corners. */
+std::vector<std::array<std::size_t, 3>>
+ClipEars(const std::vector<std::array<double, 2>> & polygon)
+{
+  std::vector<std::size_t> left(polygon.size());
+  double                   area = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    left[i] = i;
+    const auto & a = polygon[i];
+    const auto & b = polygon[(i + 1) % polygon.size()];
+    area += a[0] * b[1] - b[0] * a[1];
+  }
+  const double sign = area < 0.0 ? -1.0 : 1.0;
+  const auto   cross = [&](std::size_t i, std::size_t j, std::size_t k) {
+    const auto & a = polygon[i];
+    const auto & b = polygon[j];
+    const auto & c = polygon[k];
+    return sign * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
+  };
+  const auto quality = [&](std::size_t at) {
+    const std::size_t n = left.size();
+    const std::size_t i = left[(at + n - 1) % n];
+    const std::size_t j = left[at];
+    const std::size_t k = left[(at + 1) % n];
+    const double      doubled = cross(i, j, k);
+    if (doubled <= 1e-9)
+    {
+      return doubled - 1.0;
+    }
+    for (const std::size_t p : left)
+    {
+      if (p != i && p != j && p != k && cross(i, j, p) >= 0.0 && cross(j, k, p) >= 0.0 && cross(k, i, p) >= 0.0)
+      {
+        return -2.0;
+      }
+    }
+    double longest = 0.0;
+    for (const auto & side : { std::make_pair(i, j), std::make_pair(j, k), std::make_pair(k, i) })
+    {
+      const double dx = polygon[side.first][0] - polygon[side.second][0];
+      const double dy = polygon[side.first][1] - polygon[side.second][1];
+      longest = std::max(longest, dx * dx + dy * dy);
+    }
+    return doubled / longest;
+  };
+  std::vector<std::array<std::size_t, 3>> ears;
+  std::vector<double>                     qualities;
+  for (std::size_t at = 0; at < left.size(); ++at)
+  {
+    qualities.push_back(quality(at));
+  }
+  while (left.size() > 2)
+  {
+    const auto        best = std::max_element(qualities.begin(), qualities.end());
+    const std::size_t at = static_cast<std::size_t>(best - qualities.begin());
+    const std::size_t n = left.size();
+    ears.push_back({ { left[(at + n - 1) % n], left[at], left[(at + 1) % n] } });
+    left.erase(left.begin() + static_cast<long>(at));
+    qualities.erase(best);
+    // Neighbours change shape; corners that the clipped one blocked may be free: all that were blocked are asked again.
+    for (std::size_t k = 0; k < left.size(); ++k)
+    {
+      if (k == at % left.size() || k == (at + left.size() - 1) % left.size() || qualities[k] == -2.0)
+      {
+        qualities[k] = quality(k);
+      }
+    }
+  }
+  return ears;
+}
 } // namespace
 
 DentalPhantomModel::Profile::Profile(std::vector<double> xs, std::vector<double> ys)
@@ -141,26 +213,15 @@ DentalPhantomModel::Body::OcclusalHeight(double x, double y) const
   }
   // Rounded cones; their smooth maximum makes ridges, and fissures where two meet.
   double top = -std::numeric_limits<double>::infinity();
-  double cones[6];
-  for (std::size_t c = 0; c < cusps.size(); ++c)
+  for (const Cusp & cusp : cusps)
   {
-    const double     dx = cusps[c].slopeX * (x - cusps[c].x);
-    const double     dy = cusps[c].slopeY * (y - cusps[c].y);
+    const double     dx = cusp.slopeX * (x - cusp.x);
+    const double     dy = cusp.slopeY * (y - cusp.y);
     constexpr double round = 0.3;
-    cones[c] = cusps[c].height - (std::sqrt(dx * dx + dy * dy + round * round) - round);
-    top = std::max(top, cones[c]);
+    const double     cone = cusp.height - (std::sqrt(dx * dx + dy * dy + round * round) - round);
+    top = top < cone - 1.0 ? cone : SmoothMax(top, cone, 0.35);
   }
-  if (cusps.size() == 1)
-  {
-    return top;
-  }
-  constexpr double sharpness = 0.12;
-  double           sum = 0.0;
-  for (std::size_t c = 0; c < cusps.size(); ++c)
-  {
-    sum += std::exp((cones[c] - top) / sharpness);
-  }
-  return top + sharpness * std::log(sum);
+  return top;
 }
 
 double
@@ -187,8 +248,11 @@ DentalPhantomModel::Body::Evaluate(const PointType & local, bool root) const
   double       side = -std::min(a, b);
   if (r > 1e-6)
   {
-    const double rho =
-      std::pow(std::pow(std::abs(x) / a, exponent) + std::pow(std::abs(dy) / b, exponent), 1.0 / exponent);
+    // A squircle (Fernandez Guasti) in the section's own proportions; square roots only, so the same bits everywhere.
+    const double X = x / a;
+    const double Y = dy / b;
+    const double sum = X * X + Y * Y;
+    const double rho = std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4.0 * squareness * X * X * Y * Y))));
     side = std::max(side, r - r / rho);
   }
   const double top = 0.85 * (z - this->OcclusalHeight(x, y));
@@ -382,7 +446,7 @@ DentalPhantomModel::PlaceTeeth(unsigned int jaw)
       body.lingual = canine
                        ? Profile({ 0.0, 0.15, 0.35, 0.6, 0.85, 1.0 }, { -0.45, -0.5, -0.42, -0.2, -0.02, edge - half })
                        : Profile({ 0.0, 0.15, 0.35, 0.6, 0.85, 1.0 }, { -0.45, -0.5, -0.38, -0.12, 0.05, edge - half });
-      body.exponent = canine ? 2.3 : 2.7;
+      body.squareness = canine ? 0.32 : 0.55;
       body.smoothness = 0.35;
       body.cornerMesial = 0.03 * W;
       body.cornerDistal = (k == 1 && jaw == 0 ? 0.16 : jaw == 0 ? 0.1 : 0.05) * W;
@@ -403,14 +467,14 @@ DentalPhantomModel::PlaceTeeth(unsigned int jaw)
       body.rootLength = k < 5 ? 13.5 : 12.0;
       if (k < 5)
       {
-        body.exponent = 2.4;
+        body.squareness = 0.39;
         const double drop = jaw == 0 ? (k == 3 ? 0.9 : 0.4) : (k == 3 ? 2.6 : 0.9);
         body.cusps = { { 0.02 * W, 0.25 * B, H, 0.62, 0.55, "B" },
                        { 0.06 * W, -0.26 * B, H - drop * H / 8.5, 0.6, 0.55, "L" } };
       }
       else
       {
-        body.exponent = 3.0;
+        body.squareness = 0.65;
         const double u = H / 7.5;
         if (jaw == 0)
         {
@@ -616,15 +680,23 @@ DentalPhantomModel::MakeJaw(unsigned int         jaw,
   const double fan = 27.0;
   const double palateLength = source.palate ? 20.0 : 0.0;
   const double lingualFlange = source.palate ? 2.0 : source.lingualFlange;
-  const double profile = fan + source.buccalFlange + lingualFlange + palateLength;
+  // The base is coarser by half.
+  const double wall = m_Parameters.baseHeight + 3.0;
+  const double ground = 14.0;
+  const double baseLength = m_Parameters.stoneBase ? 0.5 * ((source.palate ? 1.0 : 2.0) * wall + ground) : 0.0;
+  const double profile = fan + source.buccalFlange + lingualFlange + palateLength + baseLength;
   const double cell = std::sqrt(2.0 * (lengths[0] + lengths[1]) * profile / numberOfTriangles);
   const int    buccalRows = std::max(1, static_cast<int>(std::lround(source.buccalFlange / cell)));
   const int    fanRows = std::max(6, static_cast<int>(std::lround(fan / cell)));
   const int    lingualRows = std::max(1, static_cast<int>(std::lround(lingualFlange / cell)));
   const int    palateRows = source.palate ? std::max(2, static_cast<int>(std::lround(palateLength / cell))) : 0;
+  const int    wallRows = std::max(2, static_cast<int>(std::lround(0.5 * wall / cell)));
+  const int    bottomRows = std::max(2, static_cast<int>(std::lround(0.5 * ground / cell)));
+  const int    baseRows = m_Parameters.stoneBase ? (source.palate ? 1 : 2) * wallRows + bottomRows : 0;
   const int    rows = buccalRows + fanRows + lingualRows;
-  const int    half = std::max(8, static_cast<int>(std::lround(numberOfTriangles / (4.0 * (rows + palateRows)))));
-  const int    columns = 2 * half + 1;
+  const int    half =
+    std::max(8, static_cast<int>(std::lround(numberOfTriangles / (4.0 * (rows + palateRows + baseRows)))));
+  const int columns = 2 * half + 1;
 
   // Denser columns between the teeth, where the surface dives.
   std::vector<double> stations(columns, 0.0);
@@ -797,15 +869,14 @@ DentalPhantomModel::MakeJaw(unsigned int         jaw,
       ids[c].push_back(seam[std::abs(c - half)]);
     }
   }
-  auto & triangles = result.surface.triangles;
-  for (int c = 0; c + 1 < columns; ++c)
-  {
-    for (std::size_t r = 0; r + 1 < ids[c].size(); ++r)
+  auto &     triangles = result.surface.triangles;
+  const auto strip = [&](const std::vector<std::uint32_t> & first, const std::vector<std::uint32_t> & second) {
+    for (std::size_t r = 0; r + 1 < first.size(); ++r)
     {
-      const std::uint32_t a = ids[c][r];
-      const std::uint32_t b = ids[c + 1][r];
-      const std::uint32_t d = ids[c][r + 1];
-      const std::uint32_t e = ids[c + 1][r + 1];
+      const std::uint32_t a = first[r];
+      const std::uint32_t b = second[r];
+      const std::uint32_t d = first[r + 1];
+      const std::uint32_t e = second[r + 1];
       // The shorter diagonal.
       double ae = 0.0;
       double bd = 0.0;
@@ -814,15 +885,114 @@ DentalPhantomModel::MakeJaw(unsigned int         jaw,
         ae += (points[a][k] - points[e][k]) * (points[a][k] - points[e][k]);
         bd += (points[b][k] - points[d][k]) * (points[b][k] - points[d][k]);
       }
-      if (ae < bd)
+      const bool other = ae < bd;
+      for (const TriangleSurface::TriangleType & t : { TriangleSurface::TriangleType{ { a, b, other ? e : d } },
+                                                       TriangleSurface::TriangleType{ { other ? a : b, e, d } } })
       {
-        triangles.push_back({ { a, b, e } });
-        triangles.push_back({ { a, e, d } });
+        // Where columns meet in one point a cell is a triangle.
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+        {
+          triangles.push_back(t);
+        }
+      }
+    }
+  };
+  for (int c = 0; c + 1 < columns; ++c)
+  {
+    strip(ids[c], ids[c + 1]);
+  }
+  if (m_Parameters.stoneBase)
+  {
+    // Below the border: walls, a plane bottom, and the two distal ends.
+    double bottom = 1e9;
+    for (const PointType & p : points)
+    {
+      bottom = std::min(bottom, p[2]);
+    }
+    bottom -= m_Parameters.baseHeight;
+    const auto add = [&](double x, double y, double o) {
+      points.push_back({ { x, y, o } });
+      result.labels.push_back(0);
+      return static_cast<std::uint32_t>(points.size() - 1);
+    };
+    std::vector<std::uint32_t> keel;
+    if (source.palate)
+    {
+      for (int i = 0; i <= half; ++i)
+      {
+        keel.push_back(add(points[ids[half + i].back()][0], 0.0, bottom));
+      }
+    }
+    std::vector<std::vector<std::uint32_t>> under(columns);
+    for (int c = 0; c < columns; ++c)
+    {
+      const PointType buccal = points[ids[c].front()];
+      const PointType lingual = points[ids[c].back()];
+      double          unused[2];
+      double          normal[2];
+      this->ArchPoint(jaw, stations[c], unused, normal);
+      // A drafted wall, as a trimmer leaves it.
+      const double draft = 1.5;
+      const double outer[2] = { buccal[0] + draft * normal[0], buccal[1] + draft * normal[1] };
+      if (source.palate)
+      {
+        under[c].push_back(keel[std::abs(c - half)]);
       }
       else
       {
-        triangles.push_back({ { a, b, d } });
-        triangles.push_back({ { b, e, d } });
+        under[c].push_back(ids[c].back());
+        for (int r = 1; r <= wallRows; ++r)
+        {
+          const double t = static_cast<double>(r) / wallRows;
+          under[c].push_back(add(lingual[0], lingual[1], lingual[2] + t * (bottom - lingual[2])));
+        }
+      }
+      const PointType from = points[under[c].back()];
+      for (int r = 1; r <= bottomRows; ++r)
+      {
+        const double t = static_cast<double>(r) / bottomRows;
+        under[c].push_back(add(from[0] + t * (outer[0] - from[0]), from[1] + t * (outer[1] - from[1]), bottom));
+      }
+      for (int r = 1; r < wallRows; ++r)
+      {
+        const double t = static_cast<double>(r) / wallRows;
+        under[c].push_back(add(outer[0] + t * (buccal[0] - outer[0]),
+                               outer[1] + t * (buccal[1] - outer[1]),
+                               bottom + t * (buccal[2] - bottom)));
+      }
+      under[c].push_back(ids[c].front());
+    }
+    for (int c = 0; c + 1 < columns; ++c)
+    {
+      strip(under[c], under[c + 1]);
+    }
+    // The two ends of a filled cast share a line from the palate's seam to the keel.
+    std::vector<std::uint32_t> line;
+    if (source.palate)
+    {
+      const PointType from = points[ids[0].back()];
+      for (int r = 1; r < wallRows; ++r)
+      {
+        line.push_back(add(from[0], 0.0, from[2] + (bottom - from[2]) * r / wallRows));
+      }
+    }
+    for (const int c : { 0, columns - 1 })
+    {
+      std::vector<std::uint32_t> ring(ids[c].begin(), ids[c].end());
+      ring.insert(ring.end(), line.begin(), line.end());
+      ring.insert(ring.end(), under[c].begin() + (source.palate ? 0 : 1), under[c].end() - 1);
+      double unused[2];
+      double normal[2];
+      this->ArchPoint(jaw, stations[c], unused, normal);
+      std::vector<std::array<double, 2>> polygon;
+      for (const std::uint32_t id : ring)
+      {
+        polygon.push_back({ { points[id][0] * normal[0] + points[id][1] * normal[1], points[id][2] } });
+      }
+      for (const auto & ear : ClipEars(polygon))
+      {
+        triangles.push_back(c == 0 ? TriangleSurface::TriangleType{ { ring[ear[0]], ring[ear[1]], ring[ear[2]] } }
+                                   : TriangleSurface::TriangleType{ { ring[ear[0]], ring[ear[2]], ring[ear[1]] } });
       }
     }
   }
@@ -1077,11 +1247,25 @@ DentalPhantomModel::RayThroughTooth(unsigned int      jaw,
     return length;
   }
   const double     half = std::sqrt(radius * radius - squared);
-  constexpr double step = 0.4;
-  for (double t = along - half + 0.5 * step; t < along + half; t += step)
+  constexpr double step = 0.5;
+  const double     begin = along - half + 0.5 * step;
+  const PointType  a = body.ToLocal({ { origin[0] + begin * direction[0],
+                                        origin[1] + begin * direction[1],
+                                        flip * (origin[2] + begin * direction[2]) } });
+  PointType        d{};
+  for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const PointType local = body.ToLocal(
-      { { origin[0] + t * direction[0], origin[1] + t * direction[1], flip * (origin[2] + t * direction[2]) } });
+    d[axis] =
+      body.axes[axis][0] * direction[0] + body.axes[axis][1] * direction[1] + body.axes[axis][2] * flip * direction[2];
+  }
+  for (double t = 0.0; t < 2.0 * half; t += step)
+  {
+    const PointType local = { { a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2] } };
+    if (local[2] > body.height + 1.0 || local[2] < -body.rootLength - 1.0 ||
+        std::abs(local[0]) > 0.5 * body.width + 1.0 || std::abs(local[1]) > 0.55 * body.depth + 1.0)
+    {
+      continue;
+    }
     const double f = body.Evaluate(local, true);
     // A soft step of the sampling width instead of a count of samples.
     length[local[2] > 0.0 ? 0 : 1] += step * Clamp(0.5 - f / step, 0.0, 1.0);

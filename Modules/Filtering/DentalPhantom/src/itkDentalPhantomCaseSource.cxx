@@ -1,0 +1,514 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDentalPhantomCaseSource.h"
+
+#include "itkDentalPhantomModel.h"
+#include "itkDentalPhantomRadiograph.h"
+#include "itkDentalPhantomTracer.h"
+#include "itkMakeTriangleSurface.h"
+#include "itkReproducibleRandom.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+constexpr double Degree = 0.017453292519943295;
+
+enum Output : unsigned int
+{
+  MeshOutput = 0,
+  TracingOutput = 2,
+  TrueTracingOutput = 4,
+  Landmarks3DOutput = 6,
+  Landmarks2DOutput = 8,
+  TrueGeometryOutput = 10,
+  NominalGeometryOutput = 12,
+  RadiographOutput = 13,
+  NumberOfOutputs = 14
+};
+
+using RotationType = CephalometricGeometry::RotationType;
+using VectorType = CephalometricGeometry::VectorType;
+
+/** yaw about z after roll about x after pitch about y. */
+RotationType
+HeadRotation(double yaw, double roll, double pitch)
+{
+  const auto about = [](unsigned int axis, double angle) {
+    RotationType rotation;
+    rotation.SetIdentity();
+    const unsigned int i = (axis + 1) % 3;
+    const unsigned int j = (axis + 2) % 3;
+    rotation(i, i) = std::cos(angle);
+    rotation(i, j) = -std::sin(angle);
+    rotation(j, i) = std::sin(angle);
+    rotation(j, j) = std::cos(angle);
+    return rotation;
+  };
+  return about(2, yaw) * about(0, roll) * about(1, pitch);
+}
+
+double
+Round(double value, double stepsPerUnit)
+{
+  return std::nearbyint(value * stepsPerUnit) / stepsPerUnit;
+}
+
+void
+FillContour(DentalContour * contour, const std::vector<DentalPhantomTracer::Polyline> & lines)
+{
+  contour->Initialize();
+  for (const auto & line : lines)
+  {
+    std::vector<DentalContour::PointType> points;
+    for (const auto & p : line.points)
+    {
+      points.emplace_back(p.data());
+    }
+    contour->AddPolyline(points, ToothCode(line.fdi));
+  }
+}
+} // namespace
+
+DentalPhantomCaseSource::DentalPhantomCaseSource()
+{
+  m_ImageSize[0] = 703;
+  m_ImageSize[1] = 938;
+  this->SetNumberOfRequiredOutputs(NumberOfOutputs);
+  for (DataObjectPointerArraySizeType index = 0; index < NumberOfOutputs; ++index)
+  {
+    this->SetNthOutput(index, this->MakeOutput(index));
+  }
+}
+
+auto
+DentalPhantomCaseSource::MakeOutput(DataObjectPointerArraySizeType index) -> DataObjectPointer
+{
+  if (index < TracingOutput)
+  {
+    return MeshType::New().GetPointer();
+  }
+  if (index < Landmarks3DOutput)
+  {
+    return DentalContour::New().GetPointer();
+  }
+  if (index < Landmarks2DOutput)
+  {
+    return Landmarks3DType::New().GetPointer();
+  }
+  if (index < TrueGeometryOutput)
+  {
+    return Landmarks2DType::New().GetPointer();
+  }
+  if (index < RadiographOutput)
+  {
+    return GeometryType::New().GetPointer();
+  }
+  return ImageType::New().GetPointer();
+}
+
+auto
+DentalPhantomCaseSource::GetMesh(unsigned int jaw) -> MeshType *
+{
+  return static_cast<MeshType *>(this->GetOutput(MeshOutput + jaw));
+}
+
+DentalContour *
+DentalPhantomCaseSource::GetTracing(unsigned int jaw)
+{
+  return static_cast<DentalContour *>(this->GetOutput(TracingOutput + jaw));
+}
+
+const DentalContour *
+DentalPhantomCaseSource::GetTrueTracing(unsigned int jaw)
+{
+  return static_cast<DentalContour *>(this->GetOutput(TrueTracingOutput + jaw));
+}
+
+auto
+DentalPhantomCaseSource::GetLandmarks3D(unsigned int jaw) -> Landmarks3DType *
+{
+  return static_cast<Landmarks3DType *>(this->GetOutput(Landmarks3DOutput + jaw));
+}
+
+auto
+DentalPhantomCaseSource::GetLandmarks2D(unsigned int jaw) -> Landmarks2DType *
+{
+  return static_cast<Landmarks2DType *>(this->GetOutput(Landmarks2DOutput + jaw));
+}
+
+auto
+DentalPhantomCaseSource::GetTrueGeometry(unsigned int jaw) -> GeometryType *
+{
+  return static_cast<GeometryType *>(this->GetOutput(TrueGeometryOutput + jaw));
+}
+
+auto
+DentalPhantomCaseSource::GetNominalGeometry() -> GeometryType *
+{
+  return static_cast<GeometryType *>(this->GetOutput(NominalGeometryOutput));
+}
+
+auto
+DentalPhantomCaseSource::GetRadiograph() -> ImageType *
+{
+  return static_cast<ImageType *>(this->GetOutput(RadiographOutput));
+}
+
+void
+DentalPhantomCaseSource::GenerateData()
+{
+  // A stream a subject: a draw more in one does not move the others.
+  ReproducibleRandom head(m_Seed, 101);
+  ReproducibleRandom machine(m_Seed, 102);
+  ReproducibleRandom teeth(m_Seed, 103);
+  ReproducibleRandom hand(m_Seed, 104);
+
+  const bool ideal = m_Cohort == CohortEnum::Ideal;
+  const bool hard = m_Cohort == CohortEnum::Hard;
+  const bool traceLeft = m_TracedSide == TracedSideEnum::Left;
+
+  // The dentition.
+  ParametersType::Variation variation;
+  variation.rotationDegrees = hard ? 9.0 : 5.0;
+  m_Parameters = ParametersType::Draw(m_Seed, variation);
+  m_Parameters.frame = m_Frame;
+  m_Parameters.numberOfTriangles = m_NumberOfTriangles;
+  m_Parameters.stoneBase = m_StoneBase;
+  const bool         lacks = teeth.Uniform() < 0.5;
+  const unsigned int lackingJaw = teeth.Integer(2);
+  const unsigned int lackingTooth = 1 + teeth.Integer(5);
+  if (hard && lacks)
+  {
+    m_Parameters.jaws[lackingJaw].teeth[(traceLeft ? 0 : 7) + lackingTooth].missing = true;
+  }
+
+  // The jaws.
+  const unsigned int threads = this->GetNumberOfWorkUnits();
+  auto               meshSource = MeshSourceType::New();
+  meshSource->SetParameters(m_Parameters);
+  meshSource->SetNumberOfWorkUnits(threads);
+  meshSource->Update();
+  this->UpdateProgress(0.5f);
+  if (this->GetAbortGenerateData())
+  {
+    throw ProcessAborted(__FILE__, __LINE__);
+  }
+  TriangleSurface               surfaces[2];
+  std::vector<std::uint8_t>     labels[2];
+  DentalPhantomModel::PointType middle{};
+  std::size_t                   crownPoints = 0;
+  ParametersType::RigidMotion   frames[2];
+  for (unsigned int jaw = 0; jaw < 2; ++jaw)
+  {
+    MeshType * mesh = jaw == 0 ? meshSource->GetUpperOutput() : meshSource->GetLowerOutput();
+    surfaces[jaw] = MakeTriangleSurface<MeshType>(mesh);
+    frames[jaw] = m_Parameters.ComputeFrame(jaw);
+    for (auto it = mesh->GetPointData()->Begin(); it != mesh->GetPointData()->End(); ++it)
+    {
+      labels[jaw].push_back(static_cast<std::uint8_t>(it.Value()));
+    }
+    for (std::size_t i = 0; i < labels[jaw].size(); ++i)
+    {
+      if (labels[jaw][i] != 0)
+      {
+        const auto p = frames[jaw].ApplyInverse(surfaces[jaw].points[i]);
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          middle[d] += p[d];
+        }
+        ++crownPoints;
+      }
+    }
+    this->GetMesh(jaw)->Graft(mesh);
+    Landmarks3DType * landmarks = this->GetLandmarks3D(jaw);
+    landmarks->Initialize();
+    for (const auto & landmark :
+         (jaw == 0 ? meshSource->GetUpperLandmarks() : meshSource->GetLowerLandmarks())->GetLandmarks())
+    {
+      landmarks->AddLandmark(landmark.name, landmark.point);
+    }
+  }
+  for (double & value : middle)
+  {
+    value /= std::max<double>(1.0, static_cast<double>(crownPoints));
+  }
+
+  // Head and machine.
+  const double turn = ideal ? 0.0 : hard ? 3.0 : 1.5;
+  m_Yaw = turn * Degree * head.Normal();
+  m_Roll = turn * Degree * head.Normal();
+  m_Pitch = head.Normal(8.0, 5.0) * Degree;
+  const double     anterior = head.Uniform(66.0, 80.0);
+  const double     down = head.Uniform(36.0, 50.0);
+  constexpr double distances[3] = { 1500.0, 1524.0, 1650.0 };
+  const double     drawnDistance = distances[machine.Integer(3)];
+  const double     gap = Round(machine.Uniform(110.0, 190.0), 100.0);
+  const double     trueDistance = ideal ? 1524.0 : drawnDistance;
+  const double     facingSign = m_Facing == GeometryType::FacingEnum::Right ? 1.0 : -1.0;
+
+  GeometryType::PixelSpacingType spacing;
+  spacing.Fill(Round(machine.Uniform(0.24, 0.26), 1e4));
+  GeometryType::PixelIndexType principal;
+  const double                 earU = machine.Uniform(168.0, 192.0) / 703.0;
+  const double                 earV = machine.Uniform(405.0, 440.0) / 938.0;
+  const double                 teethU = machine.Uniform(490.0, 520.0) / 703.0;
+  const double                 teethV = machine.Uniform(585.0, 625.0) / 938.0;
+  principal[0] = Round(static_cast<double>(m_ImageSize[0]) * (ideal ? teethU : earU), 100.0);
+  principal[1] = Round(static_cast<double>(m_ImageSize[1]) * (ideal ? teethV : earV), 100.0);
+  if (facingSign < 0.0)
+  {
+    principal[0] = static_cast<double>(m_ImageSize[0]) - 1.0 - principal[0];
+  }
+
+  // The head turns about the ear rods; pitch about the teeth keeps them in the picture.
+  const RotationType rotation = HeadRotation(m_Yaw, m_Roll, m_Pitch);
+  VectorType         place;
+  place[0] = ideal ? 0.0 : anterior;
+  place[1] = 0.0;
+  place[2] = ideal ? 0.0 : -down;
+  place = HeadRotation(m_Yaw, m_Roll, 0.0) * place;
+
+  const auto setMachine = [&](GeometryType * geometry, double source, double detector) {
+    geometry->SetSourceToMidsagittalDistance(source);
+    geometry->SetSourceToDetectorDistance(detector);
+    geometry->SetSourceSide(m_SourceSide);
+    geometry->SetFacing(m_Facing);
+    geometry->SetPrincipalPoint(principal);
+    geometry->SetPixelSpacing(spacing);
+    geometry->SetPoseToIdentity();
+  };
+  setMachine(this->GetNominalGeometry(), 1524.0, ideal ? trueDistance + gap : 1674.0);
+  VectorType middleVector(middle.data());
+  // From the anatomical frame, for the radiograph.
+  auto anatomical = GeometryType::New();
+  setMachine(anatomical, trueDistance, trueDistance + gap);
+  anatomical->SetPose(rotation, place - rotation * middleVector);
+  for (unsigned int jaw = 0; jaw < 2; ++jaw)
+  {
+    // c = R (F^-1 q - middle) + place
+    RotationType frame;
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      for (unsigned int column = 0; column < 3; ++column)
+      {
+        frame(row, column) = frames[jaw].rotation[3 * row + column];
+      }
+    }
+    const RotationType toHead = rotation * RotationType(frame.GetTranspose());
+    setMachine(this->GetTrueGeometry(jaw), trueDistance, trueDistance + gap);
+    this->GetTrueGeometry(jaw)->SetPose(
+      toHead, place - rotation * middleVector - toHead * VectorType(frames[jaw].translation.data()));
+  }
+
+  // The tracing.
+  m_CorrelatedNoise = ideal ? 0.0 : hard ? 2.2 : 1.2;
+  m_WhiteNoise = ideal ? 0.0 : hard ? 1.0 : 0.5;
+  m_CorrelationLength = hand.Uniform(10.0, 20.0);
+  const double               pixelSize = spacing[0] * trueDistance / (trueDistance + gap);
+  const DentalPhantomModel & model = *meshSource->GetModel();
+  for (unsigned int jaw = 0; jaw < 2; ++jaw)
+  {
+    const GeometryType * geometry = this->GetTrueGeometry(jaw);
+    const unsigned int   right = jaw == 0 ? 1 : 4;
+    const unsigned int   left = jaw == 0 ? 2 : 3;
+    std::vector<bool>    use;
+    if (m_BuccalOutline)
+    {
+      for (std::size_t i = 0; i < labels[jaw].size(); ++i)
+      {
+        const std::uint8_t label = labels[jaw][i];
+        const unsigned int position = label % 10;
+        bool               buccal = true;
+        if (position > 3)
+        {
+          const unsigned int tooth = (label / 10 == right ? 0 : 7) + position - 1;
+          const auto local = model.TransformToTooth(jaw, tooth, frames[jaw].ApplyInverse(surfaces[jaw].points[i]));
+          buccal = local[1] > 0.15 * m_Parameters.jaws[jaw].teeth[tooth].buccolingual;
+        }
+        use.push_back(buccal);
+      }
+    }
+    const auto trace = [&](unsigned int quadrant) {
+      return DentalPhantomTracer::TraceSide(surfaces[jaw],
+                                            labels[jaw],
+                                            use,
+                                            geometry->GetProjection(),
+                                            jaw,
+                                            quadrant,
+                                            facingSign > 0.0 ? 1 : -1,
+                                            pixelSize);
+    };
+    std::vector<std::vector<DentalPhantomTracer::Polyline>> drawn;
+    switch (m_TracedSide)
+    {
+      case TracedSideEnum::Right:
+        drawn = { trace(right) };
+        break;
+      case TracedSideEnum::Left:
+        drawn = { trace(left) };
+        break;
+      case TracedSideEnum::Mean:
+        drawn = { DentalPhantomTracer::Bisect(trace(right), trace(left)) };
+        break;
+      default:
+        drawn = { trace(right), trace(left) };
+        break;
+    }
+    const bool                                 skips = hand.Uniform() < 0.5;
+    const unsigned int                         skipped = 2 + hand.Integer(5);
+    std::vector<DentalPhantomTracer::Polyline> exact;
+    std::vector<DentalPhantomTracer::Polyline> noisy;
+    for (std::size_t k = 0; k < drawn.size(); ++k)
+    {
+      auto & lines = drawn[k];
+      if (hard && skips && k == 0)
+      {
+        lines.erase(std::remove_if(
+                      lines.begin(), lines.end(), [skipped](const auto & line) { return line.fdi % 10u == skipped; }),
+                    lines.end());
+      }
+      lines = DentalPhantomTracer::Resample(lines, jaw == 0 ? m_UpperNumberOfPoints : m_LowerNumberOfPoints);
+      for (auto & line : lines)
+      {
+        const bool front = hand.Uniform() < 0.5;
+        const long drop =
+          std::min(static_cast<long>(std::lround(m_DropOutFraction * static_cast<double>(line.points.size()))),
+                   static_cast<long>(line.points.size()) - 2);
+        if (drop > 0 && front)
+        {
+          line.points.erase(line.points.begin(), line.points.begin() + drop);
+        }
+        else if (drop > 0)
+        {
+          line.points.erase(line.points.end() - drop, line.points.end());
+        }
+      }
+      exact.insert(exact.end(), lines.begin(), lines.end());
+      DentalPhantomTracer::Noise noise;
+      noise.correlated = m_CorrelatedNoise;
+      noise.white = m_WhiteNoise;
+      noise.correlationLength = m_CorrelationLength;
+      noise.toothShift = 1.2 * m_ToothBias;
+      noise.toothRotation = 2.0 * Degree * m_ToothBias;
+      noise.toothScale = 0.03 * m_ToothBias;
+      DentalPhantomTracer::AddNoise(lines, noise, m_Seed, 200 + 2 * jaw + k);
+      noisy.insert(noisy.end(), lines.begin(), lines.end());
+    }
+    FillContour(static_cast<DentalContour *>(this->GetOutput(TrueTracingOutput + jaw)), exact);
+    FillContour(this->GetTracing(jaw), noisy);
+
+    Landmarks2DType * projected = this->GetLandmarks2D(jaw);
+    projected->Initialize();
+    const bool both = m_TracedSide == TracedSideEnum::Mean || m_TracedSide == TracedSideEnum::Both;
+    for (const auto & landmark : this->GetLandmarks3D(jaw)->GetLandmarks())
+    {
+      if (both || landmark.tooth.IsLeft() == traceLeft)
+      {
+        const auto pixel = geometry->ProjectPoint(landmark.point);
+        projected->AddLandmark(landmark.name, Landmarks2DType::PointType(pixel.GetDataPointer()));
+      }
+    }
+  }
+  this->UpdateProgress(0.7f);
+
+  ImageType * image = this->GetRadiograph();
+  image->Initialize();
+  if (m_MakeRadiograph)
+  {
+    const auto grey = DentalPhantomRadiograph::Render(
+      model,
+      anatomical->GetProjection(),
+      facingSign > 0.0 ? 1 : -1,
+      { { principal[0], principal[1] } },
+      pixelSize,
+      { { static_cast<unsigned int>(m_ImageSize[0]), static_cast<unsigned int>(m_ImageSize[1]) } },
+      m_Seed,
+      threads);
+    image->SetRegions(m_ImageSize);
+    ImageType::SpacingType imageSpacing;
+    imageSpacing[0] = spacing[0];
+    imageSpacing[1] = spacing[1];
+    image->SetSpacing(imageSpacing);
+    image->Allocate();
+    std::copy(grey.begin(), grey.end(), image->GetBufferPointer());
+  }
+}
+
+void
+DentalPhantomCaseSource::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Seed: " << m_Seed << std::endl;
+  os << indent << "Cohort: " << m_Cohort << std::endl;
+  os << indent << "TracedSide: " << m_TracedSide << std::endl;
+  os << indent << "BuccalOutline: " << m_BuccalOutline << std::endl;
+  os << indent << "ToothBias: " << m_ToothBias << std::endl;
+  os << indent << "DropOutFraction: " << m_DropOutFraction << std::endl;
+  os << indent << "UpperNumberOfPoints: " << m_UpperNumberOfPoints << std::endl;
+  os << indent << "LowerNumberOfPoints: " << m_LowerNumberOfPoints << std::endl;
+  os << indent << "Facing: " << m_Facing << std::endl;
+  os << indent << "SourceSide: " << m_SourceSide << std::endl;
+  os << indent << "Frame: " << m_Frame << std::endl;
+  os << indent << "StoneBase: " << m_StoneBase << std::endl;
+  os << indent << "NumberOfTriangles: " << m_NumberOfTriangles << std::endl;
+  os << indent << "ImageSize: " << m_ImageSize << std::endl;
+  os << indent << "MakeRadiograph: " << m_MakeRadiograph << std::endl;
+  os << indent << "Yaw: " << m_Yaw << std::endl;
+  os << indent << "Roll: " << m_Roll << std::endl;
+  os << indent << "Pitch: " << m_Pitch << std::endl;
+  os << indent << "CorrelatedNoise: " << m_CorrelatedNoise << std::endl;
+  os << indent << "WhiteNoise: " << m_WhiteNoise << std::endl;
+  os << indent << "CorrelationLength: " << m_CorrelationLength << std::endl;
+  os << indent << "Parameters:" << std::endl;
+  m_Parameters.Print(os, indent.GetNextIndent());
+}
+
+std::ostream &
+operator<<(std::ostream & os, DentalPhantomCaseSource::CohortEnum cohort)
+{
+  switch (cohort)
+  {
+    case DentalPhantomCaseSource::CohortEnum::Ideal:
+      return os << "ideal";
+    case DentalPhantomCaseSource::CohortEnum::Typical:
+      return os << "typical";
+    default:
+      return os << "hard";
+  }
+}
+
+std::ostream &
+operator<<(std::ostream & os, DentalPhantomCaseSource::TracedSideEnum side)
+{
+  switch (side)
+  {
+    case DentalPhantomCaseSource::TracedSideEnum::Right:
+      return os << "right";
+    case DentalPhantomCaseSource::TracedSideEnum::Left:
+      return os << "left";
+    case DentalPhantomCaseSource::TracedSideEnum::Mean:
+      return os << "mean";
+    default:
+      return os << "both";
+  }
+}
+} // namespace itk
