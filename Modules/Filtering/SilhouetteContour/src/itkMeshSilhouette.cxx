@@ -32,8 +32,13 @@ namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
 
-/** Edges a cluster. */
-constexpr std::size_t ClusterSize = 32;
+/** Edges a block, blocks a cluster. */
+constexpr std::size_t BlockSize = 8;
+constexpr std::size_t ClusterBlocks = 4;
+constexpr std::size_t ClusterSize = BlockSize * ClusterBlocks;
+
+/** Planes are kept in 16 bits. */
+constexpr double PlaneUnit = 32767.0;
 
 /** Coordinates have this many bits: differences then have 29, cross products 59, and products of two of those fit in
  * 128. */
@@ -141,9 +146,23 @@ Orientation(const GridPoint & a, const GridPoint & b, const GridPoint & c)
 /** A projected edge. */
 struct Segment
 {
-  GridPoint     p;
-  GridPoint     q;
-  std::uint32_t edge;
+  std::int32_t  px;
+  std::int32_t  py;
+  std::int32_t  qx;
+  std::int32_t  qy;
+  std::uint32_t a;
+  std::uint32_t b;
+
+  GridPoint
+  P() const
+  {
+    return { px, py };
+  }
+  GridPoint
+  Q() const
+  {
+    return { qx, qy };
+  }
 };
 
 /** Where another segment touches one: its position on both. */
@@ -172,10 +191,11 @@ public:
     , m_Spans(m_Segments.size(), Span{ None, 0 })
     , m_Stamps(m_Segments.size(), 0)
   {
+    m_Events.reserve(4 * m_Segments.size());
     this->BuildGrid();
   }
 
-  /** The outer boundaries of the connected parts; component names the part of the mesh that a segment belongs to. */
+  /** The outer boundaries of the connected parts; componentOf names the part of the mesh that a point belongs to. */
   template <typename TComponent>
   std::vector<std::vector<Stretch>>
   WalkOuterBoundaries(std::size_t components, const TComponent & componentOf)
@@ -185,11 +205,11 @@ public:
     std::vector<std::uint32_t> first(components, None);
     const auto                 lowEnd = [this](std::uint32_t s) {
       const Segment & segment = m_Segments[s];
-      return Less(segment.p, segment.q) ? segment.p : segment.q;
+      return Less(segment.P(), segment.Q()) ? segment.P() : segment.Q();
     };
     for (std::uint32_t s = 0; s < m_Segments.size(); ++s)
     {
-      std::uint32_t & best = first[componentOf(m_Segments[s].edge)];
+      std::uint32_t & best = first[componentOf(m_Segments[s].a)];
       if (best == None || Less(lowEnd(s), lowEnd(best)))
       {
         best = s;
@@ -210,7 +230,7 @@ public:
     std::vector<LoopLocation> locations;
     for (const std::uint32_t start : starts)
     {
-      if (touched[componentOf(m_Segments[start].edge)])
+      if (touched[componentOf(m_Segments[start].a)])
       {
         continue;
       }
@@ -230,7 +250,7 @@ public:
       {
         for (const std::uint32_t s : met)
         {
-          touched[componentOf(m_Segments[s].edge)] = true;
+          touched[componentOf(m_Segments[s].a)] = true;
         }
         locations.push_back(this->Locate(loops.back()));
       }
@@ -272,14 +292,14 @@ private:
     {
       return;
     }
-    GridPoint low = m_Segments[0].p;
+    GridPoint low = m_Segments[0].P();
     GridPoint high = low;
     for (const Segment & segment : m_Segments)
     {
-      low.x = std::min({ low.x, segment.p.x, segment.q.x });
-      low.y = std::min({ low.y, segment.p.y, segment.q.y });
-      high.x = std::max({ high.x, segment.p.x, segment.q.x });
-      high.y = std::max({ high.y, segment.p.y, segment.q.y });
+      low.x = std::min<std::int64_t>(low.x, std::min(segment.px, segment.qx));
+      low.y = std::min<std::int64_t>(low.y, std::min(segment.py, segment.qy));
+      high.x = std::max<std::int64_t>(high.x, std::max(segment.px, segment.qx));
+      high.y = std::max<std::int64_t>(high.y, std::max(segment.py, segment.qy));
     }
     m_Low = low;
     const auto          width = static_cast<std::uint64_t>(high.x - low.x);
@@ -314,8 +334,8 @@ private:
   void
   ForEachCell(const Segment & segment, TVisit && visit) const
   {
-    const GridPoint    a = segment.p - m_Low;
-    const GridPoint    b = segment.q - m_Low;
+    const GridPoint    a = segment.P() - m_Low;
+    const GridPoint    b = segment.Q() - m_Low;
     const std::int64_t x0 = std::min(a.x, b.x);
     const std::int64_t x1 = std::max(a.x, b.x);
     const std::int64_t j0 = std::min(a.y, b.y) >> m_Shift;
@@ -359,15 +379,15 @@ private:
     }
     const auto      begin = static_cast<std::uint32_t>(m_Events.size());
     const Segment & a = m_Segments[s];
-    const GridPoint d = a.q - a.p;
+    const GridPoint d = a.Q() - a.P();
     m_Events.push_back({ 0.0, { 0, 1 }, { 0, 1 }, s });
     m_Events.push_back({ 1.0, { 1, 1 }, { 1, 1 }, s });
     ++m_Stamp;
     m_Stamps[s] = m_Stamp;
-    const std::int64_t lowX = std::min(a.p.x, a.q.x);
-    const std::int64_t highX = std::max(a.p.x, a.q.x);
-    const std::int64_t lowY = std::min(a.p.y, a.q.y);
-    const std::int64_t highY = std::max(a.p.y, a.q.y);
+    const std::int32_t lowX = std::min(a.px, a.qx);
+    const std::int32_t highX = std::max(a.px, a.qx);
+    const std::int32_t lowY = std::min(a.py, a.qy);
+    const std::int32_t highY = std::max(a.py, a.qy);
     this->ForEachCell(a, [&](std::size_t cell) {
       for (std::uint32_t k = m_CellStarts[cell]; k < m_CellStarts[cell + 1]; ++k)
       {
@@ -378,25 +398,25 @@ private:
         }
         m_Stamps[r] = m_Stamp;
         const Segment & b = m_Segments[r];
-        if (std::max(b.p.x, b.q.x) < lowX || std::min(b.p.x, b.q.x) > highX || std::max(b.p.y, b.q.y) < lowY ||
-            std::min(b.p.y, b.q.y) > highY)
+        if (std::max(b.px, b.qx) < lowX || std::min(b.px, b.qx) > highX || std::max(b.py, b.qy) < lowY ||
+            std::min(b.py, b.qy) > highY)
         {
           continue;
         }
-        const std::int64_t side0 = Cross(d, b.p - a.p);
-        const std::int64_t side1 = Cross(d, b.q - a.p);
+        const std::int64_t side0 = Cross(d, b.P() - a.P());
+        const std::int64_t side1 = Cross(d, b.Q() - a.P());
         if ((side0 > 0 && side1 > 0) || (side0 < 0 && side1 < 0))
         {
           continue;
         }
-        const GridPoint e = b.q - b.p;
+        const GridPoint e = b.Q() - b.P();
         if (side0 == 0 && side1 == 0)
         {
           this->AddOverlap(a, b, d, e, r);
           continue;
         }
-        const std::int64_t side2 = Cross(e, a.p - b.p);
-        const std::int64_t side3 = Cross(e, a.q - b.p);
+        const std::int64_t side2 = Cross(e, a.P() - b.P());
+        const std::int64_t side3 = Cross(e, a.Q() - b.P());
         if ((side2 > 0 && side3 > 0) || (side2 < 0 && side3 < 0))
         {
           continue;
@@ -425,18 +445,18 @@ private:
     const std::int64_t lengthA = Dot(d, d);
     const std::int64_t lengthB = Dot(e, e);
     const auto         addIfShared = [&](const GridPoint & point) {
-      const std::int64_t onA = Dot(point - a.p, d);
-      const std::int64_t onB = Dot(point - b.p, e);
+      const std::int64_t onA = Dot(point - a.P(), d);
+      const std::int64_t onB = Dot(point - b.P(), e);
       if (onA >= 0 && onA <= lengthA && onB >= 0 && onB <= lengthB)
       {
         const Fraction here{ onA, lengthA };
         m_Events.push_back({ here.Value(), here, { onB, lengthB }, r });
       }
     };
-    addIfShared(b.p);
-    addIfShared(b.q);
-    addIfShared(a.p);
-    addIfShared(a.q);
+    addIfShared(b.P());
+    addIfShared(b.Q());
+    addIfShared(a.P());
+    addIfShared(a.Q());
   }
 
   /** How far direction d is turned counter-clockwise from b: 0 up to a half turn, 1 half a turn, 2 more, 3 a full turn.
@@ -455,8 +475,8 @@ private:
   bool
   IsAt(const Segment & segment, const Fraction & t, const GridPoint & point) const
   {
-    const GridPoint d = segment.q - segment.p;
-    const GridPoint w = point - segment.p;
+    const GridPoint d = segment.Q() - segment.P();
+    const GridPoint w = point - segment.P();
     return CompareSignedProducts(w.x, t.den, t.num, d.x) == 0 && CompareSignedProducts(w.y, t.den, t.num, d.y) == 0;
   }
 
@@ -466,8 +486,8 @@ private:
   Walk(std::uint32_t start, std::vector<std::uint32_t> * met)
   {
     std::vector<Stretch> loop;
-    const bool           startsAtP = Less(m_Segments[start].p, m_Segments[start].q);
-    const GridPoint      origin = startsAtP ? m_Segments[start].p : m_Segments[start].q;
+    const bool           startsAtP = Less(m_Segments[start].P(), m_Segments[start].Q());
+    const GridPoint      origin = startsAtP ? m_Segments[start].P() : m_Segments[start].Q();
     // Arrival: as if from the left, where nothing is.
     std::uint32_t s = start;
     GridPoint     back{ -1, 0 };
@@ -496,7 +516,7 @@ private:
       GridPoint     nextDirection{ 0, 0 };
       int           nextClass = 4;
       const auto    consider = [&](std::uint32_t r, const Fraction & t) {
-        const GridPoint d = m_Segments[r].q - m_Segments[r].p;
+        const GridPoint d = m_Segments[r].Q() - m_Segments[r].P();
         for (const bool ahead : { true, false })
         {
           if (ahead ? t.num == t.den : t.num == 0)
@@ -585,8 +605,8 @@ private:
     {
       const Segment & segment = m_Segments[stretch.segment];
       const double    t = stretch.from.Value();
-      const double    x = static_cast<double>(segment.p.x) + t * static_cast<double>(segment.q.x - segment.p.x);
-      const double    y = static_cast<double>(segment.p.y) + t * static_cast<double>(segment.q.y - segment.p.y);
+      const double    x = static_cast<double>(segment.px) + t * static_cast<double>(segment.qx - segment.px);
+      const double    y = static_cast<double>(segment.py) + t * static_cast<double>(segment.qy - segment.py);
       location.y.push_back(y);
       location.low[0] = std::min(location.low[0], x - 1.0);
       location.low[1] = std::min(location.low[1], y - 1.0);
@@ -606,8 +626,7 @@ private:
     }
     const Segment & segment = m_Segments[stretch.segment];
     // p.y + num / den dy > height
-    return CompareSignedProducts(stretch.from.num, segment.q.y - segment.p.y, height - segment.p.y, stretch.from.den) >
-           0;
+    return CompareSignedProducts(stretch.from.num, segment.qy - segment.py, height - segment.py, stretch.from.den) > 0;
   }
 
   /** Whether a point that is not on the loop is inside it. */
@@ -630,8 +649,8 @@ private:
       if (above != wasAbove)
       {
         const Segment & segment = m_Segments[loop[previous].segment];
-        const bool      upward = segment.q.y > segment.p.y;
-        const auto      side = Orientation(segment.p, segment.q, point);
+        const bool      upward = segment.qy > segment.py;
+        const auto      side = Orientation(segment.P(), segment.Q(), point);
         if (upward ? side > 0 : side < 0)
         {
           inside = !inside;
@@ -745,14 +764,14 @@ public:
     return !(left && right);
   }
 
-  std::vector<std::uint32_t>
+  std::vector<EdgeRecord>
   FindCandidates(const PerspectiveProjection & projection, const Grid & grid) const;
 
-  std::vector<Vector3>    points;
-  std::vector<EdgeRecord> edges;
-  std::size_t             boundaryEdges{ 0 };
-  std::size_t             nonManifoldEdges{ 0 };
-  std::size_t             components{ 0 };
+  std::vector<Vector3> points;
+  std::size_t          edges{ 0 };
+  std::size_t          boundaryEdges{ 0 };
+  std::size_t          nonManifoldEdges{ 0 };
+  std::size_t          components{ 0 };
   /** Component of each point; empty where there is one. */
   std::vector<std::uint32_t> componentOfPoint;
 
@@ -761,31 +780,40 @@ private:
   BuildEdges(const std::vector<TriangleSurface::TriangleType> & triangles);
   void
   BuildComponents(const std::vector<TriangleSurface::TriangleType> & triangles);
+  struct RegularEdge
+  {
+    EdgeRecord                   ends;
+    std::array<std::uint32_t, 2> opposites;
+  };
   void
-  BuildClusters(std::vector<std::pair<std::uint32_t, std::array<std::uint32_t, 2>>> regular);
+  BuildClusters(const std::vector<RegularEdge> & regular);
 
   /** Edges with one face. */
-  std::vector<std::uint32_t> m_Boundary;
+  std::vector<EdgeRecord> m_Boundary;
   /** Edges that are always tested exactly, and the third points of their faces. */
-  std::vector<std::uint32_t> m_Special;
+  std::vector<EdgeRecord>    m_Special;
   std::vector<std::uint32_t> m_SpecialStarts;
   std::vector<std::uint32_t> m_SpecialOpposites;
 
-  /** Edges of two good faces in clusters of similar faces, padded with copies of the last. A face is the plane
+  /** Edges of two good faces in blocks of similar faces, padded with edges from a point to itself. A face is the plane
    * n.x = d with a unit normal, relative to m_Center, taken along the edge for the first face and against it for the
-   * second, so that the edge is a silhouette where the source is on different sides. */
-  std::vector<std::uint32_t>                m_ClusterEdges;
-  std::vector<std::array<std::uint32_t, 2>> m_ClusterOpposites;
-  struct ClusterPlanes
+   * second, so that the edge is a silhouette where the source is on different sides. n is in units of 1 / PlaneUnit, d
+   * of m_Radius / PlaneUnit. */
+  std::vector<RegularEdge> m_Regular;
+  struct Block
   {
-    float n[2][3][ClusterSize];
-    float d[2][ClusterSize];
-    float ratio[ClusterSize];
-    float inverseArea[ClusterSize];
+    std::int16_t n[2][3][BlockSize];
+    std::int16_t d[2][BlockSize];
   };
-  std::vector<ClusterPlanes> m_Planes;
-  /** Of each cluster: mean plane, radii, largest ratio and inverse area. */
-  std::vector<float> m_Bounds[8];
+  std::vector<Block> m_Blocks;
+  /** Of a set of planes: mean, radii, largest ratio and inverse area (0 ... 7). */
+  static constexpr std::size_t NumberOfBounds = 8;
+  struct BlockBounds
+  {
+    float values[NumberOfBounds][ClusterBlocks];
+  };
+  std::vector<BlockBounds> m_BlockBounds;
+  std::vector<float>       m_ClusterBounds[NumberOfBounds];
 
   Vector3 m_Low{};
   Vector3 m_High{};
@@ -969,9 +997,8 @@ MeshSilhouette::Implementation::BuildEdges(const std::vector<TriangleSurface::Tr
       }
     }
   }
-  std::vector<std::pair<std::uint32_t, std::array<std::uint32_t, 2>>> regular;
+  std::vector<RegularEdge> regular;
   regular.reserve(halves.size() / 2);
-  edges.reserve(halves.size() / 2);
   m_SpecialStarts.push_back(0);
   const auto isGood = [this](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const Vector3 ab = Subtract(points[b], points[a]);
@@ -992,23 +1019,22 @@ MeshSilhouette::Implementation::BuildEdges(const std::vector<TriangleSurface::Tr
       {
         ++next;
       }
-      const auto          id = static_cast<std::uint32_t>(edges.size());
       const std::uint32_t b = group->other;
       const auto          faces = next - group;
-      edges.push_back({ a, b });
+      ++edges;
       if (faces == 1)
       {
-        m_Boundary.push_back(id);
+        m_Boundary.push_back({ a, b });
         ++boundaryEdges;
       }
       else if (faces == 2 && isGood(a, b, group->opposite) && isGood(b, a, group[1].opposite))
       {
-        regular.push_back({ id, { group->opposite, group[1].opposite } });
+        regular.push_back({ { a, b }, { group->opposite, group[1].opposite } });
       }
       else
       {
         nonManifoldEdges += faces > 2 ? 1 : 0;
-        m_Special.push_back(id);
+        m_Special.push_back({ a, b });
         for (; group != next; ++group)
         {
           m_SpecialOpposites.push_back(group->opposite);
@@ -1018,12 +1044,12 @@ MeshSilhouette::Implementation::BuildEdges(const std::vector<TriangleSurface::Tr
       group = next;
     }
   }
-  this->BuildClusters(std::move(regular));
+  halves = std::vector<Half>();
+  this->BuildClusters(regular);
 }
 
 void
-MeshSilhouette::Implementation::BuildClusters(
-  std::vector<std::pair<std::uint32_t, std::array<std::uint32_t, 2>>> regular)
+MeshSilhouette::Implementation::BuildClusters(const std::vector<RegularEdge> & regular)
 {
   struct Plane
   {
@@ -1047,9 +1073,9 @@ MeshSilhouette::Implementation::BuildClusters(
     plane.inverseArea = 1.0 / twiceArea;
     return plane;
   };
-  const auto planesOf = [&](const std::pair<std::uint32_t, std::array<std::uint32_t, 2>> & entry) {
-    const EdgeRecord & edge = edges[entry.first];
-    return std::array<Plane, 2>{ planeOf(edge.a, edge.b, entry.second[0]), planeOf(edge.b, edge.a, entry.second[1]) };
+  const auto planesOf = [&planeOf](const RegularEdge & edge) {
+    return std::array<Plane, 2>{ planeOf(edge.ends.a, edge.ends.b, edge.opposites[0]),
+                                 planeOf(edge.ends.b, edge.ends.a, edge.opposites[1]) };
   };
   // Sort along a Morton curve through the planes. The source is far away in comparison with the surface, so that
   // normals count more than distances.
@@ -1076,61 +1102,89 @@ MeshSilhouette::Implementation::BuildClusters(
   }
   std::sort(order.begin(), order.end());
 
+  // The mean plane of some, and how far the others are from it.
+  using BoundsType = std::array<float, NumberOfBounds>;
+  const auto boundsOf = [](const Plane * begin, const Plane * end) {
+    Vector3      n{ 0.0, 0.0, 0.0 };
+    double       d = 0.0;
+    const double weight = 1.0 / static_cast<double>(end - begin);
+    for (const Plane * plane = begin; plane != end; ++plane)
+    {
+      for (unsigned int k = 0; k < 3; ++k)
+      {
+        n[k] += weight * plane->n[k];
+      }
+      d += weight * plane->d;
+    }
+    double radiusN = 0.0;
+    double radiusD = 0.0;
+    double ratio = 0.0;
+    double inverseArea = 0.0;
+    for (const Plane * plane = begin; plane != end; ++plane)
+    {
+      radiusN = std::max(radiusN, Norm(Subtract(plane->n, n)));
+      radiusD = std::max(radiusD, std::abs(plane->d - d));
+      ratio = std::max(ratio, plane->ratio);
+      inverseArea = std::max(inverseArea, plane->inverseArea);
+    }
+    // Rounded up.
+    return BoundsType{ static_cast<float>(n[0]),
+                       static_cast<float>(n[1]),
+                       static_cast<float>(n[2]),
+                       static_cast<float>(d),
+                       static_cast<float>(1.000001 * radiusN),
+                       static_cast<float>(1.000001 * radiusD),
+                       static_cast<float>(1.000001 * ratio),
+                       static_cast<float>(1.000001 * inverseArea) };
+  };
+
   const std::size_t clusters = (regular.size() + ClusterSize - 1) / ClusterSize;
-  m_ClusterEdges.resize(clusters * ClusterSize);
-  m_ClusterOpposites.resize(clusters * ClusterSize);
-  m_Planes.resize(clusters);
-  for (std::vector<float> & bound : m_Bounds)
+  m_Regular.resize(clusters * ClusterSize);
+  m_Blocks.resize(clusters * ClusterBlocks);
+  m_BlockBounds.resize(clusters);
+  for (std::vector<float> & bound : m_ClusterBounds)
   {
     bound.resize(clusters);
   }
   for (std::size_t c = 0; c < clusters; ++c)
   {
-    const std::size_t    size = std::min(ClusterSize, regular.size() - c * ClusterSize);
-    std::array<Plane, 2> planes[ClusterSize];
-    Plane                mean{ { 0.0, 0.0, 0.0 }, 0.0, 0.0, 0.0 };
+    std::array<Plane, 2 * ClusterSize> planes;
     for (std::size_t i = 0; i < ClusterSize; ++i)
     {
-      const auto & entry = regular[order[c * ClusterSize + std::min(i, size - 1)].second];
-      planes[i] = planesOf(entry);
-      m_ClusterEdges[c * ClusterSize + i] = i < size ? entry.first : None;
-      m_ClusterOpposites[c * ClusterSize + i] = entry.second;
+      const std::size_t          at = c * ClusterSize + i;
+      const RegularEdge &        edge = regular[order[std::min(at, regular.size() - 1)].second];
+      const std::array<Plane, 2> pair = planesOf(edge);
+      m_Regular[at] = edge;
+      if (at >= regular.size())
+      {
+        m_Regular[at].ends.b = m_Regular[at].ends.a;
+      }
+      Block &           block = m_Blocks[at / BlockSize];
+      const std::size_t lane = at % BlockSize;
       for (unsigned int side = 0; side < 2; ++side)
       {
-        const Plane & plane = planes[i][side];
+        planes[2 * i + side] = pair[side];
         for (unsigned int k = 0; k < 3; ++k)
         {
-          mean.n[k] += plane.n[k] / (2.0 * ClusterSize);
-          m_Planes[c].n[side][k][i] = static_cast<float>(plane.n[k]);
+          block.n[side][k][lane] = static_cast<std::int16_t>(std::lround(PlaneUnit * pair[side].n[k]));
         }
-        mean.d += plane.d / (2.0 * ClusterSize);
-        m_Planes[c].d[side][i] = static_cast<float>(plane.d);
-        mean.ratio = std::max(mean.ratio, plane.ratio);
-        mean.inverseArea = std::max(mean.inverseArea, plane.inverseArea);
+        block.d[side][lane] = static_cast<std::int16_t>(std::lround(PlaneUnit * pair[side].d / m_Radius));
       }
-      m_Planes[c].ratio[i] = static_cast<float>(1.000001 * std::max(planes[i][0].ratio, planes[i][1].ratio));
-      m_Planes[c].inverseArea[i] =
-        static_cast<float>(1.000001 * std::max(planes[i][0].inverseArea, planes[i][1].inverseArea));
     }
-    double radiusN = 0.0;
-    double radiusD = 0.0;
-    for (const std::array<Plane, 2> & pair : planes)
+    const BoundsType whole = boundsOf(planes.data(), planes.data() + planes.size());
+    for (std::size_t k = 0; k < NumberOfBounds; ++k)
     {
-      for (const Plane & plane : pair)
+      m_ClusterBounds[k][c] = whole[k];
+    }
+    for (std::size_t block = 0; block < ClusterBlocks; ++block)
+    {
+      const Plane * const first = planes.data() + 2 * BlockSize * block;
+      const BoundsType    bounds = boundsOf(first, first + 2 * BlockSize);
+      for (std::size_t k = 0; k < NumberOfBounds; ++k)
       {
-        radiusN = std::max(radiusN, Norm(Subtract(plane.n, mean.n)));
-        radiusD = std::max(radiusD, std::abs(plane.d - mean.d));
+        m_BlockBounds[c].values[k][block] = bounds[k];
       }
     }
-    for (unsigned int k = 0; k < 3; ++k)
-    {
-      m_Bounds[k][c] = static_cast<float>(mean.n[k]);
-    }
-    m_Bounds[3][c] = static_cast<float>(mean.d);
-    m_Bounds[4][c] = static_cast<float>(1.000001 * radiusN);
-    m_Bounds[5][c] = static_cast<float>(1.000001 * radiusD);
-    m_Bounds[6][c] = static_cast<float>(1.000001 * mean.ratio);
-    m_Bounds[7][c] = static_cast<float>(1.000001 * mean.inverseArea);
   }
 }
 
@@ -1197,10 +1251,18 @@ MeshSilhouette::Implementation::MakeGrid(const PerspectiveProjection & projectio
         throw std::domain_error(message.str());
       }
     };
-    for (const EdgeRecord & edge : edges)
+    for (const std::vector<EdgeRecord> * list : { &m_Boundary, &m_Special })
     {
-      includeOrThrow(edge.a);
-      includeOrThrow(edge.b);
+      for (const EdgeRecord & edge : *list)
+      {
+        includeOrThrow(edge.a);
+        includeOrThrow(edge.b);
+      }
+    }
+    for (const RegularEdge & edge : m_Regular)
+    {
+      includeOrThrow(edge.ends.a);
+      includeOrThrow(edge.ends.b);
     }
     // No bound without the box: every edge is tested exactly.
     grid.magnification = std::numeric_limits<double>::infinity();
@@ -1215,20 +1277,21 @@ MeshSilhouette::Implementation::MakeGrid(const PerspectiveProjection & projectio
   return grid;
 }
 
-std::vector<std::uint32_t>
+auto
 MeshSilhouette::Implementation::FindCandidates(const PerspectiveProjection & projection, const Grid & grid) const
+  -> std::vector<EdgeRecord>
 {
-  std::vector<std::uint32_t> candidates(m_Boundary);
+  std::vector<EdgeRecord> candidates(m_Boundary);
   for (std::size_t i = 0; i < m_Special.size(); ++i)
   {
     const std::uint32_t * opposites = m_SpecialOpposites.data();
     if (this->IsCandidate(
-          projection, grid, edges[m_Special[i]], opposites + m_SpecialStarts[i], opposites + m_SpecialStarts[i + 1]))
+          projection, grid, m_Special[i], opposites + m_SpecialStarts[i], opposites + m_SpecialStarts[i + 1]))
     {
       candidates.push_back(m_Special[i]);
     }
   }
-  if (m_Planes.empty())
+  if (m_Blocks.empty())
   {
     return candidates;
   }
@@ -1261,61 +1324,66 @@ MeshSilhouette::Implementation::FindCandidates(const PerspectiveProjection & pro
   const auto sz = static_cast<float>(source[2]);
   const auto sourceDistance = static_cast<float>(1.000001 * distance);
 
-  const std::size_t         clusters = m_Planes.size();
+  // Whether a set of planes may have members on both sides of the source, or undecided ones. Also where a bound is
+  // infinite or not a number.
+  const auto isActive =
+    [=](float nx, float ny, float nz, float d, float radiusN, float radiusD, float ratio, float inverseArea) {
+      const float value = std::abs(nx * sx + ny * sy + nz * sz - d);
+      const float bound = radiusN * sourceDistance + radiusD + perRatio * ratio + perInverseArea * inverseArea + slack;
+      return !(value > bound);
+    };
+  const std::size_t         clusters = m_BlockBounds.size();
   std::vector<std::uint8_t> active(clusters);
   {
-    const float * const nx = m_Bounds[0].data();
-    const float * const ny = m_Bounds[1].data();
-    const float * const nz = m_Bounds[2].data();
-    const float * const d = m_Bounds[3].data();
-    const float * const radiusN = m_Bounds[4].data();
-    const float * const radiusD = m_Bounds[5].data();
-    const float * const ratio = m_Bounds[6].data();
-    const float * const inverseArea = m_Bounds[7].data();
+    const auto & b = m_ClusterBounds;
     for (std::size_t c = 0; c < clusters; ++c)
     {
-      const float value = std::abs(nx[c] * sx + ny[c] * sy + nz[c] * sz - d[c]);
-      const float bound =
-        radiusN[c] * sourceDistance + radiusD[c] + perRatio * ratio[c] + perInverseArea * inverseArea[c] + slack;
-      // Also active where a bound is infinite or not a number.
-      active[c] = value > bound ? 0 : 1;
+      active[c] = isActive(b[0][c], b[1][c], b[2][c], b[3][c], b[4][c], b[5][c], b[6][c], b[7][c]) ? 1 : 0;
     }
   }
+  // Sixteen bits lose half a unit of each of the four numbers.
+  const auto blockSlack = static_cast<float>(1.0 / PlaneUnit * (distance + m_Radius));
+  const auto unit = static_cast<float>(PlaneUnit);
+  const auto radius = static_cast<float>(m_Radius);
   for (std::size_t c = 0; c < clusters; ++c)
   {
     if (active[c] == 0)
     {
       continue;
     }
-    const ClusterPlanes & planes = m_Planes[c];
-    // 0 covered, 1 silhouette, 2 to be tested exactly
-    std::uint8_t verdict[ClusterSize];
-    for (std::size_t i = 0; i < ClusterSize; ++i)
+    const auto & b = m_BlockBounds[c].values;
+    for (std::size_t k = 0; k < ClusterBlocks; ++k)
     {
-      const float first = planes.n[0][0][i] * sx + planes.n[0][1][i] * sy + planes.n[0][2][i] * sz - planes.d[0][i];
-      const float second = planes.n[1][0][i] * sx + planes.n[1][1][i] * sy + planes.n[1][2][i] * sz - planes.d[1][i];
-      const float bound = perRatio * planes.ratio[i] + perInverseArea * planes.inverseArea[i] + slack;
-      const bool  certain = (std::abs(first) > bound) & (std::abs(second) > bound);
-      const bool  same = (first > 0.0f) == (second > 0.0f);
-      verdict[i] = certain ? (same ? 0 : 1) : 2;
-    }
-    for (std::size_t i = 0; i < ClusterSize; ++i)
-    {
-      if (verdict[i] == 0)
+      if (!isActive(b[0][k], b[1][k], b[2][k], b[3][k], b[4][k], b[5][k], b[6][k], b[7][k]))
       {
         continue;
       }
-      const std::size_t   at = c * ClusterSize + i;
-      const std::uint32_t edge = m_ClusterEdges[at];
-      if (edge == None)
+      const Block & block = m_Blocks[c * ClusterBlocks + k];
+      const float   bound = unit * (perRatio * b[6][k] + perInverseArea * b[7][k] + slack + blockSlack);
+      float         low[BlockSize];
+      float         high[BlockSize];
+      for (std::size_t i = 0; i < BlockSize; ++i)
       {
-        break;
+        const float first = static_cast<float>(block.n[0][0][i]) * sx + static_cast<float>(block.n[0][1][i]) * sy +
+                            static_cast<float>(block.n[0][2][i]) * sz - static_cast<float>(block.d[0][i]) * radius;
+        const float second = static_cast<float>(block.n[1][0][i]) * sx + static_cast<float>(block.n[1][1][i]) * sy +
+                             static_cast<float>(block.n[1][2][i]) * sz - static_cast<float>(block.d[1][i]) * radius;
+        low[i] = first < second ? first : second;
+        high[i] = first < second ? second : first;
       }
-      const auto & opposites = m_ClusterOpposites[at];
-      if (verdict[i] == 1 ||
-          this->IsCandidate(projection, grid, edges[edge], opposites.data(), opposites.data() + opposites.size()))
+      for (std::size_t i = 0; i < BlockSize; ++i)
       {
-        candidates.push_back(edge);
+        if (low[i] > bound || high[i] < -bound)
+        {
+          continue;
+        }
+        const RegularEdge & edge = m_Regular[(c * ClusterBlocks + k) * BlockSize + i];
+        if (edge.ends.a != edge.ends.b &&
+            ((low[i] < -bound && high[i] > bound) ||
+             this->IsCandidate(projection, grid, edge.ends, edge.opposites.begin(), edge.opposites.end())))
+        {
+          candidates.push_back(edge.ends);
+        }
       }
     }
   }
@@ -1334,7 +1402,7 @@ MeshSilhouette::operator=(MeshSilhouette &&) noexcept = default;
 std::size_t
 MeshSilhouette::GetNumberOfEdges() const
 {
-  return m_Implementation->edges.size();
+  return m_Implementation->edges;
 }
 
 std::size_t
@@ -1359,18 +1427,17 @@ auto
 MeshSilhouette::ComputeSilhouetteEdges(const PerspectiveProjection & projection) const -> std::vector<EdgeType>
 {
   std::vector<EdgeType> result;
-  if (m_Implementation->edges.empty())
+  if (m_Implementation->edges == 0)
   {
     return result;
   }
-  std::vector<std::uint32_t> candidates =
-    m_Implementation->FindCandidates(projection, m_Implementation->MakeGrid(projection));
-  std::sort(candidates.begin(), candidates.end());
+  const auto candidates = m_Implementation->FindCandidates(projection, m_Implementation->MakeGrid(projection));
   result.reserve(candidates.size());
-  for (const std::uint32_t edge : candidates)
+  for (const Implementation::EdgeRecord & edge : candidates)
   {
-    result.emplace_back(m_Implementation->edges[edge].a, m_Implementation->edges[edge].b);
+    result.emplace_back(edge.a, edge.b);
   }
+  std::sort(result.begin(), result.end());
   return result;
 }
 
@@ -1379,26 +1446,31 @@ MeshSilhouette::ComputeOuterBoundary(const PerspectiveProjection & projection) c
 {
   Silhouette             result;
   const Implementation & mesh = *m_Implementation;
-  if (mesh.edges.empty())
+  if (mesh.edges == 0)
   {
     return result;
   }
-  const Implementation::Grid       grid = mesh.MakeGrid(projection);
-  const std::vector<std::uint32_t> candidates = mesh.FindCandidates(projection, grid);
-  std::vector<Segment>             segments;
+  const Implementation::Grid grid = mesh.MakeGrid(projection);
+  const auto                 candidates = mesh.FindCandidates(projection, grid);
+  std::vector<Segment>       segments;
   segments.reserve(candidates.size());
-  for (const std::uint32_t edge : candidates)
+  for (const Implementation::EdgeRecord & edge : candidates)
   {
-    const GridPoint p = mesh.Snap(projection, grid, mesh.edges[edge].a);
-    const GridPoint q = mesh.Snap(projection, grid, mesh.edges[edge].b);
+    const GridPoint p = mesh.Snap(projection, grid, edge.a);
+    const GridPoint q = mesh.Snap(projection, grid, edge.b);
     if (!(p == q))
     {
-      segments.push_back({ p, q, edge });
+      segments.push_back({ static_cast<std::int32_t>(p.x),
+                           static_cast<std::int32_t>(p.y),
+                           static_cast<std::int32_t>(q.x),
+                           static_cast<std::int32_t>(q.y),
+                           edge.a,
+                           edge.b });
     }
   }
   Arrangement arrangement(std::move(segments));
-  const auto  stretches = arrangement.WalkOuterBoundaries(mesh.components, [&mesh](std::uint32_t edge) {
-    return mesh.componentOfPoint.empty() ? 0u : mesh.componentOfPoint[mesh.edges[edge].a];
+  const auto  stretches = arrangement.WalkOuterBoundaries(mesh.components, [&mesh](std::uint32_t point) {
+    return mesh.componentOfPoint.empty() ? 0u : mesh.componentOfPoint[point];
   });
 
   const double cell = 1.0 / grid.scale;
@@ -1412,19 +1484,18 @@ MeshSilhouette::ComputeOuterBoundary(const PerspectiveProjection & projection) c
     for (const Stretch & stretch : walked)
     {
       const Segment & segment = arrangement.GetSegment(stretch.segment);
-      const auto &    edge = mesh.edges[segment.edge];
-      const Vector3 & a = mesh.points[edge.a];
-      const Vector3 & b = mesh.points[edge.b];
+      const Vector3 & a = mesh.points[segment.a];
+      const Vector3 & b = mesh.points[segment.b];
       const double    depthA = projection.Depth(a.data());
       const double    depthB = projection.Depth(b.data());
       const double    from = stretch.from.Value();
       const double    to = stretch.to.Value();
-      const double    x = static_cast<double>(segment.p.x) + from * static_cast<double>(segment.q.x - segment.p.x);
-      const double    y = static_cast<double>(segment.p.y) + from * static_cast<double>(segment.q.y - segment.p.y);
+      const double    x = static_cast<double>(segment.px) + from * static_cast<double>(segment.qx - segment.px);
+      const double    y = static_cast<double>(segment.py) + from * static_cast<double>(segment.qy - segment.py);
       loop.points.push_back({ grid.u0 + x * cell, grid.v0 + y * cell });
       loop.rimStart.push_back(PointOnEdge(a, depthA, b, depthB, from));
       loop.rimEnd.push_back(PointOnEdge(a, depthA, b, depthB, to));
-      loop.edges.push_back({ edge.a, edge.b });
+      loop.edges.push_back({ segment.a, segment.b });
     }
     result.loops.push_back(std::move(loop));
   }
