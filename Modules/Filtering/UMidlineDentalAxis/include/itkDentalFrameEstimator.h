@@ -54,7 +54,9 @@ struct UMidlineDentalAxis_EXPORT DentalFrameOptions
   /** The paper's p: share of the surface, best aligned with the occlusal direction, that are crown candidates. */
   double crownFraction{ 0.15 };
   /** Crown candidates lie within this distance (mm) below the local occlusal envelope. */
-  double crownBandHeight{ 6.0 };
+  double crownBandHeight{ 3.0 };
+  /** The mirror plane is found on what lies within this distance (mm) below the envelope: whole crowns. */
+  double mirrorBandHeight{ 6.0 };
   /** Rounds of crown candidates -> PCA -> occlusal direction. */
   unsigned int maximumIterations{ 20 };
   /** Surface samples a jaw (systematic by area in the order of the triangles). */

@@ -67,8 +67,9 @@ struct Arch
   double                        radius{ 0.0 };
   /** mm: robust spread of the crowns about the U. */
   double spread{ 0.0 };
-  /** Length of the mean unit vector from the U's centre to its points: 0 for a closed ring. */
-  double resultant{ 0.0 };
+  /** How clear it is where the front is: 0 for a closed ring, 1 or more for a U. */
+  double                 resultant{ 0.0 };
+  MidsagittalPlaneResult mirror;
   /** Angle that the crowns reach on the side where they reach less. */
   double reach{ 0.0 };
   bool   valid{ false };
@@ -587,30 +588,19 @@ SolveSymmetric(std::array<std::array<double, ArchTerms>, ArchTerms> a, std::arra
   return true;
 }
 
-/** Mean Tukey-like cost of the best even U for an axis at angle psi that passes the centre at distance shift. */
-double
-ArchCost(const std::vector<std::array<double, 2>> & points,
-         double                                     psi,
-         double                                     shift,
-         double                                     radius,
-         std::array<double, ArchTerms> &            terms)
+/** Fits r(phi) = sum a_k cos(k phi) to points about the U's centre, first coordinate along its axis; far points count
+ * less and less. */
+std::array<double, ArchTerms>
+FitEvenCurve(const std::vector<std::array<double, 2>> & points, double radius)
 {
-  constexpr double    scale = 4.0; // mm, half a molar's width
-  const double        c = std::cos(psi);
-  const double        s = std::sin(psi);
-  std::vector<double> r(points.size());
-  std::vector<double> phi(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const double x = c * points[i][0] + s * points[i][1];
-    const double y = -s * points[i][0] + c * points[i][1] - shift;
-    r[i] = std::sqrt(x * x + y * y);
-    phi[i] = std::atan2(y, x);
-  }
+  constexpr double                           scale = 4.0; // mm, half a molar's width
+  std::array<double, ArchTerms>              terms{};
+  std::vector<double>                        r(points.size());
   std::vector<std::array<double, ArchTerms>> basis(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const double cosine = std::cos(phi[i]);
+    r[i] = std::hypot(points[i][0], points[i][1]);
+    const double cosine = r[i] > 0.0 ? points[i][0] / r[i] : 1.0;
     basis[i][0] = 1.0;
     basis[i][1] = cosine;
     for (std::size_t k = 2; k < ArchTerms; ++k)
@@ -618,14 +608,11 @@ ArchCost(const std::vector<std::array<double, 2>> & points,
       basis[i][k] = 2.0 * cosine * basis[i][k - 1] - basis[i][k - 2];
     }
   }
-  terms = {};
   terms[0] = radius;
-  double cost = 0.0;
-  for (unsigned int round = 0; round < 5; ++round)
+  for (unsigned int round = 0; round < 6; ++round)
   {
     std::array<std::array<double, ArchTerms>, ArchTerms> a{};
     std::array<double, ArchTerms>                        b{};
-    cost = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       double residual = r[i];
@@ -636,7 +623,6 @@ ArchCost(const std::vector<std::array<double, 2>> & points,
       const double ratio = residual * residual / (scale * scale);
       // The first round has only the circle: all points count.
       const double weight = round == 0 ? 1.0 : 1.0 / ((1.0 + ratio) * (1.0 + ratio));
-      cost += ratio / (1.0 + ratio) / static_cast<double>(points.size());
       for (std::size_t p = 0; p < ArchTerms; ++p)
       {
         b[p] += weight * basis[i][p] * r[i];
@@ -649,125 +635,88 @@ ArchCost(const std::vector<std::array<double, 2>> & points,
     // High terms are kept small: where teeth are missing they would swing.
     for (std::size_t p = 0; p < ArchTerms; ++p)
     {
-      a[p][p] += 1e-3 * static_cast<double>(points.size() * p * p * p * p) / 16.0 + 1e-9;
-      for (std::size_t q = 0; q < p; ++q)
-      {
-        a[q][p] = a[p][q];
-      }
+      a[p][p] += 6e-5 * static_cast<double>(points.size() * p * p * p * p) + 1e-9;
     }
-    if (round == 4 || !SolveSymmetric(a, b))
+    if (!SolveSymmetric(a, b))
     {
       break;
     }
     terms = b;
   }
-  return cost;
+  return terms;
 }
 
-/** The paper's X: fits a U that is symmetric about its axis to the crowns in the plane across z; where only one side
- * has teeth the fit has no data, so uneven trimming does not turn it. */
+/** The paper's X: baseline between left and right molars, across which is the anterior direction. Which points of the
+ * left and the right crowns belong together is what their mirror symmetry says: uneven trimming or a missing molar then
+ * turns nothing. The U is the even curve about that axis. */
 Arch
-FitArch(const Samples & samples, const Vertical & vertical, bool upper, bool reversed)
+FitArch(const Samples & samples, const Vertical & vertical, bool upper, const MidsagittalPlaneResult & mirror)
 {
   Arch          arch;
-  const Vector3 occlusal = vertical.direction;
-  const Vector3 superior = upper ? -1.0 * occlusal : occlusal;
-  const Vector3 e1 = FarthestAcross(samples, superior);
-  const Vector3 e2 = Cross(superior, e1);
-  if (vertical.crowns.size() < 30)
+  const Vector3 superior = upper ? -1.0 * vertical.direction : vertical.direction;
+  if (vertical.crowns.size() < 30 || !mirror.valid)
   {
     return arch;
   }
+  Vector3 lateral = UnitRejection(mirror.normal, superior);
+  Vector3 anterior = Cross(lateral, superior);
+
   std::vector<std::array<double, 2>> points;
-  const std::size_t                  keep = std::min<std::size_t>(600, vertical.crowns.size());
-  for (std::size_t k = 0; k < keep; ++k)
+  double                             mean = 0.0;
+  for (const std::uint32_t i : vertical.crowns)
   {
-    const Vector3 d = samples.points[vertical.crowns[k * vertical.crowns.size() / keep]] - vertical.centre;
-    points.push_back({ Dot(d, e1), Dot(d, e2) });
+    const Vector3 d = samples.points[i] - vertical.centre;
+    points.push_back({ Dot(d, anterior), Dot(d, lateral) });
+    mean += points.back()[0] / static_cast<double>(vertical.crowns.size());
   }
+  // The foot of the crowns' centre on the plane, along the lateral axis.
+  const double shift =
+    (mirror.offset - Dot(mirror.normal, vertical.centre)) / std::max(0.5, Dot(mirror.normal, lateral));
   const auto circle = FitCircle(points);
   arch.radius = circle[2];
-  double meanCosine = 0.0;
-  double meanSine = 0.0;
+
+  // Front: the ring about the circle's centre is open at the back, and near the axis there are crowns in front only.
+  double              resultant = 0.0;
+  std::vector<double> middle;
+  for (const auto & p : points)
+  {
+    const double x = p[0] - circle[0];
+    resultant += x / std::max(1e-9, std::hypot(x, p[1] - shift)) / static_cast<double>(points.size());
+    if (std::abs(p[1] - shift) < 6.0)
+    {
+      middle.push_back(p[0] - mean);
+    }
+  }
+  double front = resultant / 0.2;
+  if (middle.size() >= 8)
+  {
+    front += std::clamp(Quantile(middle, 0.5) / 6.0, -2.0, 2.0);
+  }
+  const double sign = front < 0.0 ? -1.0 : 1.0;
+  anterior = sign * anterior;
+  lateral = sign * lateral;
+  arch.resultant = std::abs(front) / 3.0;
+  arch.anterior = anterior;
+  arch.lateral = lateral;
+  arch.centre = vertical.centre + (sign * circle[0]) * anterior + (sign * shift) * lateral;
+  arch.mirror = mirror;
   for (auto & p : points)
   {
-    p[0] -= circle[0];
-    p[1] -= circle[1];
-    const double length = std::max(1e-9, std::hypot(p[0], p[1]));
-    meanCosine += p[0] / length / static_cast<double>(points.size());
-    meanSine += p[1] / length / static_cast<double>(points.size());
+    p = { sign * (p[0] - circle[0]), sign * (p[1] - shift) };
   }
-  arch.resultant = std::hypot(meanCosine, meanSine);
-  const double front = std::atan2(meanSine, meanCosine) + (reversed ? Pi : 0.0);
-
-  double                        psi = front;
-  double                        shift = 0.0;
-  double                        cost = std::numeric_limits<double>::infinity();
-  std::array<double, ArchTerms> terms{};
-  for (int a = -6; a <= 6; ++a)
-  {
-    for (int b = -2; b <= 2; ++b)
-    {
-      const double trial = ArchCost(points, front + 6.0 * a * Degree, 3.0 * b, circle[2], terms);
-      if (trial < cost)
-      {
-        cost = trial;
-        psi = front + 6.0 * a * Degree;
-        shift = 3.0 * b;
-      }
-    }
-  }
-  double angleStep = 3.0 * Degree;
-  double shiftStep = 1.5;
-  while (angleStep > 0.01 * Degree)
-  {
-    bool moved = false;
-    for (int a = -1; a <= 1; ++a)
-    {
-      for (int b = -1; b <= 1; ++b)
-      {
-        if (a == 0 && b == 0)
-        {
-          continue;
-        }
-        const double trial = ArchCost(points, psi + a * angleStep, shift + b * shiftStep, circle[2], terms);
-        if (trial < cost)
-        {
-          cost = trial;
-          psi += a * angleStep;
-          shift += b * shiftStep;
-          moved = true;
-          a = 2;
-          break;
-        }
-      }
-    }
-    if (!moved)
-    {
-      angleStep *= 0.5;
-      shiftStep *= 0.5;
-    }
-  }
-  ArchCost(points, psi, shift, circle[2], terms);
-  arch.terms = terms;
-  arch.anterior = Unit(std::cos(psi) * e1 + std::sin(psi) * e2);
-  arch.lateral = Cross(superior, arch.anterior);
-  arch.centre = vertical.centre + circle[0] * e1 + circle[1] * e2 + shift * arch.lateral;
+  arch.terms = FitEvenCurve(points, arch.radius);
 
   std::vector<double> left;
   std::vector<double> right;
   std::vector<double> residuals;
-  for (const std::uint32_t i : vertical.crowns)
+  for (const auto & p : points)
   {
-    const Vector3 d = samples.points[i] - arch.centre;
-    const double  x = Dot(d, arch.anterior);
-    const double  y = Dot(d, arch.lateral);
-    const double  phi = std::atan2(y, x);
-    const double  residual = std::abs(std::hypot(x, y) - ArchRadius(terms, phi));
+    const double phi = std::atan2(p[1], p[0]);
+    const double residual = std::abs(std::hypot(p[0], p[1]) - ArchRadius(arch.terms, phi));
     residuals.push_back(residual);
     if (residual < 6.0)
     {
-      (y > 0.0 ? left : right).push_back(std::abs(phi));
+      (p[1] > 0.0 ? left : right).push_back(std::abs(phi));
     }
   }
   arch.spread = 1.4826 * Quantile(residuals, 0.5);
@@ -894,24 +843,38 @@ struct Jaw
   }
 };
 
-/** Crown points near the U's axis exist in front only; where the ring of crowns is almost closed this decides. */
-bool
-FrontIsReversed(const Jaw & jaw)
+/** The crowns with whole height, as the mirror plane wants them. */
+OrientedPointSet
+MirrorSet(const Jaw & jaw, const DentalFrameOptions & options)
 {
-  const Arch &        arch = jaw.arch;
-  double              mean = 0.0;
-  std::vector<double> middle;
-  for (const std::uint32_t i : jaw.vertical.crowns)
+  OrientedPointSet set;
+  for (const std::uint32_t i :
+       CrownBand(jaw.samples, jaw.vertical.direction, jaw.samples.centroid, options.mirrorBandHeight))
   {
-    const Vector3 d = jaw.samples.points[i] - arch.centre;
-    const double  x = Dot(d, arch.anterior);
-    mean += x / static_cast<double>(jaw.vertical.crowns.size());
-    if (std::abs(Dot(d, arch.lateral)) < 6.0)
-    {
-      middle.push_back(x);
-    }
+    set.points.push_back(jaw.samples.points[i]);
+    set.normals.push_back(jaw.samples.normals[i]);
   }
-  return arch.resultant < 0.3 && middle.size() >= 8 && Quantile(middle, 0.5) - mean < -4.0;
+  return set;
+}
+
+MidsagittalPlaneResult
+CoarseMirror(const std::vector<OrientedPointSet> & sets, const Vector3 & vertical, const DentalFrameOptions & options)
+{
+  MidsagittalPlaneOptions coarse = options.midline;
+  coarse.finalSamples = std::min(coarse.finalSamples, 2 * coarse.searchSamples);
+  return EstimateMidsagittalPlane(sets, vertical, Vector3{ 0.0, 0.0, 0.0 }, coarse);
+}
+
+/** Takes over the mirror plane. The crowns are as high on the left as on the right: their plane loses its roll, which
+ * missing teeth had given it. */
+void
+SetMirror(Jaw & jaw, const MidsagittalPlaneResult & mirror)
+{
+  if (mirror.valid && std::abs(Dot(mirror.normal, jaw.vertical.direction)) < 0.17)
+  {
+    jaw.vertical.direction = UnitRejection(jaw.vertical.direction, mirror.normal);
+  }
+  jaw.arch = FitArch(jaw.samples, jaw.vertical, jaw.upper, mirror);
 }
 
 void
@@ -929,15 +892,8 @@ void
 FindAxes(Jaw & jaw, const Vector3 & contact, double contactWeight, const DentalFrameOptions & options)
 {
   jaw.vertical = ChooseVertical(jaw.samples, contact, contactWeight, options, jaw.margin);
-  jaw.arch = FitArch(jaw.samples, jaw.vertical, jaw.upper, false);
-  if (jaw.arch.valid && FrontIsReversed(jaw))
-  {
-    const Arch other = FitArch(jaw.samples, jaw.vertical, jaw.upper, true);
-    if (other.valid)
-    {
-      jaw.arch = other;
-    }
-  }
+  const MidsagittalPlaneResult mirror = CoarseMirror({ MirrorSet(jaw, options) }, jaw.Superior(), options);
+  SetMirror(jaw, mirror);
   jaw.valid = jaw.arch.valid;
 }
 
@@ -1045,8 +1001,7 @@ TestOcclusion(const Jaw & upper, const Jaw & lower, const Contact & contact, Den
   const Vector3 between = upper.arch.centre - lower.arch.centre;
   result.archCentreDistance = Norm(between - Dot(between, z) * z);
   return result.crownDistance < 8.0 && result.verticalSeparation > 1.0 && result.verticalDisagreement < 25.0 &&
-         result.anteriorDisagreement < 35.0 && result.crownPlaneGap > -8.0 && result.crownPlaneGap < 14.0 &&
-         result.archCentreDistance < 15.0;
+         result.crownPlaneGap > -8.0 && result.crownPlaneGap < 14.0 && result.archCentreDistance < 15.0;
 }
 
 double
@@ -1138,8 +1093,7 @@ Describe(const Jaw & jaw, DentalJawFrame & frame)
   frame.signConfidence = std::max(frame.signConfidence, Ramp(jaw.margin, 0.0, 0.8));
   frame.planeConfidence = Ramp(jaw.vertical.thickness, 6.0, 3.0) * Ramp(jaw.vertical.inlierShare, 0.4, 0.75);
   frame.archConfidence = Ramp(arch.spread, 9.0, 4.5) * Ramp(arch.reach, 30.0 * Degree, 75.0 * Degree) *
-                         Ramp(arch.radius, 12.0, 18.0) * Ramp(arch.radius, 60.0, 48.0) *
-                         Ramp(arch.resultant, 0.0, 0.15);
+                         Ramp(arch.radius, 12.0, 18.0) * Ramp(arch.radius, 60.0, 48.0) * Ramp(arch.resultant, 0.0, 0.5);
 }
 } // namespace
 
@@ -1216,6 +1170,18 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
       (options.jawsShareFrame == DentalFrameEnums::JawsShareFrame::Check && result.occlusionPlausible);
   }
 
+  if (result.jawsShareFrame && result.anteriorDisagreement > 10.0)
+  {
+    // One jaw's plane is wrong, as in an arch that lacks one side. The pair's common plane decides.
+    const MidsagittalPlaneResult common = CoarseMirror({ MirrorSet(jaws[0], options), MirrorSet(jaws[1], options) },
+                                                       Unit(jaws[0].Superior() + jaws[1].Superior()),
+                                                       options);
+    for (Jaw & jaw : jaws)
+    {
+      SetMirror(jaw, common);
+    }
+  }
+
   // The shared lateral axis: on contradicting fronts the clearer U has its way.
   std::array<Vector3, 2> laterals{ { jaws[0].arch.lateral, jaws[1].arch.lateral } };
   if (result.jawsShareFrame)
@@ -1230,22 +1196,14 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
 
   if (options.refineMidline)
   {
-    const auto crownsOf = [&](const Jaw & jaw) {
-      OrientedPointSet set;
-      for (const std::uint32_t i :
-           CrownBand(jaw.samples, jaw.vertical.direction, jaw.samples.centroid, options.crownBandHeight))
-      {
-        set.points.push_back(jaw.samples.points[i]);
-        set.normals.push_back(jaw.samples.normals[i]);
-      }
-      return set;
-    };
+    MidsagittalPlaneOptions fine = options.midline;
+    fine.startRange = std::min(fine.startRange, 15.0);
     if (result.jawsShareFrame)
     {
-      result.midsagittalUpper = EstimateMidsagittalPlane({ crownsOf(jaws[0]), crownsOf(jaws[1]) },
+      result.midsagittalUpper = EstimateMidsagittalPlane({ MirrorSet(jaws[0], options), MirrorSet(jaws[1], options) },
                                                          Unit(jaws[0].Superior() + jaws[1].Superior()),
                                                          laterals[0],
-                                                         options.midline);
+                                                         fine);
       result.midsagittalLower = result.midsagittalUpper;
     }
     else
@@ -1255,7 +1213,7 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
         if (jaws[j].valid)
         {
           (j == 0 ? result.midsagittalUpper : result.midsagittalLower) =
-            EstimateMidsagittalPlane({ crownsOf(jaws[j]) }, jaws[j].Superior(), laterals[j], options.midline);
+            EstimateMidsagittalPlane({ MirrorSet(jaws[j], options) }, jaws[j].Superior(), laterals[j], fine);
         }
         if (aborted())
         {
@@ -1299,10 +1257,8 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
     const double share = static_cast<double>(std::min(left, jaw.vertical.crowns.size() - left)) /
                          static_cast<double>(jaw.vertical.crowns.size());
     frame.symmetryConfidence = Ramp(share, 0.1, 0.3);
-    if (refined)
-    {
-      frame.symmetryConfidence *= Ramp(plane.inlierFraction, 0.5, 0.8) * (0.5 + 0.5 * Ramp(plane.margin, 0.0, 0.15));
-    }
+    const MidsagittalPlaneResult & mirror = refined ? plane : jaw.arch.mirror;
+    frame.symmetryConfidence *= Ramp(mirror.inlierFraction, 0.5, 0.8) * (0.4 + 0.6 * Ramp(mirror.margin, 0.0, 0.15));
     frame.confidence = frame.signConfidence * frame.planeConfidence * frame.archConfidence * frame.symmetryConfidence;
     frame.valid = true;
   }

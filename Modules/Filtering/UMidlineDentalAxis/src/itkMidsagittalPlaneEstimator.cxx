@@ -284,17 +284,29 @@ EstimateMidsagittalPlane(const std::vector<OrientedPointSet> & jaws,
 
   // Starts about z: a plane's normal covers half a turn. Few updates of few samples, then the best go on.
   std::vector<Plane> candidates;
-  const auto         starts = static_cast<unsigned int>(std::max(1.0, std::floor(180.0 / options.startStep + 0.5)));
-  for (unsigned int s = 0; s < starts; ++s)
+  const auto side = static_cast<int>(std::floor(std::min(90.0, known ? options.startRange : 90.0) / options.startStep));
+  for (int start = -side; start <= side; ++start)
   {
+    if (start == side && side * options.startStep >= 90.0)
+    {
+      break; // the plane of the first start, turned by 180 degrees
+    }
     Plane plane;
-    plane.normal = Rotate(reference, z, Pi * s / starts);
+    plane.normal = Rotate(reference, z, start * options.startStep * Degree);
     plane.offset = Dot(plane.normal, centre);
     Iterate(coarse, plane, options, 6, pairs);
     candidates.push_back(plane);
   }
   const auto byResidual = [](const Plane & a, const Plane & b) { return a.residual < b.residual; };
   const auto keepDistinct = [&](std::vector<Plane> & planes, double angle, double shift, std::size_t most) {
+    // A flat arch also mirrors well up and down: planes that leaned over by more than 30 degrees go last.
+    for (Plane & plane : planes)
+    {
+      if (std::abs(Dot(plane.normal, z)) > 0.5)
+      {
+        plane.residual = options.truncationDistance;
+      }
+    }
     std::stable_sort(planes.begin(), planes.end(), byResidual);
     std::vector<Plane> distinct;
     for (const Plane & plane : planes)
