@@ -58,6 +58,14 @@ NegativeExp(float x)
   return p * power;
 }
 
+/** Floor of a value that fits; std::floor is a library call without SSE4.1. */
+inline std::int64_t
+FloorToInteger(double x)
+{
+  const auto i = static_cast<std::int64_t>(x);
+  return i - (x < static_cast<double>(i) ? 1 : 0);
+}
+
 /** The B-spline's values at the nodes floor(x) - (degree - 1) / 2, ... for the fraction f of x. */
 template <int VDegree, typename TReal>
 inline void
@@ -393,12 +401,12 @@ SurfaceSplatKernel::SurfaceSplatKernel(const SurfaceSplatLayer &  layer,
     const double n = static_cast<double>(count);
     const double tableCost = n * (10.0 + 0.35 * 4.0 * std::ceil(rU) * std::ceil(rV));
     const double filterCost = area * (1.0 + 0.2 * (rU + rV));
-    // The errors of many splats may add up where each is small: half the tolerance for one.
+    // The errors of neighbouring splats may add up: three quarters of the tolerance for one.
     m_Method = MethodEnum::Table;
     if (n * 12.0 + filterCost < tableCost)
     {
       fit(Cubic{}, cubicError);
-      if (cubicError <= 0.5 * tolerance)
+      if (cubicError <= 0.75 * tolerance)
       {
         m_Method = MethodEnum::CubicSpline;
         m_SplatError = cubicError;
@@ -406,7 +414,7 @@ SurfaceSplatKernel::SurfaceSplatKernel(const SurfaceSplatLayer &  layer,
       else if (n * 22.0 + filterCost < tableCost)
       {
         fit(Quintic{}, quinticError);
-        if (quinticError <= 0.5 * tolerance)
+        if (quinticError <= 0.75 * tolerance)
         {
           m_Method = MethodEnum::QuinticSpline;
           m_SplatError = quinticError;
@@ -509,8 +517,8 @@ SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer)
         1, static_cast<std::int64_t>(std::ceil(m_Cut * (narrow ? layer.sigmaV : layer.sigmaVs[i]))));
     }
     // Compared before the conversion: a point may be anywhere.
-    const double u = std::floor(layer.u[i]);
-    const double v = std::floor(layer.v[i]);
+    const double u = layer.u[i];
+    const double v = layer.v[i];
     if (!(u >= static_cast<double>(domain.startU - halfU) &&
           u < static_cast<double>(domain.startU + domain.sizeU + halfU) &&
           v >= static_cast<double>(domain.startV - halfV) &&
@@ -519,8 +527,8 @@ SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer)
     {
       continue;
     }
-    const auto         iu = static_cast<std::int64_t>(u);
-    const auto         iv = static_cast<std::int64_t>(v);
+    const std::int64_t iu = FloorToInteger(u);
+    const std::int64_t iv = FloorToInteger(v);
     const std::int64_t firstU = std::max(iu - halfU + 1, domain.startU);
     const std::int64_t lastU = std::min(iu + halfU, domain.startU + domain.sizeU - 1);
     const std::int64_t firstV = std::max(iv - halfV + 1, domain.startV);
@@ -669,18 +677,18 @@ SurfaceSplatKernel::Rendering::SplatTableOfWidth(std::size_t band)
   float * const      rowTaps = VTaps > 0 ? shortRow : longRow.data();
   for (std::size_t s = kernel.m_BandBegin[band]; s < kernel.m_BandBegin[band + 1]; ++s)
   {
-    const double       floorU = std::floor(kernel.m_U[s]);
-    const double       floorV = std::floor(kernel.m_V[s]);
-    const std::int64_t u0 = static_cast<std::int64_t>(floorU) - tapsU / 2 + 1;
-    const std::int64_t v0 = static_cast<std::int64_t>(floorV) - tapsV / 2 + 1;
+    const std::int64_t floorU = FloorToInteger(kernel.m_U[s]);
+    const std::int64_t floorV = FloorToInteger(kernel.m_V[s]);
+    const std::int64_t u0 = floorU - tapsU / 2 + 1;
+    const std::int64_t v0 = floorV - tapsV / 2 + 1;
     const std::int64_t rowBegin = std::max(v0, firstRow);
     const std::int64_t rowEnd = std::min(v0 + tapsV, endRow);
     if (rowBegin >= rowEnd || u0 >= endColumn || u0 + tapsU <= firstColumn)
     {
       continue;
     }
-    const auto    sampleU = static_cast<float>((kernel.m_U[s] - floorU) * tableU.rows);
-    const auto    sampleV = static_cast<float>((kernel.m_V[s] - floorV) * tableV.rows);
+    const auto    sampleU = static_cast<float>((kernel.m_U[s] - static_cast<double>(floorU)) * tableU.rows);
+    const auto    sampleV = static_cast<float>((kernel.m_V[s] - static_cast<double>(floorV)) * tableV.rows);
     const int     indexU = std::min(static_cast<int>(sampleU), tableU.rows - 1);
     const int     indexV = std::min(static_cast<int>(sampleV), tableV.rows - 1);
     const float   fractionU = sampleU - static_cast<float>(indexU);
@@ -759,10 +767,10 @@ SurfaceSplatKernel::Rendering::SplatEach(std::size_t band)
     const double       sigmaV = kernel.m_SigmaV[s];
     const auto         halfU = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(kernel.m_Cut * sigmaU)));
     const auto         halfV = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(kernel.m_Cut * sigmaV)));
-    const double       floorU = std::floor(kernel.m_U[s]);
-    const double       floorV = std::floor(kernel.m_V[s]);
-    const std::int64_t u0 = static_cast<std::int64_t>(floorU) - halfU + 1;
-    const std::int64_t v0 = static_cast<std::int64_t>(floorV) - halfV + 1;
+    const std::int64_t floorU = FloorToInteger(kernel.m_U[s]);
+    const std::int64_t floorV = FloorToInteger(kernel.m_V[s]);
+    const std::int64_t u0 = floorU - halfU + 1;
+    const std::int64_t v0 = floorV - halfV + 1;
     const std::int64_t rowBegin = std::max(v0, firstRow);
     const std::int64_t rowEnd = std::min(v0 + 2 * halfV, endRow);
     const std::int64_t begin = std::max(u0, firstColumn);
@@ -773,8 +781,8 @@ SurfaceSplatKernel::Rendering::SplatEach(std::size_t band)
     }
     const auto  width = static_cast<int>(end - begin);
     const auto  height = static_cast<int>(rowEnd - rowBegin);
-    const auto  fractionU = static_cast<float>(kernel.m_U[s] - floorU);
-    const auto  fractionV = static_cast<float>(kernel.m_V[s] - floorV);
+    const auto  fractionU = static_cast<float>(kernel.m_U[s] - static_cast<double>(floorU));
+    const auto  fractionV = static_cast<float>(kernel.m_V[s] - static_cast<double>(floorV));
     const auto  beginU = static_cast<int>(begin - u0 - halfU + 1);
     const auto  beginV = static_cast<int>(rowBegin - v0 - halfV + 1);
     const auto  scaleU = static_cast<float>(std::max(-1e30, -0.5 / (sigmaU * sigmaU)));
@@ -814,10 +822,10 @@ SurfaceSplatKernel::Rendering::Bin(std::size_t band)
   float * const              origin = m_NodeValues.data() - m_Nodes.startU - m_Nodes.startV * stride;
   for (std::size_t s = kernel.m_BandBegin[band]; s < kernel.m_BandBegin[band + 1]; ++s)
   {
-    const double       floorU = std::floor(kernel.m_U[s]);
-    const double       floorV = std::floor(kernel.m_V[s]);
-    const std::int64_t u0 = static_cast<std::int64_t>(floorU) - before;
-    const std::int64_t v0 = static_cast<std::int64_t>(floorV) - before;
+    const std::int64_t floorU = FloorToInteger(kernel.m_U[s]);
+    const std::int64_t floorV = FloorToInteger(kernel.m_V[s]);
+    const std::int64_t u0 = floorU - before;
+    const std::int64_t v0 = floorV - before;
     const std::int64_t rowBegin = std::max(v0, firstRow);
     const std::int64_t rowEnd = std::min(v0 + taps, endRow);
     const std::int64_t begin = std::max(u0, firstColumn);
@@ -828,8 +836,8 @@ SurfaceSplatKernel::Rendering::Bin(std::size_t band)
     }
     float wu[taps];
     float wv[taps];
-    SplineWeights<VDegree>(static_cast<float>(kernel.m_U[s] - floorU), wu);
-    SplineWeights<VDegree>(static_cast<float>(kernel.m_V[s] - floorV), wv);
+    SplineWeights<VDegree>(static_cast<float>(kernel.m_U[s] - static_cast<double>(floorU)), wu);
+    SplineWeights<VDegree>(static_cast<float>(kernel.m_V[s] - static_cast<double>(floorV)), wv);
     const float weight = kernel.m_Weight[s];
     if (end - begin == taps && rowEnd - rowBegin == taps)
     {
