@@ -836,7 +836,9 @@ SilhouetteToContourRegistrationMethod::PrintSelf(std::ostream & os, Indent inden
 {
   Superclass::PrintSelf(os, indent);
   itkPrintSelfObjectMacro(Metric);
-  itkPrintSelfObjectMacro(Optimizer);
+  // By name: an optimizer of ITK that has no metric yet throws when it is printed.
+  os << indent << "Optimizer: " << m_Optimizer->GetNameOfClass() << " (" << m_Optimizer.GetPointer() << ")"
+     << std::endl;
   os << indent << "Levels: " << m_Levels.size() << std::endl;
   for (const LevelType & level : m_Levels)
   {

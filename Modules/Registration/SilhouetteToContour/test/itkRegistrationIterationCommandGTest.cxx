@@ -107,14 +107,14 @@ TEST(RegistrationIterationCommand, WritesOnlyToTheStreamItIsGiven)
   EXPECT_EQ(text.str().substr(0, 6), "start\n");
   EXPECT_NE(text.str().find("level 0 iteration 1 value "), std::string::npos);
   EXPECT_NE(text.str().find("\nend level 2"), std::string::npos);
-  EXPECT_EQ(std::count(text.str().begin(), text.str().end(), '\n'),
+  const std::string written = text.str();
+  EXPECT_EQ(std::count(written.begin(), written.end(), '\n'),
             static_cast<std::ptrdiff_t>(command->GetRecords().size()));
-  const std::size_t all = text.str().size();
   text.str("");
   command->SetWriteEvery(10);
   method->Modified();
   method->Update();
-  EXPECT_LT(text.str().size(), all);
+  EXPECT_LT(text.str().size(), written.size());
   EXPECT_THROW(command->SetWriteEvery(0), itk::ExceptionObject);
   EXPECT_THROW(command->Observe(nullptr), itk::ExceptionObject);
 }

@@ -201,7 +201,14 @@ TEST(SilhouetteToContourRegistrationMethod, ResultStaysWithinTheBounds)
     if (optimizer == nullptr)
     {
       EXPECT_EQ(method->GetLevelResults()[0].boundsHit[0], 1);
-      EXPECT_EQ(method->GetLevelResults()[0].boundsHit[1], 1);
+      // Turned only, the other way.
+      method->SetFixedContour(MakeTracing(MakeTransform(1.0, -0.25, 400.0, 500.0)));
+      method->Update();
+      EXPECT_EQ(method->GetLevelResults()[0].boundsHit[1], -1);
+      // Within the bounds.
+      method->SetFixedContour(MakeTracing(MakeTransform(1.02, 0.02, 401.0, 501.0)));
+      method->Update();
+      EXPECT_EQ(method->GetLevelResults()[0].boundsHit, (std::array<int, 4>{ 0, 0, 0, 0 }));
     }
   }
 }

@@ -53,7 +53,7 @@ MakeSilhouette(std::size_t count = 220)
     points.push_back(Outline(static_cast<double>(i) / static_cast<double>(count)));
   }
   const auto contour = ContourType::New();
-  contour->AddPolyline(points, itk::ToothCode(), true);
+  contour->AddPolyline(points, itk::ToothCode(), count >= 3);
   return contour;
 }
 
