@@ -295,7 +295,12 @@ TEST(SurfaceDRRImageSource, TiltedPlateIsThickerByOneOverTheCosine)
   {
     for (const double offset : { 0.0, 80.0 })
     {
-      auto       geometry = MakeGeometry();
+      auto geometry = MakeGeometry();
+      // The ray's angle counts from the principal point, not from pixel 0.
+      GeometryType::PixelIndexType principal;
+      principal[0] = 1500.0;
+      principal[1] = -1200.0;
+      geometry->SetPrincipalPoint(principal);
       const auto mesh = MakeTiltedPlate(angle, 20.0, Position(offset, 10.0, -0.5 * offset), 160);
       const auto source = MakeSource(mesh, geometry, 0.4);
       source->SetDensity(1.5);
