@@ -23,6 +23,7 @@
 #include "itkCommand.h"
 #include "itkOptimizerParameters.h"
 
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <vector>
