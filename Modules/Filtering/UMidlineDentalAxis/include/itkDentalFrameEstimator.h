@@ -64,7 +64,9 @@ struct UMidlineDentalAxis_EXPORT DentalFrameOptions
   /** Replace the U-shape's lateral axis by the mirror plane's normal and move the origins onto the plane. */
   bool                    refineMidline{ false };
   MidsagittalPlaneOptions midline;
-  /** Polled between steps; true ends the estimation with an invalid result. */
+  /** Jaws are worked on at the same time on up to this many threads (0: all); no bit of the result depends on it. */
+  unsigned int threads{ 1 };
+  /** Polled between steps, from one thread at a time; true ends the estimation with an invalid result. */
   std::function<bool()> abort;
 };
 

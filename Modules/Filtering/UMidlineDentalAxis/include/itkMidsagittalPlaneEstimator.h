@@ -76,6 +76,13 @@ struct UMidlineDentalAxis_EXPORT MidsagittalPlaneResult
   double inlierFraction{ 0.0 };
   /** Residual of the best solution that differs by more than 2 degrees or 1 mm, minus the winner's; mm. */
   double margin{ 0.0 };
+
+  friend bool
+  operator==(const MidsagittalPlaneResult & a, const MidsagittalPlaneResult & b)
+  {
+    return a.valid == b.valid && a.normal == b.normal && a.offset == b.offset && a.residual == b.residual &&
+           a.inlierFraction == b.inlierFraction && a.margin == b.margin;
+  }
 };
 
 /** The mirror plane of one arch or of several together: trimmed mirror-ICP on six-dimensional points (p, w n), starts

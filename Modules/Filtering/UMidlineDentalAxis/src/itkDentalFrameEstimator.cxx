@@ -19,10 +19,12 @@
 
 #include "itkDentalFrameMath.h"
 #include "itkFlatKdTree.h"
+#include "itkParallelFor.h"
 
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <mutex>
 #include <unordered_map>
 
 namespace itk
@@ -1102,29 +1104,28 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
 {
   DentalFrameResult  result;
   std::array<Jaw, 2> jaws;
-  const auto         aborted = [&]() { return options.abort && options.abort(); };
-  for (unsigned int j = 0; j < 2; ++j)
-  {
+  std::mutex         abortMutex;
+  const auto         aborted = [&]() {
+    const std::lock_guard<std::mutex> lock(abortMutex);
+    return options.abort && options.abort();
+  };
+  ParallelFor(2, options.threads == 0 ? 2 : options.threads, [&](std::size_t j) {
     Jaw & jaw = jaws[j];
     jaw.upper = j == 0;
     jaw.surface = jaw.upper ? upper : lower;
-    if (jaw.surface == nullptr)
+    if (jaw.surface == nullptr || aborted())
     {
-      continue;
+      return;
     }
     jaw.samples = TakeSamples(*jaw.surface, options.samples);
-    if (aborted())
-    {
-      return result;
-    }
-    if (jaw.samples.points.size() >= 100)
+    if (jaw.samples.points.size() >= 100 && !aborted())
     {
       FindAxes(jaw, Vector3{ 0.0, 0.0, 0.0 }, 0.0, options);
     }
-    if (aborted())
-    {
-      return result;
-    }
+  });
+  if (aborted())
+  {
+    return result;
   }
 
   const bool both = jaws[0].valid && jaws[1].valid;
