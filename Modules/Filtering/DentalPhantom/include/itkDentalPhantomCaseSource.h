@@ -22,6 +22,7 @@
 #include "itkCephalometricGeometry.h"
 #include "itkDentalContour.h"
 #include "itkDentalLandmarkSet.h"
+#include "itkDentalPhantomAcquisition.h"
 #include "itkDentalPhantomMeshSource.h"
 #include "itkDentalPhantomParameters.h"
 
@@ -76,12 +77,9 @@ public:
   using FrameEnum = ParametersType::FrameEnum;
   using ImageSizeType = ImageType::SizeType;
 
-  enum class CohortEnum : uint8_t
-  {
-    Ideal,
-    Typical,
-    Hard
-  };
+  using AcquisitionType = DentalPhantomAcquisition;
+  using CohortEnum = AcquisitionType::CohortEnum;
+
   /** What the tracing follows. Mean bisects the double contours of the two sides, Both holds each. */
   enum class TracedSideEnum : uint8_t
   {
@@ -176,14 +174,11 @@ public:
   {
     return m_Parameters;
   }
-  /** Head turned about the vertical, the anterior and the lateral axis, radians; valid after Update(). */
-  itkGetConstMacro(Yaw, double);
-  itkGetConstMacro(Roll, double);
-  itkGetConstMacro(Pitch, double);
-  /** The tracing noise that was added, px; valid after Update(). */
-  itkGetConstMacro(CorrelatedNoise, double);
-  itkGetConstMacro(WhiteNoise, double);
-  itkGetConstMacro(CorrelationLength, double);
+  const AcquisitionType &
+  GetAcquisition() const
+  {
+    return m_Acquisition;
+  }
   /** The tracing's points before noise, in the order of GetTracing(). */
   const DentalContour *
   GetTrueTracing(unsigned int jaw);
@@ -219,17 +214,10 @@ private:
   ImageSizeType                m_ImageSize;
   bool                         m_MakeRadiograph{ true };
 
-  ParametersType m_Parameters;
-  double         m_Yaw{ 0.0 };
-  double         m_Roll{ 0.0 };
-  double         m_Pitch{ 0.0 };
-  double         m_CorrelatedNoise{ 0.0 };
-  double         m_WhiteNoise{ 0.0 };
-  double         m_CorrelationLength{ 0.0 };
+  ParametersType  m_Parameters;
+  AcquisitionType m_Acquisition;
 };
 
-DentalPhantom_EXPORT std::ostream &
-                     operator<<(std::ostream & os, DentalPhantomCaseSource::CohortEnum cohort);
 DentalPhantom_EXPORT std::ostream &
                      operator<<(std::ostream & os, DentalPhantomCaseSource::TracedSideEnum side);
 } // namespace itk

@@ -66,12 +66,6 @@ HeadRotation(double yaw, double roll, double pitch)
   return about(2, yaw) * about(0, roll) * about(1, pitch);
 }
 
-double
-Round(double value, double stepsPerUnit)
-{
-  return std::nearbyint(value * stepsPerUnit) / stepsPerUnit;
-}
-
 void
 FillContour(DentalContour * contour, const std::vector<DentalPhantomTracer::Polyline> & lines)
 {
@@ -176,29 +170,20 @@ DentalPhantomCaseSource::GetRadiograph() -> ImageType *
 void
 DentalPhantomCaseSource::GenerateData()
 {
-  // A stream a subject: a draw more in one does not move the others.
-  ReproducibleRandom head(m_Seed, 101);
-  ReproducibleRandom machine(m_Seed, 102);
-  ReproducibleRandom teeth(m_Seed, 103);
-  ReproducibleRandom hand(m_Seed, 104);
-
-  const bool ideal = m_Cohort == CohortEnum::Ideal;
-  const bool hard = m_Cohort == CohortEnum::Hard;
+  m_Acquisition = DentalPhantomAcquisition::Draw(m_Seed, m_Cohort);
   const bool traceLeft = m_TracedSide == TracedSideEnum::Left;
 
   // The dentition.
   ParametersType::Variation variation;
-  variation.rotationDegrees = hard ? 9.0 : 5.0;
+  variation.rotationDegrees = m_Acquisition.toothRotationDegrees;
   m_Parameters = ParametersType::Draw(m_Seed, variation);
   m_Parameters.frame = m_Frame;
   m_Parameters.numberOfTriangles = m_NumberOfTriangles;
   m_Parameters.stoneBase = m_StoneBase;
-  const bool         lacks = teeth.Uniform() < 0.5;
-  const unsigned int lackingJaw = teeth.Integer(2);
-  const unsigned int lackingTooth = 1 + teeth.Integer(5);
-  if (hard && lacks)
+  if (m_Acquisition.missingPosition != 0)
   {
-    m_Parameters.jaws[lackingJaw].teeth[(traceLeft ? 0 : 7) + lackingTooth].missing = true;
+    m_Parameters.jaws[m_Acquisition.missingJaw].teeth[(traceLeft ? 0 : 7) + m_Acquisition.missingPosition - 1].missing =
+      true;
   }
 
   // The jaws.
@@ -253,39 +238,25 @@ DentalPhantomCaseSource::GenerateData()
   }
 
   // Head and machine.
-  const double turn = ideal ? 0.0 : hard ? 3.0 : 1.5;
-  m_Yaw = turn * Degree * head.Normal();
-  m_Roll = turn * Degree * head.Normal();
-  m_Pitch = head.Normal(8.0, 5.0) * Degree;
-  const double     anterior = head.Uniform(66.0, 80.0);
-  const double     down = head.Uniform(36.0, 50.0);
-  constexpr double distances[3] = { 1500.0, 1524.0, 1650.0 };
-  const double     drawnDistance = distances[machine.Integer(3)];
-  const double     gap = Round(machine.Uniform(110.0, 190.0), 100.0);
-  const double     trueDistance = ideal ? 1524.0 : drawnDistance;
-  const double     facingSign = m_Facing == GeometryType::FacingEnum::Right ? 1.0 : -1.0;
-
+  const double                   facingSign = m_Facing == GeometryType::FacingEnum::Right ? 1.0 : -1.0;
   GeometryType::PixelSpacingType spacing;
-  spacing.Fill(Round(machine.Uniform(0.24, 0.26), 1e4));
+  spacing.Fill(m_Acquisition.pixelSpacing);
   GeometryType::PixelIndexType principal;
-  const double                 earU = machine.Uniform(168.0, 192.0) / 703.0;
-  const double                 earV = machine.Uniform(405.0, 440.0) / 938.0;
-  const double                 teethU = machine.Uniform(490.0, 520.0) / 703.0;
-  const double                 teethV = machine.Uniform(585.0, 625.0) / 938.0;
-  principal[0] = Round(static_cast<double>(m_ImageSize[0]) * (ideal ? teethU : earU), 100.0);
-  principal[1] = Round(static_cast<double>(m_ImageSize[1]) * (ideal ? teethV : earV), 100.0);
+  // On a raster of 0.01 px, mirrored where the patient faces left.
+  principal[0] = std::nearbyint(100.0 * static_cast<double>(m_ImageSize[0]) * m_Acquisition.principalU) / 100.0;
+  principal[1] = std::nearbyint(100.0 * static_cast<double>(m_ImageSize[1]) * m_Acquisition.principalV) / 100.0;
   if (facingSign < 0.0)
   {
     principal[0] = static_cast<double>(m_ImageSize[0]) - 1.0 - principal[0];
   }
 
   // The head turns about the ear rods; pitch about the teeth keeps them in the picture.
-  const RotationType rotation = HeadRotation(m_Yaw, m_Roll, m_Pitch);
+  const RotationType rotation = HeadRotation(m_Acquisition.yaw, m_Acquisition.roll, m_Acquisition.pitch);
   VectorType         place;
-  place[0] = ideal ? 0.0 : anterior;
+  place[0] = m_Acquisition.anterior;
   place[1] = 0.0;
-  place[2] = ideal ? 0.0 : -down;
-  place = HeadRotation(m_Yaw, m_Roll, 0.0) * place;
+  place[2] = -m_Acquisition.down;
+  place = HeadRotation(m_Acquisition.yaw, m_Acquisition.roll, 0.0) * place;
 
   const auto setMachine = [&](GeometryType * geometry, double source, double detector) {
     geometry->SetSourceToMidsagittalDistance(source);
@@ -296,11 +267,11 @@ DentalPhantomCaseSource::GenerateData()
     geometry->SetPixelSpacing(spacing);
     geometry->SetPoseToIdentity();
   };
-  setMachine(this->GetNominalGeometry(), 1524.0, ideal ? trueDistance + gap : 1674.0);
+  setMachine(this->GetNominalGeometry(), m_Acquisition.givenSourceToMidsagittal, m_Acquisition.givenSourceToDetector);
   VectorType middleVector(middle.data());
   // From the anatomical frame, for the radiograph.
   auto anatomical = GeometryType::New();
-  setMachine(anatomical, trueDistance, trueDistance + gap);
+  setMachine(anatomical, m_Acquisition.trueSourceToMidsagittal, m_Acquisition.trueSourceToDetector);
   anatomical->SetPose(rotation, place - rotation * middleVector);
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
@@ -314,16 +285,15 @@ DentalPhantomCaseSource::GenerateData()
       }
     }
     const RotationType toHead = rotation * RotationType(frame.GetTranspose());
-    setMachine(this->GetTrueGeometry(jaw), trueDistance, trueDistance + gap);
+    setMachine(this->GetTrueGeometry(jaw), m_Acquisition.trueSourceToMidsagittal, m_Acquisition.trueSourceToDetector);
     this->GetTrueGeometry(jaw)->SetPose(
       toHead, place - rotation * middleVector - toHead * VectorType(frames[jaw].translation.data()));
   }
 
   // The tracing.
-  m_CorrelatedNoise = ideal ? 0.0 : hard ? 2.2 : 1.2;
-  m_WhiteNoise = ideal ? 0.0 : hard ? 1.0 : 0.5;
-  m_CorrelationLength = hand.Uniform(10.0, 20.0);
-  const double               pixelSize = spacing[0] * trueDistance / (trueDistance + gap);
+  const double pixelSize = spacing[0] * m_Acquisition.trueSourceToMidsagittal / m_Acquisition.trueSourceToDetector;
+  // Which end of a border is left out where a part is.
+  ReproducibleRandom         hand(m_Seed, 105);
   const DentalPhantomModel & model = *meshSource->GetModel();
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
@@ -373,14 +343,13 @@ DentalPhantomCaseSource::GenerateData()
         drawn = { trace(right), trace(left) };
         break;
     }
-    const bool                                 skips = hand.Uniform() < 0.5;
-    const unsigned int                         skipped = 2 + hand.Integer(5);
+    const unsigned int                         skipped = m_Acquisition.untracedPosition[jaw];
     std::vector<DentalPhantomTracer::Polyline> exact;
     std::vector<DentalPhantomTracer::Polyline> noisy;
     for (std::size_t k = 0; k < drawn.size(); ++k)
     {
       auto & lines = drawn[k];
-      if (hard && skips && k == 0)
+      if (skipped != 0 && k == 0)
       {
         lines.erase(std::remove_if(
                       lines.begin(), lines.end(), [skipped](const auto & line) { return line.fdi % 10u == skipped; }),
@@ -404,9 +373,9 @@ DentalPhantomCaseSource::GenerateData()
       }
       exact.insert(exact.end(), lines.begin(), lines.end());
       DentalPhantomTracer::Noise noise;
-      noise.correlated = m_CorrelatedNoise;
-      noise.white = m_WhiteNoise;
-      noise.correlationLength = m_CorrelationLength;
+      noise.correlated = m_Acquisition.correlatedNoise;
+      noise.white = m_Acquisition.whiteNoise;
+      noise.correlationLength = m_Acquisition.correlationLength;
       noise.toothShift = 1.2 * m_ToothBias;
       noise.toothRotation = 2.0 * Degree * m_ToothBias;
       noise.toothScale = 0.03 * m_ToothBias;
@@ -472,28 +441,14 @@ DentalPhantomCaseSource::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "NumberOfTriangles: " << m_NumberOfTriangles << std::endl;
   os << indent << "ImageSize: " << m_ImageSize << std::endl;
   os << indent << "MakeRadiograph: " << m_MakeRadiograph << std::endl;
-  os << indent << "Yaw: " << m_Yaw << std::endl;
-  os << indent << "Roll: " << m_Roll << std::endl;
-  os << indent << "Pitch: " << m_Pitch << std::endl;
-  os << indent << "CorrelatedNoise: " << m_CorrelatedNoise << std::endl;
-  os << indent << "WhiteNoise: " << m_WhiteNoise << std::endl;
-  os << indent << "CorrelationLength: " << m_CorrelationLength << std::endl;
+  os << indent << "Yaw: " << m_Acquisition.yaw << std::endl;
+  os << indent << "Roll: " << m_Acquisition.roll << std::endl;
+  os << indent << "Pitch: " << m_Acquisition.pitch << std::endl;
+  os << indent << "CorrelatedNoise: " << m_Acquisition.correlatedNoise << std::endl;
+  os << indent << "WhiteNoise: " << m_Acquisition.whiteNoise << std::endl;
+  os << indent << "CorrelationLength: " << m_Acquisition.correlationLength << std::endl;
   os << indent << "Parameters:" << std::endl;
   m_Parameters.Print(os, indent.GetNextIndent());
-}
-
-std::ostream &
-operator<<(std::ostream & os, DentalPhantomCaseSource::CohortEnum cohort)
-{
-  switch (cohort)
-  {
-    case DentalPhantomCaseSource::CohortEnum::Ideal:
-      return os << "ideal";
-    case DentalPhantomCaseSource::CohortEnum::Typical:
-      return os << "typical";
-    default:
-      return os << "hard";
-  }
 }
 
 std::ostream &

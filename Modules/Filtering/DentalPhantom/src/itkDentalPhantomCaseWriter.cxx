@@ -255,6 +255,7 @@ DentalPhantomCaseWriter::WriteFiles(const std::string & directory)
        << "}\n";
   WriteFileAtomically(base + "case.json", text.str());
 
+  const auto &       drawn = source.GetAcquisition();
   const auto &       exact = *source.GetTrueGeometry(0);
   std::ostringstream cohort;
   cohort << source.GetCohort();
@@ -264,14 +265,14 @@ DentalPhantomCaseWriter::WriteFiles(const std::string & directory)
         << " \"seed\": " << source.GetSeed() << ",\n"
         << " \"cohort\": \"" << cohort.str() << "\",\n"
         << " \"buccal_outline\": " << (source.GetBuccalOutline() ? "true" : "false") << ",\n"
-        << " \"yaw_rad\": " << JsonNumber(source.GetYaw()) << ",\n"
-        << " \"roll_rad\": " << JsonNumber(source.GetRoll()) << ",\n"
-        << " \"pitch_rad\": " << JsonNumber(source.GetPitch()) << ",\n"
+        << " \"yaw_rad\": " << JsonNumber(drawn.yaw) << ",\n"
+        << " \"roll_rad\": " << JsonNumber(drawn.roll) << ",\n"
+        << " \"pitch_rad\": " << JsonNumber(drawn.pitch) << ",\n"
         << " \"source_to_midsagittal_mm\": " << JsonNumber(exact.GetSourceToMidsagittalDistance()) << ",\n"
         << " \"source_to_detector_mm\": " << JsonNumber(exact.GetSourceToDetectorDistance()) << ",\n"
-        << " \"noise_px\": {\"correlated\": " << JsonNumber(source.GetCorrelatedNoise())
-        << ", \"white\": " << JsonNumber(source.GetWhiteNoise())
-        << ", \"correlation_length\": " << JsonNumber(source.GetCorrelationLength()) << "},\n"
+        << " \"noise_px\": {\"correlated\": " << JsonNumber(drawn.correlatedNoise)
+        << ", \"white\": " << JsonNumber(drawn.whiteNoise)
+        << ", \"correlation_length\": " << JsonNumber(drawn.correlationLength) << "},\n"
         << " \"projection_3x4\": {\n"
         << "  \"upper\": " << MatrixText(source.GetTrueGeometry(0)->GetProjectionMatrix()) << ",\n"
         << "  \"lower\": " << MatrixText(source.GetTrueGeometry(1)->GetProjectionMatrix()) << "\n"
