@@ -45,6 +45,9 @@ MeshOpenMesh_EXPORT std::ostream &
 MeshOpenMesh_EXPORT MeshFileFormatEnum
 MeshFileFormatFromName(const std::string & fileName);
 
+/** What DetectMeshFileFormat() looks at. */
+constexpr std::size_t MeshFileFormatHeadSize = 65536;
+
 /** The format of these bytes. Content goes before the name: a binary STL whose header starts with "solid" is told by
  * its size, 84 + 50 n; PLY and OFF by their first word. The name decides where the content does not. Free of ITK
  * headers. */

@@ -39,9 +39,9 @@ struct SurfaceMeshFile;
  * told at SurfaceMeshFile. Coordinates stay in the file's unit.
  *
  * Writing takes triangles only. The format is the extension's; STL and PLY are binary where the writer's
- * FileTypeIsBINARY is set, else ASCII; OBJ and OFF are text always. Coordinates are written in single precision, in text
- * with the digits that bring back the same number. The file appears whole or not at all. Point and cell data are not part of these files here and
- * are ignored.
+ * FileTypeIsBINARY is set, else ASCII; OBJ and OFF are text always. Coordinates are written in single precision, in
+ * text with the digits that bring back the same number. The file appears whole or not at all. Point and cell data are
+ * not part of these files here and are ignored.
  *
  * \sa ReadDentalMesh, WriteDentalMesh
  * \ingroup MeshOpenMesh

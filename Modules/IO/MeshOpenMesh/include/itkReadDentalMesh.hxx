@@ -20,6 +20,9 @@
 
 #include "itkReadDentalMesh.h"
 
+#include <filesystem>
+#include <system_error>
+
 namespace itk
 {
 template <typename TMesh>
@@ -31,8 +34,16 @@ ReadDentalMesh(const std::string & fileName)
   {
     itkDentalInputErrorMacro("mesh file", "", "the name is empty", "name an STL, PLY, OBJ or OFF file");
   }
+  const auto      meshIO = OpenMeshMeshIO::New();
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(fileName, ignored))
+  {
+    // Throws what is wrong; the stock reader would wait for ever for the other end of a named pipe.
+    meshIO->SetFileName(fileName);
+    meshIO->ReadMeshInformation();
+  }
   const auto reader = MeshFileReader<TMesh>::New();
-  reader->SetMeshIO(OpenMeshMeshIO::New());
+  reader->SetMeshIO(meshIO);
   reader->SetFileName(fileName);
   reader->Update();
   typename TMesh::Pointer mesh = reader->GetOutput();

@@ -121,7 +121,7 @@ DetectMeshFileFormat(const char * bytes, std::size_t size, const std::string & f
       return MeshFileFormatEnum::BinarySTL;
     }
   }
-  const std::string_view head(bytes, std::min<std::size_t>(size, 65536));
+  const std::string_view head(bytes, std::min(size, MeshFileFormatHeadSize));
   const std::string_view word = FirstWord(head);
   if (word == "ply")
   {

@@ -18,11 +18,11 @@
 #include "itkOpenMeshMeshIO.h"
 
 #include "itkDentalInputError.h"
-#include "itkMappedFile.h"
 #include "itkOpenMeshWriter.h"
 #include "itkReadDentalMesh.h"
 #include "itkSurfaceMeshFile.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
@@ -143,15 +143,17 @@ OpenMeshMeshIO::CanReadFile(const char * fileName)
   {
     return true;
   }
-  try
-  {
-    const MappedFile file(fileName);
-    return DetectMeshFileFormat(file.GetData(), file.GetSize(), fileName) != MeshFileFormatEnum::Unknown;
-  }
-  catch (const SurfaceMeshFileError &)
+  // The file may be of any kind and size: look at its head alone.
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(fileName, error))
   {
     return false;
   }
+  const auto        size = static_cast<std::size_t>(std::filesystem::file_size(fileName, error));
+  std::ifstream     stream(fileName, std::ios::binary);
+  std::vector<char> head(error ? 0 : std::min(size, MeshFileFormatHeadSize));
+  return !head.empty() && stream.read(head.data(), static_cast<std::streamsize>(head.size())) &&
+         DetectMeshFileFormat(head.data(), size, fileName) != MeshFileFormatEnum::Unknown;
 }
 
 void

@@ -33,6 +33,8 @@
 #include <limits>
 #include <locale>
 
+#include <sys/stat.h>
+
 namespace
 {
 using MeshType = itk::Mesh<float, 3>;
@@ -314,6 +316,31 @@ TEST_F(OpenMeshMeshIO, UnknownFormatIsOneLineToo)
             file +
               ": neither its content nor its extension is of a known mesh format; give an STL, PLY, OBJ or OFF file");
   EXPECT_NE(ErrorOf([]() { itk::ReadDentalMesh<MeshType>(""); }).find("the name is empty"), std::string::npos);
+}
+
+TEST_F(OpenMeshMeshIO, ANamedPipeIsRefusedWithoutWaiting)
+{
+  for (const char * name : { "pipe.stl", "pipe" })
+  {
+    ASSERT_EQ(::mkfifo(this->Path(name).c_str(), 0600), 0);
+    EXPECT_NE(ErrorOf([&]() { itk::ReadDentalMesh<MeshType>(this->Path(name)); }).find("this is not a regular file"),
+              std::string::npos);
+  }
+  EXPECT_FALSE(itk::OpenMeshMeshIO::New()->CanReadFile(this->Path("pipe").c_str()));
+}
+
+TEST_F(OpenMeshMeshIO, LeavesOtherFilesToOtherReaders)
+{
+  const auto io = itk::OpenMeshMeshIO::New();
+  EXPECT_FALSE(io->CanReadFile(this->Write("a.vtk", "# vtk DataFile Version 3.0\n").c_str()));
+  EXPECT_FALSE(io->CanReadFile(this->Write("empty", "").c_str()));
+  EXPECT_FALSE(io->CanReadFile(this->Path("missing").c_str()));
+  EXPECT_FALSE(io->CanReadFile(this->Path("").c_str()));
+  EXPECT_FALSE(io->CanReadFile(""));
+  EXPECT_FALSE(io->CanReadFile(nullptr));
+  // Longer than what is looked at.
+  std::vector<mesh_file_bytes::Facet> facets(2000, mesh_file_bytes::TetrahedronFacets()[0]);
+  EXPECT_TRUE(io->CanReadFile(this->Write("scan", mesh_file_bytes::BinarySTL(facets)).c_str()));
 }
 
 TEST_F(OpenMeshMeshIO, AFailedReadLeavesTheReaderUsable)
