@@ -698,6 +698,70 @@ DotProduct(const Vector3 & a, const Vector3 & b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/** Of a set of planes: mean normal and distance, radii around both, largest ratio and inverse area. */
+constexpr std::size_t NumberOfBounds = 8;
+
+/** What a test of planes needs of the projection, in single precision. */
+struct PlaneTest
+{
+  float x;
+  float y;
+  float z;
+  float distance;
+  float perRatio;
+  float perInverseArea;
+  float slack;
+};
+
+/** By how much each set of planes has the source on one side, beyond doubt where positive. In a function of its own
+ * with nothing to reload, so that it is vectorised. */
+void
+MeasureDecision(const PlaneTest & test, const float * const bounds[NumberOfBounds], std::size_t count, float * margins)
+{
+  const PlaneTest     t = test;
+  const float * const nx = bounds[0];
+  const float * const ny = bounds[1];
+  const float * const nz = bounds[2];
+  const float * const d = bounds[3];
+  const float * const radiusN = bounds[4];
+  const float * const radiusD = bounds[5];
+  const float * const ratio = bounds[6];
+  const float * const inverseArea = bounds[7];
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const float value = std::abs(nx[i] * t.x + ny[i] * t.y + nz[i] * t.z - d[i]);
+    const float bound =
+      radiusN[i] * t.distance + radiusD[i] + t.perRatio * ratio[i] + t.perInverseArea * inverseArea[i] + t.slack;
+    margins[i] = value - bound;
+  }
+}
+
+/** Eight edges with the planes of both faces, 16 bits a number. */
+struct Block
+{
+  std::int16_t n[2][3][BlockSize];
+  std::int16_t d[2][BlockSize];
+};
+
+/** On which side the source is of each face. */
+void
+MeasureSides(const Block & block, const PlaneTest & test, float radius, float sides[2][BlockSize])
+{
+  const PlaneTest t = test;
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    const std::int16_t(&n)[3][BlockSize] = block.n[side];
+    const std::int16_t(&d)[BlockSize] = block.d[side];
+    float result[BlockSize];
+    for (std::size_t i = 0; i < BlockSize; ++i)
+    {
+      result[i] = static_cast<float>(n[0][i]) * t.x + static_cast<float>(n[1][i]) * t.y +
+                  static_cast<float>(n[2][i]) * t.z - static_cast<float>(d[i]) * radius;
+    }
+    std::memcpy(sides[side], result, sizeof result);
+  }
+}
+
 /** The point of a mesh edge that projects to a given share of the way between its projected ends. */
 Vector3
 PointOnEdge(const Vector3 & a, double depthA, const Vector3 & b, double depthB, double t)
@@ -800,14 +864,7 @@ private:
    * second, so that the edge is a silhouette where the source is on different sides. n is in units of 1 / PlaneUnit, d
    * of m_Radius / PlaneUnit. */
   std::vector<RegularEdge> m_Regular;
-  struct Block
-  {
-    std::int16_t n[2][3][BlockSize];
-    std::int16_t d[2][BlockSize];
-  };
-  std::vector<Block> m_Blocks;
-  /** Of a set of planes: mean, radii, largest ratio and inverse area (0 ... 7). */
-  static constexpr std::size_t NumberOfBounds = 8;
+  std::vector<Block>       m_Blocks;
   struct BlockBounds
   {
     float values[NumberOfBounds][ClusterBlocks];
@@ -1318,68 +1375,63 @@ MeshSilhouette::Implementation::FindCandidates(const PerspectiveProjection & pro
   const auto   perRatio = static_cast<float>(1.0001 * factor * 2.8285 * rounding * grid.magnification);
   const auto   perInverseArea = static_cast<float>(1.0001 * factor * 8.0 * rounding * rounding);
   // Single precision loses some 1e-7 of the distance.
-  const auto slack = static_cast<float>(2e-6 * (distance + m_Radius));
-  const auto sx = static_cast<float>(source[0]);
-  const auto sy = static_cast<float>(source[1]);
-  const auto sz = static_cast<float>(source[2]);
-  const auto sourceDistance = static_cast<float>(1.000001 * distance);
+  const auto      slack = static_cast<float>(2e-6 * (distance + m_Radius));
+  const PlaneTest test{ static_cast<float>(source[0]),
+                        static_cast<float>(source[1]),
+                        static_cast<float>(source[2]),
+                        static_cast<float>(1.000001 * distance),
+                        perRatio,
+                        perInverseArea,
+                        slack };
 
-  // Whether a set of planes may have members on both sides of the source, or undecided ones. Also where a bound is
-  // infinite or not a number.
-  const auto isActive =
-    [=](float nx, float ny, float nz, float d, float radiusN, float radiusD, float ratio, float inverseArea) {
-      const float value = std::abs(nx * sx + ny * sy + nz * sz - d);
-      const float bound = radiusN * sourceDistance + radiusD + perRatio * ratio + perInverseArea * inverseArea + slack;
-      return !(value > bound);
-    };
-  const std::size_t         clusters = m_BlockBounds.size();
-  std::vector<std::uint8_t> active(clusters);
+  const std::size_t  clusters = m_BlockBounds.size();
+  std::vector<float> margins(clusters);
+  const float *      clusterBounds[NumberOfBounds];
+  for (std::size_t k = 0; k < NumberOfBounds; ++k)
   {
-    const auto & b = m_ClusterBounds;
-    for (std::size_t c = 0; c < clusters; ++c)
-    {
-      active[c] = isActive(b[0][c], b[1][c], b[2][c], b[3][c], b[4][c], b[5][c], b[6][c], b[7][c]) ? 1 : 0;
-    }
+    clusterBounds[k] = m_ClusterBounds[k].data();
   }
+  MeasureDecision(test, clusterBounds, clusters, margins.data());
   // Sixteen bits lose half a unit of each of the four numbers.
   const auto blockSlack = static_cast<float>(1.0 / PlaneUnit * (distance + m_Radius));
   const auto unit = static_cast<float>(PlaneUnit);
   const auto radius = static_cast<float>(m_Radius);
   for (std::size_t c = 0; c < clusters; ++c)
   {
-    if (active[c] == 0)
+    // Not a number counts as undecided.
+    if (margins[c] > 0.0f)
     {
       continue;
     }
-    const auto & b = m_BlockBounds[c].values;
+    const auto &  values = m_BlockBounds[c].values;
+    const float * blockBounds[NumberOfBounds];
+    for (std::size_t k = 0; k < NumberOfBounds; ++k)
+    {
+      blockBounds[k] = values[k];
+    }
+    float blockMargins[ClusterBlocks];
+    MeasureDecision(test, blockBounds, ClusterBlocks, blockMargins);
     for (std::size_t k = 0; k < ClusterBlocks; ++k)
     {
-      if (!isActive(b[0][k], b[1][k], b[2][k], b[3][k], b[4][k], b[5][k], b[6][k], b[7][k]))
+      if (blockMargins[k] > 0.0f)
       {
         continue;
       }
-      const Block & block = m_Blocks[c * ClusterBlocks + k];
-      const float   bound = unit * (perRatio * b[6][k] + perInverseArea * b[7][k] + slack + blockSlack);
-      float         low[BlockSize];
-      float         high[BlockSize];
+      const std::size_t at = c * ClusterBlocks + k;
+      const float       bound = unit * (perRatio * values[6][k] + perInverseArea * values[7][k] + slack + blockSlack);
+      float             sides[2][BlockSize];
+      MeasureSides(m_Blocks[at], test, radius, sides);
       for (std::size_t i = 0; i < BlockSize; ++i)
       {
-        const float first = static_cast<float>(block.n[0][0][i]) * sx + static_cast<float>(block.n[0][1][i]) * sy +
-                            static_cast<float>(block.n[0][2][i]) * sz - static_cast<float>(block.d[0][i]) * radius;
-        const float second = static_cast<float>(block.n[1][0][i]) * sx + static_cast<float>(block.n[1][1][i]) * sy +
-                             static_cast<float>(block.n[1][2][i]) * sz - static_cast<float>(block.d[1][i]) * radius;
-        low[i] = first < second ? first : second;
-        high[i] = first < second ? second : first;
-      }
-      for (std::size_t i = 0; i < BlockSize; ++i)
-      {
-        if (low[i] > bound || high[i] < -bound)
+        const float low = std::min(sides[0][i], sides[1][i]);
+        const float high = std::max(sides[0][i], sides[1][i]);
+        if (low > bound || high < -bound)
         {
           continue;
         }
-        const RegularEdge & edge = m_Regular[(c * ClusterBlocks + k) * BlockSize + i];
+        const RegularEdge & edge = m_Regular[at * BlockSize + i];
         if (edge.ends.a != edge.ends.b &&
-            ((low[i] < -bound && high[i] > bound) ||
+            ((low < -bound && high > bound) ||
              this->IsCandidate(projection, grid, edge.ends, edge.opposites.begin(), edge.opposites.end())))
         {
           candidates.push_back(edge.ends);
