@@ -1148,7 +1148,7 @@ void
 DentalPhantomModel::Settle(unsigned int threads)
 {
   // At a resolution of its own, so that the occlusion does not depend on that of the meshes.
-  constexpr std::uint32_t resolution = 40000;
+  constexpr std::uint32_t resolution = 28000;
   const JawSurface        upper = this->MakeJaw(0, resolution, false, threads, {});
   // Lower envelope of the upper jaw at the nodes of a raster.
   constexpr double    step = 0.2;
