@@ -113,8 +113,8 @@ public:
   ComputeOuterBoundary(const PerspectiveProjection & projection) const;
 
   /** The contour generator: edges whose faces do not cover both sides of the edge's projection, hence also every
-   * boundary edge. Pairs of indices into the surface's points (the first of those at one position), in the order of the
-   * edges in the mesh. */
+   * boundary edge. Pairs of indices into the surface's points (the first of those at one position), smaller index
+   * first, in an order that depends on the mesh alone. */
   std::vector<EdgeType>
   ComputeSilhouetteEdges(const PerspectiveProjection & projection) const;
 

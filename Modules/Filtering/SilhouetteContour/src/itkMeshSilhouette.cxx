@@ -47,6 +47,21 @@ constexpr int GridBits = 28;
 /** Faces with a larger ratio of perimeter to area (1/mm) are always tested exactly. */
 constexpr double NeedleRatio = 2000.0;
 
+/** Asks for memory that will be read soon. */
+void
+Prefetch(const void * begin, std::size_t size)
+{
+#ifdef __GNUC__
+  for (std::size_t offset = 0; offset < size; offset += 64)
+  {
+    __builtin_prefetch(static_cast<const char *>(begin) + offset);
+  }
+#else
+  (void)begin;
+  (void)size;
+#endif
+}
+
 /** -1, 0, 1 as a b is less than, equal to, more than c d. */
 int
 CompareProducts(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d)
@@ -1393,18 +1408,32 @@ MeshSilhouette::Implementation::FindCandidates(const PerspectiveProjection & pro
   }
   MeasureDecision(test, clusterBounds, clusters, margins.data());
   // Sixteen bits lose half a unit of each of the four numbers.
-  const auto blockSlack = static_cast<float>(1.0 / PlaneUnit * (distance + m_Radius));
-  const auto unit = static_cast<float>(PlaneUnit);
-  const auto radius = static_cast<float>(m_Radius);
+  const auto                 blockSlack = static_cast<float>(1.0 / PlaneUnit * (distance + m_Radius));
+  const auto                 unit = static_cast<float>(PlaneUnit);
+  const auto                 radius = static_cast<float>(m_Radius);
+  std::vector<std::uint32_t> active;
+  active.reserve(clusters / 8 + 16);
   for (std::size_t c = 0; c < clusters; ++c)
   {
     // Not a number counts as undecided.
-    if (margins[c] > 0.0f)
+    if (!(margins[c] > 0.0f))
     {
-      continue;
+      active.push_back(static_cast<std::uint32_t>(c));
     }
-    const auto &  values = m_BlockBounds[c].values;
-    const float * blockBounds[NumberOfBounds];
+  }
+  for (std::size_t n = 0; n < active.size(); ++n)
+  {
+    // They lie apart in memory.
+    if (n + 6 < active.size())
+    {
+      const std::size_t ahead = active[n + 6];
+      Prefetch(&m_BlockBounds[ahead], sizeof(BlockBounds));
+      Prefetch(&m_Blocks[ahead * ClusterBlocks], ClusterBlocks * sizeof(Block));
+      Prefetch(&m_Regular[ahead * ClusterSize], ClusterSize * sizeof(RegularEdge));
+    }
+    const std::size_t c = active[n];
+    const auto &      values = m_BlockBounds[c].values;
+    const float *     blockBounds[NumberOfBounds];
     for (std::size_t k = 0; k < NumberOfBounds; ++k)
     {
       blockBounds[k] = values[k];
@@ -1489,7 +1518,6 @@ MeshSilhouette::ComputeSilhouetteEdges(const PerspectiveProjection & projection)
   {
     result.emplace_back(edge.a, edge.b);
   }
-  std::sort(result.begin(), result.end());
   return result;
 }
 
@@ -1506,10 +1534,16 @@ MeshSilhouette::ComputeOuterBoundary(const PerspectiveProjection & projection) c
   const auto                 candidates = mesh.FindCandidates(projection, grid);
   std::vector<Segment>       segments;
   segments.reserve(candidates.size());
-  for (const Implementation::EdgeRecord & edge : candidates)
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    const GridPoint p = mesh.Snap(projection, grid, edge.a);
-    const GridPoint q = mesh.Snap(projection, grid, edge.b);
+    if (i + 12 < candidates.size())
+    {
+      Prefetch(&mesh.points[candidates[i + 12].a], sizeof(Vector3));
+      Prefetch(&mesh.points[candidates[i + 12].b], sizeof(Vector3));
+    }
+    const Implementation::EdgeRecord & edge = candidates[i];
+    const GridPoint                    p = mesh.Snap(projection, grid, edge.a);
+    const GridPoint                    q = mesh.Snap(projection, grid, edge.b);
     if (!(p == q))
     {
       segments.push_back({ static_cast<std::int32_t>(p.x),
