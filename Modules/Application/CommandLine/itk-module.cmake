@@ -3,6 +3,14 @@ itk_module(CommandLine
     CaseRegistration
     DentalPhantom
     ITKCommon
+    ITKIOImageBase
+    ITKIOBMP
+    ITKIOJPEG
+    ITKIOMeta
+    ITKIONRRD
+    ITKIOPNG
+    ITKIOTIFF
+    ITKImageIntensity
   DESCRIPTION
     "The program dentalscr: one file a verb."
 )

@@ -18,6 +18,7 @@
 #include "itkCaseResultWriter.h"
 
 #include "itkCaseOverlay.h"
+#include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
 #include "itkLandmarkErrorFilter.h"

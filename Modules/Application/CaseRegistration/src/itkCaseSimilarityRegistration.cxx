@@ -155,7 +155,7 @@ ReportBoundsHit(const MethodType * method, JawResult & result)
   {
     for (unsigned int parameter = 0; parameter < 4; ++parameter)
     {
-      if (levels[level].boundHit[parameter])
+      if (levels[level].boundsHit[parameter] != 0)
       {
         std::ostringstream reason;
         reason << "the " << names[parameter] << " ran into the bound of level " << level + 1;

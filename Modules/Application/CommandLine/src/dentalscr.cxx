@@ -20,7 +20,13 @@
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
 
+#include "itkBMPImageIOFactory.h"
+#include "itkJPEGImageIOFactory.h"
+#include "itkMetaImageIOFactory.h"
 #include "itkMultiThreaderBase.h"
+#include "itkNrrdImageIOFactory.h"
+#include "itkPNGImageIOFactory.h"
+#include "itkTIFFImageIOFactory.h"
 #include "itkVersion.h"
 
 #include <exception>
@@ -48,6 +54,14 @@ Fail(std::string message)
 int
 main(int argc, char * argv[])
 {
+  // Explicitly: a static registration would need every format that ITK has.
+  itk::PNGImageIOFactory::RegisterOneFactory();
+  itk::TIFFImageIOFactory::RegisterOneFactory();
+  itk::MetaImageIOFactory::RegisterOneFactory();
+  itk::NrrdImageIOFactory::RegisterOneFactory();
+  itk::BMPImageIOFactory::RegisterOneFactory();
+  itk::JPEGImageIOFactory::RegisterOneFactory();
+
   CLI::App program{ "Aligns 3-D intraoral scans of the teeth with a lateral cephalometric radiograph.\n"
                     "Research software, not a medical device." };
   program.name("dentalscr");

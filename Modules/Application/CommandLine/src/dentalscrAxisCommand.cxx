@@ -61,11 +61,11 @@ Axis(const AxisOptions & options, const CommonOptions & common)
   auto       filter = FilterType::New();
   if (data->upper.mesh.IsNotNull())
   {
-    filter->SetUpperInput(data->upper.mesh);
+    filter->SetUpperMesh(data->upper.mesh);
   }
   if (data->lower.mesh.IsNotNull())
   {
-    filter->SetLowerInput(data->lower.mesh);
+    filter->SetLowerMesh(data->lower.mesh);
   }
   filter->SetEmbedAxes(options.embedAxes);
   filter->SetRefineMidline(options.refineMidline);
@@ -90,7 +90,7 @@ Axis(const AxisOptions & options, const CommonOptions & common)
     }
     const bool        upper = jaw == JawEnum::Upper;
     const std::string name = upper ? "upper" : "lower";
-    const auto &      frame = upper ? filter->GetFrames().upper : filter->GetFrames().lower;
+    const auto &      frame = upper ? filter->GetFrame().upper : filter->GetFrame().lower;
     itk::WriteDentalMesh(upper ? filter->GetUpperOutput() : filter->GetLowerOutput(),
                          (folder / (name + "_umda.stl")).string());
     std::array<double, 12> matrix{};
@@ -117,7 +117,7 @@ Axis(const AxisOptions & options, const CommonOptions & common)
                 << frame.archDepth << " mm deep, confidence " << std::setprecision(2) << frame.confidence << '\n';
     }
   }
-  const auto & frames = filter->GetFrames();
+  const auto & frames = filter->GetFrame();
   json << ",\n \"jaws_share_frame\": " << (frames.jawsShareFrame ? "true" : "false");
   if (frames.jawsShareFrame)
   {

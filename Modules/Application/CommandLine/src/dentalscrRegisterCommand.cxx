@@ -21,7 +21,9 @@
 #include "itkCaseResultWriter.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
+#include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
+#include "itkMultiThreaderBase.h"
 
 #include <iomanip>
 #include <iostream>

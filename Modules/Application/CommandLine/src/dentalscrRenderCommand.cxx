@@ -51,7 +51,7 @@ struct RenderOptions
 
 /** Formats that hold floats get them; a picture gets 8 bits over the full range. */
 void
-WriteImage(ImageType * image, const std::string & fileName)
+WriteRadiograph(ImageType * image, const std::string & fileName)
 {
   std::string extension = std::filesystem::path(fileName).extension().string();
   const bool  floating = extension == ".mha" || extension == ".mhd" || extension == ".nrrd" || extension == ".nii" ||
@@ -179,7 +179,7 @@ Render(const RenderOptions & options, const CommonOptions & common)
       pixel[i] = static_cast<float>(inverted ? 1.0 - transmitted : transmitted);
     }
   }
-  WriteImage(thickness, options.output);
+  WriteRadiograph(thickness, options.output);
   if (!common.quiet)
   {
     std::cout << "written to " << options.output << ", first pixel " << region.GetIndex() << ", size "
