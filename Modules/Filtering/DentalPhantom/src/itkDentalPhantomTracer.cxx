@@ -238,7 +238,8 @@ DentalPhantomTracer::TraceSide(const TriangleSurface &           surface,
     line.fdi = fdi;
     if (position == 1)
     {
-      // Up the labial border from the edge, until the border jumps back: there the gingiva begins.
+      // Up the labial border from the edge, until the border jumps back: there the gingiva begins. Where the lateral
+      // incisor stands in front it is its border that is seen and drawn.
       const long             start = static_cast<long>((occlusal.value[top] - anterior.begin) / Step);
       std::vector<PixelType> labial;
       double                 before = 0.0;
@@ -249,7 +250,8 @@ DentalPhantomTracer::TraceSide(const TriangleSurface &           surface,
           continue;
         }
         const double x = -anterior.value[i];
-        if (anterior.owner[i] != fdi || (!labial.empty() && std::abs(x - before) > (labial.size() < 10 ? 8.0 : 1.0)))
+        if (anterior.owner[i] % 10 > 2 || anterior.owner[i] == 0 ||
+            (!labial.empty() && std::abs(x - before) > (labial.size() < 10 ? 8.0 : 1.0)))
         {
           break;
         }
