@@ -55,7 +55,7 @@ namespace itk
  * after UpdateOutputInformation(), which reads no pixel.
  *
  * Throws DentalInputError for a missing, empty or truncated file, a directory, what is no image, several frames, no
- * pixels or more than MaximumNumberOfPixels, and pixels that are not finite.
+ * pixels or more than MaximumNumberOfPixels or MaximumWidthAndHeight, and pixels that are not finite.
  *
  * \ingroup Cephalogram
  */
@@ -79,7 +79,9 @@ public:
    * in it, but for "pixel_spacing". */
   using ProvenanceType = std::map<std::string, std::string>;
 
-  static constexpr SizeValueType MaximumNumberOfPixels = SizeValueType{ 1 } << 27;
+  /** No cephalogram is nearly as large. */
+  static constexpr SizeValueType MaximumNumberOfPixels = SizeValueType{ 1 } << 26;
+  static constexpr SizeValueType MaximumWidthAndHeight = SizeValueType{ 1 } << 15;
   static constexpr const char *  VerdictKey = "DentalSCR_PixelSpacingVerdict";
   static constexpr const char *  PlaneKey = "DentalSCR_PixelSpacingPlane";
 

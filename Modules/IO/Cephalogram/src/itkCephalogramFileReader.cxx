@@ -591,7 +591,7 @@ CephalogramFileReader::GenerateOutputInformation()
 
   const Format format = DetectRadiographFileFormat(m_FileName);
   m_FileFormat = itk::ToString(format);
-  VerifyRadiographFileIsComplete(m_FileName, format);
+  VerifyRadiographFileIsComplete(m_FileName, format, MaximumNumberOfPixels);
   m_ImageIO = MakeImageIO(format);
   m_ImageIO->SetFileName(m_FileName);
   CallImageIO(m_FileName, m_FileFormat, [this] { m_ImageIO->ReadImageInformation(); });
@@ -618,7 +618,7 @@ CephalogramFileReader::GenerateOutputInformation()
                              "is an image of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " pixels",
                              "export it again");
   }
-  if (size[0] > MaximumNumberOfPixels / size[1])
+  if (size[0] > MaximumNumberOfPixels / size[1] || size[0] > MaximumWidthAndHeight || size[1] > MaximumWidthAndHeight)
   {
     itkDentalInputErrorMacro(m_FileName,
                              "",

@@ -19,6 +19,7 @@
 
 #include "itkDentalInputError.h"
 #include "itkDicomFileCheck.h"
+#include "itkJPEGFileCheck.h"
 
 #include <algorithm>
 #include <array>
@@ -520,7 +521,9 @@ DetectRadiographFileFormat(const std::string & fileName)
 }
 
 void
-VerifyRadiographFileIsComplete(const std::string & fileName, RadiographFileFormatEnum format)
+VerifyRadiographFileIsComplete(const std::string &      fileName,
+                               RadiographFileFormatEnum format,
+                               std::size_t              maximumNumberOfPixels)
 {
   if (format == Format::MetaImage)
   {
@@ -555,6 +558,14 @@ VerifyRadiographFileIsComplete(const std::string & fileName, RadiographFileForma
       break;
     default:
       complete = BMPIsComplete(bytes);
+  }
+  if (complete && format == Format::JPEG)
+  {
+    const std::string defect = FindDefectOfJPEG(bytes.data(), bytes.size(), maximumNumberOfPixels);
+    if (!defect.empty())
+    {
+      itkDentalInputErrorMacro(fileName, "", "the JPEG file is damaged: " + defect, "copy or export it again");
+    }
   }
   if (!complete)
   {

@@ -18,6 +18,7 @@
 #ifndef itkRadiographFileFormat_h
 #define itkRadiographFileFormat_h
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -44,9 +45,12 @@ RadiographFileFormatEnum
 DetectRadiographFileFormat(const std::string & fileName);
 
 /** Throws DentalInputError where the file is not whole, before a decoder sees it: some of them fill up what is missing
- * and tell nobody, some print, and one aborts the program. NRRD is left to its decoder, which checks. */
+ * and tell nobody, some print, and one aborts the program. NRRD is left to its decoder, which checks; what has more
+ * pixels than given is not decoded. */
 void
-VerifyRadiographFileIsComplete(const std::string & fileName, RadiographFileFormatEnum format);
+VerifyRadiographFileIsComplete(const std::string &      fileName,
+                               RadiographFileFormatEnum format,
+                               std::size_t              maximumNumberOfPixels);
 
 /** A TIFF whose first picture has 0 for white. False for all other files, and for a TIFF that is not whole. */
 bool

@@ -20,6 +20,9 @@
 #include "itkCephalogramTestFile.h"
 #include "itkDicomTestFile.h"
 
+#include "itkGDCMImageIO.h"
+#include "itkImageFileWriter.h"
+
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -274,6 +277,63 @@ TEST(CephalogramDicom, RescaleIsApplied)
 {
   const auto reader = Read(DicomTestFile().Set(0x0028, 0x1052, "DS", "-100").Set(0x0028, 0x1053, "DS", "0.5"));
   EXPECT_EQ(GetPixel(reader, 7, 9), 385.0f);
+}
+
+TEST(CephalogramDicom, ReadsWhatITKWritesCompressedOrNot)
+{
+  using ImageType = itk::Image<unsigned short, 2>;
+  const auto image = ImageType::New();
+  image->SetRegions(ImageType::SizeType{ { 32, 24 } });
+  image->Allocate();
+  for (unsigned int i = 0; i < 32 * 24; ++i)
+  {
+    image->GetBufferPointer()[i] = static_cast<unsigned short>(5 * i);
+  }
+  for (const auto compression :
+       { itk::GDCMImageIO::CompressionEnum::JPEG, itk::GDCMImageIO::CompressionEnum::JPEG2000 })
+  {
+    for (const bool compress : { false, true })
+    {
+      const auto io = itk::GDCMImageIO::New();
+      io->SetCompressionType(compression);
+      const auto writer = itk::ImageFileWriter<ImageType>::New();
+      writer->SetFileName(itk::TestFolder() + "/written.dcm");
+      writer->SetInput(image);
+      writer->SetImageIO(io);
+      writer->SetUseCompression(compress);
+      writer->Update();
+      const auto reader = CephalogramFileReader::New();
+      reader->SetFileName(writer->GetFileName());
+      reader->Update();
+      // Both compressions are lossless.
+      EXPECT_EQ(GetPixel(reader, 31, 23), 5.0f * (32 * 24 - 1));
+      EXPECT_EQ(GetPixel(reader, 3, 7), 5.0f * (7 * 32 + 3));
+      EXPECT_EQ(reader->GetPixelSpacingVerdict(), Verdict::Unknown);
+    }
+  }
+}
+
+TEST(CephalogramDicom, SequencesAreWalkedAndWithoutAPreambleItIsStillDicom)
+{
+  // A referenced image in a sequence: item and sequence with and without a length.
+  const std::string inner("\x08\0\x50\x11UI\x04\0"
+                          "1.2\0",
+                          12);
+  const std::string defined = std::string("\xfe\xff\x00\xe0\x0c\0\0\0", 8) + inner;
+  const auto        reader = CephalogramFileReader::New();
+  reader->SetFileName(itk::WriteTestFile(
+    "sequence.dcm", DicomTestFile().SetImagerPixelSpacing("0.1\\0.1").Set(0x0008, 0x1140, "SQ", defined).GetBytes()));
+  reader->Update();
+  EXPECT_EQ(reader->GetPixelSpacing()[0], 0.1);
+  const auto broken = CephalogramFileReader::New();
+  broken->SetFileName(
+    itk::WriteTestFile("broken.dcm", DicomTestFile().Set(0x0008, 0x1140, "SQ", defined.substr(0, 16)).GetBytes()));
+  EXPECT_EQ(itk::ExpectInputError([&] { broken->Update(); }).GetField(), "(0008,1140)");
+
+  const auto bare = CephalogramFileReader::New();
+  bare->SetFileName(itk::WriteTestFile("bare.dcm", DicomTestFile().GetBytes(false)));
+  bare->UpdateOutputInformation();
+  EXPECT_EQ(bare->GetFileFormat(), "DICOM");
 }
 
 TEST(CephalogramDicom, SeveralFramesAreAnError)

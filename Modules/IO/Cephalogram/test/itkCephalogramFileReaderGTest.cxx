@@ -283,6 +283,38 @@ TEST(CephalogramFileReader, TruncatedFilesAreRefusedSilently)
   }
 }
 
+TEST(CephalogramFileReader, DamagedBytesNeverCrash)
+{
+  const auto image =
+    MakeImage<unsigned char>([](auto u, auto v) { return static_cast<unsigned char>(u * 37 + v * v * 11); });
+  for (const std::string & path : { WriteImage<itk::PNGImageIO>("a.png", image.GetPointer()),
+                                    WriteImage<itk::JPEGImageIO>("a.jpg", image.GetPointer()),
+                                    WriteImage<itk::BMPImageIO>("a.bmp", image.GetPointer()),
+                                    WriteImage<itk::TIFFImageIO>("a.tif", image.GetPointer()),
+                                    WriteImage<itk::NrrdImageIO>("a.nrrd", image.GetPointer()),
+                                    WriteImage<itk::MetaImageIO>("a.mha", image.GetPointer()) })
+  {
+    const std::string bytes = itk::ReadTestFile(path);
+    unsigned int      refused = 0;
+    testing::internal::CaptureStderr();
+    for (std::size_t position = 0; position < bytes.size(); ++position)
+    {
+      std::string damaged = bytes;
+      damaged[position] = static_cast<char>(damaged[position] ^ 0x5a);
+      try
+      {
+        Read(itk::WriteTestFile("damaged", damaged));
+      }
+      catch (const itk::DentalInputError &)
+      {
+        ++refused;
+      }
+    }
+    testing::internal::GetCapturedStderr();
+    EXPECT_GT(refused, 0u) << path;
+  }
+}
+
 TEST(CephalogramFileReader, WhatIsNoImageIsNamed)
 {
   EXPECT_TRUE(itk::Contains(ReadProblem(itk::TestFolder() + "/none.png"), "no such file"));

@@ -49,6 +49,8 @@ inline std::string
 WriteTestFile(const std::string & name, const std::string & content)
 {
   const std::string path = TestFolder() + '/' + name;
+  // A file that is truncated is flushed to the disk by some file systems, a new one is not.
+  std::filesystem::remove(path);
   std::ofstream(path, std::ios::binary) << content;
   return path;
 }

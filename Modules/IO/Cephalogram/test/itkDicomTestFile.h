@@ -150,7 +150,8 @@ private:
     }
     const auto  length = static_cast<uint32_t>(value.size());
     std::string bytes = LittleEndian(group, 2) + LittleEndian(element, 2) + vr;
-    bytes += vr == "OB" || vr == "OW" ? LittleEndian(0, 2) + LittleEndian(length, 4) : LittleEndian(length, 2);
+    bytes +=
+      vr == "OB" || vr == "OW" || vr == "SQ" ? LittleEndian(0, 2) + LittleEndian(length, 4) : LittleEndian(length, 2);
     return bytes + value;
   }
 
