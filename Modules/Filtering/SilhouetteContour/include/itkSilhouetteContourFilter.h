@@ -54,7 +54,7 @@ public:
     Absolute,
     /** LevelFraction of the way from the background to the other extreme. */
     Fraction,
-    /** Where the image is steepest. */
+    /** Half the median of what is not background. */
     Automatic
   };
   /** In what the contour is expressed. */
@@ -78,11 +78,13 @@ SilhouetteContour_EXPORT std::ostream &
  * Intensity: an iso-contour by marching squares with linear interpolation; see IsoContourTracer. The background is the
  * image's smallest value, or the largest with ObjectIsDarkOn() (I_0 exp(-mu L)). Level:
  *  - Absolute: LevelValue.
- *  - Fraction (the default): background + LevelFraction (other extreme - background).
- *  - Automatic: the level, between 2 % and 50 % of that range, at which the image is steepest on average.
- * On a map that has been smoothed with a Gaussian of width sigma the half level of a plateau lies on a straight edge
- * without bias, and sigma^2 / (2 R) inside of an edge of radius R. A thickness map has no plateau: its values depend on
- * what lies behind, and so does its contour. Documentation/Contours.md has figures.
+ *  - Fraction: background + LevelFraction (other extreme - background).
+ *  - Automatic (the default): half-way between the background and the median of the object: of all pixels that
+ *    differ from the background by more than 1 % of the range, and then of all above the level so found. The maximum of
+ * a DRR lies where rays graze the surface and says little about the rest; the median does not depend on such places. On
+ * a mask that has been smoothed with a Gaussian of width sigma the half level lies on a straight edge without bias, and
+ * sigma^2 / (2 R) inside of an edge of radius R. A thickness map has no plateau: its contour is off by a share of sigma
+ * that depends on the level and on what lies behind. Documentation/Contours.md has figures.
  *
  * ToothLabels, MergedLabels: the outline runs half-way between pixel centres. An integer pixel type or whole numbers
  * are expected; a label that is no FDI number is an error under ToothLabels.
@@ -129,7 +131,7 @@ public:
   itkSetEnumMacro(Content, ContentEnum);
   itkGetEnumMacro(Content, ContentEnum);
 
-  /** Default Fraction. */
+  /** Default Automatic. */
   itkSetEnumMacro(Level, LevelEnum);
   itkGetEnumMacro(Level, LevelEnum);
 
@@ -184,7 +186,7 @@ private:
 
   /** The level, for values of the sign under which the object is bright. */
   double
-  FindLevel(double background, double extreme) const;
+  FindLevel(double background, double extreme);
 
   void
   AddLoops(const std::vector<IsoContourTracer::LoopType> & loops, const RegionType & region, ToothCode code);
@@ -195,7 +197,7 @@ private:
   TraceLabels();
 
   ContentEnum           m_Content{ ContentEnum::Intensity };
-  LevelEnum             m_Level{ LevelEnum::Fraction };
+  LevelEnum             m_Level{ LevelEnum::Automatic };
   double                m_LevelValue{ 0.5 };
   double                m_LevelFraction{ 0.5 };
   bool                  m_ObjectIsDark{ false };

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 
 namespace itk
@@ -83,7 +84,7 @@ SilhouetteContourFilter<TInputImage>::GenerateData()
 
 template <typename TInputImage>
 double
-SilhouetteContourFilter<TInputImage>::FindLevel(double background, double extreme) const
+SilhouetteContourFilter<TInputImage>::FindLevel(double background, double extreme)
 {
   const double sign = m_ObjectIsDark ? -1.0 : 1.0;
   if (m_Level == LevelEnum::Absolute)
@@ -94,64 +95,32 @@ SilhouetteContourFilter<TInputImage>::FindLevel(double background, double extrem
   {
     return background + m_LevelFraction * (extreme - background);
   }
-  // For each of many levels: number of neighbouring pixels that it separates, and the sum of their differences.
-  constexpr std::size_t  levels = 256;
-  const InputImageType * image = static_cast<const InputImageType *>(this->ProcessObject::GetPrimaryInput());
-  const RegionType       region = image->GetBufferedRegion();
-  std::vector<double>    counts(levels + 1, 0.0);
-  std::vector<double>    sums(levels + 1, 0.0);
-  const auto             width = static_cast<std::size_t>(region.GetSize(0));
-  std::vector<double>    previous;
-  std::vector<double>    row(width);
-  const double           scale = static_cast<double>(levels) / (extreme - background);
-  const auto             addPair = [&](double a, double b) {
-    const double low = (std::min(a, b) - background) * scale;
-    const double high = (std::max(a, b) - background) * scale;
-    // Levels are at k + 1/2: those in (low, high] are separated.
-    const auto first = static_cast<std::size_t>(std::ceil(std::max(0.0, low - 0.5)));
-    const auto last = static_cast<std::size_t>(std::ceil(std::max(0.0, high - 0.5)));
-    if (first < last)
-    {
-      counts[first] += 1.0;
-      counts[std::min(last, levels)] -= 1.0;
-      sums[first] += high - low;
-      sums[std::min(last, levels)] -= high - low;
-    }
-  };
-  ImageScanlineConstIterator<InputImageType> it(image, region);
-  while (!it.IsAtEnd())
+  // Half the median of the object by a histogram: of what is not background first, then of what is above that level,
+  // so that a blurred edge counts for less.
+  constexpr std::size_t    bins = 4096;
+  const double             scale = static_cast<double>(bins) / (extreme - background);
+  std::vector<std::size_t> histogram(bins, 0);
+  for (ImageRegionConstIterator<InputImageType> it(this->GetInput(), this->GetInput()->GetBufferedRegion());
+       !it.IsAtEnd();
+       ++it)
   {
-    for (std::size_t i = 0; i < width; ++i, ++it)
-    {
-      row[i] = sign * static_cast<double>(it.Get());
-      if (i > 0)
-      {
-        addPair(row[i - 1], row[i]);
-      }
-      if (!previous.empty())
-      {
-        addPair(previous[i], row[i]);
-      }
-    }
-    previous = row;
-    it.NextLine();
+    const double height = (sign * static_cast<double>(it.Get()) - background) * scale;
+    ++histogram[std::min(bins - 1, static_cast<std::size_t>(height))];
   }
-  double      count = 0.0;
-  double      sum = 0.0;
-  double      best = -1.0;
-  std::size_t bestLevel = levels / 2;
-  for (std::size_t k = 0; k < levels; ++k)
+  double level = 0.01 * static_cast<double>(bins);
+  for (unsigned int pass = 0; pass < 2; ++pass)
   {
-    count += counts[k];
-    sum += sums[k];
-    const double position = (static_cast<double>(k) + 0.5) / static_cast<double>(levels);
-    if (position >= 0.02 && position <= 0.5 && count > 0.5 && sum / count > best * (1.0 + 1e-9))
+    const auto        first = static_cast<std::size_t>(level) + 1;
+    const std::size_t count =
+      std::accumulate(histogram.begin() + static_cast<std::ptrdiff_t>(first), histogram.end(), std::size_t{ 0 });
+    std::size_t bin = first;
+    for (std::size_t below = histogram[bin]; 2 * below < count && bin + 1 < bins; below += histogram[bin])
     {
-      best = sum / count;
-      bestLevel = k;
+      ++bin;
     }
+    level = 0.5 * (static_cast<double>(bin) + 0.5);
   }
-  return background + (static_cast<double>(bestLevel) + 0.5) / scale;
+  return background + level / scale;
 }
 
 template <typename TInputImage>
