@@ -19,6 +19,7 @@
 
 #include "itkContourDistanceFilter.h"
 #include "itkContourResampleFilter.h"
+#include "itkMakeTriangleSurface.h"
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkSilhouetteContourFilter.h"
 #include "itkSilhouetteToContourRegistrationMethod.h"
@@ -62,6 +63,19 @@ MakeCentredGeometry(const CephalometricGeometry * geometry, const DentalJawFrame
   return centred;
 }
 
+/** Wide enough to close the gaps between the vertices, no wider: the border moves outward with it. mm in the detector plane. */
+double
+ChooseSplatWidth(const MeshType * mesh, const CephalometricGeometry * geometry)
+{
+  const TriangleSurface surface = MakeTriangleSurface(mesh);
+  const double          area = surface.Area();
+  const double          magnification =
+    geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
+  const double distance = magnification * std::sqrt(area / static_cast<double>(surface.points.size()));
+  // A pixel is the finest that the image can show.
+  return std::max(0.5 * (geometry->GetPixelSpacing()[0] + geometry->GetPixelSpacing()[1]), 0.7 * distance);
+}
+
 DentalContour::Pointer
 MakeSilhouette(const MeshType *               mesh,
                CephalometricGeometry *        geometry,
@@ -79,6 +93,7 @@ MakeSilhouette(const MeshType *               mesh,
     auto source = SourceType::New();
     source->SetInput(mesh);
     source->SetGeometry(geometry);
+    source->SetSigma(ChooseSplatWidth(mesh, geometry));
     // Four widths of the splats: the iso-contour must not touch the image's border.
     source->SetSizeToCoverMeshes(4.0 * source->GetSigma());
     source->Update();
@@ -88,6 +103,10 @@ MakeSilhouette(const MeshType *               mesh,
     using FilterType = SilhouetteContourFilter<ImageType>;
     auto filter = FilterType::New();
     filter->SetInput(source->GetOutput());
+    // Inside the silhouette the ray crosses at least one shell, outside none: half a shell is the border. A fraction of the
+    // maximum would follow the dense, grazing parts instead.
+    filter->SetLevel(FilterType::LevelEnum::Absolute);
+    filter->SetLevelValue(0.5 * source->GetDensity());
     resample->SetInput(filter->GetOutput());
     resample->Update();
     contourProbe.Stop();
