@@ -5,6 +5,7 @@ itk_module(UMidlineDentalAxis
     ITKMesh
     ITKTransform
   TEST_DEPENDS
+    DentalPhantom
     ITKTestKernel
   DESCRIPTION
     "The anatomical frame of dental arches: U-midline dental axis (UMDA), mirror plane, occlusion check."

@@ -50,10 +50,10 @@ struct UMidlineDentalAxis_EXPORT MidsagittalPlaneOptions
   /** Distances count up to this value (mm) where solutions are ranked. */
   double truncationDistance{ 2.0 };
   /** Samples of all jaws together while searching, and in the final updates. */
-  unsigned int searchSamples{ 900 };
+  unsigned int searchSamples{ 600 };
   unsigned int finalSamples{ 4000 };
   /** Angle between the starts about z, and how far they go to either side of the lateral direction given; degrees. */
-  double startStep{ 15.0 };
+  double startStep{ 10.0 };
   double startRange{ 90.0 };
   /** Restart the winner from yaw and offset steps around it (recipe: +-2.5, 5, 8 degrees by -1.5, 0, 1.5 mm). */
   bool restarts{ true };

@@ -25,7 +25,6 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
-#include <unordered_map>
 
 namespace itk
 {
@@ -116,43 +115,38 @@ Find(std::vector<std::uint32_t> & parent, std::uint32_t i)
 Samples
 TakeSamples(const TriangleSurface & surface, unsigned int count)
 {
-  struct Key
-  {
-    std::array<std::uint64_t, 3> bits;
-    bool
-    operator==(const Key & other) const
-    {
-      return bits == other.bits;
-    }
-  };
-  struct Hash
-  {
-    std::size_t
-    operator()(const Key & key) const
-    {
-      std::uint64_t h = 0;
-      for (const std::uint64_t b : key.bits)
-      {
-        h = (h ^ b) * 0x9E3779B97F4A7C15ull;
-        h ^= h >> 29;
-      }
-      return static_cast<std::size_t>(h);
-    }
-  };
+  // Open addressing: of repeated points the first stands for all.
   const std::size_t          size = surface.points.size();
   std::vector<std::uint32_t> first(size);
   {
-    std::unordered_map<Key, std::uint32_t, Hash> seen;
-    seen.reserve(2 * size);
+    constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
+    std::size_t             slots = 64;
+    while (slots < 2 * size)
+    {
+      slots *= 2;
+    }
+    std::vector<std::uint32_t> table(slots, empty);
     for (std::uint32_t i = 0; i < size; ++i)
     {
-      Key key;
+      std::uint64_t hash = 0;
       for (unsigned int d = 0; d < 3; ++d)
       {
-        const double value = surface.points[i][d] + 0.0; // -0 and 0 are one place
-        std::memcpy(&key.bits[d], &value, sizeof(value));
+        const double  value = surface.points[i][d] + 0.0; // -0 and 0 are one place
+        std::uint64_t bits;
+        std::memcpy(&bits, &value, sizeof(value));
+        hash = (hash ^ bits) * 0x9E3779B97F4A7C15ull;
+        hash ^= hash >> 32;
       }
-      first[i] = seen.emplace(key, i).first->second;
+      std::size_t slot = hash & (slots - 1);
+      while (table[slot] != empty && surface.points[table[slot]] != surface.points[i])
+      {
+        slot = (slot + 1) & (slots - 1);
+      }
+      if (table[slot] == empty)
+      {
+        table[slot] = i;
+      }
+      first[i] = table[slot];
     }
   }
 
@@ -1198,7 +1192,7 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
   if (options.refineMidline)
   {
     MidsagittalPlaneOptions fine = options.midline;
-    fine.startRange = std::min(fine.startRange, 15.0);
+    fine.startRange = std::min(fine.startRange, 10.0);
     if (result.jawsShareFrame)
     {
       result.midsagittalUpper = EstimateMidsagittalPlane({ MirrorSet(jaws[0], options), MirrorSet(jaws[1], options) },

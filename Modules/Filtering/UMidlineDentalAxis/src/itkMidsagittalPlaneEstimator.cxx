@@ -206,11 +206,12 @@ Iterate(const Level &                   level,
         Plane &                         plane,
         const MidsagittalPlaneOptions & options,
         unsigned int                    iterations,
+        double                          tolerance,
         std::vector<Pair> &             pairs)
 {
   for (unsigned int i = 0; i < iterations; ++i)
   {
-    if (Update(level, plane, options, pairs) < 0.01)
+    if (Update(level, plane, options, pairs) < tolerance)
     {
       break;
     }
@@ -280,7 +281,9 @@ EstimateMidsagittalPlane(const std::vector<OrientedPointSet> & jaws,
   std::vector<Pair> pairs;
   const Level       coarse = MakeLevel(jaws, options.normalWeight, std::max(50u, options.searchSamples / 2));
   const Level       search = MakeLevel(jaws, options.normalWeight, options.searchSamples);
-  const Level       fine = MakeLevel(jaws, options.normalWeight, options.finalSamples);
+  const Level       ranking =
+    MakeLevel(jaws, options.normalWeight, std::min(3 * options.searchSamples, options.finalSamples));
+  const Level fine = MakeLevel(jaws, options.normalWeight, options.finalSamples);
 
   // Starts about z: a plane's normal covers half a turn. Few updates of few samples, then the best go on.
   std::vector<Plane> candidates;
@@ -294,7 +297,7 @@ EstimateMidsagittalPlane(const std::vector<OrientedPointSet> & jaws,
     Plane plane;
     plane.normal = Rotate(reference, z, start * options.startStep * Degree);
     plane.offset = Dot(plane.normal, centre);
-    Iterate(coarse, plane, options, 6, pairs);
+    Iterate(coarse, plane, options, 5, 0.3, pairs);
     candidates.push_back(plane);
   }
   const auto byResidual = [](const Plane & a, const Plane & b) { return a.residual < b.residual; };
@@ -324,7 +327,7 @@ EstimateMidsagittalPlane(const std::vector<OrientedPointSet> & jaws,
   keepDistinct(candidates, 2.0, 1.0, 4);
   for (Plane & plane : candidates)
   {
-    Iterate(search, plane, options, 15, pairs);
+    Iterate(search, plane, options, 12, 0.05, pairs);
   }
   keepDistinct(candidates, 0.5, 0.3, 4);
 
@@ -346,38 +349,44 @@ EstimateMidsagittalPlane(const std::vector<OrientedPointSet> & jaws,
         Plane plane;
         plane.normal = Rotate(winner.normal, z, yaw * Degree);
         plane.offset = Dot(plane.normal, centre) + winnerShift + offset;
-        Iterate(coarse, plane, options, 10, pairs);
-        restarted.push_back(plane);
+        // Most fall back to the winner within a few updates: those need no more.
+        Iterate(coarse, plane, options, 3, 0.1, pairs);
+        if (AngleBetween(plane, winner) > 0.8 || ShiftBetween(plane, winner, centre) > 0.5)
+        {
+          Iterate(coarse, plane, options, 7, 0.1, pairs);
+          restarted.push_back(plane);
+        }
       }
     }
-    keepDistinct(restarted, 0.7, 0.4, 5);
+    keepDistinct(restarted, 0.7, 0.4, 4);
     for (Plane & plane : restarted)
     {
-      Iterate(search, plane, options, 15, pairs);
+      Iterate(search, plane, options, 12, 0.05, pairs);
     }
     candidates.insert(candidates.end(), restarted.begin(), restarted.end());
     keepDistinct(candidates, 0.5, 0.3, 4);
   }
 
-  // Rank the leaders on the dense samples.
+  // Rank the leaders on denser samples, and finish the best of them.
   if (candidates.size() > 3)
   {
     candidates.resize(3);
   }
   for (Plane & plane : candidates)
   {
-    Iterate(fine, plane, options, 8, pairs);
+    Iterate(ranking, plane, options, 5, 0.05, pairs);
   }
   std::stable_sort(candidates.begin(), candidates.end(), byResidual);
-  Plane best = candidates.front();
-  Iterate(fine, best, options, 20, pairs);
+  Plane        best = candidates.front();
+  const double bestRank = best.residual;
+  Iterate(fine, best, options, 15, 0.01, pairs);
 
   result.margin = options.truncationDistance - best.residual;
   for (const Plane & plane : candidates)
   {
     if (AngleBetween(plane, best) > 2.0 || ShiftBetween(plane, best, centre) > 1.0)
     {
-      result.margin = std::min(result.margin, std::max(0.0, plane.residual - best.residual));
+      result.margin = std::min(result.margin, std::max(0.0, plane.residual - bestRank));
     }
   }
   std::size_t inliers = 0;
