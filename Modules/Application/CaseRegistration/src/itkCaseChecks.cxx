@@ -190,7 +190,8 @@ void
 CheckMirroring(const DentalCaseData & data, JawEnum jaw, const DentalJawFrame & frame, CaseResult & result)
 {
   JawResult & jawResult = result.jaws[jaw];
-  if (frame.windingAgreement < -0.2)
+  // A closed cast has no net normal: its winding says nothing.
+  if (frame.openness > 0.2 && frame.windingAgreement < -0.2)
   {
     jawResult.AddReason(CaseStatusEnum::Suspect, "the surface is wound inward: the scan may be mirrored");
   }
@@ -282,7 +283,7 @@ CheckCase(const DentalCaseData & data, const DentalFrameResult & frames, CaseRes
       reason << "the dental axis is unsure (confidence " << std::setprecision(2) << frame.confidence << ")";
       entry.second.AddReason(CaseStatusEnum::Suspect, reason.str());
     }
-    if (frame.openness < 0.1)
+    if (frame.openness <= 0.2)
     {
       result.notCheckable.push_back("whether a closed cast was mirrored: its winding looks the same either way");
     }

@@ -38,7 +38,7 @@ struct RegisterOptions
 {
   std::string              caseFile;
   std::string              output;
-  std::string              preset{ "paper" };
+  std::string              preset{ "robust" };
   std::string              init;
   std::vector<std::string> exclude;
   std::vector<std::string> fix;
@@ -167,7 +167,7 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
   auto * command = program.add_subcommand("register", "Registers a case: scans and tracing in, aligned case out");
   command->add_option("case", options->caseFile, "Case file (JSON)")->required();
   command->add_option("-o,--output", options->output, "Folder for the result")->required();
-  command->add_option("--preset", options->preset, "paper, bounding-box or single-stage")->capture_default_str();
+  command->add_option("--preset", options->preset, "robust, paper, bounding-box or single-stage")->capture_default_str();
   command->add_option("--init", options->init, "JSON file with the alignment to start from, as the case's \"init\"");
   command->add_option("--exclude", options->exclude, "Teeth to leave out of the tracing, e.g. UR3,UR4")->delimiter(',');
   command->add_option("--fix", options->fix, "What to hold at its start: scale, rotation, translation")->delimiter(',');
