@@ -134,10 +134,21 @@ public:
   PoseFitStatistics
   ComputeStatistics(std::size_t strand, const PoseContour & contour) const;
 
+  /** Share of a strand's contour that has a tracing point within 4 px. */
+  double
+  ComputeOverlap(std::size_t strand, const PoseContour & contour) const;
+
   /** 7x7, row-major: inverse of information and priors with the longer correlation length, inflation included. The
    * noise is estimated anew. Parameters that were fixed have no variance. */
   std::array<double, 49>
   ComputeCovariance(const PoseState & state, PoseNoise & noise) const;
+
+  /** Rms over a strand's matched points of the sigma an axis that a covariance predicts, px. */
+  double
+  PredictedSigma(std::size_t                      strand,
+                 const PoseParameters &           parameters,
+                 const std::vector<PoseContour> & contours,
+                 const std::array<double, 49> &   covariance) const;
 
   /** Minus twice the log likelihood (restricted) of the tracing at a pose, for the comparison of models. */
   double
@@ -148,6 +159,10 @@ public:
   ContourDistance(const std::vector<PoseContour> & contours,
                   const PoseParameters &           contourPose,
                   const PoseParameters &           other) const;
+
+  /** The same for the covariance: rotations that were not estimated are uncertain all the same. */
+  std::array<double, 7>
+  GetCovarianceSigmas() const;
 
   /** Which parameters may move, and the prior's standard deviation of each: 0 fixed, infinity free. */
   std::array<double, 7>

@@ -49,17 +49,6 @@ enum class PoseTracedSideEnum : std::uint8_t
   Both
 };
 
-/** Which border of the traced side's crowns the tracing follows. */
-enum class PoseContourStyleEnum : std::uint8_t
-{
-  /** The outer border of everything on that side. */
-  Silhouette,
-  /** The border of the buccal surfaces, which lies inside the silhouette where lingual cusps reach further. */
-  Buccal,
-  /** Both are fitted, the significantly better one is kept. */
-  Automatic
-};
-
 /** A stretch of tracing, continuous pixel indices of the radiograph. */
 struct PosePolyline
 {
@@ -121,8 +110,7 @@ enum PoseParameterIndex : unsigned int
 /** Every ingredient of the method; the defaults are preset "robust". */
 struct PoseRefinementOptions
 {
-  PoseTracedSideEnum   tracedSide{ PoseTracedSideEnum::Right };
-  PoseContourStyleEnum contourStyle{ PoseContourStyleEnum::Automatic };
+  PoseTracedSideEnum tracedSide{ PoseTracedSideEnum::Right };
 
   /** Cut at the midline plane, or take the whole mesh's outline. */
   bool useSideSelection{ true };
@@ -167,6 +155,14 @@ struct PoseRefinementOptions
   /** Of kappa where the pixel spacing is not known. */
   double kappaSigmaWithoutSpacing{ 0.25 };
 
+  /** Standard deviation of roll and yaw in the covariance where they are not estimated (bisected tracing, similarity).
+   */
+  double unobservedRotationSigma{ 0.03490658503988659 };
+  /** Try the other side, and, where the fit is poor, exchanged jaws and the other facing. */
+  bool checkHypotheses{ true };
+  /** Score above which the fit counts as poor for that. */
+  double poorScore{ 0.25 };
+
   /** Manual control. */
   bool           fixScale{ false };
   bool           fixRotation{ false };
@@ -200,6 +196,8 @@ struct PoseFitStatistics
   /** Mean of (arc of tooth - expected arc of its code), mm; 0 without codes. */
   double codeOffset{ 0.0 };
   bool   hasCodes{ false };
+  /** Root mean square over the matched points of the predicted sigma an axis, px. */
+  double predictedSigma{ 0.0 };
   /** Length of the tracing and of the open moving contour, px. */
   double tracingLength{ 0.0 };
   double contourLength{ 0.0 };
@@ -236,6 +234,13 @@ struct PoseJawResult
   std::array<double, 2> similarityTranslation{ { 0.0, 0.0 } };
   double                similarityRms{ 0.0 };
   PoseFitStatistics     fit;
+  /** Extent of the surface along y, mm. */
+  double archWidth{ 0.0 };
+  /** Component along the occlusal direction of the sum of area normals over the area: positive for an open shell with
+   * outward winding, near 0 for a closed cast. */
+  double winding{ 0.0 };
+  /** Share of the tracing whose tooth codes are of the side that was not said to be traced. */
+  double otherSideCodes{ 0.0 };
   /** The moving contour at the solution: open, in pixels of the radiograph, with its points in the mesh frame. */
   std::vector<std::array<double, 2>> contour;
   std::vector<std::array<double, 3>> contourPoints;
@@ -259,10 +264,13 @@ struct PoseGroupResult
   double       margin{ 1.0 };
   unsigned int evaluations{ 0 };
   bool         converged{ false };
-  /** The style that was used. */
-  PoseContourStyleEnum contourStyle{ PoseContourStyleEnum::Silhouette };
-  /** Of each style tried (Silhouette, Buccal): minus twice the log likelihood; 0 where not tried. */
-  std::array<double, 2> styleDeviance{ { 0.0, 0.0 } };
+  /** Minus twice the log likelihood of the tracing on the other side's contour (refined from the solution) minus that
+   * on the traced side's: clearly negative where the other side was traced. 0 where it was not tried. */
+  double otherSideDeviance{ 0.0 };
+  /** Where the fit is poor: the scores when the jaws' tracings are exchanged, and when the patient faces the other way;
+   * 1 where not tried. */
+  double exchangedScore{ 1.0 };
+  double otherFacingScore{ 1.0 };
 };
 
 struct PoseRefinementResult

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkPoseEstimator.h"
 
+#include "itkPoseContourIndex.h"
 #include "itkPoseNoiseModel.h"
 
 #include <algorithm>
@@ -29,6 +30,8 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double ScoreWidth = 4.0;
+/** Error of the moving contour itself, px: half the sample spacing, facets, the cut at the midline. */
+constexpr double ModelSigma = 0.2;
 
 double
 GemanMcClure(double d, double c)
@@ -37,115 +40,16 @@ GemanMcClure(double d, double c)
   return a * a;
 }
 
-/** Contour samples in buckets along u, for the oriented nearest neighbour. */
-class ContourIndex
-{
-public:
-  explicit ContourIndex(const PoseContour & contour)
-  {
-    const std::size_t n = contour.Size();
-    if (n == 0)
-    {
-      return;
-    }
-    m_Low = *std::min_element(contour.u.begin(), contour.u.end());
-    const double high = *std::max_element(contour.u.begin(), contour.u.end());
-    m_Buckets = static_cast<int>((high - m_Low) / Width) + 1;
-    m_Start.assign(m_Buckets + 1, 0);
-    std::vector<int> bucket(n);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      bucket[i] = std::min(m_Buckets - 1, static_cast<int>((contour.u[i] - m_Low) / Width));
-      ++m_Start[bucket[i] + 1];
-    }
-    for (int b = 0; b < m_Buckets; ++b)
-    {
-      m_Start[b + 1] += m_Start[b];
-    }
-    std::vector<std::size_t> next(m_Start.begin(), m_Start.end() - 1);
-    m_Sample.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      const std::size_t k = next[bucket[i]]++;
-      m_Sample[k] = { contour.u[i], contour.v[i], contour.nu[i], contour.nv[i], i };
-    }
-  }
-
-  bool
-  Empty() const
-  {
-    return m_Sample.empty();
-  }
-
-  std::size_t
-  Nearest(double u, double v, double nu, double nv, double normalWeight2) const
-  {
-    const int   centre = std::min(m_Buckets - 1, std::max(0, static_cast<int>((u - m_Low) / Width)));
-    double      best = Infinity;
-    std::size_t index = 0;
-    const auto  scan = [&](int b) {
-      for (std::size_t k = m_Start[b]; k < m_Start[b + 1]; ++k)
-      {
-        const Sample & s = m_Sample[k];
-        const double   du = s.u - u;
-        const double   dv = s.v - v;
-        const double   d = du * du + dv * dv + normalWeight2 * (2.0 - 2.0 * (s.nu * nu + s.nv * nv));
-        if (d < best || (d == best && s.index < index))
-        {
-          best = d;
-          index = s.index;
-        }
-      }
-    };
-    scan(centre);
-    for (int step = 1; step < m_Buckets; ++step)
-    {
-      // Distance along u to the nearer side of the next buckets.
-      const int    left = centre - step;
-      const int    right = centre + step;
-      const double dl = u - (m_Low + (left + 1) * Width);
-      const double dr = m_Low + right * Width - u;
-      const bool   useLeft = left >= 0 && (dl <= 0.0 || dl * dl <= best);
-      const bool   useRight = right < m_Buckets && (dr <= 0.0 || dr * dr <= best);
-      if (useLeft)
-      {
-        scan(left);
-      }
-      if (useRight)
-      {
-        scan(right);
-      }
-      if (!useLeft && !useRight)
-      {
-        break;
-      }
-    }
-    return index;
-  }
-
-private:
-  static constexpr double Width = 8.0;
-  struct Sample
-  {
-    double      u, v, nu, nv;
-    std::size_t index;
-  };
-  double                   m_Low{ 0.0 };
-  int                      m_Buckets{ 0 };
-  std::vector<std::size_t> m_Start;
-  std::vector<Sample>      m_Sample;
-};
 } // namespace
 
 /** The normal equations at a linearisation. */
 class PoseEstimator::Solver
 {
 public:
-  Solver(const PoseEstimator & estimator, bool similarityOnly, double correlationLength)
+  Solver(const PoseEstimator & estimator, const std::array<double, 7> & sigmas, double correlationLength)
     : m_Estimator(estimator)
     , m_CorrelationLength(correlationLength)
   {
-    const auto sigmas = estimator.GetPriorSigmas(similarityOnly);
     for (unsigned int k = 0; k < 7; ++k)
     {
       if (sigmas[k] > 0.0)
@@ -161,22 +65,16 @@ public:
     }
   }
 
+  /** From the prior's mean, which is zero. */
   Eigen::VectorXd
   Offset(const PoseParameters & parameters) const
   {
     Eigen::VectorXd offset(m_Active.size());
-    const auto      mean = this->PriorMean();
     for (std::size_t a = 0; a < m_Active.size(); ++a)
     {
-      offset[a] = parameters[m_Active[a]] - mean[m_Active[a]];
+      offset[a] = parameters[m_Active[a]];
     }
     return offset;
-  }
-
-  PoseParameters
-  PriorMean() const
-  {
-    return PoseParameters{ {} };
   }
 
   /** Weights by distance, correlation by normals. */
@@ -318,6 +216,24 @@ PoseEstimator::GetPriorSigmas(bool similarityOnly) const
   return sigmas;
 }
 
+std::array<double, 7>
+PoseEstimator::GetCovarianceSigmas() const
+{
+  std::array<double, 7> sigmas = this->GetPriorSigmas(false);
+  if (!m_Options.fixRotation)
+  {
+    for (unsigned int k : { PoseRoll, PoseYaw })
+    {
+      sigmas[k] = sigmas[k] > 0.0 ? sigmas[k] : m_Options.unobservedRotationSigma;
+    }
+  }
+  if (!m_Options.fixTranslation)
+  {
+    sigmas[PoseTy] = sigmas[PoseTy] > 0.0 ? sigmas[PoseTy] : m_Options.tySigma;
+  }
+  return sigmas;
+}
+
 std::vector<PoseContour>
 PoseEstimator::ComputeContours(const PoseParameters & parameters) const
 {
@@ -368,9 +284,9 @@ PoseEstimator::Linearize(const PoseParameters &           parameters,
   std::size_t k = 0;
   for (std::size_t s = 0; s < m_Strands.size(); ++s)
   {
-    const PoseTracing & tracing = m_Strands[s].tracing;
-    const PoseContour & contour = contours[s];
-    const ContourIndex  index(contour);
+    const PoseTracing &    tracing = m_Strands[s].tracing;
+    const PoseContour &    contour = contours[s];
+    const PoseContourIndex index(contour);
     for (std::size_t i = 0; i < tracing.Size(); ++i, ++k)
     {
       if (index.Empty())
@@ -420,10 +336,6 @@ PoseEstimator::Linearize(const PoseParameters &           parameters,
 PoseState
 PoseEstimator::Refine(const PoseState & start, const PoseSchedule & schedule) const
 {
-  if (!m_Options.regenerateOutline)
-  {
-    return this->Run(start, schedule, nullptr, start.parameters);
-  }
   return this->Run(start, schedule, nullptr, start.parameters);
 }
 
@@ -463,8 +375,8 @@ PoseEstimator::Run(const PoseState &                start,
     return contours;
   };
   const bool correlated = schedule.correlated && m_Options.useCorrelatedNoise;
-  Solver     solver(*this, schedule.similarityOnly, correlated ? m_Options.correlationLength : 0.0);
-  PoseState  state = start;
+  Solver solver(*this, this->GetPriorSigmas(schedule.similarityOnly), correlated ? m_Options.correlationLength : 0.0);
+  PoseState state = start;
   state.evaluations = 0;
   state.converged = false;
   std::vector<PoseContour> contours = contoursAt(state.parameters);
@@ -576,8 +488,8 @@ PoseEstimator::ComputeStatistics(std::size_t s, const PoseContour & contour) con
     fit.inlierShare = 0.0;
     return fit;
   }
-  const ContourIndex index(contour);
-  const double       normalWeight2 =
+  const PoseContourIndex index(contour);
+  const double           normalWeight2 =
     m_Options.useOrientation ? m_Options.orientationWeight * m_Options.orientationWeight : 0.0;
   std::vector<double>   distances;
   double                weights = 0.0, cost = 0.0, squares = 0.0, inliers = 0.0;
@@ -636,10 +548,30 @@ PoseEstimator::ComputeStatistics(std::size_t s, const PoseContour & contour) con
   return fit;
 }
 
+double
+PoseEstimator::ComputeOverlap(std::size_t strand, const PoseContour & contour) const
+{
+  const PoseTracing & tracing = m_Strands[strand].tracing;
+  std::size_t         near = 0;
+  for (std::size_t j = 0; j < contour.Size(); ++j)
+  {
+    bool found = false;
+    for (std::size_t i = 0; i < tracing.Size() && !found; ++i)
+    {
+      const double du = tracing.u[i] - contour.u[j];
+      const double dv = tracing.v[i] - contour.v[j];
+      found = du * du + dv * dv < ScoreWidth * ScoreWidth;
+    }
+    near += found ? 1 : 0;
+  }
+  return contour.Size() > 0 ? static_cast<double>(near) / static_cast<double>(contour.Size()) : 0.0;
+}
+
 std::array<double, 49>
 PoseEstimator::ComputeCovariance(const PoseState & state, PoseNoise & noise) const
 {
-  Solver solver(*this, false, m_Options.useCorrelatedNoise ? m_Options.covarianceCorrelationLength : 0.0);
+  Solver solver(
+    *this, this->GetCovarianceSigmas(), m_Options.useCorrelatedNoise ? m_Options.covarianceCorrelationLength : 0.0);
   noise = state.noise;
   std::array<double, 49> covariance{};
   if (solver.m_Active.empty())
@@ -653,6 +585,8 @@ PoseEstimator::ComputeCovariance(const PoseState & state, PoseNoise & noise) con
   {
     noise = EstimatePoseNoise(solver.m_Blocks, solver.m_Precision, solver.Offset(state.parameters), state.noise);
   }
+  // What outline and frame get wrong stays where the tracing is perfect.
+  noise.smooth = std::hypot(noise.smooth, ModelSigma);
   solver.Factor(noise);
   Eigen::MatrixXd information = solver.m_Information;
   information.diagonal().array() += 1e-9;
@@ -670,9 +604,46 @@ PoseEstimator::ComputeCovariance(const PoseState & state, PoseNoise & noise) con
 }
 
 double
+PoseEstimator::PredictedSigma(std::size_t                      strand,
+                              const PoseParameters &           parameters,
+                              const std::vector<PoseContour> & contours,
+                              const std::array<double, 49> &   covariance) const
+{
+  const PoseModel     model(m_Geometry, parameters);
+  const Linearization lin = this->Linearize(parameters, contours, false);
+  std::size_t         begin = 0;
+  for (std::size_t s = 0; s < strand; ++s)
+  {
+    begin += m_Strands[s].tracing.Size();
+  }
+  const std::size_t n = m_Strands[strand].tracing.Size();
+  if (n == 0 || contours[strand].Size() == 0)
+  {
+    return 0.0;
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    double w[2], jacobian[14];
+    model.ProjectWithJacobian(contours[strand].rim[lin.match[begin + i]].data(), w, jacobian);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      for (int a = 0; a < 7; ++a)
+      {
+        for (int b = 0; b < 7; ++b)
+        {
+          sum += 0.5 * jacobian[7 * axis + a] * covariance[7 * a + b] * jacobian[7 * axis + b];
+        }
+      }
+    }
+  }
+  return std::sqrt(sum / static_cast<double>(n));
+}
+
+double
 PoseEstimator::ComputeDeviance(const PoseState & state) const
 {
-  Solver              solver(*this, false, m_Options.useCorrelatedNoise ? m_Options.correlationLength : 0.0);
+  Solver solver(*this, this->GetPriorSigmas(false), m_Options.useCorrelatedNoise ? m_Options.correlationLength : 0.0);
   const Linearization lin = this->Linearize(state.parameters, this->ComputeContours(state.parameters), true);
   solver.SetBlocks(lin, ScoreWidth, m_Options.useRobustKernel);
   double deviance = 0.0;

@@ -19,7 +19,7 @@
 
 #include "itkParallelFor.h"
 #include "itkPoseEstimator.h"
-#include "itkPoseStartSearch.h"
+#include "itkPoseGroupRegistration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -169,265 +169,6 @@ CheckGeometry(const PoseGeometry & geometry)
   }
 }
 
-/** Registers one group of jaws that share a pose. */
-class GroupRun
-{
-public:
-  GroupRun(const PoseGeometry & geometry, const PoseRefinementOptions & options, std::vector<PoseStrand> strands)
-    : m_Options(options)
-    , m_Estimator(geometry, options, std::move(strands))
-  {}
-
-  /** \return false on abort. */
-  bool
-  Run(PoseGroupResult & group);
-
-  const PoseEstimator &
-  GetEstimator() const
-  {
-    return m_Estimator;
-  }
-
-private:
-  std::vector<PoseState>
-  StartsAt(double yaw, unsigned int & evaluations) const;
-
-  std::vector<PoseState>
-  Distinct(const std::vector<PoseState> & states, double distance, std::size_t maximum) const;
-
-  bool
-  Aborted(double progress) const
-  {
-    return m_Options.progress && m_Options.progress(progress);
-  }
-
-  PoseRefinementOptions    m_Options;
-  PoseEstimator            m_Estimator;
-  std::vector<PoseContour> m_Reference;
-  PoseParameters           m_ReferencePose{ {} };
-};
-
-std::vector<PoseState>
-GroupRun::StartsAt(double yaw, unsigned int & evaluations) const
-{
-  // The view direction is that of the tracing: two rounds settle the perspective.
-  PoseParameters           pose{ {} };
-  std::vector<PoseContour> contours;
-  pose[PoseYaw] = yaw;
-  double      target[2] = { 0, 0 };
-  std::size_t points = 0;
-  for (const PoseStrand & strand : m_Estimator.GetStrands())
-  {
-    for (int k = 0; k < 2; ++k)
-    {
-      target[k] += strand.tracing.centroid[k] * static_cast<double>(strand.tracing.Size());
-    }
-    points += strand.tracing.Size();
-  }
-  for (double & t : target)
-  {
-    t /= static_cast<double>(points);
-  }
-  for (int round = 0; round < 2; ++round)
-  {
-    contours = m_Estimator.ComputeContours(pose);
-    ++evaluations;
-    Vector3     centre{ { 0, 0, 0 } };
-    std::size_t samples = 0;
-    for (const PoseContour & contour : contours)
-    {
-      for (const auto & rim : contour.rim)
-      {
-        for (int k = 0; k < 3; ++k)
-        {
-          centre[k] += rim[k];
-        }
-      }
-      samples += contour.Size();
-    }
-    if (samples == 0)
-    {
-      return {};
-    }
-    for (double & x : centre)
-    {
-      x /= static_cast<double>(samples);
-    }
-    if (round == 0)
-    {
-      PoseModel(m_Estimator.GetGeometry(), pose).SolveTranslation(centre.data(), target, pose[PoseTx], pose[PoseTz]);
-    }
-  }
-  PoseStartSearch search;
-  search.maximumStarts = m_Options.startsPerYaw + 2;
-  if (!m_Estimator.GetGeometry().pixelSpacingKnown && !m_Options.fixScale)
-  {
-    search.kappas = { 0.0, -0.35, -0.28, -0.21, -0.14, -0.07, 0.07, 0.14, 0.21, 0.28, 0.35 };
-    search.maximumStarts *= 2;
-  }
-  if (m_Options.fixRotation)
-  {
-    search.rotationRange = 0.0;
-  }
-  PoseSchedule schedule;
-  schedule.widths = { 10.0, 8.0, 6.0, 5.0, 4.0, 3.0 };
-  schedule.maximumEvaluations = 13;
-  schedule.similarityOnly = true;
-  schedule.correlated = false;
-  schedule.estimateNoise = false;
-  schedule.tolerance = 0.05;
-  std::vector<PoseState> states;
-  for (const auto & start : search.Search(m_Estimator, contours, pose))
-  {
-    PoseState state;
-    state.parameters = start.parameters;
-    state.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
-    states.push_back(m_Estimator.RefineFrozen(state, schedule, contours, pose));
-  }
-  std::stable_sort(
-    states.begin(), states.end(), [](const PoseState & a, const PoseState & b) { return a.score < b.score; });
-  std::vector<PoseState> distinct;
-  for (const PoseState & state : states)
-  {
-    const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const PoseState & other) {
-      return m_Estimator.ContourDistance(contours, state.parameters, other.parameters) < 3.0;
-    });
-    if (!near && distinct.size() < m_Options.startsPerYaw)
-    {
-      distinct.push_back(state);
-    }
-  }
-  return distinct;
-}
-
-std::vector<PoseState>
-GroupRun::Distinct(const std::vector<PoseState> & states, double distance, std::size_t maximum) const
-{
-  std::vector<PoseState> distinct;
-  for (const PoseState & state : states)
-  {
-    const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const PoseState & other) {
-      return m_Estimator.ContourDistance(m_Reference, state.parameters, other.parameters) < distance;
-    });
-    if (!near && distinct.size() < maximum)
-    {
-      distinct.push_back(state);
-    }
-  }
-  return distinct;
-}
-
-bool
-GroupRun::Run(PoseGroupResult & group)
-{
-  const auto byScore = [](const PoseState & a, const PoseState & b) { return a.score < b.score; };
-  if (this->Aborted(0.0))
-  {
-    return false;
-  }
-  std::vector<PoseState> pool;
-  if (m_Options.useInitialPose)
-  {
-    PoseState state;
-    state.parameters = m_Options.initialPose;
-    state.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
-    pool.push_back(state);
-  }
-  else
-  {
-    std::vector<double> yaws{ 0.0 };
-    if (m_Options.tracedSide != PoseTracedSideEnum::Mean && m_Options.useFullPose && !m_Options.fixRotation &&
-        !m_Options.yawStarts.empty())
-    {
-      yaws = m_Options.yawStarts;
-    }
-    std::vector<std::vector<PoseState>> found(yaws.size());
-    std::vector<unsigned int>           evaluations(yaws.size(), 0);
-    ParallelFor(yaws.size(), m_Options.numberOfThreads, [&](std::size_t y) {
-      found[y] = this->StartsAt(yaws[y], evaluations[y]);
-    });
-    for (std::size_t y = 0; y < yaws.size(); ++y)
-    {
-      pool.insert(pool.end(), found[y].begin(), found[y].end());
-      group.evaluations += evaluations[y];
-    }
-  }
-  if (pool.empty() || this->Aborted(0.3))
-  {
-    return !pool.empty() ? false : true;
-  }
-  std::stable_sort(pool.begin(), pool.end(), byScore);
-  m_ReferencePose = pool.front().parameters;
-  m_Reference = m_Estimator.ComputeContours(m_ReferencePose);
-
-  // A few steps of each, then the best ones to the end.
-  PoseSchedule coarse;
-  coarse.maximumEvaluations = 6;
-  coarse.estimateNoise = false;
-  coarse.tolerance = 0.05;
-  ParallelFor(
-    pool.size(), m_Options.numberOfThreads, [&](std::size_t i) { pool[i] = m_Estimator.Refine(pool[i], coarse); });
-  for (const PoseState & state : pool)
-  {
-    group.evaluations += state.evaluations;
-  }
-  std::stable_sort(pool.begin(), pool.end(), byScore);
-  pool = this->Distinct(pool, 1.0, 4);
-  const double limit = pool.front().score + 0.12;
-  pool.erase(std::remove_if(pool.begin(), pool.end(), [&](const PoseState & s) { return s.score > limit; }),
-             pool.end());
-  if (this->Aborted(0.6))
-  {
-    return false;
-  }
-  PoseSchedule fine;
-  fine.widths = { 3.0 };
-  fine.maximumEvaluations = m_Options.maximumEvaluations;
-  ParallelFor(
-    pool.size(), m_Options.numberOfThreads, [&](std::size_t i) { pool[i] = m_Estimator.Refine(pool[i], fine); });
-  for (const PoseState & state : pool)
-  {
-    group.evaluations += state.evaluations;
-  }
-  std::stable_sort(pool.begin(), pool.end(), byScore);
-  if (this->Aborted(0.9))
-  {
-    return false;
-  }
-  const PoseState & best = pool.front();
-  group.parameters = best.parameters;
-  group.score = best.score;
-  group.converged = best.converged;
-  group.smoothSigma = best.noise.smooth;
-  group.whiteSigma = best.noise.white;
-  for (const PoseState & state : pool)
-  {
-    PoseCandidate candidate;
-    candidate.parameters = state.parameters;
-    candidate.score = state.score;
-    candidate.cost = state.cost;
-    candidate.codeTerm = state.codeTerm;
-    candidate.distance = m_Estimator.ContourDistance(m_Reference, best.parameters, state.parameters);
-    group.candidates.push_back(candidate);
-    if (candidate.distance > 4.0)
-    {
-      group.margin = std::min(group.margin, candidate.score - best.score);
-    }
-  }
-  PoseNoise noise;
-  group.covariance = m_Estimator.ComputeCovariance(best, noise);
-  const auto sigmas = m_Estimator.GetPriorSigmas(false);
-  for (unsigned int k = 0; k < 7; ++k)
-  {
-    if (sigmas[k] > 0.0 && !std::isinf(sigmas[k]) && std::abs(best.parameters[k]) / sigmas[k] > group.priorTension)
-    {
-      group.priorTension = std::abs(best.parameters[k]) / sigmas[k];
-      group.priorTensionParameter = k;
-    }
-  }
-  return true;
-}
-
 /** Pose and projection in the mesh's frame, and the equivalent similarity. */
 void
 FillJaw(const Jaw & jaw, const PoseGeometry & geometry, const PoseParameters & parameters, PoseJawResult & result)
@@ -501,6 +242,109 @@ FillJaw(const Jaw & jaw, const PoseGeometry & geometry, const PoseParameters & p
                                      (sp[1] - s * sq[0] - c * sq[1]) / count } };
   result.similarityRms = std::sqrt(std::max(0.0, pp - result.similarityScale * std::hypot(dot, cross)) / count);
 }
+/** The solution moved on onto the other side's contour, against itself. */
+double
+OtherSideDeviance(const PoseEstimator &         estimator,
+                  const std::vector<Jaw> &      jaws,
+                  const PoseRefinementOptions & options,
+                  const PoseGroupResult &       group)
+{
+  std::vector<PoseStrand> strands = estimator.GetStrands();
+  for (PoseStrand & strand : strands)
+  {
+    strand.models = { jaws[strand.jaw].models.back().get() };
+  }
+  const PoseEstimator other(estimator.GetGeometry(), options, std::move(strands));
+  PoseState           state;
+  state.parameters = group.parameters;
+  state.noise = { group.smoothSigma, group.whiteSigma };
+  PoseSchedule schedule;
+  schedule.widths = { 4.0 };
+  schedule.estimateNoise = false;
+  schedule.maximumEvaluations = 8;
+  schedule.tolerance = 0.05;
+  std::array<double, 2> deviance{};
+  ParallelFor(2, options.numberOfThreads, [&](std::size_t k) {
+    deviance[k] = k == 0 ? estimator.ComputeDeviance(state) : other.ComputeDeviance(other.Refine(state, schedule));
+  });
+  return deviance[1] - deviance[0];
+}
+
+/** Names the likely mistake behind a poor fit. */
+void
+TryExchangedAndFlipped(const std::vector<PoseJawInput> & inputs,
+                       const std::vector<std::size_t> &  members,
+                       const PoseGeometry &              nominal,
+                       const PoseRefinementOptions &     options,
+                       PoseGroupResult &                 group)
+{
+  PoseRefinementOptions quick = options;
+  quick.checkHypotheses = false;
+  quick.yawStarts = { 0.0 };
+  quick.maximumEvaluations = 6;
+  quick.useInitialPose = false;
+  quick.useJointPose = true;
+  quick.progress = nullptr;
+  std::vector<PoseJawInput> jaws;
+  for (std::size_t j : members)
+  {
+    jaws.push_back(inputs[j]);
+  }
+  const auto score = [&](const std::vector<PoseJawInput> & trial, const PoseGeometry & geometry) {
+    const PoseRefinementResult result = PoseRefinementKernel::Run(trial, geometry, quick);
+    return result.groups.empty() || result.groups[0].candidates.empty() ? 1.0 : result.groups[0].score;
+  };
+  PoseGeometry flipped = nominal;
+  flipped.facingSign = -nominal.facingSign;
+  group.otherFacingScore = score(jaws, flipped);
+  if (jaws.size() == 2)
+  {
+    // Exchanged files: what was called upper is the lower jaw, the frame stands on its head about x.
+    std::swap(jaws[0].tracing, jaws[1].tracing);
+    for (PoseJawInput & jaw : jaws)
+    {
+      jaw.upper = !jaw.upper;
+      for (int k = 3; k < 9; ++k)
+      {
+        jaw.frame.rotation[k] = -jaw.frame.rotation[k];
+      }
+    }
+    group.exchangedScore = score(jaws, nominal);
+  }
+}
+
+/** What the verdict wants to know of a jaw besides the fit. */
+void
+DescribeJaw(const Jaw & jaw, const PoseRefinementOptions & options, PoseJawResult & result)
+{
+  double low = 0.0, high = 0.0;
+  for (const auto & p : jaw.surface.points)
+  {
+    low = std::min(low, p[1]);
+    high = std::max(high, p[1]);
+  }
+  result.archWidth = high - low;
+  double sum = 0.0, area = 0.0;
+  for (std::size_t t = 0; t < jaw.surface.triangles.size(); ++t)
+  {
+    const auto normal = jaw.surface.AreaNormal(t);
+    sum += normal[2];
+    area += std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  }
+  result.winding = area > 0.0 ? (jaw.input->upper ? -sum : sum) / area : 0.0;
+  std::size_t other = 0, all = 0;
+  for (const PosePolyline & polyline : jaw.input->tracing)
+  {
+    all += polyline.points.size();
+    const bool wrong =
+      polyline.tooth != 0 && IsLeft(polyline.tooth) == (options.tracedSide == PoseTracedSideEnum::Right);
+    other += wrong ? polyline.points.size() : 0;
+  }
+  if (all > 0 && (options.tracedSide == PoseTracedSideEnum::Right || options.tracedSide == PoseTracedSideEnum::Left))
+  {
+    result.otherSideCodes = static_cast<double>(other) / static_cast<double>(all);
+  }
+}
 } // namespace
 
 TriangleSurface
@@ -546,6 +390,8 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
   std::vector<Jaw>                     jaws(inputs.size());
   std::vector<std::vector<PoseStrand>> strands(inputs.size());
   const bool                           mean = options.tracedSide == PoseTracedSideEnum::Mean;
+  const bool                           oneSide =
+    options.tracedSide == PoseTracedSideEnum::Right || options.tracedSide == PoseTracedSideEnum::Left;
   ParallelFor(inputs.size(), options.numberOfThreads, [&](std::size_t j) {
     const PoseJawInput & input = inputs[j];
     Jaw &                jaw = jaws[j];
@@ -605,6 +451,10 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
       const double sign = options.tracedSide == PoseTracedSideEnum::Right ? 1.0 : -1.0;
       jaw.models.push_back(std::make_unique<PoseContourModel>(side(sign), input.upper, filter));
       add(polylines, { jaw.models[0].get() });
+      if (options.checkHypotheses && options.useSideSelection)
+      {
+        jaw.models.push_back(std::make_unique<PoseContourModel>(side(-sign), input.upper, filter));
+      }
     }
     if (strands[j].empty())
     {
@@ -639,7 +489,7 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
     }
     PoseGroupResult group;
     group.jaws = members;
-    GroupRun run(result.geometry, options, std::move(groupStrands));
+    PoseGroupRegistration run(result.geometry, options, std::move(groupStrands));
     if (!run.Run(group))
     {
       result.aborted = true;
@@ -655,6 +505,14 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
       result.groups.push_back(std::move(group));
       continue;
     }
+    if (options.checkHypotheses && options.useSideSelection && oneSide)
+    {
+      group.otherSideDeviance = OtherSideDeviance(run.GetEstimator(), jaws, options, group);
+    }
+    if (options.checkHypotheses && group.score > options.poorScore)
+    {
+      TryExchangedAndFlipped(inputs, members, nominal, options, group);
+    }
     const PoseEstimator & estimator = run.GetEstimator();
     const auto            contours = estimator.ComputeContours(group.parameters);
     for (std::size_t j : members)
@@ -663,6 +521,7 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
       result.groupOfJaw[j] = index;
       jaw.registered = true;
       FillJaw(jaws[j], result.geometry, group.parameters, jaw);
+      DescribeJaw(jaws[j], options, jaw);
       const PoseFrame & frame = inputs[j].frame;
       bool              first = true;
       for (std::size_t s = 0; s < contours.size(); ++s)
@@ -671,7 +530,9 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
         {
           continue;
         }
-        const PoseFitStatistics fit = estimator.ComputeStatistics(s, contours[s]);
+        PoseFitStatistics fit = estimator.ComputeStatistics(s, contours[s]);
+        fit.predictedSigma = estimator.PredictedSigma(s, group.parameters, contours, group.covariance);
+        fit.overlap = estimator.ComputeOverlap(s, contours[s]);
         // Two strands of a jaw: the worse one speaks.
         if (first || fit.cost > jaw.fit.cost)
         {

@@ -1,0 +1,97 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkRegistrationVerdict_h
+#define itkRegistrationVerdict_h
+
+#include "PoseRefinementExport.h"
+#include "itkPoseRefinementTypes.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \class RegistrationVerdict
+ * \brief Whether a robust registration can be used: ok, suspect (a person should look) or failed, with reasons.
+ *
+ * Judges what the data can tell: the residuals at a fixed kernel width, the predicted uncertainty, near-equal minima,
+ * tension with the priors, the other side's fit, widths, winding and codes. The thresholds come from phantom cohorts
+ * (Documentation/Robust.md). GetNotCheckable() lists what the data of a case cannot tell. Free of ITK headers.
+ *
+ * \ingroup PoseRefinement
+ */
+class PoseRefinement_EXPORT RegistrationVerdict
+{
+public:
+  enum class StatusEnum : std::uint8_t
+  {
+    Ok,
+    Suspect,
+    Failed
+  };
+
+  struct Reason
+  {
+    StatusEnum severity{ StatusEnum::Suspect };
+    /** Short and stable, for programs: "poor-fit". */
+    std::string code;
+    /** For a person. */
+    std::string text;
+  };
+
+  struct JawVerdict
+  {
+    StatusEnum          status{ StatusEnum::Ok };
+    std::vector<Reason> reasons;
+  };
+
+  /** px of 0.25 mm and mm. */
+  struct Thresholds
+  {
+    double suspectCost{ 0.32 };
+    double failedCost{ 0.45 };
+    double suspectP90{ 5.5 };
+    double suspectMedian{ 1.9 };
+    double suspectInlierShare{ 0.80 };
+    double failedInlierShare{ 0.60 };
+    double suspectPredictedSigma{ 3.0 };
+    double suspectMargin{ 0.03 };
+    double suspectPriorTension{ 3.5 };
+    /** Difference of minus twice the log likelihood: 10 is odds of 150. */
+    double suspectOtherSideDeviance{ -10.0 };
+    double suspectWinding{ -0.1 };
+    double minimumArchWidth{ 30.0 };
+    double maximumArchWidth{ 120.0 };
+    /** How much better (score) another hypothesis must be to be named. */
+    double hypothesisGain{ 0.1 };
+  };
+
+  /** One verdict a jaw, in the order of the result. */
+  static std::vector<JawVerdict>
+  Evaluate(const PoseRefinementResult & result, const Thresholds & thresholds);
+  static std::vector<JawVerdict>
+  Evaluate(const PoseRefinementResult & result);
+
+  /** What cannot be told from this case's data, as sentences. */
+  static std::vector<std::string>
+  GetNotCheckable(const PoseRefinementResult & result, const PoseRefinementOptions & options);
+};
+} // namespace itk
+
+#endif
