@@ -285,7 +285,8 @@ CheckCase(const DentalCaseData & data, const DentalFrameResult & frames, CaseRes
     }
     if (frame.openness <= 0.2)
     {
-      result.notCheckable.push_back("whether a closed cast was mirrored: its winding looks the same either way");
+      result.notCheckable.push_back(std::string("whether the ") + (entry.first == JawEnum::Upper ? "upper" : "lower") +
+                                    " cast was mirrored: a closed body's winding looks the same either way");
     }
   }
 }

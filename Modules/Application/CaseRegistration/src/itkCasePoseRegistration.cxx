@@ -21,6 +21,7 @@
 #include "itkContourDistanceFilter.h"
 #include "itkMeshSilhouette.h"
 #include "itkPoseRefinementKernel.h"
+#include "itkRegistrationVerdict.h"
 
 #include "itkTimeProbe.h"
 
@@ -99,6 +100,95 @@ ToPosePolylines(const DentalContour * contour)
     polylines.push_back(converted);
   }
   return polylines;
+}
+
+/** A user's pose, mesh (mm) to cephalostat, as the kernel's parameters: R = Ry Rx Rz of the dental frame. */
+PoseParameters
+PoseToParameters(const std::array<double, 12> & pose, const PoseFrame & frame)
+{
+  double         rotation[3][3];
+  PoseParameters parameters{};
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    parameters[PoseTx + row] = pose[4 * row + 3];
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rotation[row][column] = 0.0;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        rotation[row][column] += pose[4 * row + d] * frame.rotation[3 * column + d];
+      }
+      parameters[PoseTx + row] += pose[4 * row + column] * frame.origin[column];
+    }
+  }
+  parameters[PosePitch] = std::atan2(rotation[0][2], rotation[2][2]);
+  parameters[PoseRoll] = std::asin(std::max(-1.0, std::min(1.0, -rotation[1][2])));
+  parameters[PoseYaw] = std::atan2(rotation[1][0], rotation[1][1]);
+  return parameters;
+}
+
+/** A user's similarity: a pitch, a shift in the midsagittal plane, a scale. */
+PoseParameters
+SimilarityToParameters(const SimilarityParameters & similarity, const PoseGeometry & geometry)
+{
+  const double   magnification = geometry.sourceToDetector / geometry.sourceToMidsagittal * similarity.scale;
+  PoseParameters parameters{};
+  parameters[PosePitch] = geometry.facingSign * similarity.rotation;
+  parameters[PoseTx] = geometry.facingSign * (similarity.translation[0] - geometry.principalPoint[0]) *
+                       geometry.pixelSpacing[0] / magnification;
+  parameters[PoseTz] =
+    -(similarity.translation[1] - geometry.principalPoint[1]) * geometry.pixelSpacing[1] / magnification;
+  parameters[PoseKappa] = std::log(similarity.scale);
+  return parameters;
+}
+
+void
+SetInitialPose(const DentalCaseData &            data,
+               const std::vector<PoseJawInput> & inputs,
+               const PoseGeometry &              geometry,
+               PoseRefinementOptions &           options,
+               CaseResult &                      result)
+{
+  const DentalCase & description = data.description;
+  if (!description.initialPose && description.initialSimilarity.empty())
+  {
+    return;
+  }
+  if (!geometry.principalPointKnown || !geometry.pixelSpacingKnown)
+  {
+    result.warnings.push_back("\"init\" is not used: it means nothing without pixel spacing and principal point");
+    return;
+  }
+  if (description.initialPose)
+  {
+    options.initialPose = PoseToParameters(*description.initialPose, inputs.front().frame);
+    options.useInitialPose = true;
+    return;
+  }
+  for (const PoseJawInput & input : inputs)
+  {
+    const auto similarity = description.initialSimilarity.find(input.upper ? JawEnum::Upper : JawEnum::Lower);
+    if (similarity != description.initialSimilarity.end())
+    {
+      options.initialPose = SimilarityToParameters(similarity->second, geometry);
+      options.useInitialPose = true;
+      return;
+    }
+  }
+}
+
+CaseStatusEnum
+ToCaseStatus(RegistrationVerdict::StatusEnum status)
+{
+  switch (status)
+  {
+    case RegistrationVerdict::StatusEnum::Ok:
+      return CaseStatusEnum::Ok;
+    case RegistrationVerdict::StatusEnum::Suspect:
+      return CaseStatusEnum::Suspect;
+    default:
+      return CaseStatusEnum::Failed;
+  }
 }
 
 /** The exact silhouette of the whole scan at the solution, and the paper's figures on it. */
@@ -195,7 +285,9 @@ RegisterCaseByPose(const DentalCaseData &                 data,
 
   TimeProbe probe;
   probe.Start();
-  const PoseRefinementResult pose = PoseRefinementKernel::Run(inputs, ToPoseGeometry(data), options);
+  const PoseGeometry geometry = ToPoseGeometry(data);
+  SetInitialPose(data, inputs, geometry, options, result);
+  const PoseRefinementResult pose = PoseRefinementKernel::Run(inputs, geometry, options);
   probe.Stop();
   if (pose.aborted)
   {
@@ -212,6 +304,11 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   result.geometry->SetPixelSpacing(spacing);
   result.geometry->SetPrincipalPoint(principal);
 
+  const auto verdicts = RegistrationVerdict::Evaluate(pose);
+  for (const std::string & sentence : RegistrationVerdict::GetNotCheckable(pose, options))
+  {
+    result.notCheckable.push_back(sentence);
+  }
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
     const PoseJawResult & poseJaw = pose.jaws[i];
@@ -223,6 +320,14 @@ RegisterCaseByPose(const DentalCaseData &                 data,
       continue;
     }
     jaw.registered = true;
+    for (const auto & reason : verdicts[i].reasons)
+    {
+      // Said already by the checks of the input.
+      if (reason.code != "arch-width" && reason.code != "inward-winding")
+      {
+        jaw.AddReason(ToCaseStatus(reason.severity), reason.text);
+      }
+    }
     const double unit = data.description.millimetresPerUnit;
     for (unsigned int row = 0; row < 3; ++row)
     {

@@ -39,93 +39,17 @@ using MeshType = DentalCaseData::MeshType;
 using ImageType = DentalCaseData::ImageType;
 using MethodType = SilhouetteToContourRegistrationMethod;
 
-/** The same geometry with the central ray through the jaw's centroid: its projection is q. */
-CephalometricGeometry::Pointer
-MakeCentredGeometry(const CephalometricGeometry * geometry, const DentalJawFrame & frame)
-{
-  auto centred = CephalometricGeometry::New();
-  centred->CopyParameters(geometry);
-  CephalometricGeometry::PixelIndexType origin;
-  origin.Fill(0.0);
-  centred->SetPrincipalPoint(origin);
-  CephalometricGeometry::RotationType rotation;
-  CephalometricGeometry::VectorType   translation;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    translation[row] = 0.0;
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation(row, column) = frame.axes[row][column];
-      translation[row] -= frame.axes[row][column] * frame.origin[column];
-    }
-  }
-  centred->SetPose(rotation, translation);
-  return centred;
-}
-
-/** Wide enough to close the gaps between the vertices, no wider: the border moves outward with it. mm in the detector plane. */
+/** Wide enough to close the gaps between the vertices, no wider: the border moves outward with it. mm in the detector
+ * plane. */
 double
 ChooseSplatWidth(const MeshType * mesh, const CephalometricGeometry * geometry)
 {
   const TriangleSurface surface = MakeTriangleSurface(mesh);
   const double          area = surface.Area();
-  const double          magnification =
-    geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
+  const double magnification = geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
   const double distance = magnification * std::sqrt(area / static_cast<double>(surface.points.size()));
   // A pixel is the finest that the image can show.
   return std::max(0.5 * (geometry->GetPixelSpacing()[0] + geometry->GetPixelSpacing()[1]), 0.7 * distance);
-}
-
-DentalContour::Pointer
-MakeSilhouette(const MeshType *               mesh,
-               CephalometricGeometry *        geometry,
-               const CaseSimilaritySettings & settings,
-               JawResult &                    result)
-{
-  TimeProbe projectionProbe;
-  TimeProbe contourProbe;
-  auto      resample = ContourResampleFilter::New();
-  resample->SetNumberOfPoints(settings.numberOfContourPoints);
-  if (settings.useSurfaceDRR)
-  {
-    projectionProbe.Start();
-    using SourceType = SurfaceDRRImageSource<MeshType, ImageType>;
-    auto source = SourceType::New();
-    source->SetInput(mesh);
-    source->SetGeometry(geometry);
-    source->SetSigma(ChooseSplatWidth(mesh, geometry));
-    // Four widths of the splats: the iso-contour must not touch the image's border.
-    source->SetSizeToCoverMeshes(4.0 * source->GetSigma());
-    source->Update();
-    projectionProbe.Stop();
-
-    contourProbe.Start();
-    using FilterType = SilhouetteContourFilter<ImageType>;
-    auto filter = FilterType::New();
-    filter->SetInput(source->GetOutput());
-    // Inside the silhouette the ray crosses at least one shell, outside none: half a shell is the border. A fraction of the
-    // maximum would follow the dense, grazing parts instead.
-    filter->SetLevel(FilterType::LevelEnum::Absolute);
-    filter->SetLevelValue(0.5 * source->GetDensity());
-    resample->SetInput(filter->GetOutput());
-    resample->Update();
-    contourProbe.Stop();
-  }
-  else
-  {
-    contourProbe.Start();
-    auto source = MeshSilhouetteContourSource<MeshType>::New();
-    source->SetInput(mesh);
-    source->SetGeometry(geometry);
-    resample->SetInput(source->GetOutput());
-    resample->Update();
-    contourProbe.Stop();
-  }
-  result.seconds.emplace_back("projection", projectionProbe.GetTotal());
-  result.seconds.emplace_back("contour", contourProbe.GetTotal());
-  DentalContour::Pointer silhouette = resample->GetOutput();
-  silhouette->DisconnectPipeline();
-  return silhouette;
 }
 
 /** Where a similarity puts the jaw in the cephalostat: the in-plane rotation is one about y, the translation one in the
@@ -184,6 +108,81 @@ ReportBoundsHit(const MethodType * method, JawResult & result)
   }
 }
 } // namespace
+
+CephalometricGeometry::Pointer
+MakeCentredGeometry(const CephalometricGeometry * geometry, const DentalJawFrame & frame)
+{
+  auto centred = CephalometricGeometry::New();
+  centred->CopyParameters(geometry);
+  CephalometricGeometry::PixelIndexType origin;
+  origin.Fill(0.0);
+  centred->SetPrincipalPoint(origin);
+  CephalometricGeometry::RotationType rotation;
+  CephalometricGeometry::VectorType   translation;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    translation[row] = 0.0;
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rotation(row, column) = frame.axes[row][column];
+      translation[row] -= frame.axes[row][column] * frame.origin[column];
+    }
+  }
+  centred->SetPose(rotation, translation);
+  return centred;
+}
+
+DentalContour::Pointer
+MakeWholeSilhouette(const MeshType *               mesh,
+                    CephalometricGeometry *        geometry,
+                    const CaseSimilaritySettings & settings,
+                    JawResult &                    result)
+{
+  TimeProbe projectionProbe;
+  TimeProbe contourProbe;
+  auto      resample = ContourResampleFilter::New();
+  resample->SetNumberOfPoints(settings.numberOfContourPoints);
+  if (settings.useSurfaceDRR)
+  {
+    projectionProbe.Start();
+    using SourceType = SurfaceDRRImageSource<MeshType, ImageType>;
+    auto source = SourceType::New();
+    source->SetInput(mesh);
+    source->SetGeometry(geometry);
+    source->SetSigma(ChooseSplatWidth(mesh, geometry));
+    // Four widths of the splats: the iso-contour must not touch the image's border.
+    source->SetSizeToCoverMeshes(4.0 * source->GetSigma());
+    source->Update();
+    projectionProbe.Stop();
+
+    contourProbe.Start();
+    using FilterType = SilhouetteContourFilter<ImageType>;
+    auto filter = FilterType::New();
+    filter->SetInput(source->GetOutput());
+    // Inside the silhouette the ray crosses at least one shell, outside none: half a shell is the border. A fraction of
+    // the maximum would follow the dense, grazing parts instead.
+    filter->SetLevel(FilterType::LevelEnum::Absolute);
+    filter->SetLevelValue(0.5 * source->GetDensity());
+    resample->SetInput(filter->GetOutput());
+    resample->Update();
+    contourProbe.Stop();
+  }
+  else
+  {
+    contourProbe.Start();
+    auto source = MeshSilhouetteContourSource<MeshType>::New();
+    source->SetInput(mesh);
+    source->SetGeometry(geometry);
+    resample->SetInput(source->GetOutput());
+    resample->Update();
+    contourProbe.Stop();
+  }
+  result.seconds.emplace_back("projection", projectionProbe.GetTotal());
+  result.seconds.emplace_back("contour", contourProbe.GetTotal());
+  DentalContour::Pointer silhouette = resample->GetOutput();
+  silhouette->DisconnectPipeline();
+  return silhouette;
+}
 
 std::array<double, 12>
 MeshToFrame(const DentalJawFrame & frame)
@@ -272,7 +271,7 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
 {
   const auto      centred = MakeCentredGeometry(geometry, frame);
   DentalContour * tracing = data.GetJaw(jaw).contour;
-  const auto      silhouette = MakeSilhouette(data.GetJaw(jaw).mesh, centred, settings, result);
+  const auto      silhouette = MakeWholeSilhouette(data.GetJaw(jaw).mesh, centred, settings, result);
 
   TimeProbe probe;
   probe.Start();
@@ -320,10 +319,23 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
   probe.Stop();
   result.seconds.emplace_back("registration", probe.GetTotal());
 
-  const auto parameters = method->GetTransform()->GetParameters();
+  SetSimilarityOfJaw(data, jaw, frame, geometry, centred, silhouette, method->GetTransform(), result);
+  ReportBoundsHit(method, result);
+}
+
+void
+SetSimilarityOfJaw(const DentalCaseData &                data,
+                   ToothCode::JawEnum                    jaw,
+                   const DentalJawFrame &                frame,
+                   const CephalometricGeometry *         geometry,
+                   const CephalometricGeometry *         centred,
+                   DentalContour *                       silhouette,
+                   const Similarity2DTransform<double> * transform,
+                   JawResult &                           result)
+{
+  const auto parameters = transform->GetParameters();
   result.similarity = { parameters[0], parameters[1], { { parameters[2], parameters[3] } } };
   result.registered = true;
-  ReportBoundsHit(method, result);
 
   // Similarity x projection x unit, as one matrix.
   const double c = result.similarity.scale * std::cos(result.similarity.rotation);
@@ -348,9 +360,9 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
   result.meshToCephalostat = PlaceInCephalostat(result.meshToUMDA, result.similarity, geometry);
 
   auto distances = ContourDistanceFilter::New();
-  distances->SetFixedContour(tracing);
+  distances->SetFixedContour(data.GetJaw(jaw).contour);
   distances->SetMovingContour(silhouette);
-  distances->SetTransform(method->GetTransform());
+  distances->SetTransform(transform);
   distances->Update();
   result.metrics.emplace_back("whole", ToContourFigures(distances));
 
@@ -359,7 +371,7 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
   {
     for (auto & point : polyline.points)
     {
-      point = method->GetTransform()->TransformPoint(point);
+      point = transform->TransformPoint(point);
     }
     aligned->AddPolyline(polyline);
   }

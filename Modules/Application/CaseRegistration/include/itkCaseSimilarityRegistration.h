@@ -18,10 +18,12 @@
 #ifndef itkCaseSimilarityRegistration_h
 #define itkCaseSimilarityRegistration_h
 
+#include "CaseRegistrationExport.h"
 #include "itkCaseResult.h"
 #include "itkDentalFrameEstimator.h"
 
 #include "itkProcessObject.h"
+#include "itkSimilarity2DTransform.h"
 
 namespace itk
 {
@@ -36,10 +38,35 @@ struct CaseSimilaritySettings
   const ProcessObject * caller{ nullptr };
 };
 
+/** \name The parts of the paper's chain
+ * For whoever puts another registration in the middle: geometry about the jaw's centroid, whose projection is q; the
+ * silhouette in q (its seconds are added to the result); and, with the similarity that was found between silhouette and
+ * tracing, everything of the result that follows from it but the landmarks.
+ *
+ * \ingroup CaseRegistration
+ * @{ */
+CaseRegistration_EXPORT CephalometricGeometry::Pointer
+                        MakeCentredGeometry(const CephalometricGeometry * geometry, const DentalJawFrame & frame);
+CaseRegistration_EXPORT DentalContour::Pointer
+                        MakeWholeSilhouette(const DentalCaseData::MeshType * mesh,
+                                            CephalometricGeometry *          centred,
+                                            const CaseSimilaritySettings &   settings,
+                                            JawResult &                      result);
+CaseRegistration_EXPORT void
+SetSimilarityOfJaw(const DentalCaseData &                data,
+                   ToothCode::JawEnum                    jaw,
+                   const DentalJawFrame &                frame,
+                   const CephalometricGeometry *         geometry,
+                   const CephalometricGeometry *         centred,
+                   DentalContour *                       silhouette,
+                   const Similarity2DTransform<double> * transform,
+                   JawResult &                           result);
+/** @} */
+
 /** The paper's chain from the dental frame on, for one jaw: projection with the central ray through the centroid,
  * silhouette, similarity. `geometry` has a pixel spacing; its principal point is not used but to say where the jaw is
  * in the cephalostat. */
-void
+CaseRegistration_EXPORT void
 RegisterJawBySimilarity(const DentalCaseData &         data,
                         ToothCode::JawEnum             jaw,
                         const DentalJawFrame &         frame,
@@ -48,21 +75,21 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
                         JawResult &                    result);
 
 /** A pixel spacing that makes silhouette and tracing equally wide: what is left where none is known. */
-double
+CaseRegistration_EXPORT double
 EstimatePixelSpacing(const DentalCaseData & data, ToothCode::JawEnum jaw, const DentalJawFrame & frame);
 
 /** The rigid map of a frame, mesh (mm) to frame, row-major 3x4. */
-std::array<double, 12>
-MeshToFrame(const DentalJawFrame & frame);
+CaseRegistration_EXPORT std::array<double, 12>
+                        MeshToFrame(const DentalJawFrame & frame);
 
 class ContourDistanceFilter;
 
 /** The figures of an updated filter. */
-ContourFigures
+CaseRegistration_EXPORT ContourFigures
 ToContourFigures(const ContourDistanceFilter * distances);
 
 /** Every 3-D landmark of the jaw through the matrix that users act on. */
-void
+CaseRegistration_EXPORT void
 PredictLandmarks(const DentalCaseData & data, ToothCode::JawEnum jaw, JawResult & result);
 } // namespace itk
 

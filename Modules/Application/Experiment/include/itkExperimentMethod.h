@@ -1,0 +1,139 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkExperimentMethod_h
+#define itkExperimentMethod_h
+
+#include "ExperimentExport.h"
+#include "itkCaseResult.h"
+#include "itkExperimentCase.h"
+
+#include "itkImage.h"
+#include "itkSimilarity2DTransform.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \struct ExperimentMethod
+ * \brief A method that an experiment compares.
+ *
+ * \ingroup Experiment
+ */
+struct ExperimentMethod
+{
+  enum class KindEnum : uint8_t
+  {
+    /** Our own, by CaseRegistration. */
+    Pose,
+    /** A registration of the silhouette with the tracing by a similarity. */
+    Contour,
+    /** The same by grey values: needs a radiograph. */
+    Intensity
+  };
+  /** What is done differently before the registration. */
+  enum class ChainEnum : uint8_t
+  {
+    Paper,
+    FileAxes,
+    ParallelProjection
+  };
+
+  std::string name;
+  std::string title;
+  KindEnum    kind{ KindEnum::Contour };
+  ChainEnum   chain{ ChainEnum::Paper };
+};
+
+/** All methods in the order of the tables. */
+Experiment_EXPORT const std::vector<ExperimentMethod> &
+                        GetExperimentMethods();
+
+/** Null where there is none. */
+Experiment_EXPORT const ExperimentMethod *
+                        FindExperimentMethod(const std::string & name);
+
+/** The methods of a list of names, in the order of the tables; "default" stands for all without the intensity-driven
+ * ones, "intensity" for those, "all" for both. Throws std::invalid_argument that names the unknown one and lists what
+ * there is. */
+Experiment_EXPORT std::vector<ExperimentMethod>
+                  SelectExperimentMethods(const std::vector<std::string> & names);
+
+/** \class ExperimentRunner
+ * \brief Runs methods on one case; what they share (silhouettes, DRRs) is made once. One object serves one thread.
+ *
+ * \ingroup Experiment
+ */
+class Experiment_EXPORT ExperimentRunner
+{
+public:
+  using JawEnum = ToothCode::JawEnum;
+  using TransformType = Similarity2DTransform<double>;
+  using ImageType = DentalCaseData::ImageType;
+
+  explicit ExperimentRunner(const ExperimentCase & experimentCase);
+
+  /** Polled while a method runs; true ends it with ProcessAborted. */
+  void
+  SetAbort(std::function<bool()> abort)
+  {
+    m_Abort = std::move(abort);
+  }
+
+  /** Registers every jaw and measures the errors. What a method can't do is a failed jaw with the reason. */
+  CaseResult
+  Run(const ExperimentMethod & method);
+
+  /** One jaw by a method of kind Contour or Intensity, from a start where one is given. */
+  JawResult
+  RunJaw(const ExperimentMethod & method, JawEnum jaw, const TransformType * start = nullptr);
+
+  /** Whether the case has a scan and a tracing of the jaw. */
+  bool
+  HasJaw(JawEnum jaw) const;
+
+  /** The jaw's marked landmarks where the central ray through the centroid projects them, q, in their order in
+   * `marked`. */
+  std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>>
+  GetLandmarkPairs(JawEnum jaw);
+
+private:
+  struct PreparedType
+  {
+    CephalometricGeometry::Pointer geometry;
+    CephalometricGeometry::Pointer centred;
+    DentalContour::Pointer         silhouette;
+    ImageType::Pointer             radiograph;
+    DentalJawFrame                 frame;
+    JawResult                      result;
+  };
+
+  PreparedType &
+  Prepare(JawEnum jaw, ExperimentMethod::ChainEnum chain);
+  TransformType::Pointer
+  Register(const ExperimentMethod & method, JawEnum jaw, PreparedType & prepared, const TransformType * start);
+
+  const ExperimentCase &                                                   m_Case;
+  std::function<bool()>                                                    m_Abort;
+  std::map<std::pair<JawEnum, ExperimentMethod::ChainEnum>, PreparedType> m_Prepared;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,19 @@
+itk_module(Experiment
+  DEPENDS
+    Annotation
+    Baselines
+    CaseRegistration
+    ContourMetric
+    DentalCommon
+    DentalContour
+    DentalPhantom
+    RegistrationEvaluation
+    RegistrationReport
+    SilhouetteToContour
+    SurfaceDRR
+    UMidlineDentalAxis
+    ITKCommon
+    ITKTransform
+  DESCRIPTION
+    "Seeded cohorts through every method, with the paper's tables, statistics, capture range and sensitivity."
+)
