@@ -4,11 +4,12 @@ itk_module(PoseRefinement
     CephalometricGeometry
     DentalContour
     SilhouetteContour
+    UMidlineDentalAxis
     ITKCommon
     ITKMesh
     ITKTransform
   TEST_DEPENDS
-    UMidlineDentalAxis
+    DentalPhantom
     ITKTestKernel
   DESCRIPTION
     "The robust registration: pose of the jaws through the perspective geometry, regenerated outlines, correlated noise, priors, covariance and verdict."

@@ -143,8 +143,9 @@ public:
   std::array<double, 49>
   ComputeCovariance(const PoseState & state, PoseNoise & noise) const;
 
-  /** Rms over a strand's matched points of the sigma an axis that a covariance predicts, px. */
-  double
+  /** Sigma an axis that a covariance predicts, px: rms over a strand's matched points, and the largest on its contour.
+   */
+  std::array<double, 2>
   PredictedSigma(std::size_t                      strand,
                  const PoseParameters &           parameters,
                  const std::vector<PoseContour> & contours,

@@ -198,6 +198,8 @@ struct PoseFitStatistics
   bool   hasCodes{ false };
   /** Root mean square over the matched points of the predicted sigma an axis, px. */
   double predictedSigma{ 0.0 };
+  /** The same, largest over the whole moving contour: what landmarks far from the tracing have. */
+  double extrapolatedSigma{ 0.0 };
   /** Length of the tracing and of the open moving contour, px. */
   double tracingLength{ 0.0 };
   double contourLength{ 0.0 };
@@ -264,7 +266,9 @@ struct PoseGroupResult
   double       margin{ 1.0 };
   unsigned int evaluations{ 0 };
   bool         converged{ false };
-  /** Minus twice the log likelihood of the tracing on the other side's contour (refined from the solution) minus that
+  /** The middle of both sides was fitted. */
+  bool bisected{ false };
+  /** Minus twice the log likelihood of the tracing on the other side's contour (registered anew) minus that
    * on the traced side's: clearly negative where the other side was traced. 0 where it was not tried. */
   double otherSideDeviance{ 0.0 };
   /** Where the fit is poor: the scores when the jaws' tracings are exchanged, and when the patient faces the other way;

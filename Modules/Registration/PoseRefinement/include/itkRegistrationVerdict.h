@@ -64,17 +64,21 @@ public:
   /** px of 0.25 mm and mm. */
   struct Thresholds
   {
-    double suspectCost{ 0.32 };
-    double failedCost{ 0.45 };
-    double suspectP90{ 5.5 };
-    double suspectMedian{ 1.9 };
-    double suspectInlierShare{ 0.80 };
-    double failedInlierShare{ 0.60 };
+    double suspectCost{ 0.36 };
+    double failedCost{ 0.50 };
+    double suspectP90{ 6.0 };
+    double suspectMedian{ 2.7 };
+    double suspectInlierShare{ 0.70 };
+    double failedInlierShare{ 0.50 };
+    /** Estimated drift of the tracing: nobody draws worse. */
+    double suspectSmoothSigma{ 3.0 };
+    /** At the tracing, and anywhere on the outline. Not judged on bisected tracings. */
     double suspectPredictedSigma{ 3.0 };
+    double suspectExtrapolatedSigma{ 4.0 };
     double suspectMargin{ 0.03 };
     double suspectPriorTension{ 3.5 };
-    /** Difference of minus twice the log likelihood: 10 is odds of 150. */
-    double suspectOtherSideDeviance{ -10.0 };
+    /** Difference of minus twice the log likelihood: 5 is odds of 12. */
+    double suspectOtherSideDeviance{ -5.0 };
     double suspectWinding{ -0.1 };
     double minimumArchWidth{ 30.0 };
     double maximumArchWidth{ 120.0 };

@@ -603,7 +603,7 @@ PoseEstimator::ComputeCovariance(const PoseState & state, PoseNoise & noise) con
   return covariance;
 }
 
-double
+std::array<double, 2>
 PoseEstimator::PredictedSigma(std::size_t                      strand,
                               const PoseParameters &           parameters,
                               const std::vector<PoseContour> & contours,
@@ -619,13 +619,12 @@ PoseEstimator::PredictedSigma(std::size_t                      strand,
   const std::size_t n = m_Strands[strand].tracing.Size();
   if (n == 0 || contours[strand].Size() == 0)
   {
-    return 0.0;
+    return { { 0.0, 0.0 } };
   }
-  double sum = 0.0;
-  for (std::size_t i = 0; i < n; ++i)
-  {
+  const auto variance = [&](std::size_t sample) {
     double w[2], jacobian[14];
-    model.ProjectWithJacobian(contours[strand].rim[lin.match[begin + i]].data(), w, jacobian);
+    double sum = 0.0;
+    model.ProjectWithJacobian(contours[strand].rim[sample].data(), w, jacobian);
     for (int axis = 0; axis < 2; ++axis)
     {
       for (int a = 0; a < 7; ++a)
@@ -636,8 +635,19 @@ PoseEstimator::PredictedSigma(std::size_t                      strand,
         }
       }
     }
+    return sum;
+  };
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    sum += variance(lin.match[begin + i]);
   }
-  return std::sqrt(sum / static_cast<double>(n));
+  double largest = 0.0;
+  for (std::size_t j = 0; j < contours[strand].Size(); j += 10)
+  {
+    largest = std::max(largest, variance(j));
+  }
+  return { { std::sqrt(sum / static_cast<double>(n)), std::sqrt(largest) } };
 }
 
 double
@@ -646,6 +656,11 @@ PoseEstimator::ComputeDeviance(const PoseState & state) const
   Solver solver(*this, this->GetPriorSigmas(false), m_Options.useCorrelatedNoise ? m_Options.correlationLength : 0.0);
   const Linearization lin = this->Linearize(state.parameters, this->ComputeContours(state.parameters), true);
   solver.SetBlocks(lin, ScoreWidth, m_Options.useRobustKernel);
+  for (PoseNoiseBlock & block : solver.m_Blocks)
+  {
+    // A point that fits nowhere counts against a model, it does not drop out.
+    block.weight = block.weight.cwiseMax(1e-3);
+  }
   double deviance = 0.0;
   EstimatePoseNoise(solver.m_Blocks, solver.m_Precision, solver.Offset(state.parameters), state.noise, &deviance);
   return deviance;

@@ -242,7 +242,7 @@ FillJaw(const Jaw & jaw, const PoseGeometry & geometry, const PoseParameters & p
                                      (sp[1] - s * sq[0] - c * sq[1]) / count } };
   result.similarityRms = std::sqrt(std::max(0.0, pp - result.similarityScale * std::hypot(dot, cross)) / count);
 }
-/** The solution moved on onto the other side's contour, against itself. */
+/** The best pose on the other side's contour, against the solution. */
 double
 OtherSideDeviance(const PoseEstimator &         estimator,
                   const std::vector<Jaw> &      jaws,
@@ -254,18 +254,26 @@ OtherSideDeviance(const PoseEstimator &         estimator,
   {
     strand.models = { jaws[strand.jaw].models.back().get() };
   }
-  const PoseEstimator other(estimator.GetGeometry(), options, std::move(strands));
-  PoseState           state;
-  state.parameters = group.parameters;
-  state.noise = { group.smoothSigma, group.whiteSigma };
-  PoseSchedule schedule;
-  schedule.widths = { 4.0 };
-  schedule.estimateNoise = false;
-  schedule.maximumEvaluations = 8;
-  schedule.tolerance = 0.05;
+  PoseRefinementOptions quick = options;
+  quick.yawStarts = { 0.0 };
+  quick.startsPerYaw = 3;
+  quick.maximumEvaluations = 8;
+  quick.useInitialPose = false;
+  quick.progress = nullptr;
+  PoseGroupRegistration other(estimator.GetGeometry(), quick, std::move(strands));
+  PoseGroupResult       otherGroup;
+  other.Run(otherGroup);
+  if (otherGroup.candidates.empty())
+  {
+    return 0.0;
+  }
   std::array<double, 2> deviance{};
   ParallelFor(2, options.numberOfThreads, [&](std::size_t k) {
-    deviance[k] = k == 0 ? estimator.ComputeDeviance(state) : other.ComputeDeviance(other.Refine(state, schedule));
+    const PoseGroupResult & run = k == 0 ? group : otherGroup;
+    PoseState               state;
+    state.parameters = run.parameters;
+    state.noise = { run.smoothSigma, run.whiteSigma };
+    deviance[k] = (k == 0 ? estimator : other.GetEstimator()).ComputeDeviance(state);
   });
   return deviance[1] - deviance[0];
 }
@@ -489,6 +497,7 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
     }
     PoseGroupResult group;
     group.jaws = members;
+    group.bisected = mean;
     PoseGroupRegistration run(result.geometry, options, std::move(groupStrands));
     if (!run.Run(group))
     {
@@ -531,7 +540,9 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
           continue;
         }
         PoseFitStatistics fit = estimator.ComputeStatistics(s, contours[s]);
-        fit.predictedSigma = estimator.PredictedSigma(s, group.parameters, contours, group.covariance);
+        const auto        sigma = estimator.PredictedSigma(s, group.parameters, contours, group.covariance);
+        fit.predictedSigma = sigma[0];
+        fit.extrapolatedSigma = sigma[1];
         fit.overlap = estimator.ComputeOverlap(s, contours[s]);
         // Two strands of a jaw: the worse one speaks.
         if (first || fit.cost > jaw.fit.cost)

@@ -91,13 +91,33 @@ JudgeFit(const PoseFitStatistics &               fit,
   {
     Add(verdict, StatusEnum::Suspect, "poor-fit", "the tracing fits the projected outline poorly: " + residuals);
   }
-  if (fit.predictedSigma > thresholds.suspectPredictedSigma)
+}
+
+void
+JudgeUncertainty(const PoseFitStatistics &               fit,
+                 const PoseGroupResult &                 group,
+                 const RegistrationVerdict::Thresholds & thresholds,
+                 RegistrationVerdict::JawVerdict &       verdict)
+{
+  if (group.smoothSigma > thresholds.suspectSmoothSigma)
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "rough-tracing",
+        "tracing and outline differ by " + Number(group.smoothSigma, 1) +
+          " px (sd) along the teeth, more than hands draw: shapes of another patient, jaw or date?");
+  }
+  // A bisected tracing leaves the two sides' landmarks uncertain by itself.
+  const bool bisected = group.bisected;
+  if (!bisected && (fit.predictedSigma > thresholds.suspectPredictedSigma ||
+                    fit.extrapolatedSigma > thresholds.suspectExtrapolatedSigma))
   {
     Add(verdict,
         StatusEnum::Suspect,
         "uncertain",
         "the tracing does not determine the pose: the predicted uncertainty is " + Number(fit.predictedSigma, 1) +
-          " px an axis; trace more teeth");
+          " px an axis at the tracing and up to " + Number(fit.extrapolatedSigma, 1) +
+          " px elsewhere; trace more teeth");
   }
 }
 } // namespace
@@ -118,7 +138,17 @@ RegistrationVerdict::Evaluate(const PoseRefinementResult & result, const Thresho
     }
     const PoseGroupResult & group = result.groups[result.groupOfJaw[j]];
     JudgeFit(jaw.fit, thresholds, verdict);
+    JudgeUncertainty(jaw.fit, group, thresholds, verdict);
     JudgeWidth(jaw, thresholds, verdict);
+    for (std::size_t other : group.jaws)
+    {
+      JawVerdict fitOfOther;
+      JudgeFit(result.jaws[other].fit, thresholds, fitOfOther);
+      if (other != j && fitOfOther.status != StatusEnum::Ok)
+      {
+        Add(verdict, StatusEnum::Suspect, "other-jaw", "the other jaw, which shares this pose, fits poorly");
+      }
+    }
     if (jaw.winding < thresholds.suspectWinding)
     {
       Add(verdict,

@@ -1,0 +1,111 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseEstimator.h"
+#include "itkPoseRefinementTestCase.h"
+
+#include <gtest/gtest.h>
+
+TEST(PoseEstimator, ResidualJacobianMatchesDifferencesOfRegeneratedContours)
+{
+  const PoseRefinementTestCase c(
+    72, PoseRefinementTestCase::Source::CohortEnum::Typical, PoseRefinementTestCase::Source::TracedSideEnum::Right);
+  const itk::PoseRefinementOptions options;
+  const auto                       start = itk::PoseRefinementKernel::Run(c.jaws, c.geometry, options);
+  const auto                       half = itk::PoseRefinementKernel::SelectSide(c.surfaces[0], 1.0, 0.5);
+  const itk::PoseContourModel      model(half, true, true);
+  itk::PoseStrand                  strand;
+  strand.tracing = itk::PoseTracing(start.geometry, c.jaws[0].tracing, true);
+  strand.models = { &model };
+  const itk::PoseEstimator estimator(start.geometry, options, { strand });
+  const auto               pose = start.groups[0].parameters;
+  const auto               lin = estimator.Linearize(pose, estimator.ComputeContours(pose), true);
+  // The contour made anew moves along its normal as its surface points do, where no other part of the outline takes
+  // over.
+  const double steps[7] = { 1e-3, 2e-3, 2e-3, 0.05, 0.5, 0.05, 1e-3 };
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    auto a = pose, b = pose;
+    a[k] -= steps[k];
+    b[k] += steps[k];
+    const auto   la = estimator.Linearize(a, estimator.ComputeContours(a), false);
+    const auto   lb = estimator.Linearize(b, estimator.ComputeContours(b), false);
+    unsigned int close = 0, used = 0;
+    for (std::size_t i = 0; i < lin.residual.size(); ++i)
+    {
+      // Beside corners of the outline the nearest point jumps: a kink, not a derivative.
+      if (!lin.facing[i] || lin.distance[i] > std::abs(lin.residual[i]) + 1e-12)
+      {
+        continue;
+      }
+      ++used;
+      const double moved = lb.residual[i] - la.residual[i];
+      const double expected = 2.0 * steps[k] * lin.jacobian[7 * i + k];
+      // Facets and samples 0.5 px apart on curves of a few px radius leave some hundredths of a pixel.
+      close += std::abs(moved - expected) < 0.08 + 0.1 * std::abs(expected) ? 1 : 0;
+    }
+    EXPECT_GT(used, lin.residual.size() / 2);
+    EXPECT_GT(close, used * 85 / 100) << "parameter " << k;
+  }
+}
+
+TEST(PoseTracing, NormalsPointOcclusallyAndArcRunsOverGaps)
+{
+  itk::PoseGeometry geometry;
+  geometry.pixelSpacing = { { 0.25, 0.25 } };
+  std::vector<itk::PosePolyline> lines(2);
+  for (int i = 0; i <= 10; ++i)
+  {
+    lines[0].points.push_back({ { 50.0 - i, 7.0 } });
+    // The second tooth is drawn back to front.
+    lines[1].points.push_back({ { 20.0 + i, 7.0 } });
+  }
+  lines[0].tooth = 13;
+  lines[1].tooth = 14;
+  const itk::PoseTracing upper(geometry, lines, true);
+  ASSERT_EQ(upper.Size(), 22u);
+  EXPECT_NEAR(upper.arc.back(), 30.0, 1e-12);
+  EXPECT_NEAR(upper.length, 20.0, 1e-12);
+  for (std::size_t i = 0; i < upper.Size(); ++i)
+  {
+    EXPECT_NEAR(upper.nu[i], 0.0, 1e-9);
+    EXPECT_NEAR(upper.nv[i], 1.0, 1e-9);
+  }
+  const itk::PoseTracing lower(geometry, lines, false);
+  EXPECT_NEAR(lower.nv[3], -1.0, 1e-9);
+}
+
+TEST(PoseTracing, ClosedCrownKeepsItsOcclusalPart)
+{
+  itk::PoseGeometry geometry;
+  geometry.pixelSpacing = { { 0.25, 0.25 } };
+  itk::PosePolyline circle;
+  circle.closed = true;
+  for (int i = 0; i < 72; ++i)
+  {
+    circle.points.push_back({ { 20.0 * std::cos(i * M_PI / 36.0), 20.0 * std::sin(i * M_PI / 36.0) } });
+  }
+  const itk::PoseTracing tracing(geometry, { circle }, true);
+  EXPECT_GT(tracing.Size(), 30u);
+  EXPECT_LT(tracing.Size(), 50u);
+  for (std::size_t i = 0; i < tracing.Size(); ++i)
+  {
+    // Down or to the front, and outward.
+    EXPECT_TRUE(tracing.v[i] > 2.0 || tracing.u[i] > 2.0);
+    EXPECT_GT(tracing.nu[i] * tracing.u[i] + tracing.nv[i] * tracing.v[i], 0.0);
+  }
+}

@@ -1,0 +1,223 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseRefinementTestCase.h"
+#include "itkRegistrationVerdict.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace
+{
+using Source = itk::DentalPhantomCaseSource;
+using CohortEnum = Source::CohortEnum;
+using SideEnum = Source::TracedSideEnum;
+using StatusEnum = itk::RegistrationVerdict::StatusEnum;
+
+const PoseRefinementTestCase &
+Typical()
+{
+  static const PoseRefinementTestCase typical(71, CohortEnum::Typical, SideEnum::Right);
+  return typical;
+}
+
+bool
+HasReason(const itk::RegistrationVerdict::JawVerdict & verdict, const std::string & code)
+{
+  return std::any_of(
+    verdict.reasons.begin(), verdict.reasons.end(), [&](const auto & reason) { return reason.code == code; });
+}
+} // namespace
+
+TEST(PoseRefinementKernel, FindsTheTruthWhereTheTracingHasNoNoise)
+{
+  const PoseRefinementTestCase c(70, CohortEnum::Ideal, SideEnum::Right);
+  const auto result = itk::PoseRefinementKernel::Run(c.jaws, c.geometry, itk::PoseRefinementOptions());
+  for (unsigned int jaw : { 0u, 1u })
+  {
+    // A mesh of 16 000 triangles has facets of 1-2 px.
+    EXPECT_LT(c.Error(result, jaw, 'R'), 0.5);
+    EXPECT_GT(result.jaws[jaw].fit.inlierShare, 0.95);
+  }
+}
+
+TEST(PoseRefinementKernel, IsBelowTwoPixelsWithNoiseAndAPoseAndKnowsIt)
+{
+  const auto result = itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, itk::PoseRefinementOptions());
+  const auto verdicts = itk::RegistrationVerdict::Evaluate(result);
+  for (unsigned int jaw : { 0u, 1u })
+  {
+    // Noise of 1.2 px: the worst of 34 cases was 1.5 px.
+    EXPECT_LT(Typical().Error(result, jaw, 'R'), 2.0);
+    EXPECT_EQ(verdicts[jaw].status, StatusEnum::Ok);
+    EXPECT_GT(result.jaws[jaw].fit.predictedSigma, 0.2);
+    EXPECT_LT(result.jaws[jaw].fit.predictedSigma, 3.0);
+  }
+  EXPECT_EQ(result.groups.size(), 1u);
+}
+
+TEST(PoseRefinementKernel, GivesTheSameBitsForAnyNumberOfThreads)
+{
+  itk::PoseRefinementOptions options;
+  options.numberOfThreads = 1;
+  const auto one = itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, options);
+  options.numberOfThreads = 3;
+  const auto three = itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, options);
+  EXPECT_EQ(one.groups[0].parameters, three.groups[0].parameters);
+  EXPECT_EQ(one.groups[0].covariance, three.groups[0].covariance);
+  EXPECT_EQ(one.jaws[1].projection, three.jaws[1].projection);
+  EXPECT_EQ(one.groups[0].otherSideDeviance, three.groups[0].otherSideDeviance);
+}
+
+TEST(PoseRefinementKernel, DirectionAndOrderOfThePolylinesDoNotMatter)
+{
+  auto jaws = Typical().jaws;
+  for (auto & jaw : jaws)
+  {
+    std::reverse(jaw.tracing.begin(), jaw.tracing.end());
+    std::reverse(jaw.tracing[1].points.begin(), jaw.tracing[1].points.end());
+    std::reverse(jaw.tracing[4].points.begin(), jaw.tracing[4].points.end());
+  }
+  const itk::PoseRefinementOptions options;
+  const auto                       shuffled = itk::PoseRefinementKernel::Run(jaws, Typical().geometry, options);
+  const auto                       plain = itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, options);
+  EXPECT_EQ(shuffled.groups[0].parameters, plain.groups[0].parameters);
+}
+
+TEST(PoseRefinementKernel, MirroredImageWithTheOtherFacingIsTheSameCase)
+{
+  auto jaws = Typical().jaws;
+  auto geometry = Typical().geometry;
+  geometry.facingSign = -1.0;
+  geometry.principalPoint[0] = 702.0 - geometry.principalPoint[0];
+  for (auto & jaw : jaws)
+  {
+    for (auto & polyline : jaw.tracing)
+    {
+      for (auto & p : polyline.points)
+      {
+        p[0] = 702.0 - p[0];
+      }
+    }
+  }
+  const itk::PoseRefinementOptions options;
+  const auto                       mirrored = itk::PoseRefinementKernel::Run(jaws, geometry, options);
+  const auto                       plain = itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, options);
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    // Rounding of 702 - u, amplified by discrete matches.
+    EXPECT_NEAR(mirrored.groups[0].parameters[k], plain.groups[0].parameters[k], 1e-3);
+  }
+}
+
+TEST(PoseRefinementKernel, RegistersOneJawAlone)
+{
+  for (unsigned int jaw : { 0u, 1u })
+  {
+    const std::vector<itk::PoseJawInput> alone{ Typical().jaws[jaw] };
+    const auto result = itk::PoseRefinementKernel::Run(alone, Typical().geometry, itk::PoseRefinementOptions());
+    itk::PoseRefinementResult placed;
+    placed.jaws = { result.jaws[0], result.jaws[0] };
+    EXPECT_LT(Typical().Error(placed, jaw, 'R'), 2.5);
+  }
+}
+
+TEST(PoseRefinementKernel, EstimatesAScaleWithoutAPixelSpacingAndSaysSoInTheCovariance)
+{
+  auto geometry = Typical().geometry;
+  geometry.pixelSpacingKnown = false;
+  geometry.principalPointKnown = false;
+  const itk::PoseRefinementOptions options;
+  const auto                       free = itk::PoseRefinementKernel::Run(Typical().jaws, geometry, options);
+  const auto                       known = itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, options);
+  EXPECT_LT(Typical().Error(free, 0, 'R'), 3.0);
+  EXPECT_LT(Typical().Error(free, 1, 'R'), 3.0);
+  EXPECT_GT(free.groups[0].covariance[48], known.groups[0].covariance[48]);
+}
+
+TEST(PoseRefinementKernel, FixedScaleStays)
+{
+  itk::PoseRefinementOptions options;
+  options.fixScale = true;
+  const auto result = itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, options);
+  EXPECT_EQ(result.groups[0].parameters[itk::PoseKappa], 0.0);
+  EXPECT_EQ(result.groups[0].covariance[48], 0.0);
+}
+
+TEST(PoseRefinementKernel, ReportsAJawWithTooFewPoints)
+{
+  auto jaws = Typical().jaws;
+  jaws[1].tracing.resize(1);
+  jaws[1].tracing[0].points.resize(4);
+  const auto result = itk::PoseRefinementKernel::Run(jaws, Typical().geometry, itk::PoseRefinementOptions());
+  EXPECT_TRUE(result.jaws[0].registered);
+  EXPECT_FALSE(result.jaws[1].registered);
+  EXPECT_EQ(itk::RegistrationVerdict::Evaluate(result)[1].status, StatusEnum::Failed);
+}
+
+TEST(PoseRefinementKernel, WrongFacingAndWrongUnitAreNotOk)
+{
+  auto geometry = Typical().geometry;
+  geometry.facingSign = -1.0;
+  const itk::PoseRefinementOptions options;
+  auto verdicts = itk::RegistrationVerdict::Evaluate(itk::PoseRefinementKernel::Run(Typical().jaws, geometry, options));
+  EXPECT_NE(verdicts[0].status, StatusEnum::Ok);
+  EXPECT_TRUE(HasReason(verdicts[0], "facing"));
+
+  auto                 jaws = Typical().jaws;
+  itk::TriangleSurface small[2];
+  for (unsigned int j = 0; j < 2; ++j)
+  {
+    small[j] = Typical().surfaces[j];
+    for (auto & p : small[j].points)
+    {
+      for (double & x : p)
+      {
+        x *= 0.1;
+      }
+    }
+    jaws[j].surface = &small[j];
+  }
+  verdicts = itk::RegistrationVerdict::Evaluate(itk::PoseRefinementKernel::Run(jaws, Typical().geometry, options));
+  ASSERT_TRUE(HasReason(verdicts[0], "arch-width"));
+  const auto reason = std::find_if(
+    verdicts[0].reasons.begin(), verdicts[0].reasons.end(), [](const auto & r) { return r.code == "arch-width"; });
+  EXPECT_NE(reason->text.find("may be in cm"), std::string::npos);
+}
+
+TEST(PoseRefinementKernel, InwardWindingIsNamed)
+{
+  auto                 jaws = Typical().jaws;
+  itk::TriangleSurface inward = Typical().surfaces[0];
+  for (auto & triangle : inward.triangles)
+  {
+    std::swap(triangle[1], triangle[2]);
+  }
+  jaws[0].surface = &inward;
+  const auto verdicts = itk::RegistrationVerdict::Evaluate(
+    itk::PoseRefinementKernel::Run(jaws, Typical().geometry, itk::PoseRefinementOptions()));
+  EXPECT_TRUE(HasReason(verdicts[0], "inward-winding"));
+  EXPECT_FALSE(HasReason(verdicts[1], "inward-winding"));
+}
+
+TEST(PoseRefinementKernel, StopsWhereProgressSaysSo)
+{
+  itk::PoseRefinementOptions options;
+  options.progress = [](double progress) { return progress > 0.1; };
+  EXPECT_TRUE(itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, options).aborted);
+}

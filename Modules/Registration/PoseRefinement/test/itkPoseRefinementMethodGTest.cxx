@@ -1,0 +1,195 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseRefinementMethod.h"
+
+#include "itkMidlineSideMeshFilter.h"
+#include "itkPoseRefinementTestCase.h"
+
+#include "itkCommand.h"
+#include "itkTestingMacros.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using Source = itk::DentalPhantomCaseSource;
+using MethodType = itk::PoseRefinementMethod<>;
+
+Source *
+Case()
+{
+  static const Source::Pointer source = [] {
+    auto s = Source::New();
+    s->SetSeed(73);
+    s->SetNumberOfTriangles(16000);
+    s->MakeRadiographOff();
+    s->Update();
+    return s;
+  }();
+  return source;
+}
+
+MethodType::Pointer
+Method()
+{
+  auto method = MethodType::New();
+  method->SetUpperMesh(Case()->GetMesh(0));
+  method->SetLowerMesh(Case()->GetMesh(1));
+  method->SetUpperContour(Case()->GetTracing(0));
+  method->SetLowerContour(Case()->GetTracing(1));
+  method->SetGeometry(Case()->GetNominalGeometry());
+  return method;
+}
+} // namespace
+
+TEST(PoseRefinementMethod, BasicObject)
+{
+  auto method = MethodType::New();
+  EXPECT_STREQ(method->GetNameOfClass(), "PoseRefinementMethod");
+  EXPECT_STREQ(method->Superclass::GetNameOfClass(), "ProcessObject");
+  std::ostringstream text;
+  method->Print(text);
+  EXPECT_NE(text.str().find("PrincipalPointKnown: 1"), std::string::npos);
+}
+
+TEST(PoseRefinementMethod, RegistersMeshesAsTheyAreAndItsOutputsAgree)
+{
+  auto         method = Method();
+  unsigned int levels = 0;
+  auto         command = itk::CStyleCommand::New();
+  command->SetClientData(&levels);
+  command->SetCallback(
+    [](itk::Object *, const itk::EventObject &, void * data) { ++*static_cast<unsigned int *>(data); });
+  method->AddObserver(itk::MultiResolutionIterationEvent(), command);
+  method->Update();
+  EXPECT_EQ(levels, 4u);
+  EXPECT_TRUE(method->GetJawsShareFrame());
+  for (unsigned int jaw : { 0u, 1u })
+  {
+    EXPECT_EQ(method->GetVerdict(jaw).status, itk::RegistrationVerdict::StatusEnum::Ok);
+    const auto & p = method->GetResult().jaws[jaw].projection;
+    double       sum = 0.0;
+    const auto & landmarks = Case()->GetLandmarks2D(jaw)->GetLandmarks();
+    for (const auto & landmark : landmarks)
+    {
+      const auto   x = Case()->GetLandmarks3D(jaw)->Find(landmark.name)->point;
+      const auto   q = method->GetGeometryOutput(jaw)->ProjectPoint(x);
+      const double w = p[8] * x[0] + p[9] * x[1] + p[10] * x[2] + p[11];
+      EXPECT_NEAR(q[0], (p[0] * x[0] + p[1] * x[1] + p[2] * x[2] + p[3]) / w, 1e-6);
+      EXPECT_NEAR(q[1], (p[4] * x[0] + p[5] * x[1] + p[6] * x[2] + p[7]) / w, 1e-6);
+      const auto c = method->GetTransform(jaw)->TransformPoint(x);
+      EXPECT_LT(c.EuclideanDistanceTo(method->GetGeometryOutput(jaw)->TransformToCephalostat(x)), 1e-6);
+      sum += std::hypot(q[0] - landmark.point[0], q[1] - landmark.point[1]);
+      const auto covariance = method->ComputeLandmarkCovariance(jaw, x);
+      EXPECT_GT(covariance(0, 0), 0.0);
+      EXPECT_GT(covariance(0, 0) * covariance(1, 1), covariance(0, 1) * covariance(1, 0));
+    }
+    EXPECT_LT(sum / landmarks.size(), 2.0);
+  }
+  // Nothing changed: nothing runs.
+  const auto time = method->GetTransformOutput(0)->GetUpdateMTime();
+  method->Update();
+  EXPECT_EQ(time, method->GetTransformOutput(0)->GetUpdateMTime());
+}
+
+TEST(PoseRefinementMethod, SaysWhatToCallWhereInputIsMissing)
+{
+  auto method = MethodType::New();
+  method->SetGeometry(Case()->GetNominalGeometry());
+  method->SetUpperMesh(Case()->GetMesh(0));
+  try
+  {
+    method->Update();
+    FAIL() << "no exception";
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    EXPECT_NE(std::string(error.what()).find("SetUpperContour()"), std::string::npos);
+  }
+}
+
+TEST(PoseRefinementMethod, AJawWithoutInputHasNoTransform)
+{
+  auto method = MethodType::New();
+  method->SetGeometry(Case()->GetNominalGeometry());
+  method->SetLowerMesh(Case()->GetMesh(1));
+  method->SetLowerContour(Case()->GetTracing(1));
+  method->Update();
+  EXPECT_EQ(method->GetTransform(0), nullptr);
+  EXPECT_NE(method->GetTransform(1), nullptr);
+  EXPECT_EQ(method->GetResultIndex(0), -1);
+  EXPECT_THROW(method->ComputeLandmarkCovariance(0, MethodType::LandmarkPointType()), itk::ExceptionObject);
+}
+
+TEST(PoseRefinementMethod, AbortEndsInProcessAborted)
+{
+  auto method = Method();
+  auto command = itk::CStyleCommand::New();
+  command->SetClientData(method.GetPointer());
+  command->SetCallback([](itk::Object *, const itk::EventObject &, void * data) {
+    static_cast<MethodType *>(data)->AbortGenerateDataOn();
+  });
+  method->AddObserver(itk::MultiResolutionIterationEvent(), command);
+  EXPECT_THROW(method->Update(), itk::ProcessAborted);
+}
+
+TEST(MidlineSideMeshFilter, SidesShareOnlyTheMarginAndKeepData)
+{
+  using MeshType = itk::Mesh<float, 3>;
+  using FilterType = itk::MidlineSideMeshFilter<MeshType>;
+  auto                         source = itk::DentalPhantomMeshSource<MeshType>::New();
+  itk::DentalPhantomParameters parameters;
+  parameters.numberOfTriangles = 8000;
+  source->SetParameters(parameters);
+  source->Update();
+  auto right = FilterType::New();
+  right->SetInput(source->GetOutput());
+  right->SetMargin(0.0);
+  right->Update();
+  auto left = FilterType::New();
+  left->SetInput(source->GetOutput());
+  left->SetSide(FilterType::SideEnum::Left);
+  left->SetMargin(0.0);
+  left->Update();
+  EXPECT_EQ(right->GetOutput()->GetNumberOfCells() + left->GetOutput()->GetNumberOfCells(),
+            source->GetOutput()->GetNumberOfCells());
+  EXPECT_GT(right->GetOutput()->GetNumberOfCells(), source->GetOutput()->GetNumberOfCells() / 3);
+  const auto rightSurface = itk::MakeTriangleSurface(right->GetOutput());
+  for (const auto & triangle : rightSurface.triangles)
+  {
+    ASSERT_LT(rightSurface.points[triangle[0]][1] + rightSurface.points[triangle[1]][1] +
+                rightSurface.points[triangle[2]][1],
+              1e-4);
+  }
+  std::ostringstream text;
+  right->Print(text);
+  EXPECT_NE(text.str().find("Side: Right"), std::string::npos);
+
+  // A frame turned by 180 degrees about z exchanges the sides.
+  auto                                turned = FilterType::New();
+  auto                                transform = FilterType::TransformType::New();
+  FilterType::TransformType::AxisType axis;
+  axis[0] = axis[1] = 0.0;
+  axis[2] = 1.0;
+  transform->SetRotation(axis, M_PI);
+  turned->SetInput(source->GetOutput());
+  turned->SetTransform(transform);
+  turned->SetMargin(0.0);
+  turned->Update();
+  EXPECT_EQ(turned->GetOutput()->GetNumberOfCells(), left->GetOutput()->GetNumberOfCells());
+}
