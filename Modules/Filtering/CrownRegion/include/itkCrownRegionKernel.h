@@ -47,6 +47,10 @@ struct CrownRegion_EXPORT CrownRegionOptions
   double crownHeightScale{ 2.5 };
   /** Cost of a change of the margin's height, radians a mm. */
   double smoothness{ 0.15 };
+  /** Cost of a margin behind another valley, by that valley's turning angle. */
+  double passedWeight{ 0.6 };
+  /** No tooth is where all lies deeper than this below the occlusal surface. */
+  double gapDepth{ 3.5 };
   /** Crowns lie within this horizontal distance of the arch's middle line. */
   double archHalfWidth{ 9.0 };
   /** Pieces of crown, and holes in it, that are smaller (mm^2) are given to what surrounds them. */

@@ -787,6 +787,7 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
   constexpr int       leap = 4;
   const auto          lowest = static_cast<std::size_t>(options.minimumCrownHeight / DepthSpacing);
   const auto          highest = static_cast<std::size_t>(options.maximumCrownHeight / DepthSpacing);
+  const auto          guard = static_cast<std::size_t>(1.4 / DepthSpacing);
   for (unsigned int side = 0; side < 2; ++side)
   {
     std::vector<double>      value(stations * depths, -1e18);
@@ -797,11 +798,18 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
         std::min(std::abs(static_cast<double>(k) - arch.front) * StationSpacing / options.posteriorDistance, 1.0);
       const double expected =
         options.anteriorCrownHeight + away * (options.posteriorCrownHeight - options.anteriorCrownHeight);
+      double passed = 0.0;
       for (std::size_t j = lowest; j <= highest; ++j)
       {
+        // A crown has no second valley: palate and sulcus lie behind the margin.
+        if (j >= lowest + guard)
+        {
+          passed = std::max(passed, Clamp(chart.At(side, k, j - guard), 0.0, 1.2));
+        }
         const double off = (static_cast<double>(j) * DepthSpacing - expected) / options.crownHeightScale;
-        const double here = Clamp(chart.At(side, k, j), -0.5, 1.2) - options.priorWeight * off * off;
-        double       best = k == 0 ? 0.0 : -1e18;
+        const double here =
+          Clamp(chart.At(side, k, j), -0.5, 1.2) - options.priorWeight * off * off - options.passedWeight * passed;
+        double best = k == 0 ? 0.0 : -1e18;
         for (int d = -leap; k > 0 && d <= leap; ++d)
         {
           const int from = static_cast<int>(j) + d;
@@ -838,13 +846,31 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
     }
   }
 
+  // Stations whose highest half square millimetre is far below the occlusal surface have no tooth.
+  std::vector<double> high(stations + 1, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (station[i] >= 0.0f && depth[i] < options.gapDepth)
+    {
+      high[static_cast<std::size_t>(station[i] + 0.5f)] += areas[i];
+    }
+  }
+  std::vector<std::uint8_t> gap(stations + 1, 0);
+  for (std::size_t k = 0; k < gap.size(); ++k)
+  {
+    gap[k] = high[k] + (k > 0 ? high[k - 1] : 0.0) + (k < stations ? high[k + 1] : 0.0) < 0.5 ? 1 : 0;
+  }
   for (std::size_t i = 0; i < n; ++i)
   {
     if (station[i] < 0.0f)
     {
       continue;
     }
-    const auto   k = std::min(static_cast<std::size_t>(station[i]), stations - 2);
+    const auto k = std::min(static_cast<std::size_t>(station[i]), stations - 2);
+    if (gap[static_cast<std::size_t>(station[i] + 0.5f)] != 0)
+    {
+      continue;
+    }
     const double f = station[i] - static_cast<double>(k);
     const double buccal = Clamp(0.5 + offset[i] / 5.0, 0.0, 1.0);
     double       margin = 0.0;
