@@ -138,7 +138,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t LeafSize = 6;
+  static constexpr std::uint32_t LeafSize = 10;
 
   struct Node
   {

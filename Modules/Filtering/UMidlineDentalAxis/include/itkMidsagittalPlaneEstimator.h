@@ -55,7 +55,8 @@ struct UMidlineDentalAxis_EXPORT MidsagittalPlaneOptions
   /** Angle between the starts about z, and how far they go to either side of the lateral direction given; degrees. */
   double startStep{ 10.0 };
   double startRange{ 90.0 };
-  /** Restart the winner from yaw and offset steps around it (recipe: +-2.5, 5, 8 degrees by -1.5, 0, 1.5 mm). */
+  /** Restart the winner from yaw and offset steps around it (+-2.5, 5, 8, 12 degrees by -1.5, 0, 1.5 mm), again
+   * while that finds a better one. */
   bool restarts{ true };
 };
 

@@ -152,6 +152,7 @@ TakeSamples(const TriangleSurface & surface, unsigned int count)
 
   const std::size_t          triangles = surface.triangles.size();
   std::vector<double>        areas(triangles, 0.0);
+  std::vector<Vector3>       faces(triangles);
   std::vector<Vector3>       normals(size, Vector3{ 0.0, 0.0, 0.0 });
   std::vector<std::uint32_t> parent(size);
   for (std::uint32_t i = 0; i < size; ++i)
@@ -167,6 +168,7 @@ TakeSamples(const TriangleSurface & surface, unsigned int count)
       continue;
     }
     areas[t] = area;
+    faces[t] = normal;
     const auto & corners = surface.triangles[t];
     for (const std::uint32_t corner : corners)
     {
@@ -217,7 +219,7 @@ TakeSamples(const TriangleSurface & surface, unsigned int count)
     const Vector3 & b = surface.points[surface.triangles[t][1]];
     const Vector3 & c = surface.points[surface.triangles[t][2]];
     samples.centroid = samples.centroid + (areas[t] / (3.0 * kept)) * (a + b + c);
-    samples.netNormal = samples.netNormal + (1.0 / kept) * surface.AreaNormal(t);
+    samples.netNormal = samples.netNormal + (1.0 / kept) * faces[t];
     for (; k < count && (k + 0.5) * kept / count < cumulated; ++k)
     {
       // Spread within the triangle by an additive recurrence (Roberts 2018): coarse meshes have many samples a
@@ -231,11 +233,10 @@ TakeSamples(const TriangleSurface & surface, unsigned int count)
       }
       const double w = 1.0 - u - v;
       samples.points.push_back(w * a + u * b + v * c);
-      const Vector3 face = Unit(surface.AreaNormal(t));
       const Vector3 smooth = w * Unit(normals[first[surface.triangles[t][0]]]) +
                              u * Unit(normals[first[surface.triangles[t][1]]]) +
                              v * Unit(normals[first[surface.triangles[t][2]]]);
-      samples.normals.push_back(Norm(smooth) > 0.1 ? Unit(smooth) : face);
+      samples.normals.push_back(Norm(smooth) > 0.1 ? Unit(smooth) : Unit(faces[t]));
     }
   }
 
@@ -493,7 +494,7 @@ RefineVertical(const Samples & samples, const Vector3 & seed, const DentalFrameO
       std::sort(crowns.begin(), crowns.end());
     }
     RobustPlane(samples, crowns, occlusal, vertical);
-    if (Norm(Cross(vertical.direction, occlusal)) < 1e-6)
+    if (Norm(Cross(vertical.direction, occlusal)) < 1e-4)
     {
       break;
     }
@@ -768,14 +769,16 @@ ChooseVertical(const Samples &            samples,
   Vector3 values;
   Matrix3 vectors;
   SymmetricEigen(covariance, values, vectors);
-  seeds.push_back(vectors[0]);
-  seeds.push_back(-1.0 * vectors[0]);
   if (Norm(samples.netNormal) > 0.2)
   {
+    // An open shell: nothing else can have a better score.
     seeds.push_back(Unit(samples.netNormal));
+    seeds.push_back(Dot(vectors[0], samples.netNormal) < 0.0 ? -1.0 * vectors[0] : vectors[0]);
   }
   else
   {
+    seeds.push_back(vectors[0]);
+    seeds.push_back(-1.0 * vectors[0]);
     for (unsigned int e = 1; e < 3; ++e)
     {
       seeds.push_back(vectors[e]);
@@ -856,9 +859,7 @@ MirrorSet(const Jaw & jaw, const DentalFrameOptions & options)
 MidsagittalPlaneResult
 CoarseMirror(const std::vector<OrientedPointSet> & sets, const Vector3 & vertical, const DentalFrameOptions & options)
 {
-  MidsagittalPlaneOptions coarse = options.midline;
-  coarse.finalSamples = std::min(coarse.finalSamples, 2 * coarse.searchSamples);
-  return EstimateMidsagittalPlane(sets, vertical, Vector3{ 0.0, 0.0, 0.0 }, coarse);
+  return EstimateMidsagittalPlane(sets, vertical, Vector3{ 0.0, 0.0, 0.0 }, options.midline);
 }
 
 /** Takes over the mirror plane. The crowns are as high on the left as on the right: their plane loses its roll, which
@@ -885,11 +886,9 @@ TurnSamples(Jaw & jaw)
 }
 
 void
-FindAxes(Jaw & jaw, const Vector3 & contact, double contactWeight, const DentalFrameOptions & options)
+FindArch(Jaw & jaw, const DentalFrameOptions & options)
 {
-  jaw.vertical = ChooseVertical(jaw.samples, contact, contactWeight, options, jaw.margin);
-  const MidsagittalPlaneResult mirror = CoarseMirror({ MirrorSet(jaw, options) }, jaw.Superior(), options);
-  SetMirror(jaw, mirror);
+  SetMirror(jaw, CoarseMirror({ MirrorSet(jaw, options) }, jaw.Superior(), options));
   jaw.valid = jaw.arch.valid;
 }
 
@@ -973,16 +972,15 @@ AngleBetween(const Vector3 & a, const Vector3 & b)
   return std::atan2(Norm(Cross(a, b)), Dot(a, b)) / Degree;
 }
 
-/** Fills in what the jaws' own estimates say about occlusion. The limits are wide: an open bite of 6 mm or casts set
- * apart pass, meshes in frames of their own do not. */
+/** Fills in what the jaws' verticals say about occlusion. The limits are wide: an open bite of 6 mm or casts set apart
+ * pass, meshes in frames of their own do not. */
 bool
-TestOcclusion(const Jaw & upper, const Jaw & lower, const Contact & contact, DentalFrameResult & result)
+VerticalsFit(const Jaw & upper, const Jaw & lower, const Contact & contact, DentalFrameResult & result)
 {
   const Vector3 z = Unit(upper.Superior() + lower.Superior());
   result.contactDistance = contact.distance;
   result.verticalSeparation = Dot(upper.samples.centroid - lower.samples.centroid, z);
   result.verticalDisagreement = AngleBetween(upper.Superior(), lower.Superior());
-  result.anteriorDisagreement = AngleBetween(upper.arch.anterior, lower.arch.anterior);
   std::vector<double> crowns;
   for (const std::uint32_t i : upper.vertical.crowns)
   {
@@ -994,10 +992,20 @@ TestOcclusion(const Jaw & upper, const Jaw & lower, const Contact & contact, Den
   }
   result.crownDistance = Quantile(crowns, 0.12);
   result.crownPlaneGap = Dot(upper.vertical.centre - lower.vertical.centre, z);
-  const Vector3 between = upper.arch.centre - lower.arch.centre;
-  result.archCentreDistance = Norm(between - Dot(between, z) * z);
   return result.crownDistance < 8.0 && result.verticalSeparation > 1.0 && result.verticalDisagreement < 25.0 &&
-         result.crownPlaneGap > -8.0 && result.crownPlaneGap < 14.0 && result.archCentreDistance < 15.0;
+         result.crownPlaneGap > -8.0 && result.crownPlaneGap < 14.0;
+}
+
+/** The whole test: one arch over the other as well. */
+bool
+TestOcclusion(const Jaw & upper, const Jaw & lower, const Contact & contact, DentalFrameResult & result)
+{
+  const bool    verticalsFit = VerticalsFit(upper, lower, contact, result);
+  const Vector3 z = Unit(upper.Superior() + lower.Superior());
+  const Vector3 between = upper.arch.centre - lower.arch.centre;
+  result.anteriorDisagreement = AngleBetween(upper.arch.anterior, lower.arch.anterior);
+  result.archCentreDistance = Norm(between - Dot(between, z) * z);
+  return verticalsFit && result.archCentreDistance < 15.0;
 }
 
 double
@@ -1086,7 +1094,9 @@ Describe(const Jaw & jaw, DentalJawFrame & frame)
                                                     Dot(jaw.samples.netNormal, jaw.vertical.direction) / frame.openness
                                                 : 0.0;
 
-  frame.signConfidence = std::max(frame.signConfidence, Ramp(jaw.margin, 0.0, 0.8));
+  // Roughness alone, all that a closed body has, is a weaker sign than normals or contact.
+  const double surest = frame.openness > 0.15 ? 1.0 : 0.7;
+  frame.signConfidence = std::max(frame.signConfidence, surest * Ramp(jaw.margin, 0.0, 0.8));
   frame.planeConfidence = Ramp(jaw.vertical.thickness, 6.0, 3.0) * Ramp(jaw.vertical.inlierShare, 0.4, 0.75);
   frame.archConfidence = Ramp(arch.spread, 9.0, 4.5) * Ramp(arch.reach, 30.0 * Degree, 75.0 * Degree) *
                          Ramp(arch.radius, 12.0, 18.0) * Ramp(arch.radius, 60.0, 48.0) * Ramp(arch.resultant, 0.0, 0.5);
@@ -1114,7 +1124,8 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
     jaw.samples = TakeSamples(*jaw.surface, options.samples);
     if (jaw.samples.points.size() >= 100 && !aborted())
     {
-      FindAxes(jaw, Vector3{ 0.0, 0.0, 0.0 }, 0.0, options);
+      jaw.vertical = ChooseVertical(jaw.samples, Vector3{ 0.0, 0.0, 0.0 }, 0.0, options, jaw.margin);
+      FindArch(jaw, options);
     }
   });
   if (aborted())
@@ -1131,33 +1142,39 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
     {
       // One jaw's own estimate may have the wrong sign: a closed cast has no net normal, an inward winding a reversed
       // one. Contact decides, if everything fits then.
-      for (unsigned int variant = 0; variant < 4 && !result.occlusionPlausible; ++variant)
+      std::array<std::array<Jaw, 2>, 2> trials{ { { { jaws[0], jaws[0] } }, { { jaws[1], jaws[1] } } } };
+      for (unsigned int j = 0; j < 2; ++j)
       {
-        std::array<Jaw, 2> trial = jaws;
-        bool               possible = true;
-        for (unsigned int j = 0; j < 2; ++j)
+        TurnSamples(trials[j][1]);
+        for (Jaw & trial : trials[j])
         {
-          if ((variant >> j) & 1u)
-          {
-            possible = possible && Norm(trial[j].samples.netNormal) > 0.1;
-            TurnSamples(trial[j]);
-          }
-          FindAxes(trial[j], j == 0 ? -1.0 * contact.direction : contact.direction, 2.0, options);
+          trial.vertical = ChooseVertical(
+            trial.samples, j == 0 ? -1.0 * contact.direction : contact.direction, 2.0, options, trial.margin);
         }
-        if (possible && trial[0].valid && trial[1].valid)
+      }
+      for (unsigned int variant = 0; variant < 4 && !result.occlusionPlausible && !aborted(); ++variant)
+      {
+        Jaw &             first = trials[0][variant & 1u];
+        Jaw &             second = trials[1][variant >> 1];
+        DentalFrameResult tested = result;
+        // Only an open shell shows that it is wound inward.
+        if ((first.turned && Norm(first.samples.netNormal) < 0.1) ||
+            (second.turned && Norm(second.samples.netNormal) < 0.1) || !VerticalsFit(first, second, contact, tested))
         {
-          DentalFrameResult tested = result;
-          if (TestOcclusion(trial[0], trial[1], contact, tested))
-          {
-            tested.occlusionPlausible = true;
-            result = tested;
-            jaws = trial;
-          }
+          continue;
         }
-        if (aborted())
+        FindArch(first, options);
+        FindArch(second, options);
+        if (first.valid && second.valid && TestOcclusion(first, second, contact, tested))
         {
-          return DentalFrameResult();
+          result = tested;
+          result.occlusionPlausible = true;
+          jaws = { first, second };
         }
+      }
+      if (aborted())
+      {
+        return DentalFrameResult();
       }
     }
     result.jawsShareFrame =
@@ -1165,7 +1182,7 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
       (options.jawsShareFrame == DentalFrameEnums::JawsShareFrame::Check && result.occlusionPlausible);
   }
 
-  if (result.jawsShareFrame && result.anteriorDisagreement > 10.0)
+  if (result.jawsShareFrame && result.anteriorDisagreement > 4.0)
   {
     // One jaw's plane is wrong, as in an arch that lacks one side. The pair's common plane decides.
     const MidsagittalPlaneResult common = CoarseMirror({ MirrorSet(jaws[0], options), MirrorSet(jaws[1], options) },

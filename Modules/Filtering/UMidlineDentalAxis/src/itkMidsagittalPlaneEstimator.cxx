@@ -331,11 +331,12 @@ EstimateMidsagittalPlane(const std::vector<OrientedPointSet> & jaws,
   }
   keepDistinct(candidates, 0.5, 0.3, 4);
 
-  if (options.restarts)
+  // Where restarts find a better plane, they start again from that.
+  for (unsigned int round = 0; options.restarts && round < 3; ++round)
   {
     const Plane                 winner = candidates.front();
     const double                winnerShift = winner.offset - Dot(winner.normal, centre);
-    const std::array<double, 7> yaws{ { -8.0, -5.0, -2.5, 0.0, 2.5, 5.0, 8.0 } };
+    const std::array<double, 9> yaws{ { -12.0, -8.0, -5.0, -2.5, 0.0, 2.5, 5.0, 8.0, 12.0 } };
     const std::array<double, 3> offsets{ { -1.5, 0.0, 1.5 } };
     std::vector<Plane>          restarted;
     for (const double yaw : yaws)
@@ -365,6 +366,10 @@ EstimateMidsagittalPlane(const std::vector<OrientedPointSet> & jaws,
     }
     candidates.insert(candidates.end(), restarted.begin(), restarted.end());
     keepDistinct(candidates, 0.5, 0.3, 4);
+    if (AngleBetween(candidates.front(), winner) < 1.0 && ShiftBetween(candidates.front(), winner, centre) < 0.5)
+    {
+      break;
+    }
   }
 
   // Rank the leaders on denser samples, and finish the best of them.
