@@ -43,7 +43,7 @@ MidlineSideMeshFilter<TMesh>::VerifyPreconditions() ITKv5_CONST
   {
     itkExceptionMacro("There is no mesh. Call SetInput().");
   }
-  if (this->GetFrameTransformInput() == nullptr || this->GetFrameTransform() == nullptr)
+  if (this->GetFrameTransformInput() == nullptr)
   {
     itkExceptionMacro(
       "There is no frame. Call SetFrameTransformInput() with the transform of UMidlineDentalAxisFilter, "
@@ -66,6 +66,12 @@ MidlineSideMeshFilter<TMesh>::GenerateData()
   {
     itkExceptionMacro("The mesh has " << surface.points.size()
                                       << " points and no triangles. Set a triangle mesh of the jaw.");
+  }
+  // Known only once what makes the frame has run.
+  if (this->GetFrameTransform() == nullptr)
+  {
+    itkExceptionMacro("The frame is empty: UMidlineDentalAxisFilter had no mesh of this jaw. Connect the transform of "
+                      "the same jaw with SetFrameTransformInput().");
   }
   const DentalJawFrame frame = JawFrameFromTransform(*this->GetFrameTransform());
   this->UpdateProgress(0.3f);

@@ -985,6 +985,8 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
   {
     gap[k] = high[k] + (k > 0 ? high[k - 1] : 0.0) + (k < stations ? high[k + 1] : 0.0) < 0.5 ? 1 : 0;
   }
+  // Large triangles of a base reach up to the margin: every corner of a crown's triangle is near a crown.
+  std::vector<std::uint8_t> near(n, 0);
   CutDistalTissue(surface, band, station, offset, depth, transverse, arch.front, gap);
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -1005,19 +1007,20 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
       margin += (side == 1 ? buccal : 1.0 - buccal) * ((1.0 - f) * margins[side][k] + f * margins[side][k + 1]);
     }
     result.points[i] = depth[i] < margin ? 1 : 0;
+    near[i] = depth[i] < margin + 2.0 ? 1 : 0;
   }
-  const auto vote = [&]() {
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    {
-      const auto & corner = surface.triangles[t];
-      result.triangles[t] = result.points[corner[0]] + result.points[corner[1]] + result.points[corner[2]] > 1 ? 1 : 0;
-    }
-  };
-  vote();
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const auto & corner = surface.triangles[t];
+    const bool   close = near[corner[0]] + near[corner[1]] + near[corner[2]] == 3;
+    const int    votes = result.points[corner[0]] + result.points[corner[1]] + result.points[corner[2]];
+    result.triangles[t] = close && votes > 1 ? 1 : 0;
+  }
 
   // Specks and holes go to what surrounds them.
   std::vector<std::uint32_t> parent(surface.triangles.size());
   std::iota(parent.begin(), parent.end(), 0u);
+  std::vector<std::uint8_t>       bordering(surface.triangles.size(), 0);
   const std::vector<std::uint8_t> all(surface.triangles.size(), 1);
   ForEachSharedEdge(
     surface.triangles, ids, all, [&](std::uint32_t first, std::uint32_t second, std::uint32_t, std::uint32_t) {
@@ -1027,17 +1030,29 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
         const std::uint32_t b = Root(parent, second);
         parent[std::max(a, b)] = std::min(a, b);
       }
+      else
+      {
+        bordering[first] = 1;
+        bordering[second] = 1;
+      }
     });
   std::vector<double> pieces(surface.triangles.size(), 0.0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
   {
-    pieces[Root(parent, t)] += Area(surface, t);
+    const std::uint32_t root = Root(parent, t);
+    pieces[root] += Area(surface, t);
+    if (bordering[t] != 0)
+    {
+      bordering[root] = 1;
+    }
   }
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
   {
-    if (pieces[Root(parent, t)] < options.minimumPieceArea)
+    // A loose speck surrounds nothing and is surrounded by nothing: no crown.
+    const std::uint32_t root = Root(parent, t);
+    if (pieces[root] < options.minimumPieceArea)
     {
-      result.triangles[t] = result.triangles[t] == 0 ? 1 : 0;
+      result.triangles[t] = result.triangles[t] == 0 && bordering[root] != 0 ? 1 : 0;
     }
   }
   std::fill(result.points.begin(), result.points.end(), std::uint8_t{ 0 });
