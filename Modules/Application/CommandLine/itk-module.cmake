@@ -2,6 +2,7 @@ itk_module(CommandLine
   DEPENDS
     CaseRegistration
     DentalPhantom
+    Experiment
     ITKCommon
     ITKIOImageBase
     ITKIOBMP

@@ -13,6 +13,7 @@ itk_module(Experiment
     SurfaceDRR
     UMidlineDentalAxis
     ITKCommon
+    ITKImageGrid
     ITKTransform
   DESCRIPTION
     "Seeded cohorts through every method, with the paper's tables, statistics, capture range and sensitivity."

@@ -42,6 +42,8 @@ CommandLine_EXPORT void
 AddEvaluateCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 CommandLine_EXPORT void
 AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
+CommandLine_EXPORT void
+AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 } // namespace dentalscr
 
 #endif

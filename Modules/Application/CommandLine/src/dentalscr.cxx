@@ -86,6 +86,7 @@ main(int argc, char * argv[])
   dentalscr::AddContourCommand(program, common, run);
   dentalscr::AddEvaluateCommand(program, common, run);
   dentalscr::AddPhantomCommand(program, common, run);
+  dentalscr::AddExperimentCommand(program, common, run);
 
   try
   {

@@ -46,8 +46,8 @@ struct ExperimentCase
 
   /** Without the toolkit's midline: the paper's frames. */
   DentalFrameResult frames;
-  /** For the row without UMDA: rows are the file's own axes, mesh to frame. For a phantom those of a file that is tilted
-   * by at most 15 degrees, else the signed permutation of the file's axes that is nearest to the frame. */
+  /** For the row without UMDA: rows are the file's own axes, mesh to frame. For a phantom those of a file that is
+   * tilted by at most 15 degrees, else the signed permutation of the file's axes that is nearest to the frame. */
   std::array<std::array<std::array<double, 3>, 3>, 2> fileAxes{};
 };
 
@@ -73,14 +73,14 @@ struct ExperimentVariation
 
 /** Draws the phantom case of a seed, with a radiograph only where asked for. Runs on the calling thread alone. */
 Experiment_EXPORT ExperimentCase
-                  MakePhantomExperimentCase(std::uint64_t                           seed,
-                                            DentalPhantomCaseSource::CohortEnum     cohort,
-                                            bool                                    withRadiograph,
-                                            const ExperimentVariation &             variation = ExperimentVariation());
+MakePhantomExperimentCase(std::uint64_t                       seed,
+                          DentalPhantomCaseSource::CohortEnum cohort,
+                          bool                                withRadiograph,
+                          const ExperimentVariation &         variation = ExperimentVariation());
 
 /** Reads a case file; throws DentalInputError where it is unusable or has no landmarks_2d to measure with. */
 Experiment_EXPORT ExperimentCase
-                  LoadExperimentCase(const std::string & fileName, const std::string & id);
+LoadExperimentCase(const std::string & fileName, const std::string & id);
 } // namespace itk
 
 #endif

@@ -68,7 +68,7 @@ Experiment_EXPORT const std::vector<ExperimentMethod> &
 
 /** Null where there is none. */
 Experiment_EXPORT const ExperimentMethod *
-                        FindExperimentMethod(const std::string & name);
+FindExperimentMethod(const std::string & name);
 
 /** The methods of a list of names, in the order of the tables; "default" stands for all without the intensity-driven
  * ones, "intensity" for those, "all" for both. Throws std::invalid_argument that names the unknown one and lists what
@@ -130,8 +130,8 @@ private:
   TransformType::Pointer
   Register(const ExperimentMethod & method, JawEnum jaw, PreparedType & prepared, const TransformType * start);
 
-  const ExperimentCase &                                                   m_Case;
-  std::function<bool()>                                                    m_Abort;
+  const ExperimentCase &                                                  m_Case;
+  std::function<bool()>                                                   m_Abort;
   std::map<std::pair<JawEnum, ExperimentMethod::ChainEnum>, PreparedType> m_Prepared;
 };
 } // namespace itk

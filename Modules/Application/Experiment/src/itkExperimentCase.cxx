@@ -158,7 +158,7 @@ TrimDistally(const MeshType * mesh, const DentalJawFrame & frame, double amount)
     }
   }
   // Points that no triangle uses are not part of the surface.
-  auto                                points = MeshType::PointsContainer::New();
+  auto                                     points = MeshType::PointsContainer::New();
   std::map<IdentifierType, IdentifierType> numbers;
   for (auto it = trimmed->GetCells()->Begin(); it != trimmed->GetCells()->End(); ++it)
   {

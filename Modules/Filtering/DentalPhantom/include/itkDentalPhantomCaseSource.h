@@ -30,6 +30,7 @@
 #include "itkProcessObject.h"
 
 #include <string>
+#include <vector>
 
 namespace itk
 {
@@ -113,6 +114,21 @@ public:
   /** The part of each tooth's border that is not drawn, at one of its ends. Default 0. */
   itkSetClampMacro(DropOutFraction, double, 0.0, 0.9);
   itkGetConstMacro(DropOutFraction, double);
+
+  /** Turns of the head about the vertical and the anterior axis beyond those that the cohort draws, rad. Default 0. */
+  itkSetMacro(AdditionalYaw, double);
+  itkGetConstMacro(AdditionalYaw, double);
+  itkSetMacro(AdditionalRoll, double);
+  itkGetConstMacro(AdditionalRoll, double);
+
+  /** Teeth that the jaws lack beyond what the cohort draws, FDI numbers 11-17 to 41-47. Default none. */
+  void
+  SetMissingTeeth(const std::vector<unsigned int> & teeth);
+  const std::vector<unsigned int> &
+  GetMissingTeeth() const
+  {
+    return m_MissingTeeth;
+  }
 
   /** A tracing that covers these numbers of points; 79 and 75 as in the paper. */
   itkSetClampMacro(UpperNumberOfPoints, unsigned int, 20, 100000);
@@ -204,6 +220,9 @@ private:
   bool                         m_BuccalOutline{ false };
   double                       m_ToothBias{ 0.0 };
   double                       m_DropOutFraction{ 0.0 };
+  double                       m_AdditionalYaw{ 0.0 };
+  double                       m_AdditionalRoll{ 0.0 };
+  std::vector<unsigned int>    m_MissingTeeth;
   unsigned int                 m_UpperNumberOfPoints{ 79 };
   unsigned int                 m_LowerNumberOfPoints{ 75 };
   GeometryType::FacingEnum     m_Facing{ GeometryType::FacingEnum::Right };

@@ -168,9 +168,28 @@ DentalPhantomCaseSource::GetRadiograph() -> ImageType *
 }
 
 void
+DentalPhantomCaseSource::SetMissingTeeth(const std::vector<unsigned int> & teeth)
+{
+  for (const unsigned int fdi : teeth)
+  {
+    if (fdi / 10 < 1 || fdi / 10 > 4 || fdi % 10 < 1 || fdi % 10 > 7)
+    {
+      itkExceptionMacro("A phantom has no tooth " << fdi << "; FDI numbers 11-17, 21-27, 31-37, 41-47 are known.");
+    }
+  }
+  if (teeth != m_MissingTeeth)
+  {
+    m_MissingTeeth = teeth;
+    this->Modified();
+  }
+}
+
+void
 DentalPhantomCaseSource::GenerateData()
 {
   m_Acquisition = DentalPhantomAcquisition::Draw(m_Seed, m_Cohort);
+  m_Acquisition.yaw += m_AdditionalYaw;
+  m_Acquisition.roll += m_AdditionalRoll;
   const bool traceLeft = m_TracedSide == TracedSideEnum::Left;
 
   // The dentition.
@@ -183,6 +202,13 @@ DentalPhantomCaseSource::GenerateData()
   if (m_Acquisition.missingPosition != 0)
   {
     m_Parameters.jaws[m_Acquisition.missingJaw].teeth[(traceLeft ? 0 : 7) + m_Acquisition.missingPosition - 1].missing =
+      true;
+  }
+
+  for (const unsigned int fdi : m_MissingTeeth)
+  {
+    const unsigned int quadrant = fdi / 10;
+    m_Parameters.jaws[quadrant > 2 ? 1 : 0].teeth[(quadrant == 2 || quadrant == 3 ? 7 : 0) + fdi % 10 - 1].missing =
       true;
   }
 
@@ -432,6 +458,14 @@ DentalPhantomCaseSource::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "BuccalOutline: " << m_BuccalOutline << std::endl;
   os << indent << "ToothBias: " << m_ToothBias << std::endl;
   os << indent << "DropOutFraction: " << m_DropOutFraction << std::endl;
+  os << indent << "AdditionalYaw: " << m_AdditionalYaw << std::endl;
+  os << indent << "AdditionalRoll: " << m_AdditionalRoll << std::endl;
+  os << indent << "MissingTeeth:";
+  for (const unsigned int fdi : m_MissingTeeth)
+  {
+    os << ' ' << fdi;
+  }
+  os << std::endl;
   os << indent << "UpperNumberOfPoints: " << m_UpperNumberOfPoints << std::endl;
   os << indent << "LowerNumberOfPoints: " << m_LowerNumberOfPoints << std::endl;
   os << indent << "Facing: " << m_Facing << std::endl;

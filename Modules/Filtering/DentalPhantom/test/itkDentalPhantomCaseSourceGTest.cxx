@@ -397,6 +397,26 @@ TEST(DentalPhantomCaseSource, DropOutShortensEveryTooth)
   EXPECT_EQ(part->GetTracing(0)->GetPolylines().size(), whole->GetTracing(0)->GetPolylines().size());
 }
 
+TEST(DentalPhantomCaseSource, HeadTurnsAndTeethGoMissingOnDemand)
+{
+  const auto plain = Case(2);
+  const auto changed = Case(2);
+  changed->SetAdditionalYaw(0.05);
+  changed->SetAdditionalRoll(-0.02);
+  changed->SetMissingTeeth({ 14, 36 });
+  plain->Update();
+  changed->Update();
+  EXPECT_DOUBLE_EQ(changed->GetAcquisition().yaw, plain->GetAcquisition().yaw + 0.05);
+  EXPECT_DOUBLE_EQ(changed->GetAcquisition().roll, plain->GetAcquisition().roll - 0.02);
+  EXPECT_TRUE(changed->GetParameters().jaws[0].teeth[3].missing);
+  EXPECT_TRUE(changed->GetParameters().jaws[1].teeth[12].missing);
+  for (const auto & line : changed->GetTracing(0)->GetPolylines())
+  {
+    EXPECT_NE(line.code.GetFDI(), 14);
+  }
+  EXPECT_THROW(changed->SetMissingTeeth({ 18 }), itk::ExceptionObject);
+}
+
 TEST(DentalPhantomCaseSource, SameBitsForAnyNumberOfWorkUnitsAndEveryRun)
 {
   const auto one = Case(12);

@@ -1,0 +1,84 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkExperimentRecord_h
+#define itkExperimentRecord_h
+
+#include "ExperimentExport.h"
+#include "itkCaseResult.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \struct ExperimentRecord
+ * \brief What an experiment keeps of one case: enough for every table, a few kB.
+ *
+ * \ingroup Experiment
+ */
+struct Experiment_EXPORT ExperimentRecord
+{
+  struct LandmarkType
+  {
+    std::string           name;
+    ToothCode::GroupEnum  group{ ToothCode::GroupEnum::Unknown };
+    double                pixels{ 0.0 };
+    double                millimetres{ 0.0 };
+    std::optional<double> sigma;
+  };
+  struct JawType
+  {
+    bool                      registered{ false };
+    std::string               status;
+    std::vector<std::string>  reasons;
+    std::array<double, 4>     similarity{ { 0.0, 0.0, 0.0, 0.0 } };
+    ContourFigures            whole;
+    std::vector<LandmarkType> landmarks;
+    double                    seconds{ 0.0 };
+
+    /** Mean error; absent without landmarks. */
+    std::optional<double>
+    GetMean(bool inMillimetres) const;
+  };
+
+  std::string   id;
+  std::uint64_t seed{ 0 };
+  /** Why there is nothing else, where the case could not be read. */
+  std::string failure;
+  /** Marked landmarks a jaw ("upper", "lower"): what a jaw that is not registered misses. */
+  std::map<std::string, std::size_t> marked;
+  /** By method, then by jaw. */
+  std::map<std::string, std::map<std::string, JawType>> methods;
+
+  void
+  Add(const std::string & method, const CaseResult & result);
+
+  std::string
+  ToJson(const std::string & key) const;
+
+  /** Throws std::exception where the text is no record, or one with another key. */
+  static ExperimentRecord
+  FromJson(const std::string & text, const std::string & key);
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,436 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCohortExperiment.h"
+
+#include "itkExperimentPlan.h"
+
+#include "itkDentalInputError.h"
+#include "itkDentalSCRVersion.h"
+#include "itkTextFile.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+namespace itk
+{
+namespace
+{
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using StudyEnum = CohortExperimentEnums::Study;
+
+const char *
+NameOf(StudyEnum study)
+{
+  return study == StudyEnum::Tables ? "tables" : study == StudyEnum::Capture ? "capture" : "sensitivity";
+}
+
+const char *
+NameOf(CohortExperiment::CohortEnum level)
+{
+  return level == CohortExperiment::CohortEnum::Ideal     ? "ideal"
+         : level == CohortExperiment::CohortEnum::Typical ? "typical"
+                                                          : "hard";
+}
+
+[[noreturn]] void
+FailToWrite(const std::string & folder, const std::string & why)
+{
+  itkDentalInputErrorMacro(folder, "", "can't be written: " + why, "choose another output folder");
+}
+
+/** Case files below a folder, sorted by name. */
+std::vector<std::pair<std::string, std::string>>
+FindCaseFiles(const std::string & folder)
+{
+  const fs::path  root = fs::u8path(folder);
+  std::error_code error;
+  if (!fs::is_directory(root, error))
+  {
+    itkDentalInputErrorMacro(folder, "", "is no folder", "name a folder whose subfolders hold a case.json each");
+  }
+  std::vector<std::pair<std::string, std::string>> files;
+  if (fs::exists(root / "case.json", error))
+  {
+    const fs::path name = fs::absolute(root).lexically_normal();
+    files.emplace_back((root / "case.json").string(),
+                       (name.has_filename() ? name : name.parent_path()).filename().string());
+  }
+  std::vector<fs::path> folders;
+  for (const auto & entry : fs::directory_iterator(root, error))
+  {
+    if (fs::exists(entry.path() / "case.json", error))
+    {
+      folders.push_back(entry.path());
+    }
+  }
+  std::sort(folders.begin(), folders.end());
+  for (const fs::path & path : folders)
+  {
+    files.emplace_back((path / "case.json").string(), path.filename().string());
+  }
+  if (files.empty())
+  {
+    itkDentalInputErrorMacro(folder,
+                             "",
+                             "holds no case.json, nor does any folder in it",
+                             "name a folder whose subfolders hold a case.json each");
+  }
+  return files;
+}
+} // namespace
+
+std::ostream &
+operator<<(std::ostream & os, CohortExperimentEnums::Study study)
+{
+  return os << NameOf(study);
+}
+
+void
+CohortExperiment::SetMethods(const std::vector<std::string> & names)
+{
+  if (names != m_Methods)
+  {
+    m_Methods = names;
+    this->Modified();
+  }
+}
+
+std::unique_ptr<ExperimentPlan>
+CohortExperiment::MakePlan() const
+{
+  std::vector<std::string> names = m_Methods;
+  if (m_Study != StudyEnum::Tables && names == std::vector<std::string>{ "default" })
+  {
+    names = {
+      "bounding-box", "single-stage", "paper", "robust", "one-sided", "icp", "icp-trimmed", "cpd", "cpd-robust"
+    };
+  }
+  std::vector<ExperimentMethod> methods;
+  try
+  {
+    methods = SelectExperimentMethods(names);
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkDentalInputErrorMacro("--methods", "", error.what(), "see dentalscr experiment --help");
+  }
+  if (methods.empty())
+  {
+    itkDentalInputErrorMacro("--methods", "", "no method is chosen", "see dentalscr experiment --help");
+  }
+  ExperimentCohort cohort;
+  cohort.level = m_Level;
+  cohort.seed = m_Seed;
+  cohort.count = m_NumberOfCases;
+  if (!m_CaseDirectory.empty())
+  {
+    cohort.files = FindCaseFiles(m_CaseDirectory);
+  }
+  else if (m_NumberOfCases == 0)
+  {
+    itkDentalInputErrorMacro("--cases", "", "0 cases leave nothing to measure", "ask for at least 1");
+  }
+  switch (m_Study)
+  {
+    case StudyEnum::Capture:
+      return MakeCapturePlan(cohort, methods, m_NumberOfStarts);
+    case StudyEnum::Sensitivity:
+      if (!cohort.IsSimulated())
+      {
+        itkDentalInputErrorMacro("--study sensitivity",
+                                 "",
+                                 "spoils simulated cases on purpose and can't take cases from files",
+                                 "leave out --from");
+      }
+      return MakeSensitivityPlan(cohort, methods);
+    default:
+      return MakeTablesPlan(cohort, methods);
+  }
+}
+
+std::string
+CohortExperiment::ClaimFolder(const std::vector<ExperimentMethod> & methods) const
+{
+  if (m_OutputDirectory.empty())
+  {
+    itkDentalInputErrorMacro("--output", "", "no folder is named", "name one");
+  }
+  const fs::path  folder = fs::u8path(m_OutputDirectory);
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+  {
+    FailToWrite(m_OutputDirectory, "it is a file");
+  }
+  fs::create_directories(folder / "cases", error);
+  if (error)
+  {
+    FailToWrite(m_OutputDirectory, error.message());
+  }
+  Json manifest;
+  manifest["schema"] = "dentalscr-experiment/1";
+  manifest["software"] = DentalSCRVersion;
+  manifest["study"] = NameOf(m_Study);
+  manifest["from"] =
+    m_CaseDirectory.empty() ? std::string() : fs::absolute(fs::u8path(m_CaseDirectory)).lexically_normal().string();
+  manifest["level"] = m_CaseDirectory.empty() ? NameOf(m_Level) : "";
+  manifest["seed"] = m_Seed;
+  manifest["methods"] = Json::array();
+  for (const ExperimentMethod & method : methods)
+  {
+    manifest["methods"].push_back(method.name);
+  }
+  if (m_Study == StudyEnum::Capture)
+  {
+    manifest["starts"] = m_NumberOfStarts;
+  }
+  const std::string file = (folder / "experiment.json").string();
+  if (fs::exists(file, error))
+  {
+    Json before;
+    try
+    {
+      before = Json::parse(ReadTextFile(file, "an experiment"));
+    }
+    catch (const Json::exception &)
+    {
+      itkDentalInputErrorMacro(file, "", "is not what an experiment writes", "name a new output folder");
+    }
+    for (const auto & item : manifest.items())
+    {
+      const Json theirs = before.is_object() && before.contains(item.key()) ? before[item.key()] : Json();
+      if (theirs != item.value())
+      {
+        itkDentalInputErrorMacro(file,
+                                 item.key(),
+                                 "the folder holds an experiment with " + theirs.dump() + ", not " +
+                                   item.value().dump(),
+                                 "name a new output folder, or resume with the options of that experiment");
+      }
+    }
+  }
+  else
+  {
+    if (!fs::is_empty(folder / "cases", error))
+    {
+      itkDentalInputErrorMacro(
+        (folder / "cases").string(), "", "holds files of an unknown experiment", "name a new output folder");
+    }
+    WriteFileAtomically(file, manifest.dump(1) + '\n');
+  }
+  return manifest.dump();
+}
+
+void
+CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
+{
+  const std::size_t count = plan.GetCohort().size();
+  const fs::path    folder = fs::u8path(m_OutputDirectory) / "cases";
+  const auto        fileOf = [&](std::size_t i) { return (folder / (plan.GetCohort().GetId(i) + ".json")).string(); };
+
+  std::vector<std::size_t> open;
+  m_NumberOfResumedCases = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    std::error_code error;
+    bool            there = false;
+    if (fs::exists(fileOf(i), error))
+    {
+      try
+      {
+        plan.Accept(i, ReadTextFile(fileOf(i), "a case of an experiment"), key);
+        there = true;
+      }
+      catch (const std::exception &)
+      {
+        // Whatever it is, it is replaced.
+      }
+    }
+    if (there)
+    {
+      ++m_NumberOfResumedCases;
+    }
+    else
+    {
+      open.push_back(i);
+    }
+  }
+
+  std::mutex               mutex;
+  std::condition_variable  changed;
+  std::size_t              next = 0;
+  std::size_t              done = 0;
+  unsigned int             running = 0;
+  std::exception_ptr       failure;
+  std::atomic<bool>        abort{ false };
+  std::vector<std::thread> threads;
+  const auto               work = [&]() {
+    std::unique_lock<std::mutex> lock(mutex);
+    while (next < open.size() && !failure && !abort)
+    {
+      const std::size_t i = open[next++];
+      lock.unlock();
+      std::exception_ptr problem;
+      std::string        text;
+      try
+      {
+        text = plan.Compute(i, key, [&abort]() { return abort.load(); });
+        WriteFileAtomically(fileOf(i), text);
+      }
+      catch (...)
+      {
+        problem = std::current_exception();
+      }
+      lock.lock();
+      try
+      {
+        if (problem)
+        {
+          std::rethrow_exception(problem);
+        }
+        plan.Accept(i, text, key);
+        ++done;
+      }
+      catch (...)
+      {
+        if (!failure)
+        {
+          failure = std::current_exception();
+        }
+      }
+      changed.notify_all();
+    }
+    --running;
+    changed.notify_all();
+  };
+  const std::size_t wanted =
+    std::min<std::size_t>(std::max<ThreadIdType>(1, this->GetNumberOfWorkUnits()), open.size());
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    running = static_cast<unsigned int>(wanted);
+    for (std::size_t t = 0; t < wanted; ++t)
+    {
+      threads.emplace_back(work);
+    }
+    while (running > 0)
+    {
+      changed.wait_for(lock, std::chrono::milliseconds(100));
+      m_CurrentStage = std::to_string(count - open.size() + done) + " of " + std::to_string(count) + " cases";
+      const float progress = static_cast<float>(count - open.size() + done) / static_cast<float>(count);
+      lock.unlock();
+      // Observers run on this thread alone.
+      this->UpdateProgress(0.98F * progress);
+      abort = abort || this->GetAbortGenerateData();
+      lock.lock();
+    }
+  }
+  for (std::thread & thread : threads)
+  {
+    thread.join();
+  }
+  if (abort)
+  {
+    throw ProcessAborted(__FILE__, __LINE__);
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+}
+
+void
+CohortExperiment::Update()
+{
+  // Its inputs and outputs are files: each call runs.
+  this->ResetPipeline();
+  this->SetAbortGenerateData(false);
+  this->InvokeEvent(StartEvent());
+  try
+  {
+    this->GenerateData();
+  }
+  catch (const ProcessAborted &)
+  {
+    this->InvokeEvent(AbortEvent());
+    throw;
+  }
+  this->UpdateProgress(1.0F);
+  this->InvokeEvent(EndEvent());
+}
+
+void
+CohortExperiment::GenerateData()
+{
+  m_WrittenFiles.clear();
+  const auto        plan = this->MakePlan();
+  const std::string key = this->ClaimFolder(plan->GetMethods());
+  this->RunCases(*plan, key);
+
+  m_CurrentStage = "tables";
+  this->UpdateProgress(0.98F);
+  // All of them in memory before the first is written.
+  const std::map<std::string, std::string> files = plan->MakeFiles();
+  for (const auto & file : files)
+  {
+    WriteFileAtomically((fs::u8path(m_OutputDirectory) / file.first).string(), file.second);
+    m_WrittenFiles.push_back(file.first);
+  }
+  if (m_DrawFigures)
+  {
+    m_CurrentStage = "figures";
+    this->UpdateProgress(0.99F);
+    const auto figures = plan->DrawFigures(m_OutputDirectory, [this]() {
+      this->UpdateProgress(0.99F);
+      return this->GetAbortGenerateData();
+    });
+    m_WrittenFiles.insert(m_WrittenFiles.end(), figures.begin(), figures.end());
+  }
+}
+
+void
+CohortExperiment::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfCases: " << m_NumberOfCases << std::endl;
+  os << indent << "Seed: " << m_Seed << std::endl;
+  os << indent << "Level: " << NameOf(m_Level) << std::endl;
+  os << indent << "CaseDirectory: " << m_CaseDirectory << std::endl;
+  os << indent << "OutputDirectory: " << m_OutputDirectory << std::endl;
+  os << indent << "Study: " << m_Study << std::endl;
+  os << indent << "NumberOfStarts: " << m_NumberOfStarts << std::endl;
+  os << indent << "Methods:";
+  for (const std::string & method : m_Methods)
+  {
+    os << ' ' << method;
+  }
+  os << std::endl;
+  os << indent << "DrawFigures: " << (m_DrawFigures ? "On" : "Off") << std::endl;
+  os << indent << "CurrentStage: " << m_CurrentStage << std::endl;
+  os << indent << "WrittenFiles: " << m_WrittenFiles.size() << std::endl;
+  os << indent << "NumberOfResumedCases: " << m_NumberOfResumedCases << std::endl;
+}
+} // namespace itk

@@ -1,0 +1,412 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkExperimentMethod.h"
+
+#include "itkCaseRegistration.h"
+#include "itkCaseResultWriter.h"
+#include "itkCaseSimilarityRegistration.h"
+#include "itkCoherentPointDriftContourRegistrationMethod.h"
+#include "itkContourChamferMetricv4.h"
+#include "itkIntensityRegistrationMethod.h"
+#include "itkIterativeClosestPointContourRegistrationMethod.h"
+#include "itkSilhouetteToContourRegistrationMethod.h"
+#include "itkSurfaceDRRImageSource.h"
+
+#include "itkTimeProbe.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace itk
+{
+namespace
+{
+using KindEnum = ExperimentMethod::KindEnum;
+using ChainEnum = ExperimentMethod::ChainEnum;
+using JawEnum = ToothCode::JawEnum;
+using TransformType = ExperimentRunner::TransformType;
+constexpr JawEnum Jaws[] = { JawEnum::Upper, JawEnum::Lower };
+/** Far enough that rays are parallel to a part in 10^5 across an arch. */
+constexpr double ParallelDistance = 1e7;
+
+const DentalJawFrame &
+FrameOf(const DentalFrameResult & frames, JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? frames.upper : frames.lower;
+}
+
+double
+MeanSpacing(const CephalometricGeometry * geometry)
+{
+  return 0.5 * (geometry->GetPixelSpacing()[0] + geometry->GetPixelSpacing()[1]);
+}
+
+/** Runs a method whose inputs are set but for the start. */
+template <typename TMethod>
+TransformType::Pointer
+Finish(TMethod *                     method,
+       const DentalContour *         tracing,
+       const DentalContour *         silhouette,
+       const TransformType *         start,
+       const std::function<bool()> & abort)
+{
+  method->SetFixedContour(tracing);
+  method->SetMovingContour(silhouette);
+  method->SetNumberOfWorkUnits(1);
+  if (start != nullptr)
+  {
+    method->SetInitialTransform(start);
+  }
+  if (abort)
+  {
+    method->AddObserver(IterationEvent(), [&](const EventObject &) {
+      if (abort())
+      {
+        method->AbortGenerateDataOn();
+      }
+    });
+  }
+  method->Update();
+  auto transform = TransformType::New();
+  transform->SetParameters(method->GetTransform()->GetParameters());
+  return transform;
+}
+
+bool
+Contains(const std::string & text, const char * part)
+{
+  return text.find(part) != std::string::npos;
+}
+} // namespace
+
+const std::vector<ExperimentMethod> &
+GetExperimentMethods()
+{
+  static const std::vector<ExperimentMethod> methods = {
+    { "bounding-box", "Bounding box", KindEnum::Contour, ChainEnum::Paper },
+    { "single-stage", "Single stage", KindEnum::Contour, ChainEnum::Paper },
+    { "paper", "DentalSCR as in the paper", KindEnum::Contour, ChainEnum::Paper },
+    { "robust", "DentalSCR robust", KindEnum::Pose, ChainEnum::Paper },
+    { "icp-rigid", "ICP, rigid", KindEnum::Contour, ChainEnum::Paper },
+    { "icp", "ICP, similarity", KindEnum::Contour, ChainEnum::Paper },
+    { "icp-trimmed-rigid", "ICP, trimmed, rigid", KindEnum::Contour, ChainEnum::Paper },
+    { "icp-trimmed", "ICP, trimmed, similarity", KindEnum::Contour, ChainEnum::Paper },
+    { "cpd-rigid", "CPD, rigid", KindEnum::Contour, ChainEnum::Paper },
+    { "cpd", "CPD, similarity", KindEnum::Contour, ChainEnum::Paper },
+    { "cpd-robust-rigid", "CPD, robust, rigid", KindEnum::Contour, ChainEnum::Paper },
+    { "cpd-robust", "CPD, robust, similarity", KindEnum::Contour, ChainEnum::Paper },
+    { "mutual-information", "Mutual information", KindEnum::Intensity, ChainEnum::Paper },
+    { "normalized-correlation", "Normalised correlation", KindEnum::Intensity, ChainEnum::Paper },
+    { "gradient-correlation", "Gradient correlation", KindEnum::Intensity, ChainEnum::Paper },
+    { "no-umda", "w/o UMDA", KindEnum::Contour, ChainEnum::FileAxes },
+    { "one-sided", "w/o Bi-Chamfer", KindEnum::Contour, ChainEnum::Paper },
+    { "parallel", "w/o perspective", KindEnum::Contour, ChainEnum::ParallelProjection },
+  };
+  return methods;
+}
+
+const ExperimentMethod *
+FindExperimentMethod(const std::string & name)
+{
+  for (const ExperimentMethod & method : GetExperimentMethods())
+  {
+    if (method.name == name)
+    {
+      return &method;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<ExperimentMethod>
+SelectExperimentMethods(const std::vector<std::string> & names)
+{
+  for (const std::string & name : names)
+  {
+    if (name != "all" && name != "default" && name != "intensity" && FindExperimentMethod(name) == nullptr)
+    {
+      std::string known;
+      for (const ExperimentMethod & method : GetExperimentMethods())
+      {
+        known += method.name + ", ";
+      }
+      throw std::invalid_argument("there is no method \"" + name + "\"; there are " + known +
+                                  "and the groups default, intensity, all");
+    }
+  }
+  std::vector<ExperimentMethod> selected;
+  for (const ExperimentMethod & method : GetExperimentMethods())
+  {
+    const bool chosen = std::any_of(names.begin(), names.end(), [&](const std::string & name) {
+      return name == method.name || name == "all" ||
+             name == (method.kind == KindEnum::Intensity ? "intensity" : "default");
+    });
+    if (chosen)
+    {
+      selected.push_back(method);
+    }
+  }
+  return selected;
+}
+
+ExperimentRunner::ExperimentRunner(const ExperimentCase & experimentCase)
+  : m_Case(experimentCase)
+{}
+
+bool
+ExperimentRunner::HasJaw(JawEnum jaw) const
+{
+  const auto & input = m_Case.data->GetJaw(jaw);
+  return input.mesh.IsNotNull() && input.contour.IsNotNull() && input.contour->GetNumberOfPoints() > 0;
+}
+
+auto
+ExperimentRunner::Prepare(JawEnum jaw, ChainEnum chain) -> PreparedType &
+{
+  const auto key = std::make_pair(jaw, chain);
+  const auto found = m_Prepared.find(key);
+  if (found != m_Prepared.end())
+  {
+    return found->second;
+  }
+  PreparedType prepared;
+  prepared.frame = FrameOf(m_Case.frames, jaw);
+  if (!prepared.frame.valid)
+  {
+    itkGenericExceptionMacro("the scan has no recognisable dental arch");
+  }
+  if (chain == ChainEnum::FileAxes)
+  {
+    const auto & axes = m_Case.fileAxes[jaw == JawEnum::Upper ? 0 : 1];
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      prepared.frame.axes[row] = axes[row];
+    }
+    prepared.frame.origin = prepared.frame.centroid;
+  }
+  prepared.geometry = CephalometricGeometry::New();
+  prepared.geometry->CopyParameters(m_Case.data->geometry);
+  if (!prepared.geometry->HasPixelSpacing())
+  {
+    // One for both jaws, as CaseRegistration does.
+    double       sum = 0.0;
+    unsigned int count = 0;
+    for (const JawEnum each : Jaws)
+    {
+      if (this->HasJaw(each) && FrameOf(m_Case.frames, each).valid)
+      {
+        sum += EstimatePixelSpacing(*m_Case.data, each, FrameOf(m_Case.frames, each));
+        ++count;
+      }
+    }
+    prepared.geometry->SetPixelSpacing(CephalometricGeometry::PixelSpacingType(sum / count));
+  }
+  if (chain == ChainEnum::ParallelProjection)
+  {
+    const double magnification =
+      prepared.geometry->GetSourceToDetectorDistance() / prepared.geometry->GetSourceToMidsagittalDistance();
+    prepared.geometry->SetSourceToMidsagittalDistance(ParallelDistance);
+    prepared.geometry->SetSourceToDetectorDistance(ParallelDistance * magnification);
+  }
+  prepared.centred = MakeCentredGeometry(prepared.geometry, prepared.frame);
+  CaseSimilaritySettings settings;
+  settings.numberOfContourPoints = jaw == JawEnum::Upper ? 441 : 439;
+  prepared.silhouette = MakeWholeSilhouette(m_Case.data->GetJaw(jaw).mesh, prepared.centred, settings, prepared.result);
+  return m_Prepared.emplace(key, std::move(prepared)).first->second;
+}
+
+auto
+ExperimentRunner::Register(const ExperimentMethod & method,
+                           JawEnum                  jaw,
+                           PreparedType &           prepared,
+                           const TransformType *    start) -> TransformType::Pointer
+{
+  const DentalContour * tracing = m_Case.data->GetJaw(jaw).contour;
+  const DentalContour * silhouette = prepared.silhouette;
+  const auto            motion =
+    Contains(method.name, "rigid") ? ContourBaselineEnums::Motion::Rigid : ContourBaselineEnums::Motion::Similarity;
+  if (method.kind == KindEnum::Intensity)
+  {
+    if (m_Case.data->image.IsNull())
+    {
+      itkGenericExceptionMacro("there is no radiograph to compare with");
+    }
+    if (prepared.radiograph.IsNull())
+    {
+      using SourceType = SurfaceDRRImageSource<DentalCaseData::MeshType, ImageType>;
+      auto source = SourceType::New();
+      source->SetInput(m_Case.data->GetJaw(jaw).mesh);
+      source->SetGeometry(prepared.centred);
+      source->SetSigma(0.5);
+      source->SetOutputMode(SourceType::OutputEnum::InvertedIntensity);
+      // Room for the region of interest around it.
+      source->SetSizeToCoverMeshes(25.0);
+      source->SetNumberOfWorkUnits(1);
+      source->Update();
+      prepared.radiograph = source->GetOutput();
+      prepared.radiograph->DisconnectPipeline();
+    }
+    auto registration = IntensityRegistrationMethod::New();
+    registration->SetFixedImage(m_Case.data->image);
+    registration->SetMovingImage(prepared.radiograph);
+    registration->SetMeasure(
+      method.name == "mutual-information"       ? IntensityRegistrationMethod::MeasureEnum::MutualInformation
+      : method.name == "normalized-correlation" ? IntensityRegistrationMethod::MeasureEnum::NormalizedCorrelation
+                                                : IntensityRegistrationMethod::MeasureEnum::GradientCorrelation);
+    return Finish(registration.GetPointer(), tracing, silhouette, start, m_Abort);
+  }
+  if (method.name.rfind("icp", 0) == 0)
+  {
+    auto registration = IterativeClosestPointContourRegistrationMethod::New();
+    registration->SetMotion(motion);
+    registration->SetTrimmedFraction(Contains(method.name, "trimmed") ? 0.3 : 0.0);
+    return Finish(registration.GetPointer(), tracing, silhouette, start, m_Abort);
+  }
+  if (method.name.rfind("cpd", 0) == 0)
+  {
+    auto registration = CoherentPointDriftContourRegistrationMethod::New();
+    registration->SetMotion(motion);
+    registration->SetOutlierWeight(Contains(method.name, "robust") ? 0.3 : 0.0);
+    return Finish(registration.GetPointer(), tracing, silhouette, start, m_Abort);
+  }
+  auto registration = SilhouetteToContourRegistrationMethod::New();
+  registration->SetPixelSpacing(MeanSpacing(prepared.geometry));
+  if (method.name == "bounding-box")
+  {
+    registration->SetPresetToBoundingBox();
+  }
+  else if (method.name == "single-stage")
+  {
+    registration->SetPresetToSingleStage();
+  }
+  else if (method.name == "one-sided")
+  {
+    auto metric = ContourChamferMetricv4::New();
+    metric->SetDirection(ContourChamferMetricv4::DirectionEnum::FixedToMoving);
+    registration->SetMetric(metric);
+  }
+  return Finish(registration.GetPointer(), tracing, silhouette, start, m_Abort);
+}
+
+JawResult
+ExperimentRunner::RunJaw(const ExperimentMethod & method, JawEnum jaw, const TransformType * start)
+{
+  JawResult result;
+  try
+  {
+    PreparedType & prepared = this->Prepare(jaw, method.chain);
+    TimeProbe      probe;
+    probe.Start();
+    const auto transform = this->Register(method, jaw, prepared, start);
+    probe.Stop();
+    result.seconds.emplace_back("registration", probe.GetTotal());
+    SetSimilarityOfJaw(
+      *m_Case.data, jaw, prepared.frame, prepared.geometry, prepared.centred, prepared.silhouette, transform, result);
+    PredictLandmarks(*m_Case.data, jaw, result);
+    result.AddReason(CaseStatusEnum::Suspect, "this method does not check its own accuracy");
+  }
+  catch (const ProcessAborted &)
+  {
+    throw;
+  }
+  catch (const ExceptionObject & error)
+  {
+    result.registered = false;
+    result.AddReason(CaseStatusEnum::Failed, error.GetDescription());
+  }
+  return result;
+}
+
+CaseResult
+ExperimentRunner::Run(const ExperimentMethod & method)
+{
+  CaseResult result;
+  if (method.kind == KindEnum::Pose)
+  {
+    auto registration = CaseRegistration::New();
+    registration->SetPreset(CasePresetEnum::Robust);
+    registration->SetNumberOfWorkUnits(1);
+    registration->SetData(m_Case.data);
+    if (m_Abort)
+    {
+      registration->AddObserver(ProgressEvent(), [&](const EventObject &) {
+        if (m_Abort())
+        {
+          registration->AbortGenerateDataOn();
+        }
+      });
+    }
+    registration->Update();
+    result = registration->GetResult();
+  }
+  else
+  {
+    result.preset = method.name == "bounding-box"   ? CasePresetEnum::BoundingBox
+                    : method.name == "single-stage" ? CasePresetEnum::SingleStage
+                                                    : CasePresetEnum::Paper;
+    result.data = m_Case.data;
+    result.geometry = CephalometricGeometry::New();
+    result.geometry->CopyParameters(m_Case.data->geometry);
+    for (const JawEnum jaw : Jaws)
+    {
+      if (this->HasJaw(jaw))
+      {
+        result.jaws[jaw] = this->RunJaw(method, jaw);
+        const auto prepared = m_Prepared.find({ jaw, method.chain });
+        if (!result.geometry->HasPixelSpacing() && prepared != m_Prepared.end())
+        {
+          result.geometry->SetPixelSpacing(prepared->second.geometry->GetPixelSpacing());
+        }
+      }
+      else
+      {
+        result.skipped[jaw] = "no scan or no tracing";
+      }
+    }
+  }
+  MeasureLandmarkErrors(result, m_Case.marked);
+  result.markedLandmarks = m_Case.marked;
+  return result;
+}
+
+std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>>
+ExperimentRunner::GetLandmarkPairs(JawEnum jaw)
+{
+  const PreparedType &                                                 prepared = this->Prepare(jaw, ChainEnum::Paper);
+  std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>> pairs;
+  if (m_Case.data->landmarks3D.IsNull())
+  {
+    return pairs;
+  }
+  for (const auto & landmark : m_Case.marked->GetLandmarks())
+  {
+    const auto * scanned = m_Case.data->landmarks3D->Find(landmark.name);
+    if (landmark.tooth.GetJaw() == jaw && scanned != nullptr)
+    {
+      CephalometricGeometry::PointType point;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        point[d] = scanned->point[d] * m_Case.data->description.millimetresPerUnit;
+      }
+      const auto q = prepared.centred->ProjectPoint(point);
+      pairs.push_back({ { { q[0], q[1] } }, { { landmark.point[0], landmark.point[1] } } });
+    }
+  }
+  return pairs;
+}
+} // namespace itk

@@ -1,0 +1,115 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkExperimentPlan_h
+#define itkExperimentPlan_h
+
+#include "itkDentalPhantomCaseSource.h"
+#include "itkExperimentMethod.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** Where the cases of an experiment come from. */
+struct ExperimentCohort
+{
+  DentalPhantomCaseSource::CohortEnum level{ DentalPhantomCaseSource::CohortEnum::Typical };
+  std::uint64_t                       seed{ 1 };
+  std::size_t                         count{ 0 };
+  /** Case files with their names instead, where not empty. */
+  std::vector<std::pair<std::string, std::string>> files;
+
+  std::size_t
+  size() const
+  {
+    return files.empty() ? count : files.size();
+  }
+  bool
+  IsSimulated() const
+  {
+    return files.empty();
+  }
+  std::string
+  GetId(std::size_t i) const;
+  ExperimentCase
+  Make(std::size_t i, bool withRadiograph, const ExperimentVariation & variation = ExperimentVariation()) const;
+  /** In words. */
+  std::string
+  Describe() const;
+};
+
+/** \class ExperimentPlan
+ * \brief A study case by case: what to compute for each, and the files that follow from all. */
+class ExperimentPlan
+{
+public:
+  using AbortType = std::function<bool()>;
+
+  explicit ExperimentPlan(ExperimentCohort cohort, std::vector<ExperimentMethod> methods)
+    : m_Cohort(std::move(cohort))
+    , m_Methods(std::move(methods))
+  {}
+  virtual ~ExperimentPlan();
+
+  const ExperimentCohort &
+  GetCohort() const
+  {
+    return m_Cohort;
+  }
+  const std::vector<ExperimentMethod> &
+  GetMethods() const
+  {
+    return m_Methods;
+  }
+
+  /** Called from several threads; the record as text. Throws ProcessAborted where abort() says so. */
+  virtual std::string
+  Compute(std::size_t i, const std::string & key, const AbortType & abort) const = 0;
+
+  /** Takes the record of a case; throws std::exception where it is none, or another experiment's. */
+  virtual void
+  Accept(std::size_t i, const std::string & text, const std::string & key) = 0;
+
+  /** Every file by name, when all cases were accepted. */
+  virtual std::map<std::string, std::string>
+  MakeFiles() const = 0;
+
+  /** Pictures, straight into the folder; returns their names. */
+  virtual std::vector<std::string>
+  DrawFigures(const std::string & folder, const AbortType & abort) const;
+
+private:
+  ExperimentCohort              m_Cohort;
+  std::vector<ExperimentMethod> m_Methods;
+};
+
+std::unique_ptr<ExperimentPlan>
+MakeTablesPlan(const ExperimentCohort & cohort, const std::vector<ExperimentMethod> & methods);
+std::unique_ptr<ExperimentPlan>
+MakeCapturePlan(const ExperimentCohort &              cohort,
+                const std::vector<ExperimentMethod> & methods,
+                unsigned int                          numberOfStarts);
+std::unique_ptr<ExperimentPlan>
+MakeSensitivityPlan(const ExperimentCohort & cohort, const std::vector<ExperimentMethod> & methods);
+} // namespace itk
+
+#endif

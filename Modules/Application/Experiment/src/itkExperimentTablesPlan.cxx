@@ -1,0 +1,207 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkExperimentFigure.h"
+#include "itkExperimentPlan.h"
+#include "itkExperimentTables.h"
+
+#include "itkDentalInputError.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace itk
+{
+namespace
+{
+class TablesPlan : public ExperimentPlan
+{
+public:
+  using ExperimentPlan::ExperimentPlan;
+
+  std::string
+  Compute(std::size_t i, const std::string & key, const AbortType & abort) const override
+  {
+    ExperimentRecord record;
+    record.id = this->GetCohort().GetId(i);
+    record.seed = this->GetCohort().IsSimulated() ? this->GetCohort().seed + i : 0;
+    try
+    {
+      const bool needsRadiograph =
+        std::any_of(this->GetMethods().begin(), this->GetMethods().end(), [](const ExperimentMethod & method) {
+          return method.kind == ExperimentMethod::KindEnum::Intensity;
+        });
+      const ExperimentCase experimentCase = this->GetCohort().Make(i, needsRadiograph);
+      for (const auto & landmark : experimentCase.marked->GetLandmarks())
+      {
+        ++record.marked[landmark.tooth.GetJaw() == ToothCode::JawEnum::Upper ? "upper" : "lower"];
+      }
+      ExperimentRunner runner(experimentCase);
+      runner.SetAbort(abort);
+      for (const ExperimentMethod & method : this->GetMethods())
+      {
+        if (abort())
+        {
+          throw ProcessAborted(__FILE__, __LINE__);
+        }
+        record.Add(method.name, runner.Run(method));
+      }
+    }
+    catch (const DentalInputError & error)
+    {
+      record.failure = error.GetOneLine();
+      record.methods.clear();
+    }
+    return record.ToJson(key);
+  }
+
+  void
+  Accept(std::size_t i, const std::string & text, const std::string & key) override
+  {
+    m_Records.resize(this->GetCohort().size());
+    m_Records[i] = ExperimentRecord::FromJson(text, key);
+  }
+
+  std::map<std::string, std::string>
+  MakeFiles() const override
+  {
+    if (std::all_of(m_Records.begin(), m_Records.end(), [](const auto & record) { return !record.failure.empty(); }))
+    {
+      itkDentalInputErrorMacro(
+        m_Records.front().id, "", "and every other case is unusable: " + m_Records.front().failure, "see the first");
+    }
+    ExperimentDescription description;
+    description.cohort = this->GetCohort().Describe();
+    description.seed = this->GetCohort().seed;
+    auto            files = MakeExperimentTables(m_Records, this->GetMethods(), description);
+    ExperimentTable times({ "method", "jaws", "mean_seconds", "longest_seconds" });
+    for (const ExperimentMethod & method : this->GetMethods())
+    {
+      double      sum = 0.0;
+      double      longest = 0.0;
+      std::size_t count = 0;
+      for (const ExperimentRecord & record : m_Records)
+      {
+        const auto found = record.methods.find(method.name);
+        if (found != record.methods.end())
+        {
+          for (const auto & jaw : found->second)
+          {
+            sum += jaw.second.seconds;
+            longest = std::max(longest, jaw.second.seconds);
+            ++count;
+          }
+        }
+      }
+      times.AddRow({ method.name,
+                     std::to_string(count),
+                     ExperimentTable::Number(count > 0 ? sum / static_cast<double>(count) : 0.0, 4),
+                     ExperimentTable::Number(longest, 4) });
+    }
+    files["times.csv"] = times.ToCSV();
+    return files;
+  }
+
+  std::vector<std::string>
+  DrawFigures(const std::string & folder, const AbortType & abort) const override
+  {
+    const auto has = [this](const std::string & name) {
+      return std::any_of(this->GetMethods().begin(), this->GetMethods().end(), [&](const ExperimentMethod & method) {
+        return method.name == name;
+      });
+    };
+    const std::string        ours = has("robust") ? "robust" : "paper";
+    std::vector<std::string> columns;
+    for (const std::string & name : { ours, std::string("bounding-box"), std::string("single-stage") })
+    {
+      if (has(name))
+      {
+        columns.push_back(name);
+      }
+    }
+    if (columns.size() < 2)
+    {
+      return {};
+    }
+    // Median and worst by the first column.
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < m_Records.size(); ++i)
+    {
+      const auto found = m_Records[i].methods.find(columns.front());
+      double     sum = 0.0;
+      unsigned   count = 0;
+      if (found != m_Records[i].methods.end())
+      {
+        for (const auto & jaw : found->second)
+        {
+          if (const auto mean = jaw.second.GetMean(true))
+          {
+            sum += *mean;
+            ++count;
+          }
+        }
+      }
+      if (count > 0)
+      {
+        order.emplace_back(sum / count, i);
+      }
+    }
+    if (order.empty())
+    {
+      return {};
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<std::pair<std::string, std::size_t>> chosen = { { "median", order[(order.size() - 1) / 2].second } };
+    if (order.size() > 1)
+    {
+      chosen.emplace_back("worst", order.back().second);
+    }
+    std::vector<std::string> written;
+    for (const auto & choice : chosen)
+    {
+      if (abort())
+      {
+        throw ProcessAborted(__FILE__, __LINE__);
+      }
+      const ExperimentCase experimentCase = this->GetCohort().Make(choice.second, true);
+      ExperimentRunner     runner(experimentCase);
+      for (const ToothCode::JawEnum jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
+      {
+        if (!runner.HasJaw(jaw))
+        {
+          continue;
+        }
+        const std::string name =
+          "figure_" + choice.first + (jaw == ToothCode::JawEnum::Upper ? "_upper.png" : "_lower.png");
+        WriteExperimentFigure(experimentCase, runner, columns, jaw, (std::filesystem::path(folder) / name).string());
+        written.push_back(name);
+      }
+    }
+    return written;
+  }
+
+private:
+  std::vector<ExperimentRecord> m_Records;
+};
+} // namespace
+
+std::unique_ptr<ExperimentPlan>
+MakeTablesPlan(const ExperimentCohort & cohort, const std::vector<ExperimentMethod> & methods)
+{
+  return std::make_unique<TablesPlan>(cohort, methods);
+}
+} // namespace itk

@@ -1,0 +1,208 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkContourBaselineRegistrationMethod_h
+#define itkContourBaselineRegistrationMethod_h
+
+#include "BaselinesExport.h"
+#include "itkContourChamferKernel.h"
+#include "itkDentalContour.h"
+#include "itkRegistrationIterationInformation.h"
+
+#include "itkDataObjectDecorator.h"
+#include "itkProcessObject.h"
+#include "itkSimilarity2DTransform.h"
+
+namespace itk
+{
+/** \class ContourBaselineEnums
+ * \brief What the baselines may estimate.
+ * \ingroup Baselines
+ */
+class ContourBaselineEnums
+{
+public:
+  /** Rigid keeps the start's scale. */
+  enum class Motion : std::uint8_t
+  {
+    Rigid,
+    Similarity
+  };
+};
+
+/** \class ContourBaselineRegistrationMethod
+ * \brief Base of the methods that the silhouette-to-contour registration is compared with.
+ *
+ * Inputs, output, events and abort are those of SilhouetteToContourRegistrationMethod, so that one replaces the other:
+ * fixed contour (tracing, pixels), moving contour (silhouette, q coordinates in pixels), an optional initial transform;
+ * the output is the decorated similarity p = s R(theta) q + t that maps moving to fixed. Points of weight 0 are
+ * ignored.
+ *
+ * Start without an initial transform: Similarity takes the bounding boxes and centroids, as our method does; Rigid
+ * takes the scale 1, which is what the calibrated geometry predicts, and the centroids.
+ *
+ * Events: StartEvent, MultiResolutionIterationEvent where a level starts, IterationEvent, ProgressEvent, EndEvent.
+ * AbortGenerateDataOn() in an observer ends the run with ProcessAborted. Everything is deterministic.
+ *
+ * Errors (ExceptionObject): a contour missing, or with fewer than two distinct points of positive weight.
+ *
+ * \ingroup Baselines
+ */
+class Baselines_EXPORT ContourBaselineRegistrationMethod
+  : public ProcessObject
+  , public RegistrationIterationInformation
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ContourBaselineRegistrationMethod);
+
+  using Self = ContourBaselineRegistrationMethod;
+  using Superclass = ProcessObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkTypeMacro(ContourBaselineRegistrationMethod, ProcessObject);
+
+  using ContourType = DentalContour;
+  using TransformType = Similarity2DTransform<double>;
+  using DecoratedTransformType = DataObjectDecorator<TransformType>;
+  using ParametersType = OptimizerParameters<double>;
+  using MotionEnum = ContourBaselineEnums::Motion;
+
+  /** Tracing, pixels of the radiograph. */
+  itkSetInputMacro(FixedContour, ContourType);
+  itkGetInputMacro(FixedContour, ContourType);
+
+  /** Silhouette in q coordinates, pixels. */
+  itkSetInputMacro(MovingContour, ContourType);
+  itkGetInputMacro(MovingContour, ContourType);
+
+  /** Start from this similarity (any centre). */
+  itkSetGetDecoratedObjectInputMacro(InitialTransform, TransformType);
+
+  /** Default Similarity. */
+  itkSetEnumMacro(Motion, MotionEnum);
+  itkGetEnumMacro(Motion, MotionEnum);
+
+  /** The result. Valid after Update(). */
+  DecoratedTransformType *
+  GetOutput();
+  const DecoratedTransformType *
+  GetOutput() const;
+  const TransformType *
+  GetTransform() const;
+
+  /** The start (scale, rad, px, px), after Update(). */
+  itkGetConstReferenceMacro(InitialParameters, ParametersType);
+
+  // RegistrationIterationInformation
+  unsigned int
+  GetCurrentLevel() const override
+  {
+    return m_CurrentLevel;
+  }
+  std::size_t
+  GetOptimizerIteration() const override
+  {
+    return m_OptimizerIteration;
+  }
+  double
+  GetMetricValue() const override
+  {
+    return m_MetricValue;
+  }
+  ParametersType
+  GetOptimizerPosition() const override
+  {
+    return m_OptimizerPosition;
+  }
+  std::string
+  GetOptimizerStopConditionDescription() const override
+  {
+    return m_StopConditionDescription;
+  }
+
+  using Superclass::MakeOutput;
+  DataObjectPointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  /** The points that count, x0 y0 x1 y1 ..., and their weights. */
+  struct PointsType
+  {
+    std::vector<double> points;
+    std::vector<double> weights;
+    double              sumOfWeights{ 0.0 };
+
+    std::size_t
+    size() const
+    {
+      return weights.size();
+    }
+  };
+
+  ContourBaselineRegistrationMethod();
+  ~ContourBaselineRegistrationMethod() override = default;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+  void
+  GenerateData() override;
+
+  /** From the start to the result. */
+  virtual ContourSimilarity
+  RegisterContours(const PointsType & fixed, const PointsType & moving, const ContourSimilarity & start) = 0;
+
+  /** For what observers see; throws ProcessAborted where one of them asked for it. */
+  void
+  StartLevel(unsigned int level, const ContourSimilarity & similarity);
+  void
+  ReportIteration(std::size_t iteration, double value, const ContourSimilarity & similarity, float progress);
+  void
+  SetStopConditionDescription(const std::string & text)
+  {
+    m_StopConditionDescription = text;
+  }
+
+  /** The weighted least-squares similarity from one list of points to the other (Umeyama 1991; in the plane a division
+   * of complex numbers). Rigid keeps the scale that is passed. */
+  static ContourSimilarity
+  FitSimilarity(const std::vector<double> & from,
+                const std::vector<double> & to,
+                const std::vector<double> & weights,
+                MotionEnum                  motion,
+                double                      scale);
+
+  /** Largest distance between where two similarities take the corners of the points' bounding box. */
+  static double
+  LargestShift(const PointsType & points, const ContourSimilarity & a, const ContourSimilarity & b);
+
+private:
+  MotionEnum     m_Motion{ MotionEnum::Similarity };
+  ParametersType m_InitialParameters;
+  unsigned int   m_CurrentLevel{ 0 };
+  std::size_t    m_OptimizerIteration{ 0 };
+  double         m_MetricValue{ 0.0 };
+  ParametersType m_OptimizerPosition;
+  std::string    m_StopConditionDescription;
+};
+
+Baselines_EXPORT std::ostream &
+                 operator<<(std::ostream & os, ContourBaselineEnums::Motion motion);
+} // namespace itk
+
+#endif
