@@ -51,6 +51,8 @@ struct CrownRegion_EXPORT CrownRegionOptions
   double passedWeight{ 0.6 };
   /** No tooth is where all lies deeper than this below the occlusal surface. */
   double gapDepth{ 3.5 };
+  /** The crowns end this far above the valley's bottom: its gingival half is not theirs. */
+  double marginInset{ 0.15 };
   /** Crowns lie within this horizontal distance of the arch's middle line. */
   double archHalfWidth{ 9.0 };
   /** Pieces of crown, and holes in it, that are smaller (mm^2) are given to what surrounds them. */

@@ -1006,7 +1006,7 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
     {
       margin += (side == 1 ? buccal : 1.0 - buccal) * ((1.0 - f) * margins[side][k] + f * margins[side][k + 1]);
     }
-    result.points[i] = depth[i] < margin ? 1 : 0;
+    result.points[i] = depth[i] < margin - options.marginInset ? 1 : 0;
     near[i] = depth[i] < margin + 2.0 ? 1 : 0;
   }
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)

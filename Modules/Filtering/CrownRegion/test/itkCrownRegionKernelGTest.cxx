@@ -89,30 +89,27 @@ TEST_P(CrownRegionOfPhantoms, OverlapsTheLabelledCrownsByFiveSixths)
 }
 INSTANTIATE_TEST_SUITE_P(Kinds, CrownRegionOfPhantoms, ::testing::Values(Kind::Regular, Kind::Stone, Kind::Irregular));
 
-// The table of Documentation/CrownRegion.md; two minutes.
+// The table of Documentation/CrownRegion.md; a minute.
 TEST(CrownRegionStudy, DISABLED_HeldOutPhantoms)
 {
   for (const Kind kind : { Kind::Regular, Kind::Stone, Kind::Irregular })
   {
-    for (const std::uint32_t triangles : { 15000u, 60000u })
+    double              sum[2] = { 0.0, 0.0 };
+    double              worst[2] = { 1.0, 1.0 };
+    const std::uint64_t count = kind == Kind::Regular ? 40 : 20;
+    for (std::uint64_t seed = 7001; seed < 7001 + count; ++seed)
     {
-      double             sum[2] = { 0.0, 0.0 };
-      double             worst[2] = { 1.0, 1.0 };
-      const unsigned int count = triangles == 15000u ? 40 : 10;
-      for (std::uint64_t seed = 5001; seed < 5001 + count; ++seed)
+      const Case phantom = MakeCase(seed, kind, 15000);
+      for (unsigned int jaw = 0; jaw < 2; ++jaw)
       {
-        const Case phantom = MakeCase(seed, kind, triangles);
-        for (unsigned int jaw = 0; jaw < 2; ++jaw)
-        {
-          const double value = IoU(phantom, jaw, Find(phantom, jaw));
-          sum[jaw] += value / count;
-          worst[jaw] = std::min(worst[jaw], value);
-        }
+        const double value = IoU(phantom, jaw, Find(phantom, jaw));
+        sum[jaw] += value / static_cast<double>(count);
+        worst[jaw] = std::min(worst[jaw], value);
       }
-      std::cout << "kind " << static_cast<int>(kind) << " triangles " << triangles << " n " << count << " upper mean "
-                << sum[0] << " worst " << worst[0] << " lower mean " << sum[1] << " worst " << worst[1] << std::endl;
-      EXPECT_GE(std::min(worst[0], worst[1]), 0.8);
     }
+    std::cout << "kind " << static_cast<int>(kind) << " n " << count << " upper mean " << sum[0] << " worst "
+              << worst[0] << " lower mean " << sum[1] << " worst " << worst[1] << std::endl;
+    EXPECT_GE(std::min(sum[0], sum[1]), 0.85);
   }
 }
 
