@@ -1220,19 +1220,25 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
     }
     else
     {
+      // Its own plane is known already; its normal shall point to the left.
       for (unsigned int j = 0; j < 2; ++j)
       {
         if (jaws[j].valid)
         {
-          (j == 0 ? result.midsagittalUpper : result.midsagittalLower) =
-            EstimateMidsagittalPlane({ MirrorSet(jaws[j], options) }, jaws[j].Superior(), laterals[j], fine);
-        }
-        if (aborted())
-        {
-          return DentalFrameResult();
+          MidsagittalPlaneResult & plane = j == 0 ? result.midsagittalUpper : result.midsagittalLower;
+          plane = jaws[j].arch.mirror;
+          if (Dot(plane.normal, laterals[j]) < 0.0)
+          {
+            plane.normal = -1.0 * plane.normal;
+            plane.offset = -plane.offset;
+          }
         }
       }
     }
+  }
+  if (aborted())
+  {
+    return DentalFrameResult();
   }
 
   for (unsigned int j = 0; j < 2; ++j)
