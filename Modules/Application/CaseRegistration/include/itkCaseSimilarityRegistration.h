@@ -78,6 +78,13 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
 CaseRegistration_EXPORT double
 EstimatePixelSpacing(const DentalCaseData & data, ToothCode::JawEnum jaw, const DentalJawFrame & frame);
 
+/** Where a similarity puts the jaw in the cephalostat: the in-plane rotation is one about y, the translation one in the
+ * midsagittal plane; its scale is no rigid motion and stays in the image. */
+CaseRegistration_EXPORT std::array<double, 12>
+                        PlaceInCephalostat(const std::array<double, 12> & meshToFrame,
+                                           const SimilarityParameters &   similarity,
+                                           const CephalometricGeometry *  geometry);
+
 /** The rigid map of a frame, mesh (mm) to frame, row-major 3x4. */
 CaseRegistration_EXPORT std::array<double, 12>
                         MeshToFrame(const DentalJawFrame & frame);

@@ -228,6 +228,29 @@ CheckMirroring(const DentalCaseData & data, JawEnum jaw, const DentalJawFrame & 
   }
 }
 
+/** One file named twice. */
+void
+CheckSameScan(const DentalCaseData & data, CaseResult & result)
+{
+  const auto * upper = data.upper.mesh.GetPointer();
+  const auto * lower = data.lower.mesh.GetPointer();
+  if (upper == nullptr || lower == nullptr || upper->GetNumberOfPoints() != lower->GetNumberOfPoints())
+  {
+    return;
+  }
+  for (auto a = upper->GetPoints()->Begin(), b = lower->GetPoints()->Begin(); a != upper->GetPoints()->End(); ++a, ++b)
+  {
+    if (a.Value() != b.Value())
+    {
+      return;
+    }
+  }
+  for (auto & entry : result.jaws)
+  {
+    entry.second.AddReason(CaseStatusEnum::Failed, "upper and lower scan are the same; name the scan of each jaw");
+  }
+}
+
 /** By shape alone: the upper arch is the wider one and overlaps the lower in front. */
 bool
 CheckShapesForExchange(const DentalFrameResult & frames, CaseResult & result)
@@ -261,6 +284,7 @@ CheckShapesForExchange(const DentalFrameResult & frames, CaseResult & result)
 void
 CheckCase(const DentalCaseData & data, const DentalFrameResult & frames, CaseResult & result)
 {
+  CheckSameScan(data, result);
   const bool namesTold = CheckNamesAgainstScans(data, result);
   const bool shapesTold = CheckShapesForExchange(frames, result);
   if (!namesTold && !shapesTold)

@@ -33,6 +33,9 @@ namespace
 {
 using JawEnum = ToothCode::JawEnum;
 
+/** mm on the detector within which the moving contour counts as matched. */
+constexpr double MatchedWithin = 2.5;
+
 PoseTracedSideEnum
 ToPoseSide(TracedSideEnum side)
 {
@@ -177,6 +180,62 @@ SetInitialPose(const DentalCaseData &            data,
   }
 }
 
+/** The similarity on the geometry's own projection of the jaw's frame that comes nearest (least squares over the
+ * vertices) to a full projection. */
+SimilarityParameters
+FitSimilarity(const TriangleSurface &        surface,
+              const std::array<double, 12> & meshToFrame,
+              const std::array<double, 12> & projection,
+              const CephalometricGeometry &  geometry)
+{
+  const double S = geometry.GetSourceToMidsagittalDistance();
+  const double D = geometry.GetSourceToDetectorDistance();
+  double       mean[4] = { 0.0, 0.0, 0.0, 0.0 };
+  double       dot = 0.0;
+  double       cross = 0.0;
+  double       squares = 0.0;
+  double       count = 0.0;
+  for (const auto & point : surface.points)
+  {
+    double frame[3];
+    double homogeneous[3];
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      frame[row] = meshToFrame[4 * row + 3];
+      homogeneous[row] = projection[4 * row + 3];
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        frame[row] += meshToFrame[4 * row + d] * point[d];
+        homogeneous[row] += projection[4 * row + d] * point[d];
+      }
+    }
+    const double m = D / (S + geometry.GetSourceSign() * frame[1]);
+    const double values[4] = { geometry.GetFacingSign() * m * frame[0] / geometry.GetPixelSpacing()[0],
+                               -m * frame[2] / geometry.GetPixelSpacing()[1],
+                               homogeneous[0] / homogeneous[2],
+                               homogeneous[1] / homogeneous[2] };
+    // Running covariance: no cancellation (Welford).
+    count += 1.0;
+    double delta[4];
+    for (unsigned int d = 0; d < 4; ++d)
+    {
+      delta[d] = values[d] - mean[d];
+      mean[d] += delta[d] / count;
+    }
+    const double weight = (count - 1.0) / count;
+    dot += weight * (delta[0] * delta[2] + delta[1] * delta[3]);
+    cross += weight * (delta[0] * delta[3] - delta[1] * delta[2]);
+    squares += weight * (delta[0] * delta[0] + delta[1] * delta[1]);
+  }
+  SimilarityParameters similarity;
+  similarity.scale = std::hypot(dot, cross) / squares;
+  similarity.rotation = std::atan2(cross, dot);
+  const double c = dot / squares;
+  const double s = cross / squares;
+  similarity.translation = { { mean[2] - c * mean[0] + s * mean[1], mean[3] - s * mean[0] - c * mean[1] } };
+  return similarity;
+}
+
 CaseStatusEnum
 ToCaseStatus(RegistrationVerdict::StatusEnum status)
 {
@@ -224,8 +283,11 @@ MeasureWholeSilhouette(const TriangleSurface &       surface,
 }
 
 void
-MeasureMatchedContour(const PoseJawResult & pose, DentalContour * tracing, JawResult & result)
+MeasureMatchedContour(const PoseJawResult & pose, DentalContour * tracing, double spacing, JawResult & result)
 {
+  // The method's contour holds everything that could be matched: keep what lies beside the tracing, in pieces.
+  const double                          maximumDistance = MatchedWithin / spacing;
+  const double                          maximumGap = 3.0 / spacing;
   auto                                  contour = DentalContour::New();
   std::vector<DentalContour::PointType> points;
   for (const auto & position : pose.contour)
@@ -233,9 +295,26 @@ MeasureMatchedContour(const PoseJawResult & pose, DentalContour * tracing, JawRe
     DentalContour::PointType point;
     point[0] = position[0];
     point[1] = position[1];
-    points.push_back(point);
+    bool beside = false;
+    for (auto it = tracing->GetPoints()->Begin(); it != tracing->GetPoints()->End() && !beside; ++it)
+    {
+      beside = it.Value().EuclideanDistanceTo(point) < maximumDistance;
+    }
+    if (!points.empty() && (!beside || points.back().EuclideanDistanceTo(point) > maximumGap))
+    {
+      contour->AddPolyline(points);
+      points.clear();
+    }
+    if (beside)
+    {
+      points.push_back(point);
+    }
   }
   contour->AddPolyline(points);
+  if (contour->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
   auto distances = ContourDistanceFilter::New();
   distances->SetFixedContour(tracing);
   distances->SetMovingContour(contour);
@@ -339,14 +418,8 @@ RegisterCaseByPose(const DentalCaseData &                 data,
       jaw.projection[4 * row + 3] = poseJaw.projection[4 * row + 3];
       jaw.meshToCephalostat[4 * row + 3] = poseJaw.translation[row];
     }
-    DentalJawFrame used;
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      std::copy_n(inputs[i].frame.rotation.begin() + 3 * row, 3, used.axes[row].begin());
-    }
-    used.origin = inputs[i].frame.origin;
-    jaw.meshToUMDA = MeshToFrame(used);
-    jaw.similarity = { poseJaw.similarityScale, poseJaw.similarityAngle, poseJaw.similarityTranslation };
+    jaw.meshToUMDA = MeshToFrame(inputs[i].upper ? frames.upper : frames.lower);
+    jaw.similarity = FitSimilarity(*inputs[i].surface, jaw.meshToUMDA, poseJaw.projection, *result.geometry);
 
     const PoseGroupResult & group = pose.groups[pose.groupOfJaw[i]];
     const double            kappa = group.parameters[PoseKappa];
@@ -385,7 +458,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
     DentalContour * tracing = data.GetJaw(jaws[i]).contour;
     MeasureWholeSilhouette(
       *inputs[i].surface, placed, tracing, settings.numberOfContourPoints[inputs[i].upper ? 0 : 1], jaw);
-    MeasureMatchedContour(poseJaw, tracing, jaw);
+    MeasureMatchedContour(poseJaw, tracing, 0.5 * (spacing[0] + spacing[1]), jaw);
     contourProbe.Stop();
     jaw.seconds.emplace_back("contour", contourProbe.GetTotal());
 

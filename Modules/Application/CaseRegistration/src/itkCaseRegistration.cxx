@@ -117,7 +117,14 @@ CaseRegistration::SkipWhatIsIncomplete()
   for (const JawEnum jaw : Jaws)
   {
     const auto & input = m_Data->GetJaw(jaw);
-    const auto   points = input.contour.IsNull() ? 0u : static_cast<unsigned int>(input.contour->GetNumberOfPoints());
+    unsigned int points = 0;
+    if (input.contour.IsNotNull())
+    {
+      for (DentalContour::PointIdentifier id = 0; id < input.contour->GetNumberOfPoints(); ++id)
+      {
+        points += input.contour->GetPointWeight(id) > 0.0 ? 1 : 0;
+      }
+    }
     if (input.mesh.IsNull())
     {
       m_Result.skipped[jaw] = points > 0 ? "traced, but there is no scan of this jaw" : "neither scan nor tracing";
@@ -132,7 +139,7 @@ CaseRegistration::SkipWhatIsIncomplete()
       if (points < MinimumTracingPoints)
       {
         result.AddReason(CaseStatusEnum::Failed,
-                         "the tracing has " + std::to_string(points) + " points; at least " +
+                         "the tracing has " + std::to_string(points) + " points that count; at least " +
                            std::to_string(MinimumTracingPoints) + " are needed, better 30 or more");
       }
     }
@@ -237,6 +244,11 @@ CaseRegistration::RegisterByPose(const DentalFrameResult & frames, const std::ar
 void
 CaseRegistration::RegisterBySimilarity(const DentalFrameResult & frames)
 {
+  if (m_Data->description.initialPose)
+  {
+    m_Result.warnings.push_back(std::string("\"init.pose\" is not used by preset ") + ToString(m_Preset) +
+                                ": it starts from a similarity");
+  }
   // A spacing that nobody knows is estimated once for both jaws: they lie in one image.
   if (!m_Data->HasPixelSpacing())
   {
@@ -251,10 +263,9 @@ CaseRegistration::RegisterBySimilarity(const DentalFrameResult & frames)
       }
     }
     m_Result.geometry->SetPixelSpacing(CephalometricGeometry::PixelSpacingType(count > 0 ? sum / count : 0.25));
-    m_Result.warnings.push_back(
-      "the pixel spacing is unknown and was estimated from the arch's size; lengths in mm are rough");
   }
 
+  bool                   havePrincipalPoint = false;
   CaseSimilaritySettings settings;
   settings.preset = m_Preset;
   settings.useSurfaceDRR = m_UseSurfaceDRR;
@@ -289,6 +300,19 @@ CaseRegistration::RegisterBySimilarity(const DentalFrameResult & frames)
       result.registered = false;
       result.AddReason(CaseStatusEnum::Failed, error.GetDescription());
       continue;
+    }
+    if (!m_Data->HasPrincipalPoint() && !havePrincipalPoint)
+    {
+      // Nothing else is known: the central ray through this jaw's centroid, as the recipe has it anyway.
+      CephalometricGeometry::PixelIndexType principal;
+      principal[0] = result.similarity.translation[0];
+      principal[1] = result.similarity.translation[1];
+      m_Result.geometry->SetPrincipalPoint(principal);
+      havePrincipalPoint = true;
+    }
+    if (havePrincipalPoint)
+    {
+      result.meshToCephalostat = PlaceInCephalostat(result.meshToUMDA, result.similarity, m_Result.geometry);
     }
     PredictLandmarks(*m_Data, entry.first, result);
     // The paper's recipe can fit the wrong place well (Documentation/Registration.md): it never vouches for itself.

@@ -378,6 +378,10 @@ CaseResultToJson(const CaseResult & result)
 void
 WriteCaseResult(const CaseResult & result, const std::string & folderName)
 {
+  if (folderName.empty())
+  {
+    itkDentalInputErrorMacro("--output", "", "the name of the folder is empty", "name a folder");
+  }
   const fs::path  folder = fs::absolute(fs::u8path(folderName)).lexically_normal();
   const fs::path  target = folder.has_filename() ? folder : folder.parent_path();
   std::error_code error;
@@ -391,8 +395,11 @@ WriteCaseResult(const CaseResult & result, const std::string & folderName)
     FailToWrite(target, error.message());
   }
   std::random_device device;
-  const fs::path     staging =
-    target.parent_path() / ("." + target.filename().string() + ".part-" + std::to_string(device()));
+  // Beside a new folder, inside one that is there: that may be a mount point, or lie where nothing else can be written.
+  const bool     exists = fs::exists(target, error);
+  const fs::path staging =
+    exists ? target / (".part-" + std::to_string(device()))
+           : target.parent_path() / ("." + target.filename().string() + ".part-" + std::to_string(device()));
   fs::create_directory(staging, error);
   if (error)
   {
@@ -401,7 +408,7 @@ WriteCaseResult(const CaseResult & result, const std::string & folderName)
   try
   {
     WriteFiles(result, staging);
-    if (!fs::exists(target))
+    if (!exists)
     {
       fs::rename(staging, target);
     }

@@ -52,39 +52,6 @@ ChooseSplatWidth(const MeshType * mesh, const CephalometricGeometry * geometry)
   return std::max(0.5 * (geometry->GetPixelSpacing()[0] + geometry->GetPixelSpacing()[1]), 0.7 * distance);
 }
 
-/** Where a similarity puts the jaw in the cephalostat: the in-plane rotation is one about y, the translation one in the
- * midsagittal plane; its scale is no rigid motion and stays in the image. */
-std::array<double, 12>
-PlaceInCephalostat(const std::array<double, 12> & meshToFrame,
-                   const SimilarityParameters &   similarity,
-                   const CephalometricGeometry *  geometry)
-{
-  const double f = geometry->GetFacingSign();
-  const double c = std::cos(similarity.rotation);
-  const double s = f * std::sin(similarity.rotation);
-  const double m = geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
-  const double shift[3] = {
-    f * (similarity.translation[0] - geometry->GetPrincipalPoint()[0]) * geometry->GetPixelSpacing()[0] / m,
-    0.0,
-    -(similarity.translation[1] - geometry->GetPrincipalPoint()[1]) * geometry->GetPixelSpacing()[1] / m
-  };
-  const double           rotation[3][3] = { { c, 0.0, s }, { 0.0, 1.0, 0.0 }, { -s, 0.0, c } };
-  std::array<double, 12> placed{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 4; ++column)
-    {
-      double sum = column == 3 ? shift[row] : 0.0;
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        sum += rotation[row][d] * meshToFrame[4 * d + column];
-      }
-      placed[4 * row + column] = sum;
-    }
-  }
-  return placed;
-}
-
 void
 ReportBoundsHit(const MethodType * method, JawResult & result)
 {
@@ -182,6 +149,37 @@ MakeWholeSilhouette(const MeshType *               mesh,
   DentalContour::Pointer silhouette = resample->GetOutput();
   silhouette->DisconnectPipeline();
   return silhouette;
+}
+
+std::array<double, 12>
+PlaceInCephalostat(const std::array<double, 12> & meshToFrame,
+                   const SimilarityParameters &   similarity,
+                   const CephalometricGeometry *  geometry)
+{
+  const double f = geometry->GetFacingSign();
+  const double c = std::cos(similarity.rotation);
+  const double s = f * std::sin(similarity.rotation);
+  const double m = geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
+  const double shift[3] = {
+    f * (similarity.translation[0] - geometry->GetPrincipalPoint()[0]) * geometry->GetPixelSpacing()[0] / m,
+    0.0,
+    -(similarity.translation[1] - geometry->GetPrincipalPoint()[1]) * geometry->GetPixelSpacing()[1] / m
+  };
+  const double           rotation[3][3] = { { c, 0.0, s }, { 0.0, 1.0, 0.0 }, { -s, 0.0, c } };
+  std::array<double, 12> placed{};
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 4; ++column)
+    {
+      double sum = column == 3 ? shift[row] : 0.0;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        sum += rotation[row][d] * meshToFrame[4 * d + column];
+      }
+      placed[4 * row + column] = sum;
+    }
+  }
+  return placed;
 }
 
 std::array<double, 12>

@@ -22,6 +22,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 
 namespace itk
@@ -71,6 +72,20 @@ Interpret(const JsonNode & node, TFunction && function)
   {
     node.Fail(error.what(), "");
   }
+}
+
+/** A distance of an X-ray machine, mm; the limits only catch slips of unit or digit. */
+double
+MachineDistance(const JsonNode & node)
+{
+  const double value = node.AsNumber();
+  if (!(value >= 200.0 && value <= 20000.0))
+  {
+    std::ostringstream problem;
+    problem << value << " mm is not possible";
+    node.Fail(problem.str(), "give mm, about 1500 to the midsagittal plane and 1650 to the detector");
+  }
+  return value;
 }
 
 double
@@ -213,11 +228,11 @@ ReadGeometry(const JsonNode & node, DentalCase & dentalCase)
     { "source_to_midsagittal_mm", "source_to_detector_mm", "source_side", "principal_point_px" });
   if (const auto distance = node.Find("source_to_midsagittal_mm"))
   {
-    dentalCase.sourceToMidsagittal = PositiveNumber(*distance, "give mm, about 1500");
+    dentalCase.sourceToMidsagittal = MachineDistance(*distance);
   }
   if (const auto distance = node.Find("source_to_detector_mm"))
   {
-    dentalCase.sourceToDetector = PositiveNumber(*distance, "give mm, about 1650");
+    dentalCase.sourceToDetector = MachineDistance(*distance);
   }
   if (dentalCase.sourceToMidsagittal && dentalCase.sourceToDetector &&
       *dentalCase.sourceToDetector <= *dentalCase.sourceToMidsagittal)
@@ -234,6 +249,14 @@ ReadGeometry(const JsonNode & node, DentalCase & dentalCase)
   if (const auto point = node.Find("principal_point_px"))
   {
     const std::vector<double> numbers = point->AsNumbers(2, "[u, v]");
+    for (const double number : numbers)
+    {
+      if (!(std::abs(number) < 20000.0))
+      {
+        point->Fail("lies far outside any radiograph",
+                    "give the pixel where the central ray meets the detector: the ear-rod ring");
+      }
+    }
     dentalCase.principalPoint = { { numbers[0], numbers[1] } };
   }
 }
@@ -431,8 +454,24 @@ ReadDentalCase(const std::string & fileName)
     const auto numbering = dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant);
     for (std::size_t i = 0; i < exclude->GetSize(); ++i)
     {
-      dentalCase.excludedTeeth.push_back(Interpret(
-        exclude->At(i), [numbering](const std::string & text) { return ToothCode::FromString(text, numbering); }));
+      const JsonNode code = exclude->At(i);
+      if (code.IsNumber())
+      {
+        const std::string text = std::to_string(code.AsInteger(0, 99));
+        try
+        {
+          dentalCase.excludedTeeth.push_back(ToothCode::FromString(text, numbering));
+        }
+        catch (const std::invalid_argument & error)
+        {
+          code.Fail(error.what(), "");
+        }
+      }
+      else
+      {
+        dentalCase.excludedTeeth.push_back(
+          Interpret(code, [numbering](const std::string & text) { return ToothCode::FromString(text, numbering); }));
+      }
     }
   }
   if (const auto fix = root.Find("fix"))

@@ -155,7 +155,8 @@ SettleGeometry(const CephalogramFileReader * reader, DentalCaseData & data)
   {
     data.geometry->SetPixelSpacing(reader->GetDetectorPixelSpacing(data.geometry->GetSourceToDetectorDistance(),
                                                                    data.geometry->GetSourceToMidsagittalDistance()));
-    data.sources.pixelSpacing = ValueSourceEnum::DICOM;
+    data.sources.pixelSpacing =
+      std::string(reader->GetFileFormat()) == "DICOM" ? ValueSourceEnum::DICOM : ValueSourceEnum::Given;
     data.spacingVerdict = Print(reader->GetPixelSpacingVerdict());
     data.spacingProvenance = reader->GetProvenance().at("pixel_spacing");
   }

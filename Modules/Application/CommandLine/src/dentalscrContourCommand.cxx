@@ -51,8 +51,10 @@ Resample(itk::DentalContour * contour, unsigned int points)
 {
   if (points == 0)
   {
-    contour->DisconnectPipeline();
-    return contour;
+    // Held here: the filter lets go of what is disconnected.
+    itk::DentalContour::Pointer held = contour;
+    held->DisconnectPipeline();
+    return held;
   }
   auto resample = itk::ContourResampleFilter::New();
   resample->SetInput(contour);
@@ -84,13 +86,67 @@ ContoursOfLabels(const ContourOptions & options, itk::DentalContour * contours[2
   filter->SetContent(options.wholeLabels ? FilterType::ContentEnum::MergedLabels
                                          : FilterType::ContentEnum::ToothLabels);
   filter->SetLargestPartOnly(options.wholeLabels);
-  filter->Update();
+  try
+  {
+    filter->Update();
+  }
+  catch (const itk::ExceptionObject &)
+  {
+    itkDentalInputErrorMacro(options.labels,
+                             "",
+                             options.wholeLabels ? "has no outline" : "has labels that are no FDI tooth numbers",
+                             options.wholeLabels ? "name an image with pixels that are not 0"
+                                                 : "use --whole for one outline around everything that is not 0");
+  }
   const auto contour = Resample(filter->GetOutput(), options.points);
   for (const auto & polyline : contour->GetPolylines())
   {
     const JawEnum jaw =
       polyline.code.IsKnown() ? polyline.code.GetJaw() : (options.jaw == "upper" ? JawEnum::Upper : JawEnum::Lower);
     contours[jaw == JawEnum::Upper ? 0 : 1]->AddPolyline(polyline);
+  }
+}
+
+/** Moves silhouettes about the central ray into an image of their own, a border of 20 pixels around them. */
+void
+ShiftIntoView(itk::DentalContour * contours[2], itk::Size<2> & size)
+{
+  constexpr double border = 20.0;
+  double           low[2] = { 0.0, 0.0 };
+  double           high[2] = { 0.0, 0.0 };
+  for (unsigned int jaw = 0; jaw < 2; ++jaw)
+  {
+    for (const auto & polyline : contours[jaw]->GetPolylines())
+    {
+      for (const auto & point : polyline.points)
+      {
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          low[d] = std::min(low[d], point[d]);
+          high[d] = std::max(high[d], point[d]);
+        }
+      }
+    }
+  }
+  for (unsigned int jaw = 0; jaw < 2; ++jaw)
+  {
+    auto polylines = contours[jaw]->GetPolylines();
+    contours[jaw]->Initialize();
+    for (auto & polyline : polylines)
+    {
+      for (auto & point : polyline.points)
+      {
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          point[d] += border - low[d];
+        }
+      }
+      contours[jaw]->AddPolyline(polyline);
+    }
+  }
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    size[d] = static_cast<itk::SizeValueType>(high[d] - low[d] + 2.0 * border) + 1;
   }
 }
 
@@ -117,6 +173,10 @@ ContoursOfScans(const ContourOptions & options, itk::DentalContour * contours[2]
     {
       contours[jaw == JawEnum::Upper ? 0 : 1]->AddPolyline(polyline);
     }
+  }
+  if (options.result.empty())
+  {
+    ShiftIntoView(contours, size);
   }
 }
 
@@ -167,9 +227,11 @@ AddContourCommand(CLI::App & program, const CommonOptions & common, RunFunction 
   command->add_option("-o,--output", options->output, "contours.json")->required();
   command->add_option("--result", options->result, "result.json: silhouettes where the case was registered");
   command->add_option("--points", options->points, "Resample to so many points (0: as they come)")
+    ->check(CLI::Range(0u, 1000000u))
     ->capture_default_str();
   command->footer(
-    "Without --result the central ray passes through the centroid of the jaws, which is at pixel (0, 0).\n"
+    "Without --result the central ray passes through the centroid of the jaws, and the image is as large as the\n"
+    "silhouettes with a border.\n"
     "Examples:\n"
     "  dentalscr contour --case case.json --result result/result.json --output silhouettes.json\n"
     "  dentalscr contour --labels crowns.png --output contours.json\n");

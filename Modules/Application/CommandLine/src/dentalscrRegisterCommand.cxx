@@ -128,9 +128,10 @@ Register(const RegisterOptions & options, const CommonOptions & common)
   registration->SetNumberOfWorkUnits(common.threads > 0 ? common.threads
                                                         : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
   registration->SetData(itk::LoadDentalCase(description));
+  // Until the result is written: a signal ends the registration, but not the moving of files.
+  const InterruptGuard guard(registration);
   {
-    const InterruptGuard guard(registration);
-    const ProgressLine   progress(
+    const ProgressLine progress(
       registration, [&]() { return registration->GetCurrentStage(); }, common.quiet);
     registration->Update();
   }
@@ -167,7 +168,8 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
   auto * command = program.add_subcommand("register", "Registers a case: scans and tracing in, aligned case out");
   command->add_option("case", options->caseFile, "Case file (JSON)")->required();
   command->add_option("-o,--output", options->output, "Folder for the result")->required();
-  command->add_option("--preset", options->preset, "robust, paper, bounding-box or single-stage")->capture_default_str();
+  command->add_option("--preset", options->preset, "robust, paper, bounding-box or single-stage")
+    ->capture_default_str();
   command->add_option("--init", options->init, "JSON file with the alignment to start from, as the case's \"init\"");
   command->add_option("--exclude", options->exclude, "Teeth to leave out of the tracing, e.g. UR3,UR4")->delimiter(',');
   command->add_option("--fix", options->fix, "What to hold at its start: scale, rotation, translation")->delimiter(',');

@@ -100,9 +100,9 @@ ScanOptions::Load() const
   }
   if (m_PixelSpacing.size() == 2)
   {
-    if (!(m_PixelSpacing[0] > 0.0 && m_PixelSpacing[1] > 0.0))
+    if (!(m_PixelSpacing[0] > 0.001 && m_PixelSpacing[1] > 0.001 && m_PixelSpacing[0] < 5.0 && m_PixelSpacing[1] < 5.0))
     {
-      itkDentalInputErrorMacro("command line", "--spacing", "is not positive", "give mm a pixel, about 0.1 to 0.3");
+      itkDentalInputErrorMacro("command line", "--spacing", "is not possible", "give mm a pixel, about 0.1 to 0.3");
     }
     description.pixelSpacing = { { m_PixelSpacing[0], m_PixelSpacing[1] } };
     description.spacingAtMidsagittalPlane = false;
