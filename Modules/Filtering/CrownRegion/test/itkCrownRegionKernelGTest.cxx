@@ -90,13 +90,14 @@ TEST_P(CrownRegionOfPhantoms, OverlapsTheLabelledCrownsByFiveSixths)
 INSTANTIATE_TEST_SUITE_P(Kinds, CrownRegionOfPhantoms, ::testing::Values(Kind::Regular, Kind::Stone, Kind::Irregular));
 
 // The table of Documentation/CrownRegion.md; a minute.
-TEST(CrownRegionStudy, DISABLED_HeldOutPhantoms)
+// The table of Documentation/CrownRegion.md has 40, 20 and 20 of them; fewer here for time.
+TEST(CrownRegionKernel, AgreesWithTheLabelsOfPhantomsThatItWasNotMadeOn)
 {
   for (const Kind kind : { Kind::Regular, Kind::Stone, Kind::Irregular })
   {
     double              sum[2] = { 0.0, 0.0 };
     double              worst[2] = { 1.0, 1.0 };
-    const std::uint64_t count = kind == Kind::Regular ? 40 : 20;
+    const std::uint64_t count = 5;
     for (std::uint64_t seed = 7001; seed < 7001 + count; ++seed)
     {
       const Case phantom = MakeCase(seed, kind, 15000);
@@ -107,9 +108,9 @@ TEST(CrownRegionStudy, DISABLED_HeldOutPhantoms)
         worst[jaw] = std::min(worst[jaw], value);
       }
     }
-    std::cout << "kind " << static_cast<int>(kind) << " n " << count << " upper mean " << sum[0] << " worst "
-              << worst[0] << " lower mean " << sum[1] << " worst " << worst[1] << std::endl;
     EXPECT_GE(std::min(sum[0], sum[1]), 0.85);
+    // The worst of the table is 0.807.
+    EXPECT_GE(std::min(worst[0], worst[1]), 0.75);
   }
 }
 

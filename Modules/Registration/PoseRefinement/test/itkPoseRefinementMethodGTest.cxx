@@ -17,7 +17,6 @@
  *=========================================================================*/
 #include "itkPoseRefinementMethod.h"
 
-#include "itkMidlineSideMeshFilter.h"
 #include "itkPoseRefinementTestCase.h"
 
 #include "itkCommand.h"
@@ -146,50 +145,4 @@ TEST(PoseRefinementMethod, AbortEndsInProcessAborted)
   });
   method->AddObserver(itk::MultiResolutionIterationEvent(), command);
   EXPECT_THROW(method->Update(), itk::ProcessAborted);
-}
-
-TEST(MidlineSideMeshFilter, SidesShareOnlyTheMarginAndKeepData)
-{
-  using MeshType = itk::Mesh<float, 3>;
-  using FilterType = itk::MidlineSideMeshFilter<MeshType>;
-  auto                         source = itk::DentalPhantomMeshSource<MeshType>::New();
-  itk::DentalPhantomParameters parameters;
-  parameters.numberOfTriangles = 8000;
-  source->SetParameters(parameters);
-  source->Update();
-  auto right = FilterType::New();
-  right->SetInput(source->GetOutput());
-  right->SetMargin(0.0);
-  right->Update();
-  auto left = FilterType::New();
-  left->SetInput(source->GetOutput());
-  left->SetSide(FilterType::SideEnum::Left);
-  left->SetMargin(0.0);
-  left->Update();
-  EXPECT_EQ(right->GetOutput()->GetNumberOfCells() + left->GetOutput()->GetNumberOfCells(),
-            source->GetOutput()->GetNumberOfCells());
-  EXPECT_GT(right->GetOutput()->GetNumberOfCells(), source->GetOutput()->GetNumberOfCells() / 3);
-  const auto rightSurface = itk::MakeTriangleSurface(right->GetOutput());
-  for (const auto & triangle : rightSurface.triangles)
-  {
-    ASSERT_LT(rightSurface.points[triangle[0]][1] + rightSurface.points[triangle[1]][1] +
-                rightSurface.points[triangle[2]][1],
-              1e-4);
-  }
-  std::ostringstream text;
-  right->Print(text);
-  EXPECT_NE(text.str().find("Side: Right"), std::string::npos);
-
-  // A frame turned by 180 degrees about z exchanges the sides.
-  auto                                turned = FilterType::New();
-  auto                                transform = FilterType::TransformType::New();
-  FilterType::TransformType::AxisType axis;
-  axis[0] = axis[1] = 0.0;
-  axis[2] = 1.0;
-  transform->SetRotation(axis, M_PI);
-  turned->SetInput(source->GetOutput());
-  turned->SetTransform(transform);
-  turned->SetMargin(0.0);
-  turned->Update();
-  EXPECT_EQ(turned->GetOutput()->GetNumberOfCells(), left->GetOutput()->GetNumberOfCells());
 }

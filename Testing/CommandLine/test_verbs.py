@@ -1,0 +1,168 @@
+"""The verbs beside register, on files that they can use."""
+import json
+import struct
+import zlib
+
+import pytest
+
+
+def png_size(path):
+    data = path.read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    return struct.unpack(">II", data[16:24])
+
+
+def write_grey_png(path, rows):
+    """An 8-bit grey PNG without any library."""
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 0, 0, 0, 0)
+    pixels = zlib.compress(b"".join(b"\0" + bytes(row) for row in rows))
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", pixels) + chunk(b"IEND", b""))
+
+
+@pytest.fixture(scope="module")
+def result(run, sample, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("verbs") / "out"
+    assert run("register", sample / "case.json", "--output", folder).returncode == 0
+    return folder / "result.json"
+
+
+@pytest.fixture
+def labels(tmp_path):
+    """Two discs: FDI 11 at (30, 40) and 41 at (70, 40), radius 12."""
+    rows = [[0] * 100 for _ in range(80)]
+    for v in range(80):
+        for u in range(100):
+            if (u - 30) ** 2 + (v - 40) ** 2 <= 144:
+                rows[v][u] = 11
+            if (u - 70) ** 2 + (v - 40) ** 2 <= 144:
+                rows[v][u] = 41
+    write_grey_png(tmp_path / "labels.png", rows)
+    return tmp_path / "labels.png"
+
+
+def test_axis_writes_frames_in_which_the_arch_is_symmetric(run, sample, tmp_path):
+    done = run("axis", "--case", sample / "case.json", "--embed-axes", "--output", tmp_path / "axes")
+    assert done.returncode == 0, done.stderr
+    names = {path.name for path in (tmp_path / "axes").iterdir()}
+    assert names == {"axis.json", "upper_umda.stl", "lower_umda.stl", "upper_umda.tfm", "lower_umda.tfm"}
+    axis = json.loads((tmp_path / "axes" / "axis.json").read_text())
+    landmarks = json.loads((sample / "landmarks3d.json").read_text())
+    for jaw, side in (("upper", "U"), ("lower", "L")):
+        x, y, z, origin = (axis[jaw][key] for key in ("x_anterior", "y_left", "z_superior", "origin_mm"))
+
+        def along(axis_row, name):
+            return sum(a * (p - o) for a, p, o in zip(axis_row, landmarks[name], origin))
+
+        assert along(y, f"{side}R6_MB") < -10 and along(y, f"{side}L6_MB") > 10
+        assert along(x, f"{side}R1_tip") > along(x, f"{side}R6_MB") + 10
+        assert (along(z, f"{side}R1_tip") < 0) == (jaw == "upper")
+        assert 30 < axis[jaw]["arch_width_mm"] < 120
+
+
+def test_render_makes_a_picture_that_covers_the_scans(run, sample, tmp_path):
+    for mode in ("thickness", "intensity", "radiograph"):
+        done = run("render", "--case", sample / "case.json", "--mode", mode, "--output", tmp_path / f"{mode}.png")
+        assert done.returncode == 0, done.stderr
+        width, height = png_size(tmp_path / f"{mode}.png")
+        assert 100 < width < 1000 and 40 < height < 1000
+
+
+def test_render_of_a_result_has_the_radiographs_grid(run, sample, result, tmp_path):
+    done = run("render", "--case", sample / "case.json", "--result", result, "--output", tmp_path / "drr.png")
+    assert done.returncode == 0, done.stderr
+    contours = json.loads((sample / "contours.json").read_text())
+    assert list(png_size(tmp_path / "drr.png")) == contours["image_size"]
+
+
+def test_render_without_a_spacing_says_what_to_give(run, sample, tmp_path):
+    done = run("render", "--upper", sample / "upper.stl", "--output", tmp_path / "drr.png")
+    assert done.returncode == 2 and "--spacing" in done.stderr
+    assert not (tmp_path / "drr.png").exists()
+
+
+def test_contour_of_scans_alone(run, sample, tmp_path):
+    done = run(
+        "contour", "--upper", sample / "upper.stl", "--spacing", 0.25, 0.25, "--points", 200, "--output", tmp_path / "c.json"
+    )
+    assert done.returncode == 0, done.stderr
+    contours = json.loads((tmp_path / "c.json").read_text())
+    (upper,) = contours["contours"]["upper"]
+    assert upper["closed"] and len(upper["points"]) == 200
+    width, height = contours["image_size"]
+    assert all(0 <= u < width and 0 <= v < height for u, v in upper["points"])
+
+
+def test_contour_of_a_result_encloses_the_landmarks(run, sample, result, tmp_path):
+    done = run("contour", "--case", sample / "case.json", "--result", result, "--output", tmp_path / "c.json")
+    assert done.returncode == 0, done.stderr
+    contours = json.loads((tmp_path / "c.json").read_text())["contours"]
+    landmarks = json.loads(result.read_text())["jaws"]["upper"]["landmarks_px"]
+    points = contours["upper"][0]["points"]
+    box = [(min(p[d] for p in points) - 1, max(p[d] for p in points) + 1) for d in (0, 1)]
+    for position in landmarks.values():
+        assert all(low <= c <= high for c, (low, high) in zip(position, box))
+
+
+@pytest.mark.parametrize("points", [None, 50])
+def test_contour_of_labels_knows_teeth_and_jaws(run, labels, tmp_path, points):
+    more = [] if points is None else ["--points", points]
+    done = run("contour", "--labels", labels, "--output", tmp_path / "c.json", *more)
+    assert done.returncode == 0, done.stderr
+    contours = json.loads((tmp_path / "c.json").read_text())
+    assert contours["image_size"] == [100, 80]
+    (upper,) = contours["contours"]["upper"]
+    (lower,) = contours["contours"]["lower"]
+    assert upper["code"] == "UR1" and lower["code"] == "LR1" and upper["closed"]
+    for tooth, centre in ((upper, 30), (lower, 70)):
+        radii = [((u - centre) ** 2 + (v - 40) ** 2) ** 0.5 for u, v in tooth["points"]]
+        assert min(radii) > 11 and max(radii) < 13.5
+
+
+def test_contour_of_other_labels_says_whole(run, labels, tmp_path):
+    write_grey_png(labels, [[0] * 20] * 5 + [[0] * 5 + [200] * 10 + [0] * 5] * 10 + [[0] * 20] * 5)
+    done = run("contour", "--labels", labels, "--output", tmp_path / "c.json")
+    assert done.returncode == 2 and "--whole" in done.stderr
+    done = run("contour", "--labels", labels, "--whole", "--jaw", "lower", "--output", tmp_path / "c.json")
+    assert done.returncode == 0, done.stderr
+    contours = json.loads((tmp_path / "c.json").read_text())["contours"]
+    assert contours["upper"] == [] and len(contours["lower"]) == 1
+
+
+def test_evaluate_agrees_with_the_result(run, sample, result, tmp_path):
+    landmarks = sample / "landmarks2d.json"
+    done = run("evaluate", result, result, "--landmarks", landmarks, "--landmarks", landmarks, "--csv", tmp_path / "t.csv")
+    assert done.returncode == 0, done.stderr
+    rows = [line.split(",") for line in (tmp_path / "t.csv").read_text().splitlines()]
+    assert rows[0][:4] == ["case", "jaw", "landmarks", "mean_px"]
+    jaws = json.loads(result.read_text())["jaws"]
+    for row in rows[1:]:
+        assert float(row[3]) == pytest.approx(jaws[row[1]]["error"]["mean_px"], abs=1e-5)
+    # Twice the same case: the pooled rows have twice the landmarks.
+    assert [int(row[2]) for row in rows[-2:]] == [2 * int(row[2]) for row in rows[1:3]]
+
+
+def test_phantom_has_the_same_bits_for_the_same_seed(run, tmp_path):
+    for name, threads in (("a", 1), ("b", 2)):
+        done = run(
+            "phantom", "--seed", 5, "--triangles", 6000, "--threads", threads, "--output", tmp_path / name
+        )
+        assert done.returncode == 0, done.stderr
+    for path in (tmp_path / "a").iterdir():
+        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes(), path.name
+    done = run("phantom", "--seed", 5, "--output", tmp_path / "a")
+    assert done.returncode == 2 and "already" in done.stderr
+
+
+@pytest.mark.parametrize("side", ["left", "mean", "both"])
+def test_every_traced_side(run, tmp_path, side):
+    made = run("phantom", "--seed", 4, "--triangles", 12000, "--traced-side", side, "--output", tmp_path / "case")
+    assert made.returncode == 0, made.stderr
+    done = run("register", tmp_path / "case" / "case.json", "--output", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    for jaw in json.loads((tmp_path / "out" / "result.json").read_text())["jaws"].values():
+        # Twice the limit of method.md for the worst case of a bisected tracing: a coarse mesh.
+        assert jaw["error"]["mean_px"] < 2.6
