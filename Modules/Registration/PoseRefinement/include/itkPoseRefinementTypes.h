@@ -161,7 +161,7 @@ struct PoseRefinementOptions
   /** Try the other side, and, where the fit is poor, exchanged jaws and the other facing. */
   bool checkHypotheses{ true };
   /** Score above which the fit counts as poor for that. */
-  double poorScore{ 0.25 };
+  double poorScore{ 0.15 };
 
   /** Manual control. */
   bool           fixScale{ false };

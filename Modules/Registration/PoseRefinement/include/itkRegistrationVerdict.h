@@ -83,7 +83,7 @@ public:
     double minimumArchWidth{ 30.0 };
     double maximumArchWidth{ 120.0 };
     /** How much better (score) another hypothesis must be to be named. */
-    double hypothesisGain{ 0.1 };
+    double hypothesisGain{ 0.03 };
   };
 
   /** One verdict a jaw, in the order of the result. */

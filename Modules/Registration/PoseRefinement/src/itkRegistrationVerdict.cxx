@@ -210,17 +210,13 @@ RegistrationVerdict::Evaluate(const PoseRefinementResult & result, const Thresho
       }
       Add(verdict, StatusEnum::Suspect, "prior-tension", text);
     }
-    if (verdict.status != StatusEnum::Ok)
+    if (group.exchangedScore < group.score - thresholds.hypothesisGain)
     {
-      // Named only where something is wrong already.
-      if (group.exchangedScore < group.score - thresholds.hypothesisGain)
-      {
-        Add(verdict, StatusEnum::Failed, "jaws-exchanged", "upper and lower scan seem to be exchanged");
-      }
-      if (group.otherFacingScore < group.score - thresholds.hypothesisGain)
-      {
-        Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`");
-      }
+      Add(verdict, StatusEnum::Failed, "jaws-exchanged", "upper and lower scan seem to be exchanged");
+    }
+    if (group.otherFacingScore < group.score - thresholds.hypothesisGain)
+    {
+      Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`");
     }
   }
   return verdicts;
