@@ -47,7 +47,7 @@ def errors(folder, plots):
         if papers:
             axis.plot(*zip(*papers), "D", color="tab:orange", label="printed in the paper (other, private data)")
             axis.legend(fontsize=7)
-        axis.set_xscale("symlog", linthresh=1.0)
+        axis.set_xscale("log")
         axis.set_xlabel("mean landmark error of a case, px")
         axis.set_title(f"{jaw} jaw")
         axis.invert_yaxis() if axis is axes[0] else None

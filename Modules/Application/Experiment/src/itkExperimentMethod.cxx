@@ -87,6 +87,21 @@ Finish(TMethod *                     method,
   return transform;
 }
 
+/** Without ITK's "ITK ERROR: Class(0x...): ", which differs from run to run. */
+std::string
+Plainly(const std::string & text)
+{
+  const std::string prefix = "ITK ERROR: ";
+  if (text.rfind(prefix, 0) != 0)
+  {
+    return text;
+  }
+  const auto address = text.find("(0x");
+  const auto end = text.find("): ");
+  return address != std::string::npos && end != std::string::npos && address < end ? text.substr(end + 3)
+                                                                                   : text.substr(prefix.size());
+}
+
 bool
 Contains(const std::string & text, const char * part)
 {
@@ -327,7 +342,7 @@ ExperimentRunner::RunJaw(const ExperimentMethod & method, JawEnum jaw, const Tra
   catch (const ExceptionObject & error)
   {
     result.registered = false;
-    result.AddReason(CaseStatusEnum::Failed, error.GetDescription());
+    result.AddReason(CaseStatusEnum::Failed, Plainly(error.GetDescription()));
   }
   return result;
 }

@@ -88,6 +88,12 @@ Beside(double ours, double papers, int digits)
 }
 
 std::string
+Probability(double p)
+{
+  return p < 0.0001 ? "< 0.0001" : Table::Number(p, 4);
+}
+
+std::string
 Count(std::size_t value)
 {
   return std::to_string(value);
@@ -475,8 +481,8 @@ private:
                         Count(row.pairs),
                         Table::Number(row.difference, 2),
                         Table::Number(row.interval.first, 2) + " to " + Table::Number(row.interval.second, 2),
-                        Table::Number(row.p, 4),
-                        Table::Number(adjusted[i], 4) });
+                        Probability(row.p),
+                        Probability(adjusted[i]) });
     }
     m_Text << markdown.ToMarkdown();
     m_Files["tests.csv"] = csv.ToCSV();
@@ -528,8 +534,9 @@ private:
       }
     }
     this->Heading("Failures",
-                  Count(listed) + " failures, listed here; " + Count(above) +
-                    " registered jaws with a mean error above 2 mm, listed in failures.csv.");
+                  "Listed here: cases that could not be read, jaws that a method did not register or called failed (" +
+                    Count(listed) + "). Jaws with a mean error above 2 mm (" + Count(above) +
+                    ") stand in failures.csv.");
     if (listed > 0)
     {
       m_Text << markdown.ToMarkdown();

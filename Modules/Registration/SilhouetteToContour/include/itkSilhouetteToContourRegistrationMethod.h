@@ -48,7 +48,8 @@ namespace itk
  * automatic simplex a simplex of a quarter of the bounds; on OnePlusOneEvolutionary a generator seeded with RandomSeed;
  * on Exhaustive without scales those that make its grid of +-NumberOfSteps * StepLength = +-1 reach the bounds; the
  * number of iterations where the level gives one. Other optimizers are kept within the bounds by the metric. What ITK's
- * own optimizers do is deterministic, hence so is this, for any number of threads.
+ * own optimizers do is deterministic, hence so is this, for any number of threads; methods may run at the same time in
+ * several threads (those with LBFGSB, which is not reentrant, take turns within a level).
  *
  * Events: StartEvent, MultiResolutionIterationEvent at the start of each level, IterationEvent at each iteration of the
  * optimizer (each evaluation of Amoeba, which has no other event), ProgressEvent, EndEvent. The getters of

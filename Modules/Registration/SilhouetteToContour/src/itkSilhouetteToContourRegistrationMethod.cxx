@@ -30,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <sstream>
 #include <typeinfo>
 
@@ -155,6 +156,15 @@ MakeParameters(const ContourSimilarity & similarity)
   parameters[2] = similarity.tx;
   parameters[3] = similarity.ty;
   return parameters;
+}
+
+/** ITK's LBFGSB keeps its state in static variables of netlib's code: two at a time in one process disturb each other.
+ */
+std::recursive_mutex &
+OneAtATime()
+{
+  static std::recursive_mutex mutex;
+  return mutex;
 }
 } // namespace
 
@@ -460,7 +470,14 @@ private:
       }
     }
     m_Optimizer->SetMetric(m_Metric);
-    m_Optimizer->StartOptimization();
+    {
+      std::unique_lock<std::recursive_mutex> lock(OneAtATime(), std::defer_lock);
+      if (m_LBFGSB != nullptr)
+      {
+        lock.lock();
+      }
+      m_Optimizer->StartOptimization();
+    }
     if (m_LBFGSB != nullptr && m_Optimizer->GetCurrentIteration() >= m_Optimizer->GetNumberOfIterations())
     {
       // ITK's text for it is "User requested".

@@ -32,6 +32,7 @@
 
 #include <functional>
 #include <sstream>
+#include <thread>
 #include <typeinfo>
 
 namespace
@@ -551,4 +552,42 @@ TEST(SilhouetteToContourRegistrationMethod, LevelsAreAddedAndRemoved)
   std::ostringstream text;
   method->Print(text);
   EXPECT_NE(text.str().find("PixelSpacing: 0.25"), std::string::npos);
+}
+
+TEST(SilhouetteToContourRegistrationMethod, MethodsAtTheSameTimeDoNotDisturbEachOther)
+{
+  // ITK's LBFGSB has static state.
+  const auto run = [](int i) {
+    const auto truth = MakeTransform(1.0 + 0.02 * i, 0.01 * i, 300.0, 400.0 + i);
+    const auto method = MethodType::New();
+    method->SetFixedContour(MakeTracing(truth));
+    method->SetMovingContour(MakeSilhouette());
+    method->Update();
+    return method->GetTransform()->GetParameters();
+  };
+  constexpr int                              Count = 8;
+  std::vector<TransformType::ParametersType> alone;
+  for (int i = 0; i < Count; ++i)
+  {
+    alone.push_back(run(i));
+  }
+  std::vector<TransformType::ParametersType> together(Count);
+  std::vector<std::thread>                   threads;
+  for (int t = 0; t < 4; ++t)
+  {
+    threads.emplace_back([&, t]() {
+      for (int i = t; i < Count; i += 4)
+      {
+        together[i] = run(i);
+      }
+    });
+  }
+  for (std::thread & thread : threads)
+  {
+    thread.join();
+  }
+  for (int i = 0; i < Count; ++i)
+  {
+    EXPECT_EQ(together[i], alone[i]);
+  }
 }

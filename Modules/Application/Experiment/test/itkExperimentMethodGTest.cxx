@@ -1,0 +1,169 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkExperimentMethod.h"
+
+#include "itkCaseRegistration.h"
+#include "itkCaseResultWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace
+{
+using CohortEnum = itk::DentalPhantomCaseSource::CohortEnum;
+using JawEnum = itk::ToothCode::JawEnum;
+
+double
+MeanError(const itk::CaseResult & result, JawEnum jaw)
+{
+  return result.jaws.at(jaw).error->mean;
+}
+} // namespace
+
+TEST(ExperimentMethod, GroupsAndOrderAreThoseOfTheTables)
+{
+  const auto chosen = itk::SelectExperimentMethods({ "robust", "icp", "paper" });
+  ASSERT_EQ(chosen.size(), 3u);
+  EXPECT_EQ(chosen[0].name, "paper");
+  EXPECT_EQ(chosen[1].name, "robust");
+  EXPECT_EQ(chosen[2].name, "icp");
+  EXPECT_EQ(itk::SelectExperimentMethods({ "all" }).size(), itk::GetExperimentMethods().size());
+  EXPECT_EQ(itk::SelectExperimentMethods({ "intensity" }).size(), 3u);
+  EXPECT_EQ(itk::SelectExperimentMethods({ "default" }).size() + 3, itk::GetExperimentMethods().size());
+  EXPECT_THROW(itk::SelectExperimentMethods({ "paper", "magic" }), std::invalid_argument);
+}
+
+TEST(ExperimentMethod, PresetsGiveWhatTheProgramGives)
+{
+  const auto            experimentCase = itk::MakePhantomExperimentCase(3, CohortEnum::Typical, false);
+  itk::ExperimentRunner runner(experimentCase);
+  for (const auto & preset : { std::make_pair("paper", itk::CasePresetEnum::Paper),
+                               std::make_pair("bounding-box", itk::CasePresetEnum::BoundingBox),
+                               std::make_pair("single-stage", itk::CasePresetEnum::SingleStage) })
+  {
+    const auto ours = runner.Run(*itk::FindExperimentMethod(preset.first));
+    auto       registration = itk::CaseRegistration::New();
+    registration->SetPreset(preset.second);
+    registration->SetData(experimentCase.data);
+    registration->Update();
+    auto reference = registration->GetResult();
+    itk::MeasureLandmarkErrors(reference, experimentCase.marked);
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      EXPECT_EQ(ours.jaws.at(jaw).projection, reference.jaws.at(jaw).projection) << preset.first;
+      EXPECT_EQ(MeanError(ours, jaw), MeanError(reference, jaw)) << preset.first;
+    }
+  }
+}
+
+TEST(ExperimentMethod, RobustBeatsEveryBaselineOnACase)
+{
+  const auto            experimentCase = itk::MakePhantomExperimentCase(4, CohortEnum::Typical, false);
+  itk::ExperimentRunner runner(experimentCase);
+  const auto            robust = runner.Run(*itk::FindExperimentMethod("robust"));
+  for (const auto & method : itk::SelectExperimentMethods({ "default" }))
+  {
+    if (method.name != "robust")
+    {
+      const auto result = runner.Run(method);
+      for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+      {
+        ASSERT_TRUE(result.jaws.at(jaw).registered) << method.name;
+        EXPECT_LT(MeanError(robust, jaw), MeanError(result, jaw)) << method.name;
+      }
+    }
+  }
+}
+
+TEST(ExperimentMethod, IntensityNeedsARadiograph)
+{
+  const auto            experimentCase = itk::MakePhantomExperimentCase(4, CohortEnum::Typical, false);
+  itk::ExperimentRunner runner(experimentCase);
+  const auto            result = runner.RunJaw(*itk::FindExperimentMethod("mutual-information"), JawEnum::Upper);
+  EXPECT_FALSE(result.registered);
+  ASSERT_FALSE(result.reasons.empty());
+  EXPECT_EQ(result.reasons.front().find("there is no radiograph"), 0u) << result.reasons.front();
+}
+
+TEST(ExperimentMethod, FileAxesOfAPhantomAreTiltedByAtMost15Degrees)
+{
+  for (const std::uint64_t seed : { 1u, 2u, 3u })
+  {
+    const auto experimentCase = itk::MakePhantomExperimentCase(seed, CohortEnum::Ideal, false);
+    double     trace = 0.0;
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        trace += experimentCase.fileAxes[0][row][d] * experimentCase.frames.upper.axes[row][d];
+      }
+    }
+    // The estimated frame is itself within some degrees of the anatomical one.
+    EXPECT_LT(std::acos(std::min(1.0, 0.5 * (trace - 1.0))) * 180.0 / 3.14159265, 25.0);
+    // Both jaws share one file frame.
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        EXPECT_NEAR(experimentCase.fileAxes[0][row][d], experimentCase.fileAxes[1][row][d], 1e-12);
+      }
+    }
+  }
+}
+
+TEST(ExperimentCase, VariationsDoWhatTheySay)
+{
+  const auto plain = itk::MakePhantomExperimentCase(7, CohortEnum::Ideal, false);
+
+  itk::ExperimentVariation variation;
+  variation.sourceDistanceFactor = 1.1;
+  variation.spacingFactor = 0.97;
+  const auto machine = itk::MakePhantomExperimentCase(7, CohortEnum::Ideal, false, variation);
+  EXPECT_NEAR(machine.data->geometry->GetSourceToMidsagittalDistance(),
+              1.1 * plain.data->geometry->GetSourceToMidsagittalDistance(),
+              1e-9);
+  EXPECT_NEAR(
+    machine.data->geometry->GetSourceToDetectorDistance() - machine.data->geometry->GetSourceToMidsagittalDistance(),
+    plain.data->geometry->GetSourceToDetectorDistance() - plain.data->geometry->GetSourceToMidsagittalDistance(),
+    1e-9);
+  EXPECT_NEAR(machine.data->geometry->GetPixelSpacing()[0], 0.97 * plain.data->geometry->GetPixelSpacing()[0], 1e-12);
+
+  variation = itk::ExperimentVariation();
+  variation.extraNoise = 2.0;
+  const auto noisy = itk::MakePhantomExperimentCase(7, CohortEnum::Ideal, false, variation);
+  double     squares = 0.0;
+  const auto count = plain.data->upper.contour->GetNumberOfPoints();
+  ASSERT_EQ(noisy.data->upper.contour->GetNumberOfPoints(), count);
+  for (itk::IdentifierType i = 0; i < count; ++i)
+  {
+    squares +=
+      noisy.data->upper.contour->GetPoint(i).SquaredEuclideanDistanceTo(plain.data->upper.contour->GetPoint(i));
+  }
+  // 79 points of which half the variance is correlated: within a factor of 1.6 of 2 px an axis.
+  EXPECT_NEAR(std::log(std::sqrt(0.5 * squares / static_cast<double>(count)) / 2.0), 0.0, std::log(1.6));
+
+  variation = itk::ExperimentVariation();
+  variation.distalTrim = 10.0;
+  const auto trimmed = itk::MakePhantomExperimentCase(7, CohortEnum::Ideal, false, variation);
+  EXPECT_LT(trimmed.data->upper.mesh->GetNumberOfCells(), plain.data->upper.mesh->GetNumberOfCells());
+  EXPECT_LT(trimmed.data->upper.mesh->GetNumberOfPoints(), plain.data->upper.mesh->GetNumberOfPoints());
+  EXPECT_TRUE(trimmed.frames.upper.valid);
+}

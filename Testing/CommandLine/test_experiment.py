@@ -1,0 +1,163 @@
+"""The verb experiment as a user sees it; methods that take no time, tiny cohorts."""
+import csv
+import json
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+
+FAST = ("--methods", "bounding-box,paper,icp")
+
+
+def rows(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def tables(folder):
+    """Every file that must hold the same bits."""
+    return {
+        path.name: path.read_bytes()
+        for path in folder.iterdir()
+        if path.suffix in (".csv", ".md", ".json", ".png") and path.name != "times.csv"
+    }
+
+
+@pytest.fixture(scope="module")
+def experiment(run, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("experiment") / "out"
+    done = run("experiment", "--cases", 2, "--seed", 3, *FAST, "--output", folder)
+    assert done.returncode == 0, done.stderr
+    assert "tables.md" in done.stdout
+    return folder
+
+
+def test_writes_the_papers_tables_with_its_figures_beside(experiment):
+    table = rows(experiment / "table1_landmarks.csv")
+    assert {(row["jaw"], row["method"]) for row in table} == {
+        (jaw, method) for jaw in ("upper", "lower") for method in ("bounding-box", "paper", "icp")
+    }
+    paper = next(row for row in table if row["jaw"] == "upper" and row["method"] == "paper")
+    assert float(paper["paper_mean_px"]) == 17.546
+    assert float(paper["mean_low95_px"]) <= float(paper["mean_px"]) <= float(paper["mean_high95_px"])
+    text = (experiment / "tables.md").read_text()
+    assert "other, private data" in text and "/ 17.546" in text
+    assert (experiment / "figure_median_upper.png").stat().st_size > 10000
+
+
+def test_every_figure_follows_from_the_landmarks(experiment):
+    landmarks = rows(experiment / "landmarks.csv")
+    for row in rows(experiment / "table1_landmarks.csv"):
+        errors = [
+            float(each["error_px"])
+            for each in landmarks
+            if each["jaw"] == row["jaw"] and each["method"] == row["method"]
+        ]
+        assert len(errors) == int(row["landmarks"])
+        assert float(row["mean_px"]) == pytest.approx(sum(errors) / len(errors), abs=1e-5)
+
+
+def test_same_bits_for_one_thread(run, experiment, tmp_path):
+    done = run("--threads", 1, "experiment", "--cases", 2, "--seed", 3, *FAST, "--output", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    assert tables(tmp_path / "out") == tables(experiment)
+
+
+def test_case_is_that_of_phantom_and_register(run, experiment, tmp_path):
+    assert run("phantom", "--seed", 4, "--output", tmp_path / "case").returncode == 0
+    done = run("register", tmp_path / "case" / "case.json", "--output", tmp_path / "out", "--preset", "paper")
+    assert done.returncode == 0, done.stderr
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    for row in rows(experiment / "cases.csv"):
+        if row["case"] == "typical-0004" and row["method"] == "paper":
+            # Files round the tracing to 0.001 px, and the optimizer feels it.
+            assert float(row["mean_px"]) == pytest.approx(result["jaws"][row["jaw"]]["error"]["mean_px"], abs=0.5)
+
+
+def test_runs_on_annotated_cases(run, sample, tmp_path):
+    for name in ("one", "two"):
+        shutil.copytree(sample, tmp_path / "cases" / name)
+    (tmp_path / "cases" / "broken").mkdir()
+    (tmp_path / "cases" / "broken" / "case.json").write_text("{")
+    done = run("experiment", "--from", tmp_path / "cases", *FAST, "--no-figures", "--output", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    assert {row["case"] for row in rows(tmp_path / "out" / "cases.csv")} == {"one", "two"}
+    failures = rows(tmp_path / "out" / "failures.csv")
+    assert any(row["case"] == "broken" and row["what"] == "unusable case" for row in failures)
+
+
+def test_nothing_to_measure_with_is_said(run, case, tmp_path):
+    content = case.load()
+    content.pop("landmarks_2d")
+    case.save(content)
+    done = run("experiment", "--from", case.folder, *FAST, "--no-figures", "--output", tmp_path / "out")
+    assert done.returncode == 2
+    assert "landmarks_2d" in done.stderr and done.stderr.count("\n") == 1
+    assert not (tmp_path / "out" / "tables.md").exists()
+
+
+@pytest.mark.parametrize(
+    "arguments, word",
+    [
+        (["--cases", "0"], "--cases"),
+        (["--methods", "magic"], "magic"),
+        (["--level", "absurd"], "--level"),
+        (["--study", "everything"], "--study"),
+        (["--from", "/nowhere"], "/nowhere"),
+    ],
+)
+def test_bad_options_are_one_line(run, tmp_path, arguments, word):
+    done = run("experiment", *arguments, "--output", tmp_path / "out")
+    assert done.returncode == 2
+    assert word in done.stderr and done.stderr.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+
+
+def test_unwritable_folder_is_named(run, tmp_path):
+    (tmp_path / "file").write_text("x")
+    for folder in (tmp_path / "file", tmp_path / "file" / "below"):
+        done = run("experiment", "--cases", 1, *FAST, "--output", folder)
+        assert done.returncode == 2
+        assert str(folder) in done.stderr and done.stderr.count("\n") == 1
+
+
+def test_folder_of_another_experiment_is_refused(run, experiment):
+    before = tables(experiment)
+    done = run("experiment", "--cases", 2, "--seed", 4, *FAST, "--output", experiment)
+    assert done.returncode == 2
+    assert "seed" in done.stderr and "experiment.json" in done.stderr
+    assert tables(experiment) == before
+
+
+def test_interrupted_run_resumes(program, run, tmp_path):
+    folder = tmp_path / "out"
+    command = [str(program), "--threads", "1", "experiment", "--cases", "12", *FAST, "--no-figures", "--output", str(folder)]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    for _ in range(600):
+        if (folder / "cases").is_dir() and any((folder / "cases").glob("*.json")):
+            break
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 2
+    assert "goes on" in errors and errors.count("\n") == 1
+    assert not (folder / "tables.md").exists()
+    assert 0 < len(list((folder / "cases").iterdir())) < 12
+    done = run(*command[1:])
+    assert done.returncode == 0, done.stderr
+    assert "there already" in done.stdout
+    assert len(rows(folder / "cases.csv")) == 12 * 2 * 3
+
+
+def test_study_of_the_sensitivity_has_every_factor(run, tmp_path):
+    done = run(
+        "experiment", "--study", "sensitivity", "--cases", 1, "--methods", "bounding-box", "--no-figures", "--output", tmp_path
+    )
+    assert done.returncode == 0, done.stderr
+    table = rows(tmp_path / "sensitivity.csv")
+    factors = {row["factor"] for row in table}
+    for word in ("noise", "drop-out", "source", "spacing", "yaw", "roll", "missing", "trimmed"):
+        assert any(word in factor for factor in factors), word
+    assert (tmp_path / "sensitivity.md").read_text().count("## ") == len(factors)
