@@ -137,9 +137,9 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
     "experiment", "Compares methods on a simulated cohort or on annotated cases: the paper's tables and more");
   command->add_option("-o,--output", options->output, "Folder for tables and plots; a run that was interrupted goes on")
     ->required();
-  command->add_option("--cases", options->cases, "Number of simulated cases")
-    ->check(CLI::Range(1u, 100000u))
-    ->capture_default_str();
+  auto * cases = command->add_option("--cases", options->cases, "Number of simulated cases; a study takes 8")
+                   ->check(CLI::Range(1u, 100000u))
+                   ->capture_default_str();
   command->add_option("--seed", options->seed, "Of the first case; the same seed gives the same bits")
     ->capture_default_str();
   auto * level = command->add_option("--level", options->level, "ideal, typical or hard")
@@ -169,8 +169,13 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
                   "  dentalscr experiment --output experiment\n"
                   "  dentalscr experiment --cases 8 --level hard --methods paper,robust --output hard\n"
                   "  dentalscr experiment --from annotated-cases --output clinic\n"
-                  "  dentalscr experiment --study capture --cases 8 --output capture\n");
-  command->callback(
-    [options, &common, &run]() { run = [options, &common]() { return Experiment(*options, common); }; });
+                  "  dentalscr experiment --study capture --output capture\n");
+  command->callback([options, cases, &common, &run]() {
+    if (!options->study.empty() && cases->count() == 0)
+    {
+      options->cases = 8;
+    }
+    run = [options, &common]() { return Experiment(*options, common); };
+  });
 }
 } // namespace dentalscr
