@@ -20,6 +20,7 @@
 #include "itkCaseChecks.h"
 #include "itkCasePoseRegistration.h"
 #include "itkCaseSimilarityRegistration.h"
+#include "itkDescribePlainly.h"
 
 #include "itkMakeTriangleSurface.h"
 #include "itkTimeProbe.h"
@@ -298,7 +299,7 @@ CaseRegistration::RegisterBySimilarity(const DentalFrameResult & frames)
     catch (const ExceptionObject & error)
     {
       result.registered = false;
-      result.AddReason(CaseStatusEnum::Failed, error.GetDescription());
+      result.AddReason(CaseStatusEnum::Failed, DescribePlainly(error));
       continue;
     }
     if (!m_Data->HasPrincipalPoint() && !havePrincipalPoint)

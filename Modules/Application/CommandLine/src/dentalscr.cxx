@@ -19,6 +19,7 @@
 
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
+#include "itkDescribePlainly.h"
 
 #include "itkBMPImageIOFactory.h"
 #include "itkJPEGImageIOFactory.h"
@@ -88,6 +89,11 @@ main(int argc, char * argv[])
   dentalscr::AddPhantomCommand(program, common, run);
   dentalscr::AddExperimentCommand(program, common, run);
 
+  const auto isChosen = [&](CLI::App * verb) { return argc > 1 && verb->get_name() == argv[1]; };
+  if (argc > 1 && argv[1][0] != '-' && program.get_subcommands(isChosen).empty())
+  {
+    return Fail(std::string("there is no verb \"") + argv[1] + "\"; see dentalscr --help");
+  }
   try
   {
     program.parse(argc, argv);
@@ -121,7 +127,7 @@ main(int argc, char * argv[])
   }
   catch (const itk::ExceptionObject & error)
   {
-    return Fail(error.GetDescription());
+    return Fail(itk::DescribePlainly(error));
   }
   catch (const std::bad_alloc &)
   {

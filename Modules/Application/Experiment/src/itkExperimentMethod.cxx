@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkExperimentMethod.h"
 
+#include "itkDescribePlainly.h"
 #include "itkCaseRegistration.h"
 #include "itkCaseResultWriter.h"
 #include "itkCaseSimilarityRegistration.h"
@@ -85,21 +86,6 @@ Finish(TMethod *                     method,
   auto transform = TransformType::New();
   transform->SetParameters(method->GetTransform()->GetParameters());
   return transform;
-}
-
-/** Without ITK's "ITK ERROR: Class(0x...): ", which differs from run to run. */
-std::string
-Plainly(const std::string & text)
-{
-  const std::string prefix = "ITK ERROR: ";
-  if (text.rfind(prefix, 0) != 0)
-  {
-    return text;
-  }
-  const auto address = text.find("(0x");
-  const auto end = text.find("): ");
-  return address != std::string::npos && end != std::string::npos && address < end ? text.substr(end + 3)
-                                                                                   : text.substr(prefix.size());
 }
 
 bool
@@ -342,7 +328,7 @@ ExperimentRunner::RunJaw(const ExperimentMethod & method, JawEnum jaw, const Tra
   catch (const ExceptionObject & error)
   {
     result.registered = false;
-    result.AddReason(CaseStatusEnum::Failed, Plainly(error.GetDescription()));
+    result.AddReason(CaseStatusEnum::Failed, DescribePlainly(error));
   }
   return result;
 }
