@@ -18,7 +18,7 @@
 #include "itkDentalLandmarkFileReader.h"
 #include "itkDentalLandmarkFileWriter.h"
 
-#include "itkAnnotationTestFile.h"
+#include "itkTestFile.h"
 
 #include <gtest/gtest.h>
 

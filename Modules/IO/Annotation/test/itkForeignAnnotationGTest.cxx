@@ -18,7 +18,7 @@
 #include "itkDentalContourFileReader.h"
 #include "itkDentalLandmarkFileReader.h"
 
-#include "itkAnnotationTestFile.h"
+#include "itkTestFile.h"
 
 #include <gtest/gtest.h>
 

@@ -18,7 +18,7 @@
 #include "itkJsonDocument.h"
 #include "itkJsonNumber.h"
 
-#include "itkAnnotationTestFile.h"
+#include "itkTestFile.h"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "itkTextFile.h"
 
-#include "itkAnnotationTestFile.h"
+#include "itkTestFile.h"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "itkCephalogramFileReader.h"
 
-#include "itkCephalogramTestFile.h"
+#include "itkTestFile.h"
 
 #include "itkBMPImageIO.h"
 #include "itkImageFileWriter.h"

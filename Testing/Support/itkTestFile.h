@@ -15,8 +15,8 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef itkAnnotationTestFile_h
-#define itkAnnotationTestFile_h
+#ifndef itkTestFile_h
+#define itkTestFile_h
 
 #include "itkDentalInputError.h"
 
