@@ -8,6 +8,7 @@ packages=(
   nlohmann-json3-dev libcli11-dev libcairo2-dev fonts-dejavu-core
   libgtest-dev python3 python3-pytest python3-numpy
   xvfb xauth python3-matplotlib
+  doxygen
 )
 
 missing=()

@@ -50,7 +50,7 @@ struct DentalCaseData
   using MeshType = Mesh<float, 3>;
   using ImageType = Image<float, 2>;
   using JawEnum = ToothCode::JawEnum;
-
+  /** What was read of one jaw. */
   struct JawType
   {
     /** Mesh-file frame, mm; null without a scan. */
@@ -58,6 +58,7 @@ struct DentalCaseData
     /** Continuous pixel indices; null without a tracing. */
     DentalContour::Pointer contour;
   };
+  /** Where each value of the geometry came from. */
   struct SourcesType
   {
     ValueSourceEnum sourceToMidsagittal{ ValueSourceEnum::Default };

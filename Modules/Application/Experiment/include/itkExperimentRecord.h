@@ -37,6 +37,7 @@ namespace itk
  */
 struct Experiment_EXPORT ExperimentRecord
 {
+  /** The error of one landmark. */
   struct LandmarkType
   {
     std::string           name;
@@ -45,6 +46,7 @@ struct Experiment_EXPORT ExperimentRecord
     double                millimetres{ 0.0 };
     std::optional<double> sigma;
   };
+  /** What one method made of one jaw. */
   struct JawType
   {
     bool                      registered{ false };

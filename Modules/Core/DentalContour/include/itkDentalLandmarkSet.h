@@ -51,7 +51,7 @@ public:
 
   itkNewMacro(Self);
   itkTypeMacro(DentalLandmarkSet, DataObject);
-
+  /** One named point and the tooth that its name tells. */
   struct LandmarkType
   {
     std::string name;

@@ -49,13 +49,13 @@ public:
 
   /** Called from one thread with the fraction done; may throw to abort. */
   using ProgressType = std::function<void(double)>;
-
+  /** A named point, mm in the frame of the model. */
   struct Landmark
   {
     std::string name;
     PointType   point;
   };
-
+  /** One jaw as a mesh. */
   struct JawSurface
   {
     TriangleSurface surface;

@@ -42,7 +42,7 @@ class DentalPhantom_EXPORT DentalPhantomTracer
 {
 public:
   using PixelType = std::array<double, 2>;
-
+  /** The border of one tooth, px. */
   struct Polyline
   {
     std::uint8_t           fdi{ 0 };
@@ -50,7 +50,7 @@ public:
     /** Where the labial border ends and the incisal begins. */
     std::size_t corner{ 0 };
   };
-
+  /** How the drawing hand errs. */
   struct Noise
   {
     /** Standard deviations of a coordinate, px: drift of the hand along the line and independent of it. */

@@ -276,7 +276,7 @@ struct PoseGroupResult
   double exchangedScore{ 1.0 };
   double otherFacingScore{ 1.0 };
 };
-
+/** Everything that PoseRefinementKernel found. */
 struct PoseRefinementResult
 {
   std::vector<PoseJawResult>   jaws;

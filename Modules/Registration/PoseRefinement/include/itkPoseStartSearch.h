@@ -44,7 +44,7 @@ public:
   double              shiftStep{ 8.0 };
   std::vector<double> kappas{ 0.0 };
   unsigned int        maximumStarts{ 6 };
-
+  /** A pose to refine and its cost in the table. */
   struct Start
   {
     PoseParameters parameters{ {} };

@@ -45,7 +45,7 @@ public:
     Suspect,
     Failed
   };
-
+  /** Why a jaw is not simply ok. */
   struct Reason
   {
     StatusEnum severity{ StatusEnum::Suspect };
@@ -54,7 +54,7 @@ public:
     /** For a person. */
     std::string text;
   };
-
+  /** The verdict on one jaw; no reasons where it is ok. */
   struct JawVerdict
   {
     StatusEnum          status{ StatusEnum::Ok };

@@ -69,7 +69,7 @@ public:
     Abort,
     End
   };
-
+  /** One event. */
   struct RecordType
   {
     KindEnum                    kind{ KindEnum::Start };

@@ -39,7 +39,7 @@ namespace itk
 struct OverlayScene
 {
   using PointType = std::array<double, 2>;
-
+  /** One polyline. */
   struct StrokeType
   {
     std::vector<PointType> points;
@@ -54,12 +54,14 @@ struct OverlayScene
     /** Any other contour of the scan: thin and pale. */
     Secondary
   };
+  /** Polylines of one role, with their name in the legend. */
   struct ContourType
   {
     RoleEnum                role{ RoleEnum::Fixed };
     std::string             label;
     std::vector<StrokeType> strokes;
   };
+  /** Where a landmark is predicted and where it was marked; either may be unknown. */
   struct LandmarkType
   {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
