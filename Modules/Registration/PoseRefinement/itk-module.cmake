@@ -2,6 +2,7 @@ itk_module(PoseRefinement
   DEPENDS
     DentalCommon
     CephalometricGeometry
+    ContourMetric
     DentalContour
     SilhouetteContour
     UMidlineDentalAxis

@@ -17,9 +17,7 @@
  *=========================================================================*/
 #include "itkPoseNoiseModel.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "itkContourNoiseModel.h"
 
 namespace itk
 {
@@ -29,75 +27,23 @@ PoseNoiseBlock::SetCorrelation(const PoseTracing & tracing,
                                const double *      nv,
                                double              correlationLength)
 {
-  const Eigen::Index n = static_cast<Eigen::Index>(tracing.Size());
-  correlation.setIdentity(n, n);
-  if (correlationLength <= 0.0)
-  {
-    return;
-  }
-  const double scale = 0.5 / (correlationLength * correlationLength);
-  for (Eigen::Index i = 0; i < n; ++i)
-  {
-    for (Eigen::Index j = 0; j < i; ++j)
-    {
-      const double d = tracing.arc[i] - tracing.arc[j];
-      const double rho = d * d * scale < 20.0 ? std::exp(-d * d * scale) * (nu[i] * nu[j] + nv[i] * nv[j]) : 0.0;
-      correlation(i, j) = rho;
-      correlation(j, i) = rho;
-    }
-  }
+  const auto n = static_cast<Eigen::Index>(tracing.Size());
+  correlation.resize(n, n);
+  ContourNoiseModel::ComputeCorrelation(
+    tracing.arc.data(), nu, nv, tracing.Size(), correlationLength, correlation.data());
 }
 
 Eigen::MatrixXd
 PoseNoiseBlock::Covariance(const PoseNoise & noise) const
 {
-  Eigen::MatrixXd k = (noise.smooth * noise.smooth) * correlation;
-  for (Eigen::Index i = 0; i < k.rows(); ++i)
-  {
-    k(i, i) += noise.white * noise.white / std::max(weight[i], 1e-6);
-  }
+  Eigen::MatrixXd k(correlation.rows(), correlation.cols());
+  ContourNoiseModel::ComputeCovariance(correlation.data(),
+                                       weight.data(),
+                                       static_cast<std::size_t>(correlation.rows()),
+                                       { noise.smooth, noise.white },
+                                       k.data());
   return k;
 }
-
-namespace
-{
-/** A block in the eigenvectors of W^1/2 G W^1/2, where both parts of the covariance are diagonal. */
-struct DiagonalBlock
-{
-  Eigen::VectorXd eigenvalues;
-  Eigen::VectorXd residual;
-  Eigen::MatrixXd jacobian;
-  double          logWeights{ 0.0 };
-};
-
-double
-Deviance(const std::vector<DiagonalBlock> & blocks,
-         const Eigen::VectorXd &            precision,
-         const Eigen::VectorXd &            offset,
-         double                             smooth2,
-         double                             white2)
-{
-  const Eigen::Index p = precision.size();
-  Eigen::MatrixXd    information = precision.asDiagonal();
-  Eigen::VectorXd    gradient = precision.cwiseProduct(offset);
-  double             value = offset.dot(gradient);
-  for (const DiagonalBlock & block : blocks)
-  {
-    const Eigen::ArrayXd  variance = (smooth2 * block.eigenvalues.array().max(0.0) + white2).max(1e-12);
-    const Eigen::MatrixXd scaled = block.jacobian.array().colwise() / variance;
-    information.noalias() += scaled.transpose() * block.jacobian;
-    gradient.noalias() += scaled.transpose() * block.residual;
-    value += (block.residual.array().square() / variance).sum() + variance.log().sum() - block.logWeights;
-  }
-  const Eigen::LDLT<Eigen::MatrixXd> solver(information);
-  value -= gradient.dot(solver.solve(gradient));
-  for (Eigen::Index i = 0; i < p; ++i)
-  {
-    value += std::log(std::max(solver.vectorD()[i], 1e-300));
-  }
-  return value;
-}
-} // namespace
 
 PoseNoise
 EstimatePoseNoise(const std::vector<PoseNoiseBlock> & blocks,
@@ -106,114 +52,22 @@ EstimatePoseNoise(const std::vector<PoseNoiseBlock> & blocks,
                   const PoseNoise &                   start,
                   double *                            deviance)
 {
-  std::vector<DiagonalBlock> diagonal;
+  std::vector<ContourNoiseModel::BlockType> views;
+  views.reserve(blocks.size());
   for (const PoseNoiseBlock & block : blocks)
   {
-    // Points without weight say nothing: leave them out before the decomposition, which is the costly part.
-    std::vector<Eigen::Index> used;
-    for (Eigen::Index i = 0; i < block.weight.size(); ++i)
-    {
-      if (block.weight[i] > 1e-4)
-      {
-        used.push_back(i);
-      }
-    }
-    const Eigen::Index n = static_cast<Eigen::Index>(used.size());
-    if (n == 0)
-    {
-      continue;
-    }
-    Eigen::MatrixXd g(n, n);
-    Eigen::VectorXd r(n);
-    Eigen::MatrixXd j(n, block.jacobian.cols());
-    DiagonalBlock   d;
-    for (Eigen::Index a = 0; a < n; ++a)
-    {
-      const double root = std::sqrt(block.weight[used[a]]);
-      r[a] = root * block.residual[used[a]];
-      j.row(a) = root * block.jacobian.row(used[a]);
-      d.logWeights += 2.0 * std::log(root);
-      for (Eigen::Index b = 0; b < n; ++b)
-      {
-        g(a, b) = root * block.correlation(used[a], used[b]) * std::sqrt(block.weight[used[b]]);
-      }
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(g);
-    d.eigenvalues = solver.eigenvalues();
-    d.residual = solver.eigenvectors().transpose() * r;
-    d.jacobian = solver.eigenvectors().transpose() * j;
-    diagonal.push_back(std::move(d));
+    views.push_back({ static_cast<std::size_t>(block.weight.size()),
+                      block.correlation.data(),
+                      block.weight.data(),
+                      block.residual.data(),
+                      block.jacobian.data() });
   }
-  const auto value = [&](const std::array<double, 2> & x) {
-    const double a = (x[0] - std::log(1.5)) / 0.8;
-    const double b = (x[1] - std::log(0.7)) / 0.8;
-    return Deviance(diagonal, precision, offset, std::exp(2.0 * x[0]), std::exp(2.0 * x[1])) + a * a + b * b;
-  };
-  // Nelder-Mead with an explicit first simplex.
-  using Vertex = std::pair<double, std::array<double, 2>>;
-  const double          s0 = std::log(std::max(start.smooth, 1e-3));
-  const double          w0 = std::log(std::max(start.white, 1e-3));
-  std::array<Vertex, 3> simplex;
-  simplex[0].second = { { s0, w0 } };
-  simplex[1].second = { { s0 + 0.5, w0 } };
-  simplex[2].second = { { s0, w0 - 0.5 } };
-  for (Vertex & vertex : simplex)
-  {
-    vertex.first = value(vertex.second);
-  }
-  const auto order = [](const Vertex & a, const Vertex & b) { return a.first < b.first; };
-  for (int iteration = 0; iteration < 60; ++iteration)
-  {
-    std::stable_sort(simplex.begin(), simplex.end(), order);
-    if (simplex[2].first - simplex[0].first < 1e-4)
-    {
-      break;
-    }
-    const std::array<double, 2> middle{ { 0.5 * (simplex[0].second[0] + simplex[1].second[0]),
-                                          0.5 * (simplex[0].second[1] + simplex[1].second[1]) } };
-    const auto                  along = [&](double t) {
-      Vertex vertex;
-      vertex.second = { { middle[0] + t * (simplex[2].second[0] - middle[0]),
-                          middle[1] + t * (simplex[2].second[1] - middle[1]) } };
-      vertex.first = value(vertex.second);
-      return vertex;
-    };
-    const Vertex reflected = along(-1.0);
-    if (reflected.first < simplex[0].first)
-    {
-      const Vertex expanded = along(-2.0);
-      simplex[2] = expanded.first < reflected.first ? expanded : reflected;
-    }
-    else if (reflected.first < simplex[1].first)
-    {
-      simplex[2] = reflected;
-    }
-    else
-    {
-      const Vertex contracted = along(reflected.first < simplex[2].first ? -0.5 : 0.5);
-      if (contracted.first < std::min(simplex[2].first, reflected.first))
-      {
-        simplex[2] = contracted;
-      }
-      else
-      {
-        for (int k = 1; k < 3; ++k)
-        {
-          for (int c = 0; c < 2; ++c)
-          {
-            simplex[k].second[c] = 0.5 * (simplex[k].second[c] + simplex[0].second[c]);
-          }
-          simplex[k].first = value(simplex[k].second);
-        }
-      }
-    }
-  }
-  std::stable_sort(simplex.begin(), simplex.end(), order);
-  const PoseNoise noise{ std::exp(simplex[0].second[0]), std::exp(simplex[0].second[1]) };
-  if (deviance != nullptr)
-  {
-    *deviance = Deviance(diagonal, precision, offset, noise.smooth * noise.smooth, noise.white * noise.white);
-  }
-  return noise;
+  const ContourNoiseLevels levels = ContourNoiseModel::Estimate(views,
+                                                                precision.data(),
+                                                                offset.data(),
+                                                                static_cast<std::size_t>(precision.size()),
+                                                                { start.smooth, start.white },
+                                                                deviance);
+  return { levels.smooth, levels.white };
 }
 } // namespace itk

@@ -1,0 +1,232 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkContourNoiseModel.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace itk
+{
+namespace
+{
+/** A block in the eigenvectors of W^1/2 G W^1/2, where both parts of the covariance are diagonal. */
+struct DiagonalBlock
+{
+  Eigen::VectorXd eigenvalues;
+  Eigen::VectorXd residual;
+  Eigen::MatrixXd jacobian;
+  double          logWeights{ 0.0 };
+};
+
+double
+Deviance(const std::vector<DiagonalBlock> & blocks,
+         const Eigen::VectorXd &            precision,
+         const Eigen::VectorXd &            offset,
+         double                             smooth2,
+         double                             white2)
+{
+  const Eigen::Index p = precision.size();
+  Eigen::MatrixXd    information = precision.asDiagonal();
+  Eigen::VectorXd    gradient = precision.cwiseProduct(offset);
+  double             value = offset.dot(gradient);
+  for (const DiagonalBlock & block : blocks)
+  {
+    const Eigen::ArrayXd  variance = (smooth2 * block.eigenvalues.array().max(0.0) + white2).max(1e-12);
+    const Eigen::MatrixXd scaled = block.jacobian.array().colwise() / variance;
+    information.noalias() += scaled.transpose() * block.jacobian;
+    gradient.noalias() += scaled.transpose() * block.residual;
+    value += (block.residual.array().square() / variance).sum() + variance.log().sum() - block.logWeights;
+  }
+  const Eigen::LDLT<Eigen::MatrixXd> solver(information);
+  value -= gradient.dot(solver.solve(gradient));
+  for (Eigen::Index i = 0; i < p; ++i)
+  {
+    value += std::log(std::max(solver.vectorD()[i], 1e-300));
+  }
+  return value;
+}
+} // namespace
+
+void
+ContourNoiseModel::ComputeCorrelation(
+  const double * arc, const double * nu, const double * nv, std::size_t count, double length, double * correlation)
+{
+  const double scale = length > 0.0 ? 0.5 / (length * length) : 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    correlation[i * count + i] = 1.0;
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const double d = arc[i] - arc[j];
+      const double rho =
+        length > 0.0 && d * d * scale < 20.0 ? std::exp(-d * d * scale) * (nu[i] * nu[j] + nv[i] * nv[j]) : 0.0;
+      correlation[i * count + j] = rho;
+      correlation[j * count + i] = rho;
+    }
+  }
+}
+
+void
+ContourNoiseModel::ComputeCovariance(const double *             correlation,
+                                     const double *             weights,
+                                     std::size_t                count,
+                                     const ContourNoiseLevels & levels,
+                                     double *                   covariance)
+{
+  const double smooth2 = levels.smooth * levels.smooth;
+  for (std::size_t k = 0; k < count * count; ++k)
+  {
+    covariance[k] = smooth2 * correlation[k];
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    covariance[i * count + i] += levels.white * levels.white / std::max(weights[i], 1e-6);
+  }
+}
+
+ContourNoiseLevels
+ContourNoiseModel::Estimate(const std::vector<BlockType> & blocks,
+                            const double *                 precisionOfParameters,
+                            const double *                 offsetOfParameters,
+                            std::size_t                    numberOfParameters,
+                            const ContourNoiseLevels &     start,
+                            double *                       deviance)
+{
+  const auto                 p = static_cast<Eigen::Index>(numberOfParameters);
+  const Eigen::VectorXd      precision = Eigen::Map<const Eigen::VectorXd>(precisionOfParameters, p);
+  const Eigen::VectorXd      offset = Eigen::Map<const Eigen::VectorXd>(offsetOfParameters, p);
+  std::vector<DiagonalBlock> diagonal;
+  for (const BlockType & block : blocks)
+  {
+    const auto                              count = static_cast<Eigen::Index>(block.count);
+    const Eigen::Map<const Eigen::MatrixXd> correlation(block.correlation, count, count);
+    const Eigen::Map<const Eigen::VectorXd> weight(block.weights, count);
+    const Eigen::Map<const Eigen::VectorXd> residual(block.residuals, count);
+    const Eigen::Map<const Eigen::MatrixXd> jacobian(block.jacobian, count, p);
+    // Points without weight say nothing: leave them out before the decomposition, which is the costly part.
+    std::vector<Eigen::Index> used;
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      if (weight[i] > 1e-4)
+      {
+        used.push_back(i);
+      }
+    }
+    const Eigen::Index n = static_cast<Eigen::Index>(used.size());
+    if (n == 0)
+    {
+      continue;
+    }
+    Eigen::MatrixXd g(n, n);
+    Eigen::VectorXd r(n);
+    Eigen::MatrixXd j(n, p);
+    DiagonalBlock   d;
+    for (Eigen::Index a = 0; a < n; ++a)
+    {
+      const double root = std::sqrt(weight[used[a]]);
+      r[a] = root * residual[used[a]];
+      j.row(a) = root * jacobian.row(used[a]);
+      d.logWeights += 2.0 * std::log(root);
+      for (Eigen::Index b = 0; b < n; ++b)
+      {
+        g(a, b) = root * correlation(used[a], used[b]) * std::sqrt(weight[used[b]]);
+      }
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(g);
+    d.eigenvalues = solver.eigenvalues();
+    d.residual = solver.eigenvectors().transpose() * r;
+    d.jacobian = solver.eigenvectors().transpose() * j;
+    diagonal.push_back(std::move(d));
+  }
+  const auto value = [&](const std::array<double, 2> & x) {
+    const double a = (x[0] - std::log(1.5)) / 0.8;
+    const double b = (x[1] - std::log(0.7)) / 0.8;
+    return Deviance(diagonal, precision, offset, std::exp(2.0 * x[0]), std::exp(2.0 * x[1])) + a * a + b * b;
+  };
+  // Nelder-Mead with an explicit first simplex.
+  using Vertex = std::pair<double, std::array<double, 2>>;
+  const double          s0 = std::log(std::max(start.smooth, 1e-3));
+  const double          w0 = std::log(std::max(start.white, 1e-3));
+  std::array<Vertex, 3> simplex;
+  simplex[0].second = { { s0, w0 } };
+  simplex[1].second = { { s0 + 0.5, w0 } };
+  simplex[2].second = { { s0, w0 - 0.5 } };
+  for (Vertex & vertex : simplex)
+  {
+    vertex.first = value(vertex.second);
+  }
+  const auto order = [](const Vertex & a, const Vertex & b) { return a.first < b.first; };
+  for (int iteration = 0; iteration < 60; ++iteration)
+  {
+    std::stable_sort(simplex.begin(), simplex.end(), order);
+    if (simplex[2].first - simplex[0].first < 1e-4)
+    {
+      break;
+    }
+    const std::array<double, 2> middle{ { 0.5 * (simplex[0].second[0] + simplex[1].second[0]),
+                                          0.5 * (simplex[0].second[1] + simplex[1].second[1]) } };
+    const auto                  along = [&](double t) {
+      Vertex vertex;
+      vertex.second = { { middle[0] + t * (simplex[2].second[0] - middle[0]),
+                          middle[1] + t * (simplex[2].second[1] - middle[1]) } };
+      vertex.first = value(vertex.second);
+      return vertex;
+    };
+    const Vertex reflected = along(-1.0);
+    if (reflected.first < simplex[0].first)
+    {
+      const Vertex expanded = along(-2.0);
+      simplex[2] = expanded.first < reflected.first ? expanded : reflected;
+    }
+    else if (reflected.first < simplex[1].first)
+    {
+      simplex[2] = reflected;
+    }
+    else
+    {
+      const Vertex contracted = along(reflected.first < simplex[2].first ? -0.5 : 0.5);
+      if (contracted.first < std::min(simplex[2].first, reflected.first))
+      {
+        simplex[2] = contracted;
+      }
+      else
+      {
+        for (int k = 1; k < 3; ++k)
+        {
+          for (int c = 0; c < 2; ++c)
+          {
+            simplex[k].second[c] = 0.5 * (simplex[k].second[c] + simplex[0].second[c]);
+          }
+          simplex[k].first = value(simplex[k].second);
+        }
+      }
+    }
+  }
+  std::stable_sort(simplex.begin(), simplex.end(), order);
+  const ContourNoiseLevels noise{ std::exp(simplex[0].second[0]), std::exp(simplex[0].second[1]) };
+  if (deviance != nullptr)
+  {
+    *deviance = Deviance(diagonal, precision, offset, noise.smooth * noise.smooth, noise.white * noise.white);
+  }
+  return noise;
+}
+} // namespace itk

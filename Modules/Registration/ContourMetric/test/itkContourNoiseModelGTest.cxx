@@ -1,0 +1,190 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkContourNoiseModel.h"
+
+#include "itkReproducibleRandom.h"
+
+#include "itkGTest.h"
+
+#include "vnl/algo/vnl_determinant.h"
+#include "vnl/algo/vnl_matrix_inverse.h"
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+/** A strand of points 2 px apart along an arc, with its residuals and a Jacobian of shift and tilt. */
+struct Strand
+{
+  explicit Strand(std::size_t count)
+    : arc(count)
+    , nu(count)
+    , nv(count)
+    , weights(count, 1.0)
+    , residuals(count)
+    , jacobian(2 * count)
+    , correlation(count * count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      arc[i] = 2.0 * static_cast<double>(i);
+      nu[i] = std::sin(0.01 * arc[i]);
+      nv[i] = std::cos(0.01 * arc[i]);
+      jacobian[i] = nv[i];
+      jacobian[count + i] = 0.01 * arc[i] - 0.8;
+    }
+    itk::ContourNoiseModel::ComputeCorrelation(arc.data(), nu.data(), nv.data(), count, 12.0, correlation.data());
+  }
+
+  /** Residuals with this noise: the drift from the Cholesky factor of G. */
+  void
+  Draw(double smooth, double white, std::uint64_t seed)
+  {
+    itk::ReproducibleRandom random(seed);
+    const std::size_t       n = arc.size();
+    std::vector<double>     factor(n * n, 0.0);
+    std::vector<double>     normal(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      normal[i] = random.Normal();
+      double drift = 0.0;
+      for (std::size_t j = 0; j <= i; ++j)
+      {
+        double sum = correlation[i * n + j] + (i == j ? 1e-6 : 0.0);
+        for (std::size_t k = 0; k < j; ++k)
+        {
+          sum -= factor[i * n + k] * factor[j * n + k];
+        }
+        factor[i * n + j] = i == j ? std::sqrt(sum) : sum / factor[j * n + j];
+        drift += factor[i * n + j] * normal[j];
+      }
+      residuals[i] = smooth * drift + white * random.Normal();
+    }
+  }
+
+  itk::ContourNoiseModel::BlockType
+  View() const
+  {
+    return { arc.size(), correlation.data(), weights.data(), residuals.data(), jacobian.data() };
+  }
+
+  std::vector<double> arc;
+  std::vector<double> nu;
+  std::vector<double> nv;
+  std::vector<double> weights;
+  std::vector<double> residuals;
+  std::vector<double> jacobian;
+  std::vector<double> correlation;
+};
+} // namespace
+
+TEST(ContourNoiseModel, CovarianceIsDriftPlusWhiteNoiseByWeight)
+{
+  const std::vector<double> arc{ 0.0, 12.0, 100.0 };
+  const std::vector<double> nu{ 1.0, 0.6, 1.0 };
+  const std::vector<double> nv{ 0.0, 0.8, 0.0 };
+  const std::vector<double> weights{ 1.0, 0.25, 0.0 };
+  std::vector<double>       correlation(9);
+  itk::ContourNoiseModel::ComputeCorrelation(arc.data(), nu.data(), nv.data(), 3, 12.0, correlation.data());
+  std::vector<double> covariance(9);
+  itk::ContourNoiseModel::ComputeCovariance(correlation.data(), weights.data(), 3, { 2.0, 0.5 }, covariance.data());
+  EXPECT_NEAR(covariance[0], 4.25, 1e-12);
+  EXPECT_NEAR(covariance[1], 4.0 * std::exp(-0.5) * 0.6, 1e-12);
+  EXPECT_EQ(covariance[1], covariance[3]);
+  EXPECT_NEAR(covariance[4], 5.0, 1e-12);
+  EXPECT_EQ(covariance[2], 0.0);
+  EXPECT_NEAR(covariance[8], 4.0 + 0.25 / 1e-6, 1e-6);
+  itk::ContourNoiseModel::ComputeCorrelation(arc.data(), nu.data(), nv.data(), 3, 0.0, correlation.data());
+  EXPECT_EQ(correlation[1], 0.0);
+  EXPECT_EQ(correlation[4], 1.0);
+}
+
+TEST(ContourNoiseModel, DevianceIsThatOfTheDenseFormula)
+{
+  Strand strand(40);
+  strand.Draw(1.2, 0.6, 5);
+  for (std::size_t i = 0; i < 40; ++i)
+  {
+    strand.weights[i] = i % 3 == 0 ? 0.4 : 1.0;
+  }
+  const double precision[2] = { 0.3, 2.0 };
+  const double offset[2] = { 0.5, -0.2 };
+  double       deviance = 0.0;
+  const auto   levels =
+    itk::ContourNoiseModel::Estimate({ strand.View() }, precision, offset, 2, itk::ContourNoiseLevels(), &deviance);
+  vnl_matrix<double> k(40, 40);
+  itk::ContourNoiseModel::ComputeCovariance(
+    strand.correlation.data(), strand.weights.data(), 40, levels, k.data_block());
+  vnl_matrix<double> j(40, 2);
+  vnl_vector<double> r(40);
+  for (unsigned int i = 0; i < 40; ++i)
+  {
+    j(i, 0) = strand.jacobian[i];
+    j(i, 1) = strand.jacobian[40 + i];
+    r[i] = strand.residuals[i];
+  }
+  const vnl_matrix<double> inverse = vnl_matrix_inverse<double>(k).inverse();
+  vnl_matrix<double>       information = j.transpose() * inverse * j;
+  vnl_vector<double>       gradient = j.transpose() * (inverse * r);
+  double                   expected = dot_product(r, inverse * r) + std::log(vnl_determinant(k));
+  for (unsigned int a = 0; a < 2; ++a)
+  {
+    information(a, a) += precision[a];
+    gradient[a] += precision[a] * offset[a];
+    expected += precision[a] * offset[a] * offset[a];
+  }
+  expected += std::log(vnl_determinant(information)) -
+              dot_product(gradient, vnl_matrix_inverse<double>(information).inverse() * gradient);
+  EXPECT_NEAR(deviance, expected, 1e-7);
+}
+
+TEST(ContourNoiseModel, RecoversTheLevelsOfSimulatedTracings)
+{
+  // 30 draws of 100 points: the standard error of the mean log level is about 0.03 and 0.015; the prior pulls a little.
+  double           smooth = 0.0;
+  double           white = 0.0;
+  constexpr double Draws = 30.0;
+  const double     free[2] = { 0.0, 0.0 };
+  for (std::uint64_t seed = 1; seed <= 30; ++seed)
+  {
+    Strand strand(100);
+    strand.Draw(2.0, 0.5, seed);
+    const auto levels = itk::ContourNoiseModel::Estimate({ strand.View() }, free, free, 2, itk::ContourNoiseLevels());
+    smooth += std::log(levels.smooth) / Draws;
+    white += std::log(levels.white) / Draws;
+  }
+  EXPECT_NEAR(std::exp(smooth), 2.0, 0.2);
+  EXPECT_NEAR(std::exp(white), 0.5, 0.03);
+}
+
+TEST(ContourNoiseModel, PointsWithoutWeightAndEmptyBlocksSayNothing)
+{
+  Strand strand(60);
+  strand.Draw(1.0, 0.5, 3);
+  const double free[2] = { 0.0, 0.0 };
+  Strand       part(59);
+  part.residuals.assign(strand.residuals.begin(), strand.residuals.begin() + 59);
+  const auto expected = itk::ContourNoiseModel::Estimate({ part.View() }, free, free, 2, {});
+  strand.weights[59] = 0.0;
+  strand.residuals[59] = 1e6;
+  const auto levels =
+    itk::ContourNoiseModel::Estimate({ strand.View(), itk::ContourNoiseModel::BlockType() }, free, free, 2, {});
+  EXPECT_NEAR(levels.smooth, expected.smooth, 1e-9);
+  EXPECT_NEAR(levels.white, expected.white, 1e-9);
+}
