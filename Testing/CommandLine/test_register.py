@@ -56,6 +56,14 @@ def registered(run, sample, tmp_path_factory):
     return results
 
 
+def test_without_report_leaves_out_pictures_and_scans_alone(run, sample, registered, tmp_path):
+    folder = tmp_path / "out"
+    done = run("register", sample / "case.json", "--output", folder, "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert {f.name for f in folder.iterdir()} == {n for n in OUTPUTS if not n.endswith((".png", ".stl"))}
+    assert without_times(load(folder)) == without_times(load(registered["robust"]))
+
+
 @pytest.mark.parametrize("preset", PRESETS)
 def test_writes_every_file_of_the_contract(registered, preset):
     assert {path.name for path in registered[preset].iterdir()} == OUTPUTS

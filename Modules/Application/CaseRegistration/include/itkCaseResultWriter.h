@@ -40,9 +40,10 @@ CaseRegistration_EXPORT std::string
  * transforms. Made in a folder beside it and moved when complete: the files appear whole or not at all, those of an
  * earlier run are replaced. Throws DentalInputError where the folder can't be written.
  *
+ * \param report whether overlays and scans are written beside result.json and the transforms
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT void
-WriteCaseResult(const CaseResult & result, const std::string & folder);
+WriteCaseResult(const CaseResult & result, const std::string & folder, bool report = true);
 
 /** Writes the rigid map from a scan (mm) to its UMDA frame, row-major 3x4, as an ITK transform that Slicer loads
  * safely.

@@ -222,7 +222,7 @@ WriteTransform(const TransformBaseTemplate<double> * transform, const std::strin
 }
 
 void
-WriteFiles(const CaseResult & result, const fs::path & folder)
+WriteFiles(const CaseResult & result, const fs::path & folder, bool report)
 {
   for (const auto & entry : result.jaws)
   {
@@ -232,8 +232,12 @@ WriteFiles(const CaseResult & result, const fs::path & folder)
     {
       continue;
     }
-    WriteDentalMesh(MoveMesh(result.data->GetJaw(entry.first).mesh, jaw.meshToCephalostat).GetPointer(),
-                    (folder / (name + "_ceph.stl")).string());
+    if (report)
+    {
+      WriteDentalMesh(MoveMesh(result.data->GetJaw(entry.first).mesh, jaw.meshToCephalostat).GetPointer(),
+                      (folder / (name + "_ceph.stl")).string());
+      WriteCaseOverlay(result, entry.first, (folder / ("overlay_" + name + ".png")).string());
+    }
     WriteUMDATransform(jaw.meshToUMDA, (folder / (name + "_umda.tfm")).string());
     using SimilarityType = Similarity2DTransform<double>;
     auto                           similarity = SimilarityType::New();
@@ -247,7 +251,6 @@ WriteFiles(const CaseResult & result, const fs::path & folder)
       similarity,
       "maps the geometry's own projection q (pixels) to the radiograph's pixels; 2-D: for ITK, not for Slicer",
       folder / (name + "_similarity2d.tfm"));
-    WriteCaseOverlay(result, entry.first, (folder / ("overlay_" + name + ".png")).string());
   }
   // Last: where it is, everything is.
   WriteFileAtomically((folder / "result.json").string(), CaseResultToJson(result));
@@ -376,7 +379,7 @@ CaseResultToJson(const CaseResult & result)
 }
 
 void
-WriteCaseResult(const CaseResult & result, const std::string & folderName)
+WriteCaseResult(const CaseResult & result, const std::string & folderName, bool report)
 {
   if (folderName.empty())
   {
@@ -407,7 +410,7 @@ WriteCaseResult(const CaseResult & result, const std::string & folderName)
   }
   try
   {
-    WriteFiles(result, staging);
+    WriteFiles(result, staging, report);
     if (!exists)
     {
       fs::rename(staging, target);

@@ -43,6 +43,7 @@ struct RegisterOptions
   std::vector<std::string> exclude;
   std::vector<std::string> fix;
   std::string              silhouette{ "drr" };
+  bool                     noReport{ false };
 };
 
 /** The words of an option; what they throw names the option. */
@@ -151,7 +152,7 @@ Register(const RegisterOptions & options, const CommonOptions & common)
     itk::MeasureLandmarkErrors(result, reader->GetOutput());
     result.markedLandmarks = reader->GetOutput();
   }
-  itk::WriteCaseResult(result, options.output);
+  itk::WriteCaseResult(result, options.output, !options.noReport);
   PrintReasons(result);
   if (!common.quiet)
   {
@@ -178,6 +179,8 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
       "--silhouette", options->silhouette, "Where the paper's silhouette comes from: drr, or the mesh exactly")
     ->check(CLI::IsMember({ "drr", "mesh" }))
     ->capture_default_str();
+  command->add_flag(
+    "--no-report", options->noReport, "Write no overlays and no scans: result.json and transforms only");
   command->footer("Exit code: 0 every jaw registered, 1 a jaw failed, 2 unusable input.\n"
                   "Examples:\n"
                   "  dentalscr register case.json --output result\n"
