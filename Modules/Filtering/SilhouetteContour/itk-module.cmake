@@ -5,6 +5,7 @@ itk_module(SilhouetteContour
     DentalContour
     ITKCommon
     ITKMesh
+    ITKTransform
   TEST_DEPENDS
     ITKTestKernel
   DESCRIPTION

@@ -95,15 +95,6 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
  * std::invalid_argument where the numbers differ. */
 CrownRegion_EXPORT CrownRegionResult
 CrownRegionFromLabels(const TriangleSurface & surface, const std::vector<std::uint8_t> & labels);
-
-/** 1 where a triangle's centre c has side * (c - origin).lateral < margin: side +1 keeps the patient's right, -1 the
- * left, and a positive margin (mm) a strip beyond the plane. */
-CrownRegion_EXPORT std::vector<std::uint8_t>
-                   SelectMidlineSide(const TriangleSurface &       surface,
-                                     const std::array<double, 3> & lateral,
-                                     const std::array<double, 3> & origin,
-                                     double                        side,
-                                     double                        margin);
 } // namespace itk
 
 #endif

@@ -20,8 +20,8 @@
 
 #include "itkMidlineSideMeshFilter.h"
 
-#include "itkCrownRegionKernel.h"
 #include "itkMakeTriangleSurface.h"
+#include "itkMidlineSide.h"
 #include "itkSelectMeshTriangles.h"
 
 #include <algorithm>

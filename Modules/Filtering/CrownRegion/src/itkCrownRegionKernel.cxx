@@ -1094,27 +1094,4 @@ CrownRegionFromLabels(const TriangleSurface & surface, const std::vector<std::ui
   result.valid = result.area > 0.0;
   return result;
 }
-
-std::vector<std::uint8_t>
-SelectMidlineSide(const TriangleSurface &       surface,
-                  const std::array<double, 3> & lateral,
-                  const std::array<double, 3> & origin,
-                  double                        side,
-                  double                        margin)
-{
-  std::vector<std::uint8_t> keep(surface.triangles.size(), 0);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    double y = 0.0;
-    for (const std::uint32_t id : surface.triangles[t])
-    {
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        y += lateral[d] * (surface.points[id][d] - origin[d]);
-      }
-    }
-    keep[t] = side * y / 3.0 < margin ? 1 : 0;
-  }
-  return keep;
-}
 } // namespace itk

@@ -23,9 +23,9 @@
 #include "itkDentalContour.h"
 #include "itkMesh.h"
 #include "itkMeshSilhouette.h"
+#include "itkMeshSilhouetteCache.h"
 #include "itkMeshSource.h"
 
-#include <memory>
 #include <vector>
 
 namespace itk
@@ -122,19 +122,13 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  void
-  UpdateKernel();
-
   bool          m_LargestPartOnly{ true };
   SizeValueType m_NumberOfPoints{ 0 };
 
   Silhouette  m_Silhouette;
   SamplesType m_Samples;
 
-  /** What depends on the mesh alone, and the state of the mesh that it was made from. */
-  std::unique_ptr<MeshSilhouette> m_Kernel;
-  const InputMeshType *           m_KernelMesh{ nullptr };
-  ModifiedTimeType                m_KernelTime{ 0 };
+  MeshSilhouetteCache<InputMeshType> m_Cache;
 };
 
 } // namespace itk

@@ -19,7 +19,6 @@
 #define itkMeshSilhouetteContourSource_hxx
 
 #include "itkContourResampling.h"
-#include "itkMakeTriangleSurface.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -63,36 +62,6 @@ MeshSilhouetteContourSource<TInputMesh>::VerifyPreconditions() ITKv5_CONST
 
 template <typename TInputMesh>
 void
-MeshSilhouetteContourSource<TInputMesh>::UpdateKernel()
-{
-  const InputMeshType * const mesh = this->GetInput();
-  ModifiedTimeType            time = std::max(mesh->GetMTime(), mesh->GetUpdateMTime());
-  if (mesh->GetPoints() != nullptr)
-  {
-    time = std::max(time, mesh->GetPoints()->GetMTime());
-  }
-  if (mesh->GetCells() != nullptr)
-  {
-    time = std::max(time, mesh->GetCells()->GetMTime());
-  }
-  if (m_Kernel == nullptr || m_KernelMesh != mesh || m_KernelTime != time)
-  {
-    m_Kernel.reset();
-    try
-    {
-      m_Kernel = std::make_unique<MeshSilhouette>(MakeTriangleSurface(mesh));
-    }
-    catch (const std::invalid_argument & error)
-    {
-      itkExceptionMacro(<< error.what() << " The mesh is broken; read or build it again.");
-    }
-    m_KernelMesh = mesh;
-    m_KernelTime = time;
-  }
-}
-
-template <typename TInputMesh>
-void
 MeshSilhouetteContourSource<TInputMesh>::GenerateData()
 {
   DentalContour * const output = this->GetOutput();
@@ -102,13 +71,16 @@ MeshSilhouetteContourSource<TInputMesh>::GenerateData()
   m_Samples.clear();
   m_Silhouette.loops.clear();
   this->GetGeometry()->VerifyComplete();
-  this->UpdateKernel();
-  this->UpdateProgress(0.5f);
-
   const PerspectiveProjection projection = this->GetGeometry()->GetProjection();
   try
   {
-    m_Silhouette = m_Kernel->ComputeOuterBoundary(projection);
+    const MeshSilhouette & silhouette = m_Cache.Update(this->GetInput());
+    this->UpdateProgress(0.5f);
+    m_Silhouette = silhouette.ComputeOuterBoundary(projection);
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkExceptionMacro(<< error.what() << " The mesh is broken; read or build it again.");
   }
   catch (const std::domain_error & error)
   {
@@ -165,9 +137,7 @@ MeshSilhouetteContourSource<TInputMesh>::PrintSelf(std::ostream & os, Indent ind
   os << indent << "NumberOfPoints: " << m_NumberOfPoints << std::endl;
   os << indent << "Silhouette: " << m_Silhouette.loops.size() << " parts" << std::endl;
   os << indent << "Samples: " << m_Samples.size() << std::endl;
-  os << indent << "Kernel: " << (m_Kernel == nullptr ? 0 : m_Kernel->GetNumberOfEdges()) << " edges" << std::endl;
-  os << indent << "KernelMesh: " << static_cast<const void *>(m_KernelMesh) << std::endl;
-  os << indent << "KernelTime: " << m_KernelTime << std::endl;
+  os << indent << "Cache: " << m_Cache.GetNumberOfEdges() << " edges" << std::endl;
 }
 } // namespace itk
 

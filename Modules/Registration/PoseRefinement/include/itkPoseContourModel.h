@@ -19,6 +19,7 @@
 #define itkPoseContourModel_h
 
 #include "PoseRefinementExport.h"
+#include "itkOpenSilhouette.h"
 #include "itkPoseModel.h"
 #include "itkPoseRefinementTypes.h"
 
@@ -31,27 +32,13 @@ namespace itk
 class MeshSilhouette;
 
 /** \struct PoseContour
- * \brief The moving contour at one pose: samples on the working plane with outward normals and their surface points.
+ * \brief The moving contour at one pose: an open silhouette on the working plane, rim points in the dental frame.
  * \ingroup PoseRefinement
  */
-struct PoseContour
+struct PoseContour : OpenSilhouette
 {
-  std::vector<double> u;
-  std::vector<double> v;
-  std::vector<double> nu;
-  std::vector<double> nv;
-  /** Dental frame, mm. */
-  std::vector<std::array<double, 3>> rim;
   /** Where the contour is the middle of two (bisected tracing): the other side's points, else empty. */
   std::vector<std::array<double, 3>> rimOther;
-  /** Starts of the connected runs in the arrays above. */
-  std::vector<std::size_t> runs;
-
-  std::size_t
-  Size() const
-  {
-    return u.size();
-  }
 };
 
 /** \class PoseContourModel
@@ -86,7 +73,7 @@ public:
   Reproject(PoseContour & contour, const PoseModel & from, const PoseModel & to);
 
 private:
-  PoseContour
+  OpenSilhouette
   ComputeOpen(const MeshSilhouette & silhouette, const PoseModel & model) const;
 
   std::unique_ptr<MeshSilhouette> m_Silhouette;

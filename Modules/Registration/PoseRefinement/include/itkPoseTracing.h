@@ -48,14 +48,6 @@ public:
     return u.size();
   }
 
-  /** Occlusally or anteriorly facing, in a plane where the occlusal side is down for an upper jaw. */
-  static bool
-  Faces(double nu, double nv, bool upper)
-  {
-    const double occlusal = upper ? nv : -nv;
-    return occlusal > -0.5 && (occlusal > 0.2 || nu > 0.2);
-  }
-
   std::vector<double> u;
   std::vector<double> v;
   std::vector<double> nu;

@@ -18,7 +18,6 @@
 #include "itkPoseContourModel.h"
 
 #include "itkMeshSilhouette.h"
-#include "itkPoseTracing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,86 +45,27 @@ PoseContourModel::PoseContourModel(PoseContourModel &&) noexcept = default;
 PoseContourModel &
 PoseContourModel::operator=(PoseContourModel &&) noexcept = default;
 
-PoseContour
+OpenSilhouette
 PoseContourModel::ComputeOpen(const MeshSilhouette & silhouette, const PoseModel & model) const
 {
-  PoseContour                 contour;
-  const PerspectiveProjection projection = model.GetProjection();
-  const Silhouette            boundary = silhouette.ComputeOuterBoundary(projection);
-  const double                cosPitch = std::cos(model.GetParameters()[PosePitch]);
-  const double                sinPitch = std::sin(model.GetParameters()[PosePitch]);
-  const double                largest = boundary.loops.empty() ? 0.0 : boundary.loops.front().Area();
-  for (const SilhouetteLoop & loop : boundary.loops)
-  {
-    // Specks are no anatomy.
-    if (loop.Area() < 0.02 * largest)
-    {
-      continue;
-    }
-    const std::vector<SilhouetteSample> samples = ResampleSilhouetteLoopBySpacing(loop, projection, Spacing);
-    const std::size_t                   n = samples.size();
-    if (n < 8)
-    {
-      continue;
-    }
-    // The polygon has the mesh's facets: tangents over +-1.5 px.
-    std::vector<double> nu(n), nv(n);
-    std::vector<char>   keep(n);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      double tu = 0.0, tv = 0.0;
-      for (std::size_t d = 1; d <= 3; ++d)
-      {
-        const SilhouetteSample & a = samples[(i + n - d) % n];
-        const SilhouetteSample & b = samples[(i + d) % n];
-        tu += b.u - a.u;
-        tv += b.v - a.v;
-      }
-      const double length = std::hypot(tu, tv);
-      nu[i] = length > 1e-9 ? tv / length : samples[i].normal[0];
-      nv[i] = length > 1e-9 ? -tu / length : samples[i].normal[1];
-      keep[i] = !m_UseFacingFilter ||
-                PoseTracing::Faces(cosPitch * nu[i] + sinPitch * nv[i], -sinPitch * nu[i] + cosPitch * nv[i], m_Upper);
-    }
-    // Begin behind a gap, so that no run is split at the loop's first point.
-    std::size_t begin = 0;
-    while (begin < n && keep[begin])
-    {
-      ++begin;
-    }
-    bool open = false;
-    for (std::size_t k = 0; k < n; ++k)
-    {
-      const std::size_t i = (begin + k) % n;
-      if (!keep[i])
-      {
-        open = false;
-        continue;
-      }
-      if (!open)
-      {
-        contour.runs.push_back(contour.u.size());
-        open = true;
-      }
-      contour.u.push_back(samples[i].u);
-      contour.v.push_back(samples[i].v);
-      contour.nu.push_back(nu[i]);
-      contour.nv.push_back(nv[i]);
-      contour.rim.push_back(samples[i].rim);
-    }
-  }
-  return contour;
+  OpenSilhouetteOptions options;
+  options.upper = m_Upper;
+  options.pitch = model.GetParameters()[PosePitch];
+  options.spacing = Spacing;
+  options.facingOnly = m_UseFacingFilter;
+  return ComputeOpenSilhouette(silhouette, model.GetProjection(), options);
 }
 
 PoseContour
 PoseContourModel::Compute(const PoseModel & model) const
 {
-  PoseContour contour = this->ComputeOpen(*m_Silhouette, model);
+  PoseContour contour;
+  static_cast<OpenSilhouette &>(contour) = this->ComputeOpen(*m_Silhouette, model);
   if (!m_Other)
   {
     return contour;
   }
-  const PoseContour other = this->ComputeOpen(*m_Other, model);
+  const OpenSilhouette other = this->ComputeOpen(*m_Other, model);
   // Pair each point with the nearest of the other side in (x, |y|, z / 2, 2 mm normal); z is where the sides differ
   // most.
   const std::size_t        n = contour.Size();

@@ -17,13 +17,14 @@
  *=========================================================================*/
 #include "itkPoseRefinementKernel.h"
 
+#include "itkKeepTriangles.h"
+#include "itkMidlineSide.h"
 #include "itkParallelFor.h"
 #include "itkPoseEstimator.h"
 #include "itkPoseGroupRegistration.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace itk
@@ -358,30 +359,7 @@ DescribeJaw(const Jaw & jaw, const PoseRefinementOptions & options, PoseJawResul
 TriangleSurface
 PoseRefinementKernel::SelectSide(const TriangleSurface & surface, double side, double margin)
 {
-  TriangleSurface            half;
-  std::vector<std::uint32_t> index(surface.points.size(), std::numeric_limits<std::uint32_t>::max());
-  for (const auto & triangle : surface.triangles)
-  {
-    const double y =
-      (surface.points[triangle[0]][1] + surface.points[triangle[1]][1] + surface.points[triangle[2]][1]) / 3.0;
-    if (side * y >= margin)
-    {
-      continue;
-    }
-    TriangleSurface::TriangleType kept;
-    for (int k = 0; k < 3; ++k)
-    {
-      std::uint32_t & i = index[triangle[k]];
-      if (i == std::numeric_limits<std::uint32_t>::max())
-      {
-        i = static_cast<std::uint32_t>(half.points.size());
-        half.points.push_back(surface.points[triangle[k]]);
-      }
-      kept[k] = i;
-    }
-    half.triangles.push_back(kept);
-  }
-  return half;
+  return KeepTriangles(surface, SelectMidlineSide(surface, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 0.0 } }, side, margin));
 }
 
 PoseRefinementResult

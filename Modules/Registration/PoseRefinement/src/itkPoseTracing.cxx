@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkPoseTracing.h"
 
+#include "itkOpenSilhouette.h"
 #include "itkPoseModel.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ OpenClosedPolyline(Strand & strand, bool upper)
     const Point2 & a = strand.points[(i + n - 1) % n];
     const Point2 & b = strand.points[(i + 1) % n];
     const double   length = std::max(Distance(a, b), 1e-12);
-    keep[i] = PoseTracing::Faces(sign * (b[1] - a[1]) / length, -sign * (b[0] - a[0]) / length, upper);
+    keep[i] = FacesOcclusallyOrAnteriorly(sign * (b[1] - a[1]) / length, -sign * (b[0] - a[0]) / length, upper);
   }
   // Cut in the middle of the longest run of points that do not face the right way.
   std::size_t best = 0, bestLength = 0;

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkPoseRefinementMethod.h"
 
+#include "itkOpenSilhouetteContourSource.h"
+#include "itkPoseContourModel.h"
 #include "itkPoseRefinementTestCase.h"
 
 #include "itkCommand.h"
@@ -145,4 +147,64 @@ TEST(PoseRefinementMethod, AbortEndsInProcessAborted)
   });
   method->AddObserver(itk::MultiResolutionIterationEvent(), command);
   EXPECT_THROW(method->Update(), itk::ProcessAborted);
+}
+
+TEST(PoseRefinementMethod, ItsMovingContourIsThatOfTheFilter)
+{
+  using ContourType = itk::OpenSilhouetteContourSource<MethodType::MeshType>;
+  const itk::TriangleSurface surface = itk::MakeTriangleSurface(Case()->GetMesh(1));
+  itk::PoseGeometry          poseGeometry;
+  poseGeometry.facingSign = -1.0;
+  poseGeometry.pixelSpacing = { { 0.2, 0.3 } };
+  poseGeometry.principalPoint = { { 100.0, 200.0 } };
+  const itk::PoseModel   pose(poseGeometry, { { 0.15, 0.03, -0.05, 20.0, 1.0, -30.0, 0.0 } });
+  const itk::PoseContour expected = itk::PoseContourModel(surface, false, true).Compute(pose);
+
+  auto geometry = itk::CephalometricGeometry::New();
+  geometry->SetFacing(itk::CephalometricGeometry::FacingEnum::Left);
+  itk::CephalometricGeometry::PixelSpacingType spacing;
+  itk::CephalometricGeometry::PixelIndexType   principal;
+  itk::CephalometricGeometry::RotationType     rotation;
+  itk::CephalometricGeometry::VectorType       translation;
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    spacing[d] = poseGeometry.pixelSpacing[d];
+    principal[d] = poseGeometry.principalPoint[d];
+  }
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    translation[d] = pose.GetParameters()[itk::PoseTx + d];
+    for (unsigned int k = 0; k < 3; ++k)
+    {
+      rotation(d, k) = pose.GetRotation()[3 * d + k];
+    }
+  }
+  geometry->SetPixelSpacing(spacing);
+  geometry->SetPrincipalPoint(principal);
+  geometry->SetPose(rotation, translation);
+  auto source = ContourType::New();
+  source->SetInput(Case()->GetMesh(1));
+  source->SetGeometry(geometry);
+  source->SetJaw(ContourType::JawEnum::Lower);
+  source->Update();
+  std::size_t i = 0;
+  std::size_t lone = 0;
+  for (std::size_t r = 0; r < expected.runs.size(); ++r)
+  {
+    lone += (r + 1 < expected.runs.size() ? expected.runs[r + 1] : expected.Size()) - expected.runs[r] == 1 ? 1 : 0;
+  }
+  ASSERT_EQ(lone, 0u);
+  ASSERT_GT(expected.Size(), 500u);
+  ASSERT_EQ(source->GetOutput()->GetNumberOfPoints(), expected.Size());
+  for (const auto & polyline : source->GetOutput()->GetPolylines())
+  {
+    for (const auto & point : polyline.points)
+    {
+      const auto pixel = itk::PoseModel::ToPixel(poseGeometry, { { expected.u[i], expected.v[i] } });
+      // Both round to a grid of 2^-18 px; the samples slide along by as little.
+      EXPECT_NEAR(point[0], pixel[0], 1e-3);
+      EXPECT_NEAR(point[1], pixel[1], 1e-3);
+      ++i;
+    }
+  }
 }

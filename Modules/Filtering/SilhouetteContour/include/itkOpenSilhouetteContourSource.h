@@ -1,0 +1,150 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkOpenSilhouetteContourSource_h
+#define itkOpenSilhouetteContourSource_h
+
+#include "SilhouetteContourExport.h"
+#include "itkCephalometricGeometry.h"
+#include "itkDentalContour.h"
+#include "itkMesh.h"
+#include "itkMeshSilhouetteCache.h"
+#include "itkMeshSource.h"
+#include "itkOpenSilhouette.h"
+
+#include "itkDataObjectDecorator.h"
+#include "itkVersorRigid3DTransform.h"
+
+#include <array>
+#include <vector>
+
+namespace itk
+{
+/** \class OpenSilhouetteContourSource
+ * \brief The part of a jaw's outline that a tracing can lie on, as an open contour: the moving contour of the robust
+ * registration.
+ *
+ * Of the exact outer boundary of the projected mesh (MeshSilhouette) stays what faces occlusally or anteriorly
+ * (FacesOcclusallyOrAnteriorly()): incisal edges, cusps and the front of the incisors, not palate, base or distal ends.
+ * Which way a normal faces is judged in the dental frame turned with the image, so that neither the head's pitch nor
+ * the facing changes what stays.
+ *
+ * Inputs: one side of a jaw (mm), most often of MidlineSideMeshFilter; the geometry whose pose maps the mesh to the
+ * cephalostat; optionally FrameTransform, mesh -> UMDA. Without it the mesh's own axes are the dental ones.
+ *
+ * Output: open polylines in continuous pixel indices without a tooth code, parts by size, along the loop's sense,
+ * samples at equal distances. GetRimPoints() has, for each point of the output, the point of the surface that projects
+ * to it and GetNormals() the outward unit normal in the image.
+ *
+ * Errors: no mesh or geometry, an incomplete geometry, cells that are not triangles, points that are not finite or not
+ * in front of the source. A mesh without triangles gives an empty contour.
+ *
+ * \ingroup SilhouetteContour
+ */
+template <typename TInputMesh>
+class ITK_TEMPLATE_EXPORT OpenSilhouetteContourSource : public MeshSource<DentalContour>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(OpenSilhouetteContourSource);
+
+  using Self = OpenSilhouetteContourSource;
+  using Superclass = MeshSource<DentalContour>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(OpenSilhouetteContourSource, MeshSource);
+
+  using InputMeshType = TInputMesh;
+  using GeometryType = CephalometricGeometry;
+  using TransformType = VersorRigid3DTransform<double>;
+  using JawEnum = ToothCode::JawEnum;
+  using RimContainerType = std::vector<std::array<double, 3>>;
+  using NormalContainerType = std::vector<std::array<double, 2>>;
+
+  using Superclass::SetInput;
+  void
+  SetInput(const InputMeshType * mesh);
+  const InputMeshType *
+  GetInput() const;
+
+  /** Where source, detector and object are. */
+  itkSetInputMacro(Geometry, GeometryType);
+  itkGetInputMacro(Geometry, GeometryType);
+
+  /** Mesh -> UMDA. Optional. */
+  itkSetGetDecoratedObjectInputMacro(FrameTransform, TransformType);
+
+  /** Upper (default) or Lower: which way is occlusal. */
+  itkSetEnumMacro(Jaw, JawEnum);
+  itkGetEnumMacro(Jaw, JawEnum);
+
+  /** Between points of the output, mm in the detector plane. Default 0.125, that of the robust registration. */
+  itkSetMacro(Spacing, double);
+  itkGetConstMacro(Spacing, double);
+
+  /** Of each point of the output, object frame, mm. Valid after Update(). */
+  const RimContainerType &
+  GetRimPoints() const
+  {
+    return m_RimPoints;
+  }
+  const NormalContainerType &
+  GetNormals() const
+  {
+    return m_Normals;
+  }
+
+protected:
+  OpenSilhouetteContourSource();
+  ~OpenSilhouetteContourSource() override = default;
+
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+
+  /** Neither the mesh nor the geometry has information that a contour could copy. */
+  void
+  GenerateOutputInformation() override
+  {}
+
+  void
+  GenerateData() override;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  JawEnum             m_Jaw{ JawEnum::Upper };
+  double              m_Spacing{ 0.125 };
+  RimContainerType    m_RimPoints;
+  NormalContainerType m_Normals;
+
+  MeshSilhouetteCache<InputMeshType> m_Cache;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkOpenSilhouetteContourSource.hxx"
+#endif
+
+namespace itk
+{
+extern template class OpenSilhouetteContourSource<Mesh<float, 3>>;
+extern template class OpenSilhouetteContourSource<Mesh<double, 3>>;
+} // namespace itk
+
+#endif
