@@ -1,0 +1,546 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkSilhouetteEdges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace itk
+{
+namespace
+{
+using Vector3 = std::array<double, 3>;
+
+constexpr std::uint32_t None = 0xffffffffu;
+
+/** Faces with a larger ratio of two sides to twice the area (1/mm) are always tested exactly. */
+constexpr double NeedleRatio = 2000.0;
+
+Vector3
+Subtract(const Vector3 & a, const Vector3 & b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double
+Norm(const Vector3 & a)
+{
+  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
+
+Vector3
+CrossProduct(const Vector3 & a, const Vector3 & b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double
+DotProduct(const Vector3 & a, const Vector3 & b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/** An edge as one of its faces has it: the larger of its points, the third point, and twice the number of the face,
+ * plus one where the face runs from the larger to the smaller point. */
+struct HalfEdge
+{
+  std::uint32_t other;
+  std::uint32_t opposite;
+  std::uint32_t face;
+};
+
+bool
+operator<(const HalfEdge & x, const HalfEdge & y)
+{
+  return x.other != y.other ? x.other < y.other
+                            : (x.opposite != y.opposite ? x.opposite < y.opposite : x.face < y.face);
+}
+
+/** The few edges at a point in order. */
+void
+SortFew(HalfEdge * begin, HalfEdge * end)
+{
+  if (end - begin > 24)
+  {
+    std::sort(begin, end);
+    return;
+  }
+  for (HalfEdge * i = begin + 1; i < end; ++i)
+  {
+    const HalfEdge value = *i;
+    HalfEdge *     at = i;
+    for (; at != begin && value < at[-1]; --at)
+    {
+      *at = at[-1];
+    }
+    *at = value;
+  }
+}
+} // namespace
+
+SilhouetteEdges::SilhouetteEdges(const TriangleSurface & surface)
+  : m_Points(surface.points)
+{
+  this->TakePoints(surface);
+  const std::vector<TriangleType> triangles = this->MergePoints(surface.triangles);
+  if (triangles.empty())
+  {
+    return;
+  }
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    m_Center[k] = 0.5 * (m_Low[k] + m_High[k]);
+  }
+  m_Radius = Norm(Subtract(m_High, m_Center));
+  this->BuildComponents(triangles);
+  this->BuildEdges(triangles);
+}
+
+void
+SilhouetteEdges::TakePoints(const TriangleSurface & surface)
+{
+  for (std::size_t i = 0; i < m_Points.size(); ++i)
+  {
+    for (double & x : m_Points[i])
+    {
+      if (!std::isfinite(x))
+      {
+        std::ostringstream message;
+        message << "Point " << i << " of the surface is not finite.";
+        throw std::invalid_argument(message.str());
+      }
+      x += 0.0; // -0 to +0
+    }
+  }
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    for (const std::uint32_t corner : surface.triangles[t])
+    {
+      if (corner >= m_Points.size())
+      {
+        std::ostringstream message;
+        message << "Triangle " << t << " of the surface names point " << corner << " of " << m_Points.size() << ".";
+        throw std::invalid_argument(message.str());
+      }
+    }
+  }
+}
+
+/** Points at one position become the first of them; triangles with two corners at one position are left out. */
+auto
+SilhouetteEdges::MergePoints(const std::vector<TriangleType> & triangles) -> std::vector<TriangleType>
+{
+  std::vector<std::uint32_t> canonical(m_Points.size());
+  std::size_t                capacity = 16;
+  while (capacity < 2 * m_Points.size())
+  {
+    capacity *= 2;
+  }
+  std::vector<std::uint32_t> table(capacity, None);
+  for (std::uint32_t i = 0; i < m_Points.size(); ++i)
+  {
+    std::uint64_t hash = 0;
+    for (const double x : m_Points[i])
+    {
+      std::uint64_t bits;
+      std::memcpy(&bits, &x, sizeof bits);
+      hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 29;
+    }
+    std::size_t slot = hash & (capacity - 1);
+    while (table[slot] != None && m_Points[table[slot]] != m_Points[i])
+    {
+      slot = (slot + 1) & (capacity - 1);
+    }
+    if (table[slot] == None)
+    {
+      table[slot] = i;
+    }
+    canonical[i] = table[slot];
+  }
+  std::vector<TriangleType> kept;
+  kept.reserve(triangles.size());
+  m_Low.fill(std::numeric_limits<double>::max());
+  m_High.fill(std::numeric_limits<double>::lowest());
+  for (const TriangleType & triangle : triangles)
+  {
+    const TriangleType t{ canonical[triangle[0]], canonical[triangle[1]], canonical[triangle[2]] };
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+    {
+      kept.push_back(t);
+      for (const std::uint32_t corner : t)
+      {
+        for (unsigned int k = 0; k < 3; ++k)
+        {
+          m_Low[k] = std::min(m_Low[k], m_Points[corner][k]);
+          m_High[k] = std::max(m_High[k], m_Points[corner][k]);
+        }
+      }
+    }
+  }
+  return kept;
+}
+
+void
+SilhouetteEdges::BuildComponents(const std::vector<TriangleType> & triangles)
+{
+  std::vector<std::uint32_t> parent(m_Points.size(), None);
+  const auto                 find = [&parent](std::uint32_t i) {
+    while (parent[i] != i)
+    {
+      parent[i] = parent[parent[i]];
+      i = parent[i];
+    }
+    return i;
+  };
+  for (const TriangleType & triangle : triangles)
+  {
+    for (const std::uint32_t corner : triangle)
+    {
+      if (parent[corner] == None)
+      {
+        parent[corner] = corner;
+      }
+    }
+    for (unsigned int k = 1; k < 3; ++k)
+    {
+      const std::uint32_t a = find(triangle[0]);
+      const std::uint32_t b = find(triangle[k]);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<std::uint32_t> number(m_Points.size(), None);
+  m_ComponentOfPoint.assign(m_Points.size(), 0);
+  for (std::uint32_t i = 0; i < m_Points.size(); ++i)
+  {
+    if (parent[i] != None)
+    {
+      const std::uint32_t root = find(i);
+      if (number[root] == None)
+      {
+        number[root] = static_cast<std::uint32_t>(m_NumberOfComponents++);
+      }
+      m_ComponentOfPoint[i] = number[root];
+    }
+  }
+  if (m_NumberOfComponents == 1)
+  {
+    m_ComponentOfPoint.clear();
+    m_ComponentOfPoint.shrink_to_fit();
+  }
+}
+
+
+std::vector<SilhouetteFace>
+SilhouetteEdges::MakeFaces(const std::vector<TriangleType> & triangles) const
+{
+  std::vector<SilhouetteFace> faces(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const Vector3 & a = m_Points[triangles[t][0]];
+    const Vector3   ab = Subtract(m_Points[triangles[t][1]], a);
+    const Vector3   ac = Subtract(m_Points[triangles[t][2]], a);
+    const Vector3   bc = Subtract(ac, ab);
+    const Vector3   normal = CrossProduct(ab, ac);
+    const double    twiceArea = Norm(normal);
+    const double    inverse = 1.0 / twiceArea;
+    const double    sides[3] = { Norm(ab), Norm(ac), Norm(bc) };
+    // Of whatever corner. Rounding must not make it smaller, nor not a number look good.
+    const double ratio =
+      1.000001 * (sides[0] + sides[1] + sides[2] - std::min(sides[0], std::min(sides[1], sides[2]))) * inverse;
+    SilhouetteFace & face = faces[t];
+    for (unsigned int k = 0; k < 3; ++k)
+    {
+      face.n[k] = static_cast<float>(normal[k] * inverse);
+    }
+    face.d = static_cast<float>(DotProduct(normal, Subtract(a, m_Center)) * inverse);
+    face.ratio = ratio < NeedleRatio ? static_cast<float>(ratio) : std::numeric_limits<float>::infinity();
+    face.inverseArea = static_cast<float>(inverse);
+  }
+  return faces;
+}
+
+void
+SilhouetteEdges::BuildEdges(const std::vector<TriangleType> & triangles)
+{
+  // Half-edges in buckets of their smaller point.
+  std::vector<std::uint32_t> starts(m_Points.size() + 1, 0);
+  for (const TriangleType & t : triangles)
+  {
+    ++starts[std::min(t[0], t[1]) + 1];
+    ++starts[std::min(t[1], t[2]) + 1];
+    ++starts[std::min(t[2], t[0]) + 1];
+  }
+  for (std::size_t i = 0; i < m_Points.size(); ++i)
+  {
+    starts[i + 1] += starts[i];
+  }
+  std::vector<HalfEdge> halves(3 * triangles.size());
+  // Filled from behind, so that starts ends as it was.
+  for (std::size_t t = triangles.size(); t-- > 0;)
+  {
+    for (unsigned int k = 3; k-- > 0;)
+    {
+      const std::uint32_t a = triangles[t][k];
+      const std::uint32_t b = triangles[t][(k + 1) % 3];
+      halves[--starts[std::min(a, b) + 1]] = { std::max(a, b),
+                                               triangles[t][(k + 2) % 3],
+                                               static_cast<std::uint32_t>(2 * t) + (a > b ? 1u : 0u) };
+    }
+  }
+  const std::vector<SilhouetteFace>  faces = this->MakeFaces(triangles);
+  std::vector<SilhouetteRegularEdge> regular;
+  regular.reserve(halves.size() / 2);
+  m_SpecialStarts.push_back(0);
+  const auto isGood = [&faces](const HalfEdge & half) {
+    return faces[half.face / 2].ratio < std::numeric_limits<float>::infinity();
+  };
+  for (std::uint32_t a = 0; a < m_Points.size(); ++a)
+  {
+    HalfEdge * const begin = halves.data() + starts[a + 1];
+    HalfEdge * const end = a + 2 < starts.size() ? halves.data() + starts[a + 2] : halves.data() + halves.size();
+    SortFew(begin, end);
+    for (HalfEdge * group = begin; group != end;)
+    {
+      HalfEdge * next = group;
+      while (next != end && next->other == group->other)
+      {
+        ++next;
+      }
+      const std::uint32_t b = group->other;
+      const auto          count = next - group;
+      ++m_NumberOfEdges;
+      if (count == 1)
+      {
+        m_Boundary.push_back({ a, b });
+      }
+      else if (count == 2 && isGood(group[0]) && isGood(group[1]))
+      {
+        // Two faces that run along the edge in the same direction have opposite outsides.
+        regular.push_back({ a,
+                            b,
+                            { group[0].opposite, group[1].opposite },
+                            { group[0].face / 2, group[1].face / 2 },
+                            ((group[0].face ^ group[1].face) & 1u) == 0 });
+      }
+      else
+      {
+        m_NumberOfNonManifoldEdges += count > 2 ? 1 : 0;
+        m_Special.push_back({ a, b });
+        for (; group != next; ++group)
+        {
+          m_SpecialOpposites.push_back(group->opposite);
+        }
+        m_SpecialStarts.push_back(static_cast<std::uint32_t>(m_SpecialOpposites.size()));
+      }
+      group = next;
+    }
+  }
+  halves = std::vector<HalfEdge>();
+  m_NumberOfRegular = regular.size();
+  m_Regular.Build(regular, faces, m_Radius);
+}
+
+auto
+SilhouetteEdges::MakeGrid(const PerspectiveProjection & projection) const -> GridType
+{
+  double     low[2] = { std::numeric_limits<double>::max(), std::numeric_limits<double>::max() };
+  double     high[2] = { std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest() };
+  double     depthMin = std::numeric_limits<double>::max();
+  double     depthMax = 0.0;
+  const auto include = [&](const Vector3 & point) {
+    double       u = 0.0;
+    double       v = 0.0;
+    const double depth = projection.Project(point.data(), u, v);
+    if (!(depth > 0.0) || !std::isfinite(depth) || !std::isfinite(u) || !std::isfinite(v))
+    {
+      return false;
+    }
+    depthMin = std::min(depthMin, depth);
+    depthMax = std::max(depthMax, depth);
+    low[0] = std::min(low[0], u);
+    low[1] = std::min(low[1], v);
+    high[0] = std::max(high[0], u);
+    high[1] = std::max(high[1], v);
+    return true;
+  };
+  // The projected box contains the projected surface as long as all of it is in front of the source.
+  bool inFront = true;
+  for (unsigned int corner = 0; corner < 8 && inFront; ++corner)
+  {
+    inFront = include(
+      { (corner & 1u ? m_High : m_Low)[0], (corner & 2u ? m_High : m_Low)[1], (corner & 4u ? m_High : m_Low)[2] });
+  }
+  GridType grid;
+  if (inFront)
+  {
+    double squares[2];
+    for (unsigned int row = 0; row < 2; ++row)
+    {
+      squares[row] = 0.0;
+      for (const double extreme : { low[row], high[row] })
+      {
+        double square = 0.0;
+        for (unsigned int k = 0; k < 3; ++k)
+        {
+          const double x = projection.matrix[4 * row + k] - extreme * projection.matrix[8 + k];
+          square += x * x;
+        }
+        squares[row] = std::max(squares[row], square);
+      }
+    }
+    grid.magnification = std::sqrt(squares[0] + squares[1]) / depthMin;
+  }
+  else
+  {
+    low[0] = low[1] = std::numeric_limits<double>::max();
+    high[0] = high[1] = std::numeric_limits<double>::lowest();
+    const auto includeOrThrow = [&](std::uint32_t point) {
+      if (!include(m_Points[point]))
+      {
+        std::ostringstream message;
+        message << "Point " << point << " (" << m_Points[point][0] << ", " << m_Points[point][1] << ", "
+                << m_Points[point][2]
+                << ") of the surface is not in front of the X-ray source. Check the mesh's unit and the pose.";
+        throw std::domain_error(message.str());
+      }
+    };
+    for (const std::vector<EdgeType> * list : { &m_Boundary, &m_Special })
+    {
+      for (const EdgeType & edge : *list)
+      {
+        includeOrThrow(edge.a);
+        includeOrThrow(edge.b);
+      }
+    }
+    for (std::size_t i = 0; i < m_NumberOfRegular; ++i)
+    {
+      includeOrThrow(m_Regular.GetEdges()[i].a);
+      includeOrThrow(m_Regular.GetEdges()[i].b);
+    }
+    // No bound without the box: every edge is tested exactly.
+    grid.magnification = std::numeric_limits<double>::infinity();
+  }
+  grid.depthMax = depthMax;
+  grid.u0 = std::floor(low[0]) - 1.0;
+  grid.v0 = std::floor(low[1]) - 1.0;
+  const double extent = std::max(high[0] - grid.u0, high[1] - grid.v0) + 2.0;
+  int          exponent = 0;
+  std::frexp(extent, &exponent); // extent < 2^exponent
+  grid.scale = std::ldexp(1.0, std::min(20, SilhouetteGrid::GridBits - exponent));
+  return grid;
+}
+
+/** Whether no two faces of an edge cover both sides of its projection. */
+template <typename TIterator>
+inline bool
+SilhouetteEdges::IsCandidate(const PerspectiveProjection & projection,
+                             const GridType &              grid,
+                             const EdgeType &              edge,
+                             TIterator                     begin,
+                             TIterator                     end) const
+{
+  const GridPoint a = this->Snap(projection, grid, edge.a);
+  const GridPoint b = this->Snap(projection, grid, edge.b);
+  bool            left = false;
+  bool            right = false;
+  for (; begin != end; ++begin)
+  {
+    const std::int64_t side = SilhouetteGrid::Orientation(a, b, this->Snap(projection, grid, *begin));
+    left = left || side > 0;
+    right = right || side < 0;
+  }
+  return !(left && right);
+}
+
+auto
+SilhouetteEdges::FindCandidates(const PerspectiveProjection & projection, const GridType & grid) const
+  -> std::vector<EdgeType>
+{
+  std::vector<EdgeType> candidates(m_Boundary);
+  for (std::size_t i = 0; i < m_Special.size(); ++i)
+  {
+    const std::uint32_t * opposites = m_SpecialOpposites.data();
+    if (this->IsCandidate(
+          projection, grid, m_Special[i], opposites + m_SpecialStarts[i], opposites + m_SpecialStarts[i + 1]))
+    {
+      candidates.push_back(m_Special[i]);
+    }
+  }
+  if (m_NumberOfRegular == 0)
+  {
+    return candidates;
+  }
+
+  // The source follows from the 3x4 matrix: M s + m = 0.
+  const double * const m = projection.matrix.data();
+  const Vector3        row0{ m[0], m[1], m[2] };
+  const Vector3        row1{ m[4], m[5], m[6] };
+  const Vector3        row2{ m[8], m[9], m[10] };
+  const Vector3        c0 = CrossProduct(row1, row2);
+  const Vector3        c1 = CrossProduct(row2, row0);
+  const Vector3        c2 = CrossProduct(row0, row1);
+  const double         determinant = DotProduct(row0, c0);
+  Vector3              source;
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    source[k] = -(m[3] * c0[k] + m[7] * c1[k] + m[11] * c2[k]) / determinant - m_Center[k];
+  }
+  const double distance = Norm(source);
+  // Twice a projected triangle's area is det(M) 2 A n.(a - s) / (depths); rounding to the grid changes it by at most
+  // 2 sqrt(2) e (sum of two sides) + 8 e^2. A face whose n.(a - s) exceeds what follows from that keeps its sign.
+  const double rounding = 0.51 / grid.scale + 1e-9;
+  const double factor = grid.depthMax * grid.depthMax * grid.depthMax / std::abs(determinant);
+  const auto   perRatio = static_cast<float>(1.0001 * factor * 2.8285 * rounding * grid.magnification);
+  const auto   perInverseArea = static_cast<float>(1.0001 * factor * 8.0 * rounding * rounding);
+  // Single precision loses some 1e-7 of the distance.
+  const auto                slack = static_cast<float>(4e-6 * (distance + m_Radius));
+  const SilhouettePlaneTest test{ static_cast<float>(source[0]),
+                                  static_cast<float>(source[1]),
+                                  static_cast<float>(source[2]),
+                                  static_cast<float>(1.000001 * distance),
+                                  perRatio,
+                                  perInverseArea,
+                                  slack };
+
+  const std::vector<std::uint32_t> found = m_Regular.FindCandidates(test);
+  candidates.reserve(candidates.size() + found.size());
+  const SilhouetteEdgeClusters::EdgeType * const edges = m_Regular.GetEdges();
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+#ifdef __GNUC__
+    if (i + 16 < found.size())
+    {
+      __builtin_prefetch(&edges[found[i + 16] / 2]);
+    }
+#endif
+    const SilhouetteEdgeClusters::EdgeType & edge = edges[found[i] / 2];
+    const EdgeType                           ends{ edge.a, edge.b };
+    if (edge.a != edge.b && ((found[i] & 1u) != 0 ||
+                             this->IsCandidate(projection, grid, ends, edge.opposites.begin(), edge.opposites.end())))
+    {
+      candidates.push_back(ends);
+    }
+  }
+  return candidates;
+}
+} // namespace itk
