@@ -29,7 +29,7 @@ constexpr float PlaneUnit = 32767.0f;
 
 /** Asks for memory that will be read soon. */
 inline void
-Prefetch(const void * begin, std::size_t size)
+Prefetch(const void * begin, std::size_t size = 1)
 {
 #ifdef __GNUC__
   for (std::size_t offset = 0; offset < size; offset += 64)
@@ -40,6 +40,13 @@ Prefetch(const void * begin, std::size_t size)
   (void)begin;
   (void)size;
 #endif
+}
+
+/** -1 where the two faces run along the edge in the same direction, so that their outsides are opposite. */
+inline float
+TurnOf(const SilhouetteHalfEdge * half)
+{
+  return ((half[0].face ^ half[1].face) & 1u) == 0 ? -1.0f : 1.0f;
 }
 
 /** Eight bits to every fourth bit, of a number in [0, 1]. */
@@ -92,6 +99,7 @@ Quantize(float value)
 
 void
 SilhouetteEdgeClusters::Build(const std::vector<SilhouetteRegularEdge> & edges,
+                              const std::vector<SilhouetteHalfEdge> &    halves,
                               const std::vector<SilhouetteFace> &        faces,
                               double                                     radius)
 {
@@ -102,10 +110,11 @@ SilhouetteEdgeClusters::Build(const std::vector<SilhouetteRegularEdge> & edges,
   const float                perDistance = 1.0f / (32.0f * m_Radius);
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    const SilhouetteFace & first = faces[edges[i].faces[0]];
-    const SilhouetteFace & second = faces[edges[i].faces[1]];
-    const float            sign = edges[i].turned ? -1.0f : 1.0f;
-    std::uint64_t          key = 0;
+    const SilhouetteHalfEdge * const half = &halves[edges[i].half];
+    const SilhouetteFace &           first = faces[half[0].face / 2];
+    const SilhouetteFace &           second = faces[half[1].face / 2];
+    const float                      sign = TurnOf(half);
+    std::uint64_t                    key = 0;
     for (unsigned int k = 0; k < 3; ++k)
     {
       key |= Spread(0.5f + 0.25f * (first.n[k] + sign * second.n[k])) << k;
@@ -129,18 +138,25 @@ SilhouetteEdgeClusters::Build(const std::vector<SilhouetteRegularEdge> & edges,
     Planes planes;
     for (std::size_t i = 0; i < ClusterSize; ++i)
     {
-      const std::size_t ahead = c * ClusterSize + i + 16;
-      if (ahead < edges.size())
+      // They lie apart in memory: first the edge, then its half-edges, then its faces.
+      const std::size_t at = c * ClusterSize + i;
+      if (at + 24 < edges.size())
       {
-        Prefetch(&edges[static_cast<std::uint32_t>(order[ahead])], sizeof(SilhouetteRegularEdge));
+        Prefetch(&edges[static_cast<std::uint32_t>(order[at + 24])]);
+        Prefetch(&halves[edges[static_cast<std::uint32_t>(order[at + 16])].half]);
+        const SilhouetteHalfEdge * const next = &halves[edges[static_cast<std::uint32_t>(order[at + 8])].half];
+        Prefetch(&faces[next[0].face / 2]);
+        Prefetch(&faces[next[1].face / 2]);
       }
-      const std::size_t             at = c * ClusterSize + i;
-      const SilhouetteRegularEdge & edge = edges[static_cast<std::uint32_t>(order[std::min(at, edges.size() - 1)])];
-      m_Edges[at] = { edge.a, at < edges.size() ? edge.b : edge.a, edge.opposites };
+      const SilhouetteRegularEdge &    edge = edges[static_cast<std::uint32_t>(order[std::min(at, edges.size() - 1)])];
+      const SilhouetteHalfEdge * const half = &halves[edge.half];
+      m_Edges[at] = { edge.point,
+                      at < edges.size() ? half[0].other : edge.point,
+                      { half[0].opposite, half[1].opposite } };
       for (unsigned int side = 0; side < 2; ++side)
       {
-        const SilhouetteFace & face = faces[edge.faces[side]];
-        const float            sign = side == 1 && edge.turned ? -1.0f : 1.0f;
+        const SilhouetteFace & face = faces[half[side].face / 2];
+        const float            sign = side == 1 ? TurnOf(half) : 1.0f;
         const std::size_t      lane = 2 * i + side;
         planes.values[0][lane] = sign * face.n[0];
         planes.values[1][lane] = sign * face.n[1];

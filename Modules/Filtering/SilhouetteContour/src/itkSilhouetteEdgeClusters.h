@@ -35,15 +35,20 @@ struct SilhouetteFace
   float                inverseArea;
 };
 
-/** An edge with two faces: their third points, their numbers, and whether the second face is turned over with respect
- * to the first. */
+/** An edge as one of its faces has it: the larger of its points, the face's third point, and twice the face's number,
+ * plus one where the face runs from the larger to the smaller point. */
+struct SilhouetteHalfEdge
+{
+  std::uint32_t other;
+  std::uint32_t opposite;
+  std::uint32_t face;
+};
+
+/** An edge with two faces: its smaller point and where its two half-edges begin. */
 struct SilhouetteRegularEdge
 {
-  std::uint32_t                a;
-  std::uint32_t                b;
-  std::array<std::uint32_t, 2> opposites;
-  std::array<std::uint32_t, 2> faces;
-  bool                         turned;
+  std::uint32_t point;
+  std::uint32_t half;
 };
 
 /** Where the source is, in single precision, and what tells which side of a face it is on: n.source - d is beyond
@@ -74,7 +79,10 @@ public:
 
   /** Distances are at most radius. */
   void
-  Build(const std::vector<SilhouetteRegularEdge> & edges, const std::vector<SilhouetteFace> & faces, double radius);
+  Build(const std::vector<SilhouetteRegularEdge> & edges,
+        const std::vector<SilhouetteHalfEdge> &    halves,
+        const std::vector<SilhouetteFace> &        faces,
+        double                                     radius);
 
   /** The edges whose faces may have the source on different sides, in an order that depends on the mesh alone: twice
    * the number of the edge, plus one where they have beyond doubt. */

@@ -59,17 +59,10 @@ DotProduct(const Vector3 & a, const Vector3 & b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** An edge as one of its faces has it: the larger of its points, the third point, and twice the number of the face,
- * plus one where the face runs from the larger to the smaller point. */
-struct HalfEdge
-{
-  std::uint32_t other;
-  std::uint32_t opposite;
-  std::uint32_t face;
-};
+using HalfEdge = SilhouetteHalfEdge;
 
-bool
-operator<(const HalfEdge & x, const HalfEdge & y)
+inline bool
+IsBefore(const HalfEdge & x, const HalfEdge & y)
 {
   return x.other != y.other ? x.other < y.other
                             : (x.opposite != y.opposite ? x.opposite < y.opposite : x.face < y.face);
@@ -81,14 +74,14 @@ SortFew(HalfEdge * begin, HalfEdge * end)
 {
   if (end - begin > 24)
   {
-    std::sort(begin, end);
+    std::sort(begin, end, IsBefore);
     return;
   }
   for (HalfEdge * i = begin + 1; i < end; ++i)
   {
     const HalfEdge value = *i;
     HalfEdge *     at = i;
-    for (; at != begin && value < at[-1]; --at)
+    for (; at != begin && IsBefore(value, at[-1]); --at)
     {
       *at = at[-1];
     }
@@ -101,16 +94,13 @@ SilhouetteEdges::SilhouetteEdges(const TriangleSurface & surface)
   : m_Points(surface.points)
 {
   this->TakePoints(surface);
-  const std::vector<TriangleType> triangles = this->MergePoints(surface.triangles);
+  std::vector<TriangleType>         merged;
+  const std::vector<TriangleType> & triangles = this->MergePoints(surface.triangles, merged);
   if (triangles.empty())
   {
     return;
   }
-  for (unsigned int k = 0; k < 3; ++k)
-  {
-    m_Center[k] = 0.5 * (m_Low[k] + m_High[k]);
-  }
-  m_Radius = Norm(Subtract(m_High, m_Center));
+  this->MeasureBox(triangles);
   this->BuildComponents(triangles);
   this->BuildEdges(triangles);
 }
@@ -145,9 +135,11 @@ SilhouetteEdges::TakePoints(const TriangleSurface & surface)
   }
 }
 
-/** Points at one position become the first of them; triangles with two corners at one position are left out. */
+/** Points at one position become the first of them; triangles with two corners at one position are left out. Returns
+ * the given triangles where that changes nothing. */
 auto
-SilhouetteEdges::MergePoints(const std::vector<TriangleType> & triangles) -> std::vector<TriangleType>
+SilhouetteEdges::MergePoints(const std::vector<TriangleType> & triangles, std::vector<TriangleType> & merged) const
+  -> const std::vector<TriangleType> &
 {
   std::vector<std::uint32_t> canonical(m_Points.size());
   std::size_t                capacity = 16;
@@ -156,6 +148,7 @@ SilhouetteEdges::MergePoints(const std::vector<TriangleType> & triangles) -> std
     capacity *= 2;
   }
   std::vector<std::uint32_t> table(capacity, None);
+  bool                       isSame = true;
   for (std::uint32_t i = 0; i < m_Points.size(); ++i)
   {
     std::uint64_t hash = 0;
@@ -176,28 +169,47 @@ SilhouetteEdges::MergePoints(const std::vector<TriangleType> & triangles) -> std
       table[slot] = i;
     }
     canonical[i] = table[slot];
+    isSame = isSame && canonical[i] == i;
   }
-  std::vector<TriangleType> kept;
-  kept.reserve(triangles.size());
+  const auto isProper = [](const TriangleType & t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; };
+  if (isSame && std::all_of(triangles.begin(), triangles.end(), isProper))
+  {
+    return triangles;
+  }
+  merged.reserve(triangles.size());
+  for (const TriangleType & triangle : triangles)
+  {
+    const TriangleType t{ canonical[triangle[0]], canonical[triangle[1]], canonical[triangle[2]] };
+    if (isProper(t))
+    {
+      merged.push_back(t);
+    }
+  }
+  return merged;
+}
+
+/** The box of the points that triangles use. */
+void
+SilhouetteEdges::MeasureBox(const std::vector<TriangleType> & triangles)
+{
   m_Low.fill(std::numeric_limits<double>::max());
   m_High.fill(std::numeric_limits<double>::lowest());
   for (const TriangleType & triangle : triangles)
   {
-    const TriangleType t{ canonical[triangle[0]], canonical[triangle[1]], canonical[triangle[2]] };
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+    for (const std::uint32_t corner : triangle)
     {
-      kept.push_back(t);
-      for (const std::uint32_t corner : t)
+      for (unsigned int k = 0; k < 3; ++k)
       {
-        for (unsigned int k = 0; k < 3; ++k)
-        {
-          m_Low[k] = std::min(m_Low[k], m_Points[corner][k]);
-          m_High[k] = std::max(m_High[k], m_Points[corner][k]);
-        }
+        m_Low[k] = std::min(m_Low[k], m_Points[corner][k]);
+        m_High[k] = std::max(m_High[k], m_Points[corner][k]);
       }
     }
   }
-  return kept;
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    m_Center[k] = 0.5 * (m_Low[k] + m_High[k]);
+  }
+  m_Radius = Norm(Subtract(m_High, m_Center));
 }
 
 void
@@ -335,12 +347,7 @@ SilhouetteEdges::BuildEdges(const std::vector<TriangleType> & triangles)
       }
       else if (count == 2 && isGood(group[0]) && isGood(group[1]))
       {
-        // Two faces that run along the edge in the same direction have opposite outsides.
-        regular.push_back({ a,
-                            b,
-                            { group[0].opposite, group[1].opposite },
-                            { group[0].face / 2, group[1].face / 2 },
-                            ((group[0].face ^ group[1].face) & 1u) == 0 });
+        regular.push_back({ a, static_cast<std::uint32_t>(group - halves.data()) });
       }
       else
       {
@@ -355,9 +362,8 @@ SilhouetteEdges::BuildEdges(const std::vector<TriangleType> & triangles)
       group = next;
     }
   }
-  halves = std::vector<HalfEdge>();
   m_NumberOfRegular = regular.size();
-  m_Regular.Build(regular, faces, m_Radius);
+  m_Regular.Build(regular, halves, faces, m_Radius);
 }
 
 auto

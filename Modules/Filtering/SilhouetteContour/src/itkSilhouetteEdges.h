@@ -112,8 +112,10 @@ private:
 
   void
   TakePoints(const TriangleSurface & surface);
-  std::vector<TriangleType>
-  MergePoints(const std::vector<TriangleType> & triangles);
+  const std::vector<TriangleType> &
+  MergePoints(const std::vector<TriangleType> & triangles, std::vector<TriangleType> & merged) const;
+  void
+  MeasureBox(const std::vector<TriangleType> & triangles);
   void
   BuildComponents(const std::vector<TriangleType> & triangles);
   std::vector<SilhouetteFace>
