@@ -5,6 +5,8 @@ itk_module(ContourMetric
     ITKMesh
     ITKOptimizersv4
     ITKTransform
+  TEST_DEPENDS
+    ITKTestKernel
   DESCRIPTION
-    "Distances between contours: exact nearest-point search, Chamfer metric for v4 optimizers, and the same figures as a filter."
+    "Distances between contours: exact nearest-point search, Chamfer and partial-overlap metrics for v4 and least-squares optimizers, and the same figures as filters."
 )

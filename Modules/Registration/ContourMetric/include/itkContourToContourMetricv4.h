@@ -157,6 +157,11 @@ public:
   /** Number of evaluations since ResetBest(). */
   itkGetConstMacro(NumberOfEvaluations, SizeValueType);
 
+  /** What a registration method calls at the start of each of its levels, with its estimate there, before it sets
+   * reference and bounds. Here nothing; a metric with a schedule follows it. */
+  virtual void
+  StartLevel(unsigned int level, unsigned int numberOfLevels, const ContourSimilarity & estimate);
+
   // What optimizers call
   MeasureType
   GetValue() const override;
@@ -208,6 +213,21 @@ protected:
   virtual MeasureType
   ComputeValue(const ContourSimilarity & similarity, ContourChamferKernel::GradientType * gradient) const = 0;
 
+  /** Derivatives by scale, angle, tx, ty at a similarity, to those by the optimizer's parameters. */
+  void
+  MapDerivatives(const ContourSimilarity & similarity, const double * bySimilarity, double * byParameters) const;
+
+  /** By how much the current position lies beyond the bounds, signed; 0 within. */
+  double
+  GetExcess(unsigned int parameter) const;
+
+  /** Counts an evaluation at the current position and keeps it where it is the best. */
+  void
+  Remember(MeasureType value) const;
+
+  void
+  CheckInitialized() const;
+
   /** About the value, for ranking; here the value itself. */
   virtual MeasureType
   ComputeApproximateValue(const ContourSimilarity & similarity, SizeValueType numberOfPoints) const;
@@ -225,8 +245,6 @@ private:
   MapToSimilarity(const double * parameters) const;
   void
   UpdateTransform();
-  void
-  CheckInitialized() const;
 
   TransformType::Pointer m_MovingTransform;
   PointType              m_Pivot;

@@ -309,16 +309,12 @@ ContourToContourMetricv4::Compute(const ParametersType & parameters, DerivativeT
   MeasureType value = this->ComputeValue(similarity, derivative == nullptr ? nullptr : &gradient);
   if (derivative != nullptr)
   {
-    // t = (u, v) - s R c moves with scale and angle.
-    const double c = similarity.scale * std::cos(similarity.angle);
-    const double s = similarity.scale * std::sin(similarity.angle);
-    const double rx = c * m_Pivot[0] - s * m_Pivot[1];
-    const double ry = s * m_Pivot[0] + c * m_Pivot[1];
     derivative->SetSize(NumberOfParameters);
-    (*derivative)[0] = -(gradient[0] * similarity.scale - gradient[2] * rx - gradient[3] * ry) / m_ReferenceLength;
-    (*derivative)[1] = -(gradient[1] + gradient[2] * ry - gradient[3] * rx) / m_ReferenceLength;
-    (*derivative)[2] = -gradient[2];
-    (*derivative)[3] = -gradient[3];
+    this->MapDerivatives(similarity, gradient.data(), derivative->data_block());
+    for (double & d : *derivative)
+    {
+      d = -d;
+    }
   }
   for (unsigned int i = 0; i < NumberOfParameters; ++i)
   {
@@ -335,11 +331,32 @@ ContourToContourMetricv4::Compute(const ParametersType & parameters, DerivativeT
   return value;
 }
 
-auto
-ContourToContourMetricv4::ComputeAndRemember(DerivativeType * derivative) const -> MeasureType
+void
+ContourToContourMetricv4::MapDerivatives(const ContourSimilarity & similarity,
+                                         const double *            bySimilarity,
+                                         double *                  byParameters) const
 {
-  this->CheckInitialized();
-  const MeasureType value = this->Compute(m_Parameters, derivative);
+  // t = (u, v) - s R c moves with scale and angle.
+  const double c = similarity.scale * std::cos(similarity.angle);
+  const double s = similarity.scale * std::sin(similarity.angle);
+  const double rx = c * m_Pivot[0] - s * m_Pivot[1];
+  const double ry = s * m_Pivot[0] + c * m_Pivot[1];
+  byParameters[0] =
+    (bySimilarity[0] * similarity.scale - bySimilarity[2] * rx - bySimilarity[3] * ry) / m_ReferenceLength;
+  byParameters[1] = (bySimilarity[1] + bySimilarity[2] * ry - bySimilarity[3] * rx) / m_ReferenceLength;
+  byParameters[2] = bySimilarity[2];
+  byParameters[3] = bySimilarity[3];
+}
+
+double
+ContourToContourMetricv4::GetExcess(unsigned int parameter) const
+{
+  return m_Parameters[parameter] - this->Clip(m_Parameters)[parameter];
+}
+
+void
+ContourToContourMetricv4::Remember(MeasureType value) const
+{
   this->m_Value = value;
   ++m_NumberOfEvaluations;
   if (value < m_BestValue)
@@ -347,6 +364,18 @@ ContourToContourMetricv4::ComputeAndRemember(DerivativeType * derivative) const 
     m_BestValue = value;
     std::copy_n(m_Parameters.begin(), NumberOfParameters, m_BestParameters.begin());
   }
+}
+
+void
+ContourToContourMetricv4::StartLevel(unsigned int, unsigned int, const ContourSimilarity &)
+{}
+
+auto
+ContourToContourMetricv4::ComputeAndRemember(DerivativeType * derivative) const -> MeasureType
+{
+  this->CheckInitialized();
+  const MeasureType value = this->Compute(m_Parameters, derivative);
+  this->Remember(value);
   return value;
 }
 

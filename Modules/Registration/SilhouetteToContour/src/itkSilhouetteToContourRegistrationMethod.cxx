@@ -227,6 +227,7 @@ public:
   RunLevel(unsigned int index, const ContourSimilarity & initial)
   {
     m_Level = &m_Method->m_Levels[index];
+    m_Metric->StartLevel(index, m_Method->GetNumberOfLevels(), initial);
     m_Metric->SetReference(initial);
     this->SetBounds();
 
@@ -242,6 +243,8 @@ public:
     m_Method->m_MetricValue = result.initialValue;
     m_Method->m_OptimizerPosition = initialParameters;
     m_Method->InvokeEvent(MultiResolutionIterationEvent());
+    // An observer may have changed the metric.
+    result.initialValue = m_Metric->EvaluateAt(origin);
     this->ReportProgress(0.0);
 
     const std::vector<ParametersType> starts = this->FindStarts(result.numberOfCandidates);
