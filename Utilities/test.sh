@@ -11,5 +11,6 @@ cmake --build --preset test
 status=0
 ctest --preset test || status=1
 /usr/bin/python3 -m pytest -q -p no:cacheprovider Testing --build-dir build/test || status=1
+/usr/bin/python3 -m pytest -q -p no:cacheprovider Wrapping/Python/tests --build-dir build/test || status=1
 Utilities/doxygen.sh || status=1
 exit $status

@@ -17,7 +17,6 @@
  *=========================================================================*/
 #include "itkCaseOverlay.h"
 
-#include "itkRegistrationOverlayFilter.h"
 #include "itkWritePicture.h"
 
 #include <iomanip>
@@ -60,8 +59,8 @@ MakeTextLines(const CaseResult & result, const JawResult & jaw)
 }
 } // namespace
 
-void
-WriteCaseOverlay(const CaseResult & result, ToothCode::JawEnum jawName, const std::string & fileName)
+RegistrationOverlayFilter::Pointer
+MakeCaseOverlay(const CaseResult & result, ToothCode::JawEnum jawName)
 {
   const DentalCaseData & data = *result.data;
   const JawResult &      jaw = result.jaws.at(jawName);
@@ -111,6 +110,13 @@ WriteCaseOverlay(const CaseResult & result, ToothCode::JawEnum jawName, const st
   overlay->SetTitle(jawName == ToothCode::JawEnum::Upper ? "Upper jaw" : "Lower jaw");
   overlay->SetStatus(ToString(jaw.status));
   overlay->SetTextLines(MakeTextLines(result, jaw));
+  return overlay;
+}
+
+void
+WriteCaseOverlay(const CaseResult & result, ToothCode::JawEnum jaw, const std::string & fileName)
+{
+  const auto overlay = MakeCaseOverlay(result, jaw);
   overlay->Update();
   WritePicture(overlay->GetOutput(), fileName);
 }

@@ -27,6 +27,10 @@
 
 namespace dentalscr
 {
+/** The program: what main() does, also for the Python package. Returns the exit code. */
+CommandLine_EXPORT int
+Main(int argc, const char * const * argv);
+
 /** Each adds its verb to the program and sets `run` when the user chose it; run returns the exit code. */
 using RunFunction = std::function<int()>;
 

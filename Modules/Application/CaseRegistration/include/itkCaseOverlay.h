@@ -18,14 +18,22 @@
 #ifndef itkCaseOverlay_h
 #define itkCaseOverlay_h
 
+#include "CaseRegistrationExport.h"
+
 #include "itkCaseResult.h"
+#include "itkRegistrationOverlayFilter.h"
 
 #include <string>
 
 namespace itk
 {
-/** Writes the picture of one jaw: radiograph, tracing, aligned silhouette, landmarks where known, errors printed. */
-void
+/** The picture of one jaw, to be updated: radiograph, tracing, aligned silhouette, landmarks where known, errors
+ * printed. Throws std::out_of_range for a jaw that the result has not. \ingroup CaseRegistration */
+CaseRegistration_EXPORT RegistrationOverlayFilter::Pointer
+                        MakeCaseOverlay(const CaseResult & result, ToothCode::JawEnum jaw);
+
+/** Writes it as PNG. \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
 WriteCaseOverlay(const CaseResult & result, ToothCode::JawEnum jaw, const std::string & fileName);
 } // namespace itk
 

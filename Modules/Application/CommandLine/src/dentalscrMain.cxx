@@ -1,0 +1,143 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrCommands.h"
+
+#include "itkDentalInputError.h"
+#include "itkDentalSCRVersion.h"
+#include "itkDescribePlainly.h"
+
+#include "itkBMPImageIOFactory.h"
+#include "itkJPEGImageIOFactory.h"
+#include "itkMetaImageIOFactory.h"
+#include "itkMultiThreaderBase.h"
+#include "itkNrrdImageIOFactory.h"
+#include "itkPNGImageIOFactory.h"
+#include "itkTIFFImageIOFactory.h"
+#include "itkVersion.h"
+
+#include <exception>
+#include <iostream>
+#include <string>
+
+namespace dentalscr
+{
+namespace
+{
+/** Errors are one line; more would hide in a log which case it was. */
+int
+Fail(std::string message)
+{
+  for (char & character : message)
+  {
+    if (character == '\n' || character == '\r')
+    {
+      character = ' ';
+    }
+  }
+  std::cerr << "dentalscr: " << message << std::endl;
+  return UnusableInput;
+}
+} // namespace
+
+int
+Main(int argc, const char * const * argv)
+{
+  // Explicitly: a static registration would need every format that ITK has.
+  itk::PNGImageIOFactory::RegisterOneFactory();
+  itk::TIFFImageIOFactory::RegisterOneFactory();
+  itk::MetaImageIOFactory::RegisterOneFactory();
+  itk::NrrdImageIOFactory::RegisterOneFactory();
+  itk::BMPImageIOFactory::RegisterOneFactory();
+  itk::JPEGImageIOFactory::RegisterOneFactory();
+
+  CLI::App program{ "Aligns 3-D intraoral scans of the teeth with a lateral cephalometric radiograph.\n"
+                    "Research software, not a medical device." };
+  program.name("dentalscr");
+  program.set_version_flag(
+    "--version", std::string("dentalscr ") + itk::DentalSCRVersion + " (ITK " + itk::Version::GetITKVersion() + ")");
+  program.require_subcommand(1);
+  program.fallthrough();
+  program.footer("Example:\n"
+                 "  dentalscr phantom --output sample\n"
+                 "  dentalscr register sample/case.json --output result\n"
+                 "Each verb has its own --help with examples.");
+
+  CommonOptions common;
+  program.add_option("--threads", common.threads, "Number of threads (0: all); the result is the same for any")
+    ->check(CLI::Range(0u, 1024u));
+  program.add_flag("--quiet", common.quiet, "No progress and no summary");
+
+  RunFunction run;
+  AddRegisterCommand(program, common, run);
+  AddAxisCommand(program, common, run);
+  AddRenderCommand(program, common, run);
+  AddContourCommand(program, common, run);
+  AddEvaluateCommand(program, common, run);
+  AddPhantomCommand(program, common, run);
+  AddExperimentCommand(program, common, run);
+
+  const auto isChosen = [&](CLI::App * verb) { return argc > 1 && verb->get_name() == argv[1]; };
+  if (argc > 1 && argv[1][0] != '-' && program.get_subcommands(isChosen).empty())
+  {
+    return Fail(std::string("there is no verb \"") + argv[1] + "\"; see dentalscr --help");
+  }
+  try
+  {
+    program.parse(argc, argv);
+  }
+  catch (const CLI::ParseError & error)
+  {
+    // --help and --version arrive as errors with exit code 0.
+    if (error.get_exit_code() == 0)
+    {
+      return program.exit(error);
+    }
+    return Fail(std::string(error.what()) + "; see dentalscr --help");
+  }
+
+  if (common.threads > 0)
+  {
+    itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(common.threads);
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(common.threads);
+  }
+  try
+  {
+    return run();
+  }
+  catch (const itk::DentalInputError & error)
+  {
+    return Fail(error.GetOneLine());
+  }
+  catch (const itk::ProcessAborted &)
+  {
+    return Fail("interrupted; nothing was written");
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    return Fail(itk::DescribePlainly(error));
+  }
+  catch (const std::bad_alloc &)
+  {
+    return Fail("out of memory");
+  }
+  catch (const std::exception & error)
+  {
+    return Fail(error.what());
+  }
+}
+} // namespace dentalscr

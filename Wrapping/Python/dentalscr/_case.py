@@ -1,0 +1,452 @@
+"""A case through the whole chain, and what comes out."""
+from __future__ import annotations
+
+import base64
+import copy
+import html
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Callable, Dict, Optional, Tuple, Union, cast
+
+import numpy as np
+
+from . import _core
+from ._errors import ArgumentError
+from ._events import sitkProgressEvent
+from ._inputs import (
+    ContourLike,
+    ImageLike,
+    LandmarksLike,
+    MeshLike,
+    PathLike,
+    as_contour,
+    as_geometry,
+    as_image,
+    as_landmarks,
+    as_mesh,
+    as_path,
+    is_path,
+)
+from ._process import ProcessObject
+
+
+class Case:
+    """One patient in memory: scans, tracing, radiograph, what is known of the geometry.
+
+    Parameters
+    ----------
+    upper, lower : mesh-like, optional
+        Scans in mm, each in any frame.
+    upperContour, lowerContour : contour-like, optional
+        The tracing of each jaw, continuous pixel indices.
+    contours : path or Contours, optional
+        Both tracings, instead.
+    geometry : CephalometricGeometry or dict, optional
+        Without it, and without a pixel spacing in it, the scale is estimated with a wide prior.
+    image : image-like, optional
+        The radiograph: for pictures.
+    imageSize : (width, height), optional
+        Of the radiograph, where there is no ``image``.
+    principalPointKnown : bool, optional
+        Whether the geometry's principal point is one. Default: whether it is not (0, 0).
+    tracedSide : "right", "left", "mean" or "both"
+    occlusion : "check", "true" or "false"
+        Whether the scans share a frame in occlusion.
+    landmarks3D : landmarks-like, optional
+        On the scans, in their frame: they are predicted in the radiograph.
+    landmarks2D : landmarks-like, optional
+        Marked in the radiograph: only for measuring errors, nothing that registers sees them.
+    exclude : sequence of str, optional
+        Teeth to leave out of the tracing.
+    fix : sequence of str, optional
+        "scale", "rotation", "translation": what to hold.
+    """
+
+    def __init__(
+        self,
+        upper: Optional[MeshLike] = None,
+        lower: Optional[MeshLike] = None,
+        upperContour: Optional[ContourLike] = None,
+        lowerContour: Optional[ContourLike] = None,
+        contours: Optional[Any] = None,
+        geometry: Optional[Any] = None,
+        image: Optional[ImageLike] = None,
+        imageSize: Optional[Tuple[int, int]] = None,
+        principalPointKnown: Optional[bool] = None,
+        tracedSide: str = "right",
+        occlusion: str = "check",
+        landmarks3D: Optional[LandmarksLike] = None,
+        landmarks2D: Optional[LandmarksLike] = None,
+        exclude: Sequence[str] = (),
+        fix: Sequence[str] = (),
+    ) -> None:
+        if contours is not None:
+            if upperContour is not None or lowerContour is not None:
+                raise ArgumentError("give either contours or upperContour and lowerContour")
+            if is_path(contours):
+                from ._io import ReadContours
+
+                contours = ReadContours(contours)
+            upperContour, lowerContour = contours[0], contours[1]
+            if imageSize is None and len(contours) > 2:
+                imageSize = contours[2]
+        known = None if geometry is None else as_geometry(geometry)
+        if principalPointKnown is None:
+            principalPointKnown = known is not None and tuple(known.GetPrincipalPoint()) != (0.0, 0.0)
+        self._native = _core._Case(
+            None if upper is None else as_mesh(upper),
+            None if lower is None else as_mesh(lower),
+            None if upperContour is None else as_contour(upperContour, "upper"),
+            None if lowerContour is None else as_contour(lowerContour, "lower"),
+            known,
+            None if image is None else as_image(image),
+            imageSize or (0, 0),
+            principalPointKnown,
+            tracedSide,
+            occlusion,
+            None if landmarks3D is None else as_landmarks(landmarks3D, 3),
+            None if landmarks2D is None else as_landmarks(landmarks2D, 2),
+            list(exclude),
+            list(fix),
+        )
+
+    @classmethod
+    def _of(cls, native: _core._Case) -> "Case":
+        case = cls.__new__(cls)
+        case._native = native
+        return case
+
+    @property
+    def upper(self) -> Optional[_core.Mesh]:
+        """The upper scan, mm: shared, not copied."""
+        return self._native._GetMesh(_core.Jaw.Upper)
+
+    @property
+    def lower(self) -> Optional[_core.Mesh]:
+        """The lower scan, mm: shared, not copied."""
+        return self._native._GetMesh(_core.Jaw.Lower)
+
+    @property
+    def upperContour(self) -> Optional[_core.Contour]:
+        """The upper tracing: shared, not copied."""
+        return self._native._GetContour(_core.Jaw.Upper)
+
+    @property
+    def lowerContour(self) -> Optional[_core.Contour]:
+        """The lower tracing: shared, not copied."""
+        return self._native._GetContour(_core.Jaw.Lower)
+
+    @property
+    def image(self) -> Optional[_core.Image]:
+        """The radiograph: shared, not copied."""
+        return self._native._GetImage()
+
+    @property
+    def imageSize(self) -> Tuple[int, int]:
+        """(width, height) of the radiograph."""
+        return cast(Tuple[int, int], self._native._GetImageSize())
+
+    @property
+    def geometry(self) -> _core.CephalometricGeometry:
+        """The nominal geometry, a copy."""
+        return copy.copy(self._native._GetGeometry())
+
+    @property
+    def landmarks3D(self) -> Dict[str, np.ndarray]:
+        """On the scans, in the mesh files' unit; a copy."""
+        return cast("Dict[str, np.ndarray]", self._native._GetLandmarks3D())
+
+    @property
+    def warnings(self) -> list[str]:
+        """What reading found odd."""
+        return list(self._native._GetWarnings())
+
+    def __repr__(self) -> str:
+        parts = [
+            name
+            for name, value in (
+                ("upper", self.upper),
+                ("lower", self.lower),
+                ("upper tracing", self.upperContour),
+                ("lower tracing", self.lowerContour),
+                ("radiograph", self.image),
+            )
+            if value is not None
+        ]
+        return f"<dentalscr.Case {self._native._GetFileName()}: {', '.join(parts)}>"
+
+
+def ReadCase(
+    fileName: PathLike,
+    exclude: Sequence[str] = (),
+    fix: Sequence[str] = (),
+    init: Optional[PathLike] = None,
+) -> Case:
+    """Reads a case file and every file that it names but its 2-D landmarks (Documentation/FileFormats.md)."""
+    native = _core._Case._Read(as_path(fileName), list(exclude), list(fix), "" if init is None else as_path(init))
+    return Case._of(native)
+
+
+@dataclass(frozen=True)
+class JawResult:
+    """One registered jaw. Names say the direction: ``T_b_from_a`` maps points of a to b."""
+
+    status: str
+    reasons: Tuple[str, ...]
+    registered: bool
+    #: (3, 4): mesh file (its unit) to homogeneous pixel index.
+    P_pixel_from_mesh: np.ndarray
+    #: (4, 4), rigid, mm.
+    T_umda_from_mesh: np.ndarray
+    #: (4, 4), rigid, mm.
+    T_cephalostat_from_mesh: np.ndarray
+    #: The geometry's own projection q (pixels) to the radiograph's pixels.
+    similarity: Optional[_core.Similarity2DTransform]
+    metrics: Dict[str, Any]
+    #: Predicted places in the radiograph, pixels.
+    landmarks: Dict[str, np.ndarray]
+    #: Standard deviation an axis, pixels, where the method has one.
+    landmark_sigma: Dict[str, float]
+    #: (2, 2), square pixels, where the method has one.
+    landmark_covariance: Dict[str, np.ndarray]
+    #: Landmark errors, pixels; None without 2-D landmarks.
+    error: Optional[Dict[str, Any]]
+    #: Aligned contours in the radiograph by name, "whole" among them.
+    contours: Dict[str, _core.Contour] = field(repr=False)
+
+    def project(self, points: Any) -> np.ndarray:
+        """Where points of the mesh file (N, 3) are in the radiograph: (N, 2) continuous pixel indices."""
+        array = np.asarray(points, dtype=np.float64).reshape(-1, 3)
+        rows = array @ self.P_pixel_from_mesh[:, :3].T + self.P_pixel_from_mesh[:, 3]
+        return cast(np.ndarray, rows[:, :2] / rows[:, 2:])
+
+
+class CaseResult:
+    """What a registered case is. Looks well in a notebook; pickles (without the scans)."""
+
+    def __init__(self, native: _core._CaseResult) -> None:
+        self._native: Optional[_core._CaseResult] = native
+        self._dict = cast("Dict[str, Any]", json.loads(native._ToJson()))
+        self._pictures: Dict[str, bytes] = {}
+        self.geometry: Optional[_core.CephalometricGeometry] = native._GetGeometry()
+        self.jaws: Dict[str, JawResult] = {name: self._make_jaw(native, name) for name in native._GetJaws()}
+
+    def _make_jaw(self, native: _core._CaseResult, name: str) -> JawResult:
+        entry = self._dict["jaws"][name]
+        values = native._GetJaw(name)
+        registered = bool(values["registered"])
+        similarity = None
+        if registered:
+            numbers = entry["similarity"]
+            similarity = _core.Similarity2DTransform(
+                numbers["scale"], numbers["rotation_rad"], tuple(numbers["translation_px"])
+            )
+        return JawResult(
+            status=entry["status"],
+            reasons=tuple(entry["reasons"]),
+            registered=registered,
+            P_pixel_from_mesh=values["projection"],
+            T_umda_from_mesh=values["meshToUMDA"],
+            T_cephalostat_from_mesh=values["meshToCephalostat"],
+            similarity=similarity,
+            metrics=dict(entry.get("metrics", {})),
+            landmarks={key: np.array(point) for key, point in entry.get("landmarks_px", {}).items()},
+            landmark_sigma=dict(entry.get("landmark_sigma_px", {})),
+            landmark_covariance=dict(values["covariances"]),
+            error=entry.get("error"),
+            contours=dict(values["contours"]),
+        )
+
+    @property
+    def status(self) -> str:
+        """ "ok", "suspect" (a person should look) or "failed": the worst of the jaws."""
+        return str(self._dict["status"])
+
+    @property
+    def preset(self) -> str:
+        return str(self._dict["preset"])
+
+    @property
+    def skipped(self) -> Dict[str, str]:
+        """Jaws that lack a scan or a tracing, with the reason."""
+        return dict(self._dict["skipped"])
+
+    @property
+    def warnings(self) -> list[str]:
+        return list(self._dict["warnings"])
+
+    @property
+    def upper(self) -> JawResult:
+        return self._jaw("upper")
+
+    @property
+    def lower(self) -> JawResult:
+        return self._jaw("lower")
+
+    def _jaw(self, name: str) -> JawResult:
+        if name not in self.jaws:
+            raise ArgumentError(f"there is no {name} jaw: {self.skipped.get(name, 'it was not given')}")
+        return self.jaws[name]
+
+    def to_dict(self) -> Dict[str, Any]:
+        """What result.json holds (Documentation/FileFormats.md); a copy."""
+        return copy.deepcopy(self._dict)
+
+    def Write(self, folder: PathLike) -> None:
+        """Writes result.json, overlays, scans in the cephalostat frame and transforms, all or nothing."""
+        if self._native is None:
+            raise ArgumentError("a result that was pickled has no scans to write; write it where it was made")
+        self._native._Write(as_path(folder))
+
+    def GetOverlayImage(self, jaw: str = "upper") -> _core.Picture:
+        """Radiograph, tracing, aligned silhouette and landmarks of a jaw as a picture."""
+        self._jaw(jaw)
+        if self._native is None:
+            raise ArgumentError("a result that was pickled keeps its pictures only as PNG; see overlay_png()")
+        return self._native._GetOverlay(jaw)
+
+    def overlay_png(self, jaw: str = "upper") -> bytes:
+        """The same as the bytes of a PNG."""
+        self._jaw(jaw)
+        if jaw not in self._pictures:
+            self._pictures[jaw] = self.GetOverlayImage(jaw)._repr_png_()
+        return self._pictures[jaw]
+
+    def __repr__(self) -> str:
+        lines = [f"<dentalscr.CaseResult {self.status}, preset {self.preset}"]
+        for name, jaw in self.jaws.items():
+            text = f"  {name}: {jaw.status}"
+            if jaw.registered and jaw.metrics:
+                text += f", Chamfer {jaw.metrics['chamfer_px']:.2f} px"
+            if jaw.error is not None:
+                text += f", landmark error {jaw.error['mean_px']:.2f} px"
+            for reason in jaw.reasons:
+                text += f"\n    {reason}"
+            lines.append(text)
+        lines += [f"  {name}: skipped, {reason}" for name, reason in self.skipped.items()]
+        return "\n".join(lines) + ">"
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for name, jaw in self.jaws.items():
+            error = "" if jaw.error is None else f"{jaw.error['mean_px']:.2f}"
+            chamfer = f"{jaw.metrics['chamfer_px']:.2f}" if jaw.registered and jaw.metrics else ""
+            reasons = "<br>".join(html.escape(reason) for reason in jaw.reasons)
+            rows.append(
+                f"<tr><td>{name}</td><td><b>{jaw.status}</b></td><td>{chamfer}</td><td>{error}</td><td>{reasons}</td></tr>"
+            )
+        for name, reason in self.skipped.items():
+            rows.append(f"<tr><td>{name}</td><td>skipped</td><td></td><td></td><td>{html.escape(reason)}</td></tr>")
+        pictures = "".join(
+            f'<img alt="{name}" style="max-width:100%" src="data:image/png;base64,'
+            f'{base64.b64encode(self.overlay_png(name)).decode()}">'
+            for name, jaw in self.jaws.items()
+            if jaw.registered
+        )
+        return (
+            f"<div><p>Registration by preset {html.escape(self.preset)}: <b>{self.status}</b></p><table><tr><th>jaw</th>"
+            "<th>status</th><th>Chamfer px</th><th>landmark error px</th><th>reasons</th></tr>"
+            f"{''.join(rows)}</table>{pictures}</div>"
+        )
+
+    def __getstate__(self) -> Dict[str, Any]:
+        for name, jaw in self.jaws.items():
+            if jaw.registered:
+                self.overlay_png(name)
+        state = dict(self.__dict__)
+        state["_native"] = None
+        return state
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+
+class CaseRegistration(ProcessObject, _core.CaseRegistration):
+    """A case through the chain of a preset: axis, projection, contour, registration, landmarks, verdict."""
+
+    def Execute(self, case: Union[Case, PathLike]) -> CaseResult:
+        """Registers the case.
+
+        Parameters
+        ----------
+        case : Case or path of a case file
+        """
+        given = case if isinstance(case, Case) else ReadCase(case)
+        self._SetData(given._native)
+        self._Update()
+        return CaseResult(self._TakeResult(given._native))
+
+
+def register(
+    case: Union[Case, PathLike, Mapping[str, Any]],
+    output: Optional[PathLike] = None,
+    *,
+    preset: Union[str, _core.Preset] = "robust",
+    exclude: Sequence[str] = (),
+    fix: Sequence[str] = (),
+    init: Optional[PathLike] = None,
+    silhouette: str = "drr",
+    threads: Optional[int] = None,
+    progress: Optional[Callable[[float, str], object]] = None,
+) -> CaseResult:
+    """Registers a case: what ``dentalscr register`` does.
+
+    Parameters
+    ----------
+    case : path, Case or dict
+        A case file, a :class:`Case`, or the keywords of one.
+    output : path, optional
+        Folder for result.json, overlays, scans and transforms.
+    preset : "robust", "paper", "bounding-box" or "single-stage"
+    exclude : sequence of str, optional
+        Teeth to leave out, e.g. "UR8". For a case file or keywords.
+    fix : sequence of str, optional
+        "scale", "rotation", "translation". For a case file or keywords.
+    init : path, optional
+        Alignment to start from, for a case file.
+    silhouette : "drr" or "mesh"
+        Where the paper's silhouette comes from.
+    threads : int, optional
+        The result is the same for any number.
+    progress : callable, optional
+        Called with the share that is done and the stage's name.
+
+    Returns
+    -------
+    CaseResult
+        ``to_dict()`` equals result.json.
+
+    Raises
+    ------
+    InputError
+        For unusable input. A jaw that can't be registered is no error: see its ``status`` and ``reasons``.
+    """
+    if isinstance(case, Mapping):
+        given = Case(**{**case, "exclude": [*case.get("exclude", ()), *exclude], "fix": [*case.get("fix", ()), *fix]})
+    elif isinstance(case, Case):
+        if exclude or fix or init is not None:
+            raise ArgumentError("exclude, fix and init belong to the making of the Case")
+        given = case
+    else:
+        given = ReadCase(case, exclude, fix, init)
+    if silhouette not in ("drr", "mesh"):
+        raise ArgumentError(f'silhouette is "drr" or "mesh", not {silhouette!r}')
+    registration = CaseRegistration()
+    registration.SetPreset(as_preset(preset))
+    registration.SetUseSurfaceDRR(silhouette == "drr")
+    registration.SetNumberOfWorkUnits(threads or _core.ProcessObject.GetGlobalDefaultNumberOfThreads())
+    if progress is not None:
+        call = progress
+        registration.AddCommand(
+            sitkProgressEvent, lambda: call(registration.GetProgress(), registration.GetCurrentStage())
+        )
+    result = registration.Execute(given)
+    if output is not None:
+        result.Write(output)
+    return result
+
+
+def as_preset(preset: Union[str, _core.Preset]) -> _core.Preset:
+    """A preset by its name in the command line's spelling or in that of the enumeration."""
+    return _core.Preset(preset.replace("-", "")) if isinstance(preset, str) else preset

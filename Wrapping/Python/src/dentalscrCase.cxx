@@ -1,0 +1,326 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrLandmarks.h"
+
+#include "itkCaseOverlay.h"
+#include "itkCaseRegistration.h"
+#include "itkCaseResultWriter.h"
+#include "itkDentalCaseFileReader.h"
+#include "itkDentalCaseLoader.h"
+#include "itkDentalInputError.h"
+#include "itkDentalLandmarkFileReader.h"
+
+#include <sstream>
+
+namespace dentalscr
+{
+namespace
+{
+using itk::CaseRegistration;
+using itk::CaseResult;
+using itk::DentalCaseData;
+using itk::JawResult;
+using JawEnum = itk::ToothCode::JawEnum;
+
+/** A case in memory, and apart from it, for no eye of what registers, the landmarks that were marked. */
+struct Case
+{
+  std::shared_ptr<DentalCaseData>    data;
+  itk::DentalLandmarkSet<2>::Pointer marked;
+};
+
+std::vector<itk::ToothCode>
+ParseCodes(const std::vector<std::string> & codes, itk::ToothCode::NumberingEnum numbering)
+{
+  std::vector<itk::ToothCode> result;
+  for (const std::string & code : codes)
+  {
+    result.push_back(itk::ToothCode::FromString(code, numbering));
+  }
+  return result;
+}
+
+std::shared_ptr<Case>
+ReadCase(const std::string &              fileName,
+         const std::vector<std::string> & exclude,
+         const std::vector<std::string> & fix,
+         const std::string &              init)
+{
+  itk::DentalCase description = itk::ReadDentalCase(fileName);
+  if (!init.empty())
+  {
+    itk::ReadInitialAlignment(init, description);
+  }
+  for (const itk::ToothCode code :
+       ParseCodes(exclude, description.numbering.value_or(itk::ToothCode::NumberingEnum::Quadrant)))
+  {
+    description.excludedTeeth.push_back(code);
+  }
+  for (const std::string & what : fix)
+  {
+    itk::FixParameter(description, what);
+  }
+  auto result = std::make_shared<Case>();
+  result->data = itk::LoadDentalCase(description);
+  return result;
+}
+
+std::shared_ptr<Case>
+MakeCase(MeshType *                       upper,
+         MeshType *                       lower,
+         itk::DentalContour *             upperContour,
+         itk::DentalContour *             lowerContour,
+         itk::CephalometricGeometry *     geometry,
+         ImageType *                      image,
+         const itk::Size<2> &             imageSize,
+         bool                             principalPointKnown,
+         const std::string &              tracedSide,
+         const std::string &              occlusion,
+         const py::object &               landmarks3D,
+         const py::object &               landmarks2D,
+         const std::vector<std::string> & exclude,
+         const std::vector<std::string> & fix)
+{
+  auto result = std::make_shared<Case>();
+  result->data = std::make_shared<DentalCaseData>();
+  DentalCaseData & data = *result->data;
+  data.description.fileName = "case in memory";
+  data.description.tracedSide = itk::TracedSideFromString(tracedSide);
+  data.description.occlusion = itk::OcclusionFromString(occlusion);
+  data.description.excludedTeeth = ParseCodes(exclude, itk::ToothCode::NumberingEnum::Quadrant);
+  for (const std::string & what : fix)
+  {
+    itk::FixParameter(data.description, what);
+  }
+  data.image = image;
+  data.imageSize = { { static_cast<unsigned int>(imageSize[0]), static_cast<unsigned int>(imageSize[1]) } };
+  if (image != nullptr)
+  {
+    const auto size = image->GetLargestPossibleRegion().GetSize();
+    data.imageSize = { { static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]) } };
+  }
+  if (data.imageSize[0] == 0 || data.imageSize[1] == 0)
+  {
+    throw std::invalid_argument("the size of the radiograph is not known; give image or imageSize");
+  }
+  data.geometry = itk::CephalometricGeometry::New();
+  if (geometry != nullptr)
+  {
+    data.geometry->CopyParameters(geometry);
+    data.geometry->SetPoseToIdentity();
+    data.sources.sourceToMidsagittal = itk::ValueSourceEnum::Given;
+    data.sources.sourceToDetector = itk::ValueSourceEnum::Given;
+    data.sources.sourceSide = itk::ValueSourceEnum::Given;
+    data.sources.facing = itk::ValueSourceEnum::Given;
+    if (geometry->HasPixelSpacing())
+    {
+      data.sources.pixelSpacing = itk::ValueSourceEnum::Given;
+      data.spacingVerdict = "UserGiven";
+    }
+    if (principalPointKnown)
+    {
+      data.sources.principalPoint = itk::ValueSourceEnum::Given;
+    }
+  }
+  data.spacingProvenance = data.geometry->HasPixelSpacing() ? "given, detector plane" : "none given";
+  const auto takeJaw = [&](JawEnum name, MeshType * mesh, itk::DentalContour * contour) {
+    DentalCaseData::JawType & jaw = data.GetJaw(name);
+    jaw.mesh = mesh;
+    if (contour == nullptr || contour->GetNumberOfPoints() == 0)
+    {
+      return;
+    }
+    jaw.contour = itk::DentalContour::New();
+    const auto & excluded = data.description.excludedTeeth;
+    for (const auto & polyline : contour->GetPolylines())
+    {
+      if (!polyline.code.IsKnown() || std::find(excluded.begin(), excluded.end(), polyline.code) == excluded.end())
+      {
+        jaw.contour->AddPolyline(polyline);
+      }
+    }
+  };
+  takeJaw(JawEnum::Upper, upper, upperContour);
+  takeJaw(JawEnum::Lower, lower, lowerContour);
+  if (!landmarks3D.is_none())
+  {
+    data.landmarks3D = FromDict<3>(landmarks3D.cast<py::dict>());
+  }
+  if (!landmarks2D.is_none())
+  {
+    result->marked = FromDict<2>(landmarks2D.cast<py::dict>());
+  }
+  return result;
+}
+
+/** What a run leaves; the landmark errors are added here, when nothing can be registered with them any more. */
+std::shared_ptr<CaseResult>
+TakeResult(const CaseRegistration & registration, const Case & input)
+{
+  auto                                    result = std::make_shared<CaseResult>(registration.GetResult());
+  const auto &                            description = input.data->description;
+  itk::DentalLandmarkSet<2>::ConstPointer marked = input.marked.GetPointer();
+  if (marked.IsNull() && !description.landmarks2DFile.empty())
+  {
+    auto reader = itk::DentalLandmarkFileReader<2>::New();
+    reader->SetFileName(description.landmarks2DFile);
+    if (description.numbering)
+    {
+      reader->SetNumbering(*description.numbering);
+    }
+    reader->Update();
+    result->warnings.insert(result->warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
+    marked = reader->GetOutput();
+  }
+  if (marked.IsNotNull())
+  {
+    itk::MeasureLandmarkErrors(*result, marked);
+    result->markedLandmarks = marked;
+  }
+  return result;
+}
+
+const JawResult &
+GetJaw(const CaseResult & result, const std::string & name)
+{
+  const auto found = result.jaws.find(name == "lower" ? JawEnum::Lower : JawEnum::Upper);
+  if ((name != "upper" && name != "lower") || found == result.jaws.end())
+  {
+    throw std::invalid_argument("the result has no jaw \"" + name + "\"");
+  }
+  return found->second;
+}
+} // namespace
+
+void
+WrapCase(py::module_ & module)
+{
+  using PresetEnum = itk::CasePresetEnum;
+  BindEnum<PresetEnum>(module,
+                       "Preset",
+                       { { "Robust", PresetEnum::Robust },
+                         { "Paper", PresetEnum::Paper },
+                         { "BoundingBox", PresetEnum::BoundingBox },
+                         { "SingleStage", PresetEnum::SingleStage } },
+                       "How a case is registered.");
+
+  py::class_<Case, std::shared_ptr<Case>>(module, "_Case")
+    .def(py::init(&MakeCase),
+         py::arg("upper"),
+         py::arg("lower"),
+         py::arg("upperContour"),
+         py::arg("lowerContour"),
+         py::arg("geometry"),
+         py::arg("image"),
+         py::arg("imageSize"),
+         py::arg("principalPointKnown"),
+         py::arg("tracedSide"),
+         py::arg("occlusion"),
+         py::arg("landmarks3D"),
+         py::arg("landmarks2D"),
+         py::arg("exclude"),
+         py::arg("fix"))
+    .def_static("_Read",
+                &ReadCase,
+                py::arg("fileName"),
+                py::arg("exclude"),
+                py::arg("fix"),
+                py::arg("init"),
+                py::call_guard<py::gil_scoped_release>())
+    .def(
+      "_GetMesh", [](const Case & self, JawEnum jaw) { return self.data->GetJaw(jaw).mesh; }, py::arg("jaw"))
+    .def(
+      "_GetContour", [](const Case & self, JawEnum jaw) { return self.data->GetJaw(jaw).contour; }, py::arg("jaw"))
+    .def("_GetImage", [](const Case & self) { return self.data->image; })
+    .def("_GetImageSize",
+         [](const Case & self) { return std::make_pair(self.data->imageSize[0], self.data->imageSize[1]); })
+    .def("_GetGeometry", [](const Case & self) { return self.data->geometry; })
+    .def("_GetLandmarks3D", [](const Case & self) { return ToDict<3>(self.data->landmarks3D); })
+    .def("_GetFileName", [](const Case & self) { return self.data->description.fileName; })
+    .def("_GetWarnings", [](const Case & self) { return self.data->warnings; })
+    .def("_HasPrincipalPoint", [](const Case & self) { return self.data->HasPrincipalPoint(); })
+    .def("_GetTracedSide", [](const Case & self) { return itk::ToString(self.data->description.tracedSide); });
+
+  py::class_<CaseResult, std::shared_ptr<CaseResult>>(module, "_CaseResult")
+    .def("_ToJson", &itk::CaseResultToJson)
+    .def(
+      "_Write",
+      [](const CaseResult & self, const std::string & folder) { itk::WriteCaseResult(self, folder); },
+      py::arg("folder"),
+      py::call_guard<py::gil_scoped_release>())
+    .def("_GetJaws",
+         [](const CaseResult & self) {
+           std::vector<std::string> names;
+           for (const auto & entry : self.jaws)
+           {
+             names.push_back(entry.first == JawEnum::Lower ? "lower" : "upper");
+           }
+           return names;
+         })
+    .def(
+      "_GetOverlay",
+      [](const CaseResult & self, const std::string & jaw) {
+        GetJaw(self, jaw);
+        const auto overlay = itk::MakeCaseOverlay(self, jaw == "lower" ? JawEnum::Lower : JawEnum::Upper);
+        overlay->Update();
+        itk::SmartPointer<PictureType> picture = overlay->GetOutput();
+        picture->DisconnectPipeline();
+        return picture;
+      },
+      py::arg("jaw"),
+      py::call_guard<py::gil_scoped_release>())
+    .def("_GetGeometry", [](const CaseResult & self) { return self.geometry; })
+    .def("_GetJaw", [](const CaseResult & self, const std::string & name) {
+      const JawResult & jaw = GetJaw(self, name);
+      py::dict          result;
+      result["registered"] = jaw.registered;
+      result["projection"] = MakeMatrix34(jaw.projection);
+      result["meshToUMDA"] = MakeMatrix44(jaw.meshToUMDA);
+      result["meshToCephalostat"] = MakeMatrix44(jaw.meshToCephalostat);
+      py::dict contours;
+      for (const auto & contour : jaw.contours)
+      {
+        contours[py::str(contour.first)] = contour.second;
+      }
+      result["contours"] = contours;
+      py::dict covariances;
+      for (const auto & landmark : jaw.landmarks)
+      {
+        if (landmark.covariance)
+        {
+          covariances[py::str(landmark.name)] =
+            MakeArray<double>(std::vector<double>(landmark.covariance->begin(), landmark.covariance->end()), { 2, 2 });
+        }
+      }
+      result["covariances"] = covariances;
+      return result;
+    });
+
+  ProcessClass<CaseRegistration>(module, "CaseRegistration", "A case through the whole chain; see register().")
+    .def(New<CaseRegistration>())
+    .def("SetPreset", &CaseRegistration::SetPreset, py::arg("preset"))
+    .def("GetPreset", &CaseRegistration::GetPreset)
+    .dentalscrProperty(CaseRegistration, NumberOfUpperContourPoints)
+    .dentalscrProperty(CaseRegistration, NumberOfLowerContourPoints)
+    .dentalscrBoolean(CaseRegistration, UseSurfaceDRR)
+    .def("GetCurrentStage", [](const CaseRegistration & self) { return self.GetCurrentStage(); })
+    .def(
+      "_SetData", [](CaseRegistration & self, const Case & input) { self.SetData(input.data); }, py::arg("case"))
+    .def("_TakeResult", &TakeResult, py::arg("case"));
+}
+} // namespace dentalscr

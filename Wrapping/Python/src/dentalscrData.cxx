@@ -1,0 +1,614 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrBinding.h"
+
+#include "itkDentalContour.h"
+#include "itkMakeTriangleSurface.h"
+#include "itkTriangleCell.h"
+#include "itkWritePicture.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace dentalscr
+{
+namespace
+{
+using IndexArray = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+using LabelArray = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
+
+/** Throws unless the array is N x columns. */
+void
+CheckShape(const py::array & array, py::ssize_t columns, const char * what)
+{
+  if (array.ndim() != 2 || (array.shape(1) != columns && array.size() > 0))
+  {
+    std::string shape;
+    for (py::ssize_t i = 0; i < array.ndim(); ++i)
+    {
+      shape += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
+    }
+    throw std::invalid_argument(std::string(what) + " have the shape (" + shape + "); (N, " + std::to_string(columns) +
+                                ") is needed");
+  }
+}
+
+void
+SetLabels(MeshType & mesh, const LabelArray & labels)
+{
+  if (labels.ndim() != 1 || static_cast<std::size_t>(labels.size()) != mesh.GetNumberOfPoints())
+  {
+    throw std::invalid_argument("there are " + std::to_string(labels.size()) + " labels for " +
+                                std::to_string(mesh.GetNumberOfPoints()) + " points; give one a point");
+  }
+  auto data = MeshType::PointDataContainer::New();
+  data->Reserve(mesh.GetNumberOfPoints());
+  for (py::ssize_t i = 0; i < labels.size(); ++i)
+  {
+    data->SetElement(i, labels.at(i));
+  }
+  mesh.SetPointData(data);
+  mesh.Modified();
+}
+
+MeshType::Pointer
+MakeMesh(const FloatArray & points, const IndexArray & triangles, const py::object & labels)
+{
+  CheckShape(points, 3, "points");
+  CheckShape(triangles, 3, "triangles");
+  const auto           numberOfPoints = static_cast<std::size_t>(points.shape(0));
+  const auto           numberOfTriangles = static_cast<std::size_t>(triangles.shape(0));
+  auto                 mesh = MeshType::New();
+  const float *        p = points.data();
+  const std::int64_t * t = triangles.data();
+  {
+    const py::gil_scoped_release released;
+    for (std::size_t i = 0; i < 3 * numberOfPoints; ++i)
+    {
+      if (!std::isfinite(p[i]))
+      {
+        throw std::invalid_argument("point " + std::to_string(i / 3) + " is not finite");
+      }
+    }
+    for (std::size_t i = 0; i < 3 * numberOfTriangles; ++i)
+    {
+      if (t[i] < 0 || static_cast<std::size_t>(t[i]) >= numberOfPoints)
+      {
+        throw std::invalid_argument("triangle " + std::to_string(i / 3) + " names point " + std::to_string(t[i]) +
+                                    " of " + std::to_string(numberOfPoints));
+      }
+    }
+    auto   container = MeshType::PointsContainer::New();
+    auto & values = container->CastToSTLContainer();
+    values.resize(numberOfPoints);
+    for (std::size_t i = 0; i < numberOfPoints; ++i)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        values[i][d] = p[3 * i + d];
+      }
+    }
+    mesh->SetPoints(container);
+    auto cells = MeshType::CellsContainer::New();
+    cells->Reserve(numberOfTriangles);
+    for (std::size_t i = 0; i < numberOfTriangles; ++i)
+    {
+      MeshType::CellAutoPointer cell;
+      cell.TakeOwnership(new itk::TriangleCell<MeshType::CellType>);
+      for (unsigned int corner = 0; corner < 3; ++corner)
+      {
+        cell->SetPointId(corner, static_cast<MeshType::PointIdentifier>(t[3 * i + corner]));
+      }
+      cells->SetElement(i, cell.ReleaseOwnership());
+    }
+    mesh->SetCellsAllocationMethod(itk::MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
+    mesh->SetCells(cells);
+  }
+  if (!labels.is_none())
+  {
+    SetLabels(*mesh, labels.cast<LabelArray>());
+  }
+  return mesh;
+}
+
+/** A view on memory that the object owns: no copy, not writeable, keeps the object alive. */
+template <typename T>
+py::array_t<T>
+MakeView(const T * values, std::vector<py::ssize_t> shape, const py::object & owner)
+{
+  py::array_t<T> view(shape, values, owner);
+  view.attr("flags").attr("writeable") = false;
+  return view;
+}
+
+py::array_t<float>
+ViewPoints(const py::object & self)
+{
+  const auto & mesh = self.cast<const MeshType &>();
+  if (mesh.GetNumberOfPoints() == 0)
+  {
+    return py::array_t<float>(std::vector<py::ssize_t>{ 0, 3 });
+  }
+  const auto & values = mesh.GetPoints()->CastToSTLConstContainer();
+  return MakeView(&values[0][0], { static_cast<py::ssize_t>(values.size()), 3 }, self);
+}
+
+py::array_t<std::uint32_t>
+CopyTriangles(const MeshType & mesh)
+{
+  const itk::TriangleSurface surface = itk::MakeTriangleSurface(&mesh);
+  py::array_t<std::uint32_t> triangles({ static_cast<py::ssize_t>(surface.triangles.size()), py::ssize_t{ 3 } });
+  std::uint32_t *            out = triangles.mutable_data();
+  for (const auto & triangle : surface.triangles)
+  {
+    out = std::copy(triangle.begin(), triangle.end(), out);
+  }
+  return triangles;
+}
+
+py::object
+CopyLabels(const MeshType & mesh)
+{
+  const auto * data = mesh.GetPointData();
+  if (data == nullptr || data->Size() == 0)
+  {
+    return py::none();
+  }
+  py::array_t<std::uint8_t> labels(static_cast<py::ssize_t>(mesh.GetNumberOfPoints()));
+  for (py::ssize_t i = 0; i < labels.size(); ++i)
+  {
+    float value = 0.0F;
+    data->GetElementIfIndexExists(i, &value);
+    labels.mutable_at(i) = static_cast<std::uint8_t>(value);
+  }
+  return labels;
+}
+
+void
+WrapMesh(py::module_ & module)
+{
+  py::class_<MeshType, itk::DataObject, itk::SmartPointer<MeshType>>(module,
+                                                                     "Mesh",
+                                                                     R"(A triangle mesh: a scan of a jaw.
+
+Coordinates are kept as 32-bit floats, as STL has them, in mm unless a function says otherwise. Triangles are wound
+counter-clockwise seen from outside.
+
+Parameters
+----------
+points : (N, 3) array of numbers
+triangles : (M, 3) array of integers
+    Indices into the points.
+labels : (N,) array of integers, optional
+    FDI number of the tooth of each point, 0 for gingiva.)")
+    .def(py::init(&MakeMesh), py::arg("points"), py::arg("triangles"), py::arg("labels") = py::none())
+    .def("GetNumberOfPoints", [](const MeshType & self) { return self.GetNumberOfPoints(); })
+    .def("GetNumberOfTriangles", [](const MeshType & self) { return self.GetNumberOfCells(); })
+    .def_property_readonly("points", &ViewPoints, "(N, 3) float32: a read-only view, no copy.")
+    .def_property_readonly("triangles", &CopyTriangles, "(M, 3) uint32: a copy.")
+    .def_property_readonly("vertices", &ViewPoints, "The points, under the name that trimesh has.")
+    .def_property_readonly("faces", &CopyTriangles, "The triangles, under the name that trimesh has.")
+    .def_property("labels", &CopyLabels, &SetLabels, "(N,) uint8 or None: a copy. FDI numbers, 0 for gingiva.")
+    .def_property_readonly(
+      "bounds",
+      [](const py::object & self) {
+        const py::object points = ViewPoints(self);
+        if (py::len(points) == 0)
+        {
+          throw std::invalid_argument("the mesh has no points");
+        }
+        const py::module_ numpy = py::module_::import("numpy");
+        return py::array_t<double>(numpy.attr("stack")(
+          py::make_tuple(points.attr("min")(py::arg("axis") = 0), points.attr("max")(py::arg("axis") = 0))));
+      },
+      "(2, 3): smallest and largest coordinates.")
+    .def("__repr__",
+         [](const MeshType & self) {
+           return "<dentalscr.Mesh of " + std::to_string(self.GetNumberOfPoints()) + " points, " +
+                  std::to_string(self.GetNumberOfCells()) + " triangles>";
+         })
+    .def(py::pickle(
+      [](const py::object & self) {
+        const auto & mesh = self.cast<const MeshType &>();
+        return py::make_tuple(ViewPoints(self), CopyTriangles(mesh), CopyLabels(mesh));
+      },
+      [](const py::tuple & state) {
+        return MakeMesh(state[0].cast<FloatArray>(), state[1].cast<IndexArray>(), state[2]);
+      }));
+}
+
+using VectorType = itk::Vector<double, 2>;
+using PointType = itk::Point<double, 2>;
+
+ImageType::Pointer
+MakeImage(const FloatArray &            array,
+          const VectorType &            spacing,
+          const PointType &             origin,
+          const std::array<double, 4> & direction,
+          const ImageType::IndexType &  index)
+{
+  if (array.ndim() != 2)
+  {
+    throw std::invalid_argument("an image is a 2-D array of rows and columns, not one of " +
+                                std::to_string(array.ndim()) + " dimensions");
+  }
+  if (!(spacing[0] > 0.0 && spacing[1] > 0.0))
+  {
+    throw std::invalid_argument("a spacing is above 0");
+  }
+  auto                     image = ImageType::New();
+  ImageType::SizeType      size{ { static_cast<itk::SizeValueType>(array.shape(1)),
+                                   static_cast<itk::SizeValueType>(array.shape(0)) } };
+  ImageType::DirectionType matrix;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    matrix(i / 2, i % 2) = direction[i];
+  }
+  image->SetRegions(ImageType::RegionType(index, size));
+  image->SetSpacing(spacing);
+  image->SetOrigin(origin);
+  image->SetDirection(matrix);
+  image->Allocate();
+  std::copy(array.data(), array.data() + array.size(), image->GetBufferPointer());
+  return image;
+}
+
+py::array_t<float>
+ViewPixels(const py::object & self)
+{
+  const auto & image = self.cast<const ImageType &>();
+  const auto   size = image.GetBufferedRegion().GetSize();
+  if (size[0] * size[1] == 0)
+  {
+    return py::array_t<float>(std::vector<py::ssize_t>{ 0, 0 });
+  }
+  return MakeView(
+    image.GetBufferPointer(), { static_cast<py::ssize_t>(size[1]), static_cast<py::ssize_t>(size[0]) }, self);
+}
+
+std::array<double, 4>
+GetDirection(const ImageType & image)
+{
+  const auto & matrix = image.GetDirection();
+  return { { matrix(0, 0), matrix(0, 1), matrix(1, 0), matrix(1, 1) } };
+}
+
+void
+WrapImage(py::module_ & module)
+{
+  const std::array<double, 4> identity{ { 1.0, 0.0, 0.0, 1.0 } };
+  py::class_<ImageType, itk::DataObject, itk::SmartPointer<ImageType>>(
+    module,
+    "Image",
+    py::buffer_protocol(),
+    R"(A grey picture of 32-bit floats: radiograph, DRR or label map.
+
+Arrays are [row, column] = [v, u]; sizes, spacings and points are (u, v) as in SimpleITK. ``numpy.asarray(image)`` is a
+read-only view.
+
+Parameters
+----------
+array : (height, width) array
+    Copied.
+spacing, origin : pair of numbers, optional
+    mm a pixel, and the place of the pixel (0, 0).
+direction : 4 numbers, optional
+    Row-major.
+index : pair of int, optional
+    Index of the first pixel; a DRR may begin at a negative one.)")
+    .def(py::init(&MakeImage),
+         py::arg("array"),
+         py::arg("spacing") = VectorType(1.0),
+         py::arg("origin") = PointType(0.0),
+         py::arg("direction") = identity,
+         py::arg("index") = ImageType::IndexType{ { 0, 0 } })
+    .def_buffer([](ImageType & self) {
+      const auto size = self.GetBufferedRegion().GetSize();
+      return py::buffer_info(self.GetBufferPointer(),
+                             { static_cast<py::ssize_t>(size[1]), static_cast<py::ssize_t>(size[0]) },
+                             { static_cast<py::ssize_t>(size[0] * sizeof(float)), py::ssize_t{ sizeof(float) } },
+                             true);
+    })
+    .def(
+      "GetSize", [](const ImageType & self) { return self.GetBufferedRegion().GetSize(); }, "(width, height)")
+    .def("GetIndex", [](const ImageType & self) { return self.GetBufferedRegion().GetIndex(); })
+    .def("GetSpacing", [](const ImageType & self) { return VectorType(self.GetSpacing()); })
+    .def("GetOrigin", [](const ImageType & self) { return self.GetOrigin(); })
+    .def("GetDirection",
+         [](const ImageType & self) {
+           const auto direction = GetDirection(self);
+           return py::make_tuple(direction[0], direction[1], direction[2], direction[3]);
+         })
+    .def("GetWidth", [](const ImageType & self) { return self.GetBufferedRegion().GetSize()[0]; })
+    .def("GetHeight", [](const ImageType & self) { return self.GetBufferedRegion().GetSize()[1]; })
+    .def("GetDimension", [](const ImageType &) { return 2; })
+    .def(
+      "TransformContinuousIndexToPhysicalPoint",
+      [](const ImageType & self, const itk::ContinuousIndex<double, 2> & index) {
+        PointType point;
+        self.TransformContinuousIndexToPhysicalPoint(index, point);
+        return point;
+      },
+      py::arg("index"))
+    .def(
+      "TransformPhysicalPointToContinuousIndex",
+      [](const ImageType & self, const PointType & point) {
+        return self.TransformPhysicalPointToContinuousIndex<double, double>(point);
+      },
+      py::arg("point"))
+    .def_property_readonly("array", &ViewPixels, "(height, width) float32: a read-only view, no copy.")
+    .def(
+      "_repr_png_",
+      [](const py::object & self) {
+        return py::module_::import("dentalscr._pictures").attr("grey_png")(ViewPixels(self)).cast<py::bytes>();
+      },
+      "The picture, for notebooks.")
+    .def("__repr__",
+         [](const ImageType & self) {
+           std::ostringstream text;
+           const auto         region = self.GetBufferedRegion();
+           text << "<dentalscr.Image of " << region.GetSize()[0] << " x " << region.GetSize()[1] << " pixels, spacing ("
+                << self.GetSpacing()[0] << ", " << self.GetSpacing()[1] << "), first index (" << region.GetIndex()[0]
+                << ", " << region.GetIndex()[1] << ")>";
+           return text.str();
+         })
+    .def(py::pickle(
+      [](const py::object & self) {
+        const auto & image = self.cast<const ImageType &>();
+        return py::make_tuple(ViewPixels(self),
+                              VectorType(image.GetSpacing()),
+                              image.GetOrigin(),
+                              GetDirection(image),
+                              image.GetBufferedRegion().GetIndex());
+      },
+      [](const py::tuple & state) {
+        return MakeImage(state[0].cast<FloatArray>(),
+                         state[1].cast<VectorType>(),
+                         state[2].cast<PointType>(),
+                         state[3].cast<std::array<double, 4>>(),
+                         state[4].cast<ImageType::IndexType>());
+      }));
+
+  py::class_<PictureType, itk::DataObject, itk::SmartPointer<PictureType>>(
+    module, "Picture", py::buffer_protocol(), "A colour picture; ``numpy.asarray(picture)`` is a read-only view.")
+    .def_buffer([](PictureType & self) {
+      const auto size = self.GetBufferedRegion().GetSize();
+      return py::buffer_info(reinterpret_cast<unsigned char *>(self.GetBufferPointer()),
+                             { static_cast<py::ssize_t>(size[1]), static_cast<py::ssize_t>(size[0]), py::ssize_t{ 3 } },
+                             { static_cast<py::ssize_t>(3 * size[0]), py::ssize_t{ 3 }, py::ssize_t{ 1 } },
+                             true);
+    })
+    .def(
+      "GetSize", [](const PictureType & self) { return self.GetBufferedRegion().GetSize(); }, "(width, height)")
+    .def(
+      "Write",
+      [](const PictureType & self, const std::string & fileName) { itk::WritePicture(&self, fileName); },
+      py::arg("fileName"),
+      py::call_guard<py::gil_scoped_release>(),
+      "As PNG, whole or not at all.")
+    .def(
+      "_repr_png_",
+      [](const py::object & self) {
+        const py::object array = py::module_::import("numpy").attr("asarray")(self);
+        return py::module_::import("dentalscr._pictures").attr("encode_png")(array).cast<py::bytes>();
+      },
+      "The picture, for notebooks.")
+    .def("__repr__", [](const PictureType & self) {
+      const auto size = self.GetBufferedRegion().GetSize();
+      return "<dentalscr.Picture of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " pixels>";
+    });
+}
+
+using itk::DentalContour;
+using PolylineType = DentalContour::PolylineType;
+
+/** By name or FDI number; empty or 0 is unknown. */
+itk::ToothCode
+MakeToothCode(const py::object & code)
+{
+  if (py::isinstance<py::str>(code))
+  {
+    return itk::ToothCode::FromString(code.cast<std::string>());
+  }
+  return itk::ToothCode(code.is_none() ? 0U : code.cast<unsigned int>());
+}
+
+PolylineType
+MakePolyline(const DoubleArray & points, const py::object & code, bool closed, const py::object & weights)
+{
+  CheckShape(points, 2, "points");
+  PolylineType polyline;
+  polyline.code = MakeToothCode(code);
+  polyline.closed = closed;
+  polyline.points.resize(static_cast<std::size_t>(points.shape(0)));
+  for (std::size_t i = 0; i < polyline.points.size(); ++i)
+  {
+    polyline.points[i][0] = points.at(i, 0);
+    polyline.points[i][1] = points.at(i, 1);
+  }
+  if (!weights.is_none())
+  {
+    const auto array = weights.cast<DoubleArray>();
+    polyline.weights.assign(array.data(), array.data() + array.size());
+  }
+  return polyline;
+}
+
+py::tuple
+MakeState(const DentalContour & contour)
+{
+  py::list state;
+  for (const PolylineType & polyline : contour.GetPolylines())
+  {
+    py::object weights = py::none();
+    if (!polyline.weights.empty())
+    {
+      weights = MakeArray(polyline.weights);
+    }
+    state.append(
+      py::make_tuple(MakeRows<2>(polyline.points), polyline.code.GetName(), polyline.closed, std::move(weights)));
+  }
+  return py::tuple(state);
+}
+
+void
+WrapContour(py::module_ & module)
+{
+  py::class_<PolylineType>(module,
+                           "Polyline",
+                           R"(One stretch of a contour.
+
+Parameters
+----------
+points : (N, 2) array
+    Continuous pixel indices (u, v); a closed one does not repeat its first.
+code : str or int, optional
+    "UR1" or the FDI number; "" is unknown.
+closed : bool, optional
+weights : (N,) array, optional
+    In [0, 1], 0 is ignored.)")
+    .def(py::init(&MakePolyline),
+         py::arg("points"),
+         py::arg("code") = "",
+         py::arg("closed") = false,
+         py::arg("weights") = py::none())
+    .def_property_readonly(
+      "points", [](const PolylineType & self) { return MakeRows<2>(self.points); }, "(N, 2) copy.")
+    .def_property_readonly(
+      "code", [](const PolylineType & self) { return self.code.GetName(); }, "\"UR1\" or \"\".")
+    .def_property_readonly(
+      "fdi", [](const PolylineType & self) { return static_cast<int>(self.code.GetFDI()); }, "0 is unknown.")
+    .def_readonly("closed", &PolylineType::closed)
+    .def_property_readonly(
+      "weights",
+      [](const PolylineType & self) -> py::object {
+        return self.weights.empty() ? py::object(py::none()) : py::object(MakeArray(self.weights));
+      },
+      "(N,) copy, or None.")
+    .def("__len__", [](const PolylineType & self) { return self.points.size(); })
+    .def("__repr__", [](const PolylineType & self) {
+      return "<dentalscr.Polyline " + self.code.GetName() + (self.closed ? ", closed" : "") + ", " +
+             std::to_string(self.points.size()) + " points>";
+    });
+
+  py::class_<DentalContour, itk::DataObject, itk::SmartPointer<DentalContour>>(
+    module,
+    "Contour",
+    R"(Polylines in a radiograph, each with the code of its tooth.
+
+Points are continuous pixel indices (u, v): (0, 0) is the centre of the first pixel. A tracing is one, a silhouette and
+what a segmentation yields are others.
+
+Parameters
+----------
+polylines : sequence of Polyline, optional)")
+    .def(py::init([](const std::vector<PolylineType> & polylines) {
+           auto contour = DentalContour::New();
+           for (const auto & polyline : polylines)
+           {
+             contour->AddPolyline(polyline);
+           }
+           return contour;
+         }),
+         py::arg("polylines") = std::vector<PolylineType>())
+    .def(
+      "AddPolyline",
+      [](DentalContour &     self,
+         const DoubleArray & points,
+         const py::object &  code,
+         bool                closed,
+         const py::object &  weights) { self.AddPolyline(MakePolyline(points, code, closed, weights)); },
+      py::arg("points"),
+      py::arg("code") = "",
+      py::arg("closed") = false,
+      py::arg("weights") = py::none())
+    .def_property_readonly("polylines", &DentalContour::GetPolylines, "Copies.")
+    .def_property_readonly(
+      "points",
+      [](const DentalContour & self) {
+        std::vector<DentalContour::PointType> points;
+        for (const PolylineType & polyline : self.GetPolylines())
+        {
+          points.insert(points.end(), polyline.points.begin(), polyline.points.end());
+        }
+        return MakeRows<2>(points);
+      },
+      "(N, 2) float64: the points of all polylines, a copy.")
+    .def("GetNumberOfPoints", [](const DentalContour & self) { return self.GetNumberOfPoints(); })
+    .def("GetLength", &DentalContour::GetLength, "Sum of the segments' lengths, pixels.")
+    .def("__len__", [](const DentalContour & self) { return self.GetPolylines().size(); })
+    .def(
+      "_repr_svg_",
+      [](const py::object & self) {
+        return py::module_::import("dentalscr._pictures").attr("contour_svg")(self).cast<std::string>();
+      },
+      "The picture, for notebooks.")
+    .def("__repr__",
+         [](const DentalContour & self) {
+           return "<dentalscr.Contour of " + std::to_string(self.GetPolylines().size()) + " polylines, " +
+                  std::to_string(self.GetNumberOfPoints()) + " points>";
+         })
+    .def(py::pickle([](const DentalContour & self) { return MakeState(self); },
+                    [](const py::tuple & state) {
+                      auto contour = DentalContour::New();
+                      for (const py::handle item : state)
+                      {
+                        const auto polyline = item.cast<py::tuple>();
+                        contour->AddPolyline(MakePolyline(
+                          polyline[0].cast<DoubleArray>(), polyline[1], polyline[2].cast<bool>(), polyline[3]));
+                      }
+                      return contour;
+                    }));
+}
+} // namespace
+
+void
+WrapData(py::module_ & module)
+{
+  py::class_<itk::DataObject, itk::SmartPointer<itk::DataObject>>(
+    module, "DataObject", "What process objects exchange.");
+  using itk::ToothCode;
+  BindEnum<ToothCode::JawEnum>(module,
+                               "Jaw",
+                               { { "Upper", ToothCode::JawEnum::Upper },
+                                 { "Lower", ToothCode::JawEnum::Lower },
+                                 { "Unknown", ToothCode::JawEnum::Unknown } },
+                               "A jaw; Unknown stands for both where a filter takes it.");
+  BindEnum<ToothCode::NumberingEnum>(module,
+                                     "Numbering",
+                                     { { "Quadrant", ToothCode::NumberingEnum::Quadrant },
+                                       { "FDI", ToothCode::NumberingEnum::FDI },
+                                       { "Universal", ToothCode::NumberingEnum::Universal } },
+                                     "How tooth codes are written: UR1, 11 or 8.");
+  WrapMesh(module);
+  WrapImage(module);
+  WrapContour(module);
+  module.def(
+    "tooth_name",
+    [](const py::object & code) { return MakeToothCode(code).GetName(); },
+    py::arg("code"),
+    "\"UR1\" from \"UR1\", \"11\" or 11.");
+  module.def(
+    "tooth_fdi",
+    [](const py::object & code) { return static_cast<int>(MakeToothCode(code).GetFDI()); },
+    py::arg("code"),
+    "11 from \"UR1\", \"11\" or 11.");
+}
+} // namespace dentalscr

@@ -1,0 +1,268 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrBinding.h"
+
+#include "itkCephalometricGeometry.h"
+
+#include <sstream>
+
+namespace dentalscr
+{
+namespace
+{
+using GeometryType = itk::CephalometricGeometry;
+using SideEnum = GeometryType::SourceSideEnum;
+using FacingEnum = GeometryType::FacingEnum;
+
+std::array<double, 12>
+GetPose(const GeometryType & geometry)
+{
+  std::array<double, 12> pose{};
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      pose[4 * row + column] = geometry.GetPoseRotation()(row, column);
+    }
+    pose[4 * row + 3] = geometry.GetPoseTranslation()[row];
+  }
+  return pose;
+}
+
+void
+SetPose(GeometryType & geometry, const DoubleArray & matrix)
+{
+  if (matrix.ndim() != 2 || matrix.shape(0) < 3 || matrix.shape(0) > 4 || matrix.shape(1) != 4)
+  {
+    throw std::invalid_argument("a pose is a rigid 4 x 4 or 3 x 4 matrix");
+  }
+  GeometryType::RotationType rotation;
+  GeometryType::VectorType   translation;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rotation(row, column) = matrix.at(row, column);
+    }
+    translation[row] = matrix.at(row, 3);
+  }
+  geometry.SetPose(rotation, translation);
+}
+
+GeometryType::Pointer
+MakeGeometry(double             sourceToMidsagittal,
+             double             sourceToDetector,
+             const py::object & pixelSpacing,
+             const py::object & principalPoint,
+             SideEnum           sourceSide,
+             FacingEnum         facing)
+{
+  auto geometry = GeometryType::New();
+  geometry->SetSourceToMidsagittalDistance(sourceToMidsagittal);
+  geometry->SetSourceToDetectorDistance(sourceToDetector);
+  if (!pixelSpacing.is_none())
+  {
+    geometry->SetPixelSpacing(py::isinstance<py::float_>(pixelSpacing) || py::isinstance<py::int_>(pixelSpacing)
+                                ? GeometryType::PixelSpacingType(pixelSpacing.cast<double>())
+                                : pixelSpacing.cast<GeometryType::PixelSpacingType>());
+  }
+  if (!principalPoint.is_none())
+  {
+    geometry->SetPrincipalPoint(principalPoint.cast<GeometryType::PixelIndexType>());
+  }
+  geometry->SetSourceSide(sourceSide);
+  geometry->SetFacing(facing);
+  return geometry;
+}
+
+template <unsigned int VRows, unsigned int VColumns>
+py::array_t<double>
+ToArray(const itk::Matrix<double, VRows, VColumns> & matrix)
+{
+  std::vector<double> values;
+  for (unsigned int i = 0; i < VRows * VColumns; ++i)
+  {
+    values.push_back(matrix(i / VColumns, i % VColumns));
+  }
+  return MakeArray<double>(values, { VRows, VColumns });
+}
+} // namespace
+
+void
+WrapGeometry(py::module_ & module)
+{
+  py::class_<GeometryType, itk::DataObject, itk::SmartPointer<GeometryType>> type(
+    module,
+    "CephalometricGeometry",
+    R"(Where source, midsagittal plane, detector and pixels of a lateral cephalogram are.
+
+Cephalostat frame, mm: origin where the central ray meets the midsagittal plane, x anterior, y to the patient's left, z
+superior. The pose maps the object's frame to it.
+
+Parameters
+----------
+sourceToMidsagittal, sourceToDetector : float, optional
+    mm.
+pixelSpacing : float or pair of float, optional
+    mm in the detector plane. There is no default: projecting without one raises.
+principalPoint : pair of float, optional
+    Continuous pixel index where the central ray meets the detector.
+sourceSide : SourceSide or str, optional
+    The side of the patient on which the source stands.
+facing : Facing or str, optional
+    Where the face points in the image.)");
+  BindEnum<SideEnum>(
+    type, "SourceSide", { { "Right", SideEnum::Right }, { "Left", SideEnum::Left } }, "Side of the X-ray source.");
+  BindEnum<FacingEnum>(
+    type, "Facing", { { "Right", FacingEnum::Right }, { "Left", FacingEnum::Left } }, "Where the face points.");
+  type
+    .def(py::init(&MakeGeometry),
+         py::arg("sourceToMidsagittal") = 1524.0,
+         py::arg("sourceToDetector") = 1674.0,
+         py::arg("pixelSpacing") = py::none(),
+         py::arg("principalPoint") = py::none(),
+         py::arg_v("sourceSide", SideEnum::Right, "SourceSide.Right"),
+         py::arg_v("facing", FacingEnum::Right, "Facing.Right"))
+    .dentalscrProperty(GeometryType, SourceToMidsagittalDistance)
+    .dentalscrProperty(GeometryType, SourceToDetectorDistance)
+    .def("SetSourceSide", &GeometryType::SetSourceSide, py::arg("side"))
+    .def("GetSourceSide", [](const GeometryType & self) { return self.GetSourceSide(); })
+    .def("SetFacing", &GeometryType::SetFacing, py::arg("facing"))
+    .def("GetFacing", [](const GeometryType & self) { return self.GetFacing(); })
+    .def("SetPrincipalPoint", &GeometryType::SetPrincipalPoint, py::arg("index"))
+    .def("GetPrincipalPoint", [](const GeometryType & self) { return self.GetPrincipalPoint(); })
+    .def("SetPixelSpacing", &GeometryType::SetPixelSpacing, py::arg("spacing"))
+    .def("GetPixelSpacing", [](const GeometryType & self) { return self.GetPixelSpacing(); })
+    .def("HasPixelSpacing", &GeometryType::HasPixelSpacing)
+    .def("SetPose", &SetPose, py::arg("matrix"), "Rigid 4x4 or 3x4: object frame (mm) to cephalostat frame (mm).")
+    .def("SetPoseToIdentity", &GeometryType::SetPoseToIdentity)
+    .def(
+      "GetPose", [](const GeometryType & self) { return MakeMatrix44(GetPose(self)); }, "(4, 4), a copy.")
+    .def("GetMagnification", &GeometryType::GetMagnification, py::arg("point"))
+    .def("TransformToCephalostat", &GeometryType::TransformToCephalostat, py::arg("point"))
+    .def("ProjectPoint",
+         &GeometryType::ProjectPoint,
+         py::arg("point"),
+         "Object frame (mm) to continuous pixel index (u, v).")
+    .def(
+      "ProjectPoints",
+      [](const GeometryType & self, const DoubleArray & points) {
+        if (points.ndim() != 2 || points.shape(1) != 3)
+        {
+          throw std::invalid_argument("points have the wrong shape; (N, 3) is needed");
+        }
+        std::vector<GeometryType::PixelIndexType> result(static_cast<std::size_t>(points.shape(0)));
+        for (std::size_t i = 0; i < result.size(); ++i)
+        {
+          GeometryType::PointType point;
+          for (unsigned int d = 0; d < 3; ++d)
+          {
+            point[d] = points.at(i, d);
+          }
+          result[i] = self.ProjectPoint(point);
+        }
+        return MakeRows<2>(result);
+      },
+      py::arg("points"),
+      "All rows of an (N, 3) array: (N, 2), a copy.")
+    .def(
+      "ComputePointJacobian",
+      [](const GeometryType & self, const GeometryType::PointType & point) {
+        return ToArray(self.ComputePointJacobian(point));
+      },
+      py::arg("point"),
+      "(2, 3): d(u, v) / d(point).")
+    .def(
+      "ComputePoseJacobian",
+      [](const GeometryType & self, const GeometryType::PointType & point) {
+        return ToArray(self.ComputePoseJacobian(point));
+      },
+      py::arg("point"),
+      "(2, 6): three rotations (rad) about the cephalostat's axes, three translations (mm).")
+    .def(
+      "BackProject",
+      [](const GeometryType & self, const GeometryType::PixelIndexType & index) {
+        const auto ray = self.BackProject(index);
+        return std::make_pair(ray.origin, ray.direction);
+      },
+      py::arg("index"),
+      "The ray of a pixel in the object frame: the source, and the unit direction.")
+    .def("GetSourcePosition", &GeometryType::GetSourcePosition)
+    .def(
+      "GetProjectionMatrix",
+      [](const GeometryType & self) { return ToArray(self.GetProjectionMatrix()); },
+      "(3, 4): object frame (mm) to homogeneous pixel index, pose included.")
+    .def("VerifyComplete", &GeometryType::VerifyComplete)
+    .def("__copy__",
+         [](const GeometryType & self) {
+           auto copy = GeometryType::New();
+           copy->CopyParameters(&self);
+           return copy;
+         })
+    .def(
+      "__deepcopy__",
+      [](const GeometryType & self, const py::dict &) {
+        auto copy = GeometryType::New();
+        copy->CopyParameters(&self);
+        return copy;
+      },
+      py::arg("memo"))
+    .def("__repr__",
+         [](const GeometryType & self) {
+           std::ostringstream text;
+           text << "<dentalscr.CephalometricGeometry source to midsagittal " << self.GetSourceToMidsagittalDistance()
+                << " mm, to detector " << self.GetSourceToDetectorDistance() << " mm, source " << self.GetSourceSide()
+                << ", facing " << self.GetFacing() << ", pixel spacing ";
+           if (self.HasPixelSpacing())
+           {
+             text << self.GetPixelSpacing() << " mm";
+           }
+           else
+           {
+             text << "unknown";
+           }
+           text << ", principal point " << self.GetPrincipalPoint() << ">";
+           return text.str();
+         })
+    .def(py::pickle(
+      [](const GeometryType & self) {
+        py::object spacing = py::none();
+        if (self.HasPixelSpacing())
+        {
+          spacing = py::cast(self.GetPixelSpacing());
+        }
+        return py::make_tuple(self.GetSourceToMidsagittalDistance(),
+                              self.GetSourceToDetectorDistance(),
+                              spacing,
+                              self.GetPrincipalPoint(),
+                              static_cast<int>(self.GetSourceSide()),
+                              static_cast<int>(self.GetFacing()),
+                              MakeMatrix44(GetPose(self)));
+      },
+      [](const py::tuple & state) {
+        auto geometry = MakeGeometry(state[0].cast<double>(),
+                                     state[1].cast<double>(),
+                                     state[2],
+                                     state[3],
+                                     static_cast<SideEnum>(state[4].cast<int>()),
+                                     static_cast<FacingEnum>(state[5].cast<int>()));
+        SetPose(*geometry, state[6].cast<DoubleArray>());
+        return geometry;
+      }));
+}
+} // namespace dentalscr

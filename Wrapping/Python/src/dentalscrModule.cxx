@@ -1,0 +1,69 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrBinding.h"
+
+#include "dentalscrCommands.h"
+
+#include "itkBMPImageIOFactory.h"
+#include "itkDentalSCRVersion.h"
+#include "itkJPEGImageIOFactory.h"
+#include "itkMetaImageIOFactory.h"
+#include "itkNrrdImageIOFactory.h"
+#include "itkOpenMeshMeshIOFactory.h"
+#include "itkPNGImageIOFactory.h"
+#include "itkTIFFImageIOFactory.h"
+#include "itkTxtTransformIOFactory.h"
+#include "itkVersion.h"
+
+PYBIND11_MODULE(_core, module)
+{
+  using namespace dentalscr;
+  module.doc() = "The compiled part of dentalscr.";
+  itk::RegisterOpenMeshMeshIOFactories();
+  itk::TxtTransformIOFactory::RegisterOneFactory();
+  itk::PNGImageIOFactory::RegisterOneFactory();
+  itk::TIFFImageIOFactory::RegisterOneFactory();
+  itk::MetaImageIOFactory::RegisterOneFactory();
+  itk::NrrdImageIOFactory::RegisterOneFactory();
+  itk::BMPImageIOFactory::RegisterOneFactory();
+  itk::JPEGImageIOFactory::RegisterOneFactory();
+
+  module.attr("__version__") = itk::DentalSCRVersion;
+  module.attr("ITK_VERSION") = itk::Version::GetITKVersion();
+  module.def(
+    "_Main",
+    [](const std::vector<std::string> & arguments) {
+      std::vector<const char *> words;
+      for (const std::string & argument : arguments)
+      {
+        words.push_back(argument.c_str());
+      }
+      words.push_back(nullptr);
+      return Main(static_cast<int>(arguments.size()), words.data());
+    },
+    py::arg("arguments"),
+    py::call_guard<py::gil_scoped_release>());
+
+  WrapErrors(module);
+  WrapData(module);
+  WrapTransforms(module);
+  WrapGeometry(module);
+  WrapProcessObject(module);
+  WrapInputOutput(module);
+  WrapCase(module);
+}

@@ -1,0 +1,639 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrPythonContourMetric.h"
+
+#include "itkCoherentPointDriftContourRegistrationMethod.h"
+#include "itkContourChamferMetricv4.h"
+#include "itkContourDistanceFilter.h"
+#include "itkIntensityRegistrationMethod.h"
+#include "itkIterativeClosestPointContourRegistrationMethod.h"
+#include "itkSilhouetteToContourRegistrationMethod.h"
+
+#include "itkAmoebaOptimizerv4.h"
+#include "itkExhaustiveOptimizerv4.h"
+#include "itkGradientDescentLineSearchOptimizerv4.h"
+#include "itkGradientDescentOptimizerv4.h"
+#include "itkLBFGS2Optimizerv4.h"
+#include "itkLBFGSBOptimizerv4.h"
+#include "itkOnePlusOneEvolutionaryOptimizerv4.h"
+#include "itkPowellOptimizerv4.h"
+#include "itkRegularStepGradientDescentOptimizerv4.h"
+
+namespace dentalscr
+{
+namespace
+{
+using MethodType = itk::SilhouetteToContourRegistrationMethod;
+using TransformType = itk::Similarity2DTransform<double>;
+using itk::DentalContour;
+using DistanceFilterType = itk::ContourDistanceFilter;
+using DirectionEnum = itk::ContourMetricEnums::Direction;
+using DistanceEnum = itk::ContourMetricEnums::Distance;
+
+using GradientDescentType = itk::GradientDescentOptimizerv4Template<double>;
+using RegularStepType = itk::RegularStepGradientDescentOptimizerv4<double>;
+using LineSearchType = itk::GradientDescentLineSearchOptimizerv4Template<double>;
+using PowellType = itk::PowellOptimizerv4<double>;
+using OnePlusOneType = itk::OnePlusOneEvolutionaryOptimizerv4<double>;
+using ExhaustiveType = itk::ExhaustiveOptimizerv4<double>;
+
+TransformType::Pointer
+Copy(const TransformType * transform)
+{
+  auto copy = TransformType::New();
+  copy->SetFixedParameters(transform->GetFixedParameters());
+  copy->SetParameters(transform->GetParameters());
+  return copy;
+}
+
+py::tuple
+ToTuple(const itk::OptimizerParameters<double> & parameters)
+{
+  return py::tuple(py::cast(std::vector<double>(parameters.begin(), parameters.end())));
+}
+
+/** What the registration of contours has in common, whatever the method. */
+template <typename TMethod>
+void
+DefineContourMethod(ProcessClass<TMethod> & type)
+{
+  type.def("_SetFixedContour", &TMethod::SetFixedContour, py::arg("contour"))
+    .def("_SetMovingContour", &TMethod::SetMovingContour, py::arg("contour"))
+    .def(
+      "_SetInitialTransform",
+      [](TMethod & self, const TransformType * transform) {
+        if (transform == nullptr)
+        {
+          self.SetInitialTransformInput(nullptr);
+        }
+        else
+        {
+          self.SetInitialTransform(transform);
+        }
+      },
+      py::arg("transform"))
+    .def("_GetTransform", [](const TMethod & self) { return Copy(self.GetTransform()); })
+    .def(
+      "GetInitialParameters",
+      [](const TMethod & self) { return ToTuple(self.GetInitialParameters()); },
+      "The start (scale, rad, px, px).")
+    .def(
+      "GetCurrentLevel", [](const TMethod & self) { return self.GetCurrentLevel(); }, "0 is the coarsest.")
+    .def("GetOptimizerIteration", [](const TMethod & self) { return self.GetOptimizerIteration(); })
+    .def("GetMetricValue", [](const TMethod & self) { return self.GetMetricValue(); })
+    .def(
+      "GetOptimizerPosition",
+      [](const TMethod & self) { return ToTuple(self.GetOptimizerPosition()); },
+      "Parameters of the transform: (scale, rad, px, px).")
+    .def("GetOptimizerStopConditionDescription",
+         [](const TMethod & self) { return self.GetOptimizerStopConditionDescription(); });
+}
+
+void
+WrapMetrics(py::module_ & module)
+{
+  BindEnum<DirectionEnum>(module,
+                          "ContourDirection",
+                          { { "Symmetric", DirectionEnum::Symmetric },
+                            { "MovingToFixed", DirectionEnum::MovingToFixed },
+                            { "FixedToMoving", DirectionEnum::FixedToMoving } },
+                          "Which way distances between two contours are taken.");
+  BindEnum<DistanceEnum>(
+    module,
+    "ContourPointDistance",
+    { { "PointToPoint", DistanceEnum::PointToPoint }, { "PointToSegment", DistanceEnum::PointToSegment } },
+    "To what distances are taken: the nearest point, or the nearest place on a line.");
+  ProcessClass<DistanceFilterType>(module, "ContourDistanceFilter", "Distances between two contours.")
+    .def(New<DistanceFilterType>())
+    .def("_SetFixedContour", &DistanceFilterType::SetFixedContour, py::arg("contour"))
+    .def("_SetMovingContour", &DistanceFilterType::SetMovingContour, py::arg("contour"))
+    .def(
+      "_SetTransform",
+      [](DistanceFilterType & self, const TransformType * transform) {
+        if (transform == nullptr)
+        {
+          self.SetTransformInput(nullptr);
+        }
+        else
+        {
+          self.SetTransform(transform);
+        }
+      },
+      py::arg("transform"))
+    .def("SetDistance", &DistanceFilterType::SetDistance, py::arg("distance"))
+    .def("GetDistance", &DistanceFilterType::GetDistance)
+    .def(
+      "GetMovingToFixedMean", [](const DistanceFilterType & self) { return self.GetMovingToFixedMean(); }, "px.")
+    .def(
+      "GetFixedToMovingMean", [](const DistanceFilterType & self) { return self.GetFixedToMovingMean(); }, "px.")
+    .def(
+      "GetChamfer", [](const DistanceFilterType & self) { return self.GetChamfer(); }, "Average of the two means, px.")
+    .def(
+      "GetMovingToFixedHausdorff",
+      [](const DistanceFilterType & self) { return self.GetMovingToFixedHausdorff(); },
+      "px.")
+    .def(
+      "GetFixedToMovingHausdorff",
+      [](const DistanceFilterType & self) { return self.GetFixedToMovingHausdorff(); },
+      "px.")
+    .def(
+      "GetHausdorff", [](const DistanceFilterType & self) { return self.GetHausdorff(); }, "px.")
+    .def(
+      "GetMovingToFixedDistances",
+      [](const DistanceFilterType & self) { return MakeArray(self.GetMovingToFixedDistances()); },
+      "One a point, px; NaN for points of weight 0.")
+    .def(
+      "GetFixedToMovingDistances",
+      [](const DistanceFilterType & self) { return MakeArray(self.GetFixedToMovingDistances()); },
+      "One a point, px; NaN for points of weight 0.");
+}
+
+void
+WrapLevels(py::module_ & module)
+{
+  using LevelType = itk::SilhouetteToContourLevel;
+  using ResultType = itk::SilhouetteToContourLevelResult;
+  py::class_<LevelType>(
+    module,
+    "RegistrationLevel",
+    R"(What one level of a registration may search, and how. Bounds are half-widths around the estimate.
+
+Parameters
+----------
+scaleBound : float
+    Fraction: 0.35 allows 0.65 to 1.35 times the present scale.
+rotationBound : float
+    Radians.
+translationBound : float
+    Shift of the silhouette's centroid in u and v, mm.
+numberOfScales, numberOfRotations, numberOfTranslations : int
+    Candidates a parameter before the optimizer runs; 0 is none.
+numberOfStarts : int
+    The optimizer runs from so many of the best candidates.
+numberOfIterations : int
+    From a start; 0 leaves the optimizer's own.)")
+    .def(py::init([](double       scaleBound,
+                     double       rotationBound,
+                     double       translationBound,
+                     unsigned int numberOfScales,
+                     unsigned int numberOfRotations,
+                     unsigned int numberOfTranslations,
+                     unsigned int numberOfStarts,
+                     std::size_t  numberOfIterations) {
+           return LevelType{ scaleBound,        rotationBound,        translationBound, numberOfScales,
+                             numberOfRotations, numberOfTranslations, numberOfStarts,   numberOfIterations };
+         }),
+         py::arg("scaleBound") = 0.35,
+         py::arg("rotationBound") = 0.0,
+         py::arg("translationBound") = 0.0,
+         py::arg("numberOfScales") = 0,
+         py::arg("numberOfRotations") = 0,
+         py::arg("numberOfTranslations") = 0,
+         py::arg("numberOfStarts") = 1,
+         py::arg("numberOfIterations") = 0)
+    .def_readwrite("scaleBound", &LevelType::scaleBound)
+    .def_readwrite("rotationBound", &LevelType::rotationBound)
+    .def_readwrite("translationBound", &LevelType::translationBound)
+    .def_readwrite("numberOfScales", &LevelType::numberOfScales)
+    .def_readwrite("numberOfRotations", &LevelType::numberOfRotations)
+    .def_readwrite("numberOfTranslations", &LevelType::numberOfTranslations)
+    .def_readwrite("numberOfStarts", &LevelType::numberOfStarts)
+    .def_readwrite("numberOfIterations", &LevelType::numberOfIterations)
+    .def("__repr__", [](const LevelType & self) {
+      return "<dentalscr.RegistrationLevel scale " + std::to_string(self.scaleBound) + ", rotation " +
+             std::to_string(self.rotationBound) + " rad, translation " + std::to_string(self.translationBound) + " mm>";
+    });
+  py::class_<ResultType>(module, "RegistrationLevelResult", "How a level went.")
+    .def_readonly("initialParameters", &ResultType::initialParameters)
+    .def_readonly("finalParameters", &ResultType::finalParameters)
+    .def_readonly("initialValue", &ResultType::initialValue)
+    .def_readonly("finalValue", &ResultType::finalValue)
+    .def_readonly("boundsHit", &ResultType::boundsHit)
+    .def_readonly("numberOfIterations", &ResultType::numberOfIterations)
+    .def_readonly("numberOfEvaluations", &ResultType::numberOfEvaluations)
+    .def_readonly("numberOfCandidates", &ResultType::numberOfCandidates)
+    .def_readonly("stopConditionDescription", &ResultType::stopConditionDescription)
+    .def("__repr__", [](const ResultType & self) {
+      return "<dentalscr.RegistrationLevelResult " + std::to_string(self.initialValue) + " to " +
+             std::to_string(self.finalValue) + ", " + std::to_string(self.numberOfIterations) + " iterations, " +
+             self.stopConditionDescription + ">";
+    });
+}
+
+void
+WrapOptimizers(ProcessClass<MethodType> & type)
+{
+  type
+    .def(
+      "SetOptimizerAsLBFGSB",
+      [](MethodType & self,
+         double       gradientConvergenceTolerance,
+         unsigned int numberOfIterations,
+         unsigned int maximumNumberOfCorrections,
+         unsigned int maximumNumberOfFunctionEvaluations,
+         double       costFunctionConvergenceFactor) {
+        auto optimizer = itk::LBFGSBOptimizerv4::New();
+        optimizer->SetGradientConvergenceTolerance(gradientConvergenceTolerance);
+        optimizer->SetNumberOfIterations(numberOfIterations);
+        optimizer->SetMaximumNumberOfCorrections(maximumNumberOfCorrections);
+        optimizer->SetMaximumNumberOfFunctionEvaluations(maximumNumberOfFunctionEvaluations);
+        optimizer->SetCostFunctionConvergenceFactor(costFunctionConvergenceFactor);
+        self.SetOptimizer(optimizer);
+      },
+      py::arg("gradientConvergenceTolerance") = 1e-5,
+      py::arg("numberOfIterations") = 500,
+      py::arg("maximumNumberOfCorrections") = 5,
+      py::arg("maximumNumberOfFunctionEvaluations") = 2000,
+      py::arg("costFunctionConvergenceFactor") = 1e7)
+    .def(
+      "SetOptimizerAsLBFGS2",
+      [](MethodType & self,
+         double       solutionAccuracy,
+         int          numberOfIterations,
+         int          hessianApproximateAccuracy,
+         int          deltaConvergenceDistance,
+         double       deltaConvergenceTolerance,
+         int          lineSearchMaximumEvaluations) {
+        auto optimizer = itk::LBFGS2Optimizerv4::New();
+        optimizer->SetSolutionAccuracy(solutionAccuracy);
+        optimizer->SetMaximumIterations(numberOfIterations);
+        optimizer->SetHessianApproximationAccuracy(hessianApproximateAccuracy);
+        optimizer->SetDeltaConvergenceDistance(deltaConvergenceDistance);
+        optimizer->SetDeltaConvergenceTolerance(deltaConvergenceTolerance);
+        optimizer->SetMaximumLineSearchEvaluations(lineSearchMaximumEvaluations);
+        self.SetOptimizer(optimizer);
+      },
+      py::arg("solutionAccuracy") = 1e-5,
+      py::arg("numberOfIterations") = 100,
+      py::arg("hessianApproximateAccuracy") = 6,
+      py::arg("deltaConvergenceDistance") = 0,
+      py::arg("deltaConvergenceTolerance") = 1e-5,
+      py::arg("lineSearchMaximumEvaluations") = 40)
+    .def(
+      "SetOptimizerAsGradientDescent",
+      [](MethodType & self,
+         double       learningRate,
+         unsigned int numberOfIterations,
+         double       convergenceMinimumValue,
+         unsigned int convergenceWindowSize) {
+        auto optimizer = GradientDescentType::New();
+        optimizer->SetLearningRate(learningRate);
+        optimizer->SetNumberOfIterations(numberOfIterations);
+        optimizer->SetMinimumConvergenceValue(convergenceMinimumValue);
+        optimizer->SetConvergenceWindowSize(convergenceWindowSize);
+        optimizer->SetReturnBestParametersAndValue(true);
+        self.SetOptimizer(optimizer);
+      },
+      py::arg("learningRate"),
+      py::arg("numberOfIterations"),
+      py::arg("convergenceMinimumValue") = 1e-6,
+      py::arg("convergenceWindowSize") = 10)
+    .def(
+      "SetOptimizerAsRegularStepGradientDescent",
+      [](MethodType & self,
+         double       learningRate,
+         double       minStep,
+         unsigned int numberOfIterations,
+         double       relaxationFactor,
+         double       gradientMagnitudeTolerance) {
+        auto optimizer = RegularStepType::New();
+        optimizer->SetLearningRate(learningRate);
+        optimizer->SetMinimumStepLength(minStep);
+        optimizer->SetNumberOfIterations(numberOfIterations);
+        optimizer->SetRelaxationFactor(relaxationFactor);
+        optimizer->SetGradientMagnitudeTolerance(gradientMagnitudeTolerance);
+        self.SetOptimizer(optimizer);
+      },
+      py::arg("learningRate"),
+      py::arg("minStep"),
+      py::arg("numberOfIterations"),
+      py::arg("relaxationFactor") = 0.5,
+      py::arg("gradientMagnitudeTolerance") = 1e-4)
+    .def(
+      "SetOptimizerAsGradientDescentLineSearch",
+      [](MethodType & self,
+         double       learningRate,
+         unsigned int numberOfIterations,
+         double       convergenceMinimumValue,
+         unsigned int convergenceWindowSize,
+         double       lineSearchLowerLimit,
+         double       lineSearchUpperLimit,
+         double       lineSearchEpsilon,
+         unsigned int lineSearchMaximumIterations) {
+        auto optimizer = LineSearchType::New();
+        optimizer->SetLearningRate(learningRate);
+        optimizer->SetNumberOfIterations(numberOfIterations);
+        optimizer->SetMinimumConvergenceValue(convergenceMinimumValue);
+        optimizer->SetConvergenceWindowSize(convergenceWindowSize);
+        optimizer->SetLowerLimit(lineSearchLowerLimit);
+        optimizer->SetUpperLimit(lineSearchUpperLimit);
+        optimizer->SetEpsilon(lineSearchEpsilon);
+        optimizer->SetMaximumLineSearchIterations(lineSearchMaximumIterations);
+        optimizer->SetReturnBestParametersAndValue(true);
+        self.SetOptimizer(optimizer);
+      },
+      py::arg("learningRate"),
+      py::arg("numberOfIterations"),
+      py::arg("convergenceMinimumValue") = 1e-6,
+      py::arg("convergenceWindowSize") = 10,
+      py::arg("lineSearchLowerLimit") = 0.0,
+      py::arg("lineSearchUpperLimit") = 5.0,
+      py::arg("lineSearchEpsilon") = 0.01,
+      py::arg("lineSearchMaximumIterations") = 20)
+    .def(
+      "SetOptimizerAsAmoeba",
+      [](MethodType & self,
+         double       simplexDelta,
+         unsigned int numberOfIterations,
+         double       parametersConvergenceTolerance,
+         double       functionConvergenceTolerance,
+         bool         withRestarts) {
+        auto optimizer = itk::AmoebaOptimizerv4::New();
+        if (simplexDelta > 0.0)
+        {
+          itk::AmoebaOptimizerv4::ParametersType simplex(4);
+          simplex.Fill(simplexDelta);
+          optimizer->SetInitialSimplexDelta(simplex);
+        }
+        optimizer->SetNumberOfIterations(numberOfIterations);
+        optimizer->SetParametersConvergenceTolerance(parametersConvergenceTolerance);
+        optimizer->SetFunctionConvergenceTolerance(functionConvergenceTolerance);
+        optimizer->SetOptimizeWithRestarts(withRestarts);
+        self.SetOptimizer(optimizer);
+      },
+      py::arg("simplexDelta") = 0.0,
+      py::arg("numberOfIterations") = 500,
+      py::arg("parametersConvergenceTolerance") = 1e-8,
+      py::arg("functionConvergenceTolerance") = 1e-4,
+      py::arg("withRestarts") = false,
+      "simplexDelta 0: a quarter of the level's bounds.")
+    .def(
+      "SetOptimizerAsPowell",
+      [](MethodType & self,
+         unsigned int numberOfIterations,
+         unsigned int maximumLineIterations,
+         double       stepLength,
+         double       stepTolerance,
+         double       valueTolerance) {
+        auto optimizer = PowellType::New();
+        optimizer->SetMaximumIteration(numberOfIterations);
+        optimizer->SetMaximumLineIteration(maximumLineIterations);
+        optimizer->SetStepLength(stepLength);
+        optimizer->SetStepTolerance(stepTolerance);
+        optimizer->SetValueTolerance(valueTolerance);
+        self.SetOptimizer(optimizer);
+      },
+      py::arg("numberOfIterations") = 100,
+      py::arg("maximumLineIterations") = 100,
+      py::arg("stepLength") = 1.0,
+      py::arg("stepTolerance") = 1e-6,
+      py::arg("valueTolerance") = 1e-6)
+    .def(
+      "SetOptimizerAsOnePlusOneEvolutionary",
+      [](MethodType &  self,
+         unsigned int  numberOfIterations,
+         double        epsilon,
+         double        initialRadius,
+         double        growthFactor,
+         double        shrinkFactor,
+         std::uint64_t seed) {
+        auto optimizer = OnePlusOneType::New();
+        optimizer->SetMaximumIteration(numberOfIterations);
+        optimizer->SetEpsilon(epsilon);
+        optimizer->SetInitialRadius(initialRadius);
+        // 0: ITK's own, 1.05 and its power.
+        if (growthFactor > 0.0)
+        {
+          optimizer->SetGrowthFactor(growthFactor);
+        }
+        if (shrinkFactor > 0.0)
+        {
+          optimizer->SetShrinkFactor(shrinkFactor);
+        }
+        self.SetRandomSeed(seed);
+        self.SetOptimizer(optimizer);
+      },
+      py::arg("numberOfIterations") = 100,
+      py::arg("epsilon") = 1.5e-4,
+      py::arg("initialRadius") = 1.01,
+      py::arg("growthFactor") = 0.0,
+      py::arg("shrinkFactor") = 0.0,
+      py::arg("seed") = 0,
+      "The seed is recorded: the same seed, the same result.")
+    .def(
+      "SetOptimizerAsExhaustive",
+      [](MethodType & self, const std::array<unsigned int, 4> & numberOfSteps, double stepLength) {
+        auto                      optimizer = ExhaustiveType::New();
+        ExhaustiveType::StepsType steps(4);
+        std::copy(numberOfSteps.begin(), numberOfSteps.end(), steps.begin());
+        optimizer->SetNumberOfSteps(steps);
+        optimizer->SetStepLength(stepLength);
+        self.SetOptimizer(optimizer);
+      },
+      py::arg("numberOfSteps"),
+      py::arg("stepLength") = 1.0,
+      "Steps to each side in scale, rotation, u and v: the grid reaches the level's bounds.");
+}
+
+void
+WrapMethod(py::module_ & module)
+{
+  ProcessClass<MethodType> type(
+    module, "SilhouetteToContourRegistrationMethod", "Aligns a silhouette with a tracing by a 2-D similarity.");
+  type.def(New<MethodType>());
+  DefineContourMethod(type);
+  WrapOptimizers(type);
+  type
+    .def(
+      "SetMetricAsChamfer",
+      [](MethodType & self, DirectionEnum direction, DistanceEnum distance, double truncation) {
+        auto metric = itk::ContourChamferMetricv4::New();
+        metric->SetDirection(direction);
+        metric->SetDistance(distance);
+        metric->SetTruncation(truncation);
+        self.SetMetric(metric);
+      },
+      py::arg_v("direction", DirectionEnum::Symmetric, "ContourDirection.Symmetric"),
+      py::arg_v("distance", DistanceEnum::PointToPoint, "ContourPointDistance.PointToPoint"),
+      py::arg_v("truncation", std::numeric_limits<double>::infinity(), "float('inf')"),
+      "The paper's: symmetric, point to point, no truncation (px).")
+    .def(
+      "SetMetricAsSymmetricChamfer",
+      [](MethodType & self, double truncation) {
+        auto metric = itk::ContourChamferMetricv4::New();
+        metric->SetTruncation(truncation);
+        self.SetMetric(metric);
+      },
+      py::arg_v("truncation", std::numeric_limits<double>::infinity(), "float('inf')"))
+    .def(
+      "SetMetricAsFunction",
+      [](MethodType & self, const py::function & function) {
+        auto metric = PythonContourMetric::New();
+        metric->SetFunction(function);
+        self.SetMetric(metric);
+      },
+      py::arg("function"),
+      R"(A metric of your own: ``function(fixed, moved)``.
+
+Parameters
+----------
+function : callable
+    Given two (N, 2) arrays in pixels of the radiograph, the tracing and the silhouette under the similarity that is
+    tried; returns the value, or the value and its derivatives by ``moved``. Without derivatives they are found by
+    central differences.)")
+    .def("_GetMetricName",
+         [](MethodType & self) {
+           return self.GetModifiableMetric() == nullptr ? std::string() : self.GetModifiableMetric()->GetNameOfClass();
+         })
+    .def("_GetOptimizerName",
+         [](MethodType & self) {
+           return self.GetModifiableOptimizer() == nullptr ? std::string()
+                                                           : self.GetModifiableOptimizer()->GetNameOfClass();
+         })
+    .def(
+      "StopRegistration",
+      [](MethodType & self) {
+        auto * optimizer = self.GetModifiableOptimizer();
+        if (auto * descent = dynamic_cast<itk::GradientDescentOptimizerBasev4Template<double> *>(optimizer))
+        {
+          descent->StopOptimization();
+          return true;
+        }
+        if (auto * powell = dynamic_cast<PowellType *>(optimizer))
+        {
+          powell->StopOptimization();
+          return true;
+        }
+        if (auto * evolution = dynamic_cast<OnePlusOneType *>(optimizer))
+        {
+          evolution->StopOptimization();
+          return true;
+        }
+        return false;
+      },
+      "Ends the optimizer's present run at the present iteration, keeping the result; False where it can't.")
+    .def("SetNumberOfLevels", &MethodType::SetNumberOfLevels, py::arg("number"))
+    .def("GetNumberOfLevels", &MethodType::GetNumberOfLevels)
+    .def("SetLevel", &MethodType::SetLevel, py::arg("index"), py::arg("level"))
+    .def(
+      "GetLevel", [](const MethodType & self, unsigned int index) { return self.GetLevel(index); }, py::arg("index"))
+    .def("GetLevelResults", &MethodType::GetLevelResults, "How the levels went, after Execute().")
+    .def("SetPixelSpacing", &MethodType::SetPixelSpacing, py::arg("spacing"), "mm, mean of u and v.")
+    .def("GetPixelSpacing", &MethodType::GetPixelSpacing)
+    .dentalscrBoolean(MethodType, FixScale)
+    .dentalscrBoolean(MethodType, FixRotation)
+    .dentalscrBoolean(MethodType, FixTranslation)
+    .dentalscrProperty(MethodType, RandomSeed)
+    .def("SetPresetToPaper", &MethodType::SetPresetToPaper)
+    .def("SetPresetToBoundingBox", &MethodType::SetPresetToBoundingBox)
+    .def("SetPresetToSingleStage", &MethodType::SetPresetToSingleStage)
+    .def_static(
+      "_ComputeBoundingBoxTransform",
+      [](const DentalContour & fixed, const DentalContour & moving) {
+        return MethodType::ComputeBoundingBoxTransform(&fixed, &moving);
+      },
+      py::arg("fixed"),
+      py::arg("moving"))
+    .def(
+      "_MetricEvaluate",
+      [](
+        MethodType & self, const DentalContour * fixed, const DentalContour * moving, const TransformType & transform) {
+        itk::SmartPointer<itk::ContourToContourMetricv4> metric = self.GetModifiableMetric();
+        if (metric.IsNull())
+        {
+          metric = itk::ContourChamferMetricv4::New().GetPointer();
+        }
+        const py::gil_scoped_release released;
+        metric->SetFixedContour(fixed);
+        metric->SetMovingContour(moving);
+        metric->RemoveBounds();
+        metric->SetMovingTransform(Copy(&transform));
+        metric->Initialize();
+        // The reference of Initialize() is the transform as it stands: the origin.
+        itk::ContourToContourMetricv4::ParametersType origin(4);
+        origin.Fill(0.0);
+        return metric->EvaluateAt(origin);
+      },
+      py::arg("fixed"),
+      py::arg("moving"),
+      py::arg("transform"));
+}
+
+void
+WrapBaselines(py::module_ & module)
+{
+  using MotionEnum = itk::ContourBaselineEnums::Motion;
+  BindEnum<MotionEnum>(module,
+                       "Motion",
+                       { { "Rigid", MotionEnum::Rigid }, { "Similarity", MotionEnum::Similarity } },
+                       "What a baseline may estimate; Rigid keeps the start's scale.");
+  const auto defineBaseline = [](auto & type) {
+    using MethodClass = typename std::decay_t<decltype(type)>::type;
+    type.def(New<MethodClass>());
+    DefineContourMethod(type);
+    type
+      .def(
+        "SetMotion", [](MethodClass & self, MotionEnum motion) { self.SetMotion(motion); }, py::arg("motion"))
+      .def("GetMotion", [](const MethodClass & self) { return self.GetMotion(); })
+      .def("SetMaximumNumberOfIterations", &MethodClass::SetMaximumNumberOfIterations, py::arg("value"))
+      .def("GetMaximumNumberOfIterations", &MethodClass::GetMaximumNumberOfIterations);
+  };
+
+  using ICPType = itk::IterativeClosestPointContourRegistrationMethod;
+  ProcessClass<ICPType> icp(
+    module, "IterativeClosestPointContourRegistrationMethod", "Iterative closest points between two contours.");
+  defineBaseline(icp);
+  icp.def("SetDirection", &ICPType::SetDirection, py::arg("direction"))
+    .def("GetDirection", &ICPType::GetDirection)
+    .dentalscrProperty(ICPType, TrimmedFraction)
+    .dentalscrProperty(ICPType, Tolerance);
+
+  using CPDType = itk::CoherentPointDriftContourRegistrationMethod;
+  ProcessClass<CPDType> cpd(
+    module, "CoherentPointDriftContourRegistrationMethod", "Coherent point drift between two contours.");
+  defineBaseline(cpd);
+  cpd.dentalscrProperty(CPDType, OutlierWeight).dentalscrProperty(CPDType, Tolerance);
+
+  using IntensityType = itk::IntensityRegistrationMethod;
+  using MeasureEnum = itk::IntensityRegistrationEnums::Measure;
+  BindEnum<MeasureEnum>(module,
+                        "IntensityMeasure",
+                        { { "MutualInformation", MeasureEnum::MutualInformation },
+                          { "NormalizedCorrelation", MeasureEnum::NormalizedCorrelation },
+                          { "GradientCorrelation", MeasureEnum::GradientCorrelation } },
+                        "How two radiographs are compared.");
+  ProcessClass<IntensityType> intensity(
+    module, "IntensityRegistrationMethod", "Aligns a DRR with the radiograph by their grey values.");
+  defineBaseline(intensity);
+  intensity.def("_SetFixedImage", &IntensityType::SetFixedImage, py::arg("image"))
+    .def("_SetMovingImage", &IntensityType::SetMovingImage, py::arg("image"))
+    .def("SetMeasure", &IntensityType::SetMeasure, py::arg("measure"))
+    .def("GetMeasure", &IntensityType::GetMeasure)
+    .dentalscrProperty(IntensityType, Margin);
+}
+} // namespace
+
+void
+WrapRegistration(py::module_ & module)
+{
+  WrapMetrics(module);
+  WrapLevels(module);
+  WrapMethod(module);
+  WrapBaselines(module);
+}
+} // namespace dentalscr

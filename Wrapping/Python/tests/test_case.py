@@ -1,0 +1,99 @@
+"""A case through the whole chain, from files and from memory."""
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+
+def without_times(value):
+    if isinstance(value, dict):
+        return {k: without_times(v) for k, v in value.items() if k not in ("seconds", "total_seconds")}
+    return value
+
+
+def test_result_equals_the_file_that_it_writes(ds, sample, tmp_path):
+    result = ds.register(sample / "case.json", output=tmp_path / "out")
+    assert result.to_dict() == json.loads((tmp_path / "out" / "result.json").read_text())
+
+
+def test_landmark_error_is_that_of_the_truth(result, sample, ds):
+    marked = ds.ReadLandmarks(sample / "landmarks2d.json")
+    for name, jaw in result.jaws.items():
+        errors = [np.linalg.norm(jaw.landmarks[k] - marked[k]) for k in marked if k in jaw.landmarks]
+        assert jaw.error["mean_px"] == pytest.approx(np.mean(errors), abs=1e-6)
+        # What the method reaches on typical phantoms (Documentation/Robust.md): 0.7 px, worst jaw 1.4.
+        assert jaw.error["mean_px"] < 2.5, name
+
+
+def test_projection_maps_the_landmarks(result, case):
+    for jaw in result.jaws.values():
+        points = np.array([case.landmarks3D[name] for name in jaw.landmarks])
+        assert np.allclose(jaw.project(points), np.array(list(jaw.landmarks.values())), atol=1e-6)
+
+
+def test_meshes_and_arrays_in_memory_register_like_the_files(ds, sample, case, result):
+    memory = ds.Case(
+        upper=(case.upper.points, case.upper.triangles),
+        lower=sample / "lower.stl",
+        contours=sample / "contours.json",
+        geometry=case.geometry,
+        image=sample / "ceph.png",
+        landmarks3D=sample / "landmarks3d.json",
+        landmarks2D=sample / "landmarks2d.json",
+    )
+    other = ds.register(memory)
+    for name, jaw in result.jaws.items():
+        assert np.array_equal(jaw.P_pixel_from_mesh, other.jaws[name].P_pixel_from_mesh)
+        assert jaw.error == other.jaws[name].error
+
+
+def test_nothing_that_registers_sees_the_marked_landmarks(ds, sample, case, result):
+    moved = {name: point + 50.0 for name, point in ds.ReadLandmarks(sample / "landmarks2d.json").items()}
+    memory = ds.Case(
+        upper=case.upper, lower=case.lower, contours=sample / "contours.json", geometry=case.geometry,
+        landmarks3D=case.landmarks3D, landmarks2D=moved,
+    )
+    other = ds.register(memory)
+    for name, jaw in result.jaws.items():
+        assert np.array_equal(jaw.P_pixel_from_mesh, other.jaws[name].P_pixel_from_mesh)
+        assert other.jaws[name].error["mean_px"] > 50.0
+
+
+def test_result_pickles_with_its_pictures(result):
+    copy = pickle.loads(pickle.dumps(result))
+    assert copy.to_dict() == result.to_dict()
+    assert copy.overlay_png("upper") == result.overlay_png("upper")
+    assert np.array_equal(copy.upper.T_umda_from_mesh, result.upper.T_umda_from_mesh)
+    assert np.array_equal(copy.upper.contours["whole"].points, result.upper.contours["whole"].points)
+
+
+def test_notebook_shows_status_and_pictures(result):
+    page = result._repr_html_()
+    assert result.status in page and page.count("data:image/png;base64,") == len(result.jaws)
+    assert "landmark error" in repr(result)
+
+
+def test_jaw_without_tracing_is_skipped_with_its_reason(ds, sample, case):
+    memory = ds.Case(
+        upper=case.upper, lower=case.lower, upperContour=case.upperContour, geometry=case.geometry, imageSize=(703, 938)
+    )
+    result = ds.register(memory, preset="bounding-box")
+    assert list(result.jaws) == ["upper"] and "lower" in result.skipped
+    with pytest.raises(ds.ArgumentError, match="no lower jaw"):
+        result.lower
+
+
+@pytest.mark.parametrize("preset", ["paper", "bounding-box", "single-stage"])
+def test_presets_are_those_of_the_program(ds, case, preset):
+    assert ds.register(case, preset=preset).to_dict()["preset"] == preset
+
+
+def test_unusable_case_names_file_field_and_remedy(ds, sample, tmp_path):
+    content = json.loads((sample / "case.json").read_text())
+    content["contours"] = "nowhere.json"
+    (tmp_path / "case.json").write_text(json.dumps(content))
+    with pytest.raises(ds.InputError) as error:
+        ds.register(tmp_path / "case.json")
+    assert isinstance(error.value, RuntimeError)
+    assert error.value.file.endswith("case.json") and error.value.field and error.value.problem
