@@ -108,31 +108,7 @@ MeshSilhouette::ComputeOuterBoundary(const PerspectiveProjection & projection) c
   }
   const SilhouetteEdges::GridType grid = mesh.MakeGrid(projection);
   const auto                      candidates = mesh.FindCandidates(projection, grid);
-  std::vector<SilhouetteSegment>  segments;
-  segments.reserve(candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-  {
-#ifdef __GNUC__
-    if (i + 12 < candidates.size())
-    {
-      __builtin_prefetch(&points[candidates[i + 12].a]);
-      __builtin_prefetch(&points[candidates[i + 12].b]);
-    }
-#endif
-    const SilhouetteEdges::EdgeType & edge = candidates[i];
-    const SilhouetteGrid::GridPoint   p = mesh.Snap(projection, grid, edge.a);
-    const SilhouetteGrid::GridPoint   q = mesh.Snap(projection, grid, edge.b);
-    if (!(p == q))
-    {
-      segments.push_back({ static_cast<std::int32_t>(p.x),
-                           static_cast<std::int32_t>(p.y),
-                           static_cast<std::int32_t>(q.x),
-                           static_cast<std::int32_t>(q.y),
-                           edge.a,
-                           edge.b });
-    }
-  }
-  SilhouetteArrangement arrangement(std::move(segments));
+  SilhouetteArrangement           arrangement(mesh.MakeSegments(projection, grid, candidates));
   const auto stretches = arrangement.WalkOuterBoundaries(mesh.GetNumberOfComponents(), mesh.GetComponentOfPoint());
 
   const double cell = 1.0 / grid.scale;

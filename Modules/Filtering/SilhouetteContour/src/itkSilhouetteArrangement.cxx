@@ -93,14 +93,33 @@ SilhouetteArrangement::BuildCells()
     ++m_Shift;
   }
   m_Columns = static_cast<std::size_t>(width >> m_Shift) + 1;
-  m_Cells.assign(m_Columns * (static_cast<std::size_t>(height >> m_Shift) + 1), None);
-  m_Entries.reserve(3 * count);
+  const std::size_t cells = m_Columns * (static_cast<std::size_t>(height >> m_Shift) + 1);
+  m_CellStarts.assign(cells + 1, 0);
+  struct Entry
+  {
+    std::uint32_t cell;
+    std::uint32_t segment;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(4 * count);
   for (std::uint32_t s = 0; s < count; ++s)
   {
     this->ForEachCell(m_Segments[s], [&](std::size_t cell) {
-      m_Entries.push_back({ s, m_Cells[cell] });
-      m_Cells[cell] = static_cast<std::uint32_t>(m_Entries.size() - 1);
+      ++m_CellStarts[cell];
+      entries.push_back({ static_cast<std::uint32_t>(cell), s });
     });
+  }
+  std::uint32_t sum = 0;
+  for (std::uint32_t & start : m_CellStarts)
+  {
+    sum += start;
+    start = sum;
+  }
+  // From behind: the starts end as they should be.
+  m_CellSegments.resize(entries.size());
+  for (std::size_t i = entries.size(); i-- > 0;)
+  {
+    m_CellSegments[--m_CellStarts[entries[i].cell]] = entries[i].segment;
   }
 }
 
@@ -229,43 +248,53 @@ SilhouetteArrangement::EventsOf(std::uint32_t s) -> Span
   const std::int32_t highX = std::max(a.px, a.qx);
   const std::int32_t lowY = std::min(a.py, a.qy);
   const std::int32_t highY = std::max(a.py, a.qy);
+  // Without a branch: which of them have overlapping boxes is hard to predict.
+  std::size_t near = 0;
   this->ForEachCell(a, [&](std::size_t cell) {
-    for (std::uint32_t k = m_Cells[cell]; k != None; k = m_Entries[k].next)
+    const std::uint32_t first = m_CellStarts[cell];
+    const std::uint32_t last = m_CellStarts[cell + 1];
+    if (m_Near.size() < near + (last - first))
     {
-      const std::uint32_t r = m_Entries[k].segment;
-      if (m_Stamps[r] == m_Stamp)
-      {
-        continue;
-      }
+      m_Near.resize(2 * (near + (last - first)));
+    }
+    for (std::uint32_t k = first; k < last; ++k)
+    {
+      const std::uint32_t r = m_CellSegments[k];
+      const Segment &     b = m_Segments[r];
+      m_Near[near] = r;
+      near += static_cast<std::size_t>(static_cast<unsigned int>(m_Stamps[r] != m_Stamp) &
+                                       static_cast<unsigned int>(std::max(b.px, b.qx) >= lowX) &
+                                       static_cast<unsigned int>(std::min(b.px, b.qx) <= highX) &
+                                       static_cast<unsigned int>(std::max(b.py, b.qy) >= lowY) &
+                                       static_cast<unsigned int>(std::min(b.py, b.qy) <= highY));
       m_Stamps[r] = m_Stamp;
-      const Segment & b = m_Segments[r];
-      if (std::max(b.px, b.qx) < lowX || std::min(b.px, b.qx) > highX || std::max(b.py, b.qy) < lowY ||
-          std::min(b.py, b.qy) > highY)
-      {
-        continue;
-      }
-      const std::int64_t side0 = Cross(d, b.P() - a.P());
-      const std::int64_t side1 = Cross(d, b.Q() - a.P());
-      if ((side0 > 0 && side1 > 0) || (side0 < 0 && side1 < 0))
-      {
-        continue;
-      }
-      const GridPoint e = b.Q() - b.P();
-      if (side0 == 0 && side1 == 0)
-      {
-        this->AddOverlap(a, b, d, e, r);
-        continue;
-      }
-      const std::int64_t side2 = Cross(e, a.P() - b.P());
-      const std::int64_t side3 = Cross(e, a.Q() - b.P());
-      if ((side2 > 0 && side3 > 0) || (side2 < 0 && side3 < 0))
-      {
-        continue;
-      }
-      const Fraction here = MakeFraction(side2, side2 - side3);
-      m_Events.push_back({ here.Value(), here, MakeFraction(side0, side0 - side1), r });
     }
   });
+  for (std::size_t k = 0; k < near; ++k)
+  {
+    const std::uint32_t r = m_Near[k];
+    const Segment &     b = m_Segments[r];
+    const std::int64_t  side0 = Cross(d, b.P() - a.P());
+    const std::int64_t  side1 = Cross(d, b.Q() - a.P());
+    if ((side0 > 0 && side1 > 0) || (side0 < 0 && side1 < 0))
+    {
+      continue;
+    }
+    const GridPoint e = b.Q() - b.P();
+    if (side0 == 0 && side1 == 0)
+    {
+      this->AddOverlap(a, b, d, e, r);
+      continue;
+    }
+    const std::int64_t side2 = Cross(e, a.P() - b.P());
+    const std::int64_t side3 = Cross(e, a.Q() - b.P());
+    if ((side2 > 0 && side3 > 0) || (side2 < 0 && side3 < 0))
+    {
+      continue;
+    }
+    const Fraction here = MakeFraction(side2, side2 - side3);
+    m_Events.push_back({ here.Value(), here, MakeFraction(side0, side0 - side1), r });
+  }
   std::sort(m_Events.begin() + begin, m_Events.end(), [](const Event & x, const Event & y) {
     // The values are good to 1e-15.
     if (std::abs(x.t - y.t) > 1e-13)

@@ -99,12 +99,6 @@ private:
     double              low[2];
     double              high[2];
   };
-  /** A segment in a cell's list. */
-  struct CellEntry
-  {
-    std::uint32_t segment;
-    std::uint32_t next;
-  };
 
   void
   BuildCells();
@@ -131,12 +125,13 @@ private:
   std::vector<Event>         m_Events;
   std::vector<std::uint32_t> m_Stamps;
   std::uint32_t              m_Stamp{ 0 };
+  std::vector<std::uint32_t> m_Near;
   GridPoint                  m_Low{ 0, 0 };
   int                        m_Shift{ 0 };
   std::size_t                m_Columns{ 0 };
-  /** First entry of each cell's list. */
-  std::vector<std::uint32_t> m_Cells;
-  std::vector<CellEntry>     m_Entries;
+  /** The segments that pass through each cell. */
+  std::vector<std::uint32_t> m_CellStarts;
+  std::vector<std::uint32_t> m_CellSegments;
 };
 } // namespace itk
 

@@ -19,6 +19,7 @@
 #define itkSilhouetteEdges_h
 
 #include "itkPerspectiveProjection.h"
+#include "itkSilhouetteArrangement.h"
 #include "itkSilhouetteEdgeClusters.h"
 #include "itkSilhouetteGrid.h"
 #include "itkTriangleSurface.h"
@@ -74,6 +75,12 @@ public:
   /** The edges whose faces do not cover both sides of the projected edge. */
   std::vector<EdgeType>
   FindCandidates(const PerspectiveProjection & projection, const GridType & grid) const;
+
+  /** The projected edges, without those that are a point. */
+  std::vector<SilhouetteSegment>
+  MakeSegments(const PerspectiveProjection & projection,
+               const GridType &              grid,
+               const std::vector<EdgeType> & edges) const;
 
   const std::vector<Vector3> &
   GetPoints() const
