@@ -84,6 +84,11 @@ private:
 SilhouetteContour_EXPORT double
 ComputeLoopArea(const IsoContourTracer::LoopType & loop);
 
+/** The outer boundaries of a mask of 0 and 1, row by row: at its half level, under a Gaussian of width sigma samples
+ * where that is not 0. Outside the mask is 0. Loops as IsoContourTracer::Finish() gives them. */
+SilhouetteContour_EXPORT std::vector<IsoContourTracer::LoopType>
+                         TraceMask(const std::vector<double> & mask, std::size_t width, double sigma);
+
 /** Even-odd rule. */
 SilhouetteContour_EXPORT bool
 IsInsideLoop(const IsoContourTracer::LoopType & loop, const std::array<double, 2> & point);

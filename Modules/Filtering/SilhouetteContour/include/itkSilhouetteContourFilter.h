@@ -86,8 +86,10 @@ SilhouetteContour_EXPORT std::ostream &
  * sigma^2 / (2 R) inside of an edge of radius R. A thickness map has no plateau: its contour is off by a share of sigma
  * that depends on the level and on what lies behind. Documentation/Contours.md has figures.
  *
- * ToothLabels, MergedLabels: the outline runs half-way between pixel centres. An integer pixel type or whole numbers
- * are expected; a label that is no FDI number is an error under ToothLabels.
+ * ToothLabels, MergedLabels: the outline runs half-way between pixel centres, in steps; with LabelSmoothing it is the
+ * half level of the label's mask under a Gaussian of that width: smooth, unbiased on a straight edge and sigma^2 / (2
+ * R) inside of an edge of radius R. An integer pixel type or whole numbers are expected; a label that is no FDI number
+ * is an error under ToothLabels.
  *
  * Output: closed polylines, largest area first (labels: in the order of their FDI numbers, largest part first), in the
  * sense that SilhouetteLoop defines. Holes are ignored. Objects that touch the border are closed around it, at most a
@@ -157,6 +159,11 @@ public:
   itkSetMacro(MinimumArea, double);
   itkGetConstMacro(MinimumArea, double);
 
+  /** Width of the Gaussian under which labels are outlined, pixels, up to 100. Default 0: pixel edges. Parts thinner
+   * than about the width vanish. */
+  itkSetClampMacro(LabelSmoothing, double, 0.0, 100.0);
+  itkGetConstMacro(LabelSmoothing, double);
+
   /** Default Index. */
   itkSetEnumMacro(OutputCoordinates, OutputCoordinatesEnum);
   itkGetEnumMacro(OutputCoordinates, OutputCoordinatesEnum);
@@ -203,6 +210,7 @@ private:
   bool                  m_ObjectIsDark{ false };
   bool                  m_LargestPartOnly{ true };
   double                m_MinimumArea{ 0.0 };
+  double                m_LabelSmoothing{ 0.0 };
   OutputCoordinatesEnum m_OutputCoordinates{ OutputCoordinatesEnum::Index };
   OffsetType            m_OutputOffset;
   double                m_UsedLevel{ 0.0 };

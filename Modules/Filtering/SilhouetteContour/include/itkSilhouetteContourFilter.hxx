@@ -277,20 +277,13 @@ SilhouetteContourFilter<TInputImage>::TraceLabels()
       region.SetIndex(d, entry.second.low[d]);
       region.SetSize(d, static_cast<SizeValueType>(entry.second.high[d] - entry.second.low[d] + 1));
     }
-    IsoContourTracer                           tracer(static_cast<std::size_t>(region.GetSize(0)), 0.5, 0.0);
-    std::vector<double>                        row(static_cast<std::size_t>(region.GetSize(0)));
-    ImageScanlineConstIterator<InputImageType> it(image, region);
-    while (!it.IsAtEnd())
+    std::vector<double> mask;
+    mask.reserve(region.GetNumberOfPixels());
+    for (ImageRegionConstIterator<InputImageType> it(image, region); !it.IsAtEnd(); ++it)
     {
-      for (double & value : row)
-      {
-        value = (merged ? it.Get() != PixelType{} : it.Get() == entry.first) ? 1.0 : 0.0;
-        ++it;
-      }
-      tracer.AddRow(row.data());
-      it.NextLine();
+      mask.push_back((merged ? it.Get() != PixelType{} : it.Get() == entry.first) ? 1.0 : 0.0);
     }
-    this->AddLoops(tracer.Finish(), region, code);
+    this->AddLoops(TraceMask(mask, static_cast<std::size_t>(region.GetSize(0)), m_LabelSmoothing), region, code);
     progress.CompletedPixel();
   }
 }
@@ -307,6 +300,7 @@ SilhouetteContourFilter<TInputImage>::PrintSelf(std::ostream & os, Indent indent
   os << indent << "ObjectIsDark: " << (m_ObjectIsDark ? "On" : "Off") << std::endl;
   os << indent << "LargestPartOnly: " << (m_LargestPartOnly ? "On" : "Off") << std::endl;
   os << indent << "MinimumArea: " << m_MinimumArea << std::endl;
+  os << indent << "LabelSmoothing: " << m_LabelSmoothing << std::endl;
   os << indent << "OutputCoordinates: " << m_OutputCoordinates << std::endl;
   os << indent << "OutputOffset: " << m_OutputOffset << std::endl;
   os << indent << "UsedLevel: " << m_UsedLevel << std::endl;

@@ -18,6 +18,7 @@
 #include "itkIsoContourTracer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace itk
@@ -166,6 +167,63 @@ ComputeLoopArea(const IsoContourTracer::LoopType & loop)
     twice += (p[0] - loop[0][0]) * (q[1] - loop[0][1]) - (p[1] - loop[0][1]) * (q[0] - loop[0][0]);
   }
   return 0.5 * twice;
+}
+
+std::vector<IsoContourTracer::LoopType>
+TraceMask(const std::vector<double> & mask, std::size_t width, double sigma)
+{
+  // Half a level does not reach farther outside of the mask than this.
+  const auto          margin = static_cast<std::size_t>(std::ceil(3.0 * sigma));
+  const std::size_t   height = width == 0 ? 0 : mask.size() / width;
+  const std::size_t   paddedWidth = width + 2 * margin;
+  const std::size_t   paddedHeight = height + 2 * margin;
+  std::vector<double> kernel(margin + 1);
+  double              sum = 0.0;
+  for (std::size_t i = 0; i <= margin; ++i)
+  {
+    const double t = sigma > 0.0 ? static_cast<double>(i) / sigma : 0.0;
+    kernel[i] = std::exp(-0.5 * t * t);
+    sum += i == 0 ? kernel[i] : 2.0 * kernel[i];
+  }
+  // Along the rows, then along the columns, each sample spread over its neighbours.
+  std::vector<double> along(height * paddedWidth, 0.0);
+  for (std::size_t y = 0; y < height; ++y)
+  {
+    for (std::size_t x = 0; x < width; ++x)
+    {
+      const double value = mask[y * width + x] / sum;
+      for (std::size_t i = 0; value != 0.0 && i <= 2 * margin; ++i)
+      {
+        along[y * paddedWidth + x + i] += value * kernel[i < margin ? margin - i : i - margin];
+      }
+    }
+  }
+  IsoContourTracer    tracer(paddedWidth, 0.5, 0.0);
+  std::vector<double> row(paddedWidth);
+  for (std::size_t y = 0; y < paddedHeight; ++y)
+  {
+    std::fill(row.begin(), row.end(), 0.0);
+    for (std::size_t k = y < 2 * margin ? 0 : y - 2 * margin; k < std::min(height, y + 1); ++k)
+    {
+      const std::size_t i = y - k;
+      const double      weight = kernel[i < margin ? margin - i : i - margin] / sum;
+      for (std::size_t x = 0; x < paddedWidth; ++x)
+      {
+        row[x] += weight * along[k * paddedWidth + x];
+      }
+    }
+    tracer.AddRow(row.data());
+  }
+  auto loops = tracer.Finish();
+  for (auto & loop : loops)
+  {
+    for (auto & point : loop)
+    {
+      point[0] -= static_cast<double>(margin);
+      point[1] -= static_cast<double>(margin);
+    }
+  }
+  return loops;
 }
 
 bool

@@ -343,6 +343,65 @@ TEST(SilhouetteContourFilter, OutlinesLabelsWithTheirToothCodes)
   EXPECT_THROW(filter->Update(), itk::ExceptionObject);
 }
 
+TEST(SilhouetteContourFilter, OutlinesASmoothedLabelWithoutStepsAndWithoutBias)
+{
+  using LabelImageType = itk::Image<unsigned char, 2>;
+  using LabelFilterType = itk::SilhouetteContourFilter<LabelImageType>;
+  constexpr double radius = 30.0;
+  const auto       labels = MakeImage<LabelImageType>(
+    100, 90, [](double x, double y) { return std::hypot(x - 50.3, y - 44.6) < radius ? 1.0 : 0.0; });
+  const auto filter = LabelFilterType::New();
+  filter->SetInput(labels);
+  filter->SetContent(LabelFilterType::ContentEnum::MergedLabels);
+  double worst[2];
+  for (const double sigma : { 0.0, 2.0 })
+  {
+    filter->SetLabelSmoothing(sigma);
+    filter->Update();
+    const auto polylines = filter->GetOutput()->GetPolylines();
+    ASSERT_EQ(polylines.size(), 1u);
+    EXPECT_TRUE(polylines[0].closed);
+    double & largest = worst[sigma > 0.0 ? 1 : 0];
+    double   mean = 0.0;
+    largest = 0.0;
+    for (const auto & p : polylines[0].points)
+    {
+      // Inside by sigma^2 / (2 R).
+      const double d = std::hypot(p[0] - 50.3, p[1] - 44.6) - radius + sigma * sigma / (2.0 * radius);
+      largest = std::max(largest, std::abs(d));
+      mean += d / static_cast<double>(polylines[0].points.size());
+    }
+    EXPECT_LT(std::abs(mean), 0.05) << sigma;
+  }
+  EXPECT_GT(worst[0], 0.45);
+  // Steps vanish; where the circle runs along the grid for 15 px, part of the half pixel by which a mask is off stays.
+  EXPECT_LT(worst[1], 0.3);
+}
+
+TEST(SilhouetteContourFilter, SmoothsALabelThatTouchesTheBorder)
+{
+  using LabelImageType = itk::Image<unsigned char, 2>;
+  using LabelFilterType = itk::SilhouetteContourFilter<LabelImageType>;
+  const auto filter = LabelFilterType::New();
+  filter->SetInput(MakeImage<LabelImageType>(20, 16, [](double x, double) { return x < 8 ? 21.0 : 0.0; }));
+  filter->SetContent(LabelFilterType::ContentEnum::ToothLabels);
+  filter->SetLabelSmoothing(1.5);
+  filter->Update();
+  const auto polylines = filter->GetOutput()->GetPolylines();
+  ASSERT_EQ(polylines.size(), 1u);
+  EXPECT_EQ(polylines[0].code, itk::ToothCode(21));
+  double left = 100.0;
+  double right = -100.0;
+  for (const auto & p : polylines[0].points)
+  {
+    left = std::min(left, p[0]);
+    right = std::max(right, p[0]);
+  }
+  // Outside of the image is background: the first column's outer edge and the edge between columns 7 and 8.
+  EXPECT_NEAR(left, -0.5, 0.02);
+  EXPECT_NEAR(right, 7.5, 0.02);
+}
+
 TEST(SilhouetteContourFilter, GivesNothingForAFlatImageAndRefusesWhatItCannotContour)
 {
   const auto filter = FilterType::New();

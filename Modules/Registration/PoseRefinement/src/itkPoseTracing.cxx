@@ -239,7 +239,7 @@ PoseTracing::PoseTracing(const PoseGeometry &              geometry,
   const std::size_t n = u.size();
   nu.resize(n);
   nv.resize(n);
-  double occlusal = 0.0;
+  double outward = 0.0;
   for (std::size_t i = 0; i < n; ++i)
   {
     // Slopes of u and v over arc length.
@@ -275,11 +275,12 @@ PoseTracing::PoseTracing(const PoseGeometry &              geometry,
     }
     nu[i] = upper ? tv : -tv;
     nv[i] = upper ? -tu : tu;
-    occlusal += upper ? nv[i] : -nv[i];
+    outward += nu[i] + (upper ? nv[i] : -nv[i]);
     centroid[0] += u[i] / n;
     centroid[1] += v[i] / n;
   }
-  if (occlusal < 0.0)
+  // Occlusal or anterior: a labial border alone may face apically where the incisors lean forward.
+  if (outward < 0.0)
   {
     for (std::size_t i = 0; i < n; ++i)
     {

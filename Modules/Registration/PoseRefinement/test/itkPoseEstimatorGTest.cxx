@@ -89,6 +89,26 @@ TEST(PoseTracing, NormalsPointOcclusallyAndArcRunsOverGaps)
   EXPECT_NEAR(lower.nv[3], -1.0, 1e-9);
 }
 
+TEST(PoseTracing, NormalsOfALabialBorderAloneFaceForward)
+{
+  itk::PoseGeometry geometry;
+  geometry.pixelSpacing = { { 0.25, 0.25 } };
+  // Incisors that lean forward: the labial border of the lower ones faces down as well, that of the upper ones up.
+  itk::PosePolyline lower, upper;
+  for (int i = 0; i <= 20; ++i)
+  {
+    lower.points.push_back({ { 100.0 - 0.5 * i, 50.0 + i } });
+    upper.points.push_back({ { 100.0 - 0.5 * i, 50.0 - i } });
+  }
+  const itk::PoseTracing lowerTracing(geometry, { lower }, false);
+  const itk::PoseTracing upperTracing(geometry, { upper }, true);
+  for (std::size_t i = 0; i < lowerTracing.Size(); ++i)
+  {
+    EXPECT_GT(lowerTracing.nu[i], 0.8);
+    EXPECT_GT(upperTracing.nu[i], 0.8);
+  }
+}
+
 TEST(PoseTracing, ClosedCrownKeepsItsOcclusalPart)
 {
   itk::PoseGeometry geometry;
