@@ -58,7 +58,7 @@ public:
    * same jaw, and unknown ones; all for an unknown code. */
   static CodeMaskType
   GetAllowedCodes(std::uint8_t fdi, unsigned int range);
-
+  /** What is searched for. */
   struct TargetType
   {
     double x;
@@ -81,7 +81,7 @@ public:
     bool startIsEnd;
     bool endIsEnd;
   };
-
+  /** The nearest target of a query. */
   struct MatchType
   {
     /** D^2 and d^2; the target is meaningless where D^2 is infinite: nothing was allowed. */

@@ -94,7 +94,7 @@ class ContourMetric_EXPORT PartialContourKernel
 public:
   using RobustKernelEnum = ContourMetricEnums::RobustKernel;
   using GradientType = std::array<double, 4>;
-
+  /** Every choice of the metric. */
   struct SettingsType
   {
     RobustKernelEnum robustKernel{ RobustKernelEnum::GemanMcClure };
