@@ -201,6 +201,14 @@ CastSurface()
     {
       SurfaceMeshFile file = ReadSurfaceMeshFile(name);
       surface.points = std::move(file.doublePoints);
+      // The file is in metres.
+      for (auto & point : surface.points)
+      {
+        for (double & x : point)
+        {
+          x *= 1000.0;
+        }
+      }
       surface.triangles = std::move(file.triangles);
     }
     return surface;

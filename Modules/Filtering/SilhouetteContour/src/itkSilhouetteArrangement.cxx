@@ -142,7 +142,7 @@ SilhouetteArrangement::ForEachCell(const Segment & segment, TVisit && visit) con
       visit(static_cast<std::size_t>(j) * m_Columns + static_cast<std::size_t>(i));
     }
   };
-  if (i0 == i1 || j0 == j1)
+  if ((i1 - i0 + 1) * (j1 - j0 + 1) <= 4 || i0 == i1 || j0 == j1)
   {
     for (std::int64_t j = j0; j <= j1; ++j)
     {

@@ -32,8 +32,9 @@ using Vector3 = std::array<double, 3>;
 
 constexpr std::uint32_t None = 0xffffffffu;
 
-/** Faces with a larger ratio of two sides to twice the area (1/mm) are always tested exactly. */
-constexpr double NeedleRatio = 2000.0;
+/** Faces with a larger ratio of two sides to twice the area, in parts of the surface's radius, are always tested
+ * exactly. */
+constexpr double NeedleRatio = 1e5;
 
 Vector3
 Subtract(const Vector3 & a, const Vector3 & b)
@@ -296,6 +297,7 @@ std::vector<SilhouetteFace>
 SilhouetteEdges::MakeFaces(const std::vector<TriangleType> & triangles) const
 {
   std::vector<SilhouetteFace> faces(triangles.size());
+  const double                largest = NeedleRatio / m_Radius;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     const Vector3 & a = m_Points[triangles[t][0]];
@@ -315,7 +317,7 @@ SilhouetteEdges::MakeFaces(const std::vector<TriangleType> & triangles) const
       face.n[k] = static_cast<float>(normal[k] * inverse);
     }
     face.d = static_cast<float>(DotProduct(normal, Subtract(a, m_Center)) * inverse);
-    face.ratio = ratio < NeedleRatio ? static_cast<float>(ratio) : std::numeric_limits<float>::infinity();
+    face.ratio = ratio < largest ? static_cast<float>(ratio) : std::numeric_limits<float>::infinity();
     face.inverseArea = static_cast<float>(inverse);
   }
   return faces;
