@@ -76,23 +76,45 @@ Prepare(const ImageType * image, double sigma, bool gradient)
 
 /** A metric of ITK's in one work unit: more would add the same terms in another order, and
  * SetMaximumNumberOfWorkUnits() limits only the threads that share them. */
-template <typename TMetric>
-class InOneWorkUnit : public TMetric
+template <typename TThreader>
+void
+UseOneWorkUnit(TThreader & threader)
+{
+  threader.SetMaximumNumberOfThreads(1);
+  threader.SetNumberOfWorkUnits(1);
+}
+
+class MutualInformationInOneWorkUnit : public MattesMutualInformationImageToImageMetricv4<ImageType, ImageType>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(InOneWorkUnit);
-  using Self = InOneWorkUnit;
-  using Superclass = TMetric;
+  ITK_DISALLOW_COPY_AND_MOVE(MutualInformationInOneWorkUnit);
+  using Self = MutualInformationInOneWorkUnit;
+  using Superclass = MattesMutualInformationImageToImageMetricv4<ImageType, ImageType>;
   using Pointer = SmartPointer<Self>;
   itkFactorylessNewMacro(Self);
 
 protected:
-  InOneWorkUnit()
+  MutualInformationInOneWorkUnit() { UseOneWorkUnit(*this->m_DenseGetValueAndDerivativeThreader); }
+  ~MutualInformationInOneWorkUnit() override = default;
+};
+
+class CorrelationInOneWorkUnit : public CorrelationImageToImageMetricv4<ImageType, ImageType>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(CorrelationInOneWorkUnit);
+  using Self = CorrelationInOneWorkUnit;
+  using Superclass = CorrelationImageToImageMetricv4<ImageType, ImageType>;
+  using Pointer = SmartPointer<Self>;
+  itkFactorylessNewMacro(Self);
+
+protected:
+  CorrelationInOneWorkUnit()
   {
-    this->m_DenseGetValueAndDerivativeThreader->SetMaximumNumberOfThreads(1);
-    this->m_DenseGetValueAndDerivativeThreader->SetNumberOfWorkUnits(1);
+    UseOneWorkUnit(*this->m_DenseGetValueAndDerivativeThreader);
+    // Sums the means before each evaluation; made with ITK's global number of threads.
+    UseOneWorkUnit(*this->m_HelperDenseThreader);
   }
-  ~InOneWorkUnit() override = default;
+  ~CorrelationInOneWorkUnit() override = default;
 };
 
 MetricType::Pointer
@@ -100,11 +122,11 @@ MakeMetric(IntensityRegistrationMethod::MeasureEnum measure)
 {
   if (measure == IntensityRegistrationMethod::MeasureEnum::MutualInformation)
   {
-    auto metric = InOneWorkUnit<MattesMutualInformationImageToImageMetricv4<ImageType, ImageType>>::New();
+    auto metric = MutualInformationInOneWorkUnit::New();
     metric->SetNumberOfHistogramBins(32);
     return metric.GetPointer();
   }
-  return InOneWorkUnit<CorrelationImageToImageMetricv4<ImageType, ImageType>>::New().GetPointer();
+  return CorrelationInOneWorkUnit::New().GetPointer();
 }
 
 /** What the metric moves is the way back, from the radiograph to the DRR. */

@@ -18,6 +18,7 @@
 #include "itkIntensityRegistrationMethod.h"
 
 #include "itkImageRegionIteratorWithIndex.h"
+#include "itkMultiThreaderBase.h"
 #include "itkSyntheticContours.h"
 
 #include <gtest/gtest.h>
@@ -60,6 +61,21 @@ MakeImage(const TransformType * toImage, long first, unsigned long size)
 
 class IntensityRegistration : public testing::TestWithParam<MeasureEnum>
 {};
+
+/** ITK's global number of threads, until the end of a block. */
+class GlobalThreads
+{
+public:
+  explicit GlobalThreads(itk::ThreadIdType number)
+    : m_Before(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads())
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(number);
+  }
+  ~GlobalThreads() { itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(m_Before); }
+
+private:
+  itk::ThreadIdType m_Before;
+};
 } // namespace
 
 TEST_P(IntensityRegistration, RecoversAKnownShiftAndTurn)
@@ -83,6 +99,29 @@ TEST_P(IntensityRegistration, RecoversAKnownShiftAndTurn)
   method->Modified();
   method->Update();
   EXPECT_EQ(method->GetTransform()->GetParameters(), first);
+}
+
+TEST_P(IntensityRegistration, SameBitsForAnyGlobalNumberOfThreads)
+{
+  const auto truth = MakeTransform(1.0, 0.03, 200.0, 190.0);
+  const auto fixedImage = MakeImage(truth, 0, 400);
+  const auto movingImage = MakeImage(MakeTransform(1.0, 0.0, 0.0, 0.0), -200, 400);
+  const auto run = [&](itk::ThreadIdType threads) {
+    const GlobalThreads global(threads);
+    const auto          method = MethodType::New();
+    method->SetFixedContour(MakeTracing(truth));
+    method->SetMovingContour(MakeSilhouette());
+    method->SetFixedImage(fixedImage);
+    method->SetMovingImage(movingImage);
+    method->SetMeasure(GetParam());
+    method->SetMaximumNumberOfIterations(20);
+    method->SetInitialTransform(MakeTransform(1.02, 0.0, 204.0, 187.0));
+    method->Update();
+    return method->GetTransform()->GetParameters();
+  };
+  const auto first = run(1);
+  EXPECT_EQ(run(3), first);
+  EXPECT_EQ(run(8), first);
 }
 
 INSTANTIATE_TEST_SUITE_P(Measures,
