@@ -1,11 +1,13 @@
 """The main job as a user sees it: files in, files out, exit codes."""
 import json
 import math
+import pathlib
 import re
 import struct
 
 import pytest
 
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 OUTPUTS = {
     "result.json",
     "overlay_upper.png",
@@ -331,3 +333,44 @@ def test_quiet_in_a_pipe(run, sample, tmp_path):
     assert "\r" not in done.stderr and "%" not in done.stderr
     done = run("--quiet", "register", sample / "case.json", "--output", tmp_path / "out2", "--preset", "bounding-box")
     assert done.stdout == ""
+
+
+def test_options_switch_ingredients_and_stand_in_the_result(run, sample, registered, tmp_path):
+    arguments = ("--option", "useCorrelatedNoise=off", "--option", "yawStarts=-0.1,0.1")
+    done = run("register", sample / "case.json", "--output", tmp_path / "out", *arguments)
+    assert done.returncode == 0, done.stderr
+    result = load(tmp_path / "out")
+    assert result["options"] == ["useCorrelatedNoise=off", "yawStarts=-0.1,0.1"]
+    default = load(registered["robust"])
+    assert "options" not in default
+    assert result["jaws"]["upper"]["projection_3x4"] != default["jaws"]["upper"]["projection_3x4"]
+
+
+@pytest.mark.parametrize(
+    "arguments, word",
+    [
+        (["--option", "magic=1"], "useSideSelection"),
+        (["--option", "useRobustKernel"], "NAME=VALUE"),
+        (["--option", "correlationLength=-1"], "correlationLength"),
+        (["--option", "useRobustKernel=off", "--preset", "paper"], "paper"),
+    ],
+)
+def test_bad_options_are_one_line(run, sample, tmp_path, arguments, word):
+    done = run("register", sample / "case.json", "--output", tmp_path / "out", *arguments)
+    assert done.returncode == 2
+    assert word in done.stderr and done.stderr.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+
+
+def test_every_ingredient_has_an_option(run, sample, tmp_path):
+    """The struct of the options against what the program lists."""
+    header = ROOT / "Modules/Registration/PoseRefinement/include/itkPoseRefinementTypes.h"
+    body = re.search(r"struct PoseRefinementOptions\n{(.*?)\n};", header.read_text(), re.S).group(1)
+    body = re.sub(r"/\*.*?\*/", "", body, flags=re.S)
+    fields = set(re.findall(r"(?:bool|double|unsigned int|vector<double>)\s+(\w+)\{", body))
+    # What the case file or the program's other options say.
+    fields -= {"fixScale", "fixRotation", "fixTranslation", "useInitialPose", "numberOfThreads"}
+    done = run("register", sample / "case.json", "--output", tmp_path / "out", "--option", "magic=1")
+    listed = set(re.findall(r"\w+", done.stderr))
+    assert len(fields) > 20
+    assert fields <= listed, fields - listed

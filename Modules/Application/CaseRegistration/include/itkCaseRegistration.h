@@ -21,6 +21,7 @@
 #include "CaseRegistrationExport.h"
 #include "itkCaseResult.h"
 #include "itkDentalCaseData.h"
+#include "itkPoseRefinementTypes.h"
 
 #include "itkProcessObject.h"
 
@@ -80,6 +81,30 @@ public:
   itkGetConstMacro(UseSurfaceDRR, bool);
   itkBooleanMacro(UseSurfaceDRR);
 
+  /** Every ingredient of preset Robust; PoseRefinementOptionTable sets them by name. What the case says of itself
+   * (traced side, manual control, whether the jaws share a frame), threads and callbacks are set over it. Other presets
+   * ignore it. */
+  void
+  SetPoseOptions(const PoseRefinementOptions & options)
+  {
+    m_PoseOptions = options;
+    this->Modified();
+  }
+  const PoseRefinementOptions &
+  GetPoseOptions() const
+  {
+    return m_PoseOptions;
+  }
+
+  /** One of them, "NAME=VALUE", or refineMidline. Throws std::invalid_argument that lists what there is. */
+  void
+  SetOption(const std::string & assignment);
+
+  /** Preset Robust: move the midline plane of the dental axis to the scan's mirror plane. Default on. */
+  itkSetMacro(RefineMidline, bool);
+  itkGetConstMacro(RefineMidline, bool);
+  itkBooleanMacro(RefineMidline);
+
   /** Valid after Update(). */
   const CaseResult &
   GetResult() const
@@ -119,14 +144,16 @@ private:
   void
   RegisterByPose(const DentalFrameResult & frames, const std::array<TriangleSurface, 2> & surfaces);
 
-  DataPointer      m_Data;
-  CasePresetEnum   m_Preset{ CasePresetEnum::Paper };
-  unsigned int     m_NumberOfUpperContourPoints{ 441 };
-  unsigned int     m_NumberOfLowerContourPoints{ 439 };
-  bool             m_UseSurfaceDRR{ true };
-  CaseResult       m_Result;
-  std::string      m_CurrentStage;
-  ModifiedTimeType m_ResultMTime{ 0 };
+  DataPointer           m_Data;
+  CasePresetEnum        m_Preset{ CasePresetEnum::Paper };
+  unsigned int          m_NumberOfUpperContourPoints{ 441 };
+  unsigned int          m_NumberOfLowerContourPoints{ 439 };
+  bool                  m_UseSurfaceDRR{ true };
+  PoseRefinementOptions m_PoseOptions;
+  bool                  m_RefineMidline{ true };
+  CaseResult            m_Result;
+  std::string           m_CurrentStage;
+  ModifiedTimeType      m_ResultMTime{ 0 };
 };
 } // namespace itk
 

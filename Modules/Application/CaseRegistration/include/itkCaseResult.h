@@ -76,10 +76,14 @@ struct LandmarkPrediction
   std::array<double, 2> position{ { 0.0, 0.0 } };
   /** Row-major 2x2, square pixels; absent where the method has none. */
   std::optional<std::array<double, 4>> covariance;
+  /** The same of the middle between this and the other side's landmark, where a tracing was bisected. */
+  std::optional<std::array<double, 4>> middleCovariance;
 
   /** Standard deviation an axis: the root of half the covariance's trace. */
   double
   GetSigma() const;
+  double
+  GetMiddleSigma() const;
 };
 
 /** What is known of one registered jaw. */
@@ -126,7 +130,9 @@ struct CaseResult
 {
   using JawEnum = ToothCode::JawEnum;
 
-  CasePresetEnum                        preset{ CasePresetEnum::Paper };
+  CasePresetEnum preset{ CasePresetEnum::Paper };
+  /** NAME=VALUE of what differs from the preset's defaults. */
+  std::vector<std::string>              options;
   std::map<JawEnum, JawResult>          jaws;
   std::map<JawEnum, std::string>        skipped;
   std::shared_ptr<const DentalCaseData> data;

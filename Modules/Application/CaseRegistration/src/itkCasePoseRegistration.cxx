@@ -250,6 +250,22 @@ ToCaseStatus(RegistrationVerdict::StatusEnum status)
   }
 }
 
+/** The same landmark of the other side; null without one. */
+const DentalLandmarkSet<3>::LandmarkType *
+FindOtherSide(const DentalLandmarkSet<3> & landmarks, const std::string & name)
+{
+  const auto   kindOf = [](const std::string & text) { return text.substr(std::min(text.size(), text.find('_'))); };
+  const auto * own = landmarks.Find(name);
+  for (const auto & landmark : landmarks.GetLandmarks())
+  {
+    if (landmark.tooth == own->tooth.GetContralateral() && kindOf(landmark.name) == kindOf(name))
+    {
+      return &landmark;
+    }
+  }
+  return nullptr;
+}
+
 /** The exact silhouette of the whole scan at the solution, and the paper's figures on it. */
 void
 MeasureWholeSilhouette(const TriangleSurface &       surface,
@@ -353,9 +369,9 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   {
     return;
   }
-  PoseRefinementOptions options;
+  PoseRefinementOptions options = settings.options;
   options.tracedSide = ToPoseSide(data.description.tracedSide);
-  options.useJointPose = frames.jawsShareFrame;
+  options.useJointPose = options.useJointPose && frames.jawsShareFrame;
   options.fixScale = data.description.fixScale;
   options.fixRotation = data.description.fixRotation;
   options.fixTranslation = data.description.fixTranslation;
@@ -474,6 +490,18 @@ RegisterCaseByPose(const DentalCaseData &                 data,
           inMillimetres[d] = point[d] * unit;
         }
         landmark.covariance = PoseRefinementKernel::LandmarkCovariance(pose, inputs[i], i, inMillimetres);
+        const auto * other = data.description.tracedSide == TracedSideEnum::Mean
+                               ? FindOtherSide(*data.landmarks3D, landmark.name)
+                               : nullptr;
+        if (other != nullptr)
+        {
+          // The middle of two projections is the projection of the middle but for the perspective between them.
+          for (unsigned int d = 0; d < 3; ++d)
+          {
+            inMillimetres[d] = 0.5 * (point[d] + other->point[d]) * unit;
+          }
+          landmark.middleCovariance = PoseRefinementKernel::LandmarkCovariance(pose, inputs[i], i, inMillimetres);
+        }
       }
     }
   }

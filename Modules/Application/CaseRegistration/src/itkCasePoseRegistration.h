@@ -20,6 +20,7 @@
 
 #include "itkCaseResult.h"
 #include "itkDentalFrameEstimator.h"
+#include "itkPoseRefinementTypes.h"
 
 #include <functional>
 
@@ -29,7 +30,9 @@ namespace itk
  * \brief What the robust chain needs beside the data. */
 struct CasePoseSettings
 {
-  unsigned int numberOfThreads{ 0 };
+  /** The method's ingredients; what the case says is set over them. */
+  PoseRefinementOptions options;
+  unsigned int          numberOfThreads{ 0 };
   /** Points of the resampled whole silhouette, upper and lower, for the figures that presets are compared on. */
   std::array<unsigned int, 2> numberOfContourPoints{ { 441, 439 } };
   /** Called with progress in [0, 1]; returns true to abort. */

@@ -23,6 +23,7 @@
 #include "itkDescribePlainly.h"
 
 #include "itkMakeTriangleSurface.h"
+#include "itkPoseRefinementOptionTable.h"
 #include "itkTimeProbe.h"
 
 namespace itk
@@ -72,6 +73,22 @@ CaseRegistration::VerifyPreconditions() ITKv5_CONST
   {
     itkExceptionMacro("There is no case: call SetData() with what LoadDentalCase() returns.");
   }
+}
+
+void
+CaseRegistration::SetOption(const std::string & assignment)
+{
+  const std::string name = assignment.substr(0, assignment.find('='));
+  if (name == "refineMidline")
+  {
+    // Read as the other switches are.
+    PoseRefinementOptions scratch;
+    PoseRefinementOptionTable::Set(scratch, "useSideSelection" + assignment.substr(name.size()));
+    this->SetRefineMidline(scratch.useSideSelection);
+    return;
+  }
+  PoseRefinementOptionTable::Set(m_PoseOptions, assignment);
+  this->Modified();
 }
 
 void
@@ -174,7 +191,7 @@ CaseRegistration::GenerateData()
   std::array<TriangleSurface, 2> surfaces;
   DentalFrameOptions             frameOptions;
   frameOptions.jawsShareFrame = ToFrameOption(m_Data->description.occlusion);
-  frameOptions.refineMidline = m_Preset == CasePresetEnum::Robust;
+  frameOptions.refineMidline = m_Preset == CasePresetEnum::Robust && m_RefineMidline;
   frameOptions.abort = [this]() { return this->GetAbortGenerateData(); };
   for (const JawEnum jaw : Jaws)
   {
@@ -233,6 +250,12 @@ CaseRegistration::RegisterByPose(const DentalFrameResult & frames, const std::ar
 {
   this->EnterStage("registration", 0.35F);
   CasePoseSettings settings;
+  settings.options = m_PoseOptions;
+  m_Result.options = PoseRefinementOptionTable::GetChanges(m_PoseOptions);
+  if (!m_RefineMidline)
+  {
+    m_Result.options.emplace_back("refineMidline=off");
+  }
   settings.numberOfThreads = this->GetNumberOfWorkUnits();
   settings.numberOfContourPoints = { { m_NumberOfUpperContourPoints, m_NumberOfLowerContourPoints } };
   settings.progress = [this](double progress) {
@@ -332,6 +355,13 @@ CaseRegistration::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "NumberOfUpperContourPoints: " << m_NumberOfUpperContourPoints << std::endl;
   os << indent << "NumberOfLowerContourPoints: " << m_NumberOfLowerContourPoints << std::endl;
   os << indent << "UseSurfaceDRR: " << m_UseSurfaceDRR << std::endl;
+  os << indent << "PoseOptions:";
+  for (const std::string & change : PoseRefinementOptionTable::GetChanges(m_PoseOptions))
+  {
+    os << ' ' << change;
+  }
+  os << std::endl;
+  os << indent << "RefineMidline: " << (m_RefineMidline ? "On" : "Off") << std::endl;
   os << indent << "CurrentStage: " << m_CurrentStage << std::endl;
   os << indent << "ResultStatus: " << ToString(m_Result.GetStatus()) << std::endl;
 }

@@ -23,10 +23,25 @@
 
 namespace itk
 {
+namespace
+{
+double
+SigmaOf(const std::optional<std::array<double, 4>> & covariance)
+{
+  return covariance ? std::sqrt(0.5 * ((*covariance)[0] + (*covariance)[3])) : 0.0;
+}
+} // namespace
+
 double
 LandmarkPrediction::GetSigma() const
 {
-  return covariance ? std::sqrt(0.5 * ((*covariance)[0] + (*covariance)[3])) : 0.0;
+  return SigmaOf(covariance);
+}
+
+double
+LandmarkPrediction::GetMiddleSigma() const
+{
+  return SigmaOf(middleCovariance);
 }
 
 void

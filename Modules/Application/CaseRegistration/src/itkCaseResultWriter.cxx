@@ -352,6 +352,10 @@ CaseResultToJson(const CaseResult & result)
   json["schema"] = "dentalscr-result/1";
   json["software"] = DentalSCRVersion;
   json["preset"] = ToString(result.preset);
+  if (!result.options.empty())
+  {
+    json["options"] = result.options;
+  }
   json["status"] = ToString(result.GetStatus());
   json["skipped"] = Json::object();
   for (const auto & skipped : result.skipped)

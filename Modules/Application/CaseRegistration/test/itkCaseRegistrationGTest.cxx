@@ -25,6 +25,7 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <stdexcept>
 
 namespace
 {
@@ -33,10 +34,13 @@ using JawEnum = itk::ToothCode::JawEnum;
 /** A phantom case in memory; the 2-D landmarks stay outside of it. */
 struct PhantomCase
 {
-  explicit PhantomCase(std::uint64_t seed)
+  using SideEnum = itk::DentalPhantomCaseSource::TracedSideEnum;
+
+  explicit PhantomCase(std::uint64_t seed, SideEnum side = SideEnum::Right)
   {
     auto source = itk::DentalPhantomCaseSource::New();
     source->SetSeed(seed);
+    source->SetTracedSide(side);
     source->SetNumberOfTriangles(12000);
     source->SetMakeRadiograph(false);
     source->Update();
@@ -94,6 +98,61 @@ TEST(CaseRegistration, RobustIsCloseWhereThePapersRecipeIsNot)
     EXPECT_EQ(robust.jaws.at(jaw).landmarks.size(), 16u);
     EXPECT_GT(robust.jaws.at(jaw).landmarks.front().GetSigma(), 0.0);
   }
+}
+
+TEST(CaseRegistration, OptionsSwitchIngredientsAndStandInTheResult)
+{
+  const PhantomCase phantom(5);
+  auto              registration = itk::CaseRegistration::New();
+  registration->SetPreset(itk::CasePresetEnum::Robust);
+  registration->SetData(phantom.data);
+  registration->Update();
+  EXPECT_TRUE(registration->GetResult().options.empty());
+  const auto rollOf = [&]() {
+    const auto & details = registration->GetResult().jaws.at(JawEnum::Upper).details;
+    for (const auto & detail : details)
+    {
+      if (detail.first == "roll_rad")
+      {
+        return detail.second;
+      }
+    }
+    return 1e9;
+  };
+  EXPECT_NE(rollOf(), 0.0);
+
+  // A similarity has no roll.
+  registration->SetOption("useFullPose=off");
+  registration->SetOption("refineMidline=off");
+  registration->Update();
+  EXPECT_EQ(rollOf(), 0.0);
+  EXPECT_EQ(registration->GetResult().options, (std::vector<std::string>{ "useFullPose=off", "refineMidline=off" }));
+  std::ostringstream text;
+  registration->Print(text);
+  EXPECT_NE(text.str().find("PoseOptions: useFullPose=off"), std::string::npos);
+
+  EXPECT_THROW(registration->SetOption("magic=1"), std::invalid_argument);
+  EXPECT_THROW(registration->SetOption("refineMidline=perhaps"), std::invalid_argument);
+  EXPECT_FALSE(registration->GetRefineMidline());
+}
+
+TEST(CaseRegistration, TheMiddleOfABisectedTracingHasItsOwnSigma)
+{
+  const PhantomCase phantom(5, PhantomCase::SideEnum::Mean);
+  phantom.data->description.tracedSide = itk::TracedSideEnum::Mean;
+  const auto result = Register(phantom, itk::CasePresetEnum::Robust);
+  for (const auto & landmark : result.jaws.at(JawEnum::Upper).landmarks)
+  {
+    ASSERT_TRUE(landmark.middleCovariance.has_value()) << landmark.name;
+    EXPECT_GT(landmark.GetMiddleSigma(), 0.0);
+    // What no bisected tracing tells, the turn about the vertical, moves the sides and not their middle.
+    if (landmark.name.find("7_") != std::string::npos)
+    {
+      EXPECT_LT(landmark.GetMiddleSigma(), landmark.GetSigma()) << landmark.name;
+    }
+  }
+  const auto right = Register(PhantomCase(5), itk::CasePresetEnum::Robust);
+  EXPECT_FALSE(right.jaws.at(JawEnum::Upper).landmarks.front().middleCovariance.has_value());
 }
 
 TEST(CaseRegistration, ThePapersPresetNeverVouchesForItself)

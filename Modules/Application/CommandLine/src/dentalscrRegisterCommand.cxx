@@ -44,6 +44,7 @@ struct RegisterOptions
   std::vector<std::string> fix;
   std::string              silhouette{ "drr" };
   bool                     noReport{ false };
+  std::vector<std::string> set;
 };
 
 /** The words of an option; what they throw names the option. */
@@ -125,6 +126,16 @@ Register(const RegisterOptions & options, const CommonOptions & common)
   });
   auto registration = itk::CaseRegistration::New();
   Apply("--preset", [&]() { registration->SetPreset(itk::CasePresetFromString(options.preset)); });
+  if (!options.set.empty() && registration->GetPreset() != itk::CasePresetEnum::Robust)
+  {
+    itkDentalInputErrorMacro("--option", "", "preset " + options.preset + " has no options", "leave out --preset");
+  }
+  Apply("--option", [&]() {
+    for (const std::string & assignment : options.set)
+    {
+      registration->SetOption(assignment);
+    }
+  });
   registration->SetUseSurfaceDRR(options.silhouette == "drr");
   registration->SetNumberOfWorkUnits(common.threads > 0 ? common.threads
                                                         : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
@@ -181,10 +192,14 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
     ->capture_default_str();
   command->add_flag(
     "--no-report", options->noReport, "Write no overlays and no scans: result.json and transforms only");
-  command->footer("Exit code: 0 every jaw registered, 1 a jaw failed, 2 unusable input.\n"
-                  "Examples:\n"
-                  "  dentalscr register case.json --output result\n"
-                  "  dentalscr register case.json --output result --preset bounding-box --exclude UR8\n");
+  command->add_option(
+    "--option", options->set, "Ingredient of preset robust, NAME=VALUE (Documentation/Robust.md), any number of times");
+  command->footer(
+    "Exit code: 0 every jaw registered, 1 a jaw failed, 2 unusable input.\n"
+    "Examples:\n"
+    "  dentalscr register case.json --output result\n"
+    "  dentalscr register case.json --output result --preset bounding-box --exclude UR8\n"
+    "  dentalscr register case.json --output result --option useRobustKernel=off --option yawStarts=-0.1,0.1\n");
   command->callback([options, &common, &run]() { run = [options, &common]() { return Register(*options, common); }; });
 }
 } // namespace dentalscr

@@ -1,0 +1,69 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseRefinementOptionTable_h
+#define itkPoseRefinementOptionTable_h
+
+#include "PoseRefinementExport.h"
+#include "itkPoseRefinementTypes.h"
+
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \class PoseRefinementOptionTable
+ * \brief The fields of PoseRefinementOptions by name and text, for command lines and scripts. Free of ITK headers.
+ *
+ * What a case says itself (traced side, manual control), threads and callbacks are not in it. Switches take on, off,
+ * true, false, 1, 0; lists take numbers with commas.
+ *
+ * \ingroup PoseRefinement
+ */
+class PoseRefinement_EXPORT PoseRefinementOptionTable
+{
+public:
+  struct EntryType
+  {
+    std::string name;
+    /** In a few words, with the unit. */
+    std::string description;
+  };
+
+  /** In the order of the struct. */
+  static std::vector<EntryType>
+  GetEntries();
+
+  /** Throws std::invalid_argument that names the unknown option and lists what there is. */
+  static std::string
+  Get(const PoseRefinementOptions & options, const std::string & name);
+
+  /** Throws std::invalid_argument for an unknown name, or a value that is none or out of range. */
+  static void
+  Set(PoseRefinementOptions & options, const std::string & name, const std::string & value);
+
+  /** "NAME=VALUE". */
+  static void
+  Set(PoseRefinementOptions & options, const std::string & assignment);
+
+  /** What differs from the defaults, as assignments. */
+  static std::vector<std::string>
+  GetChanges(const PoseRefinementOptions & options);
+};
+} // namespace itk
+
+#endif
