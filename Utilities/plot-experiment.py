@@ -56,32 +56,80 @@ def errors(folder, plots):
 
 
 def calibration(folder, plots):
-    figure, axis = plt.subplots(figsize=(4.5, 4.5))
+    """Observed against nominal probability, a panel each for jaws, tooth groups and cohorts."""
     data = rows(folder / "calibration.csv")
-    for stratum in dict.fromkeys(row["stratum"] for row in data):
-        chosen = [row for row in data if row["stratum"] == stratum]
+    overall = [row for row in data if row["by"] == "all"]
+    panels = [by for by in dict.fromkeys(row["by"] for row in data) if by != "all"]
+    figure, axes = plt.subplots(1, len(panels), figsize=(4.5 * len(panels), 4.5), sharey=True, squeeze=False)
+    for axis, by in zip(axes[0], panels):
+        for i, stratum in enumerate(dict.fromkeys(row["stratum"] for row in data if row["by"] == by)):
+            chosen = [row for row in data if row["by"] == by and row["stratum"] == stratum]
+            axis.plot(
+                [float(row["nominal"]) for row in chosen],
+                [float(row["observed"]) for row in chosen],
+                "-" if i < 10 else "--",
+                linewidth=1,
+                label=stratum,
+            )
         axis.plot(
-            [float(row["nominal"]) for row in chosen], [float(row["observed"]) for row in chosen], ".-", label=stratum
+            [float(row["nominal"]) for row in overall],
+            [float(row["observed"]) for row in overall],
+            "k.-",
+            label="all landmarks",
         )
-    axis.plot([0, 1], [0, 1], "k--", linewidth=0.8)
-    axis.set_xlabel("nominal probability of the region")
-    axis.set_ylabel("share of landmarks inside")
-    axis.legend(fontsize=7)
+        axis.plot([0, 1], [0, 1], "k:", linewidth=0.8)
+        axis.set_xlabel("nominal probability of the region")
+        axis.set_title(f"by {by}")
+        axis.legend(fontsize=6)
+    axes[0][0].set_ylabel("share of landmarks inside")
     save(figure, plots, "calibration.png")
 
 
 def verdict(folder, plots):
     data = rows(folder / "verdict.csv")
-    columns = [key for key in data[0] if key != "verdict"]
-    counts = [[int(row[key]) for key in columns] for row in data]
-    figure, axis = plt.subplots(figsize=(5, 3))
-    axis.imshow(counts, cmap="Blues")
-    for i, line in enumerate(counts):
-        for j, count in enumerate(line):
-            axis.text(j, i, count, ha="center", va="center", color="tab:red")
-    axis.set_xticks(range(len(columns)), [key.replace("_", " ") for key in columns], fontsize=7)
-    axis.set_yticks(range(len(data)), [row["verdict"] for row in data])
+    if not data:
+        return
+    inputs = list(dict.fromkeys(row.get("input", "") for row in data))
+    columns = [key for key in data[0] if key not in ("input", "verdict")]
+    figure, axes = plt.subplots(1, len(inputs), figsize=(4.5 * len(inputs) + 0.5, 3), sharey=True, squeeze=False)
+    for axis, name in zip(axes[0], inputs):
+        chosen = [row for row in data if row.get("input", "") == name]
+        counts = [[int(row[key]) for key in columns] for row in chosen]
+        axis.imshow(counts, cmap="Blues")
+        for i, line in enumerate(counts):
+            for j, count in enumerate(line):
+                axis.text(j, i, count, ha="center", va="center", color="tab:red")
+        axis.set_xticks(range(len(columns)), [key.replace("_", " ") for key in columns], fontsize=7)
+        axis.set_yticks(range(len(chosen)), [row["verdict"] for row in chosen])
+        axis.set_title(name, fontsize=9)
     save(figure, plots, "verdict.png")
+
+
+def ablation(folder, plots):
+    """Mean as a bar, worst case as a mark, for each variant."""
+    data = rows(folder / "ablation.csv")
+    variants = list(dict.fromkeys(row["variant"] for row in data))
+    levels = list(dict.fromkeys(row["level"] for row in data))
+    figure, axes = plt.subplots(1, len(levels), figsize=(5 * len(levels), 0.35 * len(variants) + 1.5), sharey=True)
+    for axis, level in zip(axes, levels):
+        for offset, jaw in ((-0.2, "upper"), (0.2, "lower")):
+            chosen = [
+                next(r for r in data if r["variant"] == v and r["level"] == level and r["jaw"] == jaw) for v in variants
+            ]
+            places = [i + offset for i, row in enumerate(chosen) if row["mean_px"]]
+            means = [float(row["mean_px"]) for row in chosen if row["mean_px"]]
+            worst = [float(row["worst_case_px"]) for row in chosen if row["mean_px"]]
+            axis.barh(places, means, height=0.38, label=f"{jaw}, mean")
+            axis.plot(worst, places, "|", markersize=9, label=f"{jaw}, worst case")
+        axis.axvline(8, color="black", linewidth=0.8, linestyle="--")
+        axis.set_xscale("log")
+        axis.set_xlabel("landmark error, px")
+        axis.set_title(level)
+        axis.set_yticks(range(len(variants)), variants, fontsize=7)
+        axis.grid(axis="x", alpha=0.3)
+    axes[0].invert_yaxis()
+    axes[-1].legend(fontsize=6)
+    save(figure, plots, "ablation.png")
 
 
 def success(folder, plots):
@@ -164,6 +212,7 @@ def main():
         ("verdict.csv", verdict),
         ("capture.csv", capture),
         ("sensitivity.csv", sensitivity),
+        ("ablation.csv", ablation),
     ):
         if (folder / name).exists():
             draw(folder, plots)

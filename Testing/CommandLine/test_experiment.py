@@ -106,6 +106,11 @@ def test_nothing_to_measure_with_is_said(run, case, tmp_path):
         (["--level", "absurd"], "--level"),
         (["--study", "everything"], "--study"),
         (["--from", "/nowhere"], "/nowhere"),
+        (["--from", "/nowhere", "--cases", "3"], "--cases"),
+        (["--study", "capture", "--methods", "bounding-box"], "bounding-box"),
+        (["--study", "sensitivity", "--from", "/nowhere"], "--from"),
+        (["--study", "coverage", "--methods", "paper"], "--methods"),
+        (["--study", "ablation", "--level", "hard"], "--level"),
     ],
 )
 def test_bad_options_are_one_line(run, tmp_path, arguments, word):
@@ -161,3 +166,96 @@ def test_study_of_the_sensitivity_has_every_factor(run, tmp_path):
     for word in ("noise", "drop-out", "source", "spacing", "yaw", "roll", "missing", "trimmed"):
         assert any(word in factor for factor in factors), word
     assert (tmp_path / "sensitivity.md").read_text().count("## ") == len(factors)
+
+
+def test_edited_case_is_run_again(run, sample, tmp_path):
+    for name in ("one", "two"):
+        shutil.copytree(sample, tmp_path / "cases" / name)
+    command = ("experiment", "--from", tmp_path / "cases", *FAST, "--no-figures", "--output", tmp_path / "out")
+    assert run(*command).returncode == 0
+    before = rows(tmp_path / "out" / "cases.csv")
+    # Not the case file itself: a file that it names.
+    marked = tmp_path / "cases" / "two" / "landmarks2d.json"
+    content = {name: [u + 5.0, v] for name, (u, v) in json.loads(marked.read_text()).items()}
+    marked.write_text(json.dumps(content))
+    done = run(*command)
+    assert done.returncode == 0, done.stderr
+    assert "1 cases were there already" in done.stdout
+    changed = {a["case"] for a, b in zip(before, rows(tmp_path / "out" / "cases.csv")) if a != b}
+    assert changed == {"two"}
+
+
+def test_cases_without_landmarks_are_listed(run, sample, tmp_path):
+    for name in ("good", "bare", "half"):
+        shutil.copytree(sample, tmp_path / "cases" / name)
+    case = tmp_path / "cases" / "bare" / "case.json"
+    content = json.loads(case.read_text())
+    content.pop("landmarks_3d")
+    case.write_text(json.dumps(content))
+    marked = tmp_path / "cases" / "half" / "landmarks2d.json"
+    content = {name: place for name, place in json.loads(marked.read_text()).items() if name.startswith("U")}
+    marked.write_text(json.dumps(content))
+    done = run("experiment", "--from", tmp_path / "cases", *FAST, "--no-figures", "--output", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    failures = rows(tmp_path / "out" / "failures.csv")
+    assert any(row["case"] == "bare" and "landmarks_3d" in row["reason"] for row in failures)
+    half = [row for row in failures if row["case"] == "half" and row["what"] == "no error known"]
+    assert [row["jaw"] for row in half] == ["lower"]
+
+
+def test_folder_and_subfolder_of_one_name_are_two_cases(run, sample, tmp_path):
+    shutil.copytree(sample, tmp_path / "same")
+    shutil.copytree(sample, tmp_path / "same" / "same")
+    done = run("experiment", "--from", tmp_path / "same", *FAST, "--no-figures", "--output", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    assert {row["case"] for row in rows(tmp_path / "out" / "cases.csv")} == {"same", "same-2"}
+    assert len(list((tmp_path / "out" / "cases").iterdir())) == 2
+
+
+def test_study_of_the_capture_range_survives_a_broken_case(run, sample, tmp_path):
+    shutil.copytree(sample, tmp_path / "cases" / "good")
+    (tmp_path / "cases" / "broken").mkdir()
+    (tmp_path / "cases" / "broken" / "case.json").write_text("{")
+    arguments = ("--study", "capture", "--starts", 10, "--methods", "bounding-box,icp-rigid,parallel", "--no-figures")
+    done = run("experiment", "--from", tmp_path / "cases", *arguments, "--output", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    ranges = rows(tmp_path / "out" / "capture_range.csv")
+    # Ten starts a jaw; the bounding box is none that starts.
+    assert {(row["method"], row["starts"]) for row in ranges} == {("icp-rigid", "20"), ("parallel", "20")}
+    assert "* broken: " in (tmp_path / "out" / "capture.md").read_text()
+
+
+def test_study_of_the_coverage_has_every_kind_of_case(run, tmp_path):
+    done = run("experiment", "--study", "coverage", "--cases", 13, "--no-figures", "--output", tmp_path)
+    assert done.returncode == 0, done.stderr
+    cohorts = rows(tmp_path / "cohorts.csv")
+    assert len(cohorts) == 2 * 13
+    coverage = {row["stratum"]: row for row in rows(tmp_path / "coverage.csv")}
+    assert int(coverage["all"]["cases"]) == 13
+    assert {row["cohort"] for row in cohorts} < set(coverage)
+    # 16 landmarks a case, both sides' in one.
+    assert int(coverage["all"]["landmarks"]) == 14 * 16
+    assert all(0.5 < float(row["coverage_95"]) <= 1.0 for row in coverage.values())
+
+
+def test_study_of_the_verdict_finds_what_is_wrong(run, tmp_path):
+    done = run("experiment", "--study", "verdict", "--cases", 1, "--no-figures", "--output", tmp_path)
+    assert done.returncode == 0, done.stderr
+    inputs = {row["input"]: row for row in rows(tmp_path / "verdict_inputs.csv") if row["jaws"] != "0"}
+    for word in ("scans exchanged", "facing", "cm", "mirrored", "other side", "spacing", "incisors", "another patient"):
+        assert any(word in name for name in inputs), word
+    assert inputs["wrong facing"]["ok"] == "0" and inputs["scans exchanged"]["ok"] == "0"
+    assert inputs["nothing: cases of every kind"]["ok"] == "2"
+
+
+def test_study_of_the_ablation_switches_every_ingredient(run, tmp_path):
+    done = run("experiment", "--study", "ablation", "--cases", 1, "--no-figures", "--output", tmp_path)
+    assert done.returncode == 0, done.stderr
+    table = rows(tmp_path / "ablation.csv")
+    means = {(row["variant"], row["level"], row["jaw"]): row["mean_px"] for row in table}
+    variants = {row["variant"] for row in table}
+    assert "robust" in variants and len(means) == 4 * len(variants)
+    for variant in variants - {"robust"}:
+        row = next(row for row in table if row["variant"] == variant)
+        assert "=" in row["options"]
+    assert means["no-side-selection", "typical", "upper"] != means["robust", "typical", "upper"]

@@ -18,6 +18,7 @@
 #include "dentalscrCommands.h"
 
 #include "itkCohortExperiment.h"
+#include "itkDentalInputError.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTextFile.h"
 
@@ -45,6 +46,8 @@ struct ExperimentOptions
   std::string              study;
   unsigned int             starts{ 100 };
   bool                     noFigures{ false };
+  /** A level was named for a study that has its own. */
+  bool levelIsRefused{ false };
 };
 
 /** A word for the shell, whatever it holds. */
@@ -80,6 +83,11 @@ Plot(const std::string & folder)
 int
 Experiment(const ExperimentOptions & options, const CommonOptions & common)
 {
+  if (options.levelIsRefused)
+  {
+    itkDentalInputErrorMacro(
+      "--level", "", "the study " + options.study + " has levels of its own", "leave out --level");
+  }
   auto experiment = ExperimentType::New();
   experiment->SetNumberOfCases(options.cases);
   experiment->SetSeed(options.seed);
@@ -91,6 +99,9 @@ Experiment(const ExperimentOptions & options, const CommonOptions & common)
   experiment->SetCaseDirectory(options.from);
   experiment->SetStudy(options.study == "capture"       ? ExperimentType::StudyEnum::Capture
                        : options.study == "sensitivity" ? ExperimentType::StudyEnum::Sensitivity
+                       : options.study == "ablation"    ? ExperimentType::StudyEnum::Ablation
+                       : options.study == "coverage"    ? ExperimentType::StudyEnum::Coverage
+                       : options.study == "verdict"     ? ExperimentType::StudyEnum::Verdict
                                                         : ExperimentType::StudyEnum::Tables);
   experiment->SetNumberOfStarts(options.starts);
   experiment->SetDrawFigures(!options.noFigures);
@@ -137,9 +148,14 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
     "experiment", "Compares methods on a simulated cohort or on annotated cases: the paper's tables and more");
   command->add_option("-o,--output", options->output, "Folder for tables and plots; a run that was interrupted goes on")
     ->required();
-  auto * cases = command->add_option("--cases", options->cases, "Number of simulated cases; a study takes 8")
-                   ->check(CLI::Range(1u, 100000u))
-                   ->capture_default_str();
+  auto * cases =
+    command
+      ->add_option(
+        "--cases",
+        options->cases,
+        "Number of simulated cases. Studies: 8 (capture, sensitivity), 34 (ablation), 40 (verdict), 200 (coverage)")
+      ->check(CLI::Range(1u, 100000u))
+      ->capture_default_str();
   command->add_option("--seed", options->seed, "Of the first case; the same seed gives the same bits")
     ->capture_default_str();
   auto * level = command->add_option("--level", options->level, "ideal, typical or hard")
@@ -150,16 +166,20 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
                  options->methods,
                  "Methods, separated by commas: bounding-box, single-stage, paper, robust, icp[-trimmed][-rigid], "
                  "cpd[-robust][-rigid], mutual-information, normalized-correlation, gradient-correlation, no-umda, "
-                 "one-sided, parallel; or default, intensity, all")
+                 "one-sided, no-coarse-to-fine (= single-stage), parallel; or default, intensity, all")
     ->delimiter(',')
     ->capture_default_str();
   command
     ->add_option(
       "--from", options->from, "Folder whose subfolders hold a case.json with landmarks_2d each, instead of simulating")
-    ->excludes(level);
+    ->excludes(level)
+    ->excludes(cases);
   command
-    ->add_option("--study", options->study, "Instead of the tables: capture (range and success rate) or sensitivity")
-    ->check(CLI::IsMember({ "capture", "sensitivity" }));
+    ->add_option("--study",
+                 options->study,
+                 "Instead of the tables: capture (range and success rate), sensitivity, or of preset robust: ablation, "
+                 "coverage (and accuracy), verdict")
+    ->check(CLI::IsMember({ "capture", "sensitivity", "ablation", "coverage", "verdict" }));
   command->add_option("--starts", options->starts, "Starts a case and jaw in the study of the capture range")
     ->check(CLI::Range(10u, 100000u))
     ->capture_default_str();
@@ -169,11 +189,15 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
                   "  dentalscr experiment --output experiment\n"
                   "  dentalscr experiment --cases 8 --level hard --methods paper,robust --output hard\n"
                   "  dentalscr experiment --from annotated-cases --output clinic\n"
-                  "  dentalscr experiment --study capture --output capture\n");
-  command->callback([options, cases, &common, &run]() {
+                  "  dentalscr experiment --study capture --methods all --output capture\n"
+                  "  dentalscr experiment --study coverage --output coverage\n");
+  command->callback([options, cases, level, &common, &run]() {
+    const bool aboutRobust =
+      options->study == "ablation" || options->study == "coverage" || options->study == "verdict";
+    options->levelIsRefused = aboutRobust && level->count() > 0;
     if (!options->study.empty() && cases->count() == 0)
     {
-      options->cases = 8;
+      options->cases = options->study == "coverage" ? 200 : options->study == "verdict" ? 40 : aboutRobust ? 34 : 8;
     }
     run = [options, &common]() { return Experiment(*options, common); };
   });

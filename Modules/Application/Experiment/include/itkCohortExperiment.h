@@ -47,7 +47,13 @@ public:
     /** Capture range and success rate over seeded starts (van de Kraats et al. 2005). */
     Capture,
     /** Error against what is wrong with the input. */
-    Sensitivity
+    Sensitivity,
+    /** Preset robust with one ingredient at a time switched off. */
+    Ablation,
+    /** Accuracy of preset robust, coverage of its regions, its verdict, on every kind of case. */
+    Coverage,
+    /** Its verdict on good cases of every kind and on wrong inputs. */
+    Verdict
   };
 };
 
@@ -93,11 +99,12 @@ public:
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** Default Typical. */
+  /** Default Typical. Ablation, Coverage and Verdict have levels of their own. */
   itkSetEnumMacro(Level, CohortEnum);
   itkGetEnumMacro(Level, CohortEnum);
 
-  /** A folder whose subfolders hold case.json each (or one that does itself): used instead of simulated cases. */
+  /** A folder whose subfolders hold case.json each (or one that does itself): used, all of them, instead of simulated
+   * cases. Tables and Capture only. A case whose files were edited is run again when a folder is resumed. */
   itkSetStringMacro(CaseDirectory);
   itkGetStringMacro(CaseDirectory);
 
@@ -108,12 +115,13 @@ public:
   itkSetEnumMacro(Study, StudyEnum);
   itkGetEnumMacro(Study, StudyEnum);
 
-  /** Starts a case and jaw of the study of the capture range, and a tenth of it for intensity-driven methods. Default
-   * 100. */
+  /** Starts a case and jaw of the study of the capture range; intensity-driven methods take the first two cases only.
+   * Default 100. */
   itkSetClampMacro(NumberOfStarts, unsigned int, 10, 100000);
   itkGetConstMacro(NumberOfStarts, unsigned int);
 
-  /** Names of methods and groups; see SelectExperimentMethods(). Default "default"; studies take their own default. */
+  /** Names of methods and groups; see SelectExperimentMethods(). Default "default"; Sensitivity takes its own default.
+   * Ablation, Coverage and Verdict are about preset robust alone and take none. */
   void
   SetMethods(const std::vector<std::string> & names);
   const std::vector<std::string> &

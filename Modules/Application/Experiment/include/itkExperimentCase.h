@@ -22,6 +22,7 @@
 #include "itkDentalCaseData.h"
 #include "itkDentalFrameEstimator.h"
 #include "itkDentalPhantomCaseSource.h"
+#include "itkExperimentMistake.h"
 
 #include <array>
 #include <cstdint>
@@ -54,6 +55,27 @@ struct ExperimentCase
 /** What a phantom case of an experiment may differ in from its cohort. */
 struct ExperimentVariation
 {
+  using TracedSideEnum = DentalPhantomCaseSource::TracedSideEnum;
+  enum class JawsEnum : std::uint8_t
+  {
+    Both,
+    UpperAlone,
+    LowerAlone
+  };
+
+  TracedSideEnum tracedSide{ TracedSideEnum::Right };
+  bool           buccalOutline{ false };
+  /** Each tooth drawn with an error of its own, as a factor on what DentalPhantomCaseSource says. */
+  double toothBias{ 0.0 };
+  /** The patient faces left, the source is on the left. */
+  bool facesLeft{ false };
+  /** A scanner frame for each jaw. */
+  bool     separateFrames{ false };
+  bool     knowsPixelSpacing{ true };
+  bool     knowsPrincipalPoint{ true };
+  JawsEnum jaws{ JawsEnum::Both };
+  /** What is wrong with the case. */
+  ExperimentMistakeEnums::Mistake mistake{ ExperimentMistakeEnums::Mistake::None };
   /** Share of each tooth's border that is not drawn. */
   double dropOut{ 0.0 };
   /** Added to the tracing, px: half of the variance white, half correlated along the tracing. */

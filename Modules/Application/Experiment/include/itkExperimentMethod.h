@@ -60,6 +60,8 @@ struct ExperimentMethod
   std::string title;
   KindEnum    kind{ KindEnum::Contour };
   ChainEnum   chain{ ChainEnum::Paper };
+  /** Of kind Pose: NAME=VALUE, see CaseRegistration::SetOption(). */
+  std::vector<std::string> options{};
 };
 
 /** All methods in the order of the tables. */
@@ -71,8 +73,8 @@ Experiment_EXPORT const ExperimentMethod *
 FindExperimentMethod(const std::string & name);
 
 /** The methods of a list of names, in the order of the tables; "default" stands for all without the intensity-driven
- * ones, "intensity" for those, "all" for both. Throws std::invalid_argument that names the unknown one and lists what
- * there is. */
+ * ones, "intensity" for those, "all" for both; "no-coarse-to-fine" is "single-stage", one method by two names. Throws
+ * std::invalid_argument that names the unknown one and lists what there is. */
 Experiment_EXPORT std::vector<ExperimentMethod>
                   SelectExperimentMethods(const std::vector<std::string> & names);
 
@@ -109,10 +111,14 @@ public:
   bool
   HasJaw(JawEnum jaw) const;
 
-  /** The jaw's marked landmarks where the central ray through the centroid projects them, q, in their order in
-   * `marked`. */
+  /** The jaw's marked landmarks with where a chain's central ray through the centroid projects them, q, in their order
+   * in `marked`. */
   std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>>
-  GetLandmarkPairs(JawEnum jaw);
+  GetLandmarkPairs(JawEnum jaw, ExperimentMethod::ChainEnum chain = ExperimentMethod::ChainEnum::Paper);
+
+  /** mm in the detector plane; the estimate where the case has none. */
+  double
+  GetMeanPixelSpacing(JawEnum jaw);
 
 private:
   struct PreparedType

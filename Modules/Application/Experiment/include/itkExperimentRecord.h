@@ -74,6 +74,10 @@ struct Experiment_EXPORT ExperimentRecord
   void
   Add(const std::string & method, const CaseResult & result);
 
+  /** Null where the method did not see the jaw. */
+  const JawType *
+  Find(const std::string & method, const std::string & jaw) const;
+
   std::string
   ToJson(const std::string & key) const;
 

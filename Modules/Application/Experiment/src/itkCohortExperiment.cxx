@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkCohortExperiment.h"
 
+#include "itkExperimentCaseFiles.h"
 #include "itkExperimentPlan.h"
 
 #include "itkDentalInputError.h"
@@ -46,15 +47,28 @@ using StudyEnum = CohortExperimentEnums::Study;
 const char *
 NameOf(StudyEnum study)
 {
-  return study == StudyEnum::Tables ? "tables" : study == StudyEnum::Capture ? "capture" : "sensitivity";
+  switch (study)
+  {
+    case StudyEnum::Capture:
+      return "capture";
+    case StudyEnum::Sensitivity:
+      return "sensitivity";
+    case StudyEnum::Ablation:
+      return "ablation";
+    case StudyEnum::Coverage:
+      return "coverage";
+    case StudyEnum::Verdict:
+      return "verdict";
+    default:
+      return "tables";
+  }
 }
 
-const char *
-NameOf(CohortExperiment::CohortEnum level)
+/** About preset robust and phantoms of every kind: no choice of methods, level or files. */
+bool
+IsAboutRobust(StudyEnum study)
 {
-  return level == CohortExperiment::CohortEnum::Ideal     ? "ideal"
-         : level == CohortExperiment::CohortEnum::Typical ? "typical"
-                                                          : "hard";
+  return study == StudyEnum::Ablation || study == StudyEnum::Coverage || study == StudyEnum::Verdict;
 }
 
 [[noreturn]] void
@@ -63,45 +77,6 @@ FailToWrite(const std::string & folder, const std::string & why)
   itkDentalInputErrorMacro(folder, "", "can't be written: " + why, "choose another output folder");
 }
 
-/** Case files below a folder, sorted by name. */
-std::vector<std::pair<std::string, std::string>>
-FindCaseFiles(const std::string & folder)
-{
-  const fs::path  root = fs::u8path(folder);
-  std::error_code error;
-  if (!fs::is_directory(root, error))
-  {
-    itkDentalInputErrorMacro(folder, "", "is no folder", "name a folder whose subfolders hold a case.json each");
-  }
-  std::vector<std::pair<std::string, std::string>> files;
-  if (fs::exists(root / "case.json", error))
-  {
-    const fs::path name = fs::absolute(root).lexically_normal();
-    files.emplace_back((root / "case.json").string(),
-                       (name.has_filename() ? name : name.parent_path()).filename().string());
-  }
-  std::vector<fs::path> folders;
-  for (const auto & entry : fs::directory_iterator(root, error))
-  {
-    if (fs::exists(entry.path() / "case.json", error))
-    {
-      folders.push_back(entry.path());
-    }
-  }
-  std::sort(folders.begin(), folders.end());
-  for (const fs::path & path : folders)
-  {
-    files.emplace_back((path / "case.json").string(), path.filename().string());
-  }
-  if (files.empty())
-  {
-    itkDentalInputErrorMacro(folder,
-                             "",
-                             "holds no case.json, nor does any folder in it",
-                             "name a folder whose subfolders hold a case.json each");
-  }
-  return files;
-}
 } // namespace
 
 std::ostream &
@@ -124,11 +99,26 @@ std::unique_ptr<ExperimentPlan>
 CohortExperiment::MakePlan() const
 {
   std::vector<std::string> names = m_Methods;
-  if (m_Study != StudyEnum::Tables && names == std::vector<std::string>{ "default" })
+  const bool               isDefault = names == std::vector<std::string>{ "default" };
+  if (m_Study == StudyEnum::Sensitivity && isDefault)
   {
     names = {
       "bounding-box", "single-stage", "paper", "robust", "one-sided", "icp", "icp-trimmed", "cpd", "cpd-robust"
     };
+  }
+  if (IsAboutRobust(m_Study) && !isDefault)
+  {
+    itkDentalInputErrorMacro("--methods",
+                             "",
+                             std::string("the study ") + NameOf(m_Study) + " is about preset robust alone",
+                             "leave out --methods");
+  }
+  if ((IsAboutRobust(m_Study) || m_Study == StudyEnum::Sensitivity) && !m_CaseDirectory.empty())
+  {
+    itkDentalInputErrorMacro(std::string("--study ") + NameOf(m_Study),
+                             "",
+                             "varies simulated cases on purpose and can't take cases from files",
+                             "leave out --from");
   }
   std::vector<ExperimentMethod> methods;
   try
@@ -149,25 +139,28 @@ CohortExperiment::MakePlan() const
   cohort.count = m_NumberOfCases;
   if (!m_CaseDirectory.empty())
   {
-    cohort.files = FindCaseFiles(m_CaseDirectory);
+    cohort.files = FindExperimentCaseFiles(m_CaseDirectory);
   }
   else if (m_NumberOfCases == 0)
   {
     itkDentalInputErrorMacro("--cases", "", "0 cases leave nothing to measure", "ask for at least 1");
+  }
+  if (IsAboutRobust(m_Study))
+  {
+    cohort.name = "case";
   }
   switch (m_Study)
   {
     case StudyEnum::Capture:
       return MakeCapturePlan(cohort, methods, m_NumberOfStarts);
     case StudyEnum::Sensitivity:
-      if (!cohort.IsSimulated())
-      {
-        itkDentalInputErrorMacro("--study sensitivity",
-                                 "",
-                                 "spoils simulated cases on purpose and can't take cases from files",
-                                 "leave out --from");
-      }
       return MakeSensitivityPlan(cohort, methods);
+    case StudyEnum::Ablation:
+      return MakeAblationPlan(cohort);
+    case StudyEnum::Coverage:
+      return MakeCoveragePlan(cohort);
+    case StudyEnum::Verdict:
+      return MakeVerdictPlan(cohort);
     default:
       return MakeTablesPlan(cohort, methods);
   }
@@ -197,7 +190,7 @@ CohortExperiment::ClaimFolder(const std::vector<ExperimentMethod> & methods) con
   manifest["study"] = NameOf(m_Study);
   manifest["from"] =
     m_CaseDirectory.empty() ? std::string() : fs::absolute(fs::u8path(m_CaseDirectory)).lexically_normal().string();
-  manifest["level"] = m_CaseDirectory.empty() ? NameOf(m_Level) : "";
+  manifest["level"] = m_CaseDirectory.empty() && !IsAboutRobust(m_Study) ? NameOf(m_Level) : "";
   manifest["seed"] = m_Seed;
   manifest["methods"] = Json::array();
   for (const ExperimentMethod & method : methods)
@@ -252,6 +245,13 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
   const fs::path    folder = fs::u8path(m_OutputDirectory) / "cases";
   const auto        fileOf = [&](std::size_t i) { return (folder / (plan.GetCohort().GetId(i) + ".json")).string(); };
 
+  // With the digest of its files: a case that was edited is run again.
+  std::vector<std::string> keys;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    keys.push_back(key + plan.GetCohort().GetInputKey(i));
+  }
+
   std::vector<std::size_t> open;
   m_NumberOfResumedCases = 0;
   for (std::size_t i = 0; i < count; ++i)
@@ -262,7 +262,7 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
     {
       try
       {
-        plan.Accept(i, ReadTextFile(fileOf(i), "a case of an experiment"), key);
+        plan.Accept(i, ReadTextFile(fileOf(i), "a case of an experiment"), keys[i]);
         there = true;
       }
       catch (const std::exception &)
@@ -298,7 +298,7 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
       std::string        text;
       try
       {
-        text = plan.Compute(i, key, [&abort]() { return abort.load(); });
+        text = plan.Compute(i, keys[i], [&abort]() { return abort.load(); });
         WriteFileAtomically(fileOf(i), text);
       }
       catch (...)
@@ -312,7 +312,7 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
         {
           std::rethrow_exception(problem);
         }
-        plan.Accept(i, text, key);
+        plan.Accept(i, text, keys[i]);
         ++done;
       }
       catch (...)

@@ -16,8 +16,9 @@
  *
  *=========================================================================*/
 #include "itkExperimentPlan.h"
-#include "itkExperimentTables.h"
+#include "itkExperimentTable.h"
 
+#include "itkDentalInputError.h"
 #include "itkReproducibleRandom.h"
 
 #include <nlohmann/json.hpp>
@@ -45,6 +46,8 @@ constexpr double       AccurateWithin = 2.0;
 constexpr double       ConvergedWithin = 1.0;
 constexpr double       SuccessOfRange = 0.95;
 constexpr unsigned int StartStream = 911;
+/** Methods by grey values are slow: the first cases stand for all. */
+constexpr std::size_t NumberOfIntensityCases = 2;
 
 /** p = linear q + shift. */
 struct Similarity
@@ -107,9 +110,10 @@ MeanDisplacement(const PairsType & pairs, const Similarity & a, const Similarity
 }
 
 /** A start in a random direction from the truth whose mean landmark displacement is the target (pixels): scale, turn
- * and shift each move the landmarks alike on average. */
+ * and shift each move the landmarks alike on average. Methods that keep the scale get the truth's. */
 Similarity
-DrawStart(const PairsType & pairs, const Similarity & truth, double target, ReproducibleRandom & random)
+DrawStart(
+  const PairsType & pairs, const Similarity & truth, double target, bool keepsScale, ReproducibleRandom & random)
 {
   Complex centre(0.0, 0.0);
   for (const auto & pair : pairs)
@@ -122,8 +126,12 @@ DrawStart(const PairsType & pairs, const Similarity & truth, double target, Repr
     reach += std::norm(truth.linear * (ToComplex(pair.first) - centre)) / static_cast<double>(pairs.size());
   }
   reach = std::sqrt(reach);
-  const double direction[4] = { random.Normal(), random.Normal(), random.Normal(), random.Normal() };
-  const auto   at = [&](double amount) {
+  double direction[4] = { random.Normal(), random.Normal(), random.Normal(), random.Normal() };
+  if (keepsScale)
+  {
+    direction[0] = 0.0;
+  }
+  const auto at = [&](double amount) {
     const Complex factor = std::polar(std::exp(amount * direction[0] / reach), amount * direction[1] / reach);
     Similarity    start;
     start.linear = truth.linear * factor;
@@ -144,6 +152,12 @@ DrawStart(const PairsType & pairs, const Similarity & truth, double target, Repr
     (MeanDisplacement(pairs, truth, at(middle)) < target ? low : high) = middle;
   }
   return at(high);
+}
+
+double
+MeanPixelSpacing(const CephalometricGeometry & geometry)
+{
+  return 0.5 * (geometry.GetPixelSpacing()[0] + geometry.GetPixelSpacing()[1]);
 }
 
 struct Outcome
@@ -167,44 +181,65 @@ public:
   std::string
   Compute(std::size_t i, const std::string & key, const AbortType & abort) const override
   {
-    const bool needsRadiograph =
-      std::any_of(this->GetMethods().begin(), this->GetMethods().end(), [](const ExperimentMethod & method) {
-        return method.kind == ExperimentMethod::KindEnum::Intensity;
-      });
-    const ExperimentCase experimentCase = this->GetCohort().Make(i, needsRadiograph);
-    ExperimentRunner     runner(experimentCase);
-    runner.SetAbort(abort);
-    const auto & geometry = *experimentCase.data->geometry;
-    const double spacing =
-      geometry.HasPixelSpacing() ? 0.5 * (geometry.GetPixelSpacing()[0] + geometry.GetPixelSpacing()[1]) : 0.25;
-
-    Json json;
+    const bool withIntensity = i < NumberOfIntensityCases;
+    Json       json;
     json["key"] = key;
     json["id"] = this->GetCohort().GetId(i);
     json["methods"] = Json::object();
-    for (const ExperimentMethod & method : this->GetMethods())
+    json["notes"] = Json::array();
+    const std::string failure = Try([&]() {
+      const ExperimentCase experimentCase =
+        this->GetCohort().Make(i, withIntensity && NeedsRadiograph(this->GetMethods()));
+      ExperimentRunner runner(experimentCase);
+      runner.SetAbort(abort);
+      std::vector<ToothCode::JawEnum> jaws;
+      for (const ToothCode::JawEnum jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
+      {
+        if (runner.HasJaw(jaw) && runner.GetLandmarkPairs(jaw).size() >= 2)
+        {
+          jaws.push_back(jaw);
+        }
+        else
+        {
+          json["notes"].push_back(std::string(jaw == ToothCode::JawEnum::Upper ? "upper" : "lower") +
+                                  " jaw: no scan, no tracing, or fewer than two landmarks on both");
+        }
+      }
+      for (const ExperimentMethod & method : this->GetMethods())
+      {
+        if (method.kind == ExperimentMethod::KindEnum::Intensity && !withIntensity)
+        {
+          continue;
+        }
+        Json outcomes = Json::array();
+        if (method.kind == ExperimentMethod::KindEnum::Pose)
+        {
+          // It searches everywhere: no start to give it, one run stands for all.
+          const CaseResult result = runner.Run(method);
+          for (const ToothCode::JawEnum jaw : jaws)
+          {
+            const auto   entry = result.jaws.find(jaw);
+            const bool   known = entry != result.jaws.end() && entry->second.error;
+            const double error = known ? entry->second.error->mean * MeanPixelSpacing(*result.geometry) : -1.0;
+            outcomes.push_back({ -1.0, error, 0.0 });
+          }
+        }
+        else
+        {
+          for (const ToothCode::JawEnum jaw : jaws)
+          {
+            this->RunJaw(runner, method, jaw, i, outcomes, abort);
+          }
+        }
+        json["methods"][method.name] = outcomes;
+      }
+    });
+    if (!failure.empty())
     {
-      Json outcomes = Json::array();
-      if (method.kind == ExperimentMethod::KindEnum::Pose)
-      {
-        // It searches everywhere: no start to give it, one run stands for all.
-        const CaseResult result = runner.Run(method);
-        for (const auto & jaw : result.jaws)
-        {
-          const double error = jaw.second.error ? jaw.second.error->mean * spacing : -1.0;
-          outcomes.push_back({ -1.0, error, 0.0 });
-        }
-      }
-      else
-      {
-        for (const ToothCode::JawEnum jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
-        {
-          this->RunJaw(runner, method, jaw, spacing, i, outcomes, abort);
-        }
-      }
-      json["methods"][method.name] = outcomes;
+      json["methods"] = Json::object();
+      json["notes"] = { failure };
     }
-    return json.dump() + '\n';
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
   }
 
   void
@@ -230,12 +265,24 @@ public:
         outcomes[method.key()].push_back(outcome);
       }
     }
+    std::string notes;
+    for (const auto & note : json.at("notes"))
+    {
+      notes += "* " + this->GetCohort().GetId(i) + ": " + note.get<std::string>() + '\n';
+    }
     m_Outcomes[i] = outcomes;
+    m_Notes.resize(this->GetCohort().size());
+    m_Notes[i] = notes;
   }
 
   std::map<std::string, std::string>
   MakeFiles() const override
   {
+    if (std::all_of(m_Outcomes.begin(), m_Outcomes.end(), [](const auto & outcomes) { return outcomes.empty(); }))
+    {
+      itkDentalInputErrorMacro(
+        this->GetCohort().GetId(0), "", "and every other case is unusable: " + m_Notes.front(), "see the first");
+    }
     ExperimentTable bins({ "method", "from_mm", "to_mm", "starts", "accurate", "converged" });
     ExperimentTable ranges(
       { "method", "starts", "capture_range_accurate_mm", "capture_range_converged_mm", "accurate" });
@@ -313,14 +360,25 @@ public:
     text
       << "# Capture range\n\n"
       << this->GetCohort().Describe() << ", both jaws, " << m_NumberOfStarts
-      << " seeded starts a jaw (a tenth for intensity-driven methods), up to " << NumberOfBins * BinWidth
+      << " seeded starts a jaw (intensity-driven methods: the first "
+      << std::min(NumberOfIntensityCases, this->GetCohort().size()) << " cases only), up to " << NumberOfBins * BinWidth
       << " mm from the similarity that fits the landmarks best, binned by the mean displacement of the landmarks "
          "(van de Kraats et al. 2005). Accurate: the mean landmark error ends within "
       << AccurateWithin << " mm. Converged: it ends within " << ConvergedWithin
       << " mm of where the method ends when it starts at the best similarity, right or wrong. The capture range is the "
          "end of the last bin with at least 95 % success, 0 where already the first has less. A method that "
-         "searches everywhere needs no start: each bin holds its one result a jaw.\n\n"
+         "searches everywhere needs no start: each bin holds its one result a jaw. Rigid methods keep the scale of "
+         "their start and get the best one. The bounding box is a start and has none.\n\n"
       << markdown.ToMarkdown();
+    std::string notes;
+    for (const std::string & note : m_Notes)
+    {
+      notes += note;
+    }
+    if (!notes.empty())
+    {
+      text << "\nWhat is in no figure:\n\n" << notes;
+    }
     return { { "capture.csv", bins.ToCSV() }, { "capture_range.csv", ranges.ToCSV() }, { "capture.md", text.str() } };
   }
 
@@ -329,20 +387,13 @@ private:
   RunJaw(ExperimentRunner &       runner,
          const ExperimentMethod & method,
          ToothCode::JawEnum       jaw,
-         double                   spacing,
          std::size_t              number,
          Json &                   outcomes,
          const AbortType &        abort) const
   {
-    if (!runner.HasJaw(jaw))
-    {
-      return;
-    }
-    const PairsType pairs = runner.GetLandmarkPairs(jaw);
-    if (pairs.size() < 2)
-    {
-      return;
-    }
+    const PairsType  pairs = runner.GetLandmarkPairs(jaw, method.chain);
+    const double     spacing = runner.GetMeanPixelSpacing(jaw);
+    const bool       keepsScale = method.name.find("rigid") != std::string::npos;
     const Similarity truth = FitToLandmarks(pairs);
     const auto       endOf = [&](const Similarity & start, Similarity & end) {
       const JawResult result = runner.RunJaw(method, jaw, start.ToTransform());
@@ -357,16 +408,14 @@ private:
     const bool         hasReference = endOf(truth, reference);
     ReproducibleRandom random(this->GetCohort().seed + number,
                               StartStream + (jaw == ToothCode::JawEnum::Upper ? 0 : 1));
-    const unsigned int count =
-      method.kind == ExperimentMethod::KindEnum::Intensity ? (m_NumberOfStarts + 9) / 10 : m_NumberOfStarts;
-    for (unsigned int k = 0; k < count; ++k)
+    for (unsigned int k = 0; k < m_NumberOfStarts; ++k)
     {
       if (abort())
       {
         throw ProcessAborted(__FILE__, __LINE__);
       }
       const double     target = BinWidth * (k % NumberOfBins + random.Uniform());
-      const Similarity start = DrawStart(pairs, truth, target / spacing, random);
+      const Similarity start = DrawStart(pairs, truth, target / spacing, keepsScale, random);
       Similarity       end;
       if (!endOf(start, end))
       {
@@ -385,6 +434,8 @@ private:
 
   unsigned int                                             m_NumberOfStarts;
   std::vector<std::map<std::string, std::vector<Outcome>>> m_Outcomes;
+  /** A line each. */
+  std::vector<std::string> m_Notes;
 };
 } // namespace
 
@@ -396,11 +447,15 @@ MakeCapturePlan(const ExperimentCohort &              cohort,
   std::vector<ExperimentMethod> chosen;
   for (const ExperimentMethod & method : methods)
   {
-    // The start itself, and another chain, are no registration from a start.
-    if (method.name != "bounding-box" && method.chain == ExperimentMethod::ChainEnum::Paper)
+    if (method.name != "bounding-box")
     {
       chosen.push_back(method);
     }
+  }
+  if (chosen.empty())
+  {
+    itkDentalInputErrorMacro(
+      "--methods", "", "bounding-box is a start, and nothing that starts from one", "name another method");
   }
   return std::make_unique<CapturePlan>(cohort, chosen, numberOfStarts);
 }

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkExperimentCase.h"
 
+#include "itkExperimentMistakeMaker.h"
+
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
@@ -28,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 namespace itk
@@ -177,6 +180,22 @@ TrimDistally(const MeshType * mesh, const DentalJawFrame & frame, double amount)
   return trimmed;
 }
 
+TracedSideEnum
+ToDescription(ExperimentVariation::TracedSideEnum side)
+{
+  switch (side)
+  {
+    case ExperimentVariation::TracedSideEnum::Left:
+      return TracedSideEnum::Left;
+    case ExperimentVariation::TracedSideEnum::Mean:
+      return TracedSideEnum::Mean;
+    case ExperimentVariation::TracedSideEnum::Both:
+      return TracedSideEnum::Both;
+    default:
+      return TracedSideEnum::Right;
+  }
+}
+
 void
 AddNoise(DentalContour::Pointer & contour, double sigma, ReproducibleRandom & random)
 {
@@ -211,7 +230,9 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
                           bool                                withRadiograph,
                           const ExperimentVariation &         variation)
 {
-  auto source = DentalPhantomCaseSource::New();
+  using MistakeEnum = ExperimentMistakeEnums::Mistake;
+  const MistakeEnum mistake = variation.mistake;
+  auto              source = DentalPhantomCaseSource::New();
   source->SetSeed(seed);
   source->SetCohort(cohort);
   source->SetMakeRadiograph(withRadiograph);
@@ -219,8 +240,32 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
   source->SetAdditionalYaw(variation.yawDegrees * Degree);
   source->SetAdditionalRoll(variation.rollDegrees * Degree);
   source->SetMissingTeeth(variation.missingTeeth);
+  source->SetTracedSide(mistake == MistakeEnum::OtherSideTraced || mistake == MistakeEnum::OtherSideTracedAndCoded
+                          ? ExperimentVariation::TracedSideEnum::Left
+                          : variation.tracedSide);
+  source->SetBuccalOutline(variation.buccalOutline);
+  source->SetToothBias(variation.toothBias);
+  if (variation.facesLeft)
+  {
+    source->SetFacing(CephalometricGeometry::FacingEnum::Left);
+    source->SetSourceSide(CephalometricGeometry::SourceSideEnum::Left);
+  }
+  if (variation.separateFrames)
+  {
+    source->SetFrame(DentalPhantomCaseSource::FrameEnum::SeparateScanner);
+  }
   source->SetNumberOfWorkUnits(1);
   source->Update();
+  auto scans = source;
+  if (mistake == MistakeEnum::OtherPatient)
+  {
+    scans = DentalPhantomCaseSource::New();
+    scans->SetSeed(seed + 1);
+    scans->SetCohort(cohort);
+    scans->SetMakeRadiograph(false);
+    scans->SetNumberOfWorkUnits(1);
+    scans->Update();
+  }
 
   ExperimentCase     experimentCase;
   std::ostringstream id;
@@ -254,14 +299,17 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
   data->sources.principalPoint = ValueSourceEnum::Given;
   data->spacingVerdict = "UserGiven";
   data->spacingProvenance = "simulated";
+  data->description.tracedSide = ToDescription(variation.tracedSide);
   data->landmarks3D = DentalLandmarkSet<3>::New();
   auto marked = DentalLandmarkSet<2>::New();
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
     auto & input = jaw == 0 ? data->upper : data->lower;
-    input.mesh = source->GetMesh(jaw);
+    input.mesh = scans->GetMesh(jaw);
+    // Tooth labels are more than a scan file holds.
+    input.mesh->SetPointData(nullptr);
     input.contour = source->GetTracing(jaw);
-    for (const auto & landmark : source->GetLandmarks3D(jaw)->GetLandmarks())
+    for (const auto & landmark : scans->GetLandmarks3D(jaw)->GetLandmarks())
     {
       data->landmarks3D->AddLandmark(landmark.name, landmark.point);
     }
@@ -285,13 +333,47 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
                 radiograph->GetBufferedRegion().GetNumberOfPixels(),
                 data->image->GetBufferPointer());
   }
+  if (!variation.knowsPixelSpacing)
+  {
+    auto geometry = CephalometricGeometry::New();
+    geometry->SetSourceToMidsagittalDistance(data->geometry->GetSourceToMidsagittalDistance());
+    geometry->SetSourceToDetectorDistance(data->geometry->GetSourceToDetectorDistance());
+    geometry->SetSourceSide(data->geometry->GetSourceSide());
+    geometry->SetFacing(data->geometry->GetFacing());
+    geometry->SetPrincipalPoint(data->geometry->GetPrincipalPoint());
+    data->geometry = geometry;
+    data->sources.pixelSpacing = ValueSourceEnum::Estimated;
+    data->spacingVerdict = "Unknown";
+  }
+  if (!variation.knowsPrincipalPoint)
+  {
+    CephalometricGeometry::PixelIndexType unknown;
+    unknown.Fill(0.0);
+    data->geometry->SetPrincipalPoint(unknown);
+    data->sources.principalPoint = ValueSourceEnum::Estimated;
+  }
+  if (variation.jaws != ExperimentVariation::JawsEnum::Both)
+  {
+    (variation.jaws == ExperimentVariation::JawsEnum::UpperAlone ? data->lower : data->upper) =
+      DentalCaseData::JawType();
+  }
+  MakeExperimentMistake(mistake, *data);
   experimentCase.data = data;
   experimentCase.marked = marked;
   EstimateFrames(experimentCase);
   if (variation.distalTrim > 0.0)
   {
-    data->upper.mesh = TrimDistally(data->upper.mesh, experimentCase.frames.upper, variation.distalTrim);
-    data->lower.mesh = TrimDistally(data->lower.mesh, experimentCase.frames.lower, variation.distalTrim);
+    for (const ToothCode::JawEnum jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
+    {
+      auto & input = data->GetJaw(jaw);
+      if (input.mesh.IsNotNull())
+      {
+        input.mesh =
+          TrimDistally(input.mesh,
+                       jaw == ToothCode::JawEnum::Upper ? experimentCase.frames.upper : experimentCase.frames.lower,
+                       variation.distalTrim);
+      }
+    }
     EstimateFrames(experimentCase);
   }
 
@@ -337,6 +419,20 @@ LoadExperimentCase(const std::string & fileName, const std::string & id)
   }
   reader->Update();
   experimentCase.marked = reader->GetOutput();
+  const bool measurable =
+    experimentCase.data->landmarks3D.IsNotNull() &&
+    std::any_of(experimentCase.marked->GetLandmarks().begin(),
+                experimentCase.marked->GetLandmarks().end(),
+                [&](const auto & each) { return experimentCase.data->landmarks3D->Find(each.name) != nullptr; });
+  if (!measurable)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             "landmarks_3d",
+                             experimentCase.data->landmarks3D.IsNull()
+                               ? "is absent: there is nothing to measure the errors with"
+                               : "has no name of landmarks_2d: there is nothing to measure the errors with",
+                             "mark the same landmarks on the scans and in the radiograph");
+  }
   EstimateFrames(experimentCase);
   experimentCase.fileAxes[0] = NearestPermutation(experimentCase.frames.upper.axes);
   experimentCase.fileAxes[1] = NearestPermutation(experimentCase.frames.lower.axes);

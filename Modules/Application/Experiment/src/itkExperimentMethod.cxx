@@ -137,9 +137,13 @@ FindExperimentMethod(const std::string & name)
 std::vector<ExperimentMethod>
 SelectExperimentMethods(const std::vector<std::string> & names)
 {
+  // The paper's ablation has a name of its own for it.
+  const auto resolve = [](const std::string & name) {
+    return name == "no-coarse-to-fine" ? std::string("single-stage") : name;
+  };
   for (const std::string & name : names)
   {
-    if (name != "all" && name != "default" && name != "intensity" && FindExperimentMethod(name) == nullptr)
+    if (name != "all" && name != "default" && name != "intensity" && FindExperimentMethod(resolve(name)) == nullptr)
     {
       std::string known;
       for (const ExperimentMethod & method : GetExperimentMethods())
@@ -147,14 +151,14 @@ SelectExperimentMethods(const std::vector<std::string> & names)
         known += method.name + ", ";
       }
       throw std::invalid_argument("there is no method \"" + name + "\"; there are " + known +
-                                  "and the groups default, intensity, all");
+                                  "no-coarse-to-fine (which is single-stage), and the groups default, intensity, all");
     }
   }
   std::vector<ExperimentMethod> selected;
   for (const ExperimentMethod & method : GetExperimentMethods())
   {
     const bool chosen = std::any_of(names.begin(), names.end(), [&](const std::string & name) {
-      return name == method.name || name == "all" ||
+      return resolve(name) == method.name || name == "all" ||
              name == (method.kind == KindEnum::Intensity ? "intensity" : "default");
     });
     if (chosen)
@@ -341,6 +345,10 @@ ExperimentRunner::Run(const ExperimentMethod & method)
   {
     auto registration = CaseRegistration::New();
     registration->SetPreset(CasePresetEnum::Robust);
+    for (const std::string & option : method.options)
+    {
+      registration->SetOption(option);
+    }
     registration->SetNumberOfWorkUnits(1);
     registration->SetData(m_Case.data);
     if (m_Abort)
@@ -385,10 +393,16 @@ ExperimentRunner::Run(const ExperimentMethod & method)
   return result;
 }
 
-std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>>
-ExperimentRunner::GetLandmarkPairs(JawEnum jaw)
+double
+ExperimentRunner::GetMeanPixelSpacing(JawEnum jaw)
 {
-  const PreparedType &                                                 prepared = this->Prepare(jaw, ChainEnum::Paper);
+  return MeanSpacing(this->Prepare(jaw, ChainEnum::Paper).geometry);
+}
+
+std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>>
+ExperimentRunner::GetLandmarkPairs(JawEnum jaw, ChainEnum chain)
+{
+  const PreparedType &                                                 prepared = this->Prepare(jaw, chain);
   std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>> pairs;
   if (m_Case.data->landmarks3D.IsNull())
   {

@@ -17,12 +17,17 @@
  *=========================================================================*/
 #include "itkExperimentPlan.h"
 
+#include "itkExperimentCaseFiles.h"
+
+#include "itkDentalInputError.h"
+#include "itkDescribePlainly.h"
+
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <stdexcept>
 
 namespace itk
-{
-namespace
 {
 const char *
 NameOf(DentalPhantomCaseSource::CohortEnum level)
@@ -31,7 +36,6 @@ NameOf(DentalPhantomCaseSource::CohortEnum level)
          : level == DentalPhantomCaseSource::CohortEnum::Typical ? "typical"
                                                                  : "hard";
 }
-} // namespace
 
 std::string
 ExperimentCohort::GetId(std::size_t i) const
@@ -41,8 +45,14 @@ ExperimentCohort::GetId(std::size_t i) const
     return files[i].second;
   }
   std::ostringstream id;
-  id << NameOf(level) << '-' << std::setw(4) << std::setfill('0') << seed + i;
+  id << (name.empty() ? NameOf(level) : name) << '-' << std::setw(4) << std::setfill('0') << seed + i;
   return id.str();
+}
+
+std::string
+ExperimentCohort::GetInputKey(std::size_t i) const
+{
+  return this->IsSimulated() ? std::string() : DigestExperimentCase(files[i].first);
 }
 
 ExperimentCase
@@ -58,7 +68,8 @@ ExperimentCohort::Describe() const
   std::ostringstream text;
   if (this->IsSimulated())
   {
-    text << count << " simulated cases, level " << NameOf(level) << ", seeds " << seed << " to " << seed + count - 1;
+    text << count << " simulated cases, " << (name.empty() ? std::string("level ") + NameOf(level) + ", " : "")
+         << "seeds " << seed << " to " << seed + count - 1;
   }
   else
   {
@@ -68,6 +79,54 @@ ExperimentCohort::Describe() const
 }
 
 ExperimentPlan::~ExperimentPlan() = default;
+
+std::string
+ExperimentPlan::Try(const std::function<void()> & work)
+{
+  try
+  {
+    work();
+  }
+  catch (const ProcessAborted &)
+  {
+    throw;
+  }
+  catch (const DentalInputError & error)
+  {
+    return error.GetOneLine();
+  }
+  catch (const ExceptionObject & error)
+  {
+    return DescribePlainly(error);
+  }
+  catch (const std::invalid_argument & error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+std::string
+ExperimentPlan::DescribeFailures(const std::vector<ExperimentRecord> & records)
+{
+  std::string text;
+  for (const ExperimentRecord & record : records)
+  {
+    if (!record.failure.empty())
+    {
+      text += "* " + record.id + ": " + record.failure + '\n';
+    }
+  }
+  return text.empty() ? text : "\nCases that could not be used and are in no figure:\n\n" + text;
+}
+
+bool
+ExperimentPlan::NeedsRadiograph(const std::vector<ExperimentMethod> & methods)
+{
+  return std::any_of(methods.begin(), methods.end(), [](const ExperimentMethod & method) {
+    return method.kind == ExperimentMethod::KindEnum::Intensity;
+  });
+}
 
 std::vector<std::string>
 ExperimentPlan::DrawFigures(const std::string &, const AbortType &) const

@@ -20,6 +20,7 @@
 
 #include "itkDentalPhantomCaseSource.h"
 #include "itkExperimentMethod.h"
+#include "itkExperimentRecord.h"
 
 #include <functional>
 #include <map>
@@ -32,6 +33,8 @@ namespace itk
 /** Where the cases of an experiment come from. */
 struct ExperimentCohort
 {
+  /** Of simulated cases, before their seed; the level's where empty. */
+  std::string                         name;
   DentalPhantomCaseSource::CohortEnum level{ DentalPhantomCaseSource::CohortEnum::Typical };
   std::uint64_t                       seed{ 1 };
   std::size_t                         count{ 0 };
@@ -50,12 +53,18 @@ struct ExperimentCohort
   }
   std::string
   GetId(std::size_t i) const;
+  /** Another where the files of the case were edited; empty for a simulated one. */
+  std::string
+  GetInputKey(std::size_t i) const;
   ExperimentCase
   Make(std::size_t i, bool withRadiograph, const ExperimentVariation & variation = ExperimentVariation()) const;
   /** In words. */
   std::string
   Describe() const;
 };
+
+const char *
+NameOf(DentalPhantomCaseSource::CohortEnum level);
 
 /** \class ExperimentPlan
  * \brief A study case by case: what to compute for each, and the files that follow from all. */
@@ -97,6 +106,19 @@ public:
   virtual std::vector<std::string>
   DrawFigures(const std::string & folder, const AbortType & abort) const;
 
+protected:
+  /** Runs it; what a case can't do comes back in words, empty where all went well. ProcessAborted passes. */
+  static std::string
+  Try(const std::function<void()> & work);
+
+  /** A paragraph that lists the cases that could not be used; empty where there are none. */
+  static std::string
+  DescribeFailures(const std::vector<ExperimentRecord> & records);
+
+  /** Whether a method needs the radiograph. */
+  static bool
+  NeedsRadiograph(const std::vector<ExperimentMethod> & methods);
+
 private:
   ExperimentCohort              m_Cohort;
   std::vector<ExperimentMethod> m_Methods;
@@ -110,6 +132,12 @@ MakeCapturePlan(const ExperimentCohort &              cohort,
                 unsigned int                          numberOfStarts);
 std::unique_ptr<ExperimentPlan>
 MakeSensitivityPlan(const ExperimentCohort & cohort, const std::vector<ExperimentMethod> & methods);
+std::unique_ptr<ExperimentPlan>
+MakeAblationPlan(const ExperimentCohort & cohort);
+std::unique_ptr<ExperimentPlan>
+MakeCoveragePlan(const ExperimentCohort & cohort);
+std::unique_ptr<ExperimentPlan>
+MakeVerdictPlan(const ExperimentCohort & cohort);
 } // namespace itk
 
 #endif

@@ -91,6 +91,11 @@ ExperimentRecord::Add(const std::string & method, const CaseResult & result)
             {
               landmark.sigma = prediction.GetSigma();
             }
+            // Of a bisected tracing: the middle of two landmarks, "UR1_tip+UL1_tip".
+            else if (prediction.middleCovariance && error.first.find(prediction.name + '+') == 0)
+            {
+              landmark.sigma = prediction.GetMiddleSigma();
+            }
           }
           record.landmarks.push_back(landmark);
         }
@@ -98,6 +103,18 @@ ExperimentRecord::Add(const std::string & method, const CaseResult & result)
     }
     methods[method][NameOf(entry.first)] = record;
   }
+}
+
+auto
+ExperimentRecord::Find(const std::string & method, const std::string & jaw) const -> const JawType *
+{
+  const auto found = methods.find(method);
+  if (found == methods.end())
+  {
+    return nullptr;
+  }
+  const auto entry = found->second.find(jaw);
+  return entry == found->second.end() ? nullptr : &entry->second;
 }
 
 std::string

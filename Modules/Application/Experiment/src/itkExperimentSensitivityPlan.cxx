@@ -16,7 +16,8 @@
  *
  *=========================================================================*/
 #include "itkExperimentPlan.h"
-#include "itkExperimentTables.h"
+#include "itkExperimentFigures.h"
+#include "itkExperimentTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,22 +107,26 @@ public:
     ExperimentRecord record;
     record.id = this->GetCohort().GetId(i);
     record.seed = this->GetCohort().seed + i;
-    const bool needsRadiograph =
-      std::any_of(this->GetMethods().begin(), this->GetMethods().end(), [](const ExperimentMethod & method) {
-        return method.kind == ExperimentMethod::KindEnum::Intensity;
-      });
-    for (std::size_t k = 0; k < m_Conditions.size(); ++k)
+    for (std::size_t k = 0; k < m_Conditions.size() && record.failure.empty(); ++k)
     {
-      const ExperimentCase experimentCase = this->GetCohort().Make(i, needsRadiograph, m_Conditions[k].variation);
-      ExperimentRunner     runner(experimentCase);
-      runner.SetAbort(abort);
-      for (const ExperimentMethod & method : this->GetMethods())
-      {
-        if (abort())
+      record.failure = Try([&]() {
+        const ExperimentCase experimentCase =
+          this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()), m_Conditions[k].variation);
+        ExperimentRunner runner(experimentCase);
+        runner.SetAbort(abort);
+        for (const ExperimentMethod & method : this->GetMethods())
         {
-          throw ProcessAborted(__FILE__, __LINE__);
+          if (abort())
+          {
+            throw ProcessAborted(__FILE__, __LINE__);
+          }
+          record.Add(KeyOf(method.name, k), runner.Run(method));
         }
-        record.Add(KeyOf(method.name, k), runner.Run(method));
+      });
+      if (!record.failure.empty())
+      {
+        record.failure = std::string(m_Conditions[k].factor) + ' ' + m_Conditions[k].level + ": " + record.failure;
+        record.methods.clear();
       }
     }
     return record.ToJson(key);
@@ -152,7 +157,8 @@ public:
       << "# Sensitivity\n\n"
       << this->GetCohort().Describe()
       << ", spoilt one factor at a time. Mean landmark error in px over both jaws; in brackets the jaws above 2 mm or "
-         "not registered, where there are any. Where a tooth is missing its landmarks are, too.\n";
+         "not registered, where there are any. Where a tooth is missing its landmarks are, too.\n"
+      << DescribeFailures(m_Records);
     std::string              factor;
     std::vector<std::string> header = { "" };
     for (const ExperimentMethod & method : this->GetMethods())

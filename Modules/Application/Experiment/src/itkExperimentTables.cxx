@@ -17,7 +17,11 @@
  *=========================================================================*/
 #include "itkExperimentTables.h"
 
+#include "itkExperimentFigures.h"
+#include "itkExperimentConfusionTable.h"
+#include "itkExperimentCoverageTable.h"
 #include "itkExperimentStatistics.h"
+#include "itkExperimentTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,15 +38,12 @@ using Table = ExperimentTable;
 using Records = std::vector<ExperimentRecord>;
 using JawRecord = ExperimentRecord::JawType;
 
-constexpr const char * Jaws[] = { "upper", "lower" };
-constexpr const char * JawTitles[] = { "Upper jaw", "Lower jaw" };
-constexpr double       SuccessLimits[] = { 2.0, 2.5, 3.0, 4.0 };
-constexpr double       NotUsable = 2.0;
-constexpr double       None = std::numeric_limits<double>::quiet_NaN();
-constexpr unsigned int Resamples = 2000;
-constexpr unsigned int Flips = 20000;
-/** Radius of the 95 % region in sigmas. */
-constexpr double             Radius95 = 2.448;
+constexpr const char *       Jaws[] = { "upper", "lower" };
+constexpr const char *       JawTitles[] = { "Upper jaw", "Lower jaw" };
+constexpr double             NotUsable = 2.0;
+constexpr double             None = std::numeric_limits<double>::quiet_NaN();
+constexpr unsigned int       Resamples = 2000;
+constexpr unsigned int       Flips = 20000;
 constexpr const char * const PaperNote = "Figures after a slash are those that the paper prints; they were obtained on "
                                          "other, private data (34 clinical cases) "
                                          "and are no target of a simulated cohort.";
@@ -99,18 +100,6 @@ Count(std::size_t value)
   return std::to_string(value);
 }
 
-const JawRecord *
-Find(const ExperimentRecord & record, const std::string & method, const std::string & jaw)
-{
-  const auto found = record.methods.find(method);
-  if (found == record.methods.end())
-  {
-    return nullptr;
-  }
-  const auto entry = found->second.find(jaw);
-  return entry == found->second.end() ? nullptr : &entry->second;
-}
-
 bool
 Has(const std::vector<ExperimentMethod> & methods, const std::string & name)
 {
@@ -125,7 +114,7 @@ ErrorsOfCases(const Records & records, const std::string & method, const std::st
   std::vector<std::vector<double>> errors;
   for (const ExperimentRecord & record : records)
   {
-    const JawRecord * entry = Find(record, method, jaw);
+    const JawRecord * entry = record.Find(method, jaw);
     if (entry != nullptr && entry->registered)
     {
       errors.emplace_back();
@@ -430,8 +419,8 @@ private:
         std::vector<std::vector<double>> clusters;
         for (const ExperimentRecord & record : m_Records)
         {
-          const JawRecord * ours = Find(record, reference, jaw);
-          const JawRecord * theirs = Find(record, method.name, jaw);
+          const JawRecord * ours = record.Find(reference, jaw);
+          const JawRecord * theirs = record.Find(method.name, jaw);
           if (ours != nullptr && theirs != nullptr && ours->GetMean(false) && theirs->GetMean(false))
           {
             differences.push_back(*ours->GetMean(false) - *theirs->GetMean(false));
@@ -503,11 +492,26 @@ private:
         markdown.AddRow({ record.id, "", "", "unusable case", record.failure });
         ++listed;
       }
+      for (const char * jaw : Jaws)
+      {
+        // The same for every method: a jaw that is registered, but not marked.
+        const bool unmeasured = std::any_of(m_Methods.begin(), m_Methods.end(), [&](const ExperimentMethod & method) {
+          const JawRecord * entry = record.Find(method.name, jaw);
+          return entry != nullptr && entry->registered && entry->landmarks.empty();
+        });
+        if (unmeasured)
+        {
+          const std::string reason = "no landmark of this jaw is marked both on the scan and in the radiograph";
+          csv.AddRow({ record.id, jaw, "", "no error known", "", reason });
+          markdown.AddRow({ record.id, jaw, "", "no error known", reason });
+          ++listed;
+        }
+      }
       for (const ExperimentMethod & method : m_Methods)
       {
         for (const char * jaw : Jaws)
         {
-          const JawRecord * entry = Find(record, method.name, jaw);
+          const JawRecord * entry = record.Find(method.name, jaw);
           if (entry == nullptr)
           {
             continue;
@@ -533,10 +537,11 @@ private:
         }
       }
     }
-    this->Heading("Failures",
-                  "Listed here: cases that could not be read, jaws that a method did not register or called failed (" +
-                    Count(listed) + "). Jaws with a mean error above 2 mm (" + Count(above) +
-                    ") stand in failures.csv.");
+    this->Heading(
+      "Failures",
+      "Listed here: cases that could not be used, jaws without landmarks, jaws that a method did not register or "
+      "called failed (" +
+        Count(listed) + "). Jaws with a mean error above 2 mm (" + Count(above) + ") stand in failures.csv.");
     if (listed > 0)
     {
       m_Text << markdown.ToMarkdown();
@@ -547,86 +552,19 @@ private:
   void
   AddCoverage()
   {
-    struct Strata
-    {
-      std::string         name;
-      std::vector<double> ratios;
-      double              sumOfSigmas{ 0.0 };
-      double              sumOfSquares{ 0.0 };
-    };
-    std::vector<Strata> strata = { { "all", {} },       { "upper", {} },
-                                   { "lower", {} },     { "incisors and canines", {} },
-                                   { "premolars", {} }, { "molars", {} } };
+    ExperimentCoverageTable table;
     for (const ExperimentRecord & record : m_Records)
     {
-      for (unsigned int jaw = 0; jaw < 2; ++jaw)
-      {
-        const JawRecord * entry = Find(record, "robust", Jaws[jaw]);
-        if (entry == nullptr || !entry->registered)
-        {
-          continue;
-        }
-        for (const auto & landmark : entry->landmarks)
-        {
-          if (!landmark.sigma || !(*landmark.sigma > 0.0) || landmark.group == ToothCode::GroupEnum::Unknown)
-          {
-            continue;
-          }
-          for (const unsigned int stratum : { 0u, 1u + jaw, 3u + static_cast<unsigned int>(landmark.group) })
-          {
-            strata[stratum].ratios.push_back(landmark.pixels / *landmark.sigma);
-            strata[stratum].sumOfSigmas += *landmark.sigma;
-            strata[stratum].sumOfSquares += landmark.pixels * landmark.pixels;
-          }
-        }
-      }
+      table.Add(record, "robust", {});
     }
-    if (strata[0].ratios.empty())
+    if (table.IsEmpty())
     {
       return;
     }
-    this->Heading(
-      "Coverage of the 95 % regions (robust)",
-      "Share of the marked landmarks within 2.448 sigma of the predicted one, and mean sigma over the actual "
-      "root mean square error an axis (1 is right, below 1 is too sure).");
-    Table csv({ "stratum", "landmarks", "coverage_95", "mean_sigma_px", "rms_axis_px", "sigma_over_rms" });
-    Table markdown({ "Landmarks", "number", "coverage", "sigma / rms" });
-    Table calibration({ "stratum", "nominal", "observed" });
-    for (const Strata & stratum : strata)
-    {
-      if (stratum.ratios.empty())
-      {
-        continue;
-      }
-      const auto count = static_cast<double>(stratum.ratios.size());
-      const auto share = [&](double radius) {
-        return static_cast<double>(std::count_if(
-                 stratum.ratios.begin(), stratum.ratios.end(), [radius](double ratio) { return ratio <= radius; })) /
-               count;
-      };
-      const double sigma = stratum.sumOfSigmas / count;
-      const double rms = std::sqrt(0.5 * stratum.sumOfSquares / count);
-      csv.AddRow({ stratum.name,
-                   Count(stratum.ratios.size()),
-                   Table::Number(share(Radius95), 6),
-                   Table::Number(sigma, 6),
-                   Table::Number(rms, 6),
-                   Table::Number(sigma / rms, 6) });
-      markdown.AddRow({ stratum.name,
-                        Count(stratum.ratios.size()),
-                        Table::Number(100.0 * share(Radius95), 1) + " %",
-                        Table::Number(sigma / rms, 2) });
-      for (int percent = 5; percent < 100; percent += 5)
-      {
-        const double nominal = 0.01 * percent;
-        calibration.AddRow({ stratum.name,
-                             Table::Number(nominal, 2),
-                             Table::Number(share(std::sqrt(-2.0 * std::log(1.0 - nominal))), 6) });
-      }
-    }
-    m_Text << markdown.ToMarkdown();
-    m_Files["coverage.csv"] = csv.ToCSV();
-    m_Files["calibration.csv"] = calibration.ToCSV();
+    this->Heading("Coverage of the 95 % regions (robust)", ExperimentCoverageTable::GetExplanation());
+    m_Text << table.ToMarkdown();
+    m_Files["coverage.csv"] = table.ToCSV();
+    m_Files["calibration.csv"] = table.ToCalibrationCSV();
   }
 
   void
@@ -636,41 +574,14 @@ private:
     {
       return;
     }
-    const char * const verdicts[] = { "ok", "suspect", "failed" };
-    std::size_t        counts[3][4] = {};
+    ExperimentConfusionTable table;
     for (const ExperimentRecord & record : m_Records)
     {
-      for (const char * jaw : Jaws)
-      {
-        const JawRecord * entry = Find(record, "robust", jaw);
-        if (entry == nullptr)
-        {
-          continue;
-        }
-        const auto         mean = entry->GetMean(true);
-        const unsigned int actual = !mean ? 3 : *mean <= 0.5 ? 0 : *mean <= NotUsable ? 1 : 2;
-        for (unsigned int verdict = 0; verdict < 3; ++verdict)
-        {
-          counts[verdict][actual] += entry->status == verdicts[verdict] ? 1 : 0;
-        }
-      }
+      table.Add("", record, "robust");
     }
-    this->Heading("Verdict (robust)",
-                  "Jaws by verdict and by their actual mean error. An \"ok\" above 2 mm is the worst outcome.");
-    Table csv({ "verdict", "up_to_0_5mm", "up_to_2mm", "above_2mm", "no_error_known" });
-    Table markdown({ "Verdict", "up to 0.5 mm", "0.5 to 2 mm", "above 2 mm", "not registered" });
-    for (unsigned int verdict = 0; verdict < 3; ++verdict)
-    {
-      std::vector<std::string> cells = { verdicts[verdict] };
-      for (const std::size_t count : counts[verdict])
-      {
-        cells.push_back(Count(count));
-      }
-      csv.AddRow(cells);
-      markdown.AddRow(cells);
-    }
-    m_Text << markdown.ToMarkdown();
-    m_Files["verdict.csv"] = csv.ToCSV();
+    this->Heading("Verdict (robust)", ExperimentConfusionTable::GetExplanation());
+    m_Text << table.ToMarkdown();
+    m_Files["verdict.csv"] = table.ToCSV();
   }
 
   void
@@ -684,7 +595,7 @@ private:
       {
         for (const char * jaw : Jaws)
         {
-          const JawRecord * entry = Find(record, method.name, jaw);
+          const JawRecord * entry = record.Find(method.name, jaw);
           if (entry == nullptr)
           {
             continue;
@@ -727,169 +638,6 @@ private:
   std::ostringstream                    m_Text;
 };
 } // namespace
-
-void
-ExperimentTable::AddRow(const std::vector<std::string> & row)
-{
-  if (row.size() != m_Header.size())
-  {
-    throw std::logic_error("a row of " + std::to_string(row.size()) + " cells under " +
-                           std::to_string(m_Header.size()) + " headings");
-  }
-  m_Rows.push_back(row);
-}
-
-std::string
-ExperimentTable::ToCSV() const
-{
-  std::ostringstream text;
-  const auto         write = [&](const std::vector<std::string> & cells) {
-    for (std::size_t i = 0; i < cells.size(); ++i)
-    {
-      text << (i > 0 ? "," : "");
-      if (cells[i].find_first_of(",\"\n\r") == std::string::npos)
-      {
-        text << cells[i];
-        continue;
-      }
-      text << '"';
-      for (const char character : cells[i])
-      {
-        text << (character == '"' ? "\"\"" : std::string(1, character));
-      }
-      text << '"';
-    }
-    text << '\n';
-  };
-  write(m_Header);
-  for (const auto & row : m_Rows)
-  {
-    write(row);
-  }
-  return text.str();
-}
-
-std::string
-ExperimentTable::ToMarkdown() const
-{
-  std::ostringstream text;
-  const auto         write = [&](const std::vector<std::string> & cells) {
-    for (const std::string & cell : cells)
-    {
-      text << "| ";
-      for (const char character : cell)
-      {
-        text << (character == '|' ? "\\|" : character == '\n' ? " " : std::string(1, character));
-      }
-      text << ' ';
-    }
-    text << "|\n";
-  };
-  write(m_Header);
-  for (std::size_t i = 0; i < m_Header.size(); ++i)
-  {
-    text << (i == 0 ? "|---" : "|---:");
-  }
-  text << "|\n";
-  for (const auto & row : m_Rows)
-  {
-    write(row);
-  }
-  return text.str();
-}
-
-std::string
-ExperimentTable::Number(double value, int digits)
-{
-  if (!std::isfinite(value))
-  {
-    return std::string();
-  }
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
-}
-
-ExperimentFigures
-PoolExperiment(const std::vector<ExperimentRecord> & records, const std::string & method, const std::string & jaw)
-{
-  ExperimentFigures figures;
-  double            sum = 0.0;
-  double            squares = 0.0;
-  double            groupSums[3] = { 0.0, 0.0, 0.0 };
-  std::size_t       groupCounts[3] = { 0, 0, 0 };
-  std::size_t       missed = 0;
-  std::size_t       successes[4] = { 0, 0, 0, 0 };
-  std::size_t       registered = 0;
-  for (const ExperimentRecord & record : records)
-  {
-    const JawRecord * entry = Find(record, method, jaw);
-    if (entry == nullptr)
-    {
-      continue;
-    }
-    ++figures.cases;
-    figures.failed += entry->status == "failed" ? 1 : 0;
-    if (!entry->registered)
-    {
-      ++figures.notRegistered;
-      const auto marked = record.marked.find(jaw);
-      missed += marked == record.marked.end() ? 0 : marked->second;
-      continue;
-    }
-    ++registered;
-    figures.contour.chamfer += entry->whole.chamfer;
-    figures.contour.hausdorff += entry->whole.hausdorff;
-    figures.contour.movingToFixed += entry->whole.movingToFixed;
-    figures.contour.fixedToMoving += entry->whole.fixedToMoving;
-    if (const auto mean = entry->GetMean(true))
-    {
-      figures.above2mm += *mean > NotUsable ? 1 : 0;
-      figures.worstCase = std::max(figures.worstCase, *entry->GetMean(false));
-    }
-    for (const auto & landmark : entry->landmarks)
-    {
-      ++figures.landmarks;
-      sum += landmark.pixels;
-      squares += landmark.pixels * landmark.pixels;
-      if (landmark.group != ToothCode::GroupEnum::Unknown)
-      {
-        groupSums[static_cast<unsigned int>(landmark.group)] += landmark.pixels;
-        ++groupCounts[static_cast<unsigned int>(landmark.group)];
-      }
-      for (unsigned int i = 0; i < 4; ++i)
-      {
-        successes[i] += landmark.millimetres <= SuccessLimits[i] ? 1 : 0;
-      }
-    }
-  }
-  const auto ratio = [](double numerator, std::size_t denominator) {
-    return denominator > 0 ? numerator / static_cast<double>(denominator) : None;
-  };
-  figures.mean = ratio(sum, figures.landmarks);
-  figures.rmse = std::sqrt(ratio(squares, figures.landmarks));
-  // The population's: RMSE^2 = mean^2 + std^2.
-  figures.standardDeviation =
-    figures.landmarks > 0 ? std::sqrt(std::max(0.0, figures.rmse * figures.rmse - figures.mean * figures.mean)) : None;
-  if (figures.landmarks == 0)
-  {
-    figures.worstCase = None;
-  }
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    figures.groups[i] = ratio(groupSums[i], groupCounts[i]);
-  }
-  for (unsigned int i = 0; i < 4; ++i)
-  {
-    figures.successRates[i] = ratio(static_cast<double>(successes[i]), figures.landmarks + missed);
-  }
-  figures.contour.chamfer = ratio(figures.contour.chamfer, registered);
-  figures.contour.hausdorff = ratio(figures.contour.hausdorff, registered);
-  figures.contour.movingToFixed = ratio(figures.contour.movingToFixed, registered);
-  figures.contour.fixedToMoving = ratio(figures.contour.fixedToMoving, registered);
-  return figures;
-}
 
 std::map<std::string, std::string>
 MakeExperimentTables(const std::vector<ExperimentRecord> & records,

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkExperimentFigure.h"
 #include "itkExperimentPlan.h"
+#include "itkExperimentTable.h"
 #include "itkExperimentTables.h"
 
 #include "itkDentalInputError.h"
@@ -39,13 +40,8 @@ public:
     ExperimentRecord record;
     record.id = this->GetCohort().GetId(i);
     record.seed = this->GetCohort().IsSimulated() ? this->GetCohort().seed + i : 0;
-    try
-    {
-      const bool needsRadiograph =
-        std::any_of(this->GetMethods().begin(), this->GetMethods().end(), [](const ExperimentMethod & method) {
-          return method.kind == ExperimentMethod::KindEnum::Intensity;
-        });
-      const ExperimentCase experimentCase = this->GetCohort().Make(i, needsRadiograph);
+    record.failure = Try([&]() {
+      const ExperimentCase experimentCase = this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()));
       for (const auto & landmark : experimentCase.marked->GetLandmarks())
       {
         ++record.marked[landmark.tooth.GetJaw() == ToothCode::JawEnum::Upper ? "upper" : "lower"];
@@ -60,10 +56,9 @@ public:
         }
         record.Add(method.name, runner.Run(method));
       }
-    }
-    catch (const DentalInputError & error)
+    });
+    if (!record.failure.empty())
     {
-      record.failure = error.GetOneLine();
       record.methods.clear();
     }
     return record.ToJson(key);

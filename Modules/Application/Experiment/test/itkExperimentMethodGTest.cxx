@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkExperimentMethod.h"
+#include "itkExperimentRecord.h"
 
 #include "itkCaseRegistration.h"
 #include "itkCaseResultWriter.h"
@@ -49,6 +50,9 @@ TEST(ExperimentMethod, GroupsAndOrderAreThoseOfTheTables)
   EXPECT_EQ(itk::SelectExperimentMethods({ "intensity" }).size(), 3u);
   EXPECT_EQ(itk::SelectExperimentMethods({ "default" }).size() + 3, itk::GetExperimentMethods().size());
   EXPECT_THROW(itk::SelectExperimentMethods({ "paper", "magic" }), std::invalid_argument);
+  // One method, two names.
+  ASSERT_EQ(itk::SelectExperimentMethods({ "no-coarse-to-fine", "single-stage" }).size(), 1u);
+  EXPECT_EQ(itk::SelectExperimentMethods({ "no-coarse-to-fine" }).front().name, "single-stage");
 }
 
 TEST(ExperimentMethod, PresetsGiveWhatTheProgramGives)
@@ -166,4 +170,87 @@ TEST(ExperimentCase, VariationsDoWhatTheySay)
   EXPECT_LT(trimmed.data->upper.mesh->GetNumberOfCells(), plain.data->upper.mesh->GetNumberOfCells());
   EXPECT_LT(trimmed.data->upper.mesh->GetNumberOfPoints(), plain.data->upper.mesh->GetNumberOfPoints());
   EXPECT_TRUE(trimmed.frames.upper.valid);
+}
+
+TEST(ExperimentCase, KnowsAsMuchAsItsVariationSays)
+{
+  itk::ExperimentVariation variation;
+  variation.knowsPixelSpacing = false;
+  variation.knowsPrincipalPoint = false;
+  variation.facesLeft = true;
+  variation.jaws = itk::ExperimentVariation::JawsEnum::LowerAlone;
+  const auto less = itk::MakePhantomExperimentCase(7, CohortEnum::Ideal, false, variation);
+  EXPECT_FALSE(less.data->HasPixelSpacing());
+  EXPECT_FALSE(less.data->HasPrincipalPoint());
+  EXPECT_EQ(less.data->geometry->GetFacingSign(), -1.0);
+  EXPECT_EQ(less.data->geometry->GetSourceSign(), -1.0);
+  EXPECT_TRUE(less.data->upper.mesh.IsNull());
+  ASSERT_TRUE(less.data->lower.mesh.IsNotNull());
+  EXPECT_TRUE(less.frames.lower.valid);
+
+  variation = itk::ExperimentVariation();
+  variation.tracedSide = itk::ExperimentVariation::TracedSideEnum::Mean;
+  variation.separateFrames = true;
+  const auto middle = itk::MakePhantomExperimentCase(7, CohortEnum::Ideal, false, variation);
+  EXPECT_EQ(middle.data->description.tracedSide, itk::TracedSideEnum::Mean);
+  EXPECT_FALSE(middle.frames.jawsShareFrame);
+  // The middle's sigma reaches the record.
+  itk::ExperimentRunner runner(middle);
+  itk::ExperimentRecord record;
+  record.Add("robust", runner.Run(*itk::FindExperimentMethod("robust")));
+  ASSERT_NE(record.Find("robust", "upper"), nullptr);
+  ASSERT_FALSE(record.Find("robust", "upper")->landmarks.empty());
+  for (const auto & landmark : record.Find("robust", "upper")->landmarks)
+  {
+    EXPECT_TRUE(landmark.sigma.has_value()) << landmark.name;
+  }
+}
+
+TEST(ExperimentCase, MistakesAreMadeAsTheyAreCalled)
+{
+  using MistakeEnum = itk::ExperimentMistakeEnums::Mistake;
+  const auto make = [](MistakeEnum mistake) {
+    itk::ExperimentVariation variation;
+    variation.mistake = mistake;
+    return itk::MakePhantomExperimentCase(7, CohortEnum::Ideal, false, variation);
+  };
+  const auto plain = make(MistakeEnum::None);
+  const auto diagonal = [](const itk::ExperimentCase & each, JawEnum jaw) {
+    return std::sqrt(each.data->GetJaw(jaw).mesh->GetBoundingBox()->GetDiagonalLength2());
+  };
+  const auto codeOf = [](const itk::ExperimentCase & each, JawEnum jaw) {
+    return each.data->GetJaw(jaw).contour->GetPolylines().front().code;
+  };
+  const JawEnum upper = JawEnum::Upper;
+
+  EXPECT_EQ(diagonal(make(MistakeEnum::ScansExchanged), upper), diagonal(plain, JawEnum::Lower));
+  // Points of a float mesh.
+  EXPECT_NEAR(diagonal(make(MistakeEnum::WrongUnit), upper), 0.1 * diagonal(plain, upper), 1e-4);
+  EXPECT_EQ(make(MistakeEnum::WrongFacing).data->geometry->GetFacingSign(), -plain.data->geometry->GetFacingSign());
+  EXPECT_NEAR(make(MistakeEnum::WrongSpacing).data->geometry->GetPixelSpacing()[0],
+              1.3 * plain.data->geometry->GetPixelSpacing()[0],
+              1e-12);
+  const auto exchanged = make(MistakeEnum::TracingsExchanged);
+  EXPECT_EQ(exchanged.data->upper.contour->GetNumberOfPoints(), plain.data->lower.contour->GetNumberOfPoints());
+  EXPECT_EQ(codeOf(exchanged, upper).GetJaw(), upper);
+  EXPECT_TRUE(codeOf(make(MistakeEnum::OtherSideTraced), upper).IsRight());
+  EXPECT_TRUE(codeOf(make(MistakeEnum::OtherSideTracedAndCoded), upper).IsLeft());
+  for (const auto & polyline : make(MistakeEnum::FrontTeethOnly).data->upper.contour->GetPolylines())
+  {
+    EXPECT_LE(polyline.code.GetPosition(), 3u);
+  }
+
+  const auto mirrored = make(MistakeEnum::MirroredScans);
+  EXPECT_GT(mirrored.frames.upper.windingAgreement, 0.2);
+  EXPECT_LT(make(MistakeEnum::MirroredScansInward).frames.upper.windingAgreement, -0.2);
+  const auto was = plain.data->landmarks3D->Find("UL6_MB")->point;
+  const auto is = mirrored.data->landmarks3D->Find("UR6_MB")->point;
+  EXPECT_EQ(is[0], -was[0]);
+  EXPECT_EQ(is[1], was[1]);
+
+  // The scans of another, the radiograph of this one.
+  const auto other = make(MistakeEnum::OtherPatient);
+  EXPECT_EQ(codeOf(other, upper), codeOf(plain, upper));
+  EXPECT_NE(diagonal(other, upper), diagonal(plain, upper));
+  EXPECT_EQ(other.marked->Find("UR6_MB")->point, plain.marked->Find("UR6_MB")->point);
 }

@@ -15,7 +15,11 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "itkExperimentConfusionTable.h"
+#include "itkExperimentCoverageTable.h"
+#include "itkExperimentFigures.h"
 #include "itkExperimentStatistics.h"
+#include "itkExperimentTable.h"
 #include "itkExperimentTables.h"
 
 #include <gtest/gtest.h>
@@ -128,7 +132,7 @@ TEST(ExperimentTables, PaperFiguresStandBesideOursAndSayWhereTheyAreFrom)
   EXPECT_NE(text.find("| c | upper | DentalSCR robust | not registered | no, \"really\" |"), std::string::npos);
   EXPECT_NE(files.at("failures.csv").find("\"no, \"\"really\"\"\""), std::string::npos);
   // 4 / 3 and 12 / 3 sigma: one of two within 2.448.
-  EXPECT_NE(files.at("coverage.csv").find("all,2,0.500000"), std::string::npos);
+  EXPECT_NE(files.at("coverage.csv").find("all,all,1,2,0.500000"), std::string::npos);
 }
 
 TEST(ExperimentTables, RecordSurvivesItsFile)
@@ -148,4 +152,50 @@ TEST(ExperimentTables, RowsFitTheirHeader)
   EXPECT_EQ(table.ToCSV(), "a,b\n\"1,5\",x|y\n");
   EXPECT_EQ(table.ToMarkdown(), "| a | b |\n|---|---:|\n| 1,5 | x\\|y |\n");
   EXPECT_EQ(itk::ExperimentTable::Number(std::nan(""), 2), "");
+}
+
+TEST(ExperimentTables, CoverageIsCountedByJawGroupAndCohort)
+{
+  itk::ExperimentCoverageTable table;
+  EXPECT_TRUE(table.IsEmpty());
+  // 4 and 12 px at a sigma of 3 px; half of that in the other cohort.
+  table.Add(MakeRecord("a", true), "robust", "wide");
+  table.Add(MakeRecord("b", true, 0.5), "robust", "narrow");
+  table.Add(MakeRecord("c", false), "robust", "narrow");
+  const auto csv = table.ToCSV();
+  EXPECT_NE(csv.find("all,all,2,4,0.750000,3.000000"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("tooth group,molars,2,2,0.500000"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("cohort,wide,1,2,0.500000"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("cohort,narrow,1,2,1.000000"), std::string::npos) << csv;
+  EXPECT_EQ(csv.find("lower"), std::string::npos);
+  // rms an axis of 4 and 12 px: sqrt((16 + 144) / 2 / 2).
+  EXPECT_NE(csv.find("cohort,wide,1,2,0.500000,3.000000,6.324555,0.474342"), std::string::npos) << csv;
+  EXPECT_NE(table.ToCalibrationCSV().find("all,all,0.50,0.250000"), std::string::npos);
+  EXPECT_NE(table.ToCalibrationCSV().find("all,all,0.95,0.750000"), std::string::npos);
+}
+
+TEST(ExperimentTables, ConfusionCountsJawsByVerdictAndError)
+{
+  itk::ExperimentConfusionTable table;
+  // Means of 2, 0.4 mm, and none.
+  table.Add("good", MakeRecord("a", true), "robust");
+  table.Add("good", MakeRecord("b", true, 0.2), "robust");
+  table.Add("bad", MakeRecord("c", false), "robust");
+  EXPECT_EQ(table.GetCounts("good")[0][0], 1u);
+  EXPECT_EQ(table.GetCounts("good")[0][1], 1u);
+  EXPECT_EQ(table.GetCounts("bad")[2][3], 1u);
+  EXPECT_EQ(table.GetCounts("absent")[0][0], 0u);
+  EXPECT_NE(table.ToCSV().find("good,ok,1,1,0,0\n"), std::string::npos);
+}
+
+TEST(ExperimentTables, AJawWithoutLandmarksIsListed)
+{
+  auto record = MakeRecord("a", true);
+  auto bare = record.methods["robust"]["upper"];
+  bare.landmarks.clear();
+  record.methods["robust"]["lower"] = bare;
+  const auto files =
+    itk::MakeExperimentTables({ record }, itk::SelectExperimentMethods({ "robust" }), { "one case", 1 });
+  EXPECT_NE(files.at("failures.csv").find("a,lower,,no error known"), std::string::npos);
+  EXPECT_EQ(files.at("failures.csv").find("a,upper"), std::string::npos);
 }

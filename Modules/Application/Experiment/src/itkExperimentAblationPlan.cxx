@@ -1,0 +1,186 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkExperimentFigures.h"
+#include "itkExperimentPlan.h"
+#include "itkExperimentTable.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace itk
+{
+namespace
+{
+using CohortEnum = DentalPhantomCaseSource::CohortEnum;
+constexpr CohortEnum Levels[] = { CohortEnum::Typical, CohortEnum::Hard };
+
+/** Preset robust and what remains of it when one ingredient is taken away. */
+std::vector<ExperimentMethod>
+MakeVariants()
+{
+  std::vector<ExperimentMethod> variants;
+  const auto add = [&](const char * name, const char * title, const std::vector<std::string> & options) {
+    ExperimentMethod variant;
+    variant.name = name;
+    variant.title = title;
+    variant.kind = ExperimentMethod::KindEnum::Pose;
+    variant.options = options;
+    variants.push_back(variant);
+  };
+  add("robust", "robust, all of it", {});
+  add("no-midline-refinement", "midline plane of the UMDA alone", { "refineMidline=off" });
+  add("no-side-selection", "outline of the whole scan", { "useSideSelection=off" });
+  add("no-facing-filter", "whole outline of the side, not the occlusal part", { "useFacingFilter=off" });
+  add("no-orientation", "positions without normals", { "useOrientation=off" });
+  add("independent-noise", "noise independent from point to point", { "useCorrelatedNoise=off" });
+  add("fixed-noise", "noise levels not estimated", { "estimateNoise=off" });
+  add("least-squares", "no robust kernel", { "useRobustKernel=off" });
+  add("similarity", "similarity instead of six degrees of freedom", { "useFullPose=off" });
+  add("own-pose", "a pose for each jaw", { "useJointPose=off" });
+  add("one-yaw-start", "global start from yaw 0 alone", { "yawStarts=0" });
+  add("one-start", "one candidate a yaw", { "startsPerYaw=1" });
+  add("no-codes", "tooth codes' places not used", { "codeWeight=0" });
+  add("fixed-outline", "outline of the start kept", { "regenerateOutline=off" });
+  add("no-priors", "priors 20 times as wide", { "rollSigma=1.4", "yawSigma=1.4", "tySigma=40", "kappaSigma=0.32" });
+  return variants;
+}
+
+class AblationPlan : public ExperimentPlan
+{
+public:
+  using ExperimentPlan::ExperimentPlan;
+
+  std::string
+  Compute(std::size_t i, const std::string & key, const AbortType & abort) const override
+  {
+    ExperimentRecord record;
+    record.id = this->GetCohort().GetId(i);
+    record.seed = this->GetCohort().seed + i;
+    record.failure = Try([&]() {
+      for (const CohortEnum level : Levels)
+      {
+        const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, level, false);
+        for (const ExperimentMethod & variant : this->GetMethods())
+        {
+          if (abort())
+          {
+            throw ProcessAborted(__FILE__, __LINE__);
+          }
+          ExperimentRunner runner(experimentCase);
+          runner.SetAbort(abort);
+          record.Add(KeyOf(variant, level), runner.Run(variant));
+        }
+      }
+    });
+    if (!record.failure.empty())
+    {
+      record.methods.clear();
+    }
+    return record.ToJson(key);
+  }
+
+  void
+  Accept(std::size_t i, const std::string & text, const std::string & key) override
+  {
+    m_Records.resize(this->GetCohort().size());
+    m_Records[i] = ExperimentRecord::FromJson(text, key);
+  }
+
+  std::map<std::string, std::string>
+  MakeFiles() const override
+  {
+    ExperimentTable csv({ "level",
+                          "variant",
+                          "options",
+                          "jaw",
+                          "cases",
+                          "not_registered",
+                          "mean_px",
+                          "worst_case_px",
+                          "above_2mm",
+                          "verdict_failed" });
+    ExperimentTable markdown({ "Without",
+                               "typical, upper",
+                               "typical, lower",
+                               "hard, upper",
+                               "hard, lower",
+                               "jaws above 2 mm",
+                               "not registered" });
+    for (const ExperimentMethod & variant : this->GetMethods())
+    {
+      std::vector<std::string> cells = { variant.title };
+      std::size_t              above = 0;
+      std::size_t              lost = 0;
+      for (const CohortEnum level : Levels)
+      {
+        for (const char * jaw : { "upper", "lower" })
+        {
+          const ExperimentFigures f = PoolExperiment(m_Records, KeyOf(variant, level), jaw);
+          std::string             options;
+          for (const std::string & option : variant.options)
+          {
+            options += (options.empty() ? "" : " ") + option;
+          }
+          csv.AddRow({ NameOf(level),
+                       variant.name,
+                       options,
+                       jaw,
+                       std::to_string(f.cases),
+                       std::to_string(f.notRegistered),
+                       ExperimentTable::Number(f.mean, 6),
+                       ExperimentTable::Number(f.worstCase, 6),
+                       std::to_string(f.above2mm),
+                       std::to_string(f.failed) });
+          cells.push_back(ExperimentTable::Number(f.mean, 2) + " / " + ExperimentTable::Number(f.worstCase, 2));
+          above += f.above2mm;
+          lost += f.notRegistered;
+        }
+      }
+      cells.push_back(std::to_string(above));
+      cells.push_back(std::to_string(lost));
+      markdown.AddRow(cells);
+    }
+    std::ostringstream text;
+    text
+      << "# Ablation of preset robust\n\n"
+      << this->GetCohort().Describe()
+      << ", each at the levels typical and hard. One ingredient at a time is switched off (options of `dentalscr "
+         "register --option` in ablation.csv). Landmark error in px: mean over the landmarks / worst case (mean over "
+         "one jaw).\n"
+      << DescribeFailures(m_Records) << '\n'
+      << markdown.ToMarkdown();
+    return { { "ablation.csv", csv.ToCSV() }, { "ablation.md", text.str() } };
+  }
+
+private:
+  static std::string
+  KeyOf(const ExperimentMethod & variant, CohortEnum level)
+  {
+    return variant.name + '@' + NameOf(level);
+  }
+
+  std::vector<ExperimentRecord> m_Records;
+};
+} // namespace
+
+std::unique_ptr<ExperimentPlan>
+MakeAblationPlan(const ExperimentCohort & cohort)
+{
+  return std::make_unique<AblationPlan>(cohort, MakeVariants());
+}
+} // namespace itk
