@@ -106,23 +106,25 @@ def verdict(folder, plots):
 
 
 def ablation(folder, plots):
-    """Mean as a bar, worst case as a mark, for each variant."""
+    """Mean and worst case of each variant."""
     data = rows(folder / "ablation.csv")
     variants = list(dict.fromkeys(row["variant"] for row in data))
     levels = list(dict.fromkeys(row["level"] for row in data))
-    figure, axes = plt.subplots(1, len(levels), figsize=(5 * len(levels), 0.35 * len(variants) + 1.5), sharey=True)
+    figure, axes = plt.subplots(1, len(levels), figsize=(5 * len(levels), 0.3 * len(variants) + 1.5), sharey=True)
     for axis, level in zip(axes, levels):
-        for offset, jaw in ((-0.2, "upper"), (0.2, "lower")):
-            chosen = [
-                next(r for r in data if r["variant"] == v and r["level"] == level and r["jaw"] == jaw) for v in variants
-            ]
-            places = [i + offset for i, row in enumerate(chosen) if row["mean_px"]]
-            means = [float(row["mean_px"]) for row in chosen if row["mean_px"]]
-            worst = [float(row["worst_case_px"]) for row in chosen if row["mean_px"]]
-            axis.barh(places, means, height=0.38, label=f"{jaw}, mean")
-            axis.plot(worst, places, "|", markersize=9, label=f"{jaw}, worst case")
-        axis.axvline(8, color="black", linewidth=0.8, linestyle="--")
-        axis.set_xscale("log")
+        for offset, jaw, colour in ((-0.15, "upper", "tab:blue"), (0.15, "lower", "tab:orange")):
+            chosen = [row for row in data if row["level"] == level and row["jaw"] == jaw and row["mean_px"]]
+            places = [variants.index(row["variant"]) + offset for row in chosen]
+            means = [float(row["mean_px"]) for row in chosen]
+            worst = [float(row["worst_case_px"]) for row in chosen]
+            axis.hlines(places, means, worst, color=colour, linewidth=0.8)
+            axis.plot(means, places, "o", color=colour, markersize=4, label=f"{jaw}, mean")
+            axis.plot(worst, places, "|", color=colour, markersize=8, label=f"{jaw}, worst case")
+        # Logarithmic where a variant loses cases altogether.
+        if max(float(row["worst_case_px"]) for row in data if row["worst_case_px"]) > 16:
+            axis.set_xscale("log")
+        else:
+            axis.set_xlim(left=0)
         axis.set_xlabel("landmark error, px")
         axis.set_title(level)
         axis.set_yticks(range(len(variants)), variants, fontsize=7)
