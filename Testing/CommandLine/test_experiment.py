@@ -226,15 +226,15 @@ def test_study_of_the_capture_range_survives_a_broken_case(run, sample, tmp_path
 
 
 def test_study_of_the_coverage_has_every_kind_of_case(run, tmp_path):
-    done = run("experiment", "--study", "coverage", "--cases", 13, "--no-figures", "--output", tmp_path)
+    done = run("experiment", "--study", "coverage", "--cases", 14, "--no-figures", "--output", tmp_path)
     assert done.returncode == 0, done.stderr
     cohorts = rows(tmp_path / "cohorts.csv")
-    assert len(cohorts) == 2 * 13
+    assert len(cohorts) == 2 * 14
     coverage = {row["stratum"]: row for row in rows(tmp_path / "coverage.csv")}
-    assert int(coverage["all"]["cases"]) == 13
+    assert int(coverage["all"]["cases"]) == 14
     assert {row["cohort"] for row in cohorts} < set(coverage)
     # 16 landmarks a case, both sides' in one.
-    assert int(coverage["all"]["landmarks"]) == 14 * 16
+    assert int(coverage["all"]["landmarks"]) == 15 * 16
     assert all(0.5 < float(row["coverage_95"]) <= 1.0 for row in coverage.values())
 
 

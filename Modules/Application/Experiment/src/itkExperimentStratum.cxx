@@ -48,6 +48,7 @@ GetExperimentStrata()
     add("facing left, source left", CohortEnum::Typical, 1).variation.facesLeft = true;
     add("separate frames", CohortEnum::Typical, 1).variation.separateFrames = true;
     add("one jaw at a time", CohortEnum::Typical, 1).oneJawAtATime = true;
+    add("hard, one jaw at a time", CohortEnum::Hard, 1).oneJawAtATime = true;
     return made;
   }();
   return strata;

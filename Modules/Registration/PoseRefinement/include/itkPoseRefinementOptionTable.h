@@ -37,6 +37,7 @@ namespace itk
 class PoseRefinement_EXPORT PoseRefinementOptionTable
 {
 public:
+  /** An option and its words. */
   struct EntryType
   {
     std::string name;
