@@ -1,0 +1,140 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDistalTissue.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace CrownRegionParts
+{
+void
+CutDistalTissue(const TriangleSurface &           surface,
+                const std::vector<std::uint8_t> & band,
+                const std::vector<float> &        station,
+                const std::vector<float> &        offset,
+                const std::vector<float> &        depth,
+                const std::vector<double> &       transverse,
+                double                            front,
+                std::vector<std::uint8_t> &       gap)
+{
+  // Shallowest depth in cells of two stations by 0.75 mm across the arch; triangles are sampled, scans may be coarse.
+  constexpr double      cell = 0.75;
+  constexpr std::size_t across = 24;
+  constexpr double      empty = 99.0;
+  const std::size_t     rows = gap.size() / 2 + 1;
+  std::vector<double>   profile(rows * across, empty);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const auto & c = surface.triangles[t];
+    if (band[t] == 0 || std::min({ depth[c[0]], depth[c[1]], depth[c[2]] }) > 5.0f)
+    {
+      continue;
+    }
+    constexpr int steps = 4;
+    for (int i = 0; i <= steps; ++i)
+    {
+      for (int j = 0; i + j <= steps; ++j)
+      {
+        const double a = static_cast<double>(i) / steps;
+        const double b = static_cast<double>(j) / steps;
+        const double f = 1.0 - a - b;
+        const double s = a * station[c[0]] + b * station[c[1]] + f * station[c[2]];
+        const double r = a * offset[c[0]] + b * offset[c[1]] + f * offset[c[2]];
+        const double d = a * depth[c[0]] + b * depth[c[1]] + f * depth[c[2]];
+        const auto   column = static_cast<std::size_t>(std::clamp(r / cell + 0.5 * across, 0.0, across - 1.0));
+        double &     value = profile[static_cast<std::size_t>(s / 2.0) * across + column];
+        value = std::min(value, d);
+      }
+    }
+  }
+  // How deep the groove is below the lower of the two crests beside it.
+  std::vector<double> groove(rows, 0.0);
+  for (std::size_t k = 0; k < rows; ++k)
+  {
+    const double * line = &profile[k * across];
+    double         right[across];
+    double         highest = empty;
+    for (std::size_t j = across; j-- > 0;)
+    {
+      right[j] = highest;
+      highest = std::min(highest, line[j]);
+    }
+    double left = empty;
+    for (std::size_t j = 0; j < across; ++j)
+    {
+      const double crest = std::max(left, right[j]);
+      if (line[j] < empty && crest < 4.0)
+      {
+        groove[k] = std::max(groove[k], std::min(line[j] - crest, 1.5));
+      }
+      left = std::min(left, line[j]);
+    }
+  }
+  constexpr double posterior = 24.0;
+  constexpr double deep = 0.25;
+  for (const int direction : { -1, 1 })
+  {
+    int        last = -1;
+    const auto inside = [&](int k) { return k >= 0 && k < static_cast<int>(rows); };
+    for (int k = static_cast<int>(front / 2.0 + direction * posterior); inside(k); k += direction)
+    {
+      // Two of three neighbouring millimetres.
+      int grooved = 0;
+      for (int d = 0; d < 3; ++d)
+      {
+        const int at = k - direction * d;
+        grooved += inside(at) && groove[static_cast<std::size_t>(at)] > deep ? 1 : 0;
+      }
+      if (grooved >= 2 && groove[static_cast<std::size_t>(k)] > deep)
+      {
+        last = k;
+      }
+    }
+    if (last < 0)
+    {
+      continue;
+    }
+    // The distal ridge is 1 to 4 mm further; the tooth ends where the surface turns up again most (4 rad mm at least).
+    double    best = 4.0;
+    int       end = -1;
+    const int count = static_cast<int>(gap.size());
+    for (int d = 1; d <= 8; ++d)
+    {
+      const int at = 2 * last + direction * d;
+      if (at >= 1 && at + 1 < count)
+      {
+        const double value = transverse[static_cast<std::size_t>(at - 1)] +
+                             2.0 * transverse[static_cast<std::size_t>(at)] +
+                             transverse[static_cast<std::size_t>(at + 1)];
+        if (value > best)
+        {
+          best = value;
+          end = at;
+        }
+      }
+    }
+    for (int k = end; end >= 0 && k >= 0 && k < count; k += direction)
+    {
+      gap[static_cast<std::size_t>(k)] = 1;
+    }
+  }
+}
+} // namespace CrownRegionParts
+} // namespace itk
