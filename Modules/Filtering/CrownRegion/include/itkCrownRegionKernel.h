@@ -39,20 +39,23 @@ struct CrownRegion_EXPORT CrownRegionOptions
   double minimumCrownHeight{ 2.5 };
   double maximumCrownHeight{ 12.5 };
   /** Where the margin is taken to be without evidence: at the midline, and from posteriorDistance of arch length on. */
-  double anteriorCrownHeight{ 7.6 };
-  double posteriorCrownHeight{ 5.2 };
+  double anteriorCrownHeight{ 7.9 };
+  double posteriorCrownHeight{ 5.5 };
   double posteriorDistance{ 36.0 };
   /** Cost of a margin that is off the expected height by crownHeightScale, in radians of turning angle. */
-  double priorWeight{ 0.1 };
+  double priorWeight{ 0.08 };
   double crownHeightScale{ 2.5 };
   /** Cost of a change of the margin's height, radians a mm. */
   double smoothness{ 0.15 };
   /** Cost of a margin behind another valley, by that valley's turning angle. */
   double passedWeight{ 0.6 };
-  /** No tooth is where all lies deeper than this below the occlusal surface. */
+  /** No tooth is where all lies deeper than this below the occlusal surface; up to 1.5 mm more where a margin is plain.
+   */
   double gapDepth{ 3.5 };
   /** The crowns end this far above the valley's bottom: its gingival half is not theirs. */
   double marginInset{ 0.15 };
+  /** The final line runs within this distance of that margin, in the valley that costs it least. */
+  double marginReach{ 3.5 };
   /** Crowns lie within this horizontal distance of the arch's middle line. */
   double archHalfWidth{ 9.0 };
   /** Pieces of crown, and holes in it, that are smaller (mm^2) are given to what surrounds them. */

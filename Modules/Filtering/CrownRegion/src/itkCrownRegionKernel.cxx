@@ -21,6 +21,7 @@
 #include "itkCrownPieces.h"
 #include "itkDistalTissue.h"
 #include "itkGingivalMargin.h"
+#include "itkMarginCut.h"
 #include "itkOcclusalSurfaceFit.h"
 #include "itkSharedEdges.h"
 #include "itkValleyChart.h"
@@ -35,6 +36,24 @@ namespace
 {
 using PointType = TriangleSurface::PointType;
 using namespace CrownRegionParts;
+
+/** mm from each station to the middle between it and the next one with another mark. */
+std::vector<double>
+DistanceToChange(const std::vector<std::uint8_t> & marks)
+{
+  std::vector<double> distance(marks.size(), 1e3);
+  double              left = 1e3;
+  double              right = 1e3;
+  for (std::size_t k = 1; k < marks.size(); ++k)
+  {
+    left = marks[k] != marks[k - 1] ? 0.5 * StationSpacing : left + StationSpacing;
+    distance[k] = std::min(distance[k], left);
+    const std::size_t j = marks.size() - 1 - k;
+    right = marks[j] != marks[j + 1] ? 0.5 * StationSpacing : right + StationSpacing;
+    distance[j] = std::min(distance[j], right);
+  }
+  return distance;
+}
 
 void
 SumArea(const TriangleSurface & surface, CrownRegionResult & result)
@@ -218,13 +237,31 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
     }
   }
 
-  // Stations whose highest half square millimetre is far below the occlusal surface have no tooth.
+  // Stations whose highest half square millimetre is far below the occlusal surface have no tooth; further where there
+  // is a margin, for a ridge has none.
   std::vector<double> high(stations + 1, 0.0);
-  for (std::size_t i = 0; i < n; ++i)
   {
-    if (station[i] >= 0.0f && depth[i] < options.gapDepth)
+    // Mean turning angle at the margin within 2 mm.
+    std::vector<double> limit(stations + 1);
+    for (std::size_t k = 0; k <= stations; ++k)
     {
-      high[static_cast<std::size_t>(station[i] + 0.5f)] += areas[i];
+      double            sum = 0.0;
+      const std::size_t from = k > 4 ? k - 4 : 0;
+      const std::size_t to = std::min(k + 4, stations - 1);
+      for (std::size_t j = from; j <= to; ++j)
+      {
+        sum += 0.5 * (std::min(margins[0].angle[j], 0.8) + std::min(margins[1].angle[j], 0.8));
+      }
+      const double angle = sum / static_cast<double>(to - from + 1);
+      limit[k] = options.gapDepth + std::clamp(6.0 * (angle - 0.2), 0.0, 1.5);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      if (station[i] >= 0.0f)
+      {
+        const auto k = static_cast<std::size_t>(station[i] + 0.5f);
+        high[k] += depth[i] < limit[k] ? areas[i] : 0.0;
+      }
     }
   }
   std::vector<std::uint8_t> gap(stations + 1, 0);
@@ -232,20 +269,19 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
   {
     gap[k] = high[k] + (k > 0 ? high[k - 1] : 0.0) + (k < stations ? high[k + 1] : 0.0) < 0.5 ? 1 : 0;
   }
-  // Large triangles of a base reach up to the margin: every corner of a crown's triangle is near a crown.
-  std::vector<std::uint8_t> near(n, 0);
   CutDistalTissue(surface, band, station, offset, depth, transverse, arch.front, gap);
+
+  // Height above the margin; along the arch a gap begins where its stations do.
+  std::vector<float>        inside(n, -1e3f);
+  const std::vector<double> border = DistanceToChange(gap);
   for (std::size_t i = 0; i < n; ++i)
   {
     if (station[i] < 0.0f)
     {
       continue;
     }
-    const auto k = std::min(static_cast<std::size_t>(station[i]), stations - 2);
-    if (gap[static_cast<std::size_t>(station[i] + 0.5f)] != 0)
-    {
-      continue;
-    }
+    const auto   k = std::min(static_cast<std::size_t>(station[i]), stations - 2);
+    const auto   nearest = static_cast<std::size_t>(station[i] + 0.5f);
     const double f = station[i] - static_cast<double>(k);
     const double buccal = std::clamp(0.5 + offset[i] / 5.0, 0.0, 1.0);
     double       margin = 0.0;
@@ -254,17 +290,15 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
       margin +=
         (side == 1 ? buccal : 1.0 - buccal) * ((1.0 - f) * margins[side].depth[k] + f * margins[side].depth[k + 1]);
     }
-    result.points[i] = depth[i] < margin - options.marginInset ? 1 : 0;
-    near[i] = depth[i] < margin + 2.0 ? 1 : 0;
+    inside[i] = static_cast<float>(
+      std::min(margin - options.marginInset - depth[i], (gap[nearest] != 0 ? -1.0 : 1.0) * border[nearest]));
   }
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  if (aborted())
   {
-    const auto & corner = surface.triangles[t];
-    const bool   close = near[corner[0]] + near[corner[1]] + near[corner[2]] == 3;
-    const int    votes = result.points[corner[0]] + result.points[corner[1]] + result.points[corner[2]];
-    result.triangles[t] = close && votes > 1 ? 1 : 0;
+    return result;
   }
-
+  // The upper jaw is mirrored in q, not in the surface.
+  result.triangles = CutAtMargin(surface, ids, sign * winding, inside, options.marginReach);
   MergeSmallPieces(surface, ids, options.minimumPieceArea, result.triangles);
   std::fill(result.points.begin(), result.points.end(), std::uint8_t{ 0 });
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)

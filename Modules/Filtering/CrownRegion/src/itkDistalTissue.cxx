@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkDistalTissue.h"
 
+#include "itkArchLine.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,31 +66,40 @@ CutDistalTissue(const TriangleSurface &           surface,
       }
     }
   }
-  // How deep the groove is below the lower of the two crests beside it.
+  // How deep the groove is below the line from crest to crest; a tooth may lean, so the line may slope.
+  constexpr double    steepest = 0.5;
+  constexpr double    shallow = 3.0;
   std::vector<double> groove(rows, 0.0);
   for (std::size_t k = 0; k < rows; ++k)
   {
     const double * line = &profile[k * across];
-    double         right[across];
-    double         highest = empty;
-    for (std::size_t j = across; j-- > 0;)
+    for (std::size_t i = 0; i < across; ++i)
     {
-      right[j] = highest;
-      highest = std::min(highest, line[j]);
-    }
-    double left = empty;
-    for (std::size_t j = 0; j < across; ++j)
-    {
-      const double crest = std::max(left, right[j]);
-      if (line[j] < empty && crest < 4.0)
+      for (std::size_t j = i + 2; line[i] < shallow && j < across; ++j)
       {
-        groove[k] = std::max(groove[k], std::min(line[j] - crest, 1.5));
+        const double slope = (line[j] - line[i]) / static_cast<double>(j - i);
+        if (!(line[j] < shallow) || std::abs(slope) > steepest * cell)
+        {
+          continue;
+        }
+        // Hidden crests are no line of sight.
+        double deepest = 0.0;
+        bool   seen = true;
+        for (std::size_t m = i + 1; seen && m < j; ++m)
+        {
+          const double below = line[m] - line[i] - slope * static_cast<double>(m - i);
+          seen = below > -1e-6;
+          deepest = line[m] < empty ? std::max(deepest, below) : deepest;
+        }
+        if (seen)
+        {
+          groove[k] = std::max(groove[k], std::min(deepest, 1.5));
+        }
       }
-      left = std::min(left, line[j]);
     }
   }
   constexpr double posterior = 24.0;
-  constexpr double deep = 0.25;
+  constexpr double deep = 0.3;
   for (const int direction : { -1, 1 })
   {
     int        last = -1;
@@ -111,10 +122,17 @@ CutDistalTissue(const TriangleSurface &           surface,
     {
       continue;
     }
-    // The distal ridge is 1 to 4 mm further; the tooth ends where the surface turns up again most (4 rad mm at least).
-    double    best = 4.0;
+    // The distal ridge is 1 to 4 mm further; the tooth ends where the surface turns up again most: by 4 rad mm at
+    // least, or by however little where more follows than a ridge can be.
     int       end = -1;
     const int count = static_cast<int>(gap.size());
+    int       length = 0;
+    while (2 * last + direction * length >= 0 && 2 * last + direction * length < count &&
+           gap[static_cast<std::size_t>(2 * last + direction * length)] == 0)
+    {
+      ++length;
+    }
+    double best = length * StationSpacing > 7.0 ? -1e9 : 4.0;
     for (int d = 1; d <= 8; ++d)
     {
       const int at = 2 * last + direction * d;
@@ -130,7 +148,12 @@ CutDistalTissue(const TriangleSurface &           surface,
         }
       }
     }
-    for (int k = end; end >= 0 && k >= 0 && k < count; k += direction)
+    // What lies behind a gap without a groove is the ridge that rises again.
+    if (end < 0)
+    {
+      end = 2 * last + direction * length;
+    }
+    for (int k = end; k >= 0 && k < count; k += direction)
     {
       gap[static_cast<std::size_t>(k)] = 1;
     }

@@ -136,6 +136,61 @@ FindTops(const std::vector<PointType> & q, const std::vector<double> & areas, do
   return tops;
 }
 
+namespace
+{
+/** The plane with most tops in a layer about it and few above it: the teeth, wherever palate, gaps and distal tissue
+ * hang, and however many directions they fill. */
+std::array<double, 5>
+FindOcclusalPlane(const std::vector<SectorTop> & tops)
+{
+  double lowest = 1e9;
+  double highest = -1e9;
+  for (const SectorTop & top : tops)
+  {
+    lowest = std::min(lowest, top.h);
+    highest = std::max(highest, top.h);
+  }
+  constexpr double      bin = 0.25;
+  constexpr double      slope = 6.0;
+  constexpr double      room = 20.0;
+  std::array<double, 5> best{ { highest, 0.0, 0.0, 0.0, 0.0 } };
+  double                bestScore = -1e9;
+  const auto            bins = static_cast<std::size_t>((highest - lowest + 2.0 * room) / bin) + 16;
+  std::vector<int>      count(bins);
+  for (double b = -slope; b <= slope; b += 0.5)
+  {
+    for (double c = -0.5 * slope; c <= 0.5 * slope; c += 0.5)
+    {
+      std::fill(count.begin(), count.end(), 0);
+      for (const SectorTop & top : tops)
+      {
+        const auto   t = OcclusalSurface::Terms(top.x, top.y);
+        const double residual = top.h - b * t[1] - c * t[2] - lowest + room;
+        ++count[static_cast<std::size_t>(std::clamp(residual / bin, 0.0, static_cast<double>(bins - 1)))];
+      }
+      // The layer is 1.5 mm below to 1 mm above the plane; what is higher speaks against it.
+      int above = 0;
+      for (std::size_t k = bins; k-- > 10;)
+      {
+        int inside = 0;
+        for (std::size_t i = 0; i < 10; ++i)
+        {
+          inside += count[k - i];
+        }
+        const double score = inside - 2.0 * above - 0.2 * (b * b + c * c);
+        if (score > bestScore)
+        {
+          bestScore = score;
+          best = { { lowest - room + bin * (static_cast<double>(k) - 3.0), b, c, 0.0, 0.0 } };
+        }
+        above += count[k];
+      }
+    }
+  }
+  return best;
+}
+} // namespace
+
 bool
 FitOcclusalSurface(const std::vector<SectorTop> & tops, OcclusalSurface & fit)
 {
@@ -143,18 +198,11 @@ FitOcclusalSurface(const std::vector<SectorTop> & tops, OcclusalSurface & fit)
   {
     return false;
   }
-  std::vector<double> heights;
-  for (const SectorTop & top : tops)
-  {
-    heights.push_back(top.h);
-  }
-  const auto at = heights.begin() + static_cast<std::ptrdiff_t>(0.75 * static_cast<double>(heights.size()));
-  std::nth_element(heights.begin(), at, heights.end());
-  fit.c = { { *at, 0.0, 0.0, 0.0, 0.0 } };
+  fit.c = FindOcclusalPlane(tops);
   // Gaps, palate and retromolar tissue hang below: only what is low loses weight. The scale closes in.
   for (unsigned int iteration = 0; iteration < 24; ++iteration)
   {
-    const double                         scale = std::max(1.0, 4.0 - 0.25 * iteration);
+    const double                         scale = std::max(1.0, 2.0 - 0.1 * iteration);
     std::array<std::array<double, 6>, 5> a{};
     for (const SectorTop & top : tops)
     {
