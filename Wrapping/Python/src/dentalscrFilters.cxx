@@ -22,6 +22,7 @@
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkMidlineSideMeshFilter.h"
 #include "itkMidsagittalPlaneFilter.h"
+#include "itkOpenSilhouetteContourSource.h"
 #include "itkSilhouetteContourFilter.h"
 #include "itkSurfaceDRRImageSource.h"
 #include "itkUMidlineDentalAxisFilter.h"
@@ -326,6 +327,37 @@ WrapContours(py::module_ & module)
            return py::make_tuple(MakeRows<2>(normals), MakeRows<3>(rims), MakeArray(arcs));
          })
     .def("_TakeOutput", [](MeshSilhouetteType & self) { return Detach(self.GetOutput()); });
+
+  using OpenType = itk::OpenSilhouetteContourSource<MeshType>;
+  ProcessClass<OpenType>(
+    module, "OpenSilhouetteContourSource", "The part of a jaw's outline that a tracing can lie on.")
+    .def(New<OpenType>())
+    .def(
+      "_SetInput", [](OpenType & self, const MeshType * mesh) { self.SetInput(mesh); }, py::arg("mesh"))
+    .def("_SetGeometry", &OpenType::SetGeometry, py::arg("geometry"))
+    .def(
+      "_SetFrameTransform",
+      [](OpenType & self, const RigidType * transform) {
+        if (transform == nullptr)
+        {
+          self.SetFrameTransformInput(nullptr);
+        }
+        else
+        {
+          self.SetFrameTransform(transform);
+        }
+      },
+      py::arg("transform"))
+    .def("SetJaw", &OpenType::SetJaw, py::arg("jaw"))
+    .def("GetJaw", &OpenType::GetJaw)
+    .dentalscrProperty(OpenType, Spacing)
+    .def(
+      "GetRimPoints",
+      [](const OpenType & self) { return MakeRows<3>(self.GetRimPoints()); },
+      "(N, 3), object frame, mm.")
+    .def(
+      "GetNormals", [](const OpenType & self) { return MakeRows<2>(self.GetNormals()); }, "(N, 2), outward.")
+    .def("_TakeOutput", [](OpenType & self) { return Detach(self.GetOutput()); });
 
   ProcessClass<ResampleType>(module, "ContourResampleFilter", "Points at equal distances along a contour.")
     .def(New<ResampleType>())

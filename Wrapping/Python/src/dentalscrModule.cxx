@@ -65,5 +65,11 @@ PYBIND11_MODULE(_core, module)
   WrapGeometry(module);
   WrapProcessObject(module);
   WrapInputOutput(module);
+  WrapFilters(module);
+  WrapRegistration(module);
+  WrapPoseRefinement(module);
+  WrapEvaluation(module);
+  WrapPhantom(module);
+  WrapExperiment(module);
   WrapCase(module);
 }

@@ -22,6 +22,8 @@
 #include "itkContourDistanceFilter.h"
 #include "itkIntensityRegistrationMethod.h"
 #include "itkIterativeClosestPointContourRegistrationMethod.h"
+#include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkPartialContourMetricv4.h"
 #include "itkSilhouetteToContourRegistrationMethod.h"
 
 #include "itkAmoebaOptimizerv4.h"
@@ -33,6 +35,9 @@
 #include "itkOnePlusOneEvolutionaryOptimizerv4.h"
 #include "itkPowellOptimizerv4.h"
 #include "itkRegularStepGradientDescentOptimizerv4.h"
+
+#include <limits>
+#include <sstream>
 
 namespace dentalscr
 {
@@ -161,6 +166,74 @@ WrapMetrics(py::module_ & module)
       "GetFixedToMovingDistances",
       [](const DistanceFilterType & self) { return MakeArray(self.GetFixedToMovingDistances()); },
       "One a point, px; NaN for points of weight 0.");
+}
+
+using MetricType = itk::ContourToContourMetricv4;
+using ChamferType = itk::ContourChamferMetricv4;
+using PartialType = itk::PartialContourMetricv4;
+using KernelEnum = itk::ContourMetricEnums::RobustKernel;
+
+/** Metrics as objects: what SetMetric() takes. */
+void
+WrapMetricObjects(py::module_ & module)
+{
+  BindEnum<KernelEnum>(module,
+                       "RobustKernel",
+                       { { "GemanMcClure", KernelEnum::GemanMcClure },
+                         { "Huber", KernelEnum::Huber },
+                         { "Squares", KernelEnum::Squares } },
+                       "What a residual counts.");
+  py::class_<MetricType, itk::SmartPointer<MetricType>>(
+    module, "ContourToContourMetricv4", "A figure of merit between two contours, for SetMetric().")
+    .def("GetName", [](const MetricType & self) { return std::string(self.GetNameOfClass()); })
+    .def("__str__", [](const MetricType & self) {
+      std::ostringstream text;
+      self.Print(text);
+      return text.str();
+    });
+  py::class_<ChamferType, MetricType, itk::SmartPointer<ChamferType>>(
+    module, "ContourChamferMetricv4", "Symmetric or one-sided Chamfer distance: the sum of the directed means, px.")
+    .def(New<ChamferType>())
+    .def("SetDirection", &ChamferType::SetDirection, py::arg("direction"))
+    .def("GetDirection", &ChamferType::GetDirection)
+    .def("SetDistance", &ChamferType::SetDistance, py::arg("distance"))
+    .def("GetDistance", &ChamferType::GetDistance)
+    .dentalscrProperty(ChamferType, Truncation);
+  py::class_<PartialType, MetricType, itk::SmartPointer<PartialType>>(
+    module,
+    "PartialContourMetricv4",
+    R"(Distance between an open tracing and a contour that it covers in part: robust, with options; px^2.
+
+Every point of the tracing counts through a robust kernel; the moving contour's points only where the tracing could have
+had a point. Documentation/Metric.md has the formulas. Serves SetOptimizerAsLevenbergMarquardt and any other.)")
+    .def(New<PartialType>())
+    .def("SetRobustKernel", &PartialType::SetRobustKernel, py::arg("kernel"))
+    .def("GetRobustKernel", &PartialType::GetRobustKernel)
+    .dentalscrProperty(PartialType, KernelWidth)
+    .dentalscrBoolean(PartialType, Annealing)
+    .dentalscrProperty(PartialType, InitialKernelWidth)
+    .dentalscrProperty(PartialType, FinalKernelWidth)
+    .dentalscrProperty(PartialType, DirectionWeight)
+    .dentalscrProperty(PartialType, DirectionSmoothing)
+    .dentalscrProperty(PartialType, ReverseWeight)
+    .dentalscrProperty(PartialType, TaperLength)
+    .dentalscrProperty(PartialType, GapLength)
+    .dentalscrBoolean(PartialType, GateByTooth)
+    .dentalscrProperty(PartialType, ToothRange)
+    .dentalscrBoolean(PartialType, CorrelatedNoise)
+    .dentalscrProperty(PartialType, NumberOfCorrelatedLevels)
+    .dentalscrProperty(PartialType, CorrelationLength)
+    .dentalscrProperty(PartialType, SmoothNoise)
+    .dentalscrProperty(PartialType, WhiteNoise)
+    .dentalscrBoolean(PartialType, EstimateNoise)
+    .def("SetScalePrior", &PartialType::SetScalePrior, py::arg("scale"), py::arg("relativeSigma"))
+    .def("SetRotationPrior", &PartialType::SetRotationPrior, py::arg("angle"), py::arg("sigma"))
+    .def("SetTranslationPrior",
+         &PartialType::SetTranslationPrior,
+         py::arg("at"),
+         py::arg("position"),
+         py::arg("sigma"),
+         "The moving point `at` lands on `position`, sigma px in each coordinate.");
 }
 
 void
@@ -436,6 +509,25 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       py::arg("seed") = 0,
       "The seed is recorded: the same seed, the same result.")
     .def(
+      "SetOptimizerAsLevenbergMarquardt",
+      [](MethodType & self,
+         unsigned int numberOfIterations,
+         double       valueTolerance,
+         double       stepTolerance,
+         double       gradientTolerance) {
+        auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
+        optimizer->SetNumberOfIterations(numberOfIterations);
+        optimizer->SetValueTolerance(valueTolerance);
+        optimizer->SetStepTolerance(stepTolerance);
+        optimizer->SetGradientTolerance(gradientTolerance);
+        self.SetOptimizer(optimizer);
+      },
+      py::arg("numberOfIterations") = 100,
+      py::arg("valueTolerance") = 1e-8,
+      py::arg("stepTolerance") = 1e-8,
+      py::arg("gradientTolerance") = 1e-8,
+      "For metrics that are sums of squares: SetMetricAsPartialContour.")
+    .def(
       "SetOptimizerAsExhaustive",
       [](MethodType & self, const std::array<unsigned int, 4> & numberOfSteps, double stepLength) {
         auto                      optimizer = ExhaustiveType::New();
@@ -480,6 +572,27 @@ WrapMethod(py::module_ & module)
         self.SetMetric(metric);
       },
       py::arg_v("truncation", std::numeric_limits<double>::infinity(), "float('inf')"))
+    .def(
+      "SetMetricAsPartialContour",
+      [](MethodType & self, double kernelWidth, double directionWeight, double reverseWeight, bool correlatedNoise) {
+        auto metric = PartialType::New();
+        metric->SetFinalKernelWidth(kernelWidth);
+        metric->SetInitialKernelWidth(4.0 * kernelWidth);
+        metric->SetDirectionWeight(directionWeight);
+        metric->SetReverseWeight(reverseWeight);
+        metric->SetCorrelatedNoise(correlatedNoise);
+        self.SetMetric(metric);
+      },
+      py::arg("kernelWidth") = 3.0,
+      py::arg("directionWeight") = 0.0,
+      py::arg("reverseWeight") = 0.0,
+      py::arg("correlatedNoise") = false,
+      "Robust, for tracings that cover the moving contour in part; px. See PartialContourMetricv4 for more.")
+    .def(
+      "SetMetric",
+      [](MethodType & self, MetricType * metric) { self.SetMetric(metric); },
+      py::arg("metric"),
+      "A metric object; None: the paper's.")
     .def(
       "SetMetricAsFunction",
       [](MethodType & self, const py::function & function) {
@@ -632,6 +745,7 @@ void
 WrapRegistration(py::module_ & module)
 {
   WrapMetrics(module);
+  WrapMetricObjects(module);
   WrapLevels(module);
   WrapMethod(module);
   WrapBaselines(module);

@@ -1,0 +1,224 @@
+"""Meshes, images, contours, transforms, geometry: what is copied, what is a view, what is refused."""
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+POINTS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], float)
+TRIANGLES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+
+
+@pytest.fixture
+def mesh(ds):
+    return ds.Mesh(POINTS, TRIANGLES, labels=[0, 11, 21, 0])
+
+
+def test_mesh_copies_what_it_is_given(ds):
+    points = POINTS.copy()
+    mesh = ds.Mesh(points, TRIANGLES)
+    points[:] = 7
+    assert np.array_equal(mesh.points, POINTS) and np.array_equal(mesh.triangles, TRIANGLES)
+
+
+def test_points_are_a_read_only_view_that_outlives_the_mesh(ds):
+    mesh = ds.Mesh(POINTS, TRIANGLES)
+    view = mesh.points
+    assert view.__array_interface__["data"][0] == mesh.points.__array_interface__["data"][0]
+    with pytest.raises(ValueError):
+        view[0, 0] = 1
+    del mesh
+    assert np.array_equal(view, POINTS)
+
+
+@pytest.mark.parametrize(
+    "points, triangles, word",
+    [
+        (POINTS[:, :2], TRIANGLES, r"\(N, 3\)"),
+        (POINTS, [[0, 1, 4]], "names point 4 of 4"),
+        (POINTS, [[0, 1, -1]], "names point -1"),
+        (POINTS * np.nan, TRIANGLES, "not finite"),
+        (POINTS, [[0, 1]], r"\(N, 3\)"),
+    ],
+)
+def test_broken_arrays_are_refused_with_the_reason(ds, points, triangles, word):
+    with pytest.raises(ds.ArgumentError, match=word):
+        ds.Mesh(points, triangles)
+
+
+def test_mesh_pickles_with_labels(ds, mesh):
+    other = pickle.loads(pickle.dumps(mesh))
+    assert np.array_equal(other.points, mesh.points) and np.array_equal(other.triangles, mesh.triangles)
+    assert list(other.labels) == [0, 11, 21, 0]
+
+
+def test_mesh_file_round_trip_keeps_every_triangle(ds, mesh, tmp_path):
+    for extension in ("stl", "ply", "obj", "off"):
+        ds.WriteMesh(mesh, tmp_path / f"m.{extension}")
+        other = ds.ReadMesh(tmp_path / f"m.{extension}")
+        assert np.allclose(other.points[other.triangles], mesh.points[mesh.triangles]), extension
+
+
+def test_image_is_rows_and_columns_and_sizes_are_u_v(ds):
+    array = np.arange(6, dtype=np.float32).reshape(2, 3)
+    image = ds.GetImageFromArray(array, spacing=(0.25, 0.5))
+    assert image.GetSize() == (3, 2) and image.GetSpacing() == (0.25, 0.5)
+    assert np.array_equal(np.asarray(image), array)
+    view = ds.GetArrayViewFromImage(image)
+    assert np.asarray(image).__array_interface__["data"] == view.__array_interface__["data"]
+    assert not view.flags.writeable
+    assert ds.GetArrayFromImage(image).flags.writeable
+    assert np.array_equal(np.asarray(pickle.loads(pickle.dumps(image))), array)
+    assert image._repr_png_().startswith(b"\x89PNG")
+
+
+def test_view_of_an_image_outlives_it(ds):
+    image = ds.Image(np.ones((300, 400)))
+    view = np.asarray(image)
+    del image
+    assert view.sum() == 120000
+
+
+def test_contour_keeps_codes_gaps_and_weights(ds):
+    contour = ds.Contour()
+    contour.AddPolyline([[0, 0], [1, 0], [2, 1]], "UR1", weights=[1, 0.5, 0])
+    contour.AddPolyline([[5, 5], [6, 5], [6, 6]], 46, closed=True)
+    for other in (contour, pickle.loads(pickle.dumps(contour)), copy.deepcopy(contour)):
+        first, second = other.polylines
+        assert (first.code, first.fdi, first.closed) == ("UR1", 11, False)
+        assert (second.code, second.closed) == ("LR6", True)
+        assert list(first.weights) == [1, 0.5, 0]
+        assert len(other.points) == 6
+    assert contour.GetLength() == pytest.approx(1 + 2**0.5 + 2 + 2**0.5)
+    assert "<svg" in contour._repr_svg_()
+
+
+@pytest.mark.parametrize("weights", [[1.0], [1.0, 2.0]])
+def test_wrong_weights_are_refused(ds, weights):
+    with pytest.raises(ds.Error, match="weight"):
+        ds.Contour().AddPolyline([[0, 0], [1, 0]], weights=weights)
+
+
+def test_contours_are_taken_from_arrays_dictionaries_and_lists(ds):
+    assert len(ds.as_contour(np.zeros((4, 2)))) == 1
+    assert [p.code for p in ds.as_contour({"UR1": [[0, 0], [1, 1]], "UR2": [[2, 2]]}).polylines] == ["UR1", "UR2"]
+    assert len(ds.as_contour([np.zeros((2, 2)), np.ones((3, 2))])) == 2
+    assert ds.as_contour([(0, 0), (1, 1), (2, 2)]).GetNumberOfPoints() == 3
+    with pytest.raises(TypeError, match="no contour"):
+        ds.as_contour(3.0)
+
+
+def test_what_is_no_mesh_or_image_is_named(ds):
+    with pytest.raises(TypeError, match="builtins.int is no mesh"):
+        ds.as_mesh(3)
+    with pytest.raises(TypeError, match="2-D"):
+        ds.as_image(np.zeros((2, 2, 3)))
+
+
+def test_mesh_objects_are_taken_by_what_they_have(ds):
+    class Trimesh:
+        vertices, faces = POINTS, TRIANGLES
+
+    class Open3D:
+        vertices, triangles = POINTS, TRIANGLES
+
+    class Meshio:
+        points, cells_dict = POINTS, {"triangle": TRIANGLES}
+
+    dictionary = {"points": POINTS.reshape(-1), "cells": np.c_[np.full(4, 2), np.full(4, 3), TRIANGLES].reshape(-1)}
+    for given in (Trimesh(), Open3D(), Meshio(), dictionary, (POINTS, TRIANGLES)):
+        mesh = ds.as_mesh(given)
+        assert np.array_equal(mesh.points, POINTS) and np.array_equal(mesh.triangles, TRIANGLES)
+
+    class Quads:
+        points, cells_dict = POINTS, {"quad": TRIANGLES}
+
+    with pytest.raises(ds.ArgumentError, match="quad"):
+        ds.as_mesh(Quads())
+
+
+def test_similarity_maps_as_its_formula(ds):
+    transform = ds.Similarity2DTransform(scale=2.0, angle=0.3, translation=(4.0, -1.0))
+    q = np.array([[1.0, 2.0], [-3.0, 0.5]])
+    rotation = np.array([[np.cos(0.3), -np.sin(0.3)], [np.sin(0.3), np.cos(0.3)]])
+    expected = 2.0 * q @ rotation.T + [4.0, -1.0]
+    assert np.allclose(transform.TransformPoints(q), expected)
+    assert np.allclose(transform.TransformPoint(q[0]), expected[0])
+    homogeneous = transform.matrix @ np.array([q[1, 0], q[1, 1], 1.0])
+    assert np.allclose(homogeneous[:2], expected[1])
+    assert np.allclose(transform.GetInverse().TransformPoints(expected), q)
+
+
+def test_transforms_pickle_copy_and_travel_by_file(ds, tmp_path):
+    similarity = ds.Similarity2DTransform(1.1, 0.2, (3.0, 4.0), center=(5.0, 6.0))
+    angle = 0.4
+    matrix = np.eye(4)
+    matrix[:3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
+    matrix[:3, 3] = [1, 2, 3]
+    rigid = ds.VersorRigid3DTransform(matrix)
+    assert np.allclose(rigid.matrix, matrix)
+    for transform in (similarity, rigid):
+        assert pickle.loads(pickle.dumps(transform)) == transform
+        assert copy.deepcopy(transform) == transform
+        ds.WriteTransform(transform, tmp_path / "t.tfm")
+        assert np.allclose(ds.ReadTransform(tmp_path / "t.tfm").matrix, transform.matrix, atol=1e-12)
+    with pytest.raises(ds.Error):
+        ds.VersorRigid3DTransform(np.diag([2.0, 1.0, 1.0, 1.0]))
+    with pytest.raises(ds.ArgumentError, match="4 parameters, not 3"):
+        similarity.SetParameters([1, 2, 3])
+
+
+@pytest.mark.parametrize("source_side", ["right", "left"])
+@pytest.mark.parametrize("facing", ["right", "left"])
+def test_geometry_projects_by_the_formula_of_the_documentation(ds, source_side, facing):
+    geometry = ds.CephalometricGeometry(
+        1500.0, 1660.0, pixelSpacing=(0.2, 0.25), principalPoint=(170.0, 420.0), sourceSide=source_side, facing=facing
+    )
+    points = np.array([[40.0, 12.0, -30.0], [10.0, -25.0, 5.0]])
+    k = 1 if source_side == "right" else -1
+    f = 1 if facing == "right" else -1
+    m = 1660.0 / (1500.0 + k * points[:, 1])
+    expected = np.c_[170.0 + f * m * points[:, 0] / 0.2, 420.0 - m * points[:, 2] / 0.25]
+    assert np.allclose(geometry.ProjectPoints(points), expected)
+    for other in (pickle.loads(pickle.dumps(geometry)), copy.deepcopy(geometry)):
+        assert np.allclose(other.ProjectPoints(points), expected)
+    source, direction = geometry.BackProject(expected[0])
+    offset = points[0] - np.array(source)
+    assert np.allclose(np.cross(offset, direction), 0.0, atol=1e-6)
+
+
+def test_projecting_without_a_spacing_says_what_to_call(ds):
+    with pytest.raises(ds.FilterError, match="SetPixelSpacing"):
+        ds.CephalometricGeometry().ProjectPoint((0, 0, 0))
+
+
+def test_tooth_codes(ds):
+    assert ds.tooth_fdi("UR1") == 11 and ds.tooth_name(46) == "LR6"
+    with pytest.raises(ds.ArgumentError):
+        ds.tooth_fdi("UR9")
+
+
+def test_universal_numbers_become_fdi():
+    from dentalscr._inputs import universal_to_fdi
+
+    assert list(universal_to_fdi([0, 1, 8, 9, 16, 17, 24, 25, 32, 33])) == [0, 18, 11, 21, 28, 38, 31, 41, 48, 0]
+
+
+def test_landmarks_and_contours_travel_by_file(ds, tmp_path):
+    landmarks = {"UR1_tip": [1.5, 2.25], "UR6_MB": [3.0, 4.0]}
+    ds.WriteLandmarks(landmarks, tmp_path / "l.json")
+    read = ds.ReadLandmarks(tmp_path / "l.json")
+    assert list(read) == list(landmarks) and np.array_equal(read["UR1_tip"], [1.5, 2.25])
+    ds.WriteLandmarks({"UR1_tip": [1, 2, 3]}, tmp_path / "l3.json")
+    assert np.array_equal(ds.ReadLandmarks(tmp_path / "l3.json")["UR1_tip"], [1, 2, 3])
+    ds.WriteContours(tmp_path / "c.json", (100, 80), upper={"UR1": [[1, 2], [3, 4]]})
+    contours = ds.ReadContours(tmp_path / "c.json")
+    assert contours.imageSize == (100, 80) and contours.upper.polylines[0].code == "UR1"
+    assert contours.lower.GetNumberOfPoints() == 0
+
+
+def test_files_that_are_not_there_are_named(ds, tmp_path):
+    for read in (ds.ReadMesh, ds.ReadContours, ds.ReadLandmarks, ds.ReadCephalogram, ds.ReadToothLabels, ds.ReadCase):
+        with pytest.raises(ds.InputError) as error:
+            read(tmp_path / "nothing.here")
+        assert "nothing.here" in str(error.value)
