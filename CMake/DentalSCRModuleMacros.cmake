@@ -7,6 +7,10 @@
 # A dependency that starts with "ITK" is one of ITK's own modules, any other is ours.
 include(GenerateExportHeader)
 
+# Two build trees of one source tree that share this folder have the same compile commands, hence hits in ccache.
+set(DENTALSCR_GENERATED_INCLUDE_DIR "${PROJECT_BINARY_DIR}/include" CACHE PATH "Folder for generated headers")
+mark_as_advanced(DENTALSCR_GENERATED_INCLUDE_DIR)
+
 # A function: a macro would split a description at its semicolons.
 function(itk_module _name)
   cmake_parse_arguments(PARSE_ARGV 1 _itk_module "" "DESCRIPTION" "DEPENDS;TEST_DEPENDS")
@@ -54,7 +58,7 @@ endmacro()
 function(_dentalscr_configure_module _name _scope)
   _dentalscr_resolve_dependencies(targets itk_libraries itk_includes ${DENTALSCR_MODULE_${_name}_DEPENDS})
   set(module_dir "${DENTALSCR_MODULE_${_name}_DIR}")
-  set(binary_dir "${PROJECT_BINARY_DIR}/include")
+  set(binary_dir "${DENTALSCR_GENERATED_INCLUDE_DIR}")
   add_library(DentalSCR::${_name} ALIAS ${_name})
   target_include_directories(${_name} ${_scope}
     "$<BUILD_INTERFACE:${module_dir}/include>"
@@ -85,8 +89,8 @@ function(itk_module_add_library _name)
   set(PROJECT_BINARY_DIR "${DentalSCR_BINARY_DIR}")
   _dentalscr_configure_module(${_name} PUBLIC)
   generate_export_header(${_name} EXPORT_MACRO_NAME ${_name}_EXPORT
-    EXPORT_FILE_NAME "${DentalSCR_BINARY_DIR}/include/${_name}Export.h")
-  install(FILES "${DentalSCR_BINARY_DIR}/include/${_name}Export.h"
+    EXPORT_FILE_NAME "${DENTALSCR_GENERATED_INCLUDE_DIR}/${_name}Export.h")
+  install(FILES "${DENTALSCR_GENERATED_INCLUDE_DIR}/${_name}Export.h"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/DentalSCR" COMPONENT Development)
 endfunction()
 

@@ -89,6 +89,8 @@ from ._filters import (
     ContourDistance,
     ContourDistanceFilter,
     ContourDistances,
+    ContourMask,
+    ContourMaskFilter,
     ContourResample,
     ContourResampleFilter,
     CrownRegionMesh,

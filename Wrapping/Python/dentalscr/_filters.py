@@ -245,7 +245,7 @@ def SilhouetteContour(
     content : "Intensity", "ToothLabels" or "MergedLabels"
         ToothLabels: each FDI number becomes a contour with its code. MergedLabels: one contour around all labels.
     **settings
-        ``largestPartOnly``, ``minimumArea``, ``objectIsDark``, ``outputCoordinates``, ...
+        ``largestPartOnly``, ``minimumArea``, ``labelSmoothing``, ``objectIsDark``, ``outputCoordinates``, ...
     """
     process = SilhouetteContourFilter()
     process.SetContent(cast(_core.SilhouetteContent, content))
@@ -343,6 +343,31 @@ def OpenSilhouetteContour(
     process.SetJaw(cast(_core.Jaw, jaw))
     apply_settings(process, settings)
     return process.Execute(mesh, geometry, frameTransform)
+
+
+class ContourMaskFilter(ProcessObject, _core.ContourMaskFilter):
+    """The stretches of a contour that run through a mask, as polylines of their own."""
+
+    def Execute(self, contour: ContourLike, mask: ImageLike) -> _core.Contour:
+        """Keeps the points whose pixel in the mask is not 0.
+
+        Parameters
+        ----------
+        contour : contour-like
+        mask : image-like
+            Of it only the indices count.
+        """
+        self._SetInput(as_contour(contour))
+        self._SetMaskImage(as_image(mask))
+        self._Update()
+        return self._TakeOutput()
+
+
+def ContourMask(contour: ContourLike, mask: ImageLike, minimumNumberOfPoints: int = 2) -> _core.Contour:
+    """The part of a contour that a mask lets through; see :class:`ContourMaskFilter`."""
+    process = ContourMaskFilter()
+    process.SetMinimumNumberOfPoints(minimumNumberOfPoints)
+    return process.Execute(contour, mask)
 
 
 class ContourResampleFilter(ProcessObject, _core.ContourResampleFilter):

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "dentalscrBinding.h"
 
+#include "itkContourMaskFilter.h"
 #include "itkContourResampleFilter.h"
 #include "itkCrownRegionMeshFilter.h"
 #include "itkMeshSilhouetteContourSource.h"
@@ -299,6 +300,7 @@ WrapContours(py::module_ & module)
     .dentalscrBoolean(SilhouetteType, ObjectIsDark)
     .dentalscrBoolean(SilhouetteType, LargestPartOnly)
     .dentalscrProperty(SilhouetteType, MinimumArea)
+    .dentalscrProperty(SilhouetteType, LabelSmoothing)
     .def("SetOutputCoordinates", &SilhouetteType::SetOutputCoordinates, py::arg("coordinates"))
     .def("GetOutputCoordinates", &SilhouetteType::GetOutputCoordinates)
     .def("SetOutputOffset", &SilhouetteType::SetOutputOffset, py::arg("offset"))
@@ -358,6 +360,32 @@ WrapContours(py::module_ & module)
     .def(
       "GetNormals", [](const OpenType & self) { return MakeRows<2>(self.GetNormals()); }, "(N, 2), outward.")
     .def("_TakeOutput", [](OpenType & self) { return Detach(self.GetOutput()); });
+
+  using MaskType = itk::Image<unsigned char, 2>;
+  using MaskFilterType = itk::ContourMaskFilter<MaskType>;
+  ProcessClass<MaskFilterType>(module, "ContourMaskFilter", "The stretches of a contour that run through a mask.")
+    .def(New<MaskFilterType>())
+    .def(
+      "_SetInput",
+      [](MaskFilterType & self, const itk::DentalContour * contour) { self.SetInput(contour); },
+      py::arg("contour"))
+    .def(
+      "_SetMaskImage",
+      [](MaskFilterType & self, const ImageType & image) {
+        auto mask = MaskType::New();
+        mask->SetRegions(image.GetBufferedRegion());
+        mask->Allocate();
+        const auto pixels = image.GetBufferedRegion().GetNumberOfPixels();
+        std::transform(image.GetBufferPointer(),
+                       image.GetBufferPointer() + pixels,
+                       mask->GetBufferPointer(),
+                       [](float value) { return static_cast<unsigned char>(value != 0.0F); });
+        self.SetMaskImage(mask);
+      },
+      py::arg("image"))
+    .def("SetMinimumNumberOfPoints", &MaskFilterType::SetMinimumNumberOfPoints, py::arg("number"))
+    .def("GetMinimumNumberOfPoints", &MaskFilterType::GetMinimumNumberOfPoints)
+    .def("_TakeOutput", [](MaskFilterType & self) { return Detach(self.GetOutput()); });
 
   ProcessClass<ResampleType>(module, "ContourResampleFilter", "Points at equal distances along a contour.")
     .def(New<ResampleType>())
