@@ -387,6 +387,7 @@ def register(
     fix: Sequence[str] = (),
     init: Optional[PathLike] = None,
     silhouette: str = "drr",
+    options: Optional[Mapping[str, Any]] = None,
     threads: Optional[int] = None,
     progress: Optional[Callable[[float, str], object]] = None,
 ) -> CaseResult:
@@ -407,6 +408,8 @@ def register(
         Alignment to start from, for a case file.
     silhouette : "drr" or "mesh"
         Where the paper's silhouette comes from.
+    options : dict, optional
+        Ingredients of preset robust by name (Documentation/Robust.md), e.g. ``{"useRobustKernel": False}``.
     threads : int, optional
         The result is the same for any number.
     progress : callable, optional
@@ -435,6 +438,11 @@ def register(
     registration = CaseRegistration()
     registration.SetPreset(as_preset(preset))
     registration.SetUseSurfaceDRR(silhouette == "drr")
+    if options:
+        if registration.GetPreset() != _core.Preset.Robust:
+            raise ArgumentError(f"preset {preset} has no options")
+        for name, value in options.items():
+            registration.SetOption(f"{name}={as_option(value)}")
     registration.SetNumberOfWorkUnits(threads or _core.ProcessObject.GetGlobalDefaultNumberOfThreads())
     if progress is not None:
         call = progress
@@ -450,3 +458,12 @@ def register(
 def as_preset(preset: Union[str, _core.Preset]) -> _core.Preset:
     """A preset by its name in the command line's spelling or in that of the enumeration."""
     return _core.Preset(preset.replace("-", "")) if isinstance(preset, str) else preset
+
+
+def as_option(value: Any) -> str:
+    """A value in the command line's spelling: on, off, numbers with commas."""
+    if isinstance(value, (bool, np.bool_)):
+        return "on" if value else "off"
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return ",".join(as_option(item) for item in value)
+    return repr(float(value)) if isinstance(value, (float, np.floating)) else str(value)

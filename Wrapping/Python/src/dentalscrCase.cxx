@@ -318,6 +318,14 @@ WrapCase(py::module_ & module)
     .dentalscrProperty(CaseRegistration, NumberOfUpperContourPoints)
     .dentalscrProperty(CaseRegistration, NumberOfLowerContourPoints)
     .dentalscrBoolean(CaseRegistration, UseSurfaceDRR)
+    .dentalscrBoolean(CaseRegistration, RefineMidline)
+    .def("SetPoseOptions", &CaseRegistration::SetPoseOptions, py::arg("options"), "Ingredients of preset Robust.")
+    .def(
+      "GetPoseOptions", [](const CaseRegistration & self) { return self.GetPoseOptions(); }, "A copy.")
+    .def("SetOption",
+         &CaseRegistration::SetOption,
+         py::arg("assignment"),
+         "One ingredient of preset Robust, \"NAME=VALUE\" (Documentation/Robust.md).")
     .def("GetCurrentStage", [](const CaseRegistration & self) { return self.GetCurrentStage(); })
     .def(
       "_SetData", [](CaseRegistration & self, const Case & input) { self.SetData(input.data); }, py::arg("case"))

@@ -27,11 +27,15 @@ WrapExperiment(py::module_ & module)
 {
   using ExperimentType = itk::CohortExperiment;
   using StudyEnum = ExperimentType::StudyEnum;
-  BindEnum<StudyEnum>(
-    module,
-    "ExperimentStudy",
-    { { "Tables", StudyEnum::Tables }, { "Capture", StudyEnum::Capture }, { "Sensitivity", StudyEnum::Sensitivity } },
-    "What an experiment asks.");
+  BindEnum<StudyEnum>(module,
+                      "ExperimentStudy",
+                      { { "Tables", StudyEnum::Tables },
+                        { "Capture", StudyEnum::Capture },
+                        { "Sensitivity", StudyEnum::Sensitivity },
+                        { "Ablation", StudyEnum::Ablation },
+                        { "Coverage", StudyEnum::Coverage },
+                        { "Verdict", StudyEnum::Verdict } },
+                      "What an experiment asks.");
   ProcessClass<ExperimentType>(module, "CohortExperiment", "Methods on a cohort: tables, statistics, plot data.")
     .def(New<ExperimentType>())
     .dentalscrProperty(ExperimentType, NumberOfCases)

@@ -323,6 +323,10 @@ WrapProcessObject(py::module_ & module)
       py::arg("key"))
     .def(
       "_RemoveCommand", [](ProcessObject & self, unsigned long tag) { self.RemoveObserver(tag); }, py::arg("tag"))
-    .def("_Update", [](ProcessObject & self) { Run(&self); });
+    .def("_Update", [](ProcessObject & self) {
+      // Execute() always executes, also where nothing has changed: commands wait for its events.
+      self.Modified();
+      Run(&self);
+    });
 }
 } // namespace dentalscr

@@ -89,6 +89,15 @@ def test_presets_are_those_of_the_program(ds, case, preset):
     assert ds.register(case, preset=preset).to_dict()["preset"] == preset
 
 
+def test_options_of_the_robust_preset(ds, case):
+    result = ds.register(case, options={"useRobustKernel": False, "yawStarts": [-0.1, 0.1]})
+    assert "useRobustKernel=off" in str(result.to_dict())
+    with pytest.raises(ds.ArgumentError, match="useMagic"):
+        ds.register(case, options={"useMagic": True})
+    with pytest.raises(ds.ArgumentError, match="no options"):
+        ds.register(case, preset="paper", options={"useRobustKernel": False})
+
+
 def test_unusable_case_names_file_field_and_remedy(ds, sample, tmp_path):
     content = json.loads((sample / "case.json").read_text())
     content["contours"] = "nowhere.json"
