@@ -5,18 +5,17 @@ from scipy import ndimage
 
 
 def numpy_splats(folder):
-    """Nearest pixels, then the filter at its default reach of four standard deviations."""
+    """Nearest pixels in an array of the default type, then the filter at its default reach of four standard deviations."""
     splats = numpy.load(folder / "splats.npy")
     sigma, width, height = numpy.load(folder / "frame.npy")[0]
     width, height = int(width), int(height)
     u, v, weight = splats.T.copy()
-    weight = weight.astype(numpy.float32)
 
     def run():
         columns = numpy.rint(u).astype(numpy.intp)
         rows = numpy.rint(v).astype(numpy.intp)
         inside = (columns >= 0) & (columns < width) & (rows >= 0) & (rows < height)
-        image = numpy.zeros((height, width), numpy.float32)
+        image = numpy.zeros((height, width))
         numpy.add.at(image, (rows[inside], columns[inside]), weight[inside])
         return ndimage.gaussian_filter(image, sigma, mode="constant")
 

@@ -345,7 +345,7 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::MakeKernels()
   {
     return;
   }
-  m_Kernels.clear();
+  m_Kernels.resize(m_Surfaces.size());
   m_KernelTime = 0;
   SurfaceSplatRegion grid;
   grid.startU = region.GetIndex(0);
@@ -393,7 +393,7 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::MakeKernels()
     }
     try
     {
-      m_Kernels.emplace_back(layer, grid, m_Tolerance);
+      m_Kernels[number].Prepare(layer, grid, m_Tolerance);
     }
     catch (const std::invalid_argument & error)
     {

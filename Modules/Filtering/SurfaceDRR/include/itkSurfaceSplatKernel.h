@@ -23,6 +23,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <ostream>
 #include <vector>
 
@@ -95,8 +96,8 @@ struct SurfaceDRR_EXPORT SurfaceSplatProjector
  * work.
  *
  * Made once for a layer and the whole image; renders any region of it. Splats are sorted into bands of rows of the
- * image, never of the region, and a pixel takes its splats in the order of their numbers: value and bits of a pixel do
- * not depend on the region asked for or on the threads.
+ * image, never of the region, and a pixel takes its splats in an order that their numbers and positions give: value and
+ * bits of a pixel do not depend on the region asked for or on the threads.
  *
  * Methods, chosen by the tolerance (relative to the maximum on the detector plane) and a cost model:
  *  - Table: outer product of two sampled Gaussians, interpolated between sub-pixel positions. Any width.
@@ -134,6 +135,15 @@ public:
                      double                     tolerance,
                      MethodEnum                 method = MethodEnum::Automatic);
 
+  /** What the constructor does, in the memory of the layer before: for the next pose.
+   * \param threads 0: all of the machine's */
+  void
+  Prepare(const SurfaceSplatLayer &  layer,
+          const SurfaceSplatRegion & image,
+          double                     tolerance,
+          MethodEnum                 method = MethodEnum::Automatic,
+          unsigned int               threads = 1);
+
   MethodEnum
   GetMethod() const
   {
@@ -167,6 +177,7 @@ public:
   {
   public:
     Rendering(const SurfaceSplatKernel & kernel, const SurfaceSplatRegion & region, float * buffer, std::size_t stride);
+    ~Rendering();
 
     std::size_t
     GetNumberOfPhases() const
@@ -182,20 +193,20 @@ public:
     Run(std::size_t phase, std::size_t job);
 
   private:
+    struct ScratchType;
+
     void
-    SplatTable(std::size_t band);
-    template <int VTaps>
-    void
-    SplatTableOfWidth(std::size_t band);
+    SplatWideTable(std::size_t band);
     void
     SplatEach(std::size_t band);
-    template <int VDegree>
     void
-    Bin(std::size_t band);
-    void
-    FilterRows(std::size_t job);
+    SplatAligned(std::size_t band);
     void
     FilterColumns(std::size_t job);
+    ScratchType
+    TakeScratch();
+    void
+    ReturnScratch(ScratchType && scratch);
 
     const SurfaceSplatKernel & m_Kernel;
     SurfaceSplatRegion         m_Region;
@@ -203,24 +214,40 @@ public:
     std::size_t                m_Stride;
     std::vector<std::size_t>   m_Jobs;
     std::size_t                m_FirstBand{ 0 };
-    /** Pixels that the splines reach, and their nodes: wider by the filter's radius. */
+    /** Pixels that are reached, and the splines' nodes: wider by the filter's radius. */
     SurfaceSplatRegion m_Reached;
     SurfaceSplatRegion m_Nodes;
+    /** Rows of nodes that hold weight, filtered along u; as wide as m_Reached. */
+    SurfaceSplatRegion m_NodeRows;
     std::vector<float> m_NodeValues;
+    /** Clean scratch memory for jobs to come. */
+    std::vector<ScratchType> m_Scratch;
+    std::mutex               m_ScratchMutex;
   };
 
 private:
+  /** Sampled Gaussians, a row for each sub-pixel position; rows are padded with zeros to a multiple of four. */
   struct TableType
   {
     int                taps{ 0 };
+    int                stride{ 0 };
     int                rows{ 0 };
     std::vector<float> values;
+  };
+  /** A splat of a band: floor of its position from the domain's first node, and the rest. */
+  struct SplatType
+  {
+    std::int32_t u;
+    std::int32_t v;
+    float        fractionU;
+    float        fractionV;
+    float        weight;
   };
   static TableType
   MakeTable(double sigma, double tolerance, double & error);
 
   void
-  SortIntoBands(const SurfaceSplatLayer & layer);
+  SortIntoBands(const SurfaceSplatLayer & layer, unsigned int threads);
 
   SurfaceSplatRegion m_Image;
   double             m_Tolerance{ 1e-3 };
@@ -237,14 +264,18 @@ private:
   /** Nodes that hold weight: first and one past the last. */
   SurfaceSplatRegion m_SplatBounds;
 
-  /** Splats by band; a splat that reaches two bands is in both. */
-  std::int64_t             m_FirstBandRow{ 0 };
+  /** The image, or its nodes: wider by the filter's radius. */
+  SurfaceSplatRegion m_Domain;
+  /** Splats by band of the domain's rows; a splat that reaches two bands is in both. */
   std::vector<std::size_t> m_BandBegin;
-  std::vector<double>      m_U;
-  std::vector<double>      m_V;
-  std::vector<float>       m_Weight;
+  std::vector<SplatType>   m_Splats;
   std::vector<float>       m_SigmaU;
   std::vector<float>       m_SigmaV;
+  /** Memory for sorting the next layer. */
+  std::vector<std::int32_t> m_WholeU;
+  std::vector<std::int32_t> m_WholeV;
+  std::vector<float>        m_FractionU;
+  std::vector<float>        m_FractionV;
 };
 
 SurfaceDRR_EXPORT std::ostream &

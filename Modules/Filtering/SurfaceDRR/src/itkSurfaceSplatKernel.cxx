@@ -23,16 +23,25 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 #include <type_traits>
 
 namespace itk
 {
 namespace
 {
-constexpr std::int64_t BandHeight = 32;
+constexpr int BandHeight = 32;
+/** In place of a splat's row. */
+constexpr std::int32_t OutOfReach = INT32_MIN;
 constexpr double       LargestSigma = 1000.0;
+constexpr double       LargestPosition = std::numeric_limits<double>::max();
+/** Of an image's width and height: indices are of 32 bits within. */
+constexpr std::int64_t LargestSize = 1 << 28;
+/** A square table that is not wider (pixels) is added in aligned rows. */
+constexpr int WidestAlignedTable = 16;
 /** Below this width (pixels) the table would need too many sub-pixel rows. */
 constexpr double SmallestTableSigma = 0.05;
 
@@ -58,12 +67,53 @@ NegativeExp(float x)
   return p * power;
 }
 
-/** Floor of a value that fits; std::floor is a library call without SSE4.1. */
-inline std::int64_t
-FloorToInteger(double x)
+#if defined(__GNUC__)
+/** Four floats in a register. Sixteen bytes on purpose: wider vectors are taken apart where the machine has none. */
+using Float4 = float __attribute__((vector_size(16)));
+#else
+struct Float4
 {
-  const auto i = static_cast<std::int64_t>(x);
-  return i - (x < static_cast<double>(i) ? 1 : 0);
+  float values[4];
+  float
+  operator[](int i) const
+  {
+    return values[i];
+  }
+};
+inline Float4
+operator+(Float4 a, Float4 b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3] };
+}
+inline Float4
+operator-(Float4 a, Float4 b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3] };
+}
+inline Float4
+operator*(Float4 a, Float4 b)
+{
+  return { a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3] };
+}
+inline Float4 &
+operator+=(Float4 & a, Float4 b)
+{
+  return a = a + b;
+}
+#endif
+
+inline Float4
+Broadcast(float x)
+{
+  return Float4{ x, x, x, x };
+}
+
+inline Float4
+Load(const float * from)
+{
+  Float4 result;
+  std::memcpy(&result, from, sizeof(result));
+  return result;
 }
 
 /** The B-spline's values at the nodes floor(x) - (degree - 1) / 2, ... for the fraction f of x. */
@@ -98,6 +148,89 @@ SplineWeights(TReal f, TReal * w)
     w[1] = even + odd;
     w[4] = even - odd;
   }
+}
+
+/** The same as four, or eight with two zeros, floats; from the polynomials' coefficients. */
+template <int VDegree>
+inline void
+SplineWeights(float f, Float4 * w)
+{
+  const Float4 x = Broadcast(f);
+  if constexpr (VDegree == 3)
+  {
+    constexpr float s = 1.0f / 6.0f;
+    w[0] =
+      ((Float4{ -s, 0.5f, -0.5f, s } * x + Float4{ 0.5f, -1.0f, 0.5f, 0.0f }) * x + Float4{ -0.5f, 0.0f, 0.5f, 0.0f }) *
+        x +
+      Float4{ s, 4.0f * s, s, 0.0f };
+  }
+  else
+  {
+    constexpr float n = 1.0f / 120.0f;
+    w[0] =
+      ((((Float4{ -n, 5.0f * n, -10.0f * n, 10.0f * n } * x + Float4{ 5.0f * n, -20.0f * n, 30.0f * n, -20.0f * n }) *
+           x +
+         Float4{ -10.0f * n, 20.0f * n, 0.0f, -20.0f * n }) *
+          x +
+        Float4{ 10.0f * n, 20.0f * n, -60.0f * n, 20.0f * n }) *
+         x +
+       Float4{ -5.0f * n, -50.0f * n, 0.0f, 50.0f * n }) *
+        x +
+      Float4{ n, 26.0f * n, 66.0f * n, 26.0f * n };
+    w[1] = ((((Float4{ -5.0f * n, n, 0.0f, 0.0f } * x + Float4{ 5.0f * n, 0.0f, 0.0f, 0.0f }) * x +
+              Float4{ 10.0f * n, 0.0f, 0.0f, 0.0f }) *
+               x +
+             Float4{ 10.0f * n, 0.0f, 0.0f, 0.0f }) *
+              x +
+            Float4{ 5.0f * n, 0.0f, 0.0f, 0.0f }) *
+             x +
+           Float4{ n, 0.0f, 0.0f, 0.0f };
+  }
+}
+
+constexpr int SplitBlock = 256;
+
+/** Positions relative to a start, cut into floor and rest, those far from [0, size) moved near, and the
+ * range of the floors. Adding 1.5 * 2^30
+ * leaves a double with 22 fractional bits at the end of its mantissa: floor and rest are bits of it, which needs
+ * neither a library call nor a newer instruction set. */
+void
+SplitPositions(const double * positions,
+               int            count,
+               std::int64_t   start,
+               std::int32_t   size,
+               std::int32_t   half,
+               std::int32_t * whole,
+               float *        rest,
+               std::int32_t   range[2])
+{
+  constexpr double        shift = 1610612736.0;
+  constexpr std::uint64_t fractionMask = (1u << 22) - 1;
+  const auto              first = static_cast<double>(start);
+  const double            low = -1.0 - half;
+  const double            high = 1.0 + size + half;
+  // Both of the sum's leading bits are set: what they hold is taken off after the shift.
+  constexpr auto offset = static_cast<std::int32_t>(0x60000000);
+  for (int i = 0; i < count; ++i)
+  {
+    double x = positions[i] - first;
+    x = x < low ? low : x;
+    x = x > high ? high : x;
+    x += shift;
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof(bits));
+    whole[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(bits >> 22)) - offset;
+    rest[i] = static_cast<float>(static_cast<std::int32_t>(bits & fractionMask)) * (1.0f / 4194304.0f);
+  }
+  std::int32_t least = INT32_MAX;
+  std::int32_t greatest = INT32_MIN;
+  for (int i = 0; i < count; ++i)
+  {
+    least = whole[i] < least ? whole[i] : least;
+    greatest = whole[i] > greatest ? whole[i] : greatest;
+  }
+  range[0] = least;
+  range[1] = greatest;
 }
 
 /** Least-squares fit of a symmetric filter h[0..R] such that the spline filtered by h is the Gaussian of this width, at
@@ -275,27 +408,56 @@ SurfaceSplatProjector::Project(const double (*points)[3],
                                double              factor,
                                SurfaceSplatLayer & layer) const
 {
-  const double magnificationAtUnitDepth = sourceToDetector / sourceToMidsagittal;
-  for (std::size_t i = first; i < last; ++i)
+  const auto & m = projection.matrix;
+  const double magnification = sourceToDetector / sourceToMidsagittal;
+  const double x0 = principalPoint[0];
+  const double y0 = principalPoint[1];
+  const double slopeU = pixelSpacing[0] / sourceToDetector;
+  const double slopeV = pixelSpacing[1] / sourceToDetector;
+  const double weightOf[2] = { physical ? 0.0 : factor, physical ? factor * magnification * magnification : 0.0 };
+  // In blocks without a branch, which vectorise.
+  constexpr std::size_t blockSize = 64;
+  for (std::size_t begin = first; begin < last; begin += blockSize)
   {
-    double       u;
-    double       v;
-    const double depth = projection.Project(points[i], u, v);
-    if (!(depth > 0.0) || !std::isfinite(u) || !std::isfinite(v))
+    const std::size_t end = std::min(begin + blockSize, last);
+    double * const    us = layer.u.data();
+    double * const    vs = layer.v.data();
+    float * const     weights = layer.weight.data();
+    double            depths[blockSize];
+    int               bad = 0;
+    for (std::size_t i = begin; i < end; ++i)
     {
-      return i;
+      const double x = points[i][0];
+      const double y = points[i][1];
+      const double z = points[i][2];
+      const double depth = m[8] * x + m[9] * y + m[10] * z + m[11];
+      const double inverse = 1.0 / depth;
+      const double u = (m[0] * x + m[1] * y + m[2] * z + m[3]) * inverse;
+      const double v = (m[4] * x + m[5] * y + m[6] * z + m[7]) * inverse;
+      const double slope = (u - x0) * slopeU;
+      const double rise = (v - y0) * slopeV;
+      const double obliquity = std::sqrt(1.0 + slope * slope + rise * rise);
+      us[i] = scale[0] * u + offset[0];
+      vs[i] = scale[1] * v + offset[1];
+      weights[i] = static_cast<float>(areas[i] * (weightOf[0] + weightOf[1] * inverse * inverse * obliquity));
+      depths[i - begin] = depth;
     }
-    double weight = factor * areas[i];
-    if (physical)
+    for (std::size_t i = begin; i < end; ++i)
     {
-      const double m = magnificationAtUnitDepth / depth;
-      const double x = (u - principalPoint[0]) * pixelSpacing[0] / sourceToDetector;
-      const double y = (v - principalPoint[1]) * pixelSpacing[1] / sourceToDetector;
-      weight *= m * m * std::sqrt(1.0 + x * x + y * y);
+      // Neither is true of a value that is not a number.
+      bad += static_cast<int>(!(depths[i - begin] > 0.0)) + static_cast<int>(!(std::abs(us[i]) <= LargestPosition)) +
+             static_cast<int>(!(std::abs(vs[i]) <= LargestPosition));
     }
-    layer.u[i] = scale[0] * u + offset[0];
-    layer.v[i] = scale[1] * v + offset[1];
-    layer.weight[i] = static_cast<float>(weight);
+    if (bad != 0)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (!(depths[i - begin] > 0.0) || !std::isfinite(us[i]) || !std::isfinite(vs[i]))
+        {
+          return i;
+        }
+      }
+    }
   }
   return last;
 }
@@ -304,9 +466,26 @@ SurfaceSplatKernel::SurfaceSplatKernel(const SurfaceSplatLayer &  layer,
                                        const SurfaceSplatRegion & image,
                                        double                     tolerance,
                                        MethodEnum                 method)
-  : m_Image(image)
-  , m_Tolerance(tolerance)
 {
+  this->Prepare(layer, image, tolerance, method);
+}
+
+void
+SurfaceSplatKernel::Prepare(const SurfaceSplatLayer &  layer,
+                            const SurfaceSplatRegion & image,
+                            double                     tolerance,
+                            MethodEnum                 method,
+                            unsigned int               threads)
+{
+  threads = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  m_Image = image;
+  m_Tolerance = tolerance;
+  m_NumberOfSplats = 0;
+  m_SplatBounds = {};
+  m_FilterU.clear();
+  m_FilterV.clear();
+  m_TableU = {};
+  m_TableV = {};
   const auto fail = [](const char * what, double value, const char * remedy) {
     std::ostringstream message;
     message << what << value << remedy;
@@ -342,7 +521,21 @@ SurfaceSplatKernel::SurfaceSplatKernel(const SurfaceSplatLayer &  layer,
     checkSigma(layer.sigmaU);
     checkSigma(layer.sigmaV);
   }
+  for (const std::int64_t size : { image.sizeU, image.sizeV })
+  {
+    if (!(size >= 0 && size <= LargestSize))
+    {
+      fail("The image is ", static_cast<double>(size), " pixels wide or high; give 0 to 2^28.");
+    }
+  }
+  int bad = 0;
   for (std::size_t i = 0; i < count; ++i)
+  {
+    bad |= static_cast<int>(!(std::abs(layer.u[i]) <= LargestPosition)) |
+           static_cast<int>(!(std::abs(layer.v[i]) <= LargestPosition)) |
+           static_cast<int>(!(std::abs(layer.weight[i]) <= std::numeric_limits<float>::max()));
+  }
+  for (std::size_t i = 0; bad != 0 && i < count; ++i)
   {
     if (!std::isfinite(layer.u[i]) || !std::isfinite(layer.v[i]) || !std::isfinite(layer.weight[i]))
     {
@@ -357,7 +550,7 @@ SurfaceSplatKernel::SurfaceSplatKernel(const SurfaceSplatLayer &  layer,
   {
     m_Method = MethodEnum::PerSplat;
     m_SplatError = 0.5 * tolerance;
-    this->SortIntoBands(layer);
+    this->SortIntoBands(layer, threads);
     return;
   }
 
@@ -443,7 +636,7 @@ SurfaceSplatKernel::SurfaceSplatKernel(const SurfaceSplatLayer &  layer,
     m_TableV = MakeTable(layer.sigmaV, tolerance, tableError);
     m_SplatError += tableError;
   }
-  this->SortIntoBands(layer);
+  this->SortIntoBands(layer, threads);
 }
 
 auto
@@ -453,16 +646,17 @@ SurfaceSplatKernel::MakeTable(double sigma, double tolerance, double & error) ->
   const double cut = std::sqrt(2.0 * std::log(2.0 / tolerance));
   const int    half = std::max(1, static_cast<int>(std::ceil(cut * sigma)));
   table.taps = 2 * half;
+  table.stride = (table.taps + 3) / 4 * 4;
   // Linear interpolation between sub-pixel rows errs by (step / sigma)^2 / 8.
   table.rows = std::max(64, static_cast<int>(std::ceil(1.0 / (sigma * std::sqrt(0.5 * tolerance)))));
-  table.values.resize(static_cast<std::size_t>(table.rows + 1) * table.taps);
+  table.values.assign(static_cast<std::size_t>(table.rows + 1) * table.stride, 0.0f);
   for (int row = 0; row <= table.rows; ++row)
   {
     const double f = static_cast<double>(row) / table.rows;
     for (int tap = 0; tap < table.taps; ++tap)
     {
       const double d = (tap - half + 1 - f) / sigma;
-      table.values[static_cast<std::size_t>(row) * table.taps + tap] = static_cast<float>(std::exp(-0.5 * d * d));
+      table.values[static_cast<std::size_t>(row) * table.stride + tap] = static_cast<float>(std::exp(-0.5 * d * d));
     }
   }
   const double step = 1.0 / (table.rows * sigma);
@@ -471,18 +665,21 @@ SurfaceSplatKernel::MakeTable(double sigma, double tolerance, double & error) ->
 }
 
 void
-SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer)
+SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer, unsigned int threads)
 {
   const std::size_t count = layer.u.size();
   const bool        perSplat = m_Method == MethodEnum::PerSplat;
   const bool        narrow = perSplat && layer.sigmaUs.empty();
   // Rows of nodes for the splines, of pixels otherwise.
-  const std::int64_t       haloU = m_FilterU.empty() ? 0 : static_cast<std::int64_t>(m_FilterU.size()) - 1;
-  const std::int64_t       haloV = m_FilterV.empty() ? 0 : static_cast<std::int64_t>(m_FilterV.size()) - 1;
-  const SurfaceSplatRegion domain = Dilate(m_Image, haloU, haloV);
-  m_FirstBandRow = domain.startV;
-  const auto bands = static_cast<std::size_t>((domain.sizeV + BandHeight - 1) / BandHeight);
+  const std::int64_t haloU = m_FilterU.empty() ? 0 : static_cast<std::int64_t>(m_FilterU.size()) - 1;
+  const std::int64_t haloV = m_FilterV.empty() ? 0 : static_cast<std::int64_t>(m_FilterV.size()) - 1;
+  m_Domain = Dilate(m_Image, haloU, haloV);
+  const auto bands = static_cast<std::size_t>((m_Domain.sizeV + BandHeight - 1) / BandHeight);
   m_BandBegin.assign(bands + 1, 0);
+  if (bands == 0)
+  {
+    return;
+  }
 
   std::int64_t halfU = 0;
   std::int64_t halfV = 0;
@@ -498,98 +695,166 @@ SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer)
       halfU = m_TableU.taps / 2;
       halfV = m_TableV.taps / 2;
   }
-  struct Span
-  {
-    std::uint32_t first;
-    std::uint32_t last;
-  };
-  constexpr std::uint32_t none = 0xffffffffu;
-  std::vector<Span>       spans(count);
-  std::int64_t            bounds[4] = { INT64_MAX, INT64_MAX, INT64_MIN, INT64_MIN };
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    spans[i].first = none;
+  // The first pass cuts positions into whole and rest and counts the splats of a band, the second puts them there. Both
+  // run over chunks of splats, of which the counts are put one after the other: the order is that of the numbers.
+  const auto sizeU = static_cast<std::int32_t>(m_Domain.sizeU);
+  const auto sizeV = static_cast<std::int32_t>(m_Domain.sizeV);
+  const auto halvesOf = [&](std::size_t i, std::int32_t & hu, std::int32_t & hv) {
     if (perSplat)
     {
-      halfU = std::max<std::int64_t>(
-        1, static_cast<std::int64_t>(std::ceil(m_Cut * (narrow ? layer.sigmaU : layer.sigmaUs[i]))));
-      halfV = std::max<std::int64_t>(
-        1, static_cast<std::int64_t>(std::ceil(m_Cut * (narrow ? layer.sigmaV : layer.sigmaVs[i]))));
+      hu = std::max(1, static_cast<std::int32_t>(std::ceil(m_Cut * (narrow ? layer.sigmaU : layer.sigmaUs[i]))));
+      hv = std::max(1, static_cast<std::int32_t>(std::ceil(m_Cut * (narrow ? layer.sigmaV : layer.sigmaVs[i]))));
     }
-    // Compared before the conversion: a point may be anywhere.
-    const double u = layer.u[i];
-    const double v = layer.v[i];
-    if (!(u >= static_cast<double>(domain.startU - halfU) &&
-          u < static_cast<double>(domain.startU + domain.sizeU + halfU) &&
-          v >= static_cast<double>(domain.startV - halfV) &&
-          v < static_cast<double>(domain.startV + domain.sizeV + halfV)) ||
-        layer.weight[i] == 0.0f)
-    {
-      continue;
-    }
-    const std::int64_t iu = FloorToInteger(u);
-    const std::int64_t iv = FloorToInteger(v);
-    const std::int64_t firstU = std::max(iu - halfU + 1, domain.startU);
-    const std::int64_t lastU = std::min(iu + halfU, domain.startU + domain.sizeU - 1);
-    const std::int64_t firstV = std::max(iv - halfV + 1, domain.startV);
-    const std::int64_t lastV = std::min(iv + halfV, domain.startV + domain.sizeV - 1);
-    if (firstU > lastU || firstV > lastV)
-    {
-      continue;
-    }
-    bounds[0] = std::min(bounds[0], firstU);
-    bounds[1] = std::min(bounds[1], firstV);
-    bounds[2] = std::max(bounds[2], lastU);
-    bounds[3] = std::max(bounds[3], lastV);
-    spans[i].first = static_cast<std::uint32_t>((firstV - m_FirstBandRow) / BandHeight);
-    spans[i].last = static_cast<std::uint32_t>((lastV - m_FirstBandRow) / BandHeight);
-    for (std::uint32_t band = spans[i].first; band <= spans[i].last; ++band)
-    {
-      ++m_BandBegin[band + 1];
-    }
-    ++m_NumberOfSplats;
-  }
-  for (std::size_t band = 0; band < bands; ++band)
+  };
+  m_WholeU.resize(count);
+  m_WholeV.resize(count);
+  m_FractionU.resize(count);
+  m_FractionV.resize(count);
+  const std::size_t chunks = std::min<std::size_t>(threads, 1 + count / 4096);
+  struct ChunkType
   {
-    m_BandBegin[band + 1] += m_BandBegin[band];
-  }
-  const std::size_t total = m_BandBegin[bands];
-  m_U.resize(total);
-  m_V.resize(total);
-  m_Weight.resize(total);
-  if (perSplat)
-  {
-    m_SigmaU.resize(total);
-    m_SigmaV.resize(total);
-  }
-  std::vector<std::size_t> next(m_BandBegin.begin(), m_BandBegin.end());
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (spans[i].first == none)
+    /** Of bands; while counting, the difference from the band before. */
+    std::vector<std::size_t> next;
+    std::size_t              splats{ 0 };
+    std::int32_t             bounds[4] = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
+  };
+  std::vector<ChunkType> work(chunks);
+  const auto             chunkBegin = [count, chunks](std::size_t chunk) { return count * chunk / chunks; };
+  ParallelFor(chunks, threads, [&](std::size_t number) {
+    ChunkType & chunk = work[number];
+    chunk.next.assign(bands + 1, 0);
+    std::size_t * const difference = chunk.next.data();
+    auto                hu = static_cast<std::int32_t>(halfU);
+    auto                hv = static_cast<std::int32_t>(halfV);
+    const auto          cut = static_cast<std::int32_t>(perSplat ? std::ceil(m_Cut * LargestSigma) : std::max(hu, hv));
+    for (std::size_t begin = chunkBegin(number); begin < chunkBegin(number + 1); begin += SplitBlock)
     {
-      continue;
-    }
-    for (std::uint32_t band = spans[i].first; band <= spans[i].last; ++band)
-    {
-      const std::size_t slot = next[band]++;
-      m_U[slot] = layer.u[i];
-      m_V[slot] = layer.v[i];
-      m_Weight[slot] = layer.weight[i];
-      if (perSplat)
+      const auto           size = static_cast<int>(std::min<std::size_t>(SplitBlock, chunkBegin(number + 1) - begin));
+      std::int32_t * const us = m_WholeU.data() + begin;
+      std::int32_t * const vs = m_WholeV.data() + begin;
+      std::int32_t         rangeU[2];
+      std::int32_t         rangeV[2];
+      SplitPositions(layer.u.data() + begin, size, m_Domain.startU, sizeU, cut, us, m_FractionU.data() + begin, rangeU);
+      SplitPositions(layer.v.data() + begin, size, m_Domain.startV, sizeV, cut, vs, m_FractionV.data() + begin, rangeV);
+      chunk.splats += static_cast<std::size_t>(size);
+      if (perSplat || rangeU[0] + hu < 0 || rangeU[1] - hu + 1 >= sizeU || rangeV[0] + hv < 0 ||
+          rangeV[1] - hv + 1 >= sizeV)
       {
-        m_SigmaU[slot] = narrow ? static_cast<float>(layer.sigmaU) : layer.sigmaUs[i];
-        m_SigmaV[slot] = narrow ? static_cast<float>(layer.sigmaV) : layer.sigmaVs[i];
+        // Not all of them reach the domain.
+        rangeU[0] = rangeV[0] = INT32_MAX;
+        rangeU[1] = rangeV[1] = INT32_MIN;
+        for (int i = 0; i < size; ++i)
+        {
+          halvesOf(begin + static_cast<std::size_t>(i), hu, hv);
+          if (us[i] + hu < 0 || us[i] - hu + 1 >= sizeU || vs[i] + hv < 0 || vs[i] - hv + 1 >= sizeV)
+          {
+            vs[i] = OutOfReach;
+            --chunk.splats;
+            continue;
+          }
+          chunk.bounds[0] = std::min(chunk.bounds[0], us[i] - hu + 1);
+          chunk.bounds[1] = std::min(chunk.bounds[1], vs[i] - hv + 1);
+          chunk.bounds[2] = std::max(chunk.bounds[2], us[i] + hu);
+          chunk.bounds[3] = std::max(chunk.bounds[3], vs[i] + hv);
+          ++difference[std::max(vs[i] - hv + 1, 0) / BandHeight];
+          --difference[std::min(vs[i] + hv, sizeV - 1) / BandHeight + 1];
+        }
+        continue;
+      }
+      chunk.bounds[0] = std::min(chunk.bounds[0], rangeU[0] - hu + 1);
+      chunk.bounds[1] = std::min(chunk.bounds[1], rangeV[0] - hv + 1);
+      chunk.bounds[2] = std::max(chunk.bounds[2], rangeU[1] + hu);
+      chunk.bounds[3] = std::max(chunk.bounds[3], rangeV[1] + hv);
+      for (int i = 0; i < size; ++i)
+      {
+        ++difference[static_cast<std::uint32_t>(std::max(vs[i] - hv + 1, 0)) / BandHeight];
+        --difference[static_cast<std::uint32_t>(std::min(vs[i] + hv, sizeV - 1)) / BandHeight + 1];
       }
     }
+  });
+  std::int32_t bounds[4] = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
+  for (ChunkType & chunk : work)
+  {
+    m_NumberOfSplats += chunk.splats;
+    bounds[0] = std::min(bounds[0], chunk.bounds[0]);
+    bounds[1] = std::min(bounds[1], chunk.bounds[1]);
+    bounds[2] = std::max(bounds[2], chunk.bounds[2]);
+    bounds[3] = std::max(bounds[3], chunk.bounds[3]);
+    for (std::size_t band = 1; band < bands; ++band)
+    {
+      chunk.next[band] += chunk.next[band - 1];
+    }
   }
+  std::size_t total = 0;
+  for (std::size_t band = 0; band < bands; ++band)
+  {
+    m_BandBegin[band] = total;
+    for (ChunkType & chunk : work)
+    {
+      const std::size_t splats = chunk.next[band];
+      chunk.next[band] = total;
+      total += splats;
+    }
+  }
+  m_BandBegin[bands] = total;
+  m_Splats.resize(total);
+  m_SigmaU.resize(perSplat ? total : 0);
+  m_SigmaV.resize(perSplat ? total : 0);
+  ParallelFor(chunks, threads, [&](std::size_t number) {
+    std::size_t * const next = work[number].next.data();
+    auto                hu = static_cast<std::int32_t>(halfU);
+    auto                hv = static_cast<std::int32_t>(halfV);
+    SplatType           unused;
+    for (std::size_t i = chunkBegin(number); i < chunkBegin(number + 1); ++i)
+    {
+      const std::int32_t v = m_WholeV[i];
+      if (v == OutOfReach)
+      {
+        continue;
+      }
+      halvesOf(i, hu, hv);
+      const SplatType     splat{ m_WholeU[i], v, m_FractionU[i], m_FractionV[i], layer.weight[i] };
+      const std::uint32_t first = static_cast<std::uint32_t>(std::max(v - hv + 1, 0)) / BandHeight;
+      const std::uint32_t last = static_cast<std::uint32_t>(std::min(v + hv, sizeV - 1)) / BandHeight;
+      if (!perSplat && last - first <= 1)
+      {
+        // One band or two, which is hard to predict: the second store goes somewhere else for one.
+        m_Splats[next[first]++] = splat;
+        SplatType & second = last != first ? m_Splats[next[last]] : unused;
+        second = splat;
+        next[last] += static_cast<std::size_t>(last != first);
+        continue;
+      }
+      for (std::uint32_t band = first; band <= last; ++band)
+      {
+        const std::size_t slot = next[band]++;
+        m_Splats[slot] = splat;
+        if (perSplat)
+        {
+          m_SigmaU[slot] = narrow ? static_cast<float>(layer.sigmaU) : layer.sigmaUs[i];
+          m_SigmaV[slot] = narrow ? static_cast<float>(layer.sigmaV) : layer.sigmaVs[i];
+        }
+      }
+    }
+  });
   if (m_NumberOfSplats > 0)
   {
-    m_SplatBounds.startU = bounds[0];
-    m_SplatBounds.startV = bounds[1];
+    m_SplatBounds.startU = m_Domain.startU + bounds[0];
+    m_SplatBounds.startV = m_Domain.startV + bounds[1];
     m_SplatBounds.sizeU = bounds[2] - bounds[0] + 1;
     m_SplatBounds.sizeV = bounds[3] - bounds[1] + 1;
+    m_SplatBounds = Intersect(m_SplatBounds, m_Domain);
   }
 }
+
+/** Rows of a band, four times: a splat of which the first tap is in column u goes into the copy u mod 4, where that
+ * column begins a vector. A store of a neighbour that is loaded again then is one whole vector: unaligned ones that
+ * overlap would have to wait for each other. */
+struct SurfaceSplatKernel::Rendering::ScratchType
+{
+  std::vector<Float4> copies;
+  std::vector<float>  row;
+};
 
 SurfaceSplatKernel::Rendering::Rendering(const SurfaceSplatKernel & kernel,
                                          const SurfaceSplatRegion & region,
@@ -610,21 +875,42 @@ SurfaceSplatKernel::Rendering::Rendering(const SurfaceSplatKernel & kernel,
     return;
   }
   m_Nodes = spline ? Dilate(m_Reached, radiusU, radiusV) : m_Reached;
-  const SurfaceSplatRegion splatRows = Intersect(m_Nodes, kernel.m_SplatBounds);
-  if (splatRows.sizeV == 0)
+  m_NodeRows = Intersect(m_Nodes, kernel.m_SplatBounds);
+  if (m_NodeRows.sizeV == 0)
   {
     return;
   }
-  m_FirstBand = static_cast<std::size_t>((splatRows.startV - kernel.m_FirstBandRow) / BandHeight);
+  m_FirstBand = static_cast<std::size_t>((m_NodeRows.startV - kernel.m_Domain.startV) / BandHeight);
   const auto lastBand =
-    static_cast<std::size_t>((splatRows.startV + splatRows.sizeV - 1 - kernel.m_FirstBandRow) / BandHeight);
+    static_cast<std::size_t>((m_NodeRows.startV + m_NodeRows.sizeV - 1 - kernel.m_Domain.startV) / BandHeight);
   m_Jobs.push_back(lastBand - m_FirstBand + 1);
   if (spline)
   {
-    m_NodeValues.assign(static_cast<std::size_t>(m_Nodes.sizeU * m_Nodes.sizeV), 0.0f);
-    m_Jobs.push_back(static_cast<std::size_t>((m_Nodes.sizeV + BandHeight - 1) / BandHeight));
+    m_NodeValues.resize(static_cast<std::size_t>(m_Reached.sizeU * m_NodeRows.sizeV));
     m_Jobs.push_back(static_cast<std::size_t>((m_Reached.sizeV + BandHeight - 1) / BandHeight));
   }
+}
+
+SurfaceSplatKernel::Rendering::~Rendering() = default;
+
+auto
+SurfaceSplatKernel::Rendering::TakeScratch() -> ScratchType
+{
+  const std::lock_guard<std::mutex> lock(m_ScratchMutex);
+  if (m_Scratch.empty())
+  {
+    return {};
+  }
+  ScratchType scratch = std::move(m_Scratch.back());
+  m_Scratch.pop_back();
+  return scratch;
+}
+
+void
+SurfaceSplatKernel::Rendering::ReturnScratch(ScratchType && scratch)
+{
+  const std::lock_guard<std::mutex> lock(m_ScratchMutex);
+  m_Scratch.push_back(std::move(scratch));
 }
 
 void
@@ -632,120 +918,391 @@ SurfaceSplatKernel::Rendering::Run(std::size_t phase, std::size_t job)
 {
   if (phase == 1)
   {
-    this->FilterRows(job);
-    return;
-  }
-  if (phase == 2)
-  {
     this->FilterColumns(job);
     return;
   }
   const std::size_t band = m_FirstBand + job;
-  switch (m_Kernel.m_Method)
+  if (m_Kernel.m_Method == MethodEnum::PerSplat)
   {
-    case MethodEnum::CubicSpline:
-      this->Bin<3>(band);
-      break;
-    case MethodEnum::QuinticSpline:
-      this->Bin<5>(band);
-      break;
-    case MethodEnum::PerSplat:
-      this->SplatEach(band);
-      break;
-    default:
-      this->SplatTable(band);
+    this->SplatEach(band);
+  }
+  else if (m_Kernel.m_Method == MethodEnum::Table &&
+           (m_Kernel.m_TableU.taps > WidestAlignedTable || m_Kernel.m_TableU.taps != m_Kernel.m_TableV.taps))
+  {
+    this->SplatWideTable(band);
+  }
+  else
+  {
+    this->SplatAligned(band);
   }
 }
 
-template <int VTaps>
+namespace
+{
+/** The first tap's place in the copies of a band. */
+struct AlignedRows
+{
+  Float4 *     copies;
+  std::int32_t firstRow;
+  std::int32_t firstColumn;
+  /** In vectors. */
+  std::ptrdiff_t width;
+
+  Float4 *
+  At(std::int32_t row, std::int32_t column) const
+  {
+    return copies + (4 * static_cast<std::ptrdiff_t>(row - firstRow) + (column & 3)) * width +
+           ((column - (column & 3) - firstColumn) >> 2);
+  }
+};
+
+/** Adds the splats of a band whose taps reach rows and columns of nodes. */
+template <int VDegree, typename TSplat>
 void
-SurfaceSplatKernel::Rendering::SplatTableOfWidth(std::size_t band)
+BinSplats(
+  const TSplat * splats, const TSplat * end, const AlignedRows & rows, std::int32_t endRow, std::int32_t endColumn)
+{
+  constexpr int taps = VDegree + 1;
+  constexpr int before = (VDegree - 1) / 2;
+  constexpr int vectors = (taps + 3) / 4;
+  for (; splats != end; ++splats)
+  {
+    const std::int32_t u0 = splats->u - before;
+    const std::int32_t v0 = splats->v - before;
+    if (u0 < rows.firstColumn || u0 >= endColumn || v0 < rows.firstRow || v0 >= endRow)
+    {
+      continue;
+    }
+    Float4 wu[vectors];
+    Float4 wv[vectors];
+    SplineWeights<VDegree>(splats->fractionU, wu);
+    SplineWeights<VDegree>(splats->fractionV, wv);
+    const Float4 weight = Broadcast(splats->weight);
+    Float4 *     at = rows.At(v0, u0);
+    for (int k = 0; k < vectors; ++k)
+    {
+      wu[k] = wu[k] * weight;
+    }
+    for (int j = 0; j < taps; ++j, at += 4 * rows.width)
+    {
+      const Float4 w = Broadcast(wv[j / 4][j % 4]);
+      for (int k = 0; k < vectors; ++k)
+      {
+        at[k] += w * wu[k];
+      }
+    }
+  }
+}
+
+/** The weights of a table at a position between two of its rows. */
+template <int VVectors, typename TTable>
+inline void
+TableWeights(const TTable & table, float fraction, Float4 * w)
+{
+  const float   sample = fraction * static_cast<float>(table.rows);
+  const int     index = std::min(static_cast<int>(sample), table.rows - 1);
+  const Float4  t = Broadcast(sample - static_cast<float>(index));
+  const float * values = table.values.data() + static_cast<std::size_t>(index) * (4 * VVectors);
+  for (int k = 0; k < VVectors; ++k)
+  {
+    const Float4 a = Load(values + 4 * k);
+    const Float4 b = Load(values + 4 * k + 4 * VVectors);
+    w[k] = a + t * (b - a);
+  }
+}
+
+/** The same by tables of so many taps. */
+template <int VTaps, typename TSplat, typename TTable>
+void
+AddTableSplats(const TSplat *      splats,
+               const TSplat *      end,
+               const TTable &      tableU,
+               const TTable &      tableV,
+               const AlignedRows & rows,
+               std::int32_t        endRow,
+               std::int32_t        endColumn)
+{
+  constexpr int vectors = (VTaps + 3) / 4;
+  for (; splats != end; ++splats)
+  {
+    const std::int32_t u0 = splats->u - VTaps / 2 + 1;
+    const std::int32_t v0 = splats->v - VTaps / 2 + 1;
+    const int          first = std::max(0, rows.firstRow - v0);
+    const int          last = std::min(VTaps, endRow - v0);
+    if (u0 < rows.firstColumn || u0 >= endColumn || first >= last)
+    {
+      continue;
+    }
+    Float4 wu[vectors];
+    Float4 wv[vectors];
+    TableWeights<vectors>(tableU, splats->fractionU, wu);
+    TableWeights<vectors>(tableV, splats->fractionV, wv);
+    for (Float4 & w : wu)
+    {
+      w = w * Broadcast(splats->weight);
+    }
+    Float4 * at = rows.At(v0, u0);
+    if (first == 0 && last == VTaps)
+    {
+      for (int j = 0; j < VTaps; ++j, at += 4 * rows.width)
+      {
+        const Float4 w = Broadcast(wv[j / 4][j % 4]);
+        for (int k = 0; k < vectors; ++k)
+        {
+          at[k] += w * wu[k];
+        }
+      }
+    }
+    else
+    {
+      at += 4 * rows.width * first;
+      for (int j = first; j < last; ++j, at += 4 * rows.width)
+      {
+        const Float4 w = Broadcast(wv[j / 4][j % 4]);
+        for (int k = 0; k < vectors; ++k)
+        {
+          at[k] += w * wu[k];
+        }
+      }
+    }
+  }
+}
+
+constexpr int FilterBlock = 32;
+
+/** out[i] = sum_k h_k (in[i + radius - k] + in[i + radius + k]), in a fixed order. */
+void
+FilterRow(const float * in, const std::vector<float> & h, float * out, std::int32_t count)
+{
+  const int radius = static_cast<int>(h.size()) - 1;
+  in += radius;
+  for (std::int32_t begin = 0; begin < count; begin += FilterBlock)
+  {
+    float     sum[FilterBlock];
+    const int width = std::min<int>(FilterBlock, count - begin);
+    if (width == FilterBlock)
+    {
+      for (int i = 0; i < FilterBlock; ++i)
+      {
+        sum[i] = h[0] * in[begin + i];
+      }
+      for (int k = 1; k <= radius; ++k)
+      {
+        const float * before = in + begin - k;
+        const float * after = in + begin + k;
+        const float   weight = h[k];
+        for (int i = 0; i < FilterBlock; ++i)
+        {
+          sum[i] += weight * (before[i] + after[i]);
+        }
+      }
+    }
+    else
+    {
+      for (int i = 0; i < width; ++i)
+      {
+        sum[i] = h[0] * in[begin + i];
+        for (int k = 1; k <= radius; ++k)
+        {
+          sum[i] += h[k] * (in[begin + i - k] + in[begin + i + k]);
+        }
+      }
+    }
+    std::copy_n(sum, width, out + begin);
+  }
+}
+
+/** Adds to a row what rows row - radius ... row + radius of the nodes give, those that there are; in a fixed order. */
+void
+FilterColumn(const float *              nodes,
+             std::int64_t               rows,
+             std::int64_t               row,
+             const std::vector<float> & h,
+             float *                    out,
+             std::int32_t               count)
+{
+  const auto radius = static_cast<std::int64_t>(h.size()) - 1;
+  for (std::int32_t begin = 0; begin < count; begin += FilterBlock)
+  {
+    float     sum[FilterBlock] = {};
+    const int width = std::min<int>(FilterBlock, count - begin);
+    for (std::int64_t r = std::max<std::int64_t>(0, row - radius); r <= std::min(rows - 1, row + radius); ++r)
+    {
+      const float * in = nodes + r * count + begin;
+      const float   weight = h[static_cast<std::size_t>(std::abs(r - row))];
+      if (width == FilterBlock)
+      {
+        for (int i = 0; i < FilterBlock; ++i)
+        {
+          sum[i] += weight * in[i];
+        }
+      }
+      else
+      {
+        for (int i = 0; i < width; ++i)
+        {
+          sum[i] += weight * in[i];
+        }
+      }
+    }
+    for (int i = 0; i < width; ++i)
+    {
+      out[begin + i] += sum[i];
+    }
+  }
+}
+} // namespace
+
+void
+SurfaceSplatKernel::Rendering::SplatAligned(std::size_t band)
+{
+  const SurfaceSplatKernel & kernel = m_Kernel;
+  const SurfaceSplatRegion & domain = kernel.m_Domain;
+  const bool                 spline = IsSpline(kernel.m_Method);
+  const auto                 degree = kernel.m_Method == MethodEnum::CubicSpline ? 3 : 5;
+  const int                  tapsU = spline ? degree + 1 : kernel.m_TableU.stride;
+  // Splines write whole splats, also beyond the rows that are wanted: then their loops have a fixed length.
+  const int  padRows = spline ? degree : 0;
+  const auto toLocal = [](std::int64_t index, std::int64_t start) { return static_cast<std::int32_t>(index - start); };
+  const auto bandRow = static_cast<std::int32_t>(band * BandHeight);
+  const auto firstRow = std::max(bandRow, toLocal(m_NodeRows.startV, domain.startV));
+  const auto endRow = std::min(bandRow + BandHeight, toLocal(m_NodeRows.startV + m_NodeRows.sizeV, domain.startV));
+  const auto firstColumn = toLocal(m_Nodes.startU, domain.startU);
+  const auto endColumn = toLocal(m_Nodes.startU + m_Nodes.sizeU, domain.startU);
+
+  AlignedRows rows;
+  rows.firstRow = firstRow - padRows;
+  // Room for splats that begin before the first column.
+  rows.firstColumn = (firstColumn - std::max(3, tapsU - 1)) & ~3;
+  rows.width = (endColumn - rows.firstColumn + tapsU + 3) / 4 + 1;
+  const auto  height = static_cast<std::size_t>(endRow - firstRow + 2 * padRows);
+  ScratchType scratch = this->TakeScratch();
+  scratch.copies.resize(std::max(scratch.copies.size(), 4 * height * static_cast<std::size_t>(rows.width)),
+                        Broadcast(0.0f));
+  rows.copies = scratch.copies.data();
+
+  const SplatType * begin = kernel.m_Splats.data() + kernel.m_BandBegin[band];
+  const SplatType * end = kernel.m_Splats.data() + kernel.m_BandBegin[band + 1];
+  if (kernel.m_Method == MethodEnum::CubicSpline)
+  {
+    BinSplats<3>(begin, end, rows, endRow, endColumn);
+  }
+  else if (spline)
+  {
+    BinSplats<5>(begin, end, rows, endRow, endColumn);
+  }
+  else
+  {
+    const auto add = [&](auto taps) {
+      AddTableSplats<decltype(taps)::value>(begin, end, kernel.m_TableU, kernel.m_TableV, rows, endRow, endColumn);
+    };
+    switch (kernel.m_TableU.taps)
+    {
+      case 2:
+        add(std::integral_constant<int, 2>{});
+        break;
+      case 4:
+        add(std::integral_constant<int, 4>{});
+        break;
+      case 6:
+        add(std::integral_constant<int, 6>{});
+        break;
+      case 8:
+        add(std::integral_constant<int, 8>{});
+        break;
+      case 10:
+        add(std::integral_constant<int, 10>{});
+        break;
+      case 12:
+        add(std::integral_constant<int, 12>{});
+        break;
+      case 14:
+        add(std::integral_constant<int, 14>{});
+        break;
+      default:
+        add(std::integral_constant<int, 16>{});
+    }
+  }
+
+  // The four copies' sum, for the splines filtered along the row; the scratch is left clean.
+  const std::int32_t columns = endColumn - firstColumn;
+  const auto         copyWidth = static_cast<std::size_t>(4 * rows.width);
+  scratch.row.resize(static_cast<std::size_t>(columns) + FilterBlock);
+  for (std::int32_t row = firstRow; row < endRow; ++row)
+  {
+    Float4 * const copies = rows.copies + 4 * static_cast<std::ptrdiff_t>(row - rows.firstRow) * rows.width;
+    const float *  copy = reinterpret_cast<const float *>(copies) + (firstColumn - rows.firstColumn);
+    float *        sum = scratch.row.data();
+    for (std::int32_t i = 0; i < columns; ++i)
+    {
+      sum[i] = (copy[i] + (copy + copyWidth)[i - 1]) + ((copy + 2 * copyWidth)[i - 2] + (copy + 3 * copyWidth)[i - 3]);
+    }
+    if (spline)
+    {
+      float * const out = m_NodeValues.data() + (domain.startV + row - m_NodeRows.startV) * m_Reached.sizeU;
+      FilterRow(sum, kernel.m_FilterU, out, static_cast<std::int32_t>(m_Reached.sizeU));
+    }
+    else
+    {
+      float * const out = m_Buffer + (domain.startV + row - m_Region.startV) * static_cast<std::int64_t>(m_Stride) +
+                          (m_Reached.startU - m_Region.startU);
+      for (std::int32_t i = 0; i < columns; ++i)
+      {
+        out[i] += sum[i];
+      }
+    }
+  }
+  std::fill_n(rows.copies, 4 * height * static_cast<std::size_t>(rows.width), Broadcast(0.0f));
+  this->ReturnScratch(std::move(scratch));
+}
+
+void
+SurfaceSplatKernel::Rendering::SplatWideTable(std::size_t band)
 {
   const SurfaceSplatKernel & kernel = m_Kernel;
   const TableType &          tableU = kernel.m_TableU;
   const TableType &          tableV = kernel.m_TableV;
-  const int                  tapsU = VTaps > 0 ? VTaps : tableU.taps;
-  const int                  tapsV = tableV.taps;
-  const std::int64_t         bandRow = kernel.m_FirstBandRow + static_cast<std::int64_t>(band) * BandHeight;
+  const std::int64_t         bandRow = kernel.m_Domain.startV + static_cast<std::int64_t>(band) * BandHeight;
   const std::int64_t         firstRow = std::max(bandRow, m_Reached.startV);
   const std::int64_t         endRow = std::min(bandRow + BandHeight, m_Reached.startV + m_Reached.sizeV);
   const std::int64_t         firstColumn = m_Reached.startU;
   const std::int64_t         endColumn = m_Reached.startU + m_Reached.sizeU;
   float * const      origin = m_Buffer - m_Region.startU - m_Region.startV * static_cast<std::int64_t>(m_Stride);
-  std::vector<float> longRow(VTaps > 0 ? 0 : tapsU);
-  float              shortRow[VTaps > 0 ? VTaps : 1];
-  float * const      rowTaps = VTaps > 0 ? shortRow : longRow.data();
+  std::vector<float> rowTaps(static_cast<std::size_t>(tableU.taps));
   for (std::size_t s = kernel.m_BandBegin[band]; s < kernel.m_BandBegin[band + 1]; ++s)
   {
-    const std::int64_t floorU = FloorToInteger(kernel.m_U[s]);
-    const std::int64_t floorV = FloorToInteger(kernel.m_V[s]);
-    const std::int64_t u0 = floorU - tapsU / 2 + 1;
-    const std::int64_t v0 = floorV - tapsV / 2 + 1;
+    const SplatType &  splat = kernel.m_Splats[s];
+    const std::int64_t u0 = kernel.m_Domain.startU + splat.u - tableU.taps / 2 + 1;
+    const std::int64_t v0 = kernel.m_Domain.startV + splat.v - tableV.taps / 2 + 1;
     const std::int64_t rowBegin = std::max(v0, firstRow);
-    const std::int64_t rowEnd = std::min(v0 + tapsV, endRow);
-    if (rowBegin >= rowEnd || u0 >= endColumn || u0 + tapsU <= firstColumn)
+    const std::int64_t rowEnd = std::min(v0 + tableV.taps, endRow);
+    const std::int64_t begin = std::max(u0, firstColumn);
+    const std::int64_t end = std::min(u0 + tableU.taps, endColumn);
+    if (rowBegin >= rowEnd || begin >= end)
     {
       continue;
     }
-    const auto    sampleU = static_cast<float>((kernel.m_U[s] - static_cast<double>(floorU)) * tableU.rows);
-    const auto    sampleV = static_cast<float>((kernel.m_V[s] - static_cast<double>(floorV)) * tableV.rows);
+    const float   sampleU = splat.fractionU * static_cast<float>(tableU.rows);
+    const float   sampleV = splat.fractionV * static_cast<float>(tableV.rows);
     const int     indexU = std::min(static_cast<int>(sampleU), tableU.rows - 1);
     const int     indexV = std::min(static_cast<int>(sampleV), tableV.rows - 1);
     const float   fractionU = sampleU - static_cast<float>(indexU);
     const float   fractionV = sampleV - static_cast<float>(indexV);
-    const float * valuesU = tableU.values.data() + static_cast<std::size_t>(indexU) * tapsU;
-    const float * valuesV = tableV.values.data() + static_cast<std::size_t>(indexV) * tapsV;
-    for (int i = 0; i < tapsU; ++i)
+    const float * valuesU = tableU.values.data() + static_cast<std::size_t>(indexU) * tableU.stride;
+    const float * valuesV = tableV.values.data() + static_cast<std::size_t>(indexV) * tableV.stride;
+    for (int i = 0; i < tableU.taps; ++i)
     {
-      rowTaps[i] = valuesU[i] + fractionU * (valuesU[i + tapsU] - valuesU[i]);
+      rowTaps[i] = valuesU[i] + fractionU * (valuesU[i + tableU.stride] - valuesU[i]);
     }
-    const float weight = kernel.m_Weight[s];
-    const auto  rowWeight = [&](std::int64_t row) {
-      const auto j = static_cast<std::size_t>(row - v0);
-      return weight * (valuesV[j] + fractionV * (valuesV[j + static_cast<std::size_t>(tapsV)] - valuesV[j]));
-    };
-    if (u0 >= firstColumn && u0 + tapsU <= endColumn)
+    for (std::int64_t row = rowBegin; row < rowEnd; ++row)
     {
-      float * pixel = origin + rowBegin * static_cast<std::int64_t>(m_Stride) + u0;
-      for (std::int64_t row = rowBegin; row < rowEnd; ++row, pixel += m_Stride)
-      {
-        AddScaledRow(pixel, rowTaps, rowWeight(row), tapsU);
-      }
+      const auto  j = static_cast<std::size_t>(row - v0);
+      const float w = valuesV[j] + fractionV * (valuesV[j + static_cast<std::size_t>(tableV.stride)] - valuesV[j]);
+      AddScaledRow(origin + row * static_cast<std::int64_t>(m_Stride) + begin,
+                   rowTaps.data() + (begin - u0),
+                   splat.weight * w,
+                   static_cast<int>(end - begin));
     }
-    else
-    {
-      const std::int64_t begin = std::max(u0, firstColumn);
-      const std::int64_t end = std::min(u0 + tapsU, endColumn);
-      for (std::int64_t row = rowBegin; row < rowEnd; ++row)
-      {
-        AddScaledRow(origin + row * static_cast<std::int64_t>(m_Stride) + begin,
-                     rowTaps + (begin - u0),
-                     rowWeight(row),
-                     static_cast<int>(end - begin));
-      }
-    }
-  }
-}
-
-void
-SurfaceSplatKernel::Rendering::SplatTable(std::size_t band)
-{
-  switch (m_Kernel.m_TableU.taps)
-  {
-    case 4:
-      return this->SplatTableOfWidth<4>(band);
-    case 6:
-      return this->SplatTableOfWidth<6>(band);
-    case 8:
-      return this->SplatTableOfWidth<8>(band);
-    case 10:
-      return this->SplatTableOfWidth<10>(band);
-    case 12:
-      return this->SplatTableOfWidth<12>(band);
-    case 16:
-      return this->SplatTableOfWidth<16>(band);
-    default:
-      return this->SplatTableOfWidth<0>(band);
   }
 }
 
@@ -753,24 +1310,23 @@ void
 SurfaceSplatKernel::Rendering::SplatEach(std::size_t band)
 {
   const SurfaceSplatKernel & kernel = m_Kernel;
-  const std::int64_t         bandRow = kernel.m_FirstBandRow + static_cast<std::int64_t>(band) * BandHeight;
+  const std::int64_t         bandRow = kernel.m_Domain.startV + static_cast<std::int64_t>(band) * BandHeight;
   const std::int64_t         firstRow = std::max(bandRow, m_Reached.startV);
   const std::int64_t         endRow = std::min(bandRow + BandHeight, m_Reached.startV + m_Reached.sizeV);
   const std::int64_t         firstColumn = m_Reached.startU;
   const std::int64_t         endColumn = m_Reached.startU + m_Reached.sizeU;
   float * const      origin = m_Buffer - m_Region.startU - m_Region.startV * static_cast<std::int64_t>(m_Stride);
-  std::vector<float> taps(static_cast<std::size_t>(std::max(m_Reached.sizeU, BandHeight)) + 2);
+  std::vector<float> taps(static_cast<std::size_t>(std::max<std::int64_t>(m_Reached.sizeU, BandHeight)) + 2);
   float              rowTaps[BandHeight];
   for (std::size_t s = kernel.m_BandBegin[band]; s < kernel.m_BandBegin[band + 1]; ++s)
   {
+    const SplatType &  splat = kernel.m_Splats[s];
     const double       sigmaU = kernel.m_SigmaU[s];
     const double       sigmaV = kernel.m_SigmaV[s];
     const auto         halfU = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(kernel.m_Cut * sigmaU)));
     const auto         halfV = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(kernel.m_Cut * sigmaV)));
-    const std::int64_t floorU = FloorToInteger(kernel.m_U[s]);
-    const std::int64_t floorV = FloorToInteger(kernel.m_V[s]);
-    const std::int64_t u0 = floorU - halfU + 1;
-    const std::int64_t v0 = floorV - halfV + 1;
+    const std::int64_t u0 = kernel.m_Domain.startU + splat.u - halfU + 1;
+    const std::int64_t v0 = kernel.m_Domain.startV + splat.v - halfV + 1;
     const std::int64_t rowBegin = std::max(v0, firstRow);
     const std::int64_t rowEnd = std::min(v0 + 2 * halfV, endRow);
     const std::int64_t begin = std::max(u0, firstColumn);
@@ -779,24 +1335,21 @@ SurfaceSplatKernel::Rendering::SplatEach(std::size_t band)
     {
       continue;
     }
-    const auto  width = static_cast<int>(end - begin);
-    const auto  height = static_cast<int>(rowEnd - rowBegin);
-    const auto  fractionU = static_cast<float>(kernel.m_U[s] - static_cast<double>(floorU));
-    const auto  fractionV = static_cast<float>(kernel.m_V[s] - static_cast<double>(floorV));
-    const auto  beginU = static_cast<int>(begin - u0 - halfU + 1);
-    const auto  beginV = static_cast<int>(rowBegin - v0 - halfV + 1);
-    const auto  scaleU = static_cast<float>(std::max(-1e30, -0.5 / (sigmaU * sigmaU)));
-    const auto  scaleV = static_cast<float>(std::max(-1e30, -0.5 / (sigmaV * sigmaV)));
-    const float weight = kernel.m_Weight[s];
+    const auto width = static_cast<int>(end - begin);
+    const auto height = static_cast<int>(rowEnd - rowBegin);
+    const auto beginU = static_cast<int>(begin - u0 - halfU + 1);
+    const auto beginV = static_cast<int>(rowBegin - v0 - halfV + 1);
+    const auto scaleU = static_cast<float>(std::max(-1e30, -0.5 / (sigmaU * sigmaU)));
+    const auto scaleV = static_cast<float>(std::max(-1e30, -0.5 / (sigmaV * sigmaV)));
     for (int i = 0; i < width; ++i)
     {
-      const float d = static_cast<float>(beginU + i) - fractionU;
+      const float d = static_cast<float>(beginU + i) - splat.fractionU;
       taps[i] = NegativeExp(d * d * scaleU);
     }
     for (int j = 0; j < height; ++j)
     {
-      const float d = static_cast<float>(beginV + j) - fractionV;
-      rowTaps[j] = weight * NegativeExp(d * d * scaleV);
+      const float d = static_cast<float>(beginV + j) - splat.fractionV;
+      rowTaps[j] = splat.weight * NegativeExp(d * d * scaleV);
     }
     float * pixel = origin + rowBegin * static_cast<std::int64_t>(m_Stride) + begin;
     for (int j = 0; j < height; ++j, pixel += m_Stride)
@@ -806,150 +1359,21 @@ SurfaceSplatKernel::Rendering::SplatEach(std::size_t band)
   }
 }
 
-template <int VDegree>
-void
-SurfaceSplatKernel::Rendering::Bin(std::size_t band)
-{
-  constexpr int              taps = VDegree + 1;
-  constexpr int              before = (VDegree - 1) / 2;
-  const SurfaceSplatKernel & kernel = m_Kernel;
-  const std::int64_t         bandRow = kernel.m_FirstBandRow + static_cast<std::int64_t>(band) * BandHeight;
-  const std::int64_t         firstRow = std::max(bandRow, m_Nodes.startV);
-  const std::int64_t         endRow = std::min(bandRow + BandHeight, m_Nodes.startV + m_Nodes.sizeV);
-  const std::int64_t         firstColumn = m_Nodes.startU;
-  const std::int64_t         endColumn = m_Nodes.startU + m_Nodes.sizeU;
-  const std::int64_t         stride = m_Nodes.sizeU;
-  float * const              origin = m_NodeValues.data() - m_Nodes.startU - m_Nodes.startV * stride;
-  for (std::size_t s = kernel.m_BandBegin[band]; s < kernel.m_BandBegin[band + 1]; ++s)
-  {
-    const std::int64_t floorU = FloorToInteger(kernel.m_U[s]);
-    const std::int64_t floorV = FloorToInteger(kernel.m_V[s]);
-    const std::int64_t u0 = floorU - before;
-    const std::int64_t v0 = floorV - before;
-    const std::int64_t rowBegin = std::max(v0, firstRow);
-    const std::int64_t rowEnd = std::min(v0 + taps, endRow);
-    const std::int64_t begin = std::max(u0, firstColumn);
-    const std::int64_t end = std::min(u0 + taps, endColumn);
-    if (rowBegin >= rowEnd || begin >= end)
-    {
-      continue;
-    }
-    float wu[taps];
-    float wv[taps];
-    SplineWeights<VDegree>(static_cast<float>(kernel.m_U[s] - static_cast<double>(floorU)), wu);
-    SplineWeights<VDegree>(static_cast<float>(kernel.m_V[s] - static_cast<double>(floorV)), wv);
-    const float weight = kernel.m_Weight[s];
-    if (end - begin == taps && rowEnd - rowBegin == taps)
-    {
-      float * node = origin + v0 * stride + u0;
-      for (int j = 0; j < taps; ++j, node += stride)
-      {
-        AddScaledRow(node, wu, weight * wv[j], taps);
-      }
-    }
-    else
-    {
-      for (std::int64_t row = rowBegin; row < rowEnd; ++row)
-      {
-        AddScaledRow(
-          origin + row * stride + begin, wu + (begin - u0), weight * wv[row - v0], static_cast<int>(end - begin));
-      }
-    }
-  }
-}
-
-namespace
-{
-constexpr int FilterBlock = 32;
-
-/** sum_k h_k (in[-k step] + in[+k step]) for `count` neighbouring columns, in a fixed order. */
-template <bool VAdd>
-inline void
-FilterBlockOf(const float * in, std::ptrdiff_t step, const std::vector<float> & h, float * out, int count)
-{
-  float     sum[FilterBlock];
-  const int radius = static_cast<int>(h.size()) - 1;
-  if (count == FilterBlock)
-  {
-    for (int i = 0; i < FilterBlock; ++i)
-    {
-      sum[i] = h[0] * in[i];
-    }
-    for (int k = 1; k <= radius; ++k)
-    {
-      const float * before = in - k * step;
-      const float * after = in + k * step;
-      const float   weight = h[k];
-      for (int i = 0; i < FilterBlock; ++i)
-      {
-        sum[i] += weight * (before[i] + after[i]);
-      }
-    }
-  }
-  else
-  {
-    for (int i = 0; i < count; ++i)
-    {
-      sum[i] = h[0] * in[i];
-      for (int k = 1; k <= radius; ++k)
-      {
-        sum[i] += h[k] * (in[i - k * step] + in[i + k * step]);
-      }
-    }
-  }
-  for (int i = 0; i < count; ++i)
-  {
-    out[i] = VAdd ? out[i] + sum[i] : sum[i];
-  }
-}
-} // namespace
-
-void
-SurfaceSplatKernel::Rendering::FilterRows(std::size_t job)
-{
-  const std::int64_t begin = m_Nodes.startV + static_cast<std::int64_t>(job) * BandHeight;
-  const std::int64_t end = std::min(begin + BandHeight, m_Nodes.startV + m_Nodes.sizeV);
-  const auto         radius = static_cast<std::int64_t>(m_Kernel.m_FilterU.size()) - 1;
-  std::vector<float> filtered(static_cast<std::size_t>(m_Reached.sizeU));
-  for (std::int64_t row = begin; row < end; ++row)
-  {
-    // No weight was binned outside these rows.
-    if (row < m_Kernel.m_SplatBounds.startV || row >= m_Kernel.m_SplatBounds.startV + m_Kernel.m_SplatBounds.sizeV)
-    {
-      continue;
-    }
-    float * nodes = m_NodeValues.data() + (row - m_Nodes.startV) * m_Nodes.sizeU;
-    for (std::int64_t column = 0; column < m_Reached.sizeU; column += FilterBlock)
-    {
-      FilterBlockOf<false>(nodes + radius + column,
-                           1,
-                           m_Kernel.m_FilterU,
-                           filtered.data() + column,
-                           static_cast<int>(std::min<std::int64_t>(FilterBlock, m_Reached.sizeU - column)));
-    }
-    std::copy(filtered.begin(), filtered.end(), nodes + radius);
-  }
-}
-
 void
 SurfaceSplatKernel::Rendering::FilterColumns(std::size_t job)
 {
   const std::int64_t begin = m_Reached.startV + static_cast<std::int64_t>(job) * BandHeight;
   const std::int64_t end = std::min(begin + BandHeight, m_Reached.startV + m_Reached.sizeV);
-  const auto         radius = static_cast<std::int64_t>(m_Kernel.m_FilterU.size()) - 1;
   for (std::int64_t row = begin; row < end; ++row)
   {
-    const float * nodes = m_NodeValues.data() + (row - m_Nodes.startV) * m_Nodes.sizeU + radius;
-    float *       out =
+    float * out =
       m_Buffer + (row - m_Region.startV) * static_cast<std::int64_t>(m_Stride) + (m_Reached.startU - m_Region.startU);
-    for (std::int64_t column = 0; column < m_Reached.sizeU; column += FilterBlock)
-    {
-      FilterBlockOf<true>(nodes + column,
-                          m_Nodes.sizeU,
-                          m_Kernel.m_FilterV,
-                          out + column,
-                          static_cast<int>(std::min<std::int64_t>(FilterBlock, m_Reached.sizeU - column)));
-    }
+    FilterColumn(m_NodeValues.data(),
+                 m_NodeRows.sizeV,
+                 row - m_NodeRows.startV,
+                 m_Kernel.m_FilterV,
+                 out,
+                 static_cast<std::int32_t>(m_Reached.sizeU));
   }
 }
 
