@@ -234,18 +234,18 @@ private:
     int                rows{ 0 };
     std::vector<float> values;
   };
-  /** A splat of a band: floor of its position from the domain's first node, and the rest. */
-  struct SplatType
+  /** Splats [begin, end) that reach the same bands. */
+  struct RunType
   {
-    std::int32_t u;
-    std::int32_t v;
-    float        fractionU;
-    float        fractionV;
-    float        weight;
+    std::size_t begin;
+    std::size_t end;
   };
   static TableType
   MakeTable(double sigma, double tolerance, double & error);
 
+  template <typename TFunction>
+  void
+  ForEachSplat(std::size_t band, TFunction && visit) const;
   void
   SortIntoBands(const SurfaceSplatLayer & layer, unsigned int threads);
 
@@ -266,16 +266,17 @@ private:
 
   /** The image, or its nodes: wider by the filter's radius. */
   SurfaceSplatRegion m_Domain;
-  /** Splats by band of the domain's rows; a splat that reaches two bands is in both. */
-  std::vector<std::size_t> m_BandBegin;
-  std::vector<SplatType>   m_Splats;
-  std::vector<float>       m_SigmaU;
-  std::vector<float>       m_SigmaV;
-  /** Memory for sorting the next layer. */
+  /** Floors of the positions, from the domain's first node, and the rest. */
   std::vector<std::int32_t> m_WholeU;
   std::vector<std::int32_t> m_WholeV;
   std::vector<float>        m_FractionU;
   std::vector<float>        m_FractionV;
+  std::vector<float>        m_Weight;
+  std::vector<float>        m_SigmaU;
+  std::vector<float>        m_SigmaV;
+  /** Runs of splats by band of the domain's rows; one that reaches two bands is in both. */
+  std::vector<std::size_t> m_BandBegin;
+  std::vector<RunType>     m_Runs;
 };
 
 SurfaceDRR_EXPORT std::ostream &

@@ -18,6 +18,7 @@
 #include "itkSurfaceSplatKernel.h"
 
 #include "itkParallelFor.h"
+#include "itkVectorClones.h"
 
 #include <algorithm>
 #include <array>
@@ -33,11 +34,9 @@ namespace itk
 {
 namespace
 {
-constexpr int BandHeight = 32;
-/** In place of a splat's row. */
-constexpr std::int32_t OutOfReach = INT32_MIN;
-constexpr double       LargestSigma = 1000.0;
-constexpr double       LargestPosition = std::numeric_limits<double>::max();
+constexpr int    BandHeight = 32;
+constexpr double LargestSigma = 1000.0;
+constexpr double LargestPosition = std::numeric_limits<double>::max();
 /** Of an image's width and height: indices are of 32 bits within. */
 constexpr std::int64_t LargestSize = 1 << 28;
 /** A square table that is not wider (pixels) is added in aligned rows. */
@@ -188,21 +187,120 @@ SplineWeights(float f, Float4 * w)
   }
 }
 
+#if defined(__GNUC__)
+#  define Restrict __restrict__
+#else
+#  define Restrict
+#endif
+
+constexpr std::size_t ProjectedBlock = 64;
+
+/** \return whether all points are finite and in front of the source. */
+itkVectorClones bool
+ProjectBlock(const SurfaceSplatProjector & projector,
+             const double (*Restrict points)[3],
+             const double * Restrict areas,
+             int                     count,
+             double                  factor,
+             double * Restrict       us,
+             double * Restrict       vs,
+             float * Restrict        weights,
+             double * Restrict       depths)
+{
+  const std::array<double, 12> m = projector.projection.matrix;
+  const double                 magnification = projector.sourceToDetector / projector.sourceToMidsagittal;
+  const double                 slopeU = projector.pixelSpacing[0] / projector.sourceToDetector;
+  const double                 slopeV = projector.pixelSpacing[1] / projector.sourceToDetector;
+  const double                 x0 = projector.principalPoint[0] * slopeU;
+  const double                 y0 = projector.principalPoint[1] * slopeV;
+  const double                 scaleU = projector.scale[0];
+  const double                 scaleV = projector.scale[1];
+  const double                 offsetU = projector.offset[0];
+  const double                 offsetV = projector.offset[1];
+  const double                 constant = projector.physical ? 0.0 : factor;
+  const double                 physical = projector.physical ? factor * magnification * magnification : 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = points[i][0];
+    const double y = points[i][1];
+    const double z = points[i][2];
+    const double depth = m[8] * x + m[9] * y + m[10] * z + m[11];
+    const double inverse = 1.0 / depth;
+    const double u = (m[0] * x + m[1] * y + m[2] * z + m[3]) * inverse;
+    const double v = (m[4] * x + m[5] * y + m[6] * z + m[7]) * inverse;
+    const double slope = u * slopeU - x0;
+    const double rise = v * slopeV - y0;
+    const double obliquity = std::sqrt(1.0 + slope * slope + rise * rise);
+    us[i] = scaleU * u + offsetU;
+    vs[i] = scaleV * v + offsetV;
+    weights[i] = static_cast<float>(areas[i] * (constant + physical * inverse * inverse * obliquity));
+    depths[i] = depth;
+  }
+  std::int64_t bad = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    // None is true of a value that is not a number.
+    bad |= static_cast<std::int64_t>(!(depths[i] > 0.0)) |
+           static_cast<std::int64_t>(!(std::abs(us[i]) <= LargestPosition)) |
+           static_cast<std::int64_t>(!(std::abs(vs[i]) <= LargestPosition));
+  }
+  return bad == 0;
+}
+
+/** Smallest and largest value, in lanes that do not wait for each other. \return whether all are finite. */
+itkVectorClones bool
+FiniteRange(const double * values, std::size_t count, double range[2])
+{
+  constexpr int lanes = 8;
+  double        low[lanes];
+  double        high[lanes];
+  std::fill_n(low, lanes, LargestPosition);
+  std::fill_n(high, lanes, -LargestPosition);
+  // A difference is not a number where either is none or infinite, and stays so in the sum.
+  double      sum[lanes] = {};
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes)
+  {
+    for (int k = 0; k < lanes; ++k)
+    {
+      const double x = values[i + static_cast<std::size_t>(k)];
+      low[k] = x < low[k] ? x : low[k];
+      high[k] = x > high[k] ? x : high[k];
+      sum[k] += x - x;
+    }
+  }
+  for (; i < count; ++i)
+  {
+    low[0] = values[i] < low[0] ? values[i] : low[0];
+    high[0] = values[i] > high[0] ? values[i] : high[0];
+    sum[0] += values[i] - values[i];
+  }
+  for (int k = 1; k < lanes; ++k)
+  {
+    low[0] = std::min(low[0], low[k]);
+    high[0] = std::max(high[0], high[k]);
+    sum[0] += sum[k];
+  }
+  range[0] = low[0];
+  range[1] = high[0];
+  return sum[0] == 0.0;
+}
+
 constexpr int SplitBlock = 256;
 
 /** Positions relative to a start, cut into floor and rest, those far from [0, size) moved near, and the
  * range of the floors. Adding 1.5 * 2^30
  * leaves a double with 22 fractional bits at the end of its mantissa: floor and rest are bits of it, which needs
  * neither a library call nor a newer instruction set. */
-void
-SplitPositions(const double * positions,
-               int            count,
-               std::int64_t   start,
-               std::int32_t   size,
-               std::int32_t   half,
-               std::int32_t * whole,
-               float *        rest,
-               std::int32_t   range[2])
+itkVectorClones void
+SplitPositions(const double * Restrict positions,
+               int                     count,
+               std::int64_t            start,
+               std::int32_t            size,
+               std::int32_t            half,
+               std::int32_t * Restrict whole,
+               float * Restrict        rest,
+               std::int32_t            range[2])
 {
   constexpr double        shift = 1610612736.0;
   constexpr std::uint64_t fractionMask = (1u << 22) - 1;
@@ -408,51 +506,24 @@ SurfaceSplatProjector::Project(const double (*points)[3],
                                double              factor,
                                SurfaceSplatLayer & layer) const
 {
-  const auto & m = projection.matrix;
-  const double magnification = sourceToDetector / sourceToMidsagittal;
-  const double x0 = principalPoint[0];
-  const double y0 = principalPoint[1];
-  const double slopeU = pixelSpacing[0] / sourceToDetector;
-  const double slopeV = pixelSpacing[1] / sourceToDetector;
-  const double weightOf[2] = { physical ? 0.0 : factor, physical ? factor * magnification * magnification : 0.0 };
   // In blocks without a branch, which vectorise.
-  constexpr std::size_t blockSize = 64;
-  for (std::size_t begin = first; begin < last; begin += blockSize)
+  for (std::size_t begin = first; begin < last; begin += ProjectedBlock)
   {
-    const std::size_t end = std::min(begin + blockSize, last);
-    double * const    us = layer.u.data();
-    double * const    vs = layer.v.data();
-    float * const     weights = layer.weight.data();
-    double            depths[blockSize];
-    int               bad = 0;
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      const double x = points[i][0];
-      const double y = points[i][1];
-      const double z = points[i][2];
-      const double depth = m[8] * x + m[9] * y + m[10] * z + m[11];
-      const double inverse = 1.0 / depth;
-      const double u = (m[0] * x + m[1] * y + m[2] * z + m[3]) * inverse;
-      const double v = (m[4] * x + m[5] * y + m[6] * z + m[7]) * inverse;
-      const double slope = (u - x0) * slopeU;
-      const double rise = (v - y0) * slopeV;
-      const double obliquity = std::sqrt(1.0 + slope * slope + rise * rise);
-      us[i] = scale[0] * u + offset[0];
-      vs[i] = scale[1] * v + offset[1];
-      weights[i] = static_cast<float>(areas[i] * (weightOf[0] + weightOf[1] * inverse * inverse * obliquity));
-      depths[i - begin] = depth;
-    }
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      // Neither is true of a value that is not a number.
-      bad += static_cast<int>(!(depths[i - begin] > 0.0)) + static_cast<int>(!(std::abs(us[i]) <= LargestPosition)) +
-             static_cast<int>(!(std::abs(vs[i]) <= LargestPosition));
-    }
-    if (bad != 0)
+    const std::size_t end = std::min(begin + ProjectedBlock, last);
+    double            depths[ProjectedBlock];
+    if (!ProjectBlock(*this,
+                      points + begin,
+                      areas + begin,
+                      static_cast<int>(end - begin),
+                      factor,
+                      layer.u.data() + begin,
+                      layer.v.data() + begin,
+                      layer.weight.data() + begin,
+                      depths))
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        if (!(depths[i - begin] > 0.0) || !std::isfinite(us[i]) || !std::isfinite(vs[i]))
+        if (!(depths[i - begin] > 0.0) || !std::isfinite(layer.u[i]) || !std::isfinite(layer.v[i]))
         {
           return i;
         }
@@ -528,14 +599,14 @@ SurfaceSplatKernel::Prepare(const SurfaceSplatLayer &  layer,
       fail("The image is ", static_cast<double>(size), " pixels wide or high; give 0 to 2^28.");
     }
   }
-  int bad = 0;
+  double rangeU[2];
+  double rangeV[2];
+  bool   finite = FiniteRange(layer.u.data(), count, rangeU) && FiniteRange(layer.v.data(), count, rangeV);
   for (std::size_t i = 0; i < count; ++i)
   {
-    bad |= static_cast<int>(!(std::abs(layer.u[i]) <= LargestPosition)) |
-           static_cast<int>(!(std::abs(layer.v[i]) <= LargestPosition)) |
-           static_cast<int>(!(std::abs(layer.weight[i]) <= std::numeric_limits<float>::max()));
+    finite &= std::abs(layer.weight[i]) <= std::numeric_limits<float>::max();
   }
-  for (std::size_t i = 0; bad != 0 && i < count; ++i)
+  for (std::size_t i = 0; !finite && i < count; ++i)
   {
     if (!std::isfinite(layer.u[i]) || !std::isfinite(layer.v[i]) || !std::isfinite(layer.weight[i]))
     {
@@ -575,21 +646,12 @@ SurfaceSplatKernel::Prepare(const SurfaceSplatLayer &  layer,
   {
     // Costs in nanoseconds, measured; only their order matters. The area is the layer's, not a region's, so that every
     // region chooses alike.
-    double low[2] = { 1e300, 1e300 };
-    double high[2] = { -1e300, -1e300 };
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      low[0] = std::min(low[0], layer.u[i]);
-      low[1] = std::min(low[1], layer.v[i]);
-      high[0] = std::max(high[0], layer.u[i]);
-      high[1] = std::max(high[1], layer.v[i]);
-    }
     const double rU = m_Cut * layer.sigmaU;
     const double rV = m_Cut * layer.sigmaV;
     const double width =
-      std::min<double>(high[0] + rU, image.startU + image.sizeU) - std::max<double>(low[0] - rU, image.startU);
+      std::min<double>(rangeU[1] + rU, image.startU + image.sizeU) - std::max<double>(rangeU[0] - rU, image.startU);
     const double height =
-      std::min<double>(high[1] + rV, image.startV + image.sizeV) - std::max<double>(low[1] - rV, image.startV);
+      std::min<double>(rangeV[1] + rV, image.startV + image.sizeV) - std::max<double>(rangeV[0] - rV, image.startV);
     const double area = std::max(0.0, width) * std::max(0.0, height);
     const double n = static_cast<double>(count);
     const double tableCost = n * (10.0 + 0.35 * 4.0 * std::ceil(rU) * std::ceil(rV));
@@ -695,148 +757,139 @@ SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer, unsigned int 
       halfU = m_TableU.taps / 2;
       halfV = m_TableV.taps / 2;
   }
-  // The first pass cuts positions into whole and rest and counts the splats of a band, the second puts them there. Both
-  // run over chunks of splats, of which the counts are put one after the other: the order is that of the numbers.
+  // Neighbours on the surface mostly lie in the same bands: runs of them are put in order, not the splats. They are
+  // made in chunks of splats, one after the other: the order is that of the numbers.
   const auto sizeU = static_cast<std::int32_t>(m_Domain.sizeU);
   const auto sizeV = static_cast<std::int32_t>(m_Domain.sizeV);
-  const auto halvesOf = [&](std::size_t i, std::int32_t & hu, std::int32_t & hv) {
-    if (perSplat)
-    {
-      hu = std::max(1, static_cast<std::int32_t>(std::ceil(m_Cut * (narrow ? layer.sigmaU : layer.sigmaUs[i]))));
-      hv = std::max(1, static_cast<std::int32_t>(std::ceil(m_Cut * (narrow ? layer.sigmaV : layer.sigmaVs[i]))));
-    }
-  };
   m_WholeU.resize(count);
   m_WholeV.resize(count);
   m_FractionU.resize(count);
   m_FractionV.resize(count);
-  const std::size_t chunks = std::min<std::size_t>(threads, 1 + count / 4096);
+  m_Weight = layer.weight;
+  if (narrow)
+  {
+    m_SigmaU.assign(count, static_cast<float>(layer.sigmaU));
+    m_SigmaV.assign(count, static_cast<float>(layer.sigmaV));
+  }
+  else
+  {
+    m_SigmaU = layer.sigmaUs;
+    m_SigmaV = layer.sigmaVs;
+  }
   struct ChunkType
   {
-    /** Of bands; while counting, the difference from the band before. */
-    std::vector<std::size_t> next;
-    std::size_t              splats{ 0 };
-    std::int32_t             bounds[4] = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
+    std::vector<RunType>       runs;
+    std::vector<std::uint64_t> bandsOfRuns;
+    std::size_t                splats{ 0 };
+    std::int32_t               bounds[4] = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
   };
+  const std::size_t      chunks = std::min<std::size_t>(threads, 1 + count / 4096);
   std::vector<ChunkType> work(chunks);
-  const auto             chunkBegin = [count, chunks](std::size_t chunk) { return count * chunk / chunks; };
   ParallelFor(chunks, threads, [&](std::size_t number) {
-    ChunkType & chunk = work[number];
-    chunk.next.assign(bands + 1, 0);
-    std::size_t * const difference = chunk.next.data();
-    auto                hu = static_cast<std::int32_t>(halfU);
-    auto                hv = static_cast<std::int32_t>(halfV);
-    const auto          cut = static_cast<std::int32_t>(perSplat ? std::ceil(m_Cut * LargestSigma) : std::max(hu, hv));
-    for (std::size_t begin = chunkBegin(number); begin < chunkBegin(number + 1); begin += SplitBlock)
+    ChunkType &       chunk = work[number];
+    const std::size_t chunkEnd = count * (number + 1) / chunks;
+    auto              hu = static_cast<std::int32_t>(halfU);
+    auto              hv = static_cast<std::int32_t>(halfV);
+    const auto        cut = static_cast<std::int32_t>(perSplat ? std::ceil(m_Cut * LargestSigma) : std::max(hu, hv));
+    constexpr auto    none = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t     bandsOfRun = none;
+    for (std::size_t begin = count * number / chunks; begin < chunkEnd; begin += SplitBlock)
     {
-      const auto           size = static_cast<int>(std::min<std::size_t>(SplitBlock, chunkBegin(number + 1) - begin));
-      std::int32_t * const us = m_WholeU.data() + begin;
-      std::int32_t * const vs = m_WholeV.data() + begin;
-      std::int32_t         rangeU[2];
-      std::int32_t         rangeV[2];
-      SplitPositions(layer.u.data() + begin, size, m_Domain.startU, sizeU, cut, us, m_FractionU.data() + begin, rangeU);
-      SplitPositions(layer.v.data() + begin, size, m_Domain.startV, sizeV, cut, vs, m_FractionV.data() + begin, rangeV);
-      chunk.splats += static_cast<std::size_t>(size);
-      if (perSplat || rangeU[0] + hu < 0 || rangeU[1] - hu + 1 >= sizeU || rangeV[0] + hv < 0 ||
-          rangeV[1] - hv + 1 >= sizeV)
+      const auto                 size = static_cast<int>(std::min<std::size_t>(SplitBlock, chunkEnd - begin));
+      const std::int32_t * const us = m_WholeU.data() + begin;
+      const std::int32_t * const vs = m_WholeV.data() + begin;
+      std::int32_t               rangeU[2];
+      std::int32_t               rangeV[2];
+      SplitPositions(layer.u.data() + begin,
+                     size,
+                     m_Domain.startU,
+                     sizeU,
+                     cut,
+                     m_WholeU.data() + begin,
+                     m_FractionU.data() + begin,
+                     rangeU);
+      SplitPositions(layer.v.data() + begin,
+                     size,
+                     m_Domain.startV,
+                     sizeV,
+                     cut,
+                     m_WholeV.data() + begin,
+                     m_FractionV.data() + begin,
+                     rangeV);
+      const bool allReach = !perSplat && rangeU[0] + hu >= 0 && rangeU[1] - hu + 1 < sizeU && rangeV[0] + hv >= 0 &&
+                            rangeV[1] - hv + 1 < sizeV;
+      if (allReach)
       {
-        // Not all of them reach the domain.
-        rangeU[0] = rangeV[0] = INT32_MAX;
-        rangeU[1] = rangeV[1] = INT32_MIN;
-        for (int i = 0; i < size; ++i)
+        chunk.splats += static_cast<std::size_t>(size);
+        chunk.bounds[0] = std::min(chunk.bounds[0], rangeU[0] - hu + 1);
+        chunk.bounds[1] = std::min(chunk.bounds[1], rangeV[0] - hv + 1);
+        chunk.bounds[2] = std::max(chunk.bounds[2], rangeU[1] + hu);
+        chunk.bounds[3] = std::max(chunk.bounds[3], rangeV[1] + hv);
+      }
+      for (int i = 0; i < size; ++i)
+      {
+        const std::size_t splat = begin + static_cast<std::size_t>(i);
+        if (!allReach)
         {
-          halvesOf(begin + static_cast<std::size_t>(i), hu, hv);
+          if (perSplat)
+          {
+            hu = std::max(1, static_cast<std::int32_t>(std::ceil(m_Cut * m_SigmaU[splat])));
+            hv = std::max(1, static_cast<std::int32_t>(std::ceil(m_Cut * m_SigmaV[splat])));
+          }
           if (us[i] + hu < 0 || us[i] - hu + 1 >= sizeU || vs[i] + hv < 0 || vs[i] - hv + 1 >= sizeV)
           {
-            vs[i] = OutOfReach;
-            --chunk.splats;
+            bandsOfRun = none;
             continue;
           }
+          ++chunk.splats;
           chunk.bounds[0] = std::min(chunk.bounds[0], us[i] - hu + 1);
           chunk.bounds[1] = std::min(chunk.bounds[1], vs[i] - hv + 1);
           chunk.bounds[2] = std::max(chunk.bounds[2], us[i] + hu);
           chunk.bounds[3] = std::max(chunk.bounds[3], vs[i] + hv);
-          ++difference[std::max(vs[i] - hv + 1, 0) / BandHeight];
-          --difference[std::min(vs[i] + hv, sizeV - 1) / BandHeight + 1];
         }
-        continue;
-      }
-      chunk.bounds[0] = std::min(chunk.bounds[0], rangeU[0] - hu + 1);
-      chunk.bounds[1] = std::min(chunk.bounds[1], rangeV[0] - hv + 1);
-      chunk.bounds[2] = std::max(chunk.bounds[2], rangeU[1] + hu);
-      chunk.bounds[3] = std::max(chunk.bounds[3], rangeV[1] + hv);
-      for (int i = 0; i < size; ++i)
-      {
-        ++difference[static_cast<std::uint32_t>(std::max(vs[i] - hv + 1, 0)) / BandHeight];
-        --difference[static_cast<std::uint32_t>(std::min(vs[i] + hv, sizeV - 1)) / BandHeight + 1];
+        const std::uint32_t first = static_cast<std::uint32_t>(std::max(vs[i] - hv + 1, 0)) / BandHeight;
+        const std::uint32_t last = static_cast<std::uint32_t>(std::min(vs[i] + hv, sizeV - 1)) / BandHeight;
+        const std::uint64_t both = first | static_cast<std::uint64_t>(last) << 32;
+        if (both != bandsOfRun)
+        {
+          bandsOfRun = both;
+          chunk.runs.push_back({ splat, splat });
+          chunk.bandsOfRuns.push_back(both);
+        }
+        chunk.runs.back().end = splat + 1;
       }
     }
   });
   std::int32_t bounds[4] = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
-  for (ChunkType & chunk : work)
+  const auto   forEachRun = [&work](auto && visit) {
+    for (const ChunkType & chunk : work)
+    {
+      for (std::size_t run = 0; run < chunk.runs.size(); ++run)
+      {
+        const auto last = static_cast<std::size_t>(chunk.bandsOfRuns[run] >> 32);
+        for (std::size_t band = chunk.bandsOfRuns[run] & 0xffffffffu; band <= last; ++band)
+        {
+          visit(band, chunk.runs[run]);
+        }
+      }
+    }
+  };
+  for (const ChunkType & chunk : work)
   {
     m_NumberOfSplats += chunk.splats;
     bounds[0] = std::min(bounds[0], chunk.bounds[0]);
     bounds[1] = std::min(bounds[1], chunk.bounds[1]);
     bounds[2] = std::max(bounds[2], chunk.bounds[2]);
     bounds[3] = std::max(bounds[3], chunk.bounds[3]);
-    for (std::size_t band = 1; band < bands; ++band)
-    {
-      chunk.next[band] += chunk.next[band - 1];
-    }
   }
-  std::size_t total = 0;
+  forEachRun([this](std::size_t band, const RunType &) { ++m_BandBegin[band + 1]; });
   for (std::size_t band = 0; band < bands; ++band)
   {
-    m_BandBegin[band] = total;
-    for (ChunkType & chunk : work)
-    {
-      const std::size_t splats = chunk.next[band];
-      chunk.next[band] = total;
-      total += splats;
-    }
+    m_BandBegin[band + 1] += m_BandBegin[band];
   }
-  m_BandBegin[bands] = total;
-  m_Splats.resize(total);
-  m_SigmaU.resize(perSplat ? total : 0);
-  m_SigmaV.resize(perSplat ? total : 0);
-  ParallelFor(chunks, threads, [&](std::size_t number) {
-    std::size_t * const next = work[number].next.data();
-    auto                hu = static_cast<std::int32_t>(halfU);
-    auto                hv = static_cast<std::int32_t>(halfV);
-    SplatType           unused;
-    for (std::size_t i = chunkBegin(number); i < chunkBegin(number + 1); ++i)
-    {
-      const std::int32_t v = m_WholeV[i];
-      if (v == OutOfReach)
-      {
-        continue;
-      }
-      halvesOf(i, hu, hv);
-      const SplatType     splat{ m_WholeU[i], v, m_FractionU[i], m_FractionV[i], layer.weight[i] };
-      const std::uint32_t first = static_cast<std::uint32_t>(std::max(v - hv + 1, 0)) / BandHeight;
-      const std::uint32_t last = static_cast<std::uint32_t>(std::min(v + hv, sizeV - 1)) / BandHeight;
-      if (!perSplat && last - first <= 1)
-      {
-        // One band or two, which is hard to predict: the second store goes somewhere else for one.
-        m_Splats[next[first]++] = splat;
-        SplatType & second = last != first ? m_Splats[next[last]] : unused;
-        second = splat;
-        next[last] += static_cast<std::size_t>(last != first);
-        continue;
-      }
-      for (std::uint32_t band = first; band <= last; ++band)
-      {
-        const std::size_t slot = next[band]++;
-        m_Splats[slot] = splat;
-        if (perSplat)
-        {
-          m_SigmaU[slot] = narrow ? static_cast<float>(layer.sigmaU) : layer.sigmaUs[i];
-          m_SigmaV[slot] = narrow ? static_cast<float>(layer.sigmaV) : layer.sigmaVs[i];
-        }
-      }
-    }
-  });
+  m_Runs.resize(m_BandBegin[bands]);
+  std::vector<std::size_t> next(m_BandBegin.begin(), m_BandBegin.end());
+  forEachRun([this, &next](std::size_t band, const RunType & run) { m_Runs[next[band]++] = run; });
   if (m_NumberOfSplats > 0)
   {
     m_SplatBounds.startU = m_Domain.startU + bounds[0];
@@ -956,28 +1009,42 @@ struct AlignedRows
   }
 };
 
-/** Adds the splats of a band whose taps reach rows and columns of nodes. */
-template <int VDegree, typename TSplat>
+/** The arrays of a kernel's splats. */
+struct SplatArrays
+{
+  const std::int32_t * wholeU;
+  const std::int32_t * wholeV;
+  const float *        fractionU;
+  const float *        fractionV;
+  const float *        weight;
+};
+
+/** Adds the splats [i, end) of a band whose taps reach rows and columns of nodes. */
+template <int VDegree>
 void
-BinSplats(
-  const TSplat * splats, const TSplat * end, const AlignedRows & rows, std::int32_t endRow, std::int32_t endColumn)
+BinSplats(const SplatArrays & splats,
+          std::size_t         i,
+          std::size_t         end,
+          const AlignedRows & rows,
+          std::int32_t        endRow,
+          std::int32_t        endColumn)
 {
   constexpr int taps = VDegree + 1;
   constexpr int before = (VDegree - 1) / 2;
   constexpr int vectors = (taps + 3) / 4;
-  for (; splats != end; ++splats)
+  for (; i < end; ++i)
   {
-    const std::int32_t u0 = splats->u - before;
-    const std::int32_t v0 = splats->v - before;
+    const std::int32_t u0 = splats.wholeU[i] - before;
+    const std::int32_t v0 = splats.wholeV[i] - before;
     if (u0 < rows.firstColumn || u0 >= endColumn || v0 < rows.firstRow || v0 >= endRow)
     {
       continue;
     }
     Float4 wu[vectors];
     Float4 wv[vectors];
-    SplineWeights<VDegree>(splats->fractionU, wu);
-    SplineWeights<VDegree>(splats->fractionV, wv);
-    const Float4 weight = Broadcast(splats->weight);
+    SplineWeights<VDegree>(splats.fractionU[i], wu);
+    SplineWeights<VDegree>(splats.fractionV[i], wv);
+    const Float4 weight = Broadcast(splats.weight[i]);
     Float4 *     at = rows.At(v0, u0);
     for (int k = 0; k < vectors; ++k)
     {
@@ -1012,10 +1079,11 @@ TableWeights(const TTable & table, float fraction, Float4 * w)
 }
 
 /** The same by tables of so many taps. */
-template <int VTaps, typename TSplat, typename TTable>
+template <int VTaps, typename TTable>
 void
-AddTableSplats(const TSplat *      splats,
-               const TSplat *      end,
+AddTableSplats(const SplatArrays & splats,
+               std::size_t         i,
+               std::size_t         end,
                const TTable &      tableU,
                const TTable &      tableV,
                const AlignedRows & rows,
@@ -1023,10 +1091,10 @@ AddTableSplats(const TSplat *      splats,
                std::int32_t        endColumn)
 {
   constexpr int vectors = (VTaps + 3) / 4;
-  for (; splats != end; ++splats)
+  for (; i < end; ++i)
   {
-    const std::int32_t u0 = splats->u - VTaps / 2 + 1;
-    const std::int32_t v0 = splats->v - VTaps / 2 + 1;
+    const std::int32_t u0 = splats.wholeU[i] - VTaps / 2 + 1;
+    const std::int32_t v0 = splats.wholeV[i] - VTaps / 2 + 1;
     const int          first = std::max(0, rows.firstRow - v0);
     const int          last = std::min(VTaps, endRow - v0);
     if (u0 < rows.firstColumn || u0 >= endColumn || first >= last)
@@ -1035,11 +1103,11 @@ AddTableSplats(const TSplat *      splats,
     }
     Float4 wu[vectors];
     Float4 wv[vectors];
-    TableWeights<vectors>(tableU, splats->fractionU, wu);
-    TableWeights<vectors>(tableV, splats->fractionV, wv);
+    TableWeights<vectors>(tableU, splats.fractionU[i], wu);
+    TableWeights<vectors>(tableV, splats.fractionV[i], wv);
     for (Float4 & w : wu)
     {
-      w = w * Broadcast(splats->weight);
+      w = w * Broadcast(splats.weight[i]);
     }
     Float4 * at = rows.At(v0, u0);
     if (first == 0 && last == VTaps)
@@ -1071,7 +1139,7 @@ AddTableSplats(const TSplat *      splats,
 constexpr int FilterBlock = 32;
 
 /** out[i] = sum_k h_k (in[i + radius - k] + in[i + radius + k]), in a fixed order. */
-void
+itkVectorClones void
 FilterRow(const float * in, const std::vector<float> & h, float * out, std::int32_t count)
 {
   const int radius = static_cast<int>(h.size()) - 1;
@@ -1113,7 +1181,7 @@ FilterRow(const float * in, const std::vector<float> & h, float * out, std::int3
 }
 
 /** Adds to a row what rows row - radius ... row + radius of the nodes give, those that there are; in a fixed order. */
-void
+itkVectorClones void
 FilterColumn(const float *              nodes,
              std::int64_t               rows,
              std::int64_t               row,
@@ -1181,46 +1249,58 @@ SurfaceSplatKernel::Rendering::SplatAligned(std::size_t band)
                         Broadcast(0.0f));
   rows.copies = scratch.copies.data();
 
-  const SplatType * begin = kernel.m_Splats.data() + kernel.m_BandBegin[band];
-  const SplatType * end = kernel.m_Splats.data() + kernel.m_BandBegin[band + 1];
+  const SplatArrays splats{ kernel.m_WholeU.data(),
+                            kernel.m_WholeV.data(),
+                            kernel.m_FractionU.data(),
+                            kernel.m_FractionV.data(),
+                            kernel.m_Weight.data() };
+  const auto        forEachRun = [&](auto && visit) {
+    for (std::size_t run = kernel.m_BandBegin[band]; run < kernel.m_BandBegin[band + 1]; ++run)
+    {
+      visit(kernel.m_Runs[run].begin, kernel.m_Runs[run].end);
+    }
+  };
+  const auto addTable = [&](auto taps) {
+    forEachRun([&](std::size_t begin, std::size_t end) {
+      AddTableSplats<decltype(taps)::value>(
+        splats, begin, end, kernel.m_TableU, kernel.m_TableV, rows, endRow, endColumn);
+    });
+  };
   if (kernel.m_Method == MethodEnum::CubicSpline)
   {
-    BinSplats<3>(begin, end, rows, endRow, endColumn);
+    forEachRun([&](std::size_t begin, std::size_t end) { BinSplats<3>(splats, begin, end, rows, endRow, endColumn); });
   }
   else if (spline)
   {
-    BinSplats<5>(begin, end, rows, endRow, endColumn);
+    forEachRun([&](std::size_t begin, std::size_t end) { BinSplats<5>(splats, begin, end, rows, endRow, endColumn); });
   }
   else
   {
-    const auto add = [&](auto taps) {
-      AddTableSplats<decltype(taps)::value>(begin, end, kernel.m_TableU, kernel.m_TableV, rows, endRow, endColumn);
-    };
     switch (kernel.m_TableU.taps)
     {
       case 2:
-        add(std::integral_constant<int, 2>{});
+        addTable(std::integral_constant<int, 2>{});
         break;
       case 4:
-        add(std::integral_constant<int, 4>{});
+        addTable(std::integral_constant<int, 4>{});
         break;
       case 6:
-        add(std::integral_constant<int, 6>{});
+        addTable(std::integral_constant<int, 6>{});
         break;
       case 8:
-        add(std::integral_constant<int, 8>{});
+        addTable(std::integral_constant<int, 8>{});
         break;
       case 10:
-        add(std::integral_constant<int, 10>{});
+        addTable(std::integral_constant<int, 10>{});
         break;
       case 12:
-        add(std::integral_constant<int, 12>{});
+        addTable(std::integral_constant<int, 12>{});
         break;
       case 14:
-        add(std::integral_constant<int, 14>{});
+        addTable(std::integral_constant<int, 14>{});
         break;
       default:
-        add(std::integral_constant<int, 16>{});
+        addTable(std::integral_constant<int, 16>{});
     }
   }
 
@@ -1256,6 +1336,19 @@ SurfaceSplatKernel::Rendering::SplatAligned(std::size_t band)
   this->ReturnScratch(std::move(scratch));
 }
 
+template <typename TFunction>
+void
+SurfaceSplatKernel::ForEachSplat(std::size_t band, TFunction && visit) const
+{
+  for (std::size_t run = m_BandBegin[band]; run < m_BandBegin[band + 1]; ++run)
+  {
+    for (std::size_t splat = m_Runs[run].begin; splat < m_Runs[run].end; ++splat)
+    {
+      visit(splat);
+    }
+  }
+}
+
 void
 SurfaceSplatKernel::Rendering::SplatWideTable(std::size_t band)
 {
@@ -1269,21 +1362,19 @@ SurfaceSplatKernel::Rendering::SplatWideTable(std::size_t band)
   const std::int64_t         endColumn = m_Reached.startU + m_Reached.sizeU;
   float * const      origin = m_Buffer - m_Region.startU - m_Region.startV * static_cast<std::int64_t>(m_Stride);
   std::vector<float> rowTaps(static_cast<std::size_t>(tableU.taps));
-  for (std::size_t s = kernel.m_BandBegin[band]; s < kernel.m_BandBegin[band + 1]; ++s)
-  {
-    const SplatType &  splat = kernel.m_Splats[s];
-    const std::int64_t u0 = kernel.m_Domain.startU + splat.u - tableU.taps / 2 + 1;
-    const std::int64_t v0 = kernel.m_Domain.startV + splat.v - tableV.taps / 2 + 1;
+  kernel.ForEachSplat(band, [&](std::size_t s) {
+    const std::int64_t u0 = kernel.m_Domain.startU + kernel.m_WholeU[s] - tableU.taps / 2 + 1;
+    const std::int64_t v0 = kernel.m_Domain.startV + kernel.m_WholeV[s] - tableV.taps / 2 + 1;
     const std::int64_t rowBegin = std::max(v0, firstRow);
     const std::int64_t rowEnd = std::min(v0 + tableV.taps, endRow);
     const std::int64_t begin = std::max(u0, firstColumn);
     const std::int64_t end = std::min(u0 + tableU.taps, endColumn);
     if (rowBegin >= rowEnd || begin >= end)
     {
-      continue;
+      return;
     }
-    const float   sampleU = splat.fractionU * static_cast<float>(tableU.rows);
-    const float   sampleV = splat.fractionV * static_cast<float>(tableV.rows);
+    const float   sampleU = kernel.m_FractionU[s] * static_cast<float>(tableU.rows);
+    const float   sampleV = kernel.m_FractionV[s] * static_cast<float>(tableV.rows);
     const int     indexU = std::min(static_cast<int>(sampleU), tableU.rows - 1);
     const int     indexV = std::min(static_cast<int>(sampleV), tableV.rows - 1);
     const float   fractionU = sampleU - static_cast<float>(indexU);
@@ -1300,10 +1391,10 @@ SurfaceSplatKernel::Rendering::SplatWideTable(std::size_t band)
       const float w = valuesV[j] + fractionV * (valuesV[j + static_cast<std::size_t>(tableV.stride)] - valuesV[j]);
       AddScaledRow(origin + row * static_cast<std::int64_t>(m_Stride) + begin,
                    rowTaps.data() + (begin - u0),
-                   splat.weight * w,
+                   kernel.m_Weight[s] * w,
                    static_cast<int>(end - begin));
     }
-  }
+  });
 }
 
 void
@@ -1318,22 +1409,20 @@ SurfaceSplatKernel::Rendering::SplatEach(std::size_t band)
   float * const      origin = m_Buffer - m_Region.startU - m_Region.startV * static_cast<std::int64_t>(m_Stride);
   std::vector<float> taps(static_cast<std::size_t>(std::max<std::int64_t>(m_Reached.sizeU, BandHeight)) + 2);
   float              rowTaps[BandHeight];
-  for (std::size_t s = kernel.m_BandBegin[band]; s < kernel.m_BandBegin[band + 1]; ++s)
-  {
-    const SplatType &  splat = kernel.m_Splats[s];
+  kernel.ForEachSplat(band, [&](std::size_t s) {
     const double       sigmaU = kernel.m_SigmaU[s];
     const double       sigmaV = kernel.m_SigmaV[s];
     const auto         halfU = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(kernel.m_Cut * sigmaU)));
     const auto         halfV = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(kernel.m_Cut * sigmaV)));
-    const std::int64_t u0 = kernel.m_Domain.startU + splat.u - halfU + 1;
-    const std::int64_t v0 = kernel.m_Domain.startV + splat.v - halfV + 1;
+    const std::int64_t u0 = kernel.m_Domain.startU + kernel.m_WholeU[s] - halfU + 1;
+    const std::int64_t v0 = kernel.m_Domain.startV + kernel.m_WholeV[s] - halfV + 1;
     const std::int64_t rowBegin = std::max(v0, firstRow);
     const std::int64_t rowEnd = std::min(v0 + 2 * halfV, endRow);
     const std::int64_t begin = std::max(u0, firstColumn);
     const std::int64_t end = std::min(u0 + 2 * halfU, endColumn);
     if (rowBegin >= rowEnd || begin >= end)
     {
-      continue;
+      return;
     }
     const auto width = static_cast<int>(end - begin);
     const auto height = static_cast<int>(rowEnd - rowBegin);
@@ -1343,20 +1432,20 @@ SurfaceSplatKernel::Rendering::SplatEach(std::size_t band)
     const auto scaleV = static_cast<float>(std::max(-1e30, -0.5 / (sigmaV * sigmaV)));
     for (int i = 0; i < width; ++i)
     {
-      const float d = static_cast<float>(beginU + i) - splat.fractionU;
+      const float d = static_cast<float>(beginU + i) - kernel.m_FractionU[s];
       taps[i] = NegativeExp(d * d * scaleU);
     }
     for (int j = 0; j < height; ++j)
     {
-      const float d = static_cast<float>(beginV + j) - splat.fractionV;
-      rowTaps[j] = splat.weight * NegativeExp(d * d * scaleV);
+      const float d = static_cast<float>(beginV + j) - kernel.m_FractionV[s];
+      rowTaps[j] = kernel.m_Weight[s] * NegativeExp(d * d * scaleV);
     }
     float * pixel = origin + rowBegin * static_cast<std::int64_t>(m_Stride) + begin;
     for (int j = 0; j < height; ++j, pixel += m_Stride)
     {
       AddScaledRow(pixel, taps.data(), rowTaps[j], width);
     }
-  }
+  });
 }
 
 void
