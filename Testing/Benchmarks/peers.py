@@ -1,7 +1,7 @@
 """Peers in Python. PEERS maps the name of a peer, as registered by a benchmark, to a function that reads the arrays in
 a folder and returns what is timed."""
 import numpy
-from scipy import ndimage
+from scipy import ndimage, spatial
 
 
 def numpy_splats(folder):
@@ -22,6 +22,37 @@ def numpy_splats(folder):
     return run
 
 
+def scipy_trees(folder):
+    """Symmetric Chamfer value and gradient; neither tree moves, fixed points are mapped by the inverse similarity."""
+    fixed, moving = numpy.load(folder / "fixed.npy"), numpy.load(folder / "moving.npy")
+    poses = numpy.load(folder / "poses.npy")
+    fixed_tree, moving_tree = spatial.cKDTree(fixed), spatial.cKDTree(moving)
+
+    def add(rotated, difference, scale, gradient):
+        distance = numpy.sqrt((difference * difference).sum(1))
+        normal = difference / numpy.maximum(distance, 1e-300)[:, None]
+        gradient[0] += (normal * rotated).sum(1).mean() / scale
+        gradient[1] += (normal[:, 1] * rotated[:, 0] - normal[:, 0] * rotated[:, 1]).mean()
+        gradient[2:] += normal.mean(0)
+        return distance.mean()
+
+    def run():
+        for scale, angle, tx, ty in poses:
+            shift = numpy.array((tx, ty))
+            rotation = numpy.array(((numpy.cos(angle), -numpy.sin(angle)), (numpy.sin(angle), numpy.cos(angle))))
+            gradient = numpy.zeros(4)
+            rotated = scale * moving @ rotation.T
+            mapped = rotated + shift
+            value = add(rotated, mapped - fixed[fixed_tree.query(mapped)[1]], scale, gradient)
+            back = (fixed - shift) @ rotation / scale
+            rotated = scale * moving[moving_tree.query(back)[1]] @ rotation.T
+            value += add(rotated, rotated + shift - fixed, scale, gradient)
+        return value, gradient
+
+    return run
+
+
 PEERS = {
+    "scipy cKDTree": scipy_trees,
     "numpy add.at + gaussian_filter": numpy_splats,
 }
