@@ -104,6 +104,47 @@ MatchFixed(const Map & map, const ContourDistanceIndex & moving, double px, doub
   return MakePair(map, nearest.x, nearest.y, px, py);
 }
 
+/** Pairs of some points at a time, so that each step is a loop of its own that is vectorised. */
+constexpr std::size_t BatchSize = 64;
+struct PairBatch
+{
+  Pair   pairs[BatchSize];
+  double places[2 * BatchSize];
+  double nearest[2 * BatchSize];
+};
+
+inline void
+MatchMoving(const Map & map, const ContourDistanceIndex & fixed, const double * q, std::size_t count, PairBatch & batch)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    double rx;
+    double ry;
+    map.Rotate(q[2 * i], q[2 * i + 1], rx, ry);
+    batch.places[2 * i] = rx + map.tx;
+    batch.places[2 * i + 1] = ry + map.ty;
+  }
+  fixed.FindNearestPoints(batch.places, count, batch.nearest);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    batch.pairs[i] = MakePair(map, q[2 * i], q[2 * i + 1], batch.nearest[2 * i], batch.nearest[2 * i + 1]);
+  }
+}
+
+inline void
+MatchFixed(const Map & map, const ContourDistanceIndex & moving, const double * p, std::size_t count, PairBatch & batch)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    map.Invert(p[2 * i], p[2 * i + 1], batch.places[2 * i], batch.places[2 * i + 1]);
+  }
+  moving.FindNearestPoints(batch.places, count, batch.nearest);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    batch.pairs[i] = MakePair(map, batch.nearest[2 * i], batch.nearest[2 * i + 1], p[2 * i], p[2 * i + 1]);
+  }
+}
+
 /** Weighted mean over a side's points of the distance that the matcher gives, and its gradient. */
 template <typename TMatch>
 double
@@ -121,21 +162,27 @@ AccumulateMean(const std::vector<double> &          points,
   double            byAngle = 0.0;
   double            byX = 0.0;
   double            byY = 0.0;
-  for (std::size_t i = 0; i < count; ++i)
+  PairBatch         batch;
+  for (std::size_t first = 0; first < count; first += BatchSize)
   {
-    const Pair   pair = match(points[2 * i], points[2 * i + 1]);
-    const double weight = weights[i];
-    sumOfWeights += weight;
-    if (pair.distance >= truncation)
+    const std::size_t size = std::min(BatchSize, count - first);
+    match(&points[2 * first], size, batch);
+    for (std::size_t i = 0; i < size; ++i)
     {
-      sum += weight * truncation;
-      continue;
+      const Pair & pair = batch.pairs[i];
+      const double weight = weights[first + i];
+      sumOfWeights += weight;
+      if (pair.distance >= truncation)
+      {
+        sum += weight * truncation;
+        continue;
+      }
+      sum += weight * pair.distance;
+      byScale += weight * (pair.nx * pair.rx + pair.ny * pair.ry);
+      byAngle += weight * (pair.ny * pair.rx - pair.nx * pair.ry);
+      byX += weight * pair.nx;
+      byY += weight * pair.ny;
     }
-    sum += weight * pair.distance;
-    byScale += weight * (pair.nx * pair.rx + pair.ny * pair.ry);
-    byAngle += weight * (pair.ny * pair.rx - pair.nx * pair.ry);
-    byX += weight * pair.nx;
-    byY += weight * pair.ny;
   }
   if (gradient != nullptr)
   {
@@ -247,16 +294,25 @@ ContourChamferKernel::Evaluate(const ContourSimilarity & similarity,
   double value = 0.0;
   if (direction != DirectionEnum::FixedToMoving)
   {
-    value +=
-      AccumulateMean(m_Moving.points, m_Moving.weights, truncation, map.scale, gradient, [&](double x, double y) {
-        return MatchMoving(map, m_Fixed.index, x, y);
-      });
+    value += AccumulateMean(m_Moving.points,
+                            m_Moving.weights,
+                            truncation,
+                            map.scale,
+                            gradient,
+                            [&](const double * q, std::size_t count, PairBatch & batch) {
+                              MatchMoving(map, m_Fixed.index, q, count, batch);
+                            });
   }
   if (direction != DirectionEnum::MovingToFixed)
   {
-    value += AccumulateMean(m_Fixed.points, m_Fixed.weights, truncation, map.scale, gradient, [&](double x, double y) {
-      return MatchFixed(map, m_Moving.index, x, y);
-    });
+    value += AccumulateMean(m_Fixed.points,
+                            m_Fixed.weights,
+                            truncation,
+                            map.scale,
+                            gradient,
+                            [&](const double * p, std::size_t count, PairBatch & batch) {
+                              MatchFixed(map, m_Moving.index, p, count, batch);
+                            });
   }
   return value;
 }

@@ -59,6 +59,9 @@ ContourDistanceIndex::Reset()
   m_Segments.clear();
   m_Domains.clear();
   m_Lists.clear();
+  m_PairTargets.clear();
+  m_PointPairs.clear();
+  m_SegmentPairs.clear();
 }
 
 void
@@ -357,27 +360,17 @@ ContourDistanceIndex::DropDominated(const BoxType & box) const
   }
 }
 
-auto
-ContourDistanceIndex::GetCell(DomainType & domain, unsigned int level, std::uint32_t ix, std::uint32_t iy) const
-  -> CellType
+// Fills m_Kept with the targets of a cell, from those of the cell around it.
+void
+ContourDistanceIndex::SelectTargets(DomainType & domain, unsigned int level, std::uint32_t ix, std::uint32_t iy) const
 {
-  const std::uint32_t side = m_Grid[level];
-  const std::size_t   number = static_cast<std::size_t>(iy) * side + ix;
-  if (domain.cells[level].empty())
-  {
-    domain.cells[level].assign(static_cast<std::size_t>(side) * side, CellType{ Unfilled, 0 });
-  }
-  if (domain.cells[level][number].first != Unfilled)
-  {
-    return domain.cells[level][number];
-  }
   CellType parent{ Unfilled, static_cast<std::uint32_t>(this->GetNumberOfTargets()) };
   if (level > 0)
   {
-    const std::uint32_t factor = side / m_Grid[level - 1];
+    const std::uint32_t factor = m_Grid[level] / m_Grid[level - 1];
     parent = this->GetCell(domain, level - 1, ix / factor, iy / factor);
   }
-  const double width = (domain.box.x1 - domain.box.x0) / side;
+  const double width = (domain.box.x1 - domain.box.x0) / m_Grid[level];
   // A little more than the cell: a query on its border may be counted to either side.
   const double  margin = 1e-6 * width;
   const BoxType box{ domain.box.x0 + ix * width - margin,
@@ -390,9 +383,69 @@ ContourDistanceIndex::GetCell(DomainType & domain, unsigned int level, std::uint
   {
     this->DropDominated(box);
   }
-  const CellType cell{ static_cast<std::uint32_t>(m_Lists.size()), static_cast<std::uint32_t>(m_Kept.size()) };
-  m_Lists.insert(m_Lists.end(), m_Kept.begin(), m_Kept.end());
-  domain.cells[level][number] = cell;
+}
+
+// A cell of a grid that is not the finest.
+auto
+ContourDistanceIndex::GetCell(DomainType & domain, unsigned int level, std::uint32_t ix, std::uint32_t iy) const
+  -> CellType
+{
+  const std::uint32_t side = m_Grid[level];
+  const std::size_t   number = static_cast<std::size_t>(iy) * side + ix;
+  if (domain.cells[level].empty())
+  {
+    domain.cells[level].assign(static_cast<std::size_t>(side) * side, CellType{ Unfilled, 0 });
+  }
+  if (domain.cells[level][number].first == Unfilled)
+  {
+    this->SelectTargets(domain, level, ix, iy);
+    domain.cells[level][number] = { static_cast<std::uint32_t>(m_Lists.size()),
+                                    static_cast<std::uint32_t>(m_Kept.size()) };
+    m_Lists.insert(m_Lists.end(), m_Kept.begin(), m_Kept.end());
+  }
+  return domain.cells[level][number];
+}
+
+auto
+ContourDistanceIndex::FillFinestCell(DomainType & domain, std::uint32_t ix, std::uint32_t iy) const -> CellType
+{
+  const auto level = static_cast<unsigned int>(m_Grid.size() - 1);
+  this->SelectTargets(domain, level, ix, iy);
+  const CellType cell{ static_cast<std::uint32_t>(m_PairTargets.size() / 2),
+                       static_cast<std::uint32_t>((m_Kept.size() + 1) / 2) };
+  for (std::size_t i = 0; i < m_Kept.size(); i += 2)
+  {
+    PointPair   points{};
+    SegmentPair segments{};
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const std::uint32_t target = m_Kept[std::min(i + k, m_Kept.size() - 1)];
+      m_PairTargets.push_back(target);
+      if (m_IsSegments)
+      {
+        const SegmentType & segment = m_Segments[target];
+        segments.x[k] = segment.x;
+        segments.y[k] = segment.y;
+        segments.dx[k] = segment.dx;
+        segments.dy[k] = segment.dy;
+        segments.inverseSquaredLength[k] = segment.inverseSquaredLength;
+      }
+      else
+      {
+        points.x[k] = m_X[target];
+        points.y[k] = m_Y[target];
+      }
+    }
+    if (m_IsSegments)
+    {
+      m_SegmentPairs.push_back(segments);
+    }
+    else
+    {
+      m_PointPairs.push_back(points);
+    }
+  }
+  domain.cells[level][static_cast<std::size_t>(iy) * m_Grid[level] + ix] = cell;
   return cell;
 }
 
@@ -420,6 +473,7 @@ ContourDistanceIndex::FindDomain(double x, double y) const -> DomainType *
   {
     domain.box = { m_CenterX - halfWidth, m_CenterY - halfWidth, m_CenterX + halfWidth, m_CenterY + halfWidth };
     domain.cellsPerUnit = m_Grid.back() / (2.0 * halfWidth);
+    domain.cells.back().assign(static_cast<std::size_t>(m_Grid.back()) * m_Grid.back(), CellType{ Unfilled, 0 });
   }
   return &domain;
 }
@@ -439,13 +493,127 @@ ContourDistanceIndex::FindNearest(double x, double y) const -> NearestType
   }
   const std::uint32_t ix = CellNumber((x - domain->box.x0) * domain->cellsPerUnit, m_Grid.back());
   const std::uint32_t iy = CellNumber((y - domain->box.y0) * domain->cellsPerUnit, m_Grid.back());
-  const CellType      cell = this->GetCell(*domain, static_cast<unsigned int>(m_Grid.size() - 1), ix, iy);
-  NearestType         nearest{ std::numeric_limits<double>::infinity(), x, y, 0 };
-  for (std::uint32_t i = 0; i < cell.count; ++i)
+  CellType            cell = domain->cells.back()[static_cast<std::size_t>(iy) * m_Grid.back() + ix];
+  if (cell.first == Unfilled)
   {
-    this->TestTarget(m_Lists[cell.first + i], x, y, nearest);
+    cell = this->FillFinestCell(*domain, ix, iy);
+  }
+  NearestType nearest{ std::numeric_limits<double>::infinity(), x, y, 0 };
+  for (std::uint32_t i = 2 * cell.first; i < 2 * (cell.first + cell.count); ++i)
+  {
+    this->TestTarget(m_PairTargets[i], x, y, nearest);
   }
   return nearest;
+}
+
+// Where the place's projection to the line is along each segment, and how far the place is from it.
+inline void
+ContourDistanceIndex::TestPair(const SegmentPair & pair, double x, double y, double footX[2], double footY[2])
+{
+  for (int k = 0; k < 2; ++k)
+  {
+    const double along = ((x - pair.x[k]) * pair.dx[k] + (y - pair.y[k]) * pair.dy[k]) * pair.inverseSquaredLength[k];
+    const double positive = along < 0.0 ? 0.0 : along;
+    const double t = positive > 1.0 ? 1.0 : positive;
+    footX[k] = pair.x[k] + t * pair.dx[k];
+    footY[k] = pair.y[k] + t * pair.dy[k];
+  }
+}
+
+inline void
+ContourDistanceIndex::TestPair(const PointPair & pair, double, double, double footX[2], double footY[2])
+{
+  for (int k = 0; k < 2; ++k)
+  {
+    footX[k] = pair.x[k];
+    footY[k] = pair.y[k];
+  }
+}
+
+// Most cells have one pair, hence a loop whose end is foreseen and no branch within it.
+template <typename TPair>
+void
+ContourDistanceIndex::FindNearestPointsByPairs(const std::vector<TPair> & pairs,
+                                               const double *             places,
+                                               std::size_t                count,
+                                               double *                   nearest) const
+{
+  DomainType &        inner = *this->FindDomain(m_CenterX, m_CenterY);
+  const double        x0 = inner.box.x0;
+  const double        y0 = inner.box.y0;
+  const double        cellsPerUnit = inner.cellsPerUnit;
+  const std::uint32_t side = m_Grid.back();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double x = places[2 * i];
+    const double y = places[2 * i + 1];
+    double       fx = (x - x0) * cellsPerUnit;
+    double       fy = (y - y0) * cellsPerUnit;
+    DomainType * domain = &inner;
+    if (!(fx >= 0.0 && fx < side && fy >= 0.0 && fy < side))
+    {
+      domain = this->FindDomain(x, y);
+      if (domain == nullptr)
+      {
+        const NearestType found = this->FindByBruteForce(x, y);
+        nearest[2 * i] = found.x;
+        nearest[2 * i + 1] = found.y;
+        continue;
+      }
+      fx = (x - domain->box.x0) * domain->cellsPerUnit;
+      fy = (y - domain->box.y0) * domain->cellsPerUnit;
+    }
+    const std::uint32_t ix = CellNumber(fx, side);
+    const std::uint32_t iy = CellNumber(fy, side);
+    CellType            cell = domain->cells.back()[static_cast<std::size_t>(iy) * side + ix];
+    if (cell.first == Unfilled)
+    {
+      cell = this->FillFinestCell(*domain, ix, iy);
+    }
+    const TPair * pair = pairs.data() + cell.first;
+    double        best = std::numeric_limits<double>::infinity();
+    double        bestX = x;
+    double        bestY = y;
+    for (std::uint32_t n = 0; n < cell.count; ++n, ++pair)
+    {
+      double footX[2];
+      double footY[2];
+      TestPair(*pair, x, y, footX, footY);
+      for (int k = 0; k < 2; ++k)
+      {
+        const double squaredDistance = Square(x - footX[k]) + Square(y - footY[k]);
+        const bool   isNearer = squaredDistance < best;
+        best = isNearer ? squaredDistance : best;
+        bestX = isNearer ? footX[k] : bestX;
+        bestY = isNearer ? footY[k] : bestY;
+      }
+    }
+    nearest[2 * i] = bestX;
+    nearest[2 * i + 1] = bestY;
+  }
+}
+
+void
+ContourDistanceIndex::FindNearestPoints(const double * places, std::size_t count, double * nearest) const
+{
+  if (!m_HasGrid || m_Search == SearchEnum::BruteForce ||
+      (m_Search == SearchEnum::Automatic && this->GetNumberOfTargets() <= BruteForceLimit))
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const NearestType found = this->FindByBruteForce(places[2 * i], places[2 * i + 1]);
+      nearest[2 * i] = found.x;
+      nearest[2 * i + 1] = found.y;
+    }
+  }
+  else if (m_IsSegments)
+  {
+    this->FindNearestPointsByPairs(m_SegmentPairs, places, count, nearest);
+  }
+  else
+  {
+    this->FindNearestPointsByPairs(m_PointPairs, places, count, nearest);
+  }
 }
 
 double

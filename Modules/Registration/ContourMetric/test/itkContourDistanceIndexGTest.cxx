@@ -84,6 +84,8 @@ ExpectSameAsBruteForce(IndexType & index, const std::vector<double> & queries)
   IndexType reference(index);
   reference.SetSearch(IndexType::SearchEnum::BruteForce);
   index.SetSearch(IndexType::SearchEnum::Grid);
+  std::vector<double> nearestPoints(queries.size());
+  IndexType(index).FindNearestPoints(queries.data(), queries.size() / 2, nearestPoints.data());
   for (std::size_t i = 0; i < queries.size(); i += 2)
   {
     const double x = queries[i];
@@ -95,6 +97,9 @@ ExpectSameAsBruteForce(IndexType & index, const std::vector<double> & queries)
                 std::sqrt(expected.squaredDistance),
                 1e-12 * std::sqrt(expected.squaredDistance))
       << "query " << x << ", " << y;
+    ASSERT_NEAR(std::hypot(nearestPoints[i] - x, nearestPoints[i + 1] - y),
+                std::sqrt(expected.squaredDistance),
+                1e-12 * std::sqrt(expected.squaredDistance));
     // The foot is as far as it says.
     ASSERT_NEAR(
       std::hypot(found.x - x, found.y - y), std::sqrt(found.squaredDistance), 1e-14 * std::sqrt(found.squaredDistance));
