@@ -75,15 +75,19 @@ struct PartialContourOverlap
  * end or a gap, and rises to 1 within the taper length of it, so that the value stays continuous. The third sum are the
  * priors, sigma^2 the tracing's noise (smooth^2 + white^2).
  *
- * With UpdateNoise() the first sum becomes generalised least squares, sigma^2 r' K^-1 r, K = smooth^2 G + white^2 W^-1
- * (ContourNoiseModel; G along the tracing, its polylines strung together), W the weights times those of the robust
- * kernel at the similarity given, and the two levels estimated there (REML). K is then held until the next call, so
- * that the value remains a function of the similarity alone. r_i is the distance with a sign, by the tracing's normal;
- * beyond an end of the moving contour it is taken to the end's line. Directions steer the matching then, and are no
- * residuals.
+ * With UpdateNoise() the first sum becomes generalised least squares, sigma^2 (V r)' K^-1 (V r), with
+ * K = smooth^2 G + white^2 W^-1 (ContourNoiseModel; G along the tracing, its polylines strung together; W the points'
+ * weights), V^2 the weights of the robust kernel at the similarity given (bifactor weights: a gross error then counts
+ * little however well its neighbours are known), and the two levels estimated there (REML) from the points within the
+ * kernel's width. V and K are then held until the next call, so that the value remains a function of the similarity
+ * alone. r_i is the distance with a sign, by the tracing's normal; beyond an end of the moving contour it is taken to
+ * the end's line. Directions steer matching and weights then, and are no residuals.
  *
  * The residuals are the rows whose squares sum up to the value; where the match is unique they are differentiable, and
  * their Jacobian is exact.
+ *
+ * Source of the bifactor weights: Yang, Song and Xu, Robust estimator for correlated observations based on bifactor
+ * equivalent weights, J. Geodesy 2002.
  *
  * Evaluation changes nothing: any number of threads may evaluate at once. Free of ITK.
  *
@@ -216,6 +220,8 @@ private:
   {
     /** Lower Cholesky factor of K, column by column. */
     std::vector<double> lower;
+    /** Diagonal of V. */
+    std::vector<double> roots;
   };
   struct MapType;
   struct RowType;

@@ -653,10 +653,11 @@ PartialContourKernel::EvaluateResiduals(const ContourSimilarity & similarity,
         double r;
         double jr[4];
         this->ComputeSigned(map, m_FixedSamples[block.samples[i]], block.normalX[i], block.normalY[i], &r, jr);
-        rows(i, 0) = r;
+        const double root = m_Factors[b].roots[static_cast<std::size_t>(i)];
+        rows(i, 0) = root * r;
         for (Eigen::Index a = 1; a < rows.cols(); ++a)
         {
-          rows(i, a) = jr[a - 1];
+          rows(i, a) = root * jr[a - 1];
         }
       }
       ConstMatrix(m_Factors[b].lower.data(), n, n).triangularView<Eigen::Lower>().solveInPlace(rows);
@@ -794,7 +795,9 @@ PartialContourKernel::UpdateNoise(const ContourSimilarity & similarity)
   double                      ax;
   double                      ay;
   map.Turn(prior.at[0], prior.at[1], ax, ay);
+  std::vector<FactorType>          factors(m_Blocks.size());
   std::vector<std::vector<double>> weights(m_Blocks.size());
+  std::vector<std::vector<double>> used(m_Blocks.size());
   std::vector<std::vector<double>> residuals(m_Blocks.size());
   std::vector<std::vector<double>> jacobians(m_Blocks.size());
   double                           sumOfWeights = 0.0;
@@ -812,7 +815,9 @@ PartialContourKernel::UpdateNoise(const ContourSimilarity & similarity)
                                             m_Settings.correlationLength,
                                             block.correlation.data());
     }
+    factors[b].roots.assign(n, 0.0);
     weights[b].assign(n, 0.0);
+    used[b].assign(n, 0.0);
     residuals[b].assign(n, 0.0);
     jacobians[b].assign(4 * n, 0.0);
     for (std::size_t i = 0; i < n; ++i)
@@ -823,9 +828,12 @@ PartialContourKernel::UpdateNoise(const ContourSimilarity & similarity)
       {
         continue;
       }
-      weights[b][i] =
-        block.weightOfEach * sample.weight * RobustType(m_Settings.robustKernel, m_Settings.width, row.z).slope;
-      sumOfWeights += weights[b][i];
+      const double robust = RobustType(m_Settings.robustKernel, m_Settings.width, row.z).slope;
+      weights[b][i] = block.weightOfEach * sample.weight;
+      factors[b].roots[i] = std::sqrt(robust);
+      // The levels are those of the points that belong to the contour.
+      used[b][i] = row.z <= m_Settings.width * m_Settings.width ? weights[b][i] : 0.0;
+      sumOfWeights += weights[b][i] * robust;
       double jr[4];
       this->ComputeSigned(map, sample, block.normalX[i], block.normalY[i], &residuals[b][i], jr);
       // By log scale and angle about the prior's point, and by the place where it lands: the priors' own parameters.
@@ -856,13 +864,12 @@ PartialContourKernel::UpdateNoise(const ContourSimilarity & similarity)
     {
       views.push_back({ m_Blocks[b].samples.size(),
                         m_Blocks[b].correlation.data(),
-                        weights[b].data(),
+                        used[b].data(),
                         residuals[b].data(),
                         jacobians[b].data() });
     }
     noise = ContourNoiseModel::Estimate(views, precision, offset, 4, m_Settings.noise);
   }
-  std::vector<FactorType> factors(m_Blocks.size());
   for (std::size_t b = 0; b < m_Blocks.size(); ++b)
   {
     const std::size_t n = m_Blocks[b].samples.size();
