@@ -280,15 +280,17 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
     }
   }
 
-  std::mutex               mutex;
-  std::condition_variable  changed;
-  std::size_t              next = 0;
-  std::size_t              done = 0;
-  unsigned int             running = 0;
-  std::exception_ptr       failure;
-  std::atomic<bool>        abort{ false };
-  std::vector<std::thread> threads;
-  const auto               work = [&]() {
+  std::mutex              mutex;
+  std::condition_variable changed;
+  std::size_t             next = 0;
+  std::size_t             done = 0;
+  /** What is done of the cases that are being computed. */
+  std::map<std::size_t, double> parts;
+  unsigned int                  running = 0;
+  std::exception_ptr            failure;
+  std::atomic<bool>             abort{ false };
+  std::vector<std::thread>      threads;
+  const auto                    work = [&]() {
     std::unique_lock<std::mutex> lock(mutex);
     while (next < open.size() && !failure && !abort)
     {
@@ -298,7 +300,13 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
       std::string        text;
       try
       {
-        text = plan.Compute(i, keys[i], [&abort]() { return abort.load(); });
+        text = plan.Compute(i,
+                            keys[i],
+                            ExperimentMonitor([&abort]() { return abort.load(); },
+                                              [&, i](double part) {
+                                                const std::lock_guard<std::mutex> guard(mutex);
+                                                parts[i] = part;
+                                              }));
         WriteFileAtomically(fileOf(i), text);
       }
       catch (...)
@@ -306,6 +314,7 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
         problem = std::current_exception();
       }
       lock.lock();
+      parts.erase(i);
       try
       {
         if (problem)
@@ -340,7 +349,13 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
     {
       changed.wait_for(lock, std::chrono::milliseconds(100));
       m_CurrentStage = std::to_string(count - open.size() + done) + " of " + std::to_string(count) + " cases";
-      const float progress = static_cast<float>(count - open.size() + done) / static_cast<float>(count);
+      double inParts = 0.0;
+      for (const auto & part : parts)
+      {
+        inParts += part.second;
+      }
+      const auto progress =
+        static_cast<float>((static_cast<double>(count - open.size() + done) + inParts) / static_cast<double>(count));
       lock.unlock();
       // Observers run on this thread alone.
       this->UpdateProgress(0.98F * progress);

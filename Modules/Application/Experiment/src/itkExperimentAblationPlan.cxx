@@ -66,23 +66,21 @@ public:
   using ExperimentPlan::ExperimentPlan;
 
   std::string
-  Compute(std::size_t i, const std::string & key, const AbortType & abort) const override
+  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
   {
     ExperimentRecord record;
     record.id = this->GetCohort().GetId(i);
     record.seed = this->GetCohort().seed + i;
+    std::size_t done = 0;
     record.failure = Try([&]() {
       for (const CohortEnum level : Levels)
       {
         const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, level, false);
         for (const ExperimentMethod & variant : this->GetMethods())
         {
-          if (abort())
-          {
-            throw ProcessAborted(__FILE__, __LINE__);
-          }
+          monitor.Advance(static_cast<double>(done++) / static_cast<double>(2 * this->GetMethods().size()));
           ExperimentRunner runner(experimentCase);
-          runner.SetAbort(abort);
+          runner.SetAbort(monitor.GetAbort());
           record.Add(KeyOf(variant, level), runner.Run(variant));
         }
       }

@@ -179,7 +179,7 @@ public:
   {}
 
   std::string
-  Compute(std::size_t i, const std::string & key, const AbortType & abort) const override
+  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
   {
     const bool withIntensity = i < NumberOfIntensityCases;
     Json       json;
@@ -191,7 +191,7 @@ public:
       const ExperimentCase experimentCase =
         this->GetCohort().Make(i, withIntensity && NeedsRadiograph(this->GetMethods()));
       ExperimentRunner runner(experimentCase);
-      runner.SetAbort(abort);
+      runner.SetAbort(monitor.GetAbort());
       std::vector<ToothCode::JawEnum> jaws;
       for (const ToothCode::JawEnum jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
       {
@@ -205,13 +205,21 @@ public:
                                   " jaw: no scan, no tracing, or fewer than two landmarks on both");
         }
       }
+      std::size_t methodsDone = 0;
       for (const ExperimentMethod & method : this->GetMethods())
       {
         if (method.kind == ExperimentMethod::KindEnum::Intensity && !withIntensity)
         {
+          ++methodsDone;
           continue;
         }
-        Json outcomes = Json::array();
+        Json        outcomes = Json::array();
+        std::size_t jawsDone = 0;
+        const auto  partDone = [&](double part) {
+          monitor.Advance((static_cast<double>(methodsDone) +
+                           (static_cast<double>(jawsDone) + part) / static_cast<double>(jaws.size())) /
+                          static_cast<double>(this->GetMethods().size()));
+        };
         if (method.kind == ExperimentMethod::KindEnum::Pose)
         {
           // It searches everywhere: no start to give it, one run stands for all.
@@ -228,9 +236,11 @@ public:
         {
           for (const ToothCode::JawEnum jaw : jaws)
           {
-            this->RunJaw(runner, method, jaw, i, outcomes, abort);
+            this->RunJaw(runner, method, jaw, i, outcomes, partDone);
+            ++jawsDone;
           }
         }
+        ++methodsDone;
         json["methods"][method.name] = outcomes;
       }
     });
@@ -384,12 +394,12 @@ public:
 
 private:
   void
-  RunJaw(ExperimentRunner &       runner,
-         const ExperimentMethod & method,
-         ToothCode::JawEnum       jaw,
-         std::size_t              number,
-         Json &                   outcomes,
-         const AbortType &        abort) const
+  RunJaw(ExperimentRunner &                  runner,
+         const ExperimentMethod &            method,
+         ToothCode::JawEnum                  jaw,
+         std::size_t                         number,
+         Json &                              outcomes,
+         const std::function<void(double)> & partDone) const
   {
     const PairsType  pairs = runner.GetLandmarkPairs(jaw, method.chain);
     const double     spacing = runner.GetMeanPixelSpacing(jaw);
@@ -410,10 +420,7 @@ private:
                               StartStream + (jaw == ToothCode::JawEnum::Upper ? 0 : 1));
     for (unsigned int k = 0; k < m_NumberOfStarts; ++k)
     {
-      if (abort())
-      {
-        throw ProcessAborted(__FILE__, __LINE__);
-      }
+      partDone(static_cast<double>(k) / static_cast<double>(m_NumberOfStarts));
       const double     target = BinWidth * (k % NumberOfBins + random.Uniform());
       const Similarity start = DrawStart(pairs, truth, target / spacing, keepsScale, random);
       Similarity       end;

@@ -36,12 +36,12 @@ public:
   using ExperimentPlan::ExperimentPlan;
 
   std::string
-  Compute(std::size_t i, const std::string & key, const AbortType & abort) const override
+  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
   {
     ExperimentRecord record;
     record.id = this->GetCohort().GetId(i);
     record.seed = this->GetCohort().seed + i;
-    record.failure = Try([&]() { RunStratum(GetExperimentStratum(i), record, abort); });
+    record.failure = Try([&]() { RunStratum(GetExperimentStratum(i), record, monitor); });
     if (!record.failure.empty())
     {
       record.methods.clear();

@@ -20,6 +20,7 @@
 
 #include "itkDentalPhantomCaseSource.h"
 #include "itkExperimentMethod.h"
+#include "itkExperimentMonitor.h"
 #include "itkExperimentRecord.h"
 
 #include <functional>
@@ -90,9 +91,9 @@ public:
     return m_Methods;
   }
 
-  /** Called from several threads; the record as text. Throws ProcessAborted where abort() says so. */
+  /** Called from several threads; the record as text. Throws ProcessAborted where the monitor does. */
   virtual std::string
-  Compute(std::size_t i, const std::string & key, const AbortType & abort) const = 0;
+  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const = 0;
 
   /** Takes the record of a case; throws std::exception where it is none, or another experiment's. */
   virtual void

@@ -102,24 +102,23 @@ public:
   using ExperimentPlan::ExperimentPlan;
 
   std::string
-  Compute(std::size_t i, const std::string & key, const AbortType & abort) const override
+  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
   {
     ExperimentRecord record;
     record.id = this->GetCohort().GetId(i);
     record.seed = this->GetCohort().seed + i;
+    std::size_t done = 0;
     for (std::size_t k = 0; k < m_Conditions.size() && record.failure.empty(); ++k)
     {
       record.failure = Try([&]() {
         const ExperimentCase experimentCase =
           this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()), m_Conditions[k].variation);
         ExperimentRunner runner(experimentCase);
-        runner.SetAbort(abort);
+        runner.SetAbort(monitor.GetAbort());
         for (const ExperimentMethod & method : this->GetMethods())
         {
-          if (abort())
-          {
-            throw ProcessAborted(__FILE__, __LINE__);
-          }
+          monitor.Advance(static_cast<double>(done++) /
+                          static_cast<double>(m_Conditions.size() * this->GetMethods().size()));
           record.Add(KeyOf(method.name, k), runner.Run(method));
         }
       });

@@ -80,22 +80,19 @@ GetExperimentStratum(std::size_t i)
   return *order[i % order.size()];
 }
 void
-RunStratum(const ExperimentStratum & stratum, ExperimentRecord & record, const ExperimentPlan::AbortType & abort)
+RunStratum(const ExperimentStratum & stratum, ExperimentRecord & record, const ExperimentMonitor & monitor)
 {
   using JawsEnum = ExperimentVariation::JawsEnum;
   const ExperimentMethod & method = *FindExperimentMethod("robust");
   for (const JawsEnum jaws : stratum.oneJawAtATime ? std::vector<JawsEnum>{ JawsEnum::UpperAlone, JawsEnum::LowerAlone }
                                                    : std::vector<JawsEnum>{ JawsEnum::Both })
   {
-    if (abort())
-    {
-      throw ProcessAborted(__FILE__, __LINE__);
-    }
+    monitor.Advance(0.0);
     ExperimentVariation variation = stratum.variation;
     variation.jaws = jaws;
     const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, stratum.level, false, variation);
     ExperimentRunner     runner(experimentCase);
-    runner.SetAbort(abort);
+    runner.SetAbort(monitor.GetAbort());
     record.Add(method.name, runner.Run(method));
   }
 }

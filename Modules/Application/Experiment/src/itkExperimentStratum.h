@@ -43,7 +43,7 @@ GetExperimentStrata();
 
 /** Registers the case of a record's seed by preset robust. */
 void
-RunStratum(const ExperimentStratum & stratum, ExperimentRecord & record, const ExperimentPlan::AbortType & abort);
+RunStratum(const ExperimentStratum & stratum, ExperimentRecord & record, const ExperimentMonitor & monitor);
 
 /** The kind of the i-th case: they take turns, so that any number of cases has its share of each. */
 const ExperimentStratum &

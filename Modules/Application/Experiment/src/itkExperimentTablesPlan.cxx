@@ -35,11 +35,12 @@ public:
   using ExperimentPlan::ExperimentPlan;
 
   std::string
-  Compute(std::size_t i, const std::string & key, const AbortType & abort) const override
+  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
   {
     ExperimentRecord record;
     record.id = this->GetCohort().GetId(i);
     record.seed = this->GetCohort().IsSimulated() ? this->GetCohort().seed + i : 0;
+    std::size_t done = 0;
     record.failure = Try([&]() {
       const ExperimentCase experimentCase = this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()));
       for (const auto & landmark : experimentCase.marked->GetLandmarks())
@@ -47,13 +48,10 @@ public:
         ++record.marked[landmark.tooth.GetJaw() == ToothCode::JawEnum::Upper ? "upper" : "lower"];
       }
       ExperimentRunner runner(experimentCase);
-      runner.SetAbort(abort);
+      runner.SetAbort(monitor.GetAbort());
       for (const ExperimentMethod & method : this->GetMethods())
       {
-        if (abort())
-        {
-          throw ProcessAborted(__FILE__, __LINE__);
-        }
+        monitor.Advance(static_cast<double>(done++) / static_cast<double>(this->GetMethods().size()));
         record.Add(method.name, runner.Run(method));
       }
     });

@@ -74,24 +74,22 @@ public:
   using ExperimentPlan::ExperimentPlan;
 
   std::string
-  Compute(std::size_t i, const std::string & key, const AbortType & abort) const override
+  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
   {
     ExperimentRecord record;
     record.id = this->GetCohort().GetId(i);
     record.seed = this->GetCohort().seed + i;
+    std::size_t done = 1;
     record.failure = Try([&]() {
-      RunStratum(GetExperimentStratum(i), record, abort);
+      RunStratum(GetExperimentStratum(i), record, monitor);
       for (const MistakeEnum mistake : GetExperimentMistakes())
       {
-        if (abort())
-        {
-          throw ProcessAborted(__FILE__, __LINE__);
-        }
+        monitor.Advance(static_cast<double>(done++) / static_cast<double>(1 + GetExperimentMistakes().size()));
         ExperimentVariation variation;
         variation.mistake = mistake;
         const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, LevelOf(i), false, variation);
         ExperimentRunner     runner(experimentCase);
-        runner.SetAbort(abort);
+        runner.SetAbort(monitor.GetAbort());
         record.Add(Describe(mistake), runner.Run(*FindExperimentMethod(Method)));
       }
     });

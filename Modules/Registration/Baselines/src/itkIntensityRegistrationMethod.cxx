@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <mutex>
 #include <ostream>
 
 namespace itk
@@ -115,6 +116,51 @@ protected:
     UseOneWorkUnit(*this->m_HelperDenseThreader);
   }
   ~CorrelationInOneWorkUnit() override = default;
+};
+
+/** ITK's metrics write to the error stream where the images do not overlap, which is an outcome here. The switch is
+ * global: the last registration that ends sets it back. */
+class QuietMetrics
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(QuietMetrics);
+  QuietMetrics()
+  {
+    const std::lock_guard<std::mutex> guard(Mutex());
+    if (Count()++ == 0)
+    {
+      Before() = Object::GetGlobalWarningDisplay();
+      Object::SetGlobalWarningDisplay(false);
+    }
+  }
+  ~QuietMetrics()
+  {
+    const std::lock_guard<std::mutex> guard(Mutex());
+    if (--Count() == 0)
+    {
+      Object::SetGlobalWarningDisplay(Before());
+    }
+  }
+
+private:
+  static std::mutex &
+  Mutex()
+  {
+    static std::mutex mutex;
+    return mutex;
+  }
+  static unsigned int &
+  Count()
+  {
+    static unsigned int count = 0;
+    return count;
+  }
+  static bool &
+  Before()
+  {
+    static bool before = true;
+    return before;
+  }
 };
 
 MetricType::Pointer
@@ -217,9 +263,10 @@ IntensityRegistrationMethod::RegisterContours(const PointsType & fixed,
   centre[1] = 0.5 * (low[1] + high[1]);
   const double reach = 0.5 * std::hypot(high[0] - low[0], high[1] - low[1]);
 
-  const double      shrinks[] = { 4.0, 2.0 };
-  const double      firstSteps[] = { 4.0, 1.0 };
-  ContourSimilarity similarity = start;
+  const QuietMetrics quiet;
+  const double       shrinks[] = { 4.0, 2.0 };
+  const double       firstSteps[] = { 4.0, 1.0 };
+  ContourSimilarity  similarity = start;
   for (unsigned int level = 0; level < 2; ++level)
   {
     this->StartLevel(level, similarity);

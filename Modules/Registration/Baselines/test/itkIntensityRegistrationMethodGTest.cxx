@@ -124,6 +124,22 @@ TEST_P(IntensityRegistration, SameBitsForAnyGlobalNumberOfThreads)
   EXPECT_EQ(run(8), first);
 }
 
+TEST_P(IntensityRegistration, ADRRBesideTheRadiographIsAnOutcomeAndPrintsNothing)
+{
+  const auto truth = MakeTransform(1.0, 0.0, 200.0, 190.0);
+  const auto method = MethodType::New();
+  method->SetFixedContour(MakeTracing(truth));
+  method->SetMovingContour(MakeSilhouette());
+  method->SetFixedImage(MakeImage(truth, 0, 400));
+  method->SetMovingImage(MakeImage(MakeTransform(1.0, 0.0, 0.0, 0.0), -200, 400));
+  method->SetMeasure(GetParam());
+  method->SetInitialTransform(MakeTransform(1.0, 0.0, 5000.0, 5000.0));
+  testing::internal::CaptureStderr();
+  method->Update();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_TRUE(itk::Object::GetGlobalWarningDisplay());
+}
+
 INSTANTIATE_TEST_SUITE_P(Measures,
                          IntensityRegistration,
                          testing::Values(MeasureEnum::MutualInformation,
