@@ -25,6 +25,7 @@
 
 #include "itkTimeProbe.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace itk
@@ -450,7 +451,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
                     { "fit_p90_px", poseJaw.fit.p90Residual },
                     { "fit_inlier_share", poseJaw.fit.inlierShare },
                     { "overlap", poseJaw.fit.overlap },
-                    { "prior_tension_sd", group.priorTension },
+                    { "prior_tension_sd", *std::max_element(group.priorTension.begin(), group.priorTension.end()) },
                     { "ambiguity_margin", group.margin },
                     { "similarity_rms_px", poseJaw.similarityRms } };
 

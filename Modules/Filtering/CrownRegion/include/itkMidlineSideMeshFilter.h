@@ -93,7 +93,8 @@ public:
   itkSetEnumMacro(Side, SideEnum);
   itkGetEnumMacro(Side, SideEnum);
 
-  /** mm. Default 0.5. */
+  /** mm beyond the plane. Default -0.5: the other side's incisor, where its edge stands in front, must not be the outline.
+   */
   itkSetMacro(Margin, double);
   itkGetConstMacro(Margin, double);
 
@@ -119,7 +120,7 @@ protected:
 
 private:
   SideEnum m_Side{ SideEnum::Right };
-  double   m_Margin{ 0.5 };
+  double   m_Margin{ -0.5 };
   MaskType m_TriangleMask;
 };
 } // namespace itk

@@ -114,8 +114,9 @@ struct PoseRefinementOptions
 
   /** Cut at the midline plane, or take the whole mesh's outline. */
   bool useSideSelection{ true };
-  /** Triangles of the right side: y < midlineMargin mm. */
-  double midlineMargin{ 0.5 };
+  /** Triangles of the right side: y < midlineMargin mm. Half a millimetre short of the plane, since the other side's
+   * incisor often stands in front there (1-2 px of outline that was never traced). */
+  double midlineMargin{ -0.5 };
   /** Keep only the occlusal and anterior part of the outline. */
   bool useFacingFilter{ true };
   /** Match position and normal, or position only. Weight of a unit normal, px. */
@@ -124,9 +125,12 @@ struct PoseRefinementOptions
   /** Correlation along the tracing (generalised least squares), or independent points. */
   bool   useCorrelatedNoise{ true };
   double correlationLength{ 12.0 };
-  double covarianceCorrelationLength{ 25.0 };
+  double covarianceCorrelationLength{ 18.0 };
   /** Factor on the standard deviations. */
-  double covarianceInflation{ 1.1 };
+  double covarianceInflation{ 1.0 };
+  /** The nearest contour point absorbs part of the noise, the more so the larger it is: in the covariance the levels
+   * are multiplied by min(1.6, 1 + absorbedNoise (smooth level / px)^2). */
+  double absorbedNoise{ 0.2 };
   /** Estimate the two noise levels (REML), or keep the initial ones. */
   bool   estimateNoise{ true };
   double initialSmoothSigma{ 1.3 };
@@ -147,9 +151,11 @@ struct PoseRefinementOptions
   bool         regenerateOutline{ true };
   unsigned int maximumEvaluations{ 14 };
 
-  /** Standard deviations of the Gaussian priors; 0: fixed. */
-  double rollSigma{ 0.06981317007977318 };
-  double yawSigma{ 0.06981317007977318 };
+  /** Standard deviations of the priors; 0: fixed. */
+  double rollSigma{ 0.0610865238198015 };
+  double yawSigma{ 0.0610865238198015 };
+  /** Degrees of freedom of the t distribution that is the prior of roll and yaw; up to 2: Gaussian, as the others. */
+  double rotationPriorFreedom{ 4.0 };
   double tySigma{ 2.0 };
   double kappaSigma{ 0.016 };
   /** Of kappa where the pixel spacing is not known. */
@@ -257,9 +263,8 @@ struct PoseGroupResult
   std::array<double, 49> covariance{ {} };
   double                 smoothSigma{ 0.0 };
   double                 whiteSigma{ 0.0 };
-  /** Largest |parameter - prior mean| / sigma, and which. */
-  double                     priorTension{ 0.0 };
-  unsigned int               priorTensionParameter{ 0 };
+  /** |parameter - prior mean| / sigma; 0 where there is no prior. */
+  std::array<double, 7>      priorTension{ {} };
   double                     score{ 1.0 };
   std::vector<PoseCandidate> candidates;
   /** Score of the best candidate that is elsewhere minus the best's; 1 where there is none. */

@@ -74,9 +74,11 @@ public:
     double suspectSmoothSigma{ 3.0 };
     /** At the tracing, and anywhere on the outline. Not judged on bisected tracings. */
     double suspectPredictedSigma{ 3.0 };
-    double suspectExtrapolatedSigma{ 4.0 };
+    double suspectExtrapolatedSigma{ 4.5 };
     double suspectMargin{ 0.03 };
     double suspectPriorTension{ 3.5 };
+    /** Of roll and yaw, whose prior has long tails: 17.5 degrees. A scanner's frame may be off by as much as a head. */
+    double suspectRotationTension{ 5.0 };
     /** Difference of minus twice the log likelihood: 5 is odds of 12. */
     double suspectOtherSideDeviance{ -5.0 };
     double suspectWinding{ -0.1 };

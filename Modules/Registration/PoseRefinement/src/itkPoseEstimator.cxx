@@ -31,7 +31,7 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double ScoreWidth = 4.0;
 /** Error of the moving contour itself, px: half the sample spacing, facets, the cut at the midline. */
-constexpr double ModelSigma = 0.2;
+constexpr double ModelSigma = 0.15;
 
 double
 GemanMcClure(double d, double c)
@@ -57,11 +57,28 @@ public:
         m_Active.push_back(k);
       }
     }
+    m_Sigmas = sigmas;
+    this->SetPriors(PoseParameters{ {} }, false);
+  }
+
+  /** Precision of the priors at a pose. Roll and yaw have Student's t: tight for the many heads that stand straight,
+   * with tails for the frame or head that does not; its quadratic majoriser at the pose (or, for a covariance, the one
+   * with the distribution's variance). */
+  void
+  SetPriors(const PoseParameters & parameters, bool forCovariance)
+  {
+    const double freedom = m_Estimator.m_Options.rotationPriorFreedom;
     m_Precision.resize(m_Active.size());
     for (std::size_t a = 0; a < m_Active.size(); ++a)
     {
-      const double s = sigmas[m_Active[a]];
+      const unsigned int k = m_Active[a];
+      const double       s = m_Sigmas[k];
       m_Precision[a] = std::isinf(s) ? 0.0 : 1.0 / (s * s);
+      if ((k == PoseRoll || k == PoseYaw) && freedom > 2.0)
+      {
+        const double x = parameters[k];
+        m_Precision[a] = (forCovariance ? freedom - 2.0 : freedom + 1.0) / ((freedom - 2.0) * s * s + x * x);
+      }
     }
   }
 
@@ -81,6 +98,8 @@ public:
   void
   SetBlocks(const Linearization & lin, double width, bool robust)
   {
+    m_Width = width;
+    m_Robust = robust;
     m_Blocks.clear();
     std::size_t offset = 0;
     for (const PoseStrand & strand : m_Estimator.m_Strands)
@@ -93,8 +112,7 @@ public:
       for (std::size_t i = 0; i < n; ++i)
       {
         const std::size_t k = offset + i;
-        const double      w = robust ? GemanMcClure(lin.distance[k], width) : 1.0;
-        block.weight[i] = lin.facing[k] ? w * strand.tracing.weight[i] : 0.0;
+        block.weight[i] = this->KernelWeight(lin, k) * strand.tracing.weight[i];
         block.residual[i] = lin.residual[k];
         for (std::size_t a = 0; a < m_Active.size(); ++a)
         {
@@ -107,33 +125,50 @@ public:
     }
   }
 
+  double
+  KernelWeight(const Linearization & lin, std::size_t k) const
+  {
+    return !lin.facing[k] ? 0.0 : m_Robust ? GemanMcClure(lin.distance[k], m_Width) : 1.0;
+  }
+
   void
   Factor(const PoseNoise & noise)
   {
-    m_Factors.clear();
     m_Information = m_Precision.asDiagonal();
     m_Gradient = Eigen::VectorXd::Zero(m_Active.size());
     for (const PoseNoiseBlock & block : m_Blocks)
     {
-      m_Factors.emplace_back(block.Covariance(noise));
-      const Eigen::MatrixXd j = m_Factors.back().matrixL().solve(block.jacobian);
-      const Eigen::VectorXd r = m_Factors.back().matrixL().solve(block.residual);
+      const Eigen::LLT<Eigen::MatrixXd> factor(block.Covariance(noise));
+      const Eigen::MatrixXd             j = factor.matrixL().solve(block.jacobian);
+      const Eigen::VectorXd             r = factor.matrixL().solve(block.residual);
       m_Information.noalias() += j.transpose() * j;
       m_Gradient.noalias() += j.transpose() * r;
     }
   }
 
-  /** r' K^-1 r + prior for residuals of another pose, same covariance. */
+  /** What a step must lower: r' K^-1 r + priors + what the kernel charges for points that it lets go (the dual form of
+   * Black and Rangarajan 1996), with weights at that pose. With weights held fixed, one point that jumps to another
+   * part of the outline would forbid every step. Correlation as in SetBlocks(). */
   double
-  Objective(const Linearization & lin, const PoseParameters & parameters) const
+  Objective(const Linearization & lin, const PoseParameters & parameters, const PoseNoise & noise) const
   {
     const Eigen::VectorXd offset = this->Offset(parameters);
     double                value = offset.dot(m_Precision.cwiseProduct(offset));
+    const double          charge = m_Width * m_Width / (noise.white * noise.white);
     std::size_t           begin = 0;
-    for (const auto & factor : m_Factors)
+    for (std::size_t s = 0; s < m_Blocks.size(); ++s)
     {
-      const Eigen::Index                      n = factor.rows();
+      const Eigen::Index                      n = m_Blocks[s].weight.size();
       const Eigen::Map<const Eigen::VectorXd> r(&lin.residual[begin], n);
+      Eigen::MatrixXd                         k = (noise.smooth * noise.smooth) * m_Blocks[s].correlation;
+      for (Eigen::Index i = 0; i < n; ++i)
+      {
+        const double given = m_Estimator.m_Strands[s].tracing.weight[i];
+        const double w = this->KernelWeight(lin, begin + i);
+        k(i, i) += noise.white * noise.white / std::max(given * w, 1e-6);
+        value += m_Robust ? charge * given * (std::sqrt(w) - 1.0) * (std::sqrt(w) - 1.0) : 0.0;
+      }
+      const Eigen::LLT<Eigen::MatrixXd> factor(k);
       value += factor.matrixL().solve(r).squaredNorm();
       begin += n;
     }
@@ -164,14 +199,16 @@ public:
     return moved;
   }
 
-  const PoseEstimator &                    m_Estimator;
-  double                                   m_CorrelationLength;
-  std::vector<unsigned int>                m_Active;
-  Eigen::VectorXd                          m_Precision;
-  std::vector<PoseNoiseBlock>              m_Blocks;
-  std::vector<Eigen::LLT<Eigen::MatrixXd>> m_Factors;
-  Eigen::MatrixXd                          m_Information;
-  Eigen::VectorXd                          m_Gradient;
+  const PoseEstimator &       m_Estimator;
+  double                      m_CorrelationLength;
+  std::vector<unsigned int>   m_Active;
+  std::array<double, 7>       m_Sigmas;
+  Eigen::VectorXd             m_Precision;
+  std::vector<PoseNoiseBlock> m_Blocks;
+  double                      m_Width{ 0.0 };
+  bool                        m_Robust{ true };
+  Eigen::MatrixXd             m_Information;
+  Eigen::VectorXd             m_Gradient;
 };
 
 PoseEstimator::PoseEstimator(const PoseGeometry &          geometry,
@@ -393,6 +430,7 @@ PoseEstimator::Run(const PoseState &                start,
     {
       width = 2.5 * std::hypot(state.noise.smooth, state.noise.white);
     }
+    solver.SetPriors(state.parameters, false);
     solver.SetBlocks(lin, width, m_Options.useRobustKernel);
     // Every second step once the kernel is narrow: the levels settle much faster than the pose.
     if (estimate && annealed && (accepted - schedule.widths.size()) % 2 == 0)
@@ -401,7 +439,7 @@ PoseEstimator::Run(const PoseState &                start,
         EstimatePoseNoise(solver.m_Blocks, solver.m_Precision, solver.Offset(state.parameters), state.noise);
     }
     solver.Factor(state.noise);
-    const double before = solver.Objective(lin, state.parameters);
+    const double before = solver.Objective(lin, state.parameters, state.noise);
     bool         moved = false;
     while (state.evaluations < schedule.maximumEvaluations)
     {
@@ -410,7 +448,7 @@ PoseEstimator::Run(const PoseState &                start,
       Linearization            nextLin = this->Linearize(next, nextContours, true);
       ++state.evaluations;
       const double distance = this->ContourDistance(contours, state.parameters, next);
-      if (solver.Objective(nextLin, next) < before)
+      if (solver.Objective(nextLin, next, state.noise) < before)
       {
         state.parameters = next;
         contours = std::move(nextContours);
@@ -579,12 +617,16 @@ PoseEstimator::ComputeCovariance(const PoseState & state, PoseNoise & noise) con
     return covariance;
   }
   const Linearization lin = this->Linearize(state.parameters, this->ComputeContours(state.parameters), true);
+  solver.SetPriors(state.parameters, true);
   solver.SetBlocks(
     lin, std::max(3.0, 2.5 * std::hypot(state.noise.smooth, state.noise.white)), m_Options.useRobustKernel);
   if (m_Options.estimateNoise)
   {
     noise = EstimatePoseNoise(solver.m_Blocks, solver.m_Precision, solver.Offset(state.parameters), state.noise);
   }
+  const double absorbed = std::min(1.6, 1.0 + m_Options.absorbedNoise * noise.smooth * noise.smooth);
+  noise.smooth *= absorbed;
+  noise.white *= absorbed;
   // What outline and frame get wrong stays where the tracing is perfect.
   noise.smooth = std::hypot(noise.smooth, ModelSigma);
   solver.Factor(noise);
@@ -655,6 +697,7 @@ PoseEstimator::ComputeDeviance(const PoseState & state) const
 {
   Solver solver(*this, this->GetPriorSigmas(false), m_Options.useCorrelatedNoise ? m_Options.correlationLength : 0.0);
   const Linearization lin = this->Linearize(state.parameters, this->ComputeContours(state.parameters), true);
+  solver.SetPriors(state.parameters, false);
   solver.SetBlocks(lin, ScoreWidth, m_Options.useRobustKernel);
   for (PoseNoiseBlock & block : solver.m_Blocks)
   {

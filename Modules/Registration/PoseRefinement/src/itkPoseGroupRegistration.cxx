@@ -242,10 +242,9 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   const auto sigmas = m_Estimator.GetPriorSigmas(false);
   for (unsigned int k = 0; k < 7; ++k)
   {
-    if (sigmas[k] > 0.0 && !std::isinf(sigmas[k]) && std::abs(best.parameters[k]) / sigmas[k] > group.priorTension)
+    if (sigmas[k] > 0.0 && !std::isinf(sigmas[k]))
     {
-      group.priorTension = std::abs(best.parameters[k]) / sigmas[k];
-      group.priorTensionParameter = k;
+      group.priorTension[k] = std::abs(best.parameters[k]) / sigmas[k];
     }
   }
   return true;

@@ -120,13 +120,48 @@ JudgeUncertainty(const PoseFitStatistics &               fit,
           " px elsewhere; trace more teeth");
   }
 }
+
+void
+JudgePriors(const PoseGroupResult &                 group,
+            const RegistrationVerdict::Thresholds & thresholds,
+            RegistrationVerdict::JawVerdict &       verdict)
+{
+  constexpr double degree = 180.0 / 3.14159265358979323846;
+  for (const unsigned int k : { PoseRoll, PoseYaw, PoseTy, PoseKappa })
+  {
+    const bool   rotation = k == PoseRoll || k == PoseYaw;
+    const double limit = rotation ? thresholds.suspectRotationTension : thresholds.suspectPriorTension;
+    if (group.priorTension[k] <= limit)
+    {
+      continue;
+    }
+    const double value = group.parameters[k];
+    std::string  text;
+    switch (k)
+    {
+      case PoseKappa:
+        text = "the scale contradicts pixel spacing and distances by " + Number(100.0 * (std::exp(value) - 1.0), 1) +
+               " %: check the pixel spacing and its plane";
+        break;
+      case PoseRoll:
+        text = "the head would be rolled by " + Number(value * degree, 1) + " degrees";
+        break;
+      case PoseYaw:
+        text = "the head would be turned by " + Number(value * degree, 1) + " degrees";
+        break;
+      default:
+        text = "the midline would be " + Number(value, 1) + " mm off the midsagittal plane";
+        break;
+    }
+    Add(verdict, StatusEnum::Suspect, "prior-tension", text);
+  }
+}
 } // namespace
 
 std::vector<RegistrationVerdict::JawVerdict>
 RegistrationVerdict::Evaluate(const PoseRefinementResult & result, const Thresholds & thresholds)
 {
   std::vector<JawVerdict> verdicts(result.jaws.size());
-  const double            degree = 180.0 / 3.14159265358979323846;
   for (std::size_t j = 0; j < result.jaws.size(); ++j)
   {
     const PoseJawResult & jaw = result.jaws[j];
@@ -188,28 +223,7 @@ RegistrationVerdict::Evaluate(const PoseRefinementResult & result, const Thresho
           "ambiguous",
           "another position, " + Number(distance, 0) + " px away, fits nearly as well");
     }
-    if (group.priorTension > thresholds.suspectPriorTension)
-    {
-      const double value = group.parameters[group.priorTensionParameter];
-      std::string  text;
-      switch (group.priorTensionParameter)
-      {
-        case PoseKappa:
-          text = "the scale contradicts pixel spacing and distances by " + Number(100.0 * (std::exp(value) - 1.0), 1) +
-                 " %: check the pixel spacing and its plane";
-          break;
-        case PoseRoll:
-          text = "the head would be rolled by " + Number(value * degree, 1) + " degrees";
-          break;
-        case PoseYaw:
-          text = "the head would be turned by " + Number(value * degree, 1) + " degrees";
-          break;
-        default:
-          text = "the midline would be " + Number(value, 1) + " mm off the midsagittal plane";
-          break;
-      }
-      Add(verdict, StatusEnum::Suspect, "prior-tension", text);
-    }
+    JudgePriors(group, thresholds, verdict);
     if (group.exchangedScore < group.score - thresholds.hypothesisGain)
     {
       Add(verdict, StatusEnum::Failed, "jaws-exchanged", "upper and lower scan seem to be exchanged");

@@ -71,6 +71,35 @@ TEST(PoseRefinementKernel, IsBelowTwoPixelsWithNoiseAndAPoseAndKnowsIt)
   EXPECT_EQ(result.groups.size(), 1u);
 }
 
+TEST(PoseRefinementKernel, ATurnedHeadIsNotPulledStraight)
+{
+  // 10 degrees, where the prior's standard deviation is 3.5: its tails let the data decide.
+  const PoseRefinementTestCase turned(73, CohortEnum::Typical, SideEnum::Right, 0.1745);
+  itk::PoseRefinementOptions   options;
+  const auto                   result = itk::PoseRefinementKernel::Run(turned.jaws, turned.geometry, options);
+  const auto                   verdicts = itk::RegistrationVerdict::Evaluate(result);
+  for (unsigned int jaw : { 0u, 1u })
+  {
+    EXPECT_LT(turned.Error(result, jaw, 'R'), 2.0);
+    EXPECT_FALSE(HasReason(verdicts[jaw], "prior-tension"));
+  }
+  options.rotationPriorFreedom = 0.0;
+  options.rollSigma = options.yawSigma = 0.0349;
+  const auto gaussian = itk::PoseRefinementKernel::Run(turned.jaws, turned.geometry, options);
+  EXPECT_LT(std::abs(gaussian.groups[0].parameters[itk::PoseYaw]), std::abs(result.groups[0].parameters[itk::PoseYaw]));
+}
+
+TEST(PoseRefinementKernel, EachPriorIsJudgedByItsOwnLimit)
+{
+  auto result = itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, itk::PoseRefinementOptions());
+  result.groups[0].priorTension = { { 0.0, 4.0, 4.0, 0.0, 0.0, 0.0, 0.0 } };
+  EXPECT_FALSE(HasReason(itk::RegistrationVerdict::Evaluate(result)[0], "prior-tension"));
+  result.groups[0].priorTension[itk::PoseYaw] = 6.0;
+  EXPECT_TRUE(HasReason(itk::RegistrationVerdict::Evaluate(result)[0], "prior-tension"));
+  result.groups[0].priorTension = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4.0 } };
+  EXPECT_TRUE(HasReason(itk::RegistrationVerdict::Evaluate(result)[0], "prior-tension"));
+}
+
 TEST(PoseRefinementKernel, GivesTheSameBitsForAnyNumberOfThreads)
 {
   itk::PoseRefinementOptions options;

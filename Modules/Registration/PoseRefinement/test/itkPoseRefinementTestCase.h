@@ -37,12 +37,16 @@ struct PoseRefinementTestCase
   std::map<std::string, std::array<double, 3>> landmarks;
   std::map<std::string, std::array<double, 2>> truth;
 
-  PoseRefinementTestCase(std::uint64_t seed, Source::CohortEnum cohort, Source::TracedSideEnum side)
+  PoseRefinementTestCase(std::uint64_t          seed,
+                         Source::CohortEnum     cohort,
+                         Source::TracedSideEnum side,
+                         double                 additionalYaw = 0.0)
   {
     auto source = Source::New();
     source->SetSeed(seed);
     source->SetCohort(cohort);
     source->SetTracedSide(side);
+    source->SetAdditionalYaw(additionalYaw);
     source->SetFrame(itk::DentalPhantomParameters::FrameEnum::Anatomical);
     source->SetNumberOfTriangles(16000);
     source->MakeRadiographOff();
