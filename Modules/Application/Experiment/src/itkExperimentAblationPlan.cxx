@@ -56,6 +56,7 @@ MakeVariants()
   add("one-start", "one candidate a yaw", { "startsPerYaw=1" });
   add("no-codes", "tooth codes' places not used", { "codeWeight=0" });
   add("fixed-outline", "outline of the start kept", { "regenerateOutline=off" });
+  add("gaussian-priors", "Gaussian priors of roll and yaw", { "rotationPriorFreedom=0" });
   add("no-priors", "priors 20 times as wide", { "rollSigma=1.4", "yawSigma=1.4", "tySigma=40", "kappaSigma=0.32" });
   return variants;
 }
