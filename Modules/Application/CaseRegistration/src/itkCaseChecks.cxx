@@ -90,22 +90,38 @@ CheckUnit(const DentalCaseData & data, JawEnum jaw, const DentalJawFrame & frame
   result.AddReason(CaseStatusEnum::Suspect, reason.str());
 }
 
-/** Distance from a point (mm) to the nearest vertex of a scan. */
-double
-DistanceToScan(const PointType & point, const DentalCaseData::MeshType * mesh)
+/** Distances from points (mm) to their nearest vertex of a scan, in one pass over it. */
+std::vector<double>
+DistancesToScan(const std::vector<std::pair<ToothCode, PointType>> & points, const DentalCaseData::MeshType * mesh)
 {
-  double best = std::numeric_limits<double>::max();
-  for (auto it = mesh->GetPoints()->Begin(); it != mesh->GetPoints()->End(); ++it)
+  const std::size_t                 count = points.size();
+  std::array<std::vector<float>, 3> from;
+  for (const auto & point : points)
   {
-    double squared = 0.0;
     for (unsigned int d = 0; d < 3; ++d)
     {
-      const double difference = it.Value()[d] - point[d];
-      squared += difference * difference;
+      from[d].push_back(static_cast<float>(point.second[d]));
     }
-    best = std::min(best, squared);
   }
-  return std::sqrt(best);
+  std::vector<float> best(count, std::numeric_limits<float>::max());
+  for (const auto & vertex : mesh->GetPoints()->CastToSTLConstContainer())
+  {
+    const float p[3] = { vertex[0], vertex[1], vertex[2] };
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const float x = from[0][i] - p[0];
+      const float y = from[1][i] - p[1];
+      const float z = from[2][i] - p[2];
+      const float squared = x * x + y * y + z * z;
+      best[i] = squared < best[i] ? squared : best[i];
+    }
+  }
+  std::vector<double> distances;
+  for (const float squared : best)
+  {
+    distances.push_back(std::sqrt(static_cast<double>(squared)));
+  }
+  return distances;
 }
 
 double
@@ -152,17 +168,10 @@ CheckNamesAgainstScans(const DentalCaseData & data, CaseResult & result)
     {
       continue;
     }
-    const auto *        opposite = data.GetJaw(other).mesh.GetPointer();
-    std::vector<double> toOwn;
-    std::vector<double> toOther;
-    for (const auto & landmark : landmarks)
-    {
-      toOwn.push_back(DistanceToScan(landmark.second, own));
-      if (opposite != nullptr)
-      {
-        toOther.push_back(DistanceToScan(landmark.second, opposite));
-      }
-    }
+    const auto *              opposite = data.GetJaw(other).mesh.GetPointer();
+    const std::vector<double> toOwn = DistancesToScan(landmarks, own);
+    const std::vector<double> toOther =
+      opposite != nullptr ? DistancesToScan(landmarks, opposite) : std::vector<double>();
     told = true;
     const double ownMedian = Median(toOwn);
     const char * name = jaw == JawEnum::Upper ? "upper" : "lower";

@@ -20,6 +20,7 @@
 #include "itkCaseSimilarityRegistration.h"
 #include "itkContourDistanceFilter.h"
 #include "itkMeshSilhouette.h"
+#include "itkParallelFor.h"
 #include "itkPoseRefinementKernel.h"
 #include "itkRegistrationVerdict.h"
 
@@ -267,17 +268,38 @@ FindOtherSide(const DentalLandmarkSet<3> & landmarks, const std::string & name)
   return nullptr;
 }
 
+/** The projection of a scan at the solution. */
+PerspectiveProjection
+PlaceJaw(const PoseJawResult & poseJaw, double kappa, const CephalometricGeometry * geometry)
+{
+  const auto spacing = geometry->GetPixelSpacing();
+  // Scale is spacing x magnification: as a geometry it is a pixel of another size.
+  auto placed = CephalometricGeometry::New();
+  placed->CopyParameters(geometry);
+  placed->SetPixelSpacing(spacing * std::exp(-kappa));
+  CephalometricGeometry::RotationType rotation;
+  CephalometricGeometry::VectorType   translation;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    translation[row] = poseJaw.translation[row];
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rotation(row, column) = poseJaw.rotation[3 * row + column];
+    }
+  }
+  placed->SetPose(rotation, translation);
+  return placed->GetProjection();
+}
+
 /** The exact silhouette of the whole scan at the solution, and the paper's figures on it. */
 void
-MeasureWholeSilhouette(const TriangleSurface &       surface,
-                       const CephalometricGeometry * placed,
+MeasureWholeSilhouette(const Silhouette &            silhouette,
+                       const PerspectiveProjection & projection,
                        DentalContour *               tracing,
                        unsigned int                  numberOfPoints,
                        JawResult &                   result)
 {
-  const PerspectiveProjection projection = placed->GetProjection();
-  const Silhouette            silhouette = MeshSilhouette(surface).ComputeOuterBoundary(projection);
-  auto                        contour = DentalContour::New();
+  auto contour = DentalContour::New();
   if (!silhouette.loops.empty())
   {
     DentalContour::PolylineType polyline;
@@ -405,6 +427,22 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   {
     result.notCheckable.push_back(sentence);
   }
+
+  // The largest part of what remains, and the jaws do not need each other.
+  TimeProbe silhouetteProbe;
+  silhouetteProbe.Start();
+  std::vector<PerspectiveProjection> projections(inputs.size());
+  std::vector<Silhouette>            silhouettes(inputs.size());
+  ParallelFor(inputs.size(), settings.numberOfThreads, [&](std::size_t i) {
+    if (pose.jaws[i].registered)
+    {
+      const double kappa = pose.groups[pose.groupOfJaw[i]].parameters[PoseKappa];
+      projections[i] = PlaceJaw(pose.jaws[i], kappa, result.geometry);
+      silhouettes[i] = MeshSilhouette(*inputs[i].surface).ComputeOuterBoundary(projections[i]);
+    }
+  });
+  silhouetteProbe.Stop();
+
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
     const PoseJawResult & poseJaw = pose.jaws[i];
@@ -455,29 +493,14 @@ RegisterCaseByPose(const DentalCaseData &                 data,
                     { "ambiguity_margin", group.margin },
                     { "similarity_rms_px", poseJaw.similarityRms } };
 
-    // Scale is spacing x magnification: as a geometry it is a pixel of another size.
-    auto placed = CephalometricGeometry::New();
-    placed->CopyParameters(result.geometry);
-    placed->SetPixelSpacing(spacing * std::exp(-kappa));
-    CephalometricGeometry::RotationType rotation;
-    CephalometricGeometry::VectorType   translation;
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      translation[row] = poseJaw.translation[row];
-      for (unsigned int column = 0; column < 3; ++column)
-      {
-        rotation(row, column) = poseJaw.rotation[3 * row + column];
-      }
-    }
-    placed->SetPose(rotation, translation);
     TimeProbe contourProbe;
     contourProbe.Start();
     DentalContour * tracing = data.GetJaw(jaws[i]).contour;
     MeasureWholeSilhouette(
-      *inputs[i].surface, placed, tracing, settings.numberOfContourPoints[inputs[i].upper ? 0 : 1], jaw);
+      silhouettes[i], projections[i], tracing, settings.numberOfContourPoints[inputs[i].upper ? 0 : 1], jaw);
     MeasureMatchedContour(poseJaw, tracing, 0.5 * (spacing[0] + spacing[1]), jaw);
     contourProbe.Stop();
-    jaw.seconds.emplace_back("contour", contourProbe.GetTotal());
+    jaw.seconds.emplace_back("contour", contourProbe.GetTotal() + silhouetteProbe.GetTotal());
 
     PredictLandmarks(data, jaws[i], jaw);
     if (data.landmarks3D.IsNotNull())

@@ -23,6 +23,7 @@
 #include "itkDescribePlainly.h"
 
 #include "itkMakeTriangleSurface.h"
+#include "itkParallelFor.h"
 #include "itkPoseRefinementOptionTable.h"
 #include "itkTimeProbe.h"
 
@@ -193,13 +194,14 @@ CaseRegistration::GenerateData()
   frameOptions.jawsShareFrame = ToFrameOption(m_Data->description.occlusion);
   frameOptions.refineMidline = m_Preset == CasePresetEnum::Robust && m_RefineMidline;
   frameOptions.abort = [this]() { return this->GetAbortGenerateData(); };
-  for (const JawEnum jaw : Jaws)
-  {
-    if (m_Data->GetJaw(jaw).mesh.IsNotNull())
+  frameOptions.threads = this->GetNumberOfWorkUnits();
+  ParallelFor(2, frameOptions.threads, [&](std::size_t jaw) {
+    const auto * mesh = (jaw == 0 ? m_Data->upper : m_Data->lower).mesh.GetPointer();
+    if (mesh != nullptr)
     {
-      surfaces[jaw == JawEnum::Upper ? 0 : 1] = MakeTriangleSurface(m_Data->GetJaw(jaw).mesh.GetPointer());
+      surfaces[jaw] = MakeTriangleSurface(mesh);
     }
-  }
+  });
   const DentalFrameResult frames = EstimateDentalFrame(m_Data->upper.mesh.IsNull() ? nullptr : &surfaces[0],
                                                        m_Data->lower.mesh.IsNull() ? nullptr : &surfaces[1],
                                                        frameOptions);

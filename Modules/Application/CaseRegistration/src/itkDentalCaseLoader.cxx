@@ -21,11 +21,15 @@
 #include "itkDentalContourFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
+#include "itkParallelFor.h"
 #include "itkReadDentalMesh.h"
 
+#include "itkMultiThreaderBase.h"
 #include "itkTimeProbe.h"
 
 #include <algorithm>
+#include <array>
+#include <exception>
 #include <sstream>
 
 namespace itk
@@ -244,8 +248,26 @@ LoadDentalCase(const DentalCase & description)
     data->landmarks3D = landmarkReader->GetOutput();
     data->landmarks3D->DisconnectPipeline();
   }
-  data->upper.mesh = LoadMesh(description.upperFile, description.millimetresPerUnit);
-  data->lower.mesh = LoadMesh(description.lowerFile, description.millimetresPerUnit);
+  // Both at once; of two errors the upper jaw's is told.
+  std::array<std::exception_ptr, 2> errors;
+  ParallelFor(2, MultiThreaderBase::GetGlobalDefaultNumberOfThreads(), [&](std::size_t jaw) {
+    try
+    {
+      (jaw == 0 ? data->upper : data->lower).mesh =
+        LoadMesh(jaw == 0 ? description.upperFile : description.lowerFile, description.millimetresPerUnit);
+    }
+    catch (...)
+    {
+      errors[jaw] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr & error : errors)
+  {
+    if (error)
+    {
+      std::rethrow_exception(error);
+    }
+  }
   probe.Stop();
   data->readSeconds = probe.GetTotal();
   return data;

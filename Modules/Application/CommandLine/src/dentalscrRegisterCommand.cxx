@@ -139,7 +139,10 @@ Register(const RegisterOptions & options, const CommonOptions & common)
   registration->SetUseSurfaceDRR(options.silhouette == "drr");
   registration->SetNumberOfWorkUnits(common.threads > 0 ? common.threads
                                                         : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
-  registration->SetData(itk::LoadDentalCase(description));
+  // Kept to the end: the system takes memory back at once, cell by cell it would take a twentieth of the whole time.
+  static auto * const data = new std::shared_ptr<const itk::DentalCaseData>;
+  *data = itk::LoadDentalCase(description);
+  registration->SetData(*data);
   // Until the result is written: a signal ends the registration, but not the moving of files.
   const InterruptGuard guard(registration);
   {

@@ -102,6 +102,13 @@ public:
   itkGetConstMacro(NumberOfFacesInFile, SizeValueType);
   itkGetConstMacro(NumberOfDegenerateFaces, SizeValueType);
 
+  /** What ReadMeshInformation() has read, until ReadCells(); else null. */
+  const SurfaceMeshFile *
+  GetSurface() const
+  {
+    return m_Surface.get();
+  }
+
 protected:
   OpenMeshMeshIO();
   ~OpenMeshMeshIO() override;

@@ -20,8 +20,10 @@
 
 #include "itkReadDentalMesh.h"
 
-#include <filesystem>
-#include <system_error>
+#include "itkSurfaceMeshFile.h"
+#include "itkTriangleCell.h"
+
+#include <cstddef>
 
 namespace itk
 {
@@ -34,20 +36,44 @@ ReadDentalMesh(const std::string & fileName)
   {
     itkDentalInputErrorMacro("mesh file", "", "the name is empty", "name an STL, PLY, OBJ or OFF file");
   }
-  const auto      meshIO = OpenMeshMeshIO::New();
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(fileName, ignored))
+  const auto meshIO = OpenMeshMeshIO::New();
+  meshIO->SetFileName(fileName);
+  meshIO->ReadMeshInformation();
+  const SurfaceMeshFile & surface = *meshIO->GetSurface();
+
+  // What the stock reader makes of it, without its buffers and a time stamp for each point and cell.
+  auto       mesh = TMesh::New();
+  const auto points = TMesh::PointsContainer::New();
+  points->Reserve(surface.GetNumberOfPoints());
+  auto &     pointValues = points->CastToSTLContainer();
+  const auto copyPoints = [&pointValues](const auto & from) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        pointValues[i][d] = static_cast<typename TMesh::CoordRepType>(from[i][d]);
+      }
+    }
+  };
+  copyPoints(surface.floatPoints);
+  copyPoints(surface.doublePoints);
+  mesh->SetPoints(points);
+
+  using TriangleType = TriangleCell<typename TMesh::CellType>;
+  const auto cells = TMesh::CellsContainer::New();
+  cells->Reserve(surface.triangles.size());
+  auto & cellValues = cells->CastToSTLContainer();
+  mesh->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
+  mesh->SetCells(cells);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
   {
-    // Throws what is wrong; the stock reader would wait for ever for the other end of a named pipe.
-    meshIO->SetFileName(fileName);
-    meshIO->ReadMeshInformation();
+    auto * const triangle = new TriangleType;
+    for (unsigned int corner = 0; corner < 3; ++corner)
+    {
+      triangle->SetPointId(static_cast<int>(corner), surface.triangles[i][corner]);
+    }
+    cellValues[i] = triangle;
   }
-  const auto reader = MeshFileReader<TMesh>::New();
-  reader->SetMeshIO(meshIO);
-  reader->SetFileName(fileName);
-  reader->Update();
-  typename TMesh::Pointer mesh = reader->GetOutput();
-  mesh->DisconnectPipeline();
   return mesh;
 }
 
