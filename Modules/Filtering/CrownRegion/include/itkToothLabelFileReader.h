@@ -24,6 +24,7 @@
 #include "itkProcessObject.h"
 #include "itkSimpleDataObjectDecorator.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,12 +32,15 @@
 namespace itk
 {
 /** \class ToothLabelFileReader
- * \brief Tooth labels of a mesh's points from the JSON files of Teeth3DS and 3DTeethSeg22.
+ * \brief Tooth labels of a mesh's points: JSON files of Teeth3DS and 3DTeethSeg22, VTK and PLY files of DCBIA's tools.
  *
- * `{"jaw": "upper", "labels": [0, 0, 11, 11, ...], ...}`: one number a point, in the order of the points of the mesh's
- * file; FDI, 0 for gingiva. With Numbering Universal the numbers are 1 to 32, and 0 or 33 for gingiva, as in the array
- * `Universal_ID` of DCBIA; a member of that name (or `UniversalID`, `PredictedID`) in place of `labels` is read so
- * whatever Numbering says.
+ * JSON: `{"jaw": "upper", "labels": [0, 0, 11, 11, ...], ...}`: one number a point, in the order of the points of the
+ * mesh's file; FDI, 0 for gingiva. With Numbering Universal the numbers are 1 to 32, and 0 or 33 for gingiva, as in the
+ * array `Universal_ID` of DCBIA; a member of that name (or `UniversalID`, `PredictedID`) in place of `labels` is read
+ * so whatever Numbering says.
+ *
+ * .vtk, .vtp (PolyData) and .ply: the point array, in PLY the vertices' property, of one of these names, always
+ * universal numbers; it is in the order of the file's own points.
  *
  * SetNumberOfPoints() has the count checked. OBJ, PLY and OFF are read with their points as in the file; points of STL
  * are welded and numbered anew, so that labels fit no mesh that was read from STL unless they were made for it.
@@ -114,12 +118,24 @@ protected:
 
 private:
   void
+  ReadJson();
+  void
+  ReadSurface();
+
+  /** Numbers of the file to FDI. `fail(index, problem, remedy)` throws. */
+  template <typename TFail>
+  void
+  TakeLabels(const std::vector<double> & values, NumberingEnum numbering, const TFail & fail);
+
+  void
   CheckCount(std::size_t labels, std::size_t points, const std::string & field) const;
 
   std::string   m_FileName;
   NumberingEnum m_Numbering{ NumberingEnum::FDI };
   SizeValueType m_NumberOfPoints{ 0 };
   JawEnum       m_Jaw{ JawEnum::Unknown };
+  /** Points labelled as upper and as lower teeth. */
+  std::array<std::size_t, 2> m_NumbersOfJaw{ { 0, 0 } };
 };
 
 template <typename TMesh>

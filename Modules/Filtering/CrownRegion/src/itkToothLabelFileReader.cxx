@@ -19,8 +19,11 @@
 
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
+#include "itkSurfaceMeshFile.h"
+#include "itkVTKSurfaceFile.h"
 
-#include <array>
+#include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace itk
@@ -78,10 +81,102 @@ ToothLabelFileReader::CheckCount(std::size_t labels, std::size_t points, const s
   }
 }
 
+template <typename TFail>
 void
-ToothLabelFileReader::GenerateData()
+ToothLabelFileReader::TakeLabels(const std::vector<double> & values, NumberingEnum numbering, const TFail & fail)
 {
-  m_Jaw = JawEnum::Unknown;
+  const bool           universal = numbering == NumberingEnum::Universal;
+  std::array<int, 256> known;
+  known.fill(-1);
+  known[0] = 0;
+  if (universal)
+  {
+    known[33] = 0;
+  }
+  std::array<std::size_t, 2> ofJaw{ { 0, 0 } };
+  LabelContainerType         labels(values.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const bool whole = values[i] >= 0.0 && values[i] < 256.0 && values[i] == std::floor(values[i]);
+    const auto value = static_cast<std::size_t>(whole ? values[i] : 255.0);
+    if (known[value] < 0)
+    {
+      try
+      {
+        known[value] = ToothCode::FromString(std::to_string(value), numbering).GetFDI();
+      }
+      catch (const std::invalid_argument &)
+      {
+        std::ostringstream problem;
+        problem << "is " << values[i] << ", which is no permanent tooth's " << (universal ? "universal" : "FDI")
+                << " number";
+        fail(i,
+             problem.str(),
+             universal ? "give 1 to 32, 0 or 33 for gingiva"
+                       : "give 11 to 48, 0 for gingiva; or say that the numbering is universal");
+      }
+    }
+    labels[i] = static_cast<std::uint8_t>(known[value]);
+    if (labels[i] != 0)
+    {
+      ++ofJaw[labels[i] / 10 <= 2 ? 0 : 1];
+    }
+  }
+  m_NumbersOfJaw = ofJaw;
+  if (ofJaw[0] != ofJaw[1])
+  {
+    m_Jaw = ofJaw[0] > ofJaw[1] ? JawEnum::Upper : JawEnum::Lower;
+  }
+  this->GetOutput()->Set(labels);
+}
+
+void
+ToothLabelFileReader::ReadSurface()
+{
+  std::string         name;
+  std::vector<double> values;
+  bool                ofCells = false;
+  if (IsVTKSurfaceFileName(m_FileName))
+  {
+    VTKSurfaceFile surface = ReadVTKSurfaceFile(m_FileName);
+    name = surface.labelName;
+    values = std::move(surface.labels);
+    ofCells = surface.labelsOfCells;
+  }
+  else
+  {
+    try
+    {
+      SurfaceMeshFile surface = ReadSurfaceMeshFile(m_FileName);
+      name = surface.vertexLabelName;
+      values = std::move(surface.vertexLabels);
+    }
+    catch (const SurfaceMeshFileError & error)
+    {
+      itkDentalInputErrorMacro(m_FileName, error.field, error.problem, error.remedy);
+    }
+  }
+  if (name.empty())
+  {
+    itkDentalInputErrorMacro(m_FileName,
+                             "",
+                             ofCells ? "has tooth labels of its faces, not of its points"
+                                     : "has no tooth labels: no point array Universal_ID, UniversalID or PredictedID",
+                             ofCells ? "turn the cell data into point data" : "name the file that was labelled");
+  }
+  if (m_NumberOfPoints != 0)
+  {
+    this->CheckCount(values.size(), m_NumberOfPoints, name);
+  }
+  this->TakeLabels(
+    values, NumberingEnum::Universal, [&](std::size_t i, const std::string & problem, const std::string & remedy) {
+      itkDentalInputErrorMacro(m_FileName, name + "[" + std::to_string(i) + "]", problem, remedy);
+    });
+}
+
+void
+ToothLabelFileReader::ReadJson()
+{
   const JsonDocument document = JsonDocument::ReadFile(m_FileName);
   const JsonNode     root = document.GetRoot();
   NumberingEnum      numbering = m_Numbering;
@@ -108,42 +203,14 @@ ToothLabelFileReader::GenerateData()
   {
     list.Fail("is empty", "give one label a point of the mesh, 0 for gingiva");
   }
-
-  const bool           universal = numbering == NumberingEnum::Universal;
-  std::array<int, 256> known;
-  known.fill(-1);
-  known[0] = 0;
-  if (universal)
-  {
-    known[33] = 0;
-  }
-  std::array<std::size_t, 2> ofJaw{ { 0, 0 } };
-  LabelContainerType         labels(count, 0);
+  std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    const JsonNode node = list.At(i);
-    const auto     value = static_cast<std::size_t>(node.AsInteger(0, 255));
-    if (known[value] < 0)
-    {
-      try
-      {
-        known[value] = ToothCode::FromString(std::to_string(value), numbering).GetFDI();
-      }
-      catch (const std::invalid_argument &)
-      {
-        node.Fail("is " + std::to_string(value) + ", which is no permanent tooth's " +
-                    (universal ? "universal" : "FDI") + " number",
-                  universal ? "give 1 to 32, 0 or 33 for gingiva"
-                            : "give 11 to 48, 0 for gingiva; or say that the "
-                              "numbering is universal");
-      }
-    }
-    labels[i] = static_cast<std::uint8_t>(known[value]);
-    if (labels[i] != 0)
-    {
-      ++ofJaw[labels[i] / 10 <= 2 ? 0 : 1];
-    }
+    values[i] = static_cast<double>(list.At(i).AsInteger(0, 255));
   }
+  this->TakeLabels(values, numbering, [&](std::size_t i, const std::string & problem, const std::string & remedy) {
+    list.At(i).Fail(problem, remedy);
+  });
   if (const auto jaw = root.Find("jaw"))
   {
     const std::string & name = jaw->AsString();
@@ -152,16 +219,31 @@ ToothLabelFileReader::GenerateData()
       jaw->Fail("is \"" + name + "\"", "give \"upper\" or \"lower\"");
     }
     m_Jaw = name == "upper" ? JawEnum::Upper : JawEnum::Lower;
-    if (ofJaw[name == "upper" ? 1 : 0] > ofJaw[name == "upper" ? 0 : 1])
+    if (m_NumbersOfJaw[name == "upper" ? 1 : 0] > m_NumbersOfJaw[name == "upper" ? 0 : 1])
     {
       jaw->Fail("is \"" + name + "\", but most labels are teeth of the other jaw", "correct the jaw or the numbering");
     }
   }
-  else if (ofJaw[0] != ofJaw[1])
+}
+
+void
+ToothLabelFileReader::GenerateData()
+{
+  m_Jaw = JawEnum::Unknown;
+  const MeshFileFormatEnum named = MeshFileFormatFromName(m_FileName);
+  if (IsVTKSurfaceFileName(m_FileName) || named == MeshFileFormatEnum::PLY)
   {
-    m_Jaw = ofJaw[0] > ofJaw[1] ? JawEnum::Upper : JawEnum::Lower;
+    this->ReadSurface();
   }
-  this->GetOutput()->Set(labels);
+  else if (named != MeshFileFormatEnum::Unknown)
+  {
+    itkDentalInputErrorMacro(
+      m_FileName, "", "a file of this format has no tooth labels", "name a .json, .vtk, .vtp or .ply file");
+  }
+  else
+  {
+    this->ReadJson();
+  }
 }
 
 void
@@ -172,5 +254,6 @@ ToothLabelFileReader::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Numbering: " << m_Numbering << std::endl;
   os << indent << "NumberOfPoints: " << m_NumberOfPoints << std::endl;
   os << indent << "Jaw: " << m_Jaw << std::endl;
+  os << indent << "NumbersOfJaw: " << m_NumbersOfJaw[0] << " " << m_NumbersOfJaw[1] << std::endl;
 }
 } // namespace itk

@@ -118,4 +118,62 @@ TEST(ToothLabelFileReader, AsksForAFileName)
 {
   EXPECT_THROW(ReaderType::New()->Update(), itk::ExceptionObject);
 }
+constexpr const char * LegacyScan = "# vtk DataFile Version 4.2\nscan\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n"
+                                    "0 0 0 1 0 0 0 1 0 1 1 0\nPOLYGONS 2 8\n3 0 1 2\n3 1 3 2\n";
+
+TEST(ToothLabelFileReader, ReadsUniversalNumbersOfVTKFiles)
+{
+  // 1..16 = UR8..UL8, 17..32 = LL8..LR8; 33 is gingiva.
+  for (const char * name : { "Universal_ID", "UniversalID", "PredictedID" })
+  {
+    auto reader = MakeReader("labels.vtk",
+                             std::string(LegacyScan) + "POINT_DATA 4\nSCALARS " + name +
+                               " int 1\nLOOKUP_TABLE default\n33 8 9 0\n");
+    reader->SetNumberOfPoints(4);
+    reader->Update();
+    EXPECT_EQ(reader->GetLabels(), (ReaderType::LabelContainerType{ 0, 11, 21, 0 })) << name;
+    EXPECT_EQ(reader->GetJaw(), ReaderType::JawEnum::Upper);
+  }
+  auto reader =
+    MakeReader("labels.vtp",
+               "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">"
+               "<PolyData><Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\"><PointData>"
+               "<DataArray type=\"Float64\" Name=\"PredictedID\" format=\"ascii\">17 24 32</DataArray></PointData>"
+               "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0"
+               "</DataArray></Points><Polys><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2"
+               "</DataArray><DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray></Polys></Piece>"
+               "</PolyData></VTKFile>");
+  reader->Update();
+  EXPECT_EQ(reader->GetLabels(), (ReaderType::LabelContainerType{ 38, 31, 48 }));
+  EXPECT_EQ(reader->GetJaw(), ReaderType::JawEnum::Lower);
+}
+
+TEST(ToothLabelFileReader, ReadsUniversalNumbersOfPLYFiles)
+{
+  const std::string head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty int ";
+  const std::string tail = "\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int "
+                           "vertex_indices\nend_header\n0 1 0 0\n1 33 0 0\n0 16 1 0\n3 0 1 2\n";
+  auto              reader = MakeReader("labels.ply", head + "UniversalID" + tail);
+  reader->Update();
+  EXPECT_EQ(reader->GetLabels(), (ReaderType::LabelContainerType{ 18, 0, 28 }));
+  EXPECT_NE(ErrorOf(MakeReader("none.ply", head + "quality" + tail)).find("no tooth labels"), std::string::npos);
+}
+
+TEST(ToothLabelFileReader, NamesWhatIsWrongWithASurface)
+{
+  const auto errorOf = [](const std::string & name, const std::string & rest) {
+    return ErrorOf(MakeReader(name, std::string(LegacyScan) + rest));
+  };
+  const std::string scalars = "SCALARS Universal_ID float 1\nLOOKUP_TABLE default\n";
+  EXPECT_NE(errorOf("a.vtk", "POINT_DATA 4\n" + scalars + "33 34 1 1\n").find("Universal_ID[1]: is 34"),
+            std::string::npos);
+  EXPECT_NE(errorOf("b.vtk", "POINT_DATA 4\n" + scalars + "1 1 1 8.5\n").find("Universal_ID[3]: is 8.5"),
+            std::string::npos);
+  EXPECT_NE(errorOf("c.vtk", "POINT_DATA 4\n" + scalars + "1 1 nan 1\n").find("Universal_ID[2]: is nan"),
+            std::string::npos);
+  EXPECT_NE(errorOf("d.vtk", "").find("no point array Universal_ID"), std::string::npos);
+  EXPECT_NE(errorOf("e.vtk", "CELL_DATA 2\n" + scalars + "1 1\n").find("point data"), std::string::npos);
+  EXPECT_NE(ErrorOf(MakeReader("f.stl", "solid\n")).find("has no tooth labels"), std::string::npos);
+  EXPECT_NE(ErrorOf(MakeReader("g.vtp", "x")).find("g.vtp"), std::string::npos);
+}
 } // namespace

@@ -69,6 +69,10 @@ struct MeshOpenMesh_EXPORT SurfaceMeshFile
   std::size_t numberOfFacesInFile{ 0 };
   /** Triangles (after splitting and welding) left out because they name a point twice. */
   std::size_t numberOfDegenerateFaces{ 0 };
+  /** PLY: the vertices' property `Universal_ID`, `UniversalID` or `PredictedID`, tooth labels, and which it was; else
+   * empty. */
+  std::vector<double> vertexLabels;
+  std::string         vertexLabelName;
 
   std::size_t
   GetNumberOfPoints() const

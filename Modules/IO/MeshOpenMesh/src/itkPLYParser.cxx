@@ -429,6 +429,19 @@ ParseVertices(TValues & values, const ElementType & element, SurfaceMeshFile & s
     }
     axis[found] = d;
   }
+  std::size_t label = none;
+  for (const char * name : { "PredictedID", "UniversalID", "Universal_ID" })
+  {
+    for (std::size_t p = 0; p < none; ++p)
+    {
+      label = element.properties[p].name == name && !element.properties[p].IsList() ? p : label;
+    }
+  }
+  if (label < none)
+  {
+    surface.vertexLabelName = element.properties[label].name;
+    surface.vertexLabels.resize(element.count);
+  }
   surface.doublePoints.resize(element.count);
   for (std::uint64_t v = 0; v < element.count; ++v)
   {
@@ -438,6 +451,10 @@ ParseVertices(TValues & values, const ElementType & element, SurfaceMeshFile & s
       if (axis[p] < 3)
       {
         surface.doublePoints[v][axis[p]] = values.NextCoordinate(element.properties[p].type);
+      }
+      else if (p == label)
+      {
+        surface.vertexLabels[v] = values.NextCoordinate(element.properties[p].type);
       }
       else
       {
