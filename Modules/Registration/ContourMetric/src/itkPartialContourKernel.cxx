@@ -913,10 +913,20 @@ PartialContourKernel::ComputeOverlap(const ContourSimilarity & similarity, doubl
       continue;
     }
     const auto & target = m_MovingIndex.GetTargets()[row.match.target];
-    if (target.length > 0.0 &&
-        ((target.startIsEnd && row.match.part <= 0.0) || (target.endIsEnd && row.match.part >= 1.0)))
+    if ((target.startIsEnd && row.match.part <= 0.0) || (target.endIsEnd && row.match.part >= 1.0))
     {
-      continue;
+      // Beyond the end, or beside it?
+      double tx;
+      double ty;
+      double rx;
+      double ry;
+      map.Turn(target.dx, target.dy, tx, ty);
+      map.Turn(row.match.x, row.match.y, rx, ry);
+      const double along = tx * (sample.x - map.scale * rx - map.tx) + ty * (sample.y - map.scale * ry - map.ty);
+      if (std::abs(along) > 1e-9 * target.length)
+      {
+        continue;
+      }
     }
     matched += sample.weight;
     squares += sample.weight * row.e * row.e;
