@@ -449,6 +449,58 @@ def ContourDistance(
     return process.Execute(fixed, moving, transform)
 
 
+class ContourOverlaps(NamedTuple):
+    """How much of two contours lies together, and how noisy the tracing is."""
+
+    #: Share of the tracing, by weight, and of the outline, by length.
+    fixedShare: float
+    movingShare: float
+    #: Of the tracing's share, px.
+    rootMeanSquare: float
+    #: Standard deviations of the tracer's drift and of the points' own errors, px.
+    smoothNoise: float
+    whiteNoise: float
+
+
+class ContourOverlapFilter(ProcessObject, _core.ContourOverlapFilter):
+    """How much of an open tracing and of a contour lies together, how closely, and how noisy the tracing is."""
+
+    def Execute(
+        self, fixed: ContourLike, moving: ContourLike, transform: Optional[TransformLike] = None
+    ) -> ContourOverlaps:
+        """Measures.
+
+        Parameters
+        ----------
+        fixed : contour-like
+            The tracing.
+        moving : contour-like
+            The outline.
+        transform : transform-like, optional
+            Maps moving to fixed; without it they share a frame.
+        """
+        self._SetFixedContour(as_contour(fixed))
+        self._SetMovingContour(as_contour(moving))
+        self._SetTransform(as_similarity(transform))
+        self._Update()
+        return ContourOverlaps(
+            self.GetFixedShare(),
+            self.GetMovingShare(),
+            self.GetRootMeanSquare(),
+            self.GetSmoothNoise(),
+            self.GetWhiteNoise(),
+        )
+
+
+def ContourOverlap(
+    fixed: ContourLike, moving: ContourLike, transform: Optional[TransformLike] = None, **settings: Any
+) -> ContourOverlaps:
+    """Overlap of two contours; see :class:`ContourOverlapFilter`. ``maximumDistance=3.0`` is a setting."""
+    process = ContourOverlapFilter()
+    apply_settings(process, settings)
+    return process.Execute(fixed, moving, transform)
+
+
 class CrownRegionMeshFilter(ProcessObject, _core.CrownRegionMeshFilter):
     """The crowns of a scan, without gingiva, palate and plaster base."""
 

@@ -20,6 +20,7 @@
 #include "itkCoherentPointDriftContourRegistrationMethod.h"
 #include "itkContourChamferMetricv4.h"
 #include "itkContourDistanceFilter.h"
+#include "itkContourOverlapFilter.h"
 #include "itkIntensityRegistrationMethod.h"
 #include "itkIterativeClosestPointContourRegistrationMethod.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
@@ -47,6 +48,7 @@ using MethodType = itk::SilhouetteToContourRegistrationMethod;
 using TransformType = itk::Similarity2DTransform<double>;
 using itk::DentalContour;
 using DistanceFilterType = itk::ContourDistanceFilter;
+using OverlapFilterType = itk::ContourOverlapFilter;
 using DirectionEnum = itk::ContourMetricEnums::Direction;
 using DistanceEnum = itk::ContourMetricEnums::Distance;
 
@@ -166,6 +168,48 @@ WrapMetrics(py::module_ & module)
       "GetFixedToMovingDistances",
       [](const DistanceFilterType & self) { return MakeArray(self.GetFixedToMovingDistances()); },
       "One a point, px; NaN for points of weight 0.");
+  ProcessClass<OverlapFilterType>(
+    module, "ContourOverlapFilter", "How much of an open tracing and of a contour lies together.")
+    .def(New<OverlapFilterType>())
+    .def("_SetFixedContour", &OverlapFilterType::SetFixedContour, py::arg("contour"))
+    .def("_SetMovingContour", &OverlapFilterType::SetMovingContour, py::arg("contour"))
+    .def(
+      "_SetTransform",
+      [](OverlapFilterType & self, const TransformType * transform) {
+        if (transform == nullptr)
+        {
+          self.SetTransformInput(nullptr);
+        }
+        else
+        {
+          self.SetTransform(transform);
+        }
+      },
+      py::arg("transform"))
+    .dentalscrProperty(OverlapFilterType, MaximumDistance)
+    .dentalscrProperty(OverlapFilterType, GapLength)
+    .dentalscrBoolean(OverlapFilterType, GateByTooth)
+    .dentalscrProperty(OverlapFilterType, CorrelationLength)
+    .def(
+      "GetFixedShare", [](const OverlapFilterType & self) { return self.GetFixedShare(); }, "Of the tracing, 0 to 1.")
+    .def(
+      "GetMovingShare", [](const OverlapFilterType & self) { return self.GetMovingShare(); }, "Of the outline, 0 to 1.")
+    .def(
+      "GetRootMeanSquare", [](const OverlapFilterType & self) { return self.GetRootMeanSquare(); }, "px.")
+    .def(
+      "GetLargestDistance", [](const OverlapFilterType & self) { return self.GetLargestDistance(); }, "px.")
+    .def(
+      "GetSmoothNoise", [](const OverlapFilterType & self) { return self.GetSmoothNoise(); }, "px.")
+    .def(
+      "GetWhiteNoise", [](const OverlapFilterType & self) { return self.GetWhiteNoise(); }, "px.")
+    .def(
+      "GetFixedDistances",
+      [](const OverlapFilterType & self) { return MakeArray(self.GetFixedDistances()); },
+      "One a point, px; NaN for points that are ignored.")
+    .def(
+      "GetMovingDistances",
+      [](const OverlapFilterType & self) { return MakeArray(self.GetMovingDistances()); },
+      "One a point, px; NaN for points without tracing beside them.");
 }
 
 using MetricType = itk::ContourToContourMetricv4;

@@ -131,6 +131,17 @@ def test_distances_of_two_lines(ds):
     assert shifted.movingToFixed == 0.0
 
 
+def test_overlap_of_two_lines(ds):
+    tracing = [[float(x), 2.0] for x in range(101)]
+    outline = [[float(x), 0.0] for x in range(25, 251)]
+    figures = ds.ContourOverlap(tracing, outline, maximumDistance=3.0)
+    assert figures.fixedShare == pytest.approx(76 / 101)
+    assert figures.movingShare == pytest.approx(75 / 225, abs=0.01)
+    assert figures.rootMeanSquare == pytest.approx(2.0)
+    away = ds.ContourOverlap(tracing, outline, ds.Similarity2DTransform(translation=(0.0, 50.0)))
+    assert away.fixedShare == 0.0
+
+
 def test_crowns_by_labels_are_the_labelled_points(ds, jaws):
     mesh = jaws["upper"].mesh
     process = ds.CrownRegionMeshFilter()
