@@ -124,7 +124,7 @@ struct PoseRefinementOptions
   double orientationWeight{ 8.0 };
   /** Correlation along the tracing (generalised least squares), or independent points. */
   bool   useCorrelatedNoise{ true };
-  double correlationLength{ 12.0 };
+  double correlationLength{ 14.0 };
   double covarianceCorrelationLength{ 18.0 };
   /** Factor on the standard deviations. */
   double covarianceInflation{ 1.0 };
