@@ -70,11 +70,14 @@ main(int argc, char * argv[])
     registration->SetMovingContour(resample->GetOutput());
 
     auto log = itk::RegistrationIterationCommand::New();
-    log->SetStream(&std::cout);
+    log->SetStream(&std::clog);
     log->Observe(registration);
     registration->Update();
 
-    std::cout << "scale, angle, translation: " << registration->GetTransform()->GetParameters() << std::endl;
+    const auto * transform = registration->GetTransform();
+    std::cout << "scale: " << transform->GetScale() << "\nangle: " << transform->GetAngle()
+              << "\ntranslation u: " << transform->GetTranslation()[0]
+              << "\ntranslation v: " << transform->GetTranslation()[1] << std::endl;
   }
   catch (const itk::ExceptionObject & error)
   {

@@ -7,6 +7,7 @@ import subprocess
 import pytest
 
 HERE = pathlib.Path(__file__).resolve().parent
+EXAMPLE = HERE.parent.parent / "Examples" / "InstalledPackage"
 
 
 def call(*arguments, **keywords):
@@ -41,10 +42,10 @@ def test_every_module_is_exported(prefix):
     assert modules == exported
 
 
-def test_consumer_builds_and_finds_the_known_answer(prefix, tmp_path):
+def test_example_builds_against_it_and_finds_the_known_answer(prefix, tmp_path):
     call(
-        "cmake", "-S", HERE, "-B", tmp_path / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
+        "cmake", "-S", EXAMPLE, "-B", tmp_path / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
         "-DCMAKE_BUILD_TYPE=Release",
     )
     call("cmake", "--build", tmp_path / "build")
-    assert "shift" in call(tmp_path / "build" / "consumer").stdout
+    assert "shift" in call(tmp_path / "build" / "InstalledPackage").stdout
