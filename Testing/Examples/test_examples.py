@@ -73,3 +73,23 @@ def test_cxx_example_gives_what_is_expected(folder, build_dir, phantom, inputs):
     program = build_dir / "bin" / folder.name
     assert program.exists(), f"{program} is not built"
     check(folder, [program], phantom, inputs)
+
+
+@pytest.fixture(scope="session")
+def python(build_dir):
+    """The interpreter of the tests' virtual environment, where there is one, else this one."""
+    candidates = [build_dir.parent / "python-venv" / "bin" / "python", pathlib.Path(sys.executable)]
+    return next(path for path in candidates if path.exists())
+
+
+@pytest.mark.parametrize("folder", EXAMPLES, ids=lambda path: path.name)
+def test_python_twin_gives_the_same(folder, build_dir, phantom, inputs, python):
+    scripts = [path for path in folder.glob("*.py") if path.stem != "plot"]
+    assert len(scripts) == 1, scripts
+    if "import SimpleITK" in scripts[0].read_text():
+        done = subprocess.run([str(python), "-c", "import SimpleITK"], capture_output=True)
+        if done.returncode != 0:
+            pytest.skip("SimpleITK is not installed")
+    environment = dict(os.environ)
+    environment["PYTHONPATH"] = str(build_dir / "python")
+    check(folder, [python, scripts[0]], phantom, inputs, environment)
