@@ -173,10 +173,14 @@ SegmentAndRegister(const std::string & caseFile, const std::string & folder)
   auto                                       predicted = itk::DentalLandmarkSet<2>::New();
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
+    // Both scans have one pose: where a jaw shows too little of a border, the other one's serves.
+    const int    index = registration->GetResultIndex(jaw);
+    const bool   registered = index >= 0 && registration->GetResult().jaws[index].registered;
+    const auto * geometry = registration->GetGeometryOutput(registered ? jaw : 1 - jaw);
     std::vector<itk::DentalContour::PointType> points;
-    for (const auto & point : registration->GetResult().jaws.at(registration->GetResultIndex(jaw)).contour)
+    for (std::size_t i = 0; registered && i < registration->GetResult().jaws[index].contour.size(); ++i)
     {
-      points.push_back(itk::DentalContour::PointType(point.data()));
+      points.push_back(itk::DentalContour::PointType(registration->GetResult().jaws[index].contour[i].data()));
     }
     moving[jaw] = itk::DentalContour::New();
     moving[jaw]->AddPolyline(points);
@@ -184,7 +188,7 @@ SegmentAndRegister(const std::string & caseFile, const std::string & folder)
     {
       if (landmark.tooth.GetJaw() == jaws[jaw])
       {
-        const auto pixel = registration->GetGeometryOutput(jaw)->ProjectPoint(landmark.point);
+        const auto pixel = geometry->ProjectPoint(landmark.point);
         predicted->AddLandmark(landmark.name, pixel);
       }
     }

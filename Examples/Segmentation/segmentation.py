@@ -156,14 +156,17 @@ def main(case_file, folder):
     moving = {}
     for jaw in ("upper", "lower"):
         found = getattr(result, jaw)
+        # Both scans have one pose: where a jaw shows too little of a border, the other one's serves.
+        placed = found if found.registered else result.upper if jaw == "lower" else result.lower
         letter = "U" if jaw == "upper" else "L"
         predicted = {
-            name: found.geometry.ProjectPoint(point) for name, point in case.landmarks3D.items() if name[0] == letter
+            name: placed.geometry.ProjectPoint(point) for name, point in case.landmarks3D.items() if name[0] == letter
         }
         errors = [np.linalg.norm(predicted[name] - marked[name]) for name in predicted if name in marked]
         print(f"{jaw} landmark error px: {np.mean(errors)}")
         print(f"{jaw} verdict: {found.status}")
-        moving[f"{jaw} scan"] = found.contour
+        if found.registered:
+            moving[f"{jaw} scan"] = found.contour
     both = [polyline for contour in contours.values() for polyline in contour.polylines]
     picture = ds.RegistrationOverlay(case.image, both, moving, title="Outline by segmentation")
     (folder / "overlay.png").write_bytes(picture._repr_png_())

@@ -24,12 +24,17 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <string>
 
 namespace dentalscr
 {
 /** The program: what main() does, also for the Python package. Returns the exit code. */
 CommandLine_EXPORT int
 Main(int argc, const char * const * argv);
+
+/** What --xml prints: the verb register as a module of 3D Slicer (Slicer Execution Model). */
+CommandLine_EXPORT std::string
+                   SlicerDescription();
 
 /** Each adds its verb to the program and sets `run` when the user chose it; run returns the exit code. */
 using RunFunction = std::function<int()>;

@@ -30,9 +30,11 @@
 #include "itkTIFFImageIOFactory.h"
 #include "itkVersion.h"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace dentalscr
 {
@@ -75,7 +77,7 @@ Main(int argc, const char * const * argv)
   program.footer("Example:\n"
                  "  dentalscr phantom --output sample\n"
                  "  dentalscr register sample/case.json --output result\n"
-                 "Each verb has its own --help with examples.");
+                 "Each verb has its own --help with examples. --xml describes the verb register to 3D Slicer.");
 
   CommonOptions common;
   program.add_option("--threads", common.threads, "Number of threads (0: all); the result is the same for any")
@@ -91,14 +93,27 @@ Main(int argc, const char * const * argv)
   AddPhantomCommand(program, common, run);
   AddExperimentCommand(program, common, run);
 
+  if (argc > 1 && std::string(argv[1]) == "--xml")
+  {
+    std::cout << SlicerDescription() << std::flush;
+    return AllRegistered;
+  }
   const auto isChosen = [&](CLI::App * verb) { return argc > 1 && verb->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && program.get_subcommands(isChosen).empty())
   {
     return Fail(std::string("there is no verb \"") + argv[1] + "\"; see dentalscr --help");
   }
+  // 3D Slicer puts every flag before the arguments by position, and the verb is one of these.
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  const auto               verb = std::find(arguments.begin(), arguments.end(), "register");
+  if (std::find(arguments.begin(), arguments.end(), "--returnparameterfile") < verb && verb != arguments.end())
+  {
+    std::rotate(arguments.begin(), verb, verb + 1);
+  }
   try
   {
-    program.parse(argc, argv);
+    // CLI11 takes them from the back.
+    program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   }
   catch (const CLI::ParseError & error)
   {

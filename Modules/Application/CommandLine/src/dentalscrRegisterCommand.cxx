@@ -24,6 +24,7 @@
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
 #include "itkMultiThreaderBase.h"
+#include "itkTextFile.h"
 
 #include <iomanip>
 #include <iostream>
@@ -45,6 +46,8 @@ struct RegisterOptions
   std::string              silhouette{ "drr" };
   bool                     noReport{ false };
   std::vector<std::string> set;
+  std::string              returnParameterFile;
+  std::string              ignored;
 };
 
 /** The words of an option; what they throw names the option. */
@@ -167,6 +170,11 @@ Register(const RegisterOptions & options, const CommonOptions & common)
     result.markedLandmarks = reader->GetOutput();
   }
   itk::WriteCaseResult(result, options.output, !options.noReport);
+  if (!options.returnParameterFile.empty())
+  {
+    itk::WriteFileAtomically(options.returnParameterFile,
+                             std::string("status = ") + itk::ToString(result.GetStatus()) + "\n");
+  }
   PrintReasons(result);
   if (!common.quiet)
   {
@@ -197,6 +205,9 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
     "--no-report", options->noReport, "Write no overlays and no scans: result.json and transforms only");
   command->add_option(
     "--option", options->set, "Ingredient of preset robust, NAME=VALUE (Documentation/Robust.md), any number of times");
+  // What 3D Slicer adds to every call; the empty group keeps them out of --help.
+  command->add_option("--returnparameterfile", options->returnParameterFile)->group("");
+  command->add_option("--processinformationaddress", options->ignored)->group("");
   command->footer(
     "Exit code: 0 every jaw registered, 1 a jaw failed, 2 unusable input.\n"
     "Examples:\n"
