@@ -40,7 +40,8 @@ struct PoseRefinementTestCase
   PoseRefinementTestCase(std::uint64_t          seed,
                          Source::CohortEnum     cohort,
                          Source::TracedSideEnum side,
-                         double                 additionalYaw = 0.0)
+                         double                 additionalYaw = 0.0,
+                         unsigned int           numberOfTriangles = 16000)
   {
     auto source = Source::New();
     source->SetSeed(seed);
@@ -48,7 +49,7 @@ struct PoseRefinementTestCase
     source->SetTracedSide(side);
     source->SetAdditionalYaw(additionalYaw);
     source->SetFrame(itk::DentalPhantomParameters::FrameEnum::Anatomical);
-    source->SetNumberOfTriangles(16000);
+    source->SetNumberOfTriangles(numberOfTriangles);
     source->MakeRadiographOff();
     source->Update();
     jaws.resize(2);
