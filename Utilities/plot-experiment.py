@@ -156,7 +156,7 @@ def success(folder, plots):
 def capture(folder, plots):
     data = rows(folder / "capture.csv")
     for key, title in (("accurate", "ends within 2 mm of the truth"), ("converged", "ends where the best start ends")):
-        figure, axis = plt.subplots(figsize=(7, 4))
+        figure, axis = plt.subplots(figsize=(8.5, 4))
         for i, method in enumerate(dict.fromkeys(row["method"] for row in data)):
             chosen = [row for row in data if row["method"] == method and row[key]]
             axis.plot(
@@ -169,7 +169,7 @@ def capture(folder, plots):
         axis.set_xlabel("displacement of the start, mean over the landmarks, mm")
         axis.set_ylabel("success, %")
         axis.set_title(title)
-        axis.legend(fontsize=7)
+        axis.legend(fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5))
         save(figure, plots, f"capture_{key}.png")
 
 
