@@ -143,8 +143,9 @@ def test_robust_is_right_and_says_how_sure_it_is(registered):
             (a, b), (c, d) = jaw["landmark_covariance_px2"][name]
             assert sigma == pytest.approx(math.sqrt((a + d) / 2)) and b == pytest.approx(c)
         errors = jaw["error"]["landmarks"]
-        inside = [error < 2.448 * jaw["landmark_sigma_px"][name] for name, error in errors.items()]
-        assert sum(inside) >= len(inside) - 1
+        # The landmarks of a case err together, so one case says little about 95 %: that is tested on a cohort
+        # (PoseRefinementKernel.RegionsContainTheTruthAsOftenAsTheySay). Here all lie in the circle of 99.9 %.
+        assert all(error < 3.717 * jaw["landmark_sigma_px"][name] for name, error in errors.items())
 
 
 def test_each_jaw_has_its_own_frame(registered):
