@@ -7,7 +7,7 @@ import tempfile
 
 
 def main(programs, first, last):
-    for level in ("ideal", "typical"):
+    for level in ("typical", "ideal"):
         errors, flagged = [], []
         for seed in range(first, last + 1):
             with tempfile.TemporaryDirectory() as folder:

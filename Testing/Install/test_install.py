@@ -49,3 +49,19 @@ def test_example_builds_against_it_and_finds_the_known_answer(prefix, tmp_path):
     )
     call("cmake", "--build", tmp_path / "build")
     assert "shift" in call(tmp_path / "build" / "InstalledPackage").stdout
+
+
+def test_program_of_the_readme_compiles_as_shown_and_runs(prefix, run, tmp_path):
+    text = (HERE.parent.parent / "README.md").read_text()
+    for language, name in (("cmake", "CMakeLists.txt"), ("cpp", "mine.cxx")):
+        (block,) = re.findall(rf"```{language}\n(.*?)```", text, re.DOTALL)
+        (tmp_path / name).write_text(block)
+    call(
+        "cmake", "-S", tmp_path, "-B", tmp_path / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
+        "-DCMAKE_BUILD_TYPE=Release",
+    )
+    call("cmake", "--build", tmp_path / "build")
+    done = run("phantom", "--level", "typical", "--seed", 7, "--output", tmp_path / "case")
+    assert done.returncode == 0, done.stderr
+    parameters = call(tmp_path / "build" / "mine", tmp_path / "case" / "upper.stl", tmp_path / "case" / "contours.json").stdout
+    assert len(parameters.strip().strip("[]").split(",")) == 4
