@@ -7,10 +7,6 @@
 # A dependency that starts with "ITK" is one of ITK's own modules, any other is ours.
 include(GenerateExportHeader)
 
-# Two build trees of one source tree that share this folder have the same compile commands, hence hits in ccache.
-set(DENTALSCR_GENERATED_INCLUDE_DIR "${PROJECT_BINARY_DIR}/include" CACHE PATH "Folder for generated headers")
-mark_as_advanced(DENTALSCR_GENERATED_INCLUDE_DIR)
-
 # A function: a macro would split a description at its semicolons.
 function(itk_module _name)
   cmake_parse_arguments(PARSE_ARGV 1 _itk_module "" "DESCRIPTION" "DEPENDS;TEST_DEPENDS")
@@ -58,7 +54,7 @@ endmacro()
 function(_dentalscr_configure_module _name _scope)
   _dentalscr_resolve_dependencies(targets itk_libraries itk_includes ${DENTALSCR_MODULE_${_name}_DEPENDS})
   set(module_dir "${DENTALSCR_MODULE_${_name}_DIR}")
-  set(binary_dir "${DENTALSCR_GENERATED_INCLUDE_DIR}")
+  set(binary_dir "${PROJECT_BINARY_DIR}/include")
   add_library(DentalSCR::${_name} ALIAS ${_name})
   target_include_directories(${_name} ${_scope}
     "$<BUILD_INTERFACE:${module_dir}/include>"
@@ -83,14 +79,16 @@ function(itk_module_add_library _name)
   dentalscr_target_settings(${_name})
   set_target_properties(${_name} PROPERTIES
     OUTPUT_NAME "DentalSCR${_name}"
+    # Not needed by ELF, and without it shared and static builds have the same compile commands: hits in ccache.
+    DEFINE_SYMBOL ""
     VERSION ${DentalSCR_VERSION}
     SOVERSION ${DentalSCR_VERSION_MAJOR}.${DentalSCR_VERSION_MINOR})
   set(DENTALSCR_MODULE_${_name}_DIR "${_dentalscr_module_dir}")
   set(PROJECT_BINARY_DIR "${DentalSCR_BINARY_DIR}")
   _dentalscr_configure_module(${_name} PUBLIC)
   generate_export_header(${_name} EXPORT_MACRO_NAME ${_name}_EXPORT
-    EXPORT_FILE_NAME "${DENTALSCR_GENERATED_INCLUDE_DIR}/${_name}Export.h")
-  install(FILES "${DENTALSCR_GENERATED_INCLUDE_DIR}/${_name}Export.h"
+    EXPORT_FILE_NAME "${DentalSCR_BINARY_DIR}/include/${_name}Export.h")
+  install(FILES "${DentalSCR_BINARY_DIR}/include/${_name}Export.h"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/DentalSCR" COMPONENT Development)
 endfunction()
 

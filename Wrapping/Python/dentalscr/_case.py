@@ -15,6 +15,7 @@ from . import _core
 from ._errors import ArgumentError
 from ._events import sitkProgressEvent
 from ._inputs import (
+    Array,
     ContourLike,
     ImageLike,
     LandmarksLike,
@@ -145,7 +146,7 @@ class Case:
     @property
     def imageSize(self) -> Tuple[int, int]:
         """(width, height) of the radiograph."""
-        return cast(Tuple[int, int], self._native._GetImageSize())
+        return self._native._GetImageSize()
 
     @property
     def geometry(self) -> _core.CephalometricGeometry:
@@ -153,9 +154,9 @@ class Case:
         return copy.copy(self._native._GetGeometry())
 
     @property
-    def landmarks3D(self) -> Dict[str, np.ndarray]:
+    def landmarks3D(self) -> Dict[str, Array]:
         """On the scans, in the mesh files' unit; a copy."""
-        return cast("Dict[str, np.ndarray]", self._native._GetLandmarks3D())
+        return cast("Dict[str, Array]", self._native._GetLandmarks3D())
 
     @property
     def warnings(self) -> list[str]:
@@ -196,30 +197,30 @@ class JawResult:
     reasons: Tuple[str, ...]
     registered: bool
     #: (3, 4): mesh file (its unit) to homogeneous pixel index.
-    P_pixel_from_mesh: np.ndarray
+    P_pixel_from_mesh: Array
     #: (4, 4), rigid, mm.
-    T_umda_from_mesh: np.ndarray
+    T_umda_from_mesh: Array
     #: (4, 4), rigid, mm.
-    T_cephalostat_from_mesh: np.ndarray
+    T_cephalostat_from_mesh: Array
     #: The geometry's own projection q (pixels) to the radiograph's pixels.
     similarity: Optional[_core.Similarity2DTransform]
     metrics: Dict[str, Any]
     #: Predicted places in the radiograph, pixels.
-    landmarks: Dict[str, np.ndarray]
+    landmarks: Dict[str, Array]
     #: Standard deviation an axis, pixels, where the method has one.
     landmark_sigma: Dict[str, float]
     #: (2, 2), square pixels, where the method has one.
-    landmark_covariance: Dict[str, np.ndarray]
+    landmark_covariance: Dict[str, Array]
     #: Landmark errors, pixels; None without 2-D landmarks.
     error: Optional[Dict[str, Any]]
     #: Aligned contours in the radiograph by name, "whole" among them.
     contours: Dict[str, _core.Contour] = field(repr=False)
 
-    def project(self, points: Any) -> np.ndarray:
+    def project(self, points: Any) -> Array:
         """Where points of the mesh file (N, 3) are in the radiograph: (N, 2) continuous pixel indices."""
         array = np.asarray(points, dtype=np.float64).reshape(-1, 3)
         rows = array @ self.P_pixel_from_mesh[:, :3].T + self.P_pixel_from_mesh[:, 3]
-        return cast(np.ndarray, rows[:, :2] / rows[:, 2:])
+        return cast(Array, rows[:, :2] / rows[:, 2:])
 
 
 class CaseResult:

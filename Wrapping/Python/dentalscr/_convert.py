@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _core
 from ._errors import ArgumentError
-from ._inputs import ImageLike, MeshLike, as_image, as_mesh, as_transform
+from ._inputs import Array, ImageLike, MeshLike, as_image, as_mesh, as_transform
 
 
 def to_sitk(value: Any) -> Any:
@@ -106,7 +106,7 @@ def to_vtk(value: Any) -> Any:
         picture.GetPointData().SetScalars(scalars)
         return picture
 
-    def cells_of(connectivity: np.ndarray, offsets: np.ndarray) -> Any:
+    def cells_of(connectivity: Array, offsets: Array) -> Any:
         cells = vtkCellArray()
         cells.SetData(
             numpy_to_vtkIdTypeArray(np.ascontiguousarray(offsets, np.int64), deep=True),
@@ -157,12 +157,12 @@ def to_trimesh(value: MeshLike) -> Any:
     return trimesh.Trimesh(np.array(mesh.points), np.array(mesh.triangles, np.int64), process=False)
 
 
-def GetArrayFromImage(image: ImageLike) -> np.ndarray:
+def GetArrayFromImage(image: ImageLike) -> Array:
     """(height, width), a copy."""
     return np.array(as_image(image))
 
 
-def GetArrayViewFromImage(image: _core.Image) -> np.ndarray:
+def GetArrayViewFromImage(image: _core.Image) -> Array:
     """(height, width): a read-only view, no copy."""
     if not isinstance(image, _core.Image):
         raise ArgumentError("only a dentalscr.Image has a view")

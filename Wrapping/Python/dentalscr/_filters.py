@@ -9,6 +9,7 @@ import numpy as np
 from . import _core
 from ._errors import ArgumentError
 from ._inputs import (
+    Array,
     ContourLike,
     ImageLike,
     MeshLike,
@@ -260,11 +261,11 @@ class SilhouetteSamples(NamedTuple):
     """For each point of a mesh's silhouette."""
 
     #: (N, 2): outward unit normal in the picture.
-    normals: np.ndarray
+    normals: Array
     #: (N, 3): the point of the surface that projects there, object frame, mm.
-    rim: np.ndarray
+    rim: Array
     #: (N,): arc length within its part, px.
-    arcLength: np.ndarray
+    arcLength: Array
 
 
 class MeshSilhouetteContourSource(ProcessObject, _core.MeshSilhouetteContourSource):

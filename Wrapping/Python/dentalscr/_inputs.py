@@ -6,10 +6,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Optional, Tuple, Union, cast
 
 import numpy as np
+import numpy.typing
 
 from . import _core
 from ._errors import ArgumentError
 
+#: An array of any kind of number.
+Array = numpy.typing.NDArray[Any]
 #: A file name.
 PathLike = Union[str, "os.PathLike[str]"]
 #: Mesh, file, (points, triangles), trimesh, Open3D, vtkPolyData, pyvista, meshio, itk.Mesh as a dictionary.
@@ -38,7 +41,7 @@ def describe(value: object) -> str:
     return f"{kind.__module__}.{kind.__qualname__}"
 
 
-def _triangles_of_polydata(polydata: Any) -> np.ndarray:
+def _triangles_of_polydata(polydata: Any) -> Array:
     cells = polydata.GetPolys()
     if polydata.GetNumberOfStrips() > 0:
         raise ArgumentError("the vtkPolyData has triangle strips; run vtkTriangleFilter (or .triangulate()) first")
@@ -50,7 +53,7 @@ def _triangles_of_polydata(polydata: Any) -> np.ndarray:
     return _from_vtk_array(connectivity).reshape(-1, 3)
 
 
-def _from_vtk_array(array: Any) -> np.ndarray:
+def _from_vtk_array(array: Any) -> Array:
     """A vtkDataArray through the buffer protocol that it has."""
     values = np.asarray(memoryview(array)) if _has_buffer(array) else None
     if values is None:
@@ -117,7 +120,7 @@ def _mesh_of_itk(value: Mapping[str, Any]) -> _core.Mesh:
     return _core.Mesh(points, triangles[:, 2:])
 
 
-def universal_to_fdi(labels: Any) -> np.ndarray:
+def universal_to_fdi(labels: Any) -> Array:
     """Universal tooth numbers 1 to 32 as FDI; 0 and 33 are gingiva."""
     table = np.zeros(34, np.uint8)
     for number in range(1, 33):
@@ -176,7 +179,7 @@ def as_pair(value: Any) -> Tuple[float, float]:
     return (numbers[0], numbers[1])
 
 
-def _array_of_image(image: Any) -> np.ndarray:
+def _array_of_image(image: Any) -> Array:
     module = type(image).__module__.split(".")[0]
     if module == "SimpleITK":
         import SimpleITK
@@ -192,7 +195,7 @@ def _array_of_image(image: Any) -> np.ndarray:
         array = array[0]
     if array.ndim != 2:
         raise ArgumentError(f"the image has {array.ndim} dimensions or several components; a grey 2-D one is needed")
-    return array
+    return cast(Array, array)
 
 
 def _direction_of(image: Any) -> list[float]:
@@ -240,13 +243,13 @@ def as_contour(value: ContourLike, jaw: Optional[str] = None) -> _core.Contour:
     raise TypeError(f"{describe(value)} is no contour; give a Contour, a file name, an (N, 2) array or polylines")
 
 
-def as_landmarks(value: LandmarksLike, dimension: int) -> dict[str, np.ndarray]:
+def as_landmarks(value: LandmarksLike, dimension: int) -> dict[str, Array]:
     """Named points from a dictionary or a file, as a new dictionary of arrays."""
     if is_path(value):
         reader = _core.DentalLandmarkFileReader2D() if dimension == 2 else _core.DentalLandmarkFileReader3D()
         reader.SetFileName(as_path(value))
         reader._Update()
-        return cast("dict[str, np.ndarray]", reader._GetOutput())
+        return cast("dict[str, Array]", reader._GetOutput())
     if isinstance(value, Mapping):
         return {str(name): np.asarray(point, dtype=np.float64) for name, point in value.items()}
     raise TypeError(f"{describe(value)} holds no landmarks; give a dictionary from name to point, or a file name")

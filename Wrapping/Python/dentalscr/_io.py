@@ -8,6 +8,7 @@ import numpy as np
 from . import _core
 from ._errors import ArgumentError, InputError
 from ._inputs import (
+    Array,
     ContourLike,
     LandmarksLike,
     MeshLike,
@@ -128,26 +129,26 @@ def WriteContours(
 class DentalLandmarkFileReader2D(ProcessObject, _core.DentalLandmarkFileReader2D):
     """Reads landmarks in a radiograph."""
 
-    def Execute(self, fileName: Optional[PathLike] = None) -> dict[str, np.ndarray]:
+    def Execute(self, fileName: Optional[PathLike] = None) -> dict[str, Array]:
         """Reads the file: ``{"UR1_tip": array([u, v])}``."""
         if fileName is not None:
             self.SetFileName(as_path(fileName))
         self._Update()
-        return cast("dict[str, np.ndarray]", self._GetOutput())
+        return cast("dict[str, Array]", self._GetOutput())
 
 
 class DentalLandmarkFileReader3D(ProcessObject, _core.DentalLandmarkFileReader3D):
     """Reads landmarks on a scan."""
 
-    def Execute(self, fileName: Optional[PathLike] = None) -> dict[str, np.ndarray]:
+    def Execute(self, fileName: Optional[PathLike] = None) -> dict[str, Array]:
         """Reads the file: ``{"UR1_tip": array([x, y, z])}``."""
         if fileName is not None:
             self.SetFileName(as_path(fileName))
         self._Update()
-        return cast("dict[str, np.ndarray]", self._GetOutput())
+        return cast("dict[str, Array]", self._GetOutput())
 
 
-def ReadLandmarks(fileName: PathLike, dimension: Optional[int] = None, **settings: Any) -> dict[str, np.ndarray]:
+def ReadLandmarks(fileName: PathLike, dimension: Optional[int] = None, **settings: Any) -> dict[str, Array]:
     """Reads named landmarks.
 
     Parameters
@@ -173,7 +174,7 @@ def ReadLandmarks(fileName: PathLike, dimension: Optional[int] = None, **setting
     return _read_landmarks(fileName, 2, settings)
 
 
-def _read_landmarks(fileName: PathLike, dimension: int, settings: dict[str, Any]) -> dict[str, np.ndarray]:
+def _read_landmarks(fileName: PathLike, dimension: int, settings: dict[str, Any]) -> dict[str, Array]:
     reader: Union[DentalLandmarkFileReader2D, DentalLandmarkFileReader3D]
     reader = DentalLandmarkFileReader2D() if dimension == 2 else DentalLandmarkFileReader3D()
     apply_settings(reader, settings)
@@ -246,7 +247,7 @@ def ReadCephalogram(fileName: PathLike, spacing: Optional[Any] = None) -> _core.
 class ToothLabelFileReader(ProcessObject, _core.ToothLabelFileReader):
     """Reads the tooth labels of a mesh's points (Teeth3DS, 3DTeethSeg22)."""
 
-    def Execute(self, fileName: Optional[PathLike] = None) -> np.ndarray:
+    def Execute(self, fileName: Optional[PathLike] = None) -> Array:
         """Reads the file: one FDI number a point, 0 for gingiva."""
         if fileName is not None:
             self.SetFileName(as_path(fileName))
@@ -254,7 +255,7 @@ class ToothLabelFileReader(ProcessObject, _core.ToothLabelFileReader):
         return self._GetOutput()
 
 
-def ReadToothLabels(fileName: PathLike, **settings: Any) -> np.ndarray:
+def ReadToothLabels(fileName: PathLike, **settings: Any) -> Array:
     """Reads tooth labels: one FDI number a point, 0 for gingiva; assign them to ``mesh.labels``."""
     reader = ToothLabelFileReader()
     apply_settings(reader, settings)

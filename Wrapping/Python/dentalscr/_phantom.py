@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _core
 from ._case import Case
-from ._inputs import PathLike, as_path
+from ._inputs import Array, PathLike, as_path
 from ._process import ProcessObject, apply_settings
 
 _UPPER = _core.Jaw.Upper
@@ -21,7 +21,7 @@ class PhantomJaw:
 
     mesh: _core.Mesh
     #: In the mesh's frame, mm.
-    landmarks: Dict[str, np.ndarray]
+    landmarks: Dict[str, Array]
 
 
 class DentalPhantomMeshSource(ProcessObject, _core.DentalPhantomMeshSource):
@@ -30,7 +30,7 @@ class DentalPhantomMeshSource(ProcessObject, _core.DentalPhantomMeshSource):
     def Execute(self) -> Dict[str, PhantomJaw]:
         """Makes ``{"upper": PhantomJaw, "lower": PhantomJaw}``."""
         self._Update()
-        landmarks = [cast("Dict[str, np.ndarray]", self._GetLandmarks(jaw)) for jaw in (_UPPER, _LOWER)]
+        landmarks = [cast("Dict[str, Array]", self._GetLandmarks(jaw)) for jaw in (_UPPER, _LOWER)]
         meshes = [self._TakeMesh(jaw) for jaw in (_UPPER, _LOWER)]
         return {"upper": PhantomJaw(meshes[0], landmarks[0]), "lower": PhantomJaw(meshes[1], landmarks[1])}
 
@@ -56,9 +56,9 @@ class PhantomCaseJaw:
     #: Pixels of the radiograph, and the same before the hand's noise.
     tracing: _core.Contour
     trueTracing: _core.Contour
-    landmarks3D: Dict[str, np.ndarray]
+    landmarks3D: Dict[str, Array]
     #: Their true projections.
-    landmarks2D: Dict[str, np.ndarray]
+    landmarks2D: Dict[str, Array]
     #: Maps the mesh to the radiograph exactly.
     trueGeometry: _core.CephalometricGeometry = field(repr=False)
 
@@ -104,8 +104,8 @@ class DentalPhantomCaseSource(ProcessObject, _core.DentalPhantomCaseSource):
         for jaw in (_UPPER, _LOWER):
             jaws.append(
                 PhantomCaseJaw(
-                    landmarks3D=cast("Dict[str, np.ndarray]", self._GetLandmarks3D(jaw)),
-                    landmarks2D=cast("Dict[str, np.ndarray]", self._GetLandmarks2D(jaw)),
+                    landmarks3D=cast("Dict[str, Array]", self._GetLandmarks3D(jaw)),
+                    landmarks2D=cast("Dict[str, Array]", self._GetLandmarks2D(jaw)),
                     trueGeometry=self._GetTrueGeometry(jaw),
                     trueTracing=self._TakeTrueTracing(jaw),
                     tracing=self._TakeTracing(jaw),

@@ -40,7 +40,8 @@ class ProcessObject(_Base):
         if not callable(call):
             raise TypeError(f"{command!r} can't be called and has no Execute()")
         commands = self.__dict__.setdefault("_commands", {})
-        key = self.__dict__["_key"] = self.__dict__.get("_key", 0) + 1
+        key: int = self.__dict__.get("_key", 0) + 1
+        self.__dict__["_key"] = key
         commands[key] = (self._AddCommand(int(event), key), int(event), call)
         return key
 

@@ -10,6 +10,7 @@ from . import _core
 from ._errors import ArgumentError
 from ._filters import as_rigid, as_similarity
 from ._inputs import (
+    Array,
     ContourLike,
     ImageLike,
     MeshLike,
@@ -73,7 +74,7 @@ class SilhouetteToContourRegistrationMethod(ProcessObject, _core.SilhouetteToCon
             as_contour(fixed), as_contour(moving)
         )
 
-    def GetResidualDistances(self) -> np.ndarray:
+    def GetResidualDistances(self) -> Array:
         """Distance of every point of the tracing to the registered silhouette, px, after ``Execute``."""
         contours = self.__dict__.get("_contours")
         if contours is None:
@@ -224,10 +225,10 @@ class PoseJaw:
     #: Projects the scan's points into the radiograph.
     geometry: Optional[_core.CephalometricGeometry]
     #: (3, 4): scan (mm) to homogeneous pixel index.
-    P_pixel_from_mesh: Optional[np.ndarray]
+    P_pixel_from_mesh: Optional[Array]
     #: (N, 2): the moving contour at the solution, pixels, and its points on the scan, (N, 3).
-    contour: Optional[np.ndarray] = field(repr=False)
-    contourPoints: Optional[np.ndarray] = field(repr=False)
+    contour: Optional[Array] = field(repr=False)
+    contourPoints: Optional[Array] = field(repr=False)
     #: How well the tracing is explained, px of 0.25 mm.
     fit: Dict[str, float] = field(repr=False)
 
@@ -323,4 +324,4 @@ def PoseRefinement(
     return process.Execute(geometry, upper, upperContour, lower, lowerContour)
 
 
-MetricFunction = Callable[[np.ndarray, np.ndarray], Any]
+MetricFunction = Callable[[Array, Array], Any]

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Makes the stub of the Python package's compiled part from the build tree: Wrapping/Python/dentalscr/_core.pyi, or the file
+# that is named. Needs pybind11-stubgen.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+python="${PYTHON:-build/python-venv/bin/python}"
+output="${1:-Wrapping/Python/dentalscr/_core.pyi}"
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+PYTHONPATH="${BUILD_DIR:-build/test}/python" "$python" -m pybind11_stubgen dentalscr._core --exit-code \
+  --numpy-array-remove-parameters -o "$folder" >&2
+"$python" Wrapping/Python/finish_stub.py "$folder/dentalscr/_core.pyi" > "$output"
