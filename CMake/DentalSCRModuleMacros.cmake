@@ -79,10 +79,12 @@ function(itk_module_add_library _name)
   dentalscr_target_settings(${_name})
   set_target_properties(${_name} PROPERTIES
     OUTPUT_NAME "DentalSCR${_name}"
-    # Not needed by ELF, and without it shared and static builds have the same compile commands: hits in ccache.
-    DEFINE_SYMBOL ""
     VERSION ${DentalSCR_VERSION}
     SOVERSION ${DentalSCR_VERSION_MAJOR}.${DentalSCR_VERSION_MINOR})
+  if(NOT BUILD_SHARED_LIBS)
+    # What CMake defines for shared libraries: with the same compile commands the wheel's objects come from ccache.
+    target_compile_definitions(${_name} PRIVATE ${_name}_EXPORTS)
+  endif()
   set(DENTALSCR_MODULE_${_name}_DIR "${_dentalscr_module_dir}")
   set(PROJECT_BINARY_DIR "${DentalSCR_BINARY_DIR}")
   _dentalscr_configure_module(${_name} PUBLIC)
