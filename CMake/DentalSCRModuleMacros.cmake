@@ -81,14 +81,18 @@ function(itk_module_add_library _name)
     OUTPUT_NAME "DentalSCR${_name}"
     VERSION ${DentalSCR_VERSION}
     SOVERSION ${DentalSCR_VERSION_MAJOR}.${DentalSCR_VERSION_MINOR})
+  set(header_target ${_name})
   if(NOT BUILD_SHARED_LIBS)
-    # What CMake defines for shared libraries: with the same compile commands the wheel's objects come from ccache.
+    # The compile commands and the header of a shared library, so that the wheel's objects come from ccache.
     target_compile_definitions(${_name} PRIVATE ${_name}_EXPORTS)
+    set(header_target ${_name}Header)
+    add_library(${header_target} SHARED EXCLUDE_FROM_ALL ${ARGN})
+    set_target_properties(${header_target} PROPERTIES DEFINE_SYMBOL ${_name}_EXPORTS)
   endif()
   set(DENTALSCR_MODULE_${_name}_DIR "${_dentalscr_module_dir}")
   set(PROJECT_BINARY_DIR "${DentalSCR_BINARY_DIR}")
   _dentalscr_configure_module(${_name} PUBLIC)
-  generate_export_header(${_name} EXPORT_MACRO_NAME ${_name}_EXPORT
+  generate_export_header(${header_target} BASE_NAME ${_name} EXPORT_MACRO_NAME ${_name}_EXPORT
     EXPORT_FILE_NAME "${DentalSCR_BINARY_DIR}/include/${_name}Export.h")
   install(FILES "${DentalSCR_BINARY_DIR}/include/${_name}Export.h"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/DentalSCR" COMPONENT Development)

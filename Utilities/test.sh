@@ -4,13 +4,21 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+# Paths relative to the tree, so that the wheel's objects are those of the build tree.
+export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
+
 Utilities/install-dependencies.sh
+Utilities/python-venv.sh &
+venv=$!
 cmake --preset test >/dev/null
 cmake --build --preset test
 
 status=0
 ctest --preset test || status=1
 /usr/bin/python3 -m pytest -q -p no:cacheprovider Testing --build-dir build/test || status=1
-/usr/bin/python3 -m pytest -q -p no:cacheprovider Wrapping/Python/tests --build-dir build/test || status=1
+wait $venv || true
+python=build/python-venv/bin/python
+[ -x "$python" ] || python=/usr/bin/python3
+"$python" -m pytest -q -p no:cacheprovider Wrapping/Python/tests --build-dir build/test || status=1
 Utilities/doxygen.sh || status=1
 exit $status

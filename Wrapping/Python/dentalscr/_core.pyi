@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CephalogramFileReader', 'CephalometricGeometry', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CrownRegionMeshFilter', 'DataObject', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExperimentStudy', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'OpenSilhouetteContourSource', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseRefinementMethod', 'PoseRefinementOptions', 'Preset', 'ProcessObject', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CephalogramFileReader', 'CephalometricGeometry', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CrownRegionMeshFilter', 'DataObject', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExperimentStudy', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'OpenSilhouetteContourSource', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseRefinementMethod', 'PoseRefinementOptions', 'Preset', 'ProcessObject', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -1977,6 +1977,70 @@ class ContourDistanceFilter(ProcessObject):
         px.
         """
     def SetDistance(self, distance: ContourPointDistance | str) -> None:
+        ...
+    def _SetFixedContour(self, contour: Contour | None) -> None:
+        ...
+    def _SetMovingContour(self, contour: Contour | None) -> None:
+        ...
+    def _SetTransform(self, transform: Similarity2DTransform | None) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class ContourOverlapFilter(ProcessObject):
+    """
+    How much of an open tracing and of a contour lies together.
+    """
+    def GateByToothOff(self) -> None:
+        ...
+    def GateByToothOn(self) -> None:
+        ...
+    def GetCorrelationLength(self) -> float:
+        ...
+    def GetFixedDistances(self) -> numpy.typing.NDArray[typing.Any]:
+        """
+        One a point, px; NaN for points that are ignored.
+        """
+    def GetFixedShare(self) -> float:
+        """
+        Of the tracing, 0 to 1.
+        """
+    def GetGapLength(self) -> float:
+        ...
+    def GetGateByTooth(self) -> bool:
+        ...
+    def GetLargestDistance(self) -> float:
+        """
+        px.
+        """
+    def GetMaximumDistance(self) -> float:
+        ...
+    def GetMovingDistances(self) -> numpy.typing.NDArray[typing.Any]:
+        """
+        One a point, px; NaN for points without tracing beside them.
+        """
+    def GetMovingShare(self) -> float:
+        """
+        Of the outline, 0 to 1.
+        """
+    def GetRootMeanSquare(self) -> float:
+        """
+        px.
+        """
+    def GetSmoothNoise(self) -> float:
+        """
+        px.
+        """
+    def GetWhiteNoise(self) -> float:
+        """
+        px.
+        """
+    def SetCorrelationLength(self, value: float) -> None:
+        ...
+    def SetGapLength(self, value: float) -> None:
+        ...
+    def SetGateByTooth(self, value: bool) -> None:
+        ...
+    def SetMaximumDistance(self, value: float) -> None:
         ...
     def _SetFixedContour(self, contour: Contour | None) -> None:
         ...

@@ -33,6 +33,17 @@
 PYBIND11_MODULE(_core, module)
 {
   using namespace dentalscr;
+#if PYBIND11_VERSION_HEX < 0x020C0000
+  // numpy 2 moved a field that older pybind11 reads: arrays would be wrong without an error.
+  const auto numpyVersion = py::module_::import("numpy").attr("__version__").cast<std::string>();
+  if (std::stoi(numpyVersion) >= 2)
+  {
+    throw py::import_error("this dentalscr was built with pybind11 " PYBIND11_TOSTRING(PYBIND11_VERSION_MAJOR) "." //
+                           PYBIND11_TOSTRING(PYBIND11_VERSION_MINOR) ", which numpy " +
+                           numpyVersion +
+                           " does not support; use numpy < 2, or `pip install .`, which takes a newer one");
+  }
+#endif
   module.doc() = "The compiled part of dentalscr.";
   itk::RegisterOpenMeshMeshIOFactories();
   itk::TxtTransformIOFactory::RegisterOneFactory();
