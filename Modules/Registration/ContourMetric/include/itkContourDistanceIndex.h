@@ -161,9 +161,9 @@ private:
   CellType
   FillFinestCell(DomainType & domain, std::uint32_t ix, std::uint32_t iy) const;
   static void
-  TestPair(const PointPair & pair, double x, double y, double footX[2], double footY[2]);
+  FindFeet(const PointPair & pair, double x, double y, double footX[2], double footY[2]);
   static void
-  TestPair(const SegmentPair & pair, double x, double y, double footX[2], double footY[2]);
+  FindFeet(const SegmentPair & pair, double x, double y, double footX[2], double footY[2]);
   template <typename TPair>
   void
   FindNearestPointsByPairs(const std::vector<TPair> & pairs,

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace itk
 {
@@ -506,9 +507,9 @@ ContourDistanceIndex::FindNearest(double x, double y) const -> NearestType
   return nearest;
 }
 
-// Where the place's projection to the line is along each segment, and how far the place is from it.
+// The point of each segment that is nearest to the place.
 inline void
-ContourDistanceIndex::TestPair(const SegmentPair & pair, double x, double y, double footX[2], double footY[2])
+ContourDistanceIndex::FindFeet(const SegmentPair & pair, double x, double y, double footX[2], double footY[2])
 {
   for (int k = 0; k < 2; ++k)
   {
@@ -521,7 +522,7 @@ ContourDistanceIndex::TestPair(const SegmentPair & pair, double x, double y, dou
 }
 
 inline void
-ContourDistanceIndex::TestPair(const PointPair & pair, double, double, double footX[2], double footY[2])
+ContourDistanceIndex::FindFeet(const PointPair & pair, double, double, double footX[2], double footY[2])
 {
   for (int k = 0; k < 2; ++k)
   {
@@ -570,26 +571,37 @@ ContourDistanceIndex::FindNearestPointsByPairs(const std::vector<TPair> & pairs,
     {
       cell = this->FillFinestCell(*domain, ix, iy);
     }
-    const TPair * pair = pairs.data() + cell.first;
-    double        best = std::numeric_limits<double>::infinity();
-    double        bestX = x;
-    double        bestY = y;
-    for (std::uint32_t n = 0; n < cell.count; ++n, ++pair)
+    const TPair * const pair = pairs.data() + cell.first;
+    double              best = std::numeric_limits<double>::infinity();
+    std::uint32_t       at = 0;
+    double              footX[2];
+    double              footY[2];
+    for (std::uint32_t n = 0; n < cell.count; ++n)
     {
-      double footX[2];
-      double footY[2];
-      TestPair(*pair, x, y, footX, footY);
-      for (int k = 0; k < 2; ++k)
+      FindFeet(pair[n], x, y, footX, footY);
+      const double        first = Square(x - footX[0]) + Square(y - footY[0]);
+      const double        second = Square(x - footX[1]) + Square(y - footY[1]);
+      const double        nearer = second < first ? second : first;
+      const std::uint32_t number = second < first ? 1u : 0u;
+      if constexpr (std::is_same<TPair, PointPair>::value)
       {
-        const double squaredDistance = Square(x - footX[k]) + Square(y - footY[k]);
-        const bool   isNearer = squaredDistance < best;
-        best = isNearer ? squaredDistance : best;
-        bestX = isNearer ? footX[k] : bestX;
-        bestY = isNearer ? footY[k] : bestY;
+        const std::uint32_t mask = nearer < best ? 0xffffffffu : 0u;
+        best = nearer < best ? nearer : best;
+        at = (at & ~mask) | ((2 * n + number) & mask);
+      }
+      else if (nearer < best)
+      {
+        // To find the foot once more would take longer than a branch.
+        best = nearer;
+        nearest[2 * i] = footX[number];
+        nearest[2 * i + 1] = footY[number];
       }
     }
-    nearest[2 * i] = bestX;
-    nearest[2 * i + 1] = bestY;
+    if constexpr (std::is_same<TPair, PointPair>::value)
+    {
+      nearest[2 * i] = pair[at / 2].x[at % 2];
+      nearest[2 * i + 1] = pair[at / 2].y[at % 2];
+    }
   }
 }
 
