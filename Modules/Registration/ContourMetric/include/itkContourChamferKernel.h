@@ -105,6 +105,15 @@ public:
   GetFixedToMovingDistances(const ContourSimilarity & similarity) const;
 
 private:
+  /** Some points of a side, and room for where they are moved to and how far that is from the other. */
+  struct SampleType
+  {
+    std::vector<double>         points;
+    std::vector<double>         weights;
+    mutable std::vector<double> places;
+    mutable std::vector<double> distances;
+  };
+
   /** The points that count, and what is searched for the other contour's points. */
   struct SideType
   {
@@ -113,10 +122,16 @@ private:
     std::vector<std::uint32_t> ids;
     std::size_t                numberOfPoints{ 0 };
     ContourDistanceIndex       index;
+    mutable SampleType         sample;
   };
 
   static void
   InitializeSide(SideType & side, const ContourArrays & contour, DistanceEnum distance, SearchEnum search);
+
+  static const SampleType &
+  TakeSample(const SideType & side, std::size_t numberOfPoints);
+  static double
+  MeanOfSample(const SampleType & sample, const ContourDistanceIndex & index, double scale, double truncation);
 
   SideType m_Fixed;
   SideType m_Moving;

@@ -93,6 +93,9 @@ public:
    * away, in proportion), for ranking many candidates at a nanosecond or two a query. */
   double
   FindApproximateDistance(double x, double y) const;
+  /** The same of many places x0 y0 x1 y1 ... */
+  void
+  FindApproximateDistances(const double * places, std::size_t count, double * distances) const;
 
 private:
   struct SegmentType

@@ -194,27 +194,6 @@ AccumulateMean(const std::vector<double> &          points,
   return sum / sumOfWeights;
 }
 
-/** Weighted mean of what the function gives at evenly spaced points of a side. */
-template <typename TDistance>
-double
-SampleMean(const std::vector<double> & points,
-           const std::vector<double> & weights,
-           double                      truncation,
-           std::size_t                 numberOfPoints,
-           const TDistance &           distance)
-{
-  const std::size_t count = weights.size();
-  const std::size_t used = std::min(count, std::max<std::size_t>(numberOfPoints, 1));
-  double            sum = 0.0;
-  double            sumOfWeights = 0.0;
-  for (std::size_t k = 0; k < used; ++k)
-  {
-    const std::size_t i = (2 * k + 1) * count / (2 * used);
-    sum += weights[i] * std::min(truncation, distance(points[2 * i], points[2 * i + 1]));
-    sumOfWeights += weights[i];
-  }
-  return sum / sumOfWeights;
-}
 } // namespace
 
 void
@@ -327,23 +306,69 @@ ContourChamferKernel::EvaluateApproximately(const ContourSimilarity & similarity
   double    value = 0.0;
   if (direction != DirectionEnum::FixedToMoving)
   {
-    value += SampleMean(m_Moving.points, m_Moving.weights, truncation, numberOfPoints, [&](double x, double y) {
+    const SampleType & sample = TakeSample(m_Moving, numberOfPoints);
+    for (std::size_t i = 0; i < sample.weights.size(); ++i)
+    {
       double rx;
       double ry;
-      map.Rotate(x, y, rx, ry);
-      return m_Fixed.index.FindApproximateDistance(rx + map.tx, ry + map.ty);
-    });
+      map.Rotate(sample.points[2 * i], sample.points[2 * i + 1], rx, ry);
+      sample.places[2 * i] = rx + map.tx;
+      sample.places[2 * i + 1] = ry + map.ty;
+    }
+    value += MeanOfSample(sample, m_Fixed.index, 1.0, truncation);
   }
   if (direction != DirectionEnum::MovingToFixed)
   {
-    value += SampleMean(m_Fixed.points, m_Fixed.weights, truncation, numberOfPoints, [&](double x, double y) {
-      double qx;
-      double qy;
-      map.Invert(x, y, qx, qy);
-      return map.scale * m_Moving.index.FindApproximateDistance(qx, qy);
-    });
+    const SampleType & sample = TakeSample(m_Fixed, numberOfPoints);
+    for (std::size_t i = 0; i < sample.weights.size(); ++i)
+    {
+      map.Invert(sample.points[2 * i], sample.points[2 * i + 1], sample.places[2 * i], sample.places[2 * i + 1]);
+    }
+    value += MeanOfSample(sample, m_Moving.index, map.scale, truncation);
   }
   return value;
+}
+
+/** Evenly spaced points of a side, kept for the next call. */
+auto
+ContourChamferKernel::TakeSample(const SideType & side, std::size_t numberOfPoints) -> const SampleType &
+{
+  SampleType &      sample = side.sample;
+  const std::size_t count = side.weights.size();
+  const std::size_t used = std::min(count, std::max<std::size_t>(numberOfPoints, 1));
+  if (sample.weights.size() != used)
+  {
+    sample.points.clear();
+    sample.weights.clear();
+    for (std::size_t k = 0; k < used; ++k)
+    {
+      const std::size_t i = (2 * k + 1) * count / (2 * used);
+      sample.points.push_back(side.points[2 * i]);
+      sample.points.push_back(side.points[2 * i + 1]);
+      sample.weights.push_back(side.weights[i]);
+    }
+    sample.places.resize(2 * used);
+    sample.distances.resize(used);
+  }
+  return sample;
+}
+
+/** Weighted mean of the distances, times the scale, at the sample's places. */
+double
+ContourChamferKernel::MeanOfSample(const SampleType &           sample,
+                                   const ContourDistanceIndex & index,
+                                   double                       scale,
+                                   double                       truncation)
+{
+  index.FindApproximateDistances(sample.places.data(), sample.weights.size(), sample.distances.data());
+  double sum = 0.0;
+  double sumOfWeights = 0.0;
+  for (std::size_t i = 0; i < sample.weights.size(); ++i)
+  {
+    sum += sample.weights[i] * std::min(truncation, scale * sample.distances[i]);
+    sumOfWeights += sample.weights[i];
+  }
+  return sum / sumOfWeights;
 }
 
 std::vector<double>

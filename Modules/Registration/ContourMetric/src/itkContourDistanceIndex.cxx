@@ -659,4 +659,71 @@ ContourDistanceIndex::FindApproximateDistance(double x, double y) const
   }
   return distance;
 }
+
+void
+ContourDistanceIndex::FindApproximateDistances(const double * places, std::size_t count, double * distances) const
+{
+  // Nearly all are in the two smallest domains.
+  const DomainType * domains[2] = { nullptr, nullptr };
+  if (m_HasGrid)
+  {
+    domains[0] = this->FindDomain(m_CenterX, m_CenterY);
+    domains[1] = this->FindDomain(m_CenterX + 1.5 * m_HalfWidth, m_CenterY);
+  }
+  if (!m_HasGrid || domains[0]->field.empty() || domains[1]->field.empty())
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      distances[i] = this->FindApproximateDistance(places[2 * i], places[2 * i + 1]);
+    }
+    return;
+  }
+  const float * const   fields[2] = { domains[0]->field.data(), domains[1]->field.data() };
+  const BoxType         inner = domains[0]->box;
+  const BoxType         outer = domains[1]->box;
+  const double          innerWidth = (inner.x1 - inner.x0) / FieldSide;
+  const double          outerWidth = (outer.x1 - outer.x0) / FieldSide;
+  const double          halfWidth = m_HalfWidth;
+  const double          centerX = m_CenterX;
+  const double          centerY = m_CenterY;
+  constexpr double      Last = FieldSide - 1;
+  constexpr std::size_t BatchSize = 64;
+  std::int32_t          cells[BatchSize];
+  for (std::size_t first = 0; first < count; first += BatchSize)
+  {
+    // The cells in a loop of their own, which is vectorised; -1 farther away.
+    const std::size_t size = std::min(BatchSize, count - first);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const double x = places[2 * (first + i)];
+      const double y = places[2 * (first + i) + 1];
+      const double awayX = std::abs(x - centerX);
+      const double awayY = std::abs(y - centerY);
+      const double away = awayX < awayY ? awayY : awayX;
+      const bool   isInner = away < halfWidth;
+      const bool   isKnown = away < DomainGrowth * halfWidth;
+      const double width = isInner ? innerWidth : outerWidth;
+      const double fx = (x - (isInner ? inner.x0 : outer.x0)) / width;
+      const double fy = (y - (isInner ? inner.y0 : outer.y0)) / width;
+      const double px = std::min(Last, std::max(0.0, fx));
+      const double py = std::min(Last, std::max(0.0, fy));
+      const auto   cell = static_cast<std::int32_t>(py) * static_cast<std::int32_t>(FieldSide) +
+                        static_cast<std::int32_t>(px) +
+                        (isInner ? 0 : static_cast<std::int32_t>(FieldSide * FieldSide));
+      cells[i] = isKnown ? cell : -1;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      double distance = -1.0;
+      if (cells[i] >= 0)
+      {
+        const auto cell = static_cast<std::uint32_t>(cells[i]);
+        distance = fields[cell / (FieldSide * FieldSide)][cell % (FieldSide * FieldSide)];
+      }
+      distances[first + i] = distance >= 0.0
+                               ? distance
+                               : this->FindApproximateDistance(places[2 * (first + i)], places[2 * (first + i) + 1]);
+    }
+  }
+}
 } // namespace itk

@@ -155,6 +155,10 @@ public:
   /** One level with the broad bounds and 80 iterations, no exploration: the paper's "w/o coarse-to-fine". */
   void
   SetPresetToSingleStage();
+  /** For a start that is far off: scale 50 %, rotation 45 degrees, shift 15 mm; the first level ranks candidates all over
+   * these bounds on the field of distances and refines the best, a second finishes the winner. */
+  void
+  SetPresetToGlobal();
 
   /** The result. Valid after Update(). */
   DecoratedTransformType *

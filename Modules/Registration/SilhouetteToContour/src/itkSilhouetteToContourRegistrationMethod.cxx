@@ -726,6 +726,27 @@ SilhouetteToContourRegistrationMethod::SetPresetToSingleStage()
   this->Modified();
 }
 
+void
+SilhouetteToContourRegistrationMethod::SetPresetToGlobal()
+{
+  LevelType scan;
+  scan.scaleBound = 0.5;
+  scan.rotationBound = 45.0 * DegreesToRadians;
+  scan.translationBound = 15.0;
+  scan.numberOfScales = 5;
+  scan.numberOfRotations = 9;
+  scan.numberOfTranslations = 5;
+  scan.numberOfStarts = 4;
+  scan.numberOfIterations = 15;
+  LevelType finish;
+  finish.scaleBound = 0.10;
+  finish.rotationBound = 6.0 * DegreesToRadians;
+  finish.translationBound = 3.75;
+  finish.numberOfIterations = 100;
+  m_Levels = { scan, finish };
+  this->Modified();
+}
+
 DataObject::Pointer
 SilhouetteToContourRegistrationMethod::MakeOutput(DataObjectPointerArraySizeType)
 {

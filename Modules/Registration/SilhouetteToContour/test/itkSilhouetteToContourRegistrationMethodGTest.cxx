@@ -105,6 +105,26 @@ TEST(SilhouetteToContourRegistrationMethod, PaperPresetRecoversNoisySimilarity)
   }
 }
 
+TEST(SilhouetteToContourRegistrationMethod, GlobalPresetFindsWhatThePapersBoundsExclude)
+{
+  // 34 degrees, where the paper's levels reach 28 in all.
+  for (const double angle : { -0.6, 0.6 })
+  {
+    const auto              truth = MakeTransform(1.2, angle, 340.0, 410.0);
+    itk::ReproducibleRandom random(3);
+    const auto              method = itk::SilhouetteToContourRegistrationMethod::New();
+    method->SetMovingContour(MakeSilhouette(441));
+    method->SetFixedContour(MakeTracing(truth, 79, 0.0, 1.0, 0.4, &random));
+    method->SetPresetToGlobal();
+    method->Update();
+    // 0.4 px of noise on 79 points.
+    EXPECT_LT(LargestDifference(method->GetTransform(), truth), 1.0);
+    method->SetPresetToPaper();
+    method->Update();
+    EXPECT_GT(LargestDifference(method->GetTransform(), truth), 3.0);
+  }
+}
+
 TEST(SilhouetteToContourRegistrationMethod, OpenTracingOfAPartIsFoundOneSided)
 {
   int found = 0;
