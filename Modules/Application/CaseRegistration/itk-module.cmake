@@ -4,9 +4,11 @@ itk_module(CaseRegistration
     CephalometricGeometry
     DentalContour
     MeshOpenMesh
+    MeshVTK
     Annotation
     Cephalogram
     UMidlineDentalAxis
+    CrownRegion
     SurfaceDRR
     SilhouetteContour
     ContourMetric

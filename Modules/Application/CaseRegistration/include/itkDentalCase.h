@@ -47,6 +47,17 @@ enum class OcclusionEnum : uint8_t
   Check
 };
 
+/** What of the scans preset robust fits. */
+enum class CrownsEnum : uint8_t
+{
+  /** All of the traced side. */
+  Off,
+  /** The crowns by the tooth labels of the scan. */
+  Labels,
+  /** The crowns by shape. */
+  Shape
+};
+
 /** A similarity in pixels on the geometry's own projection: p = scale R(rotation) q + translation. */
 struct SimilarityParameters
 {
@@ -74,6 +85,10 @@ struct DentalCase
   /** mm in one unit of the mesh files. */
   double        millimetresPerUnit{ 1.0 };
   OcclusionEnum occlusion{ OcclusionEnum::Check };
+  /** Tooth labels by point; "" where none are named. A scan may carry its own. */
+  std::string upperLabelsFile;
+  std::string lowerLabelsFile;
+  CrownsEnum  crowns{ CrownsEnum::Off };
 
   std::string                                          imageFile;
   std::optional<std::array<double, 2>>                 pixelSpacing;

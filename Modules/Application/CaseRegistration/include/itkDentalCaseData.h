@@ -25,7 +25,9 @@
 #include "itkImage.h"
 #include "itkMesh.h"
 
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace itk
 {
@@ -55,6 +57,8 @@ struct DentalCaseData
   {
     /** Mesh-file frame, mm; null without a scan. */
     MeshType::Pointer mesh;
+    /** FDI number by point of the mesh, 0 gingiva; empty where no labels were read. */
+    std::vector<std::uint8_t> labels;
     /** Continuous pixel indices; null without a tracing. */
     DentalContour::Pointer contour;
   };

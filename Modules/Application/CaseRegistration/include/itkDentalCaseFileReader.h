@@ -43,6 +43,8 @@ CaseRegistration_EXPORT TracedSideEnum
 TracedSideFromString(const std::string & text);
 CaseRegistration_EXPORT OcclusionEnum
 OcclusionFromString(const std::string & text);
+CaseRegistration_EXPORT CrownsEnum
+CrownsFromString(const std::string & text);
 /** Adds "scale", "rotation" or "translation" to the case's fixed parameters. */
 CaseRegistration_EXPORT void
 FixParameter(DentalCase & dentalCase, const std::string & text);
@@ -52,6 +54,8 @@ CaseRegistration_EXPORT const char *
 ToString(TracedSideEnum side);
 CaseRegistration_EXPORT const char *
 ToString(OcclusionEnum occlusion);
+CaseRegistration_EXPORT const char *
+ToString(CrownsEnum crowns);
 } // namespace itk
 
 #endif

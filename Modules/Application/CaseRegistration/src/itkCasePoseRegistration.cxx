@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkCasePoseRegistration.h"
 
+#include "itkCaseCrowns.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkContourDistanceFilter.h"
 #include "itkMeshSilhouette.h"
@@ -370,8 +371,9 @@ RegisterCaseByPose(const DentalCaseData &                 data,
                    const CasePoseSettings &               settings,
                    CaseResult &                           result)
 {
-  std::vector<PoseJawInput> inputs;
-  std::vector<JawEnum>      jaws;
+  std::vector<PoseJawInput>      inputs;
+  std::vector<JawEnum>           jaws;
+  std::array<TriangleSurface, 2> crowns;
   for (const auto & entry : result.jaws)
   {
     if (entry.second.status == CaseStatusEnum::Failed)
@@ -382,6 +384,11 @@ RegisterCaseByPose(const DentalCaseData &                 data,
     const DentalJawFrame & own = upper ? frames.upper : frames.lower;
     PoseJawInput           input;
     input.surface = &surfaces[upper ? 0 : 1];
+    if (data.description.crowns != CrownsEnum::Off)
+    {
+      crowns[upper ? 0 : 1] = SelectCaseCrowns(data, entry.first, own, *input.surface);
+      input.surface = &crowns[upper ? 0 : 1];
+    }
     input.frame = ToPoseFrame(frames.jawsShareFrame && frames.joint.valid ? frames.joint : own);
     input.upper = upper;
     input.tracing = ToPosePolylines(data.GetJaw(entry.first).contour);
@@ -438,7 +445,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
     {
       const double kappa = pose.groups[pose.groupOfJaw[i]].parameters[PoseKappa];
       projections[i] = PlaceJaw(pose.jaws[i], kappa, result.geometry);
-      silhouettes[i] = MeshSilhouette(*inputs[i].surface).ComputeOuterBoundary(projections[i]);
+      silhouettes[i] = MeshSilhouette(surfaces[inputs[i].upper ? 0 : 1]).ComputeOuterBoundary(projections[i]);
     }
   });
   silhouetteProbe.Stop();
@@ -474,7 +481,8 @@ RegisterCaseByPose(const DentalCaseData &                 data,
       jaw.meshToCephalostat[4 * row + 3] = poseJaw.translation[row];
     }
     jaw.meshToUMDA = MeshToFrame(inputs[i].upper ? frames.upper : frames.lower);
-    jaw.similarity = FitSimilarity(*inputs[i].surface, jaw.meshToUMDA, poseJaw.projection, *result.geometry);
+    jaw.similarity =
+      FitSimilarity(surfaces[inputs[i].upper ? 0 : 1], jaw.meshToUMDA, poseJaw.projection, *result.geometry);
 
     const PoseGroupResult & group = pose.groups[pose.groupOfJaw[i]];
     const double            kappa = group.parameters[PoseKappa];

@@ -298,6 +298,19 @@ TracedSideFromString(const std::string & text)
   throw std::invalid_argument("\"" + text + "\" is no traced side (\"right\", \"left\", \"mean\" or \"both\")");
 }
 
+CrownsEnum
+CrownsFromString(const std::string & text)
+{
+  for (const CrownsEnum crowns : { CrownsEnum::Off, CrownsEnum::Labels, CrownsEnum::Shape })
+  {
+    if (text == ToString(crowns))
+    {
+      return crowns;
+    }
+  }
+  throw std::invalid_argument("\"" + text + "\" does not say how to find crowns (\"off\", \"labels\" or \"shape\")");
+}
+
 OcclusionEnum
 OcclusionFromString(const std::string & text)
 {
@@ -330,6 +343,20 @@ FixParameter(DentalCase & dentalCase, const std::string & text)
   else
   {
     throw std::invalid_argument("\"" + text + "\" can't be fixed (\"scale\", \"rotation\" or \"translation\")");
+  }
+}
+
+const char *
+ToString(CrownsEnum crowns)
+{
+  switch (crowns)
+  {
+    case CrownsEnum::Labels:
+      return "labels";
+    case CrownsEnum::Shape:
+      return "shape";
+    default:
+      return "off";
   }
 }
 
@@ -383,6 +410,9 @@ ReadDentalCase(const std::string & fileName)
   }
   root.WarnAboutUnknownFields({ "upper",
                                 "lower",
+                                "upper_labels",
+                                "lower_labels",
+                                "crowns",
                                 "mesh_unit",
                                 "occlusion",
                                 "cephalogram",
@@ -404,6 +434,20 @@ ReadDentalCase(const std::string & fileName)
   if (dentalCase.upperFile.empty() && dentalCase.lowerFile.empty())
   {
     itkDentalInputErrorMacro(fileName, "upper", "neither \"upper\" nor \"lower\" is given", "name at least one scan");
+  }
+  for (const bool upper : { true, false })
+  {
+    const std::string key = upper ? "upper_labels" : "lower_labels";
+    const std::string labels = FindFile(root, key, directory);
+    if (!labels.empty() && (upper ? dentalCase.upperFile : dentalCase.lowerFile).empty())
+    {
+      root.Get(key).Fail("there is no scan of that jaw to label", "name the scan too, or leave the labels out");
+    }
+    (upper ? dentalCase.upperLabelsFile : dentalCase.lowerLabelsFile) = labels;
+  }
+  if (const auto crowns = root.Find("crowns"))
+  {
+    dentalCase.crowns = Interpret(*crowns, CrownsFromString);
   }
   if (!root.Find("contours"))
   {

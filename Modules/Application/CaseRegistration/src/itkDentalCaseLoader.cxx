@@ -23,6 +23,8 @@
 #include "itkDentalLandmarkFileReader.h"
 #include "itkParallelFor.h"
 #include "itkReadDentalMesh.h"
+#include "itkReadVTKMesh.h"
+#include "itkToothLabelFileReader.h"
 
 #include "itkMultiThreaderBase.h"
 #include "itkTimeProbe.h"
@@ -59,7 +61,8 @@ LoadMesh(const std::string & fileName, double millimetresPerUnit)
   {
     return nullptr;
   }
-  auto mesh = ReadDentalMesh<DentalCaseData::MeshType>(fileName);
+  auto mesh = IsVTKSurfaceFileName(fileName) ? ReadVTKMesh<DentalCaseData::MeshType>(fileName)
+                                             : ReadDentalMesh<DentalCaseData::MeshType>(fileName);
   if (millimetresPerUnit != 1.0)
   {
     for (auto it = mesh->GetPoints()->Begin(); it != mesh->GetPoints()->End(); ++it)
@@ -71,6 +74,36 @@ LoadMesh(const std::string & fileName, double millimetresPerUnit)
     }
   }
   return mesh;
+}
+
+/** Of a file of their own, or of the scan itself where the case wants them. */
+void
+LoadLabels(DentalCaseData & data)
+{
+  const DentalCase & description = data.description;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    const bool          upper = jaw == JawEnum::Upper;
+    const std::string & own = upper ? description.upperLabelsFile : description.lowerLabelsFile;
+    const std::string & scan = upper ? description.upperFile : description.lowerFile;
+    if (data.GetJaw(jaw).mesh.IsNull() || (own.empty() && description.crowns != CrownsEnum::Labels))
+    {
+      continue;
+    }
+    auto reader = ToothLabelFileReader::New();
+    reader->SetFileName(own.empty() ? scan : own);
+    reader->SetNumberOfPoints(data.GetJaw(jaw).mesh->GetNumberOfPoints());
+    reader->Update();
+    if (reader->GetJaw() != JawEnum::Unknown && reader->GetJaw() != jaw)
+    {
+      itkDentalInputErrorMacro(reader->GetFileName(),
+                               "",
+                               std::string("labels teeth of the ") + (upper ? "lower" : "upper") +
+                                 " jaw, but belongs to the " + (upper ? "upper" : "lower") + " one",
+                               "exchange the files");
+    }
+    data.GetJaw(jaw).labels = reader->GetLabels();
+  }
 }
 
 /** Spacing, distances and facing: the case file before DICOM before the default. */
@@ -268,6 +301,7 @@ LoadDentalCase(const DentalCase & description)
       std::rethrow_exception(error);
     }
   }
+  LoadLabels(*data);
   probe.Stop();
   data->readSeconds = probe.GetTotal();
   return data;

@@ -118,6 +118,22 @@ TEST_F(DentalCaseFileReader, ReadsEveryField)
   EXPECT_TRUE(dentalCase.warnings.empty());
 }
 
+TEST_F(DentalCaseFileReader, ReadsHowToFindCrowns)
+{
+  std::ofstream(m_Folder / "upper.json") << "{}";
+  const auto dentalCase = this->Read(
+    R"({"upper": "upper.stl", "contours": "contours.json", "upper_labels": "upper.json", "crowns": "labels"})");
+  EXPECT_TRUE(fs::exists(dentalCase.upperLabelsFile));
+  EXPECT_TRUE(dentalCase.lowerLabelsFile.empty());
+  EXPECT_EQ(dentalCase.crowns, itk::CrownsEnum::Labels);
+  EXPECT_EQ(this->Read(R"({"upper": "upper.stl", "contours": "contours.json"})").crowns, itk::CrownsEnum::Off);
+  EXPECT_NE(this->Refusal(R"({"upper": "upper.stl", "contours": "contours.json", "crowns": "yes"})").find("crowns"),
+            std::string::npos);
+  EXPECT_NE(this->Refusal(R"({"upper": "upper.stl", "contours": "contours.json", "lower_labels": "upper.json"})")
+              .find("lower_labels"),
+            std::string::npos);
+}
+
 TEST_F(DentalCaseFileReader, WarnsOfWhatItDoesNotKnow)
 {
   const auto dentalCase =

@@ -1,0 +1,35 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkCaseCrowns_h
+#define itkCaseCrowns_h
+
+#include "itkDentalCaseData.h"
+#include "itkDentalFrameEstimator.h"
+#include "itkTriangleSurface.h"
+
+namespace itk
+{
+/** The crowns of a jaw as the case wants them found; throws a DentalInputError where there are none. */
+TriangleSurface
+SelectCaseCrowns(const DentalCaseData &  data,
+                 ToothCode::JawEnum      jaw,
+                 const DentalJawFrame &  frame,
+                 const TriangleSurface & surface);
+} // namespace itk
+
+#endif
