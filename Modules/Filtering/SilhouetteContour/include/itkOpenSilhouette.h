@@ -71,7 +71,8 @@ struct OpenSilhouette
 };
 
 /** Whether an outward normal is occlusal (within 78 degrees) or anterior and at most 30 degrees apical: what can be
- * traced of the crowns, and no palate, base or distal end. In the dental frame's own plane, u anterior, v inferior. */
+ * traced of the crowns, and no palate, underside or distal end. In the dental frame's own plane, u anterior, v
+ * inferior. */
 inline bool
 FacesOcclusallyOrAnteriorly(double nu, double nv, bool upper)
 {

@@ -39,9 +39,9 @@ namespace itk
  * registration.
  *
  * Of the exact outer boundary of the projected mesh (MeshSilhouette) stays what faces occlusally or anteriorly
- * (FacesOcclusallyOrAnteriorly()): incisal edges, cusps and the front of the incisors, not palate, base or distal ends.
- * Which way a normal faces is judged in the dental frame turned with the image, so that neither the head's pitch nor
- * the facing changes what stays.
+ * (FacesOcclusallyOrAnteriorly()): incisal edges, cusps and the front of the incisors and of the gingiva before them,
+ * not palate, underside or distal ends. Which way a normal faces is judged in the dental frame turned with the image,
+ * so that neither the head's pitch nor the facing changes what stays.
  *
  * Inputs: one side of a jaw (mm), most often of MidlineSideMeshFilter; the geometry whose pose maps the mesh to the
  * cephalostat; optionally FrameTransform, mesh -> UMDA. Without it the mesh's own axes are the dental ones.
