@@ -15,8 +15,8 @@ cmake --build --preset test
 
 status=0
 ctest --preset test || status=1
-/usr/bin/python3 -m pytest -q -p no:cacheprovider Testing --build-dir build/test || status=1
 wait $venv || true
+/usr/bin/python3 -m pytest -q -p no:cacheprovider Testing --build-dir build/test || status=1
 python=build/python-venv/bin/python
 [ -x "$python" ] || python=/usr/bin/python3
 "$python" -m pytest -q -p no:cacheprovider Wrapping/Python/tests --build-dir build/test || status=1
