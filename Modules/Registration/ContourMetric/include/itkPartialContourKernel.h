@@ -76,12 +76,12 @@ struct PartialContourOverlap
  * priors, sigma^2 the tracing's noise (smooth^2 + white^2).
  *
  * With UpdateNoise() the first sum becomes generalised least squares, sigma^2 (V r)' K^-1 (V r), with
- * K = smooth^2 G + white^2 W^-1 (ContourNoiseModel; G along the tracing, its polylines strung together; W the points'
- * weights), V^2 the weights of the robust kernel at the similarity given (bifactor weights: a gross error then counts
- * little however well its neighbours are known), and the two levels estimated there (REML) from the points within the
- * kernel's width. V and K are then held until the next call, so that the value remains a function of the similarity
- * alone. r_i is the distance with a sign, by the tracing's normal; beyond an end of the moving contour it is taken to
- * the end's line. Directions steer matching and weights then, and are no residuals.
+ * K = smooth^2 G + white^2 W^-1 (ContourNoiseModel; G along the tracing, its polylines strung together, with the normals
+ * of the matched places; W the points' weights), V^2 the weights of the robust kernel at the similarity given (bifactor
+ * weights: a gross error then counts little however well its neighbours are known), and the two levels estimated there
+ * (REML) from the points within the kernel's width. V and K are then held until the next call, so that the value remains
+ * a function of the similarity alone. r_i is the distance with a sign, by the tracing's normal; beyond an end of the
+ * moving contour it is taken to the end's line. Directions steer matching and weights then, and are no residuals.
  *
  * The residuals are the rows whose squares sum up to the value; where the match is unique they are differentiable, and
  * their Jacobian is exact.
@@ -213,7 +213,7 @@ private:
     std::vector<double>      normalX;
     std::vector<double>      normalY;
     std::vector<double>      arc;
-    /** Made when first needed. */
+    /** G of the last UpdateNoise(). */
     std::vector<double> correlation;
   };
   struct FactorType

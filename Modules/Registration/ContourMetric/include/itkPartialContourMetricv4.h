@@ -116,7 +116,9 @@ public:
   itkSetMacro(ToothRange, unsigned int);
   itkGetConstMacro(ToothRange, unsigned int);
 
-  /** Whether StartLevel() calls UpdateNoiseModel() in the last NumberOfCorrelatedLevels levels; on by default, 2. */
+  /** Whether StartLevel() calls UpdateNoiseModel() in the last NumberOfCorrelatedLevels levels; off by default, 2. The
+   * fit of a similarity does not gain by it (Documentation/Metric.md): call UpdateNoiseModel() after a registration for
+   * an honest covariance. */
   itkSetMacro(CorrelatedNoise, bool);
   itkGetConstMacro(CorrelatedNoise, bool);
   itkBooleanMacro(CorrelatedNoise);
@@ -222,7 +224,7 @@ private:
   double               m_GapLength{ 8.0 };
   bool                 m_GateByTooth{ true };
   unsigned int         m_ToothRange{ 1 };
-  bool                 m_CorrelatedNoise{ true };
+  bool                 m_CorrelatedNoise{ false };
   unsigned int         m_NumberOfCorrelatedLevels{ 2 };
   double               m_CorrelationLength{ 12.0 };
   double               m_SmoothNoise{ 1.3 };

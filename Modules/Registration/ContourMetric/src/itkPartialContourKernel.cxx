@@ -803,18 +803,10 @@ PartialContourKernel::UpdateNoise(const ContourSimilarity & similarity)
   double                           sumOfWeights = 0.0;
   for (std::size_t b = 0; b < m_Blocks.size(); ++b)
   {
-    BlockType &       block = m_Blocks[b];
-    const std::size_t n = block.samples.size();
-    if (block.correlation.empty())
-    {
-      block.correlation.resize(n * n);
-      ContourNoiseModel::ComputeCorrelation(block.arc.data(),
-                                            block.normalX.data(),
-                                            block.normalY.data(),
-                                            n,
-                                            m_Settings.correlationLength,
-                                            block.correlation.data());
-    }
+    BlockType &         block = m_Blocks[b];
+    const std::size_t   n = block.samples.size();
+    std::vector<double> nu(block.normalX);
+    std::vector<double> nv(block.normalY);
     factors[b].roots.assign(n, 0.0);
     weights[b].assign(n, 0.0);
     used[b].assign(n, 0.0);
@@ -841,7 +833,13 @@ PartialContourKernel::UpdateNoise(const ContourSimilarity & similarity)
       jacobians[b][n + i] = jr[1] - map.scale * (jr[3] * ax - jr[2] * ay);
       jacobians[b][2 * n + i] = jr[2];
       jacobians[b][3 * n + i] = jr[3];
+      // The direction in which the residual sees an error of the point.
+      nu[i] = -jr[2];
+      nv[i] = -jr[3];
     }
+    block.correlation.resize(n * n);
+    ContourNoiseModel::ComputeCorrelation(
+      block.arc.data(), nu.data(), nv.data(), n, m_Settings.correlationLength, block.correlation.data());
   }
   if (!(sumOfWeights > 1e-3))
   {

@@ -168,6 +168,7 @@ TEST(PartialContourRegistration, EveryOptionTogetherRegistersAndARerunRepeats)
   const auto              metric = MakeMetric();
   metric->SetDirectionWeight(6.0);
   metric->SetReverseWeight(0.3);
+  metric->CorrelatedNoiseOn();
   metric->SetRobustKernel(itk::ContourMetricEnums::RobustKernel::GemanMcClure);
   method->SetMetric(metric);
   method->SetOptimizer(itk::LevenbergMarquardtOptimizerv4::New());
@@ -228,6 +229,7 @@ TEST(PartialContourRegistration, MethodsInThreadsGiveTheSameBits)
     itk::ReproducibleRandom random(6);
     const auto              truth = MakeTruth(random);
     const auto              method = MakeMethod(MakeTracingWithOutliers(truth, random), truth, random);
+    dynamic_cast<MetricType *>(method->GetModifiableMetric())->CorrelatedNoiseOn();
     method->SetOptimizer(itk::LevenbergMarquardtOptimizerv4::New());
     method->Update();
     result = method->GetTransform()->GetParameters();
