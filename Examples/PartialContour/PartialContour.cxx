@@ -236,6 +236,50 @@ MeanLandmarkError(const Jaw & jaw, const MethodType::TransformType * transform)
   return sum / static_cast<double>(jaw.landmarks.size());
 }
 
+/** Mean variance of a landmark that the metric's covariance predicts, px^2 (both coordinates). */
+double
+PredictLandmarkVariance(const Jaw & jaw, const MetricType * metric)
+{
+  const auto   covariance = metric->ComputeCovariance();
+  const auto   similarity = metric->GetCurrentSimilarity();
+  const double c = similarity.scale * std::cos(similarity.angle);
+  const double s = similarity.scale * std::sin(similarity.angle);
+  double       sum = 0.0;
+  for (const auto & pair : jaw.landmarks)
+  {
+    const double x = (pair.first[0] - metric->GetPivot()[0]) / metric->GetReferenceLength();
+    const double y = (pair.first[1] - metric->GetPivot()[1]) / metric->GetReferenceLength();
+    const double rx = c * x - s * y;
+    const double ry = s * x + c * y;
+    const double rows[2][4] = { { rx, -ry, 1.0, 0.0 }, { ry, rx, 0.0, 1.0 } };
+    for (const auto & row : rows)
+    {
+      for (unsigned int a = 0; a < 4; ++a)
+      {
+        for (unsigned int b = 0; b < 4; ++b)
+        {
+          sum += row[a] * covariance(a, b) * row[b];
+        }
+      }
+    }
+  }
+  return sum / static_cast<double>(jaw.landmarks.size());
+}
+
+double
+MeanSquaredLandmarkError(const Jaw & jaw, const MethodType::TransformType * transform)
+{
+  double sum = 0.0;
+  for (const auto & pair : jaw.landmarks)
+  {
+    itk::Point<double, 2> q;
+    q[0] = pair.first[0];
+    q[1] = pair.first[1];
+    sum += transform->TransformPoint(q).SquaredEuclideanDistanceTo(pair.second);
+  }
+  return sum / static_cast<double>(jaw.landmarks.size());
+}
+
 /** The best that any similarity does: least squares to the landmarks themselves. */
 double
 BestLandmarkError(const Jaw & jaw)
@@ -289,6 +333,9 @@ struct Figures
   std::vector<double> errors[2];
   double              iterations{ 0.0 };
   double              evaluations{ 0.0 };
+  double              naive{ 0.0 };
+  double              predicted{ 0.0 };
+  double              actual{ 0.0 };
   double              seconds{ 0.0 };
 };
 
@@ -298,9 +345,10 @@ Run(const Setting & setting, const std::vector<Jaw> & jaws, Figures & figures)
   for (std::size_t j = 0; j < jaws.size(); ++j)
   {
     const auto method = MethodType::New();
+    const auto metric = setting.makeMetric();
     method->SetFixedContour(jaws[j].tracing);
     method->SetMovingContour(setting.whole ? jaws[j].wholeOutline : jaws[j].outline);
-    method->SetMetric(setting.makeMetric());
+    method->SetMetric(metric);
     method->SetOptimizer(setting.makeOptimizer());
     method->SetNumberOfLevels(5);
     const std::clock_t begin = std::clock();
@@ -312,6 +360,13 @@ Run(const Setting & setting, const std::vector<Jaw> & jaws, Figures & figures)
       figures.evaluations += static_cast<double>(level.numberOfEvaluations);
     }
     figures.errors[j].push_back(MeanLandmarkError(jaws[j], method->GetTransform()));
+    if (auto * const partial = dynamic_cast<MetricType *>(metric.GetPointer()))
+    {
+      figures.naive += PredictLandmarkVariance(jaws[j], partial);
+      partial->UpdateNoiseModel();
+      figures.predicted += PredictLandmarkVariance(jaws[j], partial);
+      figures.actual += MeanSquaredLandmarkError(jaws[j], method->GetTransform());
+    }
   }
 }
 
@@ -334,7 +389,13 @@ Print(const std::string & name, const Figures & figures)
   const auto registrations = static_cast<double>(figures.errors[0].size() + figures.errors[1].size());
   std::cout << ' ' << std::setprecision(0) << figures.iterations / registrations << " | "
             << figures.evaluations / registrations << " | " << std::setprecision(1)
-            << 1000.0 * figures.seconds / registrations << " |" << std::endl;
+            << 1000.0 * figures.seconds / registrations << " | " << std::setprecision(2);
+  if (figures.actual > 0.0)
+  {
+    std::cout << std::sqrt(figures.predicted / figures.actual) << " (" << std::sqrt(figures.naive / figures.actual)
+              << ')';
+  }
+  std::cout << " |" << std::endl;
 }
 
 /** The metric with everything that a setting then takes away or adds. */
@@ -386,13 +447,26 @@ main(int argc, char * argv[])
     { "Huber", false, Partial([](MetricType * m) { m->SetRobustKernel(Kernel::Huber); }), leastSquares },
     { "no annealing", false, Partial([](MetricType * m) { m->AnnealingOff(); }), leastSquares },
     { "no directions", false, Partial([](MetricType * m) { m->SetDirectionWeight(0.0); }), leastSquares },
-    { "no correlation", false, Partial([](MetricType * m) { m->CorrelatedNoiseOff(); }), leastSquares },
-    { "noise levels not estimated", false, Partial([](MetricType * m) { m->EstimateNoiseOff(); }), leastSquares },
     { "no tooth gate", false, Partial([](MetricType * m) { m->GateByToothOff(); }), leastSquares },
     { "tooth gate without neighbours", false, Partial([](MetricType * m) { m->SetToothRange(0); }), leastSquares },
     { "no scale prior", false, Partial([](MetricType * m) { m->SetScalePrior(1.0, INFINITY); }), leastSquares },
     { "and reverse direction, 0.1", false, Partial([](MetricType * m) { m->SetReverseWeight(0.1); }), leastSquares },
     { "and reverse direction, 0.5", false, Partial([](MetricType * m) { m->SetReverseWeight(0.5); }), leastSquares },
+    { "and correlated noise", false, Partial([](MetricType * m) { m->CorrelatedNoiseOn(); }), leastSquares },
+    { "and correlated noise, no directions",
+      false,
+      Partial([](MetricType * m) {
+        m->CorrelatedNoiseOn();
+        m->SetDirectionWeight(0.0);
+      }),
+      leastSquares },
+    { "and correlated noise, levels not estimated",
+      false,
+      Partial([](MetricType * m) {
+        m->CorrelatedNoiseOn();
+        m->EstimateNoiseOff();
+      }),
+      leastSquares },
     { "all, LBFGSB", false, Partial([](MetricType *) {}), lbfgsb },
     { "all, Amoeba", false, Partial([](MetricType *) {}), amoeba }
   };
@@ -412,9 +486,10 @@ main(int argc, char * argv[])
         best.errors[j].push_back(BestLandmarkError(jaws[j]));
       }
     }
-    std::cout << "| " << count << ' ' << name << " cases from seed " << first
-              << " | upper: mean | median | worst | lower: mean | median | worst | iterations | evaluations | ms |\n"
-                 "|---|---|---|---|---|---|---|---|---|---|\n";
+    std::cout
+      << "| " << count << ' ' << name << " cases from seed " << first
+      << " | upper: mean | median | worst | lower: mean | median | worst | iterations | evaluations | ms | sigma |\n"
+         "|---|---|---|---|---|---|---|---|---|---|---|\n";
     Print("best similarity to the landmarks", best);
     for (std::size_t s = 0; s < settings.size(); ++s)
     {
