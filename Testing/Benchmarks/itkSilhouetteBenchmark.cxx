@@ -200,6 +200,9 @@ VTKPeer(SceneFunction scene)
     filter->SetDirectionToSpecifiedOrigin();
     filter->SetEnableFeatureAngle(0);
     filter->BorderEdgesOn();
+    // It prepares the mesh at its first run, as MeshSilhouette did.
+    filter->SetOrigin(made.poses[0].source[0], made.poses[0].source[1], made.poses[0].source[2]);
+    filter->Update();
     vtkIdType lines = 0;
     for (auto _ : state)
     {
