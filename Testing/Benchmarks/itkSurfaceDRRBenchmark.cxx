@@ -233,18 +233,27 @@ VTKPeer(SceneFunction scene, double sigma)
   };
 }
 
+/** What our own benchmark starts from as well. */
 void
-WriteSplats(const Scene & scene, double sigma, const std::string & folder)
+WriteScene(const Scene & scene, double sigma, const std::string & folder)
 {
-  const SurfaceSplatLayer layer = ProjectScene(scene, sigma);
-  std::vector<double>     splats;
-  for (std::size_t i = 0; i < layer.u.size(); ++i)
+  std::vector<double> points;
+  for (std::size_t i = 0; i < scene.surface->points.size(); ++i)
   {
-    splats.insert(splats.end(), { layer.u[i], layer.v[i], layer.weight[i] });
+    const auto & point = scene.surface->points[i];
+    points.insert(points.end(), { point[0], point[1], point[2], scene.areas[i] });
   }
-  WriteArray(folder + "/splats.npy", splats.data(), layer.u.size(), 3);
-  const double frame[3] = { sigma, Width, Height };
-  WriteArray(folder + "/frame.npy", frame, 1, 3);
+  const SurfaceSplatProjector & projector = scene.projector;
+  WriteArray(folder + "/points.npy", points.data(), scene.areas.size(), 4);
+  WriteArray(folder + "/projection.npy", projector.projection.matrix.data(), 3, 4);
+  const double frame[] = { sigma,
+                           Width,
+                           Height,
+                           projector.principalPoint[0],
+                           projector.principalPoint[1],
+                           projector.pixelSpacing[0] / projector.sourceToDetector,
+                           projector.sourceToDetector / projector.sourceToMidsagittal };
+  WriteArray(folder + "/frame.npy", frame, 1, 7);
 }
 
 void
@@ -257,14 +266,34 @@ RegisterScene(const std::string & name, SceneFunction scene)
     const std::string kernel = "surface DRR";
     RegisterKernel(kernel, work.str(), Ours(scene, sigma, 1e-3, 1));
     RegisterThreaded(kernel, work.str(), 1.7, Ours(scene, sigma, 1e-3, 2));
-    RegisterScriptPeer(
-      kernel, work.str(), "numpy add.at + gaussian_filter", sigma < 2.0 ? 6.0 : 10.0, [scene, sigma](const auto & f) {
-        WriteSplats(scene(), sigma, f);
-      });
+    RegisterScriptPeer(kernel,
+                       work.str(),
+                       "numpy projection + add.at + gaussian_filter",
+                       sigma < 2.0 ? 6.0 : 10.0,
+                       [scene, sigma](const auto & f) { WriteScene(scene(), sigma, f); });
     RegisterPeer(kernel, work.str(), "ITK PointSetToImage + DiscreteGaussian", 10.0, ITKPeer(scene, sigma));
     // Two slices.
     RegisterPeer(kernel, work.str(), "vtkGaussianSplatter, two slices", 100.0, VTKPeer(scene, sigma));
   }
+  RegisterAtMost("surface DRR", name + ", sigma 1", "error over maximum", 1e-3, [scene](benchmark::State & state) {
+    const Scene & made = scene();
+    for (auto _ : state)
+    {
+      Renderer renderer;
+      renderer.Render(made, 1.0, 1e-3, 1);
+      std::vector<double>      truth(Width * Height, 0.0);
+      const SurfaceSplatRegion region{ 0, 0, Width, Height };
+      SurfaceSplatReference(renderer.layer, region, truth.data(), Width);
+      double error = 0.0;
+      double peak = 0.0;
+      for (std::size_t i = 0; i < truth.size(); ++i)
+      {
+        error = std::max(error, std::abs(truth[i] - renderer.image[i]));
+        peak = std::max(peak, truth[i]);
+      }
+      state.counters["figure"] = error / peak;
+    }
+  });
   RegisterAtMost(
     "surface DRR", name + ", sigma 2", "memory over input + output", 4.0, [scene](benchmark::State & state) {
       const Scene & made = scene();

@@ -5,13 +5,19 @@ from scipy import ndimage, spatial
 
 
 def numpy_splats(folder):
-    """Nearest pixels in an array of the default type, then the filter at its default reach of four standard deviations."""
-    splats = numpy.load(folder / "splats.npy")
-    sigma, width, height = numpy.load(folder / "frame.npy")[0]
+    """From points and areas, as ours: projection, nearest pixels in an array of the default type, then the filter at its
+    default reach of four standard deviations."""
+    x, y, z, area = numpy.load(folder / "points.npy").T.copy()
+    m = numpy.load(folder / "projection.npy")
+    sigma, width, height, u0, v0, slope, magnification = numpy.load(folder / "frame.npy")[0]
     width, height = int(width), int(height)
-    u, v, weight = splats.T.copy()
 
     def run():
+        u, v, depth = (row[0] * x + row[1] * y + row[2] * z + row[3] for row in m)
+        u = u / depth
+        v = v / depth
+        obliquity = numpy.sqrt(1.0 + ((u - u0) * slope) ** 2 + ((v - v0) * slope) ** 2)
+        weight = area * (magnification / depth) ** 2 * obliquity / sigma**2
         columns = numpy.rint(u).astype(numpy.intp)
         rows = numpy.rint(v).astype(numpy.intp)
         inside = (columns >= 0) & (columns < width) & (rows >= 0) & (rows < height)
@@ -54,5 +60,5 @@ def scipy_trees(folder):
 
 PEERS = {
     "scipy cKDTree": scipy_trees,
-    "numpy add.at + gaussian_filter": numpy_splats,
+    "numpy projection + add.at + gaussian_filter": numpy_splats,
 }
