@@ -172,8 +172,9 @@ def test_the_order_of_imports_does_not_matter(ds, sample, first):
     pytest.importorskip("SimpleITK")
     pytest.importorskip("vtkmodules")
     others = """
-import itk, SimpleITK, vtkmodules.all
-sphere = vtkmodules.all.vtkSphereSource(); sphere.Update()
+import itk, SimpleITK
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+sphere = vtkSphereSource(); sphere.Update()
 grey = itk.image_from_array(np.ones((8, 8), np.float32)); itk.median_image_filter(grey, radius=1)
 SimpleITK.SmoothingRecursiveGaussian(SimpleITK.Image(8, 8, SimpleITK.sitkFloat32))
 """
