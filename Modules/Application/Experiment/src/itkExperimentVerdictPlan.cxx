@@ -43,12 +43,13 @@ LevelOf(std::size_t i)
   return i % 2 == 0 ? CohortEnum::Typical : CohortEnum::Hard;
 }
 
-/** A reason without its numbers, so that the same ones can be counted. */
+/** What a reason says before its particulars, without numbers, so that the same ones can be counted. */
 std::string
-WithoutNumbers(const std::string & reason)
+WithoutNumbers(const std::string & wholeReason)
 {
-  std::string text;
-  bool        inNumber = false;
+  const std::string reason = wholeReason.substr(0, wholeReason.find_first_of(":;"));
+  std::string       text;
+  bool              inNumber = false;
   for (std::size_t i = 0; i < reason.size(); ++i)
   {
     const bool digit = std::isdigit(static_cast<unsigned char>(reason[i])) != 0;
