@@ -697,6 +697,7 @@ function : callable
     .dentalscrBoolean(MethodType, FixTranslation)
     .dentalscrProperty(MethodType, RandomSeed)
     .def("SetPresetToPaper", &MethodType::SetPresetToPaper)
+    .def("SetPresetToGlobal", &MethodType::SetPresetToGlobal)
     .def("SetPresetToBoundingBox", &MethodType::SetPresetToBoundingBox)
     .def("SetPresetToSingleStage", &MethodType::SetPresetToSingleStage)
     .def_static(

@@ -172,6 +172,14 @@ def test_levels_are_the_papers_and_can_be_changed(ds, curves):
         method.GetLevel(7)
 
 
+def test_global_preset_finds_a_far_start(ds, curves):
+    fixed, moving, truth = curves
+    method = ds.SilhouetteToContourRegistrationMethod()
+    method.SetPresetToGlobal()
+    method.SetInitialTransform(ds.Similarity2DTransform(0.85, 0.5, (320.0, 400.0)))
+    assert worst_shift(method.Execute(fixed, moving), truth, moving) < STEP
+
+
 def test_fixed_scale_stays(ds, curves):
     fixed, moving, _ = curves
     start = ds.Similarity2DTransform(1.0, 0.0, (300.0, 420.0))
