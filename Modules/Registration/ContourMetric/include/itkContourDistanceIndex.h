@@ -174,6 +174,8 @@ private:
                            std::size_t                count,
                            double *                   nearest) const;
   void
+  FillField(DomainType & domain, std::uint32_t bx, std::uint32_t by) const;
+  void
   KeepPossiblyNearest(const BoxType & box, const std::uint32_t * from, std::size_t count) const;
   double
   FindUpperBound(const BoxType & box, const std::uint32_t * from, std::size_t count) const;

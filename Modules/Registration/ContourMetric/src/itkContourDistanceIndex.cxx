@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkContourDistanceIndex.h"
 
+#include "itkVectorClones.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,9 +34,22 @@ constexpr double        DomainGrowth = 3.0;
 constexpr std::uint32_t Unfilled = std::numeric_limits<std::uint32_t>::max();
 
 // Cells a side of the nested grids; each divides the next.
+constexpr std::array<std::uint32_t, 3> TinyGrid{ 8, 32, 64 };
 constexpr std::array<std::uint32_t, 3> SmallGrid{ 8, 32, 128 };
 constexpr std::array<std::uint32_t, 3> LargeGrid{ 8, 64, 256 };
+constexpr std::array<std::uint32_t, 3> HugeGrid{ 16, 128, 1024 };
+constexpr std::size_t                  SmallGridFrom = 200;
 constexpr std::size_t                  LargeGridFrom = 1500;
+constexpr std::size_t                  HugeGridFrom = 8000;
+
+const std::array<std::uint32_t, 3> &
+ChooseGrid(std::size_t numberOfTargets)
+{
+  return numberOfTargets < SmallGridFrom   ? TinyGrid
+         : numberOfTargets < LargeGridFrom ? SmallGrid
+         : numberOfTargets < HugeGridFrom  ? LargeGrid
+                                           : HugeGrid;
+}
 
 // Cells a side of the field of approximate distances: a multiple of the coarsest grid's.
 constexpr std::uint32_t FieldSide = 64;
@@ -43,6 +58,37 @@ inline double
 Square(double value)
 {
   return value * value;
+}
+
+// Places at a time for the field of approximate distances: what a cell of the coarsest grid covers, at most.
+constexpr std::uint32_t PlacesAtATime = 64;
+
+/** Lowers the squared distances of the places to those from a segment: the same sums as for a single place. */
+itkVectorClones void
+LowerToSegment(const double segment[5], const double * x, const double * y, double * least)
+{
+  for (std::uint32_t i = 0; i < PlacesAtATime; ++i)
+  {
+    const double along = ((x[i] - segment[0]) * segment[2] + (y[i] - segment[1]) * segment[3]) * segment[4];
+    const double positive = along < 0.0 ? 0.0 : along;
+    const double t = positive > 1.0 ? 1.0 : positive;
+    const double dx = x[i] - (segment[0] + t * segment[2]);
+    const double dy = y[i] - (segment[1] + t * segment[3]);
+    const double squaredDistance = dx * dx + dy * dy;
+    least[i] = squaredDistance < least[i] ? squaredDistance : least[i];
+  }
+}
+
+itkVectorClones void
+LowerToPoint(double px, double py, const double * x, const double * y, double * least)
+{
+  for (std::uint32_t i = 0; i < PlacesAtATime; ++i)
+  {
+    const double dx = x[i] - px;
+    const double dy = y[i] - py;
+    const double squaredDistance = dx * dx + dy * dy;
+    least[i] = squaredDistance < least[i] ? squaredDistance : least[i];
+  }
 }
 
 inline std::uint32_t
@@ -137,7 +183,7 @@ ContourDistanceIndex::PlaceDomains(const double * xy, std::size_t count)
   m_CenterX = 0.5 * (low[0] + high[0]);
   m_CenterY = 0.5 * (low[1] + high[1]);
   m_HalfWidth = 0.51 * std::max(high[0] - low[0], high[1] - low[1]);
-  m_Grid = this->GetNumberOfTargets() < LargeGridFrom ? SmallGrid : LargeGrid;
+  m_Grid = ChooseGrid(this->GetNumberOfTargets());
   // Cells must be far above the rounding of the coordinates.
   const double magnitude = std::max(std::abs(m_CenterX), std::abs(m_CenterY));
   m_HasGrid = m_HalfWidth > 1e-6 * magnitude && m_HalfWidth < 1e100 && m_HalfWidth > 1e-100;
@@ -295,7 +341,7 @@ ContourDistanceIndex::KeepPossiblyNearest(const BoxType & box, const std::uint32
 {
   const double upper = this->FindUpperBound(box, from, count) * (1.0 + 1e-9);
   // No point of the box is farther than this from its centre.
-  const double radius = 0.5 * std::hypot(box.x1 - box.x0, box.y1 - box.y0);
+  const double radius = 0.5 * std::sqrt(Square(box.x1 - box.x0) + Square(box.y1 - box.y0));
   const double limit = Square(std::sqrt(upper) + radius) * (1.0 + 1e-9);
   m_Kept.clear();
   for (std::size_t i = 0; i < count; ++i)
@@ -628,6 +674,44 @@ ContourDistanceIndex::FindNearestPoints(const double * places, std::size_t count
   }
 }
 
+// Fills the field where a cell of the coarsest grid covers it: every target of the cell is compared with all its places
+// at a time, which is vectorised.
+void
+ContourDistanceIndex::FillField(DomainType & domain, std::uint32_t bx, std::uint32_t by) const
+{
+  const std::uint32_t side = FieldSide / m_Grid[0];
+  const double        width = (domain.box.x1 - domain.box.x0) / FieldSide;
+  const CellType      cell = this->GetCell(domain, 0, bx, by);
+  double              x[PlacesAtATime];
+  double              y[PlacesAtATime];
+  double              least[PlacesAtATime];
+  for (std::uint32_t i = 0; i < PlacesAtATime; ++i)
+  {
+    x[i] = domain.box.x0 + (bx * side + i % side + 0.5) * width;
+    y[i] = domain.box.y0 + (by * side + i / side + 0.5) * width;
+    least[i] = std::numeric_limits<double>::infinity();
+  }
+  for (std::uint32_t n = 0; n < cell.count; ++n)
+  {
+    const std::uint32_t target = m_Lists[cell.first + n];
+    if (m_IsSegments)
+    {
+      const SegmentType & s = m_Segments[target];
+      const double        segment[5] = { s.x, s.y, s.dx, s.dy, s.inverseSquaredLength };
+      LowerToSegment(segment, x, y, least);
+    }
+    else
+    {
+      LowerToPoint(m_X[target], m_Y[target], x, y, least);
+    }
+  }
+  for (std::uint32_t i = 0; i < side * side; ++i)
+  {
+    domain.field[static_cast<std::size_t>(by * side + i / side) * FieldSide + bx * side + i % side] =
+      static_cast<float>(std::sqrt(least[i]));
+  }
+}
+
 double
 ContourDistanceIndex::FindApproximateDistance(double x, double y) const
 {
@@ -643,19 +727,10 @@ ContourDistanceIndex::FindApproximateDistance(double x, double y) const
   const double        width = (domain->box.x1 - domain->box.x0) / FieldSide;
   const std::uint32_t ix = CellNumber((x - domain->box.x0) / width, FieldSide);
   const std::uint32_t iy = CellNumber((y - domain->box.y0) / width, FieldSide);
-  float &             distance = domain->field[static_cast<std::size_t>(iy) * FieldSide + ix];
+  const float &       distance = domain->field[static_cast<std::size_t>(iy) * FieldSide + ix];
   if (distance < 0.0f)
   {
-    const double        centerX = domain->box.x0 + (ix + 0.5) * width;
-    const double        centerY = domain->box.y0 + (iy + 0.5) * width;
-    const std::uint32_t side = m_Grid[0];
-    const CellType      cell = this->GetCell(*domain, 0, ix * side / FieldSide, iy * side / FieldSide);
-    NearestType         nearest{ std::numeric_limits<double>::infinity(), x, y, 0 };
-    for (std::uint32_t i = 0; i < cell.count; ++i)
-    {
-      this->TestTarget(m_Lists[cell.first + i], centerX, centerY, nearest);
-    }
-    distance = static_cast<float>(std::sqrt(nearest.squaredDistance));
+    this->FillField(*domain, ix * m_Grid[0] / FieldSide, iy * m_Grid[0] / FieldSide);
   }
   return distance;
 }

@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -109,7 +110,7 @@ ExpectSameAsBruteForce(IndexType & index, const std::vector<double> & queries)
 
 TEST(ContourDistanceIndex, GridEqualsBruteForceForPoints)
 {
-  for (const std::size_t count : { 13u, 79u, 441u, 3000u })
+  for (const std::size_t count : { 13u, 79u, 441u, 3000u, 9000u })
   {
     const std::vector<double> curve = MakeCurve(count);
     IndexType                 index;
@@ -121,7 +122,7 @@ TEST(ContourDistanceIndex, GridEqualsBruteForceForPoints)
 
 TEST(ContourDistanceIndex, GridEqualsBruteForceForSegments)
 {
-  for (const std::size_t count : { 13u, 79u, 441u, 3000u })
+  for (const std::size_t count : { 13u, 79u, 441u, 3000u, 9000u })
   {
     const std::vector<double> curve = MakeCurve(count);
     const auto                segments = MakeClosedSegments(count);
@@ -225,6 +226,59 @@ TEST(ContourDistanceIndex, ApproximateDistanceIsWithinItsBound)
   EXPECT_GT(largest, 0.5);
   EXPECT_NEAR(
     index.FindApproximateDistance(300.0, 200.0), std::sqrt(index.FindNearest(300.0, 200.0).squaredDistance), 2.9);
+}
+
+TEST(ContourDistanceIndex, ApproximateDistancesOfManyAreThoseOfCellCentres)
+{
+  // Also the finest of grids, whose coarsest cells cover fewer places of the field.
+  for (const std::size_t count : { 79u, 441u, 9000u })
+  {
+    const std::vector<double> curve = MakeCurve(count);
+    const auto                segments = MakeClosedSegments(count);
+    double                    low[2] = { curve[0], curve[1] };
+    double                    high[2] = { curve[0], curve[1] };
+    for (std::size_t i = 0; i < curve.size(); ++i)
+    {
+      low[i % 2] = std::min(low[i % 2], curve[i]);
+      high[i % 2] = std::max(high[i % 2], curve[i]);
+    }
+    const double width = std::max(high[0] - low[0], high[1] - low[1]);
+    for (const bool isSegments : { false, true })
+    {
+      IndexType index;
+      isSegments ? index.SetSegments(curve.data(), count, segments.data(), count)
+                 : index.SetPoints(curve.data(), count);
+      IndexType one(index);
+      IndexType reference(index);
+      reference.SetSearch(IndexType::SearchEnum::BruteForce);
+      std::vector<double> places;
+      for (double x = 300.0 - 3.0 * width; x < 300.0 + 3.0 * width; x += 0.031 * width)
+      {
+        for (double y = 200.0 - 3.0 * width; y < 200.0 + 3.0 * width; y += 0.029 * width)
+        {
+          places.push_back(x);
+          places.push_back(y);
+        }
+      }
+      // The first time most of the field is not yet filled, the second time all of it is.
+      for (int repeat = 0; repeat < 2; ++repeat)
+      {
+        std::vector<double> distances(places.size() / 2, -1.0);
+        index.FindApproximateDistances(places.data(), distances.size(), distances.data());
+        for (std::size_t i = 0; i < distances.size(); ++i)
+        {
+          const double x = places[2 * i];
+          const double y = places[2 * i + 1];
+          ASSERT_EQ(distances[i], one.FindApproximateDistance(x, y));
+          // Half the diagonal of a cell: 64 cells a side of a square of 1.02 widths, then of 3.06, then of 9.18.
+          const double away = std::max(std::abs(x - 0.5 * (low[0] + high[0])), std::abs(y - 0.5 * (low[1] + high[1])));
+          const double square = 1.02 * width * (away < 0.5099 * width ? 1.0 : away < 1.5299 * width ? 3.0 : 9.0);
+          const double exact = std::sqrt(reference.FindNearest(x, y).squaredDistance);
+          ASSERT_NEAR(distances[i], exact, square / 64.0 * std::sqrt(0.5) + 1e-6 * exact) << x << ", " << y;
+        }
+      }
+    }
+  }
 }
 
 TEST(ContourDistanceIndex, QueriesInAnyOrderGiveTheSameBits)
