@@ -179,7 +179,7 @@ public:
     std::vector<double> nv;
     /** 7 a point. */
     std::vector<double> jacobian;
-    std::vector<char>   facing;
+    std::vector<double> facing;
     /** Index of the contour sample, in the strand's contour. */
     std::vector<std::size_t> match;
   };

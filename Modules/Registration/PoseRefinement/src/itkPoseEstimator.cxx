@@ -40,6 +40,22 @@ GemanMcClure(double d, double c)
   return a * a;
 }
 
+/** What the kernel sees of a match: the residual along the normal and, past the end of the contour, the distance along
+ * it. Continuous, as is FacingWeight(): a switch would let a step of a thousandth of a pixel change the criterion. */
+double
+MatchDistance(double normal, double tangential)
+{
+  return std::hypot(normal, std::max(0.0, std::abs(tangential) - 1.0));
+}
+
+/** 1 where contour and tracing face the same way, 0 where their normals differ by more than some 65 degrees. */
+double
+FacingWeight(double cosine)
+{
+  const double t = std::min(1.0, std::max(0.0, (cosine - 0.4) / 0.2));
+  return t * t * (3.0 - 2.0 * t);
+}
+
 } // namespace
 
 /** The normal equations at a linearisation. */
@@ -128,7 +144,7 @@ public:
   double
   KernelWeight(const Linearization & lin, std::size_t k) const
   {
-    return !lin.facing[k] ? 0.0 : m_Robust ? GemanMcClure(lin.distance[k], m_Width) : 1.0;
+    return lin.facing[k] * (m_Robust ? GemanMcClure(lin.distance[k], m_Width) : 1.0);
   }
 
   void
@@ -331,7 +347,7 @@ PoseEstimator::Linearize(const PoseParameters &           parameters,
         // Nothing to match: a residual that no pose can change, without weight.
         lin.residual[k] = lin.distance[k] = 1e3;
         lin.nv[k] = 1.0;
-        lin.facing[k] = 0;
+        lin.facing[k] = 0.0;
         continue;
       }
       const std::size_t j = index.Nearest(tracing.u[i], tracing.v[i], tracing.nu[i], tracing.nv[i], normalWeight2);
@@ -342,10 +358,12 @@ PoseEstimator::Linearize(const PoseParameters &           parameters,
       const double      r = nu * du + nv * dv;
       const double      tangential = std::abs(nu * dv - nv * du);
       lin.residual[k] = r;
-      lin.distance[k] = tangential > 1.5 ? std::hypot(du, dv) : std::abs(r);
+      lin.distance[k] = MatchDistance(r, tangential);
       lin.nu[k] = nu;
       lin.nv[k] = nv;
-      lin.facing[k] = !m_Options.useOrientation || nu * tracing.nu[i] + nv * tracing.nv[i] > 0.5;
+      const auto & direction = index.GetDirection(j);
+      lin.facing[k] =
+        m_Options.useOrientation ? FacingWeight(direction[0] * tracing.nu[i] + direction[1] * tracing.nv[i]) : 1.0;
       lin.match[k] = j;
       if (withJacobian)
       {
@@ -540,12 +558,14 @@ PoseEstimator::ComputeStatistics(std::size_t s, const PoseContour & contour) con
     const double      nu = contour.nu[j];
     const double      nv = contour.nv[j];
     const double      r = std::abs(nu * du + nv * dv);
-    const double      d = std::abs(nu * dv - nv * du) > 1.5 ? std::hypot(du, dv) : r;
-    const bool        facing = !m_Options.useOrientation || nu * tracing.nu[i] + nv * tracing.nv[i] > 0.5;
-    const double      w = facing ? GemanMcClure(d, ScoreWidth) : 0.0;
+    const double      d = MatchDistance(r, nu * dv - nv * du);
+    const auto &      direction = index.GetDirection(j);
+    const double      facing =
+      m_Options.useOrientation ? FacingWeight(direction[0] * tracing.nu[i] + direction[1] * tracing.nv[i]) : 1.0;
+    const double      w = facing * GemanMcClure(d, ScoreWidth);
     weights += tracing.weight[i];
     cost += tracing.weight[i] * (1.0 - std::sqrt(w));
-    inliers += facing && d < ScoreWidth ? tracing.weight[i] : 0.0;
+    inliers += facing > 0.5 && d < ScoreWidth ? tracing.weight[i] : 0.0;
     squares += d * d;
     distances.push_back(d);
     const double expected = PoseArch::ExpectedArc(tracing.tooth[i]);

@@ -54,7 +54,7 @@ TEST(PoseEstimator, ResidualJacobianMatchesDifferencesOfRegeneratedContours)
     for (std::size_t i = 0; i < lin.residual.size(); ++i)
     {
       // Beside corners of the outline the nearest point jumps: a kink, not a derivative.
-      if (!lin.facing[i] || lin.distance[i] > std::abs(lin.residual[i]) + 1e-12)
+      if (lin.facing[i] < 1.0 || lin.distance[i] > std::abs(lin.residual[i]) + 1e-12)
       {
         continue;
       }
