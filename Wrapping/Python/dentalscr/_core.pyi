@@ -2746,6 +2746,8 @@ class PoseRefinementOptions:
     fixRotation: bool
     fixScale: bool
     fixTranslation: bool
+    heldPitchSigma: float
+    heldTranslationSigma: float
     initialSmoothSigma: float
     initialWhiteSigma: float
     kappaSigma: float

@@ -165,6 +165,10 @@ public:
   std::array<double, 7>
   GetCovarianceSigmas() const;
 
+  /** How far what the user holds may be off; 0 for all else. */
+  std::array<double, 7>
+  GetHeldSigmas() const;
+
   /** Which parameters may move, and the prior's standard deviation of each: 0 fixed, infinity free. */
   std::array<double, 7>
   GetPriorSigmas(bool similarityOnly) const;

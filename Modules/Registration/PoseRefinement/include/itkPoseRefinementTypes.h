@@ -23,6 +23,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -164,6 +165,10 @@ struct PoseRefinementOptions
   /** Standard deviation of roll and yaw in the covariance where they are not estimated (bisected tracing, similarity).
    */
   double unobservedRotationSigma{ 0.03490658503988659 };
+  /** What is held by fixRotation and fixTranslation is not known for certain: pitch (roll and yaw: as above) and shift,
+   * mm, in the covariance. A held scale has kappa's sigma. */
+  double heldPitchSigma{ 0.01745329251994330 };
+  double heldTranslationSigma{ 1.0 };
   /** Try the other side, and, where the fit is poor, exchanged jaws and the other facing. */
   bool checkHypotheses{ true };
   /** Score above which the fit counts as poor for that. */
@@ -277,9 +282,9 @@ struct PoseGroupResult
    * on the traced side's: clearly negative where the other side was traced. 0 where it was not tried. */
   double otherSideDeviance{ 0.0 };
   /** Where the fit is poor: the scores when the jaws' tracings are exchanged, and when the patient faces the other way;
-   * 1 where not tried. */
-  double exchangedScore{ 1.0 };
-  double otherFacingScore{ 1.0 };
+   * infinite where not tried. */
+  double exchangedScore{ std::numeric_limits<double>::infinity() };
+  double otherFacingScore{ std::numeric_limits<double>::infinity() };
 };
 /** Everything that PoseRefinementKernel found. */
 struct PoseRefinementResult

@@ -75,8 +75,13 @@ public:
     /** At the tracing, and anywhere on the outline. Not judged on bisected tracings. */
     double suspectPredictedSigma{ 3.0 };
     double suspectExtrapolatedSigma{ 4.5 };
+    double failedPredictedSigma{ 20.0 };
+    /** mm along the arch: a tooth is some 7 mm wide, and the textbook's place is missed by up to 4 mm. */
+    double suspectCodeOffset{ 5.5 };
     double suspectMargin{ 0.03 };
-    double suspectPriorTension{ 3.5 };
+    /** Rotations up to 32 degrees (0.56) are searched. */
+    double suspectPitch{ 0.54 };
+    double suspectPriorTension{ 4.5 };
     /** Of roll and yaw, whose prior has long tails: 17.5 degrees. A scanner's frame may be off by as much as a head. */
     double suspectRotationTension{ 5.0 };
     /** Difference of minus twice the log likelihood: 5 is odds of 12. */

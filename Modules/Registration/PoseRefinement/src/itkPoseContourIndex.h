@@ -31,8 +31,8 @@ namespace itk
 /** Contour samples in buckets along u, for the oriented nearest neighbour.
  *
  * The directions that are compared are those of the contour smoothed as the tracing's are (PoseTracing fits lines over
- * some 12 px): in the notch between two teeth a tracing's direction turns slowly, and against the contour's own it would
- * match beside the notch. */
+ * some 12 px): in the notch between two teeth a tracing's direction turns slowly, and against the contour's own it
+ * would match beside the notch. */
 class PoseContourIndex
 {
 public:
@@ -127,7 +127,8 @@ public:
   }
 
 private:
-  /** Tangents between the means of the samples behind and before, by running sums; the ends of a run have what is there. */
+  /** Tangents between the means of the samples behind and before, by running sums; the ends of a run have what is
+   * there. */
   void
   SmoothDirections(const PoseContour & contour)
   {
@@ -167,7 +168,8 @@ private:
   }
 
   static constexpr double Width = 8.0;
-  /** Samples to either side: with 0.5 px between them 12 px, whose mean distance is that of a line fit of sigma 5 px. */
+  /** Samples to either side: with 0.5 px between them 12 px, whose mean distance is that of a line fit of sigma 5 px.
+   */
   static constexpr std::size_t Reach = 24;
   struct Sample
   {

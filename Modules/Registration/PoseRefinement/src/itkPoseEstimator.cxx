@@ -270,6 +270,26 @@ PoseEstimator::GetPriorSigmas(bool similarityOnly) const
 }
 
 std::array<double, 7>
+PoseEstimator::GetHeldSigmas() const
+{
+  std::array<double, 7> sigmas{};
+  if (m_Options.fixRotation)
+  {
+    sigmas[PosePitch] = m_Options.heldPitchSigma;
+    sigmas[PoseRoll] = sigmas[PoseYaw] = m_Options.unobservedRotationSigma;
+  }
+  if (m_Options.fixTranslation)
+  {
+    sigmas[PoseTx] = sigmas[PoseTy] = sigmas[PoseTz] = m_Options.heldTranslationSigma;
+  }
+  if (m_Options.fixScale)
+  {
+    sigmas[PoseKappa] = m_Geometry.pixelSpacingKnown ? m_Options.kappaSigma : m_Options.kappaSigmaWithoutSpacing;
+  }
+  return sigmas;
+}
+
+std::array<double, 7>
 PoseEstimator::GetCovarianceSigmas() const
 {
   std::array<double, 7> sigmas = this->GetPriorSigmas(false);
@@ -562,7 +582,7 @@ PoseEstimator::ComputeStatistics(std::size_t s, const PoseContour & contour) con
     const auto &      direction = index.GetDirection(j);
     const double      facing =
       m_Options.useOrientation ? FacingWeight(direction[0] * tracing.nu[i] + direction[1] * tracing.nv[i]) : 1.0;
-    const double      w = facing * GemanMcClure(d, ScoreWidth);
+    const double w = facing * GemanMcClure(d, ScoreWidth);
     weights += tracing.weight[i];
     cost += tracing.weight[i] * (1.0 - std::sqrt(w));
     inliers += facing > 0.5 && d < ScoreWidth ? tracing.weight[i] : 0.0;
@@ -628,8 +648,14 @@ PoseEstimator::ComputeOverlap(std::size_t strand, const PoseContour & contour) c
 std::array<double, 49>
 PoseEstimator::ComputeCovariance(const PoseState & state, PoseNoise & noise) const
 {
-  Solver solver(
-    *this, this->GetCovarianceSigmas(), m_Options.useCorrelatedNoise ? m_Options.covarianceCorrelationLength : 0.0);
+  // What a user holds was not estimated: its own uncertainty comes on top instead of being narrowed by the data.
+  std::array<double, 7>       sigmas = this->GetCovarianceSigmas();
+  const std::array<double, 7> heldSigmas = this->GetHeldSigmas();
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    sigmas[k] = heldSigmas[k] > 0.0 ? Infinity : sigmas[k];
+  }
+  Solver solver(*this, sigmas, m_Options.useCorrelatedNoise ? m_Options.covarianceCorrelationLength : 0.0);
   noise = state.noise;
   std::array<double, 49> covariance{};
   if (solver.m_Active.empty())
@@ -650,16 +676,39 @@ PoseEstimator::ComputeCovariance(const PoseState & state, PoseNoise & noise) con
   // What outline and frame get wrong stays where the tracing is perfect.
   noise.smooth = std::hypot(noise.smooth, ModelSigma);
   solver.Factor(noise);
-  Eigen::MatrixXd information = solver.m_Information;
+  std::vector<Eigen::Index> estimated, held;
+  for (std::size_t a = 0; a < solver.m_Active.size(); ++a)
+  {
+    (heldSigmas[solver.m_Active[a]] > 0.0 ? held : estimated).push_back(static_cast<Eigen::Index>(a));
+  }
+  Eigen::MatrixXd information = solver.m_Information(estimated, estimated);
   information.diagonal().array() += 1e-9;
-  const Eigen::MatrixXd inverse =
-    information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
-  const double factor = m_Options.covarianceInflation * m_Options.covarianceInflation;
+  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(solver.m_Information.rows(), solver.m_Information.cols());
+  Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(full.rows(), static_cast<Eigen::Index>(held.size()));
+  if (!estimated.empty())
+  {
+    const Eigen::MatrixXd inverse =
+      information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+    full(estimated, estimated) = inverse;
+    if (!held.empty())
+    {
+      const Eigen::MatrixXd coupling = solver.m_Information(estimated, held);
+      const Eigen::MatrixXd follows = -inverse * coupling;
+      spread(estimated, Eigen::all) = follows;
+    }
+  }
+  full *= m_Options.covarianceInflation * m_Options.covarianceInflation;
+  for (std::size_t h = 0; h < held.size(); ++h)
+  {
+    const double sigma = heldSigmas[solver.m_Active[held[h]]];
+    spread(held[h], h) = 1.0;
+    full += sigma * sigma * spread.col(h) * spread.col(h).transpose();
+  }
   for (std::size_t a = 0; a < solver.m_Active.size(); ++a)
   {
     for (std::size_t b = 0; b < solver.m_Active.size(); ++b)
     {
-      covariance[7 * solver.m_Active[a] + solver.m_Active[b]] = factor * 0.5 * (inverse(a, b) + inverse(b, a));
+      covariance[7 * solver.m_Active[a] + solver.m_Active[b]] = 0.5 * (full(a, b) + full(b, a));
     }
   }
   return covariance;

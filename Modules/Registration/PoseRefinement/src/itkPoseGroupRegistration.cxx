@@ -195,7 +195,19 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     group.evaluations += state.evaluations;
   }
   std::stable_sort(pool.begin(), pool.end(), byScore);
-  pool = this->Distinct(pool, 1.0, 4);
+  // The best of each of three places, and a second way into the best place: four of one place would hide the others.
+  std::vector<PoseState> kept = this->Distinct(pool, 4.0, 3);
+  for (const PoseState & state : this->Distinct(pool, 1.0, 2))
+  {
+    const bool there = std::any_of(
+      kept.begin(), kept.end(), [&](const PoseState & other) { return other.parameters == state.parameters; });
+    if (!there)
+    {
+      kept.push_back(state);
+    }
+  }
+  pool = std::move(kept);
+  std::stable_sort(pool.begin(), pool.end(), byScore);
   const double limit = pool.front().score + 0.12;
   pool.erase(std::remove_if(pool.begin(), pool.end(), [&](const PoseState & s) { return s.score > limit; }),
              pool.end());

@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace itk
@@ -83,15 +84,16 @@ SelectPolylines(const PoseJawInput & jaw, const PoseRefinementOptions & options)
   return selected;
 }
 
+/** Different ones. */
 std::size_t
 CountPoints(const std::vector<PosePolyline> & polylines)
 {
-  std::size_t count = 0;
+  std::set<std::array<double, 2>> points;
   for (const PosePolyline & polyline : polylines)
   {
-    count += polyline.points.size();
+    points.insert(polyline.points.begin(), polyline.points.end());
   }
-  return count;
+  return points.size();
 }
 
 /** Fills in what is not known: the principal point by the tracing's centroid, the spacing from the arch's length. */
@@ -392,7 +394,7 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
     const std::size_t               points = CountPoints(polylines);
     if (points < 5)
     {
-      result.jaws[j].failure = "the tracing has " + std::to_string(points) + " points, at least 5 are needed";
+      result.jaws[j].failure = "the tracing has " + std::to_string(points) + " different points, at least 5 are needed";
       return;
     }
     jaw.surface = ToDentalFrame(*input.surface, input.frame);
@@ -492,11 +494,14 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
       result.groups.push_back(std::move(group));
       continue;
     }
-    if (options.checkHypotheses && options.useSideSelection && oneSide)
+    // Beside a given start or held parameters any free search looks better.
+    const bool searched =
+      !options.useInitialPose && !options.fixRotation && !options.fixScale && !options.fixTranslation;
+    if (searched && options.checkHypotheses && options.useSideSelection && oneSide)
     {
       group.otherSideDeviance = OtherSideDeviance(run.GetEstimator(), jaws, options, group);
     }
-    if (options.checkHypotheses && group.score > options.poorScore)
+    if (searched && options.checkHypotheses && group.score > options.poorScore)
     {
       TryExchangedAndFlipped(inputs, members, nominal, options, group);
     }

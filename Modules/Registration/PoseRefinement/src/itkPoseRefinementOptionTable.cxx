@@ -95,6 +95,8 @@ Rows()
       &Options::unobservedRotationSigma,
       0.0,
       Large },
+    { "heldPitchSigma", "of a held pitch, in the covariance, rad", &Options::heldPitchSigma, 0.0, 3.2 },
+    { "heldTranslationSigma", "of a held shift, in the covariance, mm", &Options::heldTranslationSigma, 0.0, Large },
     { "checkHypotheses", "try the other side, exchanged jaws, the other facing", &Options::checkHypotheses },
     { "poorScore", "score above which the latter two are tried", &Options::poorScore, 0.0, 10.0 },
     { "maximumTracingPoints",

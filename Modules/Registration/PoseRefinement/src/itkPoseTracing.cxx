@@ -69,19 +69,16 @@ OpenClosedPolyline(Strand & strand, bool upper)
     const double   length = std::max(Distance(a, b), 1e-12);
     keep[i] = FacesOcclusallyOrAnteriorly(sign * (b[1] - a[1]) / length, -sign * (b[0] - a[0]) / length, upper);
   }
-  // Cut in the middle of the longest run of points that do not face the right way.
-  std::size_t best = 0, bestLength = 0;
-  for (std::size_t i = 0; i < n; ++i)
+  // Cut behind the longest run of points that do not face the right way; twice around, so that a run over the first
+  // point is one.
+  std::size_t best = 0, bestLength = 0, run = 0;
+  for (std::size_t i = 0; i < 2 * n; ++i)
   {
-    std::size_t run = 0;
-    while (run < n && !keep[(i + run) % n])
-    {
-      ++run;
-    }
+    run = keep[i % n] ? 0 : std::min(run + 1, n);
     if (run > bestLength)
     {
       bestLength = run;
-      best = (i + run) % n;
+      best = (i + 1) % n;
     }
   }
   Strand open;

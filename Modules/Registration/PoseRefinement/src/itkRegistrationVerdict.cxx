@@ -107,6 +107,20 @@ JudgeUncertainty(const PoseFitStatistics &               fit,
         "tracing and outline differ by " + Number(group.smoothSigma, 1) +
           " px (sd) along the teeth, more than hands draw: shapes of another patient, jaw or date?");
   }
+  if (fit.predictedSigma > thresholds.failedPredictedSigma)
+  {
+    Add(
+      verdict, StatusEnum::Failed, "undetermined", "the tracing does not determine the pose at all; trace more teeth");
+  }
+  if (fit.hasCodes && std::abs(fit.codeOffset) > thresholds.suspectCodeOffset)
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "code-offset",
+        "the teeth lie " + Number(std::abs(fit.codeOffset), 1) +
+          " mm along the arch from where teeth of their codes are on average: slipped by a tooth, wrong codes, or "
+          "teeth missing");
+  }
   // A bisected tracing leaves the two sides' landmarks uncertain by itself.
   const bool bisected = group.bisected;
   if (!bisected && (fit.predictedSigma > thresholds.suspectPredictedSigma ||
@@ -174,7 +188,9 @@ RegistrationVerdict::Evaluate(const PoseRefinementResult & result, const Thresho
     const PoseGroupResult & group = result.groups[result.groupOfJaw[j]];
     JudgeFit(jaw.fit, thresholds, verdict);
     JudgeUncertainty(jaw.fit, group, thresholds, verdict);
+    const std::size_t before = verdict.reasons.size();
     JudgeWidth(jaw, thresholds, verdict);
+    const bool wrongUnit = verdict.reasons.size() > before;
     for (std::size_t other : group.jaws)
     {
       JawVerdict fitOfOther;
@@ -224,6 +240,19 @@ RegistrationVerdict::Evaluate(const PoseRefinementResult & result, const Thresho
           "another position, " + Number(distance, 0) + " px away, fits nearly as well");
     }
     JudgePriors(group, thresholds, verdict);
+    if (std::abs(group.parameters[PosePitch]) > thresholds.suspectPitch)
+    {
+      Add(verdict,
+          StatusEnum::Suspect,
+          "search-limit",
+          "the head would be tipped by " + Number(group.parameters[PosePitch] * 57.29578, 0) +
+            " degrees, at or beyond what is searched");
+    }
+    // In another unit nothing fits, whatever else is tried.
+    if (wrongUnit)
+    {
+      continue;
+    }
     if (group.exchangedScore < group.score - thresholds.hypothesisGain)
     {
       Add(verdict, StatusEnum::Failed, "jaws-exchanged", "upper and lower scan seem to be exchanged");
@@ -271,9 +300,15 @@ RegistrationVerdict::GetNotCheckable(const PoseRefinementResult & result, const 
   {
     lines.emplace_back("winding of a closed cast");
   }
+  if (options.useInitialPose || options.fixRotation || options.fixScale || options.fixTranslation)
+  {
+    lines.emplace_back(
+      "exchanged jaws, facing, other side, other minima: not searched beside a given start or held values");
+  }
   if (options.tracedSide == PoseTracedSideEnum::Mean)
   {
     lines.emplace_back("roll and yaw of the head: a bisected tracing does not carry them");
+    lines.emplace_back("whether the tracing really is the middle of both sides");
   }
   lines.emplace_back("a mirrored scan of a nearly symmetric dentition");
   lines.emplace_back("whether scan and radiograph are of one patient, where the dentitions are alike");

@@ -127,7 +127,7 @@ TEST(PoseRefinementKernel, EachPriorIsJudgedByItsOwnLimit)
   EXPECT_FALSE(HasReason(itk::RegistrationVerdict::Evaluate(result)[0], "prior-tension"));
   result.groups[0].priorTension[itk::PoseYaw] = 6.0;
   EXPECT_TRUE(HasReason(itk::RegistrationVerdict::Evaluate(result)[0], "prior-tension"));
-  result.groups[0].priorTension = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4.0 } };
+  result.groups[0].priorTension = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 5.0 } };
   EXPECT_TRUE(HasReason(itk::RegistrationVerdict::Evaluate(result)[0], "prior-tension"));
 }
 
@@ -216,7 +216,46 @@ TEST(PoseRefinementKernel, FixedScaleStays)
   options.fixScale = true;
   const auto result = itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, options);
   EXPECT_EQ(result.groups[0].parameters[itk::PoseKappa], 0.0);
-  EXPECT_EQ(result.groups[0].covariance[48], 0.0);
+  // Held, not known: the prior's width comes on top.
+  EXPECT_NEAR(result.groups[0].covariance[48], options.kappaSigma * options.kappaSigma, 1e-12);
+}
+
+TEST(PoseRefinementKernel, HeldValuesAreNotReportedAsCertain)
+{
+  itk::PoseRefinementOptions options;
+  options.fixRotation = options.fixTranslation = options.fixScale = true;
+  const auto result = itk::PoseRefinementKernel::Run(Typical().jaws, Typical().geometry, options);
+  const auto s =
+    itk::PoseRefinementKernel::LandmarkCovariance(result, Typical().jaws[0], 0, Typical().landmarks.begin()->second);
+  // A millimetre is 4 px.
+  EXPECT_GT(std::sqrt(0.5 * (s[0] + s[3])), 3.0);
+  const auto lines = itk::RegistrationVerdict::GetNotCheckable(result, options);
+  EXPECT_TRUE(std::any_of(
+    lines.begin(), lines.end(), [](const auto & line) { return line.find("held values") != std::string::npos; }));
+}
+
+TEST(PoseRefinementKernel, CodesOfTheNextToothAndARepeatedPointAreNamed)
+{
+  auto shifted = Typical().jaws;
+  for (auto & jaw : shifted)
+  {
+    for (auto & polyline : jaw.tracing)
+    {
+      polyline.tooth = static_cast<std::uint8_t>(polyline.tooth + 1);
+    }
+  }
+  const itk::PoseRefinementOptions options;
+  auto                             verdicts =
+    itk::RegistrationVerdict::Evaluate(itk::PoseRefinementKernel::Run(shifted, Typical().geometry, options));
+  EXPECT_TRUE(HasReason(verdicts[0], "code-offset"));
+  auto jaws = Typical().jaws;
+  for (auto & polyline : jaws[0].tracing)
+  {
+    polyline.points.assign(20, jaws[0].tracing[0].points[0]);
+  }
+  const auto result = itk::PoseRefinementKernel::Run(jaws, Typical().geometry, options);
+  EXPECT_FALSE(result.jaws[0].registered);
+  EXPECT_TRUE(result.jaws[1].registered);
 }
 
 TEST(PoseRefinementKernel, ReportsAJawWithTooFewPoints)
