@@ -133,27 +133,44 @@ PoseToParameters(const std::array<double, 12> & pose, const PoseFrame & frame)
   return parameters;
 }
 
-/** A user's similarity: a pitch, a shift in the midsagittal plane, a scale. */
-PoseParameters
-SimilarityToParameters(const SimilarityParameters & similarity, const PoseGeometry & geometry)
+/** A user's similarity on the projection of the jaw's own frame, as the pose that it amounts to: mesh (mm) to
+ * cephalostat. Its scale is no part of that. */
+std::array<double, 12>
+SimilarityToPose(const SimilarityParameters & similarity, const PoseFrame & own, const PoseGeometry & geometry)
 {
-  const double   magnification = geometry.sourceToDetector / geometry.sourceToMidsagittal * similarity.scale;
-  PoseParameters parameters{};
-  parameters[PosePitch] = geometry.facingSign * similarity.rotation;
-  parameters[PoseTx] = geometry.facingSign * (similarity.translation[0] - geometry.principalPoint[0]) *
-                       geometry.pixelSpacing[0] / magnification;
-  parameters[PoseTz] =
-    -(similarity.translation[1] - geometry.principalPoint[1]) * geometry.pixelSpacing[1] / magnification;
-  parameters[PoseKappa] = std::log(similarity.scale);
-  return parameters;
+  const double magnification = geometry.sourceToDetector / geometry.sourceToMidsagittal * similarity.scale;
+  const double c = std::cos(geometry.facingSign * similarity.rotation);
+  const double s = std::sin(geometry.facingSign * similarity.rotation);
+  const double pitch[3][3] = { { c, 0.0, s }, { 0.0, 1.0, 0.0 }, { -s, 0.0, c } };
+  const std::array<double, 3> translation{
+    { geometry.facingSign * (similarity.translation[0] - geometry.principalPoint[0]) * geometry.pixelSpacing[0] /
+        magnification,
+      0.0,
+      -(similarity.translation[1] - geometry.principalPoint[1]) * geometry.pixelSpacing[1] / magnification }
+  };
+  std::array<double, 12> pose{};
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    pose[4 * row + 3] = translation[row];
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        pose[4 * row + column] += pitch[row][d] * own.rotation[3 * d + column];
+      }
+      pose[4 * row + 3] -= pose[4 * row + column] * own.origin[column];
+    }
+  }
+  return pose;
 }
 
+/** What the case says to start from, a jaw each, in the frames that the jaws are registered in. */
 void
-SetInitialPose(const DentalCaseData &            data,
-               const std::vector<PoseJawInput> & inputs,
-               const PoseGeometry &              geometry,
-               PoseRefinementOptions &           options,
-               CaseResult &                      result)
+SetInitialPoses(const DentalCaseData &      data,
+                const DentalFrameResult &   frames,
+                const PoseGeometry &        geometry,
+                std::vector<PoseJawInput> & inputs,
+                CaseResult &                result)
 {
   const DentalCase & description = data.description;
   if (!description.initialPose && description.initialSimilarity.empty())
@@ -165,20 +182,19 @@ SetInitialPose(const DentalCaseData &            data,
     result.warnings.push_back("\"init\" is not used: it means nothing without pixel spacing and principal point");
     return;
   }
-  if (description.initialPose)
+  for (PoseJawInput & input : inputs)
   {
-    options.initialPose = PoseToParameters(*description.initialPose, inputs.front().frame);
-    options.useInitialPose = true;
-    return;
-  }
-  for (const PoseJawInput & input : inputs)
-  {
+    if (description.initialPose)
+    {
+      input.initialPose = PoseToParameters(*description.initialPose, input.frame);
+      continue;
+    }
     const auto similarity = description.initialSimilarity.find(input.upper ? JawEnum::Upper : JawEnum::Lower);
     if (similarity != description.initialSimilarity.end())
     {
-      options.initialPose = SimilarityToParameters(similarity->second, geometry);
-      options.useInitialPose = true;
-      return;
+      const PoseFrame own = ToPoseFrame(input.upper ? frames.upper : frames.lower);
+      input.initialPose = PoseToParameters(SimilarityToPose(similarity->second, own, geometry), input.frame);
+      (*input.initialPose)[PoseKappa] = std::log(similarity->second.scale);
     }
   }
 }
@@ -411,7 +427,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   TimeProbe probe;
   probe.Start();
   const PoseGeometry geometry = ToPoseGeometry(data);
-  SetInitialPose(data, inputs, geometry, options, result);
+  SetInitialPoses(data, frames, geometry, inputs, result);
   const PoseRefinementResult pose = PoseRefinementKernel::Run(inputs, geometry, options);
   probe.Stop();
   if (pose.aborted)
@@ -430,6 +446,9 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   result.geometry->SetPrincipalPoint(principal);
 
   const auto verdicts = RegistrationVerdict::Evaluate(pose);
+  options.useInitialPose =
+    options.useInitialPose ||
+    std::any_of(inputs.begin(), inputs.end(), [](const PoseJawInput & input) { return input.initialPose.has_value(); });
   for (const std::string & sentence : RegistrationVerdict::GetNotCheckable(pose, options))
   {
     result.notCheckable.push_back(sentence);

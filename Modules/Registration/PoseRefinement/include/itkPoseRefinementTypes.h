@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -84,16 +85,6 @@ struct PoseGeometry
   bool                  principalPointKnown{ true };
 };
 
-/** A jaw to register. */
-struct PoseJawInput
-{
-  /** Mesh frame, mm; must outlive the call. */
-  const TriangleSurface *   surface{ nullptr };
-  PoseFrame                 frame;
-  bool                      upper{ true };
-  std::vector<PosePolyline> tracing;
-};
-
 /** pitch (about y), roll (about x), yaw (about z) in rad, translation x, y, z in mm, kappa = log of the scale factor
  * that multiplies the geometry's magnification. c = Ry(pitch) Rx(roll) Rz(yaw) p_dental + t. */
 using PoseParameters = std::array<double, 7>;
@@ -106,6 +97,19 @@ enum PoseParameterIndex : unsigned int
   PoseTy,
   PoseTz,
   PoseKappa
+};
+
+/** A jaw to register. */
+struct PoseJawInput
+{
+  /** Mesh frame, mm; must outlive the call. */
+  const TriangleSurface *   surface{ nullptr };
+  PoseFrame                 frame;
+  bool                      upper{ true };
+  std::vector<PosePolyline> tracing;
+  /** Start instead of the global search, of this jaw's frame; before PoseRefinementOptions::initialPose. Of jaws that
+   * share a pose the first that has one speaks. */
+  std::optional<PoseParameters> initialPose;
 };
 
 /** Every ingredient of the method; the defaults are preset "robust". */

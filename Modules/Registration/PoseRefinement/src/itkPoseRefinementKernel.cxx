@@ -300,6 +300,7 @@ TryExchangedAndFlipped(const std::vector<PoseJawInput> & inputs,
   for (std::size_t j : members)
   {
     jaws.push_back(inputs[j]);
+    jaws.back().initialPose.reset();
   }
   const auto score = [&](const std::vector<PoseJawInput> & trial, const PoseGeometry & geometry) {
     const PoseRefinementResult result = PoseRefinementKernel::Run(trial, geometry, quick);
@@ -478,7 +479,15 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
     PoseGroupResult group;
     group.jaws = members;
     group.bisected = mean;
-    PoseGroupRegistration run(result.geometry, options, std::move(groupStrands));
+    PoseRefinementOptions groupOptions = options;
+    const auto            started =
+      std::find_if(members.begin(), members.end(), [&](std::size_t j) { return inputs[j].initialPose.has_value(); });
+    if (started != members.end())
+    {
+      groupOptions.initialPose = *inputs[*started].initialPose;
+      groupOptions.useInitialPose = true;
+    }
+    PoseGroupRegistration run(result.geometry, groupOptions, std::move(groupStrands));
     if (!run.Run(group))
     {
       result.aborted = true;
@@ -496,7 +505,7 @@ PoseRefinementKernel::Run(const std::vector<PoseJawInput> & inputs,
     }
     // Beside a given start or held parameters any free search looks better.
     const bool searched =
-      !options.useInitialPose && !options.fixRotation && !options.fixScale && !options.fixTranslation;
+      !groupOptions.useInitialPose && !options.fixRotation && !options.fixScale && !options.fixTranslation;
     if (searched && options.checkHypotheses && options.useSideSelection && oneSide)
     {
       group.otherSideDeviance = OtherSideDeviance(run.GetEstimator(), jaws, options, group);
