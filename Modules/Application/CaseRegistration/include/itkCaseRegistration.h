@@ -82,14 +82,11 @@ public:
   itkBooleanMacro(UseSurfaceDRR);
 
   /** Every ingredient of preset Robust; PoseRefinementOptionTable sets them by name. What the case says of itself
-   * (traced side, manual control, whether the jaws share a frame), threads and callbacks are set over it. Other presets
-   * ignore it. */
+   * (traced side, manual control, whether the jaws share a frame), threads and callbacks are set over it. So is
+   * kappaSigma where it is the default and the pixel spacing is a DICOM file's, but not the detector's: 5 %.
+   * SetOption("kappaSigma=...") holds in any case. Other presets ignore all of it. */
   void
-  SetPoseOptions(const PoseRefinementOptions & options)
-  {
-    m_PoseOptions = options;
-    this->Modified();
-  }
+  SetPoseOptions(const PoseRefinementOptions & options);
   const PoseRefinementOptions &
   GetPoseOptions() const
   {
@@ -150,6 +147,7 @@ private:
   unsigned int          m_NumberOfLowerContourPoints{ 439 };
   bool                  m_UseSurfaceDRR{ true };
   PoseRefinementOptions m_PoseOptions;
+  bool                  m_KappaSigmaIsGiven{ false };
   bool                  m_RefineMidline{ true };
   CaseResult            m_Result;
   std::string           m_CurrentStage;

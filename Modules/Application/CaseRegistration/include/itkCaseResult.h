@@ -86,6 +86,17 @@ struct LandmarkPrediction
   GetMiddleSigma() const;
 };
 
+/** One of several alignments that fit: a minimum of the method's criterion. */
+struct AlignmentCandidate
+{
+  /** As JawResult::projection. */
+  std::array<double, 12> projection{};
+  /** What candidates are ranked by, lower is better. */
+  double score{ 0.0 };
+  /** Root mean square distance of the moving contours from those of the best candidate, pixels of the radiograph. */
+  double distance{ 0.0 };
+};
+
 /** What is known of one registered jaw. */
 struct JawResult
 {
@@ -118,6 +129,8 @@ struct JawResult
 
   /** Further numbers of the method, in the order of the result file. */
   std::vector<std::pair<std::string, double>> details;
+  /** Best first; empty where the method has none. */
+  std::vector<AlignmentCandidate> candidates;
   /** Stage and seconds. */
   std::vector<std::pair<std::string, double>> seconds;
 

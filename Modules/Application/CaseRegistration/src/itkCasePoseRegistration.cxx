@@ -22,6 +22,9 @@
 #include "itkContourDistanceFilter.h"
 #include "itkMeshSilhouette.h"
 #include "itkParallelFor.h"
+#include "itkPartialContourMetricv4.h"
+#include "itkPixelSpacingVerdict.h"
+#include "itkPoseModel.h"
 #include "itkPoseRefinementKernel.h"
 #include "itkRegistrationVerdict.h"
 
@@ -29,6 +32,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace itk
 {
@@ -106,6 +110,19 @@ ToPosePolylines(const DentalContour * contour)
     polylines.push_back(converted);
   }
   return polylines;
+}
+
+/** How well spacing x magnification is known. What a file's estimated or corrected magnification hides is not the
+ * detector's pixel: it may be off by what the maker assumed. */
+double
+PriorOfScale(const DentalCaseData & data, const PoseRefinementOptions & options)
+{
+  using MetricType = PartialContourMetricv4;
+  std::ostringstream detector;
+  detector << PixelSpacingVerdictEnum::Detector;
+  return data.sources.pixelSpacing == ValueSourceEnum::DICOM && data.spacingVerdict != detector.str()
+           ? MetricType::GetScaleSigma(ContourMetricEnums::SpacingSource::Dicom)
+           : options.kappaSigma;
 }
 
 /** A user's pose, mesh (mm) to cephalostat, as the kernel's parameters: R = Ry Rx Rz of the dental frame. */
@@ -338,6 +355,43 @@ MeasureWholeSilhouette(const Silhouette &            silhouette,
   result.contours.emplace_back("whole", contour);
 }
 
+/** The result's way of writing a projection: from the mesh file's unit. */
+std::array<double, 12>
+FromFileUnit(std::array<double, 12> projection, double millimetresPerUnit)
+{
+  for (unsigned int i = 0; i < 12; ++i)
+  {
+    projection[i] *= i % 4 < 3 ? millimetresPerUnit : 1.0;
+  }
+  return projection;
+}
+
+/** The minima of a jaw's group that are places of their own: what ends less than a working pixel from the best is not.
+ */
+std::vector<AlignmentCandidate>
+ListCandidates(const PoseGroupResult & group,
+               const PoseFrame &       frame,
+               const PoseGeometry &    geometry,
+               double                  millimetresPerUnit)
+{
+  std::vector<AlignmentCandidate> candidates;
+  for (const PoseCandidate & minimum : group.candidates)
+  {
+    if (!candidates.empty() && minimum.distance < 1.0)
+    {
+      continue;
+    }
+    AlignmentCandidate candidate;
+    candidate.projection =
+      FromFileUnit(PoseModel(geometry, minimum.parameters).GetPixelProjection(frame), millimetresPerUnit);
+    candidate.score = minimum.score;
+    candidate.distance =
+      minimum.distance * PoseWorkingPixel / (0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]));
+    candidates.push_back(candidate);
+  }
+  return candidates;
+}
+
 void
 MeasureMatchedContour(const PoseJawResult & pose, DentalContour * tracing, double spacing, JawResult & result)
 {
@@ -390,6 +444,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   std::vector<PoseJawInput>      inputs;
   std::vector<JawEnum>           jaws;
   std::array<TriangleSurface, 2> crowns;
+  const bool                     joint = frames.jawsShareFrame && frames.joint.valid;
   for (const auto & entry : result.jaws)
   {
     if (entry.second.status == CaseStatusEnum::Failed)
@@ -405,7 +460,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
       crowns[upper ? 0 : 1] = SelectCaseCrowns(data, entry.first, own, *input.surface);
       input.surface = &crowns[upper ? 0 : 1];
     }
-    input.frame = ToPoseFrame(frames.jawsShareFrame && frames.joint.valid ? frames.joint : own);
+    input.frame = ToPoseFrame(joint ? frames.joint : own);
     input.upper = upper;
     input.tracing = ToPosePolylines(data.GetJaw(entry.first).contour);
     inputs.push_back(input);
@@ -417,10 +472,14 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   }
   PoseRefinementOptions options = settings.options;
   options.tracedSide = ToPoseSide(data.description.tracedSide);
-  options.useJointPose = options.useJointPose && frames.jawsShareFrame;
+  options.useJointPose = options.useJointPose && joint;
   options.fixScale = data.description.fixScale;
   options.fixRotation = data.description.fixRotation;
   options.fixTranslation = data.description.fixTranslation;
+  if (!settings.kappaSigmaIsGiven)
+  {
+    options.kappaSigma = PriorOfScale(data, options);
+  }
   options.numberOfThreads = settings.numberOfThreads;
   options.progress = settings.progress;
 
@@ -489,14 +548,13 @@ RegisterCaseByPose(const DentalCaseData &                 data,
       }
     }
     const double unit = data.description.millimetresPerUnit;
+    jaw.projection = FromFileUnit(poseJaw.projection, unit);
     for (unsigned int row = 0; row < 3; ++row)
     {
       for (unsigned int column = 0; column < 3; ++column)
       {
-        jaw.projection[4 * row + column] = poseJaw.projection[4 * row + column] * unit;
         jaw.meshToCephalostat[4 * row + column] = poseJaw.rotation[3 * row + column];
       }
-      jaw.projection[4 * row + 3] = poseJaw.projection[4 * row + 3];
       jaw.meshToCephalostat[4 * row + 3] = poseJaw.translation[row];
     }
     jaw.meshToUMDA = MeshToFrame(inputs[i].upper ? frames.upper : frames.lower);
@@ -509,6 +567,8 @@ RegisterCaseByPose(const DentalCaseData &                 data,
                     { "roll_rad", group.parameters[PoseRoll] },
                     { "yaw_rad", group.parameters[PoseYaw] },
                     { "scale_factor", std::exp(kappa) },
+                    { "scale_prior_sd",
+                      data.HasPixelSpacing() ? options.kappaSigma : options.kappaSigmaWithoutSpacing },
                     { "noise_correlated_px", group.smoothSigma },
                     { "noise_white_px", group.whiteSigma },
                     { "fit_cost", poseJaw.fit.cost },
@@ -519,6 +579,8 @@ RegisterCaseByPose(const DentalCaseData &                 data,
                     { "prior_tension_sd", *std::max_element(group.priorTension.begin(), group.priorTension.end()) },
                     { "ambiguity_margin", group.margin },
                     { "similarity_rms_px", poseJaw.similarityRms } };
+
+    jaw.candidates = ListCandidates(group, inputs[i].frame, pose.geometry, unit);
 
     TimeProbe contourProbe;
     contourProbe.Start();

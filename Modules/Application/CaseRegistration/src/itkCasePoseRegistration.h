@@ -32,7 +32,9 @@ struct CasePoseSettings
 {
   /** The method's ingredients; what the case says is set over them. */
   PoseRefinementOptions options;
-  unsigned int          numberOfThreads{ 0 };
+  /** The prior of the scale is the user's; otherwise it follows from where the pixel spacing comes from. */
+  bool         kappaSigmaIsGiven{ false };
+  unsigned int numberOfThreads{ 0 };
   /** Points of the resampled whole silhouette, upper and lower, for the figures that presets are compared on. */
   std::array<unsigned int, 2> numberOfContourPoints{ { 441, 439 } };
   /** Called with progress in [0, 1]; returns true to abort. */

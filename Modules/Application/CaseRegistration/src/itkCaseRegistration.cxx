@@ -77,6 +77,14 @@ CaseRegistration::VerifyPreconditions() ITKv5_CONST
 }
 
 void
+CaseRegistration::SetPoseOptions(const PoseRefinementOptions & options)
+{
+  m_PoseOptions = options;
+  m_KappaSigmaIsGiven = options.kappaSigma != PoseRefinementOptions().kappaSigma;
+  this->Modified();
+}
+
+void
 CaseRegistration::SetOption(const std::string & assignment)
 {
   const std::string name = assignment.substr(0, assignment.find('='));
@@ -89,6 +97,7 @@ CaseRegistration::SetOption(const std::string & assignment)
     return;
   }
   PoseRefinementOptionTable::Set(m_PoseOptions, assignment);
+  m_KappaSigmaIsGiven = m_KappaSigmaIsGiven || name == "kappaSigma";
   this->Modified();
 }
 
@@ -253,6 +262,7 @@ CaseRegistration::RegisterByPose(const DentalFrameResult & frames, const std::ar
   this->EnterStage("registration", 0.35F);
   CasePoseSettings settings;
   settings.options = m_PoseOptions;
+  settings.kappaSigmaIsGiven = m_KappaSigmaIsGiven;
   m_Result.options = PoseRefinementOptionTable::GetChanges(m_PoseOptions);
   if (!m_RefineMidline)
   {
@@ -363,6 +373,7 @@ CaseRegistration::PrintSelf(std::ostream & os, Indent indent) const
     os << ' ' << change;
   }
   os << std::endl;
+  os << indent << "KappaSigmaIsGiven: " << (m_KappaSigmaIsGiven ? "On" : "Off") << std::endl;
   os << indent << "RefineMidline: " << (m_RefineMidline ? "On" : "Off") << std::endl;
   os << indent << "CurrentStage: " << m_CurrentStage << std::endl;
   os << indent << "ResultStatus: " << ToString(m_Result.GetStatus()) << std::endl;

@@ -114,6 +114,12 @@ JawToJson(const JawResult & jaw)
                            { "translation_px", jaw.similarity.translation } };
     json["mesh_to_umda_mm"] = MatrixToJson(jaw.meshToUMDA);
     json["mesh_to_cephalostat_mm"] = MatrixToJson(jaw.meshToCephalostat);
+    for (const AlignmentCandidate & candidate : jaw.candidates)
+    {
+      json["candidates"].push_back({ { "projection_3x4", MatrixToJson(candidate.projection) },
+                                     { "score", candidate.score },
+                                     { "distance_px", candidate.distance } });
+    }
     if (!jaw.metrics.empty())
     {
       Json & metrics = json["metrics"] = { { "moving_contour", jaw.metrics.front().first } };
