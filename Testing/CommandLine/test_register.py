@@ -327,6 +327,8 @@ def test_version_and_help(run):
     for verb in ("register", "axis", "render", "contour", "evaluate", "phantom"):
         done = run(verb, "--help")
         assert done.returncode == 0 and "Example" in done.stdout, verb
+    listed = run("register", "--help").stdout
+    assert "  refineMidline=on: move" in listed and "  rollSigma=0.061" in listed
 
 
 def test_quiet_in_a_pipe(run, sample, tmp_path):
@@ -350,7 +352,8 @@ def test_options_switch_ingredients_and_stand_in_the_result(run, sample, registe
 @pytest.mark.parametrize(
     "arguments, word",
     [
-        (["--option", "magic=1"], "useSideSelection"),
+        (["--option", "magic=1"], "refineMidline, useSideSelection"),
+        (["--option", "refineMidline=maybe"], "option refineMidline can't be"),
         (["--option", "useRobustKernel"], "NAME=VALUE"),
         (["--option", "correlationLength=-1"], "correlationLength"),
         (["--option", "useRobustKernel=off", "--preset", "paper"], "paper"),

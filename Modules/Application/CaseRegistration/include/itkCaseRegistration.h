@@ -26,6 +26,8 @@
 #include "itkProcessObject.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace itk
 {
@@ -93,7 +95,20 @@ public:
     return m_PoseOptions;
   }
 
-  /** One of them, "NAME=VALUE", or refineMidline. Throws std::invalid_argument that lists what there is. */
+  /** An ingredient of preset Robust. */
+  struct OptionType
+  {
+    std::string name;
+    /** In a few words, with the unit. */
+    std::string description;
+    std::string defaultValue;
+  };
+
+  /** All that SetOption() knows. */
+  static std::vector<OptionType>
+  GetOptions();
+
+  /** One of them, "NAME=VALUE". Throws std::invalid_argument that lists what there is. */
   void
   SetOption(const std::string & assignment);
 

@@ -200,7 +200,7 @@ CheckMirroring(const DentalCaseData & data, JawEnum jaw, const DentalJawFrame & 
 {
   JawResult & jawResult = result.jaws[jaw];
   // A closed cast has no net normal: its winding says nothing.
-  if (frame.openness > 0.2 && frame.windingAgreement < -0.2)
+  if (frame.openness > OpennessOfClosedCast && frame.windingAgreement < -0.2)
   {
     jawResult.AddReason(CaseStatusEnum::Suspect, "the surface is wound inward: the scan may be mirrored");
   }
@@ -316,7 +316,7 @@ CheckCase(const DentalCaseData & data, const DentalFrameResult & frames, CaseRes
       reason << "the dental axis is unsure (confidence " << std::setprecision(2) << frame.confidence << ")";
       entry.second.AddReason(CaseStatusEnum::Suspect, reason.str());
     }
-    if (frame.openness <= 0.2)
+    if (frame.openness <= OpennessOfClosedCast)
     {
       result.notCheckable.push_back(std::string("whether the ") + (entry.first == JawEnum::Upper ? "upper" : "lower") +
                                     " cast was mirrored: a closed body's winding looks the same either way");

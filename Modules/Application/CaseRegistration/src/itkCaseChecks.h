@@ -23,6 +23,9 @@
 
 namespace itk
 {
+/** Openness (DentalJawFrame) up to which a scan counts as a closed body, whose winding says nothing. */
+constexpr double OpennessOfClosedCast = 0.2;
+
 /** What can be said of the inputs before any registration: wrong unit, exchanged jaws, mirrored scan, unsure frame.
  * Adds reasons to the jaws, and to notCheckable what the data can't tell. */
 void

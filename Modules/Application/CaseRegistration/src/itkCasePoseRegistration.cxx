@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkCasePoseRegistration.h"
 
+#include "itkCaseChecks.h"
 #include "itkCaseCrowns.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkContourDistanceFilter.h"
@@ -508,9 +509,17 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   options.useInitialPose =
     options.useInitialPose ||
     std::any_of(inputs.begin(), inputs.end(), [](const PoseJawInput & input) { return input.initialPose.has_value(); });
+  const auto isClosed = [](const DentalJawFrame & frame) {
+    return frame.valid && frame.openness <= OpennessOfClosedCast;
+  };
+  const bool closedTold = isClosed(frames.upper) || isClosed(frames.lower);
   for (const std::string & sentence : RegistrationVerdict::GetNotCheckable(pose, options))
   {
-    result.notCheckable.push_back(sentence);
+    // Said already by the checks of the input, of each cast.
+    if (!closedTold || sentence != RegistrationVerdict::ClosedCastLine)
+    {
+      result.notCheckable.push_back(sentence);
+    }
   }
 
   // The largest part of what remains, and the jaws do not need each other.

@@ -27,6 +27,9 @@
 #include "itkPoseRefinementOptionTable.h"
 #include "itkTimeProbe.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 namespace itk
 {
 namespace
@@ -34,6 +37,8 @@ namespace
 constexpr ToothCode::JawEnum Jaws[] = { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower };
 /** A tracing of fewer points does not determine a similarity with any redundancy. */
 constexpr unsigned int MinimumTracingPoints = 5;
+/** The one option that is not in PoseRefinementOptions. */
+constexpr char RefineMidlineName[] = "refineMidline";
 
 std::string
 Name(ToothCode::JawEnum jaw)
@@ -76,6 +81,20 @@ CaseRegistration::VerifyPreconditions() ITKv5_CONST
   }
 }
 
+std::vector<CaseRegistration::OptionType>
+CaseRegistration::GetOptions()
+{
+  std::vector<OptionType> options{
+    { RefineMidlineName, "move the midline plane of the dental axis to the scan's mirror plane", "on" }
+  };
+  const PoseRefinementOptions defaults;
+  for (const auto & entry : PoseRefinementOptionTable::GetEntries())
+  {
+    options.push_back({ entry.name, entry.description, PoseRefinementOptionTable::Get(defaults, entry.name) });
+  }
+  return options;
+}
+
 void
 CaseRegistration::SetPoseOptions(const PoseRefinementOptions & options)
 {
@@ -87,14 +106,23 @@ CaseRegistration::SetPoseOptions(const PoseRefinementOptions & options)
 void
 CaseRegistration::SetOption(const std::string & assignment)
 {
-  const std::string name = assignment.substr(0, assignment.find('='));
-  if (name == "refineMidline")
+  const std::size_t sign = assignment.find('=');
+  const std::string name = assignment.substr(0, sign);
+  if (sign != std::string::npos && name == RefineMidlineName)
   {
-    // Read as the other switches are.
-    PoseRefinementOptions scratch;
-    PoseRefinementOptionTable::Set(scratch, "useSideSelection" + assignment.substr(name.size()));
-    this->SetRefineMidline(scratch.useSideSelection);
+    this->SetRefineMidline(PoseRefinementOptionTable::ParseSwitch(name, assignment.substr(sign + 1)));
     return;
+  }
+  const auto options = GetOptions();
+  if (sign != std::string::npos &&
+      std::none_of(options.begin(), options.end(), [&](const OptionType & option) { return option.name == name; }))
+  {
+    std::string known;
+    for (const OptionType & option : options)
+    {
+      known += (known.empty() ? "" : ", ") + option.name;
+    }
+    throw std::invalid_argument("there is no option \"" + name + "\"; there are " + known);
   }
   PoseRefinementOptionTable::Set(m_PoseOptions, assignment);
   m_KappaSigmaIsGiven = m_KappaSigmaIsGiven || name == "kappaSigma";
@@ -159,7 +187,13 @@ CaseRegistration::SkipWhatIsIncomplete()
     }
     else if (points == 0)
     {
-      m_Result.skipped[jaw] = "there is a scan, but no tracing of this jaw";
+      const bool traced = input.contour.IsNotNull();
+      const bool excluded =
+        traced && input.contour->GetNumberOfPoints() == 0 && !m_Data->description.excludedTeeth.empty();
+      m_Result.skipped[jaw] = excluded ? "all traced teeth of this jaw are excluded"
+                              : traced && input.contour->GetNumberOfPoints() > 0
+                                ? "every point of this jaw's tracing has weight 0"
+                                : "there is a scan, but no tracing of this jaw";
     }
     else
     {
@@ -266,7 +300,7 @@ CaseRegistration::RegisterByPose(const DentalFrameResult & frames, const std::ar
   m_Result.options = PoseRefinementOptionTable::GetChanges(m_PoseOptions);
   if (!m_RefineMidline)
   {
-    m_Result.options.emplace_back("refineMidline=off");
+    m_Result.options.push_back(std::string(RefineMidlineName) + "=off");
   }
   settings.numberOfThreads = this->GetNumberOfWorkUnits();
   settings.numberOfContourPoints = { { m_NumberOfUpperContourPoints, m_NumberOfLowerContourPoints } };

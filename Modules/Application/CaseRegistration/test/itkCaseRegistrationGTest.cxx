@@ -17,71 +17,23 @@
  *=========================================================================*/
 #include "itkCaseRegistration.h"
 
-#include "itkCaseResultWriter.h"
-#include "itkDentalPhantomCaseSource.h"
+#include "itkCaseRegistrationTestCase.h"
+#include "../src/itkCasePoseRegistration.h"
 
 #include "itkCommand.h"
 
+#include "itkMakeTriangleSurface.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 namespace
 {
 using JawEnum = itk::ToothCode::JawEnum;
-
-/** A phantom case in memory; the 2-D landmarks stay outside of it. */
-struct PhantomCase
-{
-  using SideEnum = itk::DentalPhantomCaseSource::TracedSideEnum;
-
-  explicit PhantomCase(std::uint64_t seed, SideEnum side = SideEnum::Right)
-  {
-    auto source = itk::DentalPhantomCaseSource::New();
-    source->SetSeed(seed);
-    source->SetTracedSide(side);
-    source->SetNumberOfTriangles(12000);
-    source->SetMakeRadiograph(false);
-    source->Update();
-    data = std::make_shared<itk::DentalCaseData>();
-    data->geometry = itk::CephalometricGeometry::New();
-    data->geometry->CopyParameters(source->GetNominalGeometry());
-    data->sources.pixelSpacing = itk::ValueSourceEnum::Given;
-    data->sources.principalPoint = itk::ValueSourceEnum::Given;
-    data->imageSize = { { 703, 938 } };
-    data->landmarks3D = itk::DentalLandmarkSet<3>::New();
-    marked = itk::DentalLandmarkSet<2>::New();
-    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
-    {
-      const unsigned int index = jaw == JawEnum::Upper ? 0 : 1;
-      data->GetJaw(jaw).mesh = source->GetMesh(index);
-      data->GetJaw(jaw).contour = source->GetTracing(index);
-      for (const auto & landmark : source->GetLandmarks3D(index)->GetLandmarks())
-      {
-        data->landmarks3D->AddLandmark(landmark.name, landmark.point);
-      }
-      for (const auto & landmark : source->GetLandmarks2D(index)->GetLandmarks())
-      {
-        marked->AddLandmark(landmark.name, landmark.point);
-      }
-    }
-  }
-  std::shared_ptr<itk::DentalCaseData> data;
-  itk::DentalLandmarkSet<2>::Pointer   marked;
-};
-
-itk::CaseResult
-Register(const PhantomCase & phantom, itk::CasePresetEnum preset)
-{
-  auto registration = itk::CaseRegistration::New();
-  registration->SetPreset(preset);
-  registration->SetData(phantom.data);
-  registration->Update();
-  itk::CaseResult result = registration->GetResult();
-  itk::MeasureLandmarkErrors(result, phantom.marked);
-  return result;
-}
 } // namespace
 
 TEST(CaseRegistration, RobustIsCloseWhereThePapersRecipeIsNot)
@@ -131,8 +83,23 @@ TEST(CaseRegistration, OptionsSwitchIngredientsAndStandInTheResult)
   registration->Print(text);
   EXPECT_NE(text.str().find("PoseOptions: useFullPose=off"), std::string::npos);
 
-  EXPECT_THROW(registration->SetOption("magic=1"), std::invalid_argument);
-  EXPECT_THROW(registration->SetOption("refineMidline=perhaps"), std::invalid_argument);
+  const auto messageOf = [&](const char * assignment) -> std::string {
+    try
+    {
+      registration->SetOption(assignment);
+    }
+    catch (const std::invalid_argument & error)
+    {
+      return error.what();
+    }
+    return "no error";
+  };
+  for (const char * name : { "refineMidline", "useSideSelection", "maximumTracingPoints" })
+  {
+    EXPECT_NE(messageOf("magic=1").find(name), std::string::npos) << name;
+  }
+  EXPECT_NE(messageOf("refineMidline=perhaps").find("option refineMidline can't be \"perhaps\""), std::string::npos);
+  EXPECT_NE(messageOf("refineMidline").find("NAME=VALUE"), std::string::npos);
   EXPECT_FALSE(registration->GetRefineMidline());
 }
 
@@ -280,4 +247,112 @@ TEST(CaseRegistration, NoticesAWrongUnit)
   }
   EXPECT_TRUE(named);
   EXPECT_NE(result.GetStatus(), itk::CaseStatusEnum::Ok);
+}
+
+TEST(CaseRegistration, SaysWhyAJawIsLeftOut)
+{
+  PhantomCase phantom(6);
+  phantom.data->upper.contour = itk::DentalContour::New();
+  auto result = Register(phantom, itk::CasePresetEnum::BoundingBox);
+  EXPECT_NE(result.skipped.at(JawEnum::Upper).find("no tracing"), std::string::npos);
+  // As the loader leaves it.
+  phantom.data->description.excludedTeeth.push_back(itk::ToothCode::FromString("UR1"));
+  result = Register(phantom, itk::CasePresetEnum::BoundingBox);
+  EXPECT_NE(result.skipped.at(JawEnum::Upper).find("excluded"), std::string::npos);
+
+  auto ignored = itk::DentalContour::New();
+  for (auto polyline : phantom.data->lower.contour->GetPolylines())
+  {
+    polyline.weights.assign(polyline.points.size(), 0.0);
+    ignored->AddPolyline(polyline);
+  }
+  phantom.data->lower.contour = ignored;
+  result = Register(phantom, itk::CasePresetEnum::BoundingBox);
+  EXPECT_NE(result.skipped.at(JawEnum::Lower).find("weight 0"), std::string::npos);
+}
+
+TEST(CaseRegistration, AClosedCastIsNamedOnce)
+{
+  const PhantomCase phantom(6, PhantomCase::SideEnum::Right, 16000, true);
+  const auto        result = Register(phantom);
+  EXPECT_TRUE(result.jaws.at(JawEnum::Upper).registered);
+  EXPECT_EQ(std::count_if(result.notCheckable.begin(),
+                          result.notCheckable.end(),
+                          [](const std::string & line) { return line.find("closed") != std::string::npos; }),
+            2);
+  EXPECT_TRUE(HasLineWith(result.notCheckable, "upper cast"));
+  EXPECT_TRUE(HasLineWith(result.notCheckable, "lower cast"));
+}
+
+TEST(CaseRegistration, CandidatesStandInTheResultBestFirst)
+{
+  PhantomCase phantom(5);
+  phantom.data->description.millimetresPerUnit = 10.0;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    const auto result = Register(phantom).jaws.at(jaw);
+    ASSERT_FALSE(result.candidates.empty());
+    EXPECT_EQ(result.candidates.front().distance, 0.0);
+    for (unsigned int i = 0; i < 12; ++i)
+    {
+      EXPECT_NEAR(
+        result.candidates.front().projection[i], result.projection[i], 1e-9 * (1.0 + std::abs(result.projection[i])));
+    }
+    for (std::size_t i = 1; i < result.candidates.size(); ++i)
+    {
+      EXPECT_GE(result.candidates[i].score, result.candidates[i - 1].score);
+      EXPECT_GE(result.candidates[i].distance, 1.0);
+    }
+  }
+}
+
+TEST(CaseRegistration, TheScalesPriorFollowsTheSpacingsSource)
+{
+  const PhantomCase phantom(5);
+  const auto        priorOf = [&](itk::ValueSourceEnum source, const char * verdict, const char * option) {
+    phantom.data->sources.pixelSpacing = source;
+    phantom.data->spacingVerdict = verdict;
+    auto registration = itk::CaseRegistration::New();
+    registration->SetPreset(itk::CasePresetEnum::Robust);
+    registration->SetData(phantom.data);
+    registration->SetOption("maximumEvaluations=1");
+    registration->SetOption("checkHypotheses=off");
+    if (option != nullptr)
+    {
+      registration->SetOption(option);
+    }
+    registration->Update();
+    return Detail(registration->GetResult().jaws.at(JawEnum::Upper), "scale_prior_sd");
+  };
+  EXPECT_EQ(priorOf(itk::ValueSourceEnum::Given, "UserGiven", nullptr), 0.016);
+  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, "Detector", nullptr), 0.016);
+  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, "EstimatedMagnification", nullptr), 0.05);
+  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, "Calibrated", nullptr), 0.05);
+  // The user's word, the default's value included.
+  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, "Calibrated", "kappaSigma=0.016"), 0.016);
+}
+
+TEST(CaseRegistration, WithoutAJointFrameNoJointPoseIsAskedFor)
+{
+  const PhantomCase                   phantom(5);
+  std::array<itk::TriangleSurface, 2> surfaces{ { itk::MakeTriangleSurface(phantom.data->upper.mesh.GetPointer()),
+                                                  itk::MakeTriangleSurface(phantom.data->lower.mesh.GetPointer()) } };
+  itk::DentalFrameResult frames = itk::EstimateDentalFrame(&surfaces[0], &surfaces[1], itk::DentalFrameOptions());
+  ASSERT_TRUE(frames.jawsShareFrame && frames.joint.valid);
+  const auto pitches = [&]() {
+    itk::CaseResult result;
+    result.jaws[JawEnum::Upper];
+    result.jaws[JawEnum::Lower];
+    result.data = phantom.data;
+    result.geometry = itk::CephalometricGeometry::New();
+    result.geometry->CopyParameters(phantom.data->geometry);
+    itk::RegisterCaseByPose(*phantom.data, frames, surfaces, itk::CasePoseSettings(), result);
+    return std::array<double, 2>{ { Detail(result.jaws[JawEnum::Upper], "pitch_rad"),
+                                    Detail(result.jaws[JawEnum::Lower], "pitch_rad") } };
+  };
+  const auto joint = pitches();
+  EXPECT_EQ(joint[0], joint[1]);
+  frames.joint.valid = false;
+  const auto apart = pitches();
+  EXPECT_NE(apart[0], apart[1]);
 }

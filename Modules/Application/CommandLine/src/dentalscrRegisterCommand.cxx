@@ -29,6 +29,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 namespace dentalscr
@@ -63,6 +64,19 @@ Apply(const char * option, TFunction && function)
   {
     itkDentalInputErrorMacro(option, "", error.what(), "see dentalscr register --help");
   }
+}
+
+/** For --help: a line an option. */
+std::string
+DescribeOptions()
+{
+  std::ostringstream text;
+  text << "Options of preset robust, with their defaults (Documentation/Robust.md):\n";
+  for (const auto & option : itk::CaseRegistration::GetOptions())
+  {
+    text << "  " << option.name << '=' << option.defaultValue << ": " << option.description << '\n';
+  }
+  return text.str();
 }
 
 void
@@ -204,16 +218,17 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
   command->add_flag(
     "--no-report", options->noReport, "Write no overlays and no scans: result.json and transforms only");
   command->add_option(
-    "--option", options->set, "Ingredient of preset robust, NAME=VALUE (Documentation/Robust.md), any number of times");
+    "--option", options->set, "Ingredient of preset robust, NAME=VALUE (listed below), any number of times");
   // What 3D Slicer adds to every call; the empty group keeps them out of --help.
   command->add_option("--returnparameterfile", options->returnParameterFile)->group("");
   command->add_option("--processinformationaddress", options->ignored)->group("");
   command->footer(
-    "Exit code: 0 every jaw registered, 1 a jaw failed, 2 unusable input.\n"
+    std::string("Exit code: 0 every jaw registered, 1 a jaw failed, 2 unusable input.\n") +
     "Examples:\n"
     "  dentalscr register case.json --output result\n"
     "  dentalscr register case.json --output result --preset bounding-box --exclude UR8\n"
-    "  dentalscr register case.json --output result --option useRobustKernel=off --option yawStarts=-0.1,0.1\n");
+    "  dentalscr register case.json --output result --option useRobustKernel=off --option yawStarts=-0.1,0.1\n" +
+    DescribeOptions());
   command->callback([options, &common, &run]() { run = [options, &common]() { return Register(*options, common); }; });
 }
 } // namespace dentalscr

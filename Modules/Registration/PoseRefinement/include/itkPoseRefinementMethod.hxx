@@ -21,6 +21,7 @@
 #include "itkDentalFrameEstimator.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkPoseRefinementKernel.h"
+#include "itkPoseRefinementOptionTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -334,12 +335,26 @@ PoseRefinementMethod<TMesh>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "TracedSide: " << static_cast<int>(m_Options.tracedSide) << std::endl;
-  os << indent << "UseSideSelection: " << m_Options.useSideSelection << std::endl;
-  os << indent << "UseFullPose: " << m_Options.useFullPose << std::endl;
-  os << indent << "UseJointPose: " << m_Options.useJointPose << std::endl;
-  os << indent << "UseCorrelatedNoise: " << m_Options.useCorrelatedNoise << std::endl;
-  os << indent << "CorrelationLength: " << m_Options.correlationLength << std::endl;
-  os << indent << "KappaSigma: " << m_Options.kappaSigma << std::endl;
+  for (const auto & entry : PoseRefinementOptionTable::GetEntries())
+  {
+    os << indent << entry.name << ": " << PoseRefinementOptionTable::Get(m_Options, entry.name) << std::endl;
+  }
+  os << indent << "FixScale: " << m_Options.fixScale << std::endl;
+  os << indent << "FixRotation: " << m_Options.fixRotation << std::endl;
+  os << indent << "FixTranslation: " << m_Options.fixTranslation << std::endl;
+  os << indent << "UseInitialPose: " << m_Options.useInitialPose << std::endl;
+  os << indent << "InitialPose:";
+  for (const double parameter : m_Options.initialPose)
+  {
+    os << ' ' << parameter;
+  }
+  os << std::endl;
+  os << indent << "ExcludedTeeth:";
+  for (const unsigned int tooth : m_Options.excludedTeeth)
+  {
+    os << ' ' << tooth;
+  }
+  os << std::endl;
   os << indent << "PrincipalPointKnown: " << m_PrincipalPointKnown << std::endl;
   os << indent << "UseGivenFrames: " << m_UseGivenFrames << std::endl;
   os << indent << "GivenFramesAreShared: " << m_GivenFramesAreShared << std::endl;

@@ -57,6 +57,10 @@ public:
   static void
   Set(PoseRefinementOptions & options, const std::string & name, const std::string & value);
 
+  /** A switch's value, for options that are kept elsewhere. Throws std::invalid_argument that names the option. */
+  static bool
+  ParseSwitch(const std::string & name, const std::string & value);
+
   /** "NAME=VALUE". */
   static void
   Set(PoseRefinementOptions & options, const std::string & assignment);

@@ -99,6 +99,9 @@ public:
   static std::vector<JawVerdict>
   Evaluate(const PoseRefinementResult & result);
 
+  /** One of the sentences below, for callers that say the same of each cast. */
+  static constexpr const char * ClosedCastLine = "winding of a closed cast";
+
   /** What cannot be told from this case's data, as sentences. */
   static std::vector<std::string>
   GetNotCheckable(const PoseRefinementResult & result, const PoseRefinementOptions & options);

@@ -125,9 +125,9 @@ Find(const std::string & name)
 }
 
 [[noreturn]] void
-FailToParse(const Row & row, const std::string & value, const std::string & expected)
+FailToParse(const std::string & name, const std::string & value, const std::string & expected)
 {
-  throw std::invalid_argument("option " + std::string(row.name) + " can't be \"" + value + "\": " + expected);
+  throw std::invalid_argument("option " + name + " can't be \"" + value + "\": " + expected);
 }
 
 double
@@ -141,7 +141,7 @@ ParseNumber(const Row & row, const std::string & value)
     std::ostringstream expected;
     expected.imbue(std::locale::classic());
     expected << "a number from " << row.low << " to " << row.high << " is expected";
-    FailToParse(row, value, expected.str());
+    FailToParse(row.name, value, expected.str());
   }
   return number;
 }
@@ -207,6 +207,17 @@ PoseRefinementOptionTable::Get(const PoseRefinementOptions & options, const std:
     Find(name).field);
 }
 
+bool
+PoseRefinementOptionTable::ParseSwitch(const std::string & name, const std::string & value)
+{
+  const bool on = value == "on" || value == "true" || value == "1";
+  if (!on && value != "off" && value != "false" && value != "0")
+  {
+    FailToParse(name, value, "on or off is expected");
+  }
+  return on;
+}
+
 void
 PoseRefinementOptionTable::Set(PoseRefinementOptions & options, const std::string & name, const std::string & value)
 {
@@ -217,12 +228,7 @@ PoseRefinementOptionTable::Set(PoseRefinementOptions & options, const std::strin
       using ValueType = std::decay_t<decltype(target)>;
       if constexpr (std::is_same_v<ValueType, bool>)
       {
-        const bool on = value == "on" || value == "true" || value == "1";
-        if (!on && value != "off" && value != "false" && value != "0")
-        {
-          FailToParse(row, value, "on or off is expected");
-        }
-        target = on;
+        target = ParseSwitch(row.name, value);
       }
       else if constexpr (std::is_same_v<ValueType, std::vector<double>>)
       {
@@ -235,7 +241,7 @@ PoseRefinementOptionTable::Set(PoseRefinementOptions & options, const std::strin
         }
         if (numbers.empty() || numbers.size() > 100)
         {
-          FailToParse(row, value, "1 to 100 numbers, separated by commas, are expected");
+          FailToParse(row.name, value, "1 to 100 numbers, separated by commas, are expected");
         }
         target = numbers;
       }
@@ -244,7 +250,7 @@ PoseRefinementOptionTable::Set(PoseRefinementOptions & options, const std::strin
         const double number = ParseNumber(row, value);
         if (number != std::floor(number))
         {
-          FailToParse(row, value, "a whole number is expected");
+          FailToParse(row.name, value, "a whole number is expected");
         }
         target = static_cast<unsigned int>(number);
       }

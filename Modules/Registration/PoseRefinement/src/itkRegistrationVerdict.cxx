@@ -285,20 +285,23 @@ RegistrationVerdict::GetNotCheckable(const PoseRefinementResult & result, const 
   {
     lines.emplace_back("principal point: it was not given, the tracing's centre was used");
   }
+  bool registered = false;
   bool coded = false;
   bool closedCast = false;
   for (const PoseJawResult & jaw : result.jaws)
   {
+    registered = registered || jaw.registered;
     coded = coded || jaw.fit.hasCodes;
     closedCast = closedCast || (jaw.registered && std::abs(jaw.winding) < 0.1);
   }
-  if (!coded)
+  // Of a jaw that was not registered nobody looked.
+  if (registered && !coded)
   {
     lines.emplace_back("whether each tooth lies on its own: the tracing has no tooth codes");
   }
   if (closedCast)
   {
-    lines.emplace_back("winding of a closed cast");
+    lines.emplace_back(ClosedCastLine);
   }
   if (options.useInitialPose || options.fixRotation || options.fixScale || options.fixTranslation)
   {

@@ -19,12 +19,16 @@
 
 #include "itkOpenSilhouetteContourSource.h"
 #include "itkPoseContourModel.h"
+#include "itkPoseRefinementOptionTable.h"
 #include "itkPoseRefinementTestCase.h"
 
 #include "itkCommand.h"
 #include "itkTestingMacros.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
 
 namespace
 {
@@ -66,6 +70,27 @@ TEST(PoseRefinementMethod, BasicObject)
   std::ostringstream text;
   method->Print(text);
   EXPECT_NE(text.str().find("PrincipalPointKnown: 1"), std::string::npos);
+  for (const auto & entry : itk::PoseRefinementOptionTable::GetEntries())
+  {
+    EXPECT_NE(text.str().find(entry.name + ": "), std::string::npos) << entry.name;
+  }
+}
+
+TEST(PoseRefinementMethod, AJawThatWasNotRegisteredIsNotSaidToLackCodes)
+{
+  itk::PoseRefinementResult result;
+  result.jaws.resize(1);
+  const auto saysNoCodes = [&]() {
+    const auto lines = itk::RegistrationVerdict::GetNotCheckable(result, itk::PoseRefinementOptions());
+    return std::any_of(lines.begin(), lines.end(), [](const std::string & line) {
+      return line.find("no tooth codes") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(saysNoCodes());
+  result.jaws[0].registered = true;
+  EXPECT_TRUE(saysNoCodes());
+  result.jaws[0].fit.hasCodes = true;
+  EXPECT_FALSE(saysNoCodes());
 }
 
 TEST(PoseRefinementMethod, RegistersMeshesAsTheyAreAndItsOutputsAgree)

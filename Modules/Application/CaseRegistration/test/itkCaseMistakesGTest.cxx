@@ -1,0 +1,188 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+// Mistakes that people make, and what the result says of them.
+#include "itkCaseRegistrationTestCase.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <utility>
+
+namespace
+{
+using JawEnum = itk::ToothCode::JawEnum;
+constexpr JawEnum Jaws[] = { JawEnum::Upper, JawEnum::Lower };
+
+struct Mistake
+{
+  const char * name;
+  void (*make)(itk::DentalCaseData &);
+  /** In a reason. */
+  const char * word;
+};
+
+void
+PrintTo(const Mistake & mistake, std::ostream * os)
+{
+  *os << mistake.name;
+}
+
+template <typename TFunction>
+void
+MovePoints(itk::DentalCaseData & data, TFunction && move)
+{
+  for (const JawEnum jaw : Jaws)
+  {
+    auto * points = data.GetJaw(jaw).mesh->GetPoints();
+    for (auto it = points->Begin(); it != points->End(); ++it)
+    {
+      move(it.Value());
+    }
+  }
+}
+
+void
+ExchangeJaws(itk::DentalCaseData & data)
+{
+  std::swap(data.upper.mesh, data.lower.mesh);
+}
+
+/** A file in mm that the case says is in cm. */
+void
+SayCentimetres(itk::DentalCaseData & data)
+{
+  data.description.meshUnit = "cm";
+  data.description.millimetresPerUnit = 10.0;
+  MovePoints(data, [](auto & point) {
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      point[d] *= 10.0F;
+    }
+  });
+}
+
+void
+FaceLeft(itk::DentalCaseData & data)
+{
+  data.geometry->SetFacing(itk::CephalometricGeometry::FacingEnum::Left);
+}
+
+void
+SayLeft(itk::DentalCaseData & data)
+{
+  data.description.tracedSide = itk::TracedSideEnum::Left;
+}
+
+void
+Mirror(itk::DentalCaseData & data)
+{
+  MovePoints(data, [](auto & point) { point[0] = -point[0]; });
+}
+
+void
+StretchSpacing(itk::DentalCaseData & data)
+{
+  data.geometry->SetPixelSpacing(data.geometry->GetPixelSpacing() * 1.3);
+}
+
+void
+KeepIncisors(itk::DentalCaseData & data)
+{
+  for (const JawEnum jaw : Jaws)
+  {
+    auto incisors = itk::DentalContour::New();
+    for (const auto & polyline : data.GetJaw(jaw).contour->GetPolylines())
+    {
+      if (polyline.code.GetFDI() % 10 <= 2)
+      {
+        incisors->AddPolyline(polyline);
+      }
+    }
+    data.GetJaw(jaw).contour = incisors;
+  }
+}
+
+class CaseMistakes : public ::testing::TestWithParam<Mistake>
+{};
+
+struct Side
+{
+  const char *          name;
+  PhantomCase::SideEnum phantom;
+  itk::TracedSideEnum   said;
+};
+
+void
+PrintTo(const Side & side, std::ostream * os)
+{
+  *os << side.name;
+}
+
+class CaseTracedSide : public ::testing::TestWithParam<Side>
+{};
+} // namespace
+
+TEST_P(CaseMistakes, IsNamedInTheReasons)
+{
+  const PhantomCase phantom(6, PhantomCase::SideEnum::Right, 16000);
+  GetParam().make(*phantom.data);
+  const auto  result = Register(phantom);
+  bool        named = false;
+  std::string all;
+  for (const auto & jaw : result.jaws)
+  {
+    EXPECT_NE(jaw.second.status, itk::CaseStatusEnum::Ok) << jaw.first;
+    named = named || HasLineWith(jaw.second.reasons, GetParam().word);
+    for (const std::string & reason : jaw.second.reasons)
+    {
+      all += "\n  " + reason;
+    }
+  }
+  EXPECT_TRUE(named) << "no \"" << GetParam().word << "\" in" << all;
+}
+
+INSTANTIATE_TEST_SUITE_P(All,
+                         CaseMistakes,
+                         ::testing::Values(Mistake{ "JawsExchanged", ExchangeJaws, "exchanged" },
+                                           Mistake{ "WrongUnit", SayCentimetres, "\"mesh_unit\": \"mm\" would fit" },
+                                           Mistake{ "WrongFacing", FaceLeft, "facing" },
+                                           Mistake{ "OtherSideTraced", SayLeft, "check traced_side" },
+                                           Mistake{ "MirroredScan", Mirror, "mirrored" },
+                                           Mistake{ "WrongSpacing", StretchSpacing, "contradicts pixel spacing" },
+                                           Mistake{ "IncisorsOnly", KeepIncisors, "trace more teeth" }),
+                         [](const auto & test) { return std::string(test.param.name); });
+
+TEST_P(CaseTracedSide, EverySideIsRegisteredWithinTwoPixels)
+{
+  const PhantomCase phantom(5, GetParam().phantom, 16000);
+  phantom.data->description.tracedSide = GetParam().said;
+  const auto result = Register(phantom);
+  for (const auto & jaw : result.jaws)
+  {
+    ASSERT_TRUE(jaw.second.error);
+    // What issue and paper ask for, half a millimetre.
+    EXPECT_LT(jaw.second.error->mean, 2.0) << jaw.first;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All,
+                         CaseTracedSide,
+                         ::testing::Values(Side{ "Left", PhantomCase::SideEnum::Left, itk::TracedSideEnum::Left },
+                                           Side{ "Both", PhantomCase::SideEnum::Both, itk::TracedSideEnum::Both },
+                                           Side{ "Mean", PhantomCase::SideEnum::Mean, itk::TracedSideEnum::Mean }),
+                         [](const auto & test) { return std::string(test.param.name); });
