@@ -214,7 +214,8 @@ def as_contour(value: ContourLike, jaw: Optional[str] = None) -> _core.Contour:
     ----------
     value
         :class:`Contour` (taken as it is), a file name (then ``jaw`` says which of the two it is), an (N, 2) array (one
-        polyline without a code), a sequence of :class:`Polyline` or arrays, or ``{"UR1": (N, 2) array}``.
+        polyline without a code) or its numbers in a row (u0, v0, u1, v1, ...), a sequence of :class:`Polyline` or
+        arrays, or ``{"UR1": (N, 2) array}``.
     jaw : "upper" or "lower", optional
     """
     if isinstance(value, _core.Contour):
@@ -234,6 +235,13 @@ def as_contour(value: ContourLike, jaw: Optional[str] = None) -> _core.Contour:
     if isinstance(value, np.ndarray) and value.dtype != object and value.ndim == 2:
         contour.AddPolyline(value)
         return contour
+    if isinstance(value, (np.ndarray, Sequence)) and len(value) > 0 and all(np.ndim(item) == 0 for item in value):
+        flat = np.asarray(value)
+        if flat.dtype.kind in "iuf":
+            if flat.size % 2:
+                raise ArgumentError(f"{flat.size} numbers in a row are no points (u0, v0, u1, v1, ...)")
+            contour.AddPolyline(flat.reshape(-1, 2))
+            return contour
     if isinstance(value, Sequence) and not isinstance(value, (str, bytes)):
         if len(value) > 0 and all(np.ndim(cast(Any, item)) == 1 and len(item) == 2 for item in value):
             contour.AddPolyline(np.asarray(value, dtype=np.float64))

@@ -1,6 +1,7 @@
 """What every process object has beside its own members."""
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any, Callable, Union
 
 from . import _core
@@ -73,4 +74,16 @@ def apply_settings(process: Any, settings: dict[str, Any]) -> None:
         setter = getattr(process, "Set" + name[:1].upper() + name[1:], None)
         if setter is None:
             raise TypeError(f"{type(process).__name__} has no Set{name[:1].upper()}{name[1:]}() for {name!r}")
-        setter(value)
+        try:
+            setter(value)
+        except TypeError as error:
+            # The binding lists signatures; of an enumeration the values are of use.
+            taken = re.search(r": dentalscr\._core\.([\w.]+)[,)]", str(error).partition("self: ")[2].partition(",")[2])
+            if not isinstance(value, str) or taken is None:
+                raise
+            kind: Any = _core
+            for part in taken[1].split("."):
+                kind = getattr(kind, part)
+            if not hasattr(kind, "__members__"):
+                raise
+            raise ArgumentError(f"{name} is no {value!r}; use one of {', '.join(kind.__members__)}") from None

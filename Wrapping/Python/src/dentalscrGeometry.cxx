@@ -64,6 +64,24 @@ SetPose(GeometryType & geometry, const DoubleArray & matrix)
   geometry.SetPose(rotation, translation);
 }
 
+/** One number or two; what is no spacing is refused, as it would count as an unknown one. */
+GeometryType::PixelSpacingType
+ToPixelSpacing(const py::object & object)
+{
+  const bool                           isNumber = PyNumber_Check(object.ptr()) && !PySequence_Check(object.ptr());
+  const GeometryType::PixelSpacingType spacing =
+    isNumber ? GeometryType::PixelSpacingType(object.cast<double>()) : object.cast<GeometryType::PixelSpacingType>();
+  for (const double value : spacing)
+  {
+    if (!(std::isfinite(value) && value > 0.0))
+    {
+      throw std::invalid_argument("pixelSpacing is " + py::repr(object).cast<std::string>() +
+                                  "; give mm a pixel, > 0, or leave it out where it is unknown");
+    }
+  }
+  return spacing;
+}
+
 GeometryType::Pointer
 MakeGeometry(double             sourceToMidsagittal,
              double             sourceToDetector,
@@ -77,9 +95,7 @@ MakeGeometry(double             sourceToMidsagittal,
   geometry->SetSourceToDetectorDistance(sourceToDetector);
   if (!pixelSpacing.is_none())
   {
-    geometry->SetPixelSpacing(py::isinstance<py::float_>(pixelSpacing) || py::isinstance<py::int_>(pixelSpacing)
-                                ? GeometryType::PixelSpacingType(pixelSpacing.cast<double>())
-                                : pixelSpacing.cast<GeometryType::PixelSpacingType>());
+    geometry->SetPixelSpacing(ToPixelSpacing(pixelSpacing));
   }
   if (!principalPoint.is_none())
   {

@@ -22,6 +22,7 @@
 #include "itkDentalPhantomMeshSource.h"
 
 #include <sstream>
+#include <stdexcept>
 
 namespace dentalscr
 {
@@ -58,6 +59,51 @@ Copy(const GeometryType * geometry)
   auto copy = GeometryType::New();
   copy->CopyParameters(geometry);
   return copy;
+}
+
+/** FDI numbers to the parameters' right 1..7, left 1..7 and back. */
+std::vector<unsigned int>
+GetMissingTeeth(const ParametersType & self)
+{
+  const unsigned int        quadrant[2][2] = { { 1, 2 }, { 4, 3 } };
+  std::vector<unsigned int> teeth;
+  for (unsigned int jaw = 0; jaw < 2; ++jaw)
+  {
+    for (unsigned int i = 0; i < 14; ++i)
+    {
+      if (self.jaws[jaw].teeth[i].missing)
+      {
+        teeth.push_back(10 * quadrant[jaw][i / 7] + i % 7 + 1);
+      }
+    }
+  }
+  return teeth;
+}
+
+void
+SetMissingTeeth(ParametersType & self, const std::vector<unsigned int> & teeth)
+{
+  ParametersType changed = self;
+  for (auto & jaw : changed.jaws)
+  {
+    for (auto & tooth : jaw.teeth)
+    {
+      tooth.missing = false;
+    }
+  }
+  for (const unsigned int fdi : teeth)
+  {
+    const unsigned int quadrant = fdi / 10;
+    const unsigned int position = fdi % 10;
+    if (quadrant < 1 || quadrant > 4 || position < 1 || position > 7)
+    {
+      throw std::invalid_argument("a phantom has no tooth " + std::to_string(fdi) +
+                                  "; FDI numbers 11-17, 21-27, 31-37, 41-47 are known");
+    }
+    const bool right = quadrant == 1 || quadrant == 4;
+    changed.jaws[quadrant > 2 ? 1 : 0].teeth[(right ? 0 : 7) + position - 1].missing = true;
+  }
+  self = changed;
 }
 
 ImageType::Pointer
@@ -105,6 +151,11 @@ WrapPhantom(py::module_ & module)
     .def_static(
       "Draw", [](std::uint64_t seed) { return ParametersType::Draw(seed); }, py::arg("seed"), "One of a kind.")
     .def("Validate", &ParametersType::Validate, "Raises where no jaws can be made of it.")
+    .def("SetMissingTeeth",
+         &SetMissingTeeth,
+         py::arg("teeth"),
+         "FDI numbers: 11-17, 21-27, 31-37, 41-47. All others are there.")
+    .def("GetMissingTeeth", &GetMissingTeeth)
     .def_readwrite("archFamily", &ParametersType::archFamily)
     .def_readwrite("archExponent", &ParametersType::archExponent)
     .def_readwrite("archCoverage", &ParametersType::archCoverage)

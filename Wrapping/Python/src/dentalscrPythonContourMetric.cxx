@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "dentalscrPythonContourMetric.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dentalscr
@@ -74,9 +75,27 @@ PythonContourMetric::Call(const itk::ContourSimilarity & similarity, std::vector
   }
   const auto       fixed = MakeArray(m_Fixed, { static_cast<py::ssize_t>(m_Fixed.size() / 2), 2 });
   const py::object result = m_Function(fixed, moved);
+  const auto       toNumber = [](const py::object & object) {
+    double value = 0.0;
+    try
+    {
+      value = object.cast<double>();
+    }
+    catch (const py::cast_error &)
+    {
+      throw py::type_error("a metric returns a number, or a number and derivatives, not " +
+                           py::repr(object).cast<std::string>());
+    }
+    if (!std::isfinite(value))
+    {
+      throw py::value_error("a metric returned " + std::to_string(value) +
+                            "; give a finite value for every place of the contour, a large one where it is bad");
+    }
+    return value;
+  };
   if (!py::isinstance<py::tuple>(result))
   {
-    return result.cast<double>();
+    return toNumber(result);
   }
   const auto pair = result.cast<py::tuple>();
   if (pair.size() != 2)
@@ -91,9 +110,13 @@ PythonContourMetric::Call(const itk::ContourSimilarity & similarity, std::vector
       throw py::value_error("a metric's derivatives have the shape of the moved points, (" + std::to_string(count) +
                             ", 2)");
     }
+    if (!std::all_of(array.data(), array.data() + array.size(), [](double d) { return std::isfinite(d); }))
+    {
+      throw py::value_error("a metric's derivatives are finite numbers; return the value alone to have them estimated");
+    }
     derivatives->assign(array.data(), array.data() + array.size());
   }
-  return pair[0].cast<double>();
+  return toNumber(pair[0]);
 }
 
 auto

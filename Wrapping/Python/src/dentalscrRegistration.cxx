@@ -227,9 +227,22 @@ WrapMetricObjects(py::module_ & module)
                          { "Huber", KernelEnum::Huber },
                          { "Squares", KernelEnum::Squares } },
                        "What a residual counts.");
+  using SpacingSourceEnum = itk::ContourMetricEnums::SpacingSource;
+  BindEnum<SpacingSourceEnum>(module,
+                              "SpacingSource",
+                              { { "Given", SpacingSourceEnum::Given },
+                                { "Dicom", SpacingSourceEnum::Dicom },
+                                { "Default", SpacingSourceEnum::Default },
+                                { "Estimated", SpacingSourceEnum::Estimated } },
+                              "Where a pixel spacing comes from, for the scale's prior.");
   py::class_<MetricType, itk::SmartPointer<MetricType>>(
     module, "ContourToContourMetricv4", "A figure of merit between two contours, for SetMetric().")
     .def("GetName", [](const MetricType & self) { return std::string(self.GetNameOfClass()); })
+    .def(
+      "GetPivot",
+      [](const MetricType & self) { return std::make_pair(self.GetPivot()[0], self.GetPivot()[1]); },
+      "Of scale and rotation, in the moving frame, px.")
+    .def("GetReferenceLength", &MetricType::GetReferenceLength, "What makes the four parameters alike, px.")
     .def("__str__", [](const MetricType & self) {
       std::ostringstream text;
       self.Print(text);
@@ -277,7 +290,37 @@ had a point. Documentation/Metric.md has the formulas. Serves SetOptimizerAsLeve
          py::arg("at"),
          py::arg("position"),
          py::arg("sigma"),
-         "The moving point `at` lands on `position`, sigma px in each coordinate.");
+         "The moving point `at` lands on `position`, sigma px in each coordinate.")
+    .def_static("GetScaleSigma",
+                &PartialType::GetScaleSigma,
+                py::arg("source"),
+                "relativeSigma for SetScalePrior() by where the spacing comes from.")
+    .def("UpdateNoiseModel",
+         &PartialType::UpdateNoiseModel,
+         "After a registration: noise and weights from what is left. False where no point of the tracing counts.")
+    .def("ForgetNoiseModel", &PartialType::ForgetNoiseModel, "Back to the robust kernel with independent points.")
+    .def("HasNoiseModel", &PartialType::HasNoiseModel)
+    .def(
+      "GetNoiseLevels",
+      [](const PartialType & self) {
+        return std::make_pair(self.GetNoiseLevels().smooth, self.GetNoiseLevels().white);
+      },
+      "Standard deviations (drift, each point's own), px: estimated, or as set.")
+    .def(
+      "ComputeCovariance",
+      [](const PartialType & self) {
+        const auto          covariance = self.ComputeCovariance();
+        std::vector<double> values;
+        for (unsigned int a = 0; a < 4; ++a)
+        {
+          values.insert(values.end(), covariance[a], covariance[a] + 4);
+        }
+        return MakeArray(values, { 4, 4 });
+      },
+      R"((4, 4), px^2: of the optimizer's parameters at the solution, after a registration.
+
+For a moving point q and r = scale * rotation * (q - GetPivot()) / GetReferenceLength(), its registered place has the
+derivatives (r_u, -r_v, 1, 0) in u and (r_v, r_u, 0, 1) in v. Honest only after UpdateNoiseModel().)");
 }
 
 void
