@@ -398,6 +398,22 @@ Print(const std::string & name, const Figures & figures)
   std::cout << " |" << std::endl;
 }
 
+void
+PrintMean(const std::string & name, const Figures & figures)
+{
+  double      sum = 0.0;
+  std::size_t count = 0;
+  for (const auto & errors : figures.errors)
+  {
+    for (const double error : errors)
+    {
+      sum += error;
+      ++count;
+    }
+  }
+  std::cout << name << " px: " << sum / static_cast<double>(count) << '\n';
+}
+
 /** The metric with everything that a setting then takes away or adds. */
 template <typename TChange>
 std::function<MethodType::MetricType::Pointer()>
@@ -495,6 +511,10 @@ main(int argc, char * argv[])
     {
       Print(settings[s].name, figures[s]);
     }
+    std::cout << '\n' << std::setprecision(6);
+    PrintMean("best similarity", best);
+    PrintMean("Chamfer", figures[0]);
+    PrintMean("all", figures[3]);
   }
   catch (const itk::ExceptionObject & error)
   {

@@ -35,6 +35,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -293,10 +294,22 @@ main(int argc, char * argv[])
       byLabels->Update();
       side->Update();
 
-      const itk::TriangleSurface  surface = itk::MakeTriangleSurface<MeshType>(mesh);
-      const Mask                  kept = side->GetTriangleMask();
-      const Mask                  found = byShape->GetTriangleMask();
-      const Mask                  truth = byLabels->GetTriangleMask();
+      const itk::TriangleSurface surface = itk::MakeTriangleSurface<MeshType>(mesh);
+      const Mask                 kept = side->GetTriangleMask();
+      const Mask                 found = byShape->GetTriangleMask();
+      const Mask                 truth = byLabels->GetTriangleMask();
+      const std::string          name = jaw == 0 ? "upper" : "lower";
+      const auto                 count = static_cast<double>(kept.size());
+      std::cout << name << " share of the right side: " << std::count(kept.begin(), kept.end(), 1) / count << '\n';
+      std::cout << name << " crowns as labelled: "
+                << std::inner_product(found.begin(),
+                                      found.end(),
+                                      truth.begin(),
+                                      0.0,
+                                      std::plus<double>(),
+                                      [](auto a, auto b) { return a == b ? 1.0 : 0.0; }) /
+                     count
+                << '\n';
       const double                left = 460.0 * jaw;
       const std::array<double, 3> up{ { 0.0, 0.0, 1.0 } };
       const auto                  shade = [&](std::size_t t) { return truth[t] != 0 ? Tooth : Gingiva; };
@@ -316,6 +329,7 @@ main(int argc, char * argv[])
       open->SetJaw(jaw == 0 ? itk::ToothCode::JawEnum::Upper : itk::ToothCode::JawEnum::Lower);
       open->SetGeometry(geometry);
       open->Update();
+      std::cout << name << " open outline px: " << open->GetOutput()->GetLength() << '\n';
       auto closed = itk::MeshSilhouetteContourSource<MeshType>::New();
       closed->SetInput(scanSide->GetOutput());
       closed->SetGeometry(geometry);

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CephalogramFileReader', 'CephalometricGeometry', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CrownRegionMeshFilter', 'DataObject', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExperimentStudy', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'OpenSilhouetteContourSource', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseRefinementMethod', 'PoseRefinementOptions', 'Preset', 'ProcessObject', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CephalogramFileReader', 'CephalometricGeometry', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CrownRegionMeshFilter', 'DataObject', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExperimentStudy', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'OpenSilhouetteContourSource', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseRefinementMethod', 'PoseRefinementOptions', 'Preset', 'ProcessObject', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SpacingSource', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -2096,12 +2096,69 @@ class RobustKernel:
     @property
     def value(self) -> int:
         ...
+class SpacingSource:
+    """
+    Where a pixel spacing comes from, for the scale's prior.
+
+    Members:
+
+      Given
+
+      Dicom
+
+      Default
+
+      Estimated
+    """
+    Default: typing.ClassVar[SpacingSource]
+    Dicom: typing.ClassVar[SpacingSource]
+    Estimated: typing.ClassVar[SpacingSource]
+    Given: typing.ClassVar[SpacingSource]
+    __members__: typing.ClassVar[dict[str, SpacingSource]]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    @typing.overload
+    def __init__(self, value: int) -> None:
+        ...
+    @typing.overload
+    def __init__(self, name: str) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: int) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def value(self) -> int:
+        ...
 class ContourToContourMetricv4:
     """
     A figure of merit between two contours, for SetMetric().
     """
     def GetName(self) -> str:
         ...
+    def GetPivot(self) -> tuple[float, float]:
+        """
+        Of scale and rotation, in the moving frame, px.
+        """
+    def GetReferenceLength(self) -> float:
+        """
+        What makes the four parameters alike, px.
+        """
     def __str__(self) -> str:
         ...
 class ContourChamferMetricv4(ContourToContourMetricv4):
@@ -2129,10 +2186,22 @@ class PartialContourMetricv4(ContourToContourMetricv4):
     Every point of the tracing counts through a robust kernel; the moving contour's points only where the tracing could have
     had a point. Documentation/Metric.md has the formulas. Serves SetOptimizerAsLevenbergMarquardt and any other.
     """
+    @staticmethod
+    def GetScaleSigma(source: SpacingSource | str) -> float:
+        """
+        relativeSigma for SetScalePrior() by where the spacing comes from.
+        """
     def AnnealingOff(self) -> None:
         ...
     def AnnealingOn(self) -> None:
         ...
+    def ComputeCovariance(self) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (4, 4), px^2: of the optimizer's parameters at the solution, after a registration.
+
+        For a moving point q and r = scale * rotation * (q - GetPivot()) / GetReferenceLength(), its registered place has the
+        derivatives (r_u, -r_v, 1, 0) in u and (r_v, r_u, 0, 1) in v. Honest only after UpdateNoiseModel().
+        """
     def CorrelatedNoiseOff(self) -> None:
         ...
     def CorrelatedNoiseOn(self) -> None:
@@ -2141,6 +2210,10 @@ class PartialContourMetricv4(ContourToContourMetricv4):
         ...
     def EstimateNoiseOn(self) -> None:
         ...
+    def ForgetNoiseModel(self) -> None:
+        """
+        Back to the robust kernel with independent points.
+        """
     def GateByToothOff(self) -> None:
         ...
     def GateByToothOn(self) -> None:
@@ -2167,6 +2240,10 @@ class PartialContourMetricv4(ContourToContourMetricv4):
         ...
     def GetKernelWidth(self) -> float:
         ...
+    def GetNoiseLevels(self) -> tuple[float, float]:
+        """
+        Standard deviations (drift, each point's own), px: estimated, or as set.
+        """
     def GetNumberOfCorrelatedLevels(self) -> int:
         ...
     def GetReverseWeight(self) -> float:
@@ -2180,6 +2257,8 @@ class PartialContourMetricv4(ContourToContourMetricv4):
     def GetToothRange(self) -> int:
         ...
     def GetWhiteNoise(self) -> float:
+        ...
+    def HasNoiseModel(self) -> bool:
         ...
     def SetAnnealing(self, value: bool) -> None:
         ...
@@ -2225,6 +2304,10 @@ class PartialContourMetricv4(ContourToContourMetricv4):
         """
     def SetWhiteNoise(self, value: float) -> None:
         ...
+    def UpdateNoiseModel(self) -> bool:
+        """
+        After a registration: noise and weights from what is left. False where no point of the tracing counts.
+        """
     def __init__(self) -> None:
         ...
 class RegistrationLevel:
@@ -3142,6 +3225,12 @@ class DentalPhantomParameters:
     def Draw(seed: int) -> DentalPhantomParameters:
         """
         One of a kind.
+        """
+    def GetMissingTeeth(self) -> list[int]:
+        ...
+    def SetMissingTeeth(self, teeth: typing.Sequence[int]) -> None:
+        """
+        FDI numbers: 11-17, 21-27, 31-37, 41-47. All others are there.
         """
     def Validate(self) -> None:
         """

@@ -566,7 +566,7 @@ class MidlineSideMeshFilter(ProcessObject, _core.MidlineSideMeshFilter):
 
 
 def MidlineSideMesh(
-    mesh: MeshLike, frameTransform: TransformLike, side: Union[str, _core.Side] = "Right", margin: float = 0.5
+    mesh: MeshLike, frameTransform: TransformLike, side: Union[str, _core.Side] = "Right", margin: float = -0.5
 ) -> _core.Mesh:
     """One side of a jaw; see :class:`MidlineSideMeshFilter`.
 
@@ -578,7 +578,7 @@ def MidlineSideMesh(
     side : "Right" or "Left"
         The patient's.
     margin : float, optional
-        mm of the other side that stay.
+        mm of the other side that stay; negative: so much of this side goes, too.
     """
     process = MidlineSideMeshFilter()
     process.SetSide(cast(_core.Side, side))

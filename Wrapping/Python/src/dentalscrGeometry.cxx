@@ -19,7 +19,9 @@
 
 #include "itkCephalometricGeometry.h"
 
+#include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 namespace dentalscr
 {

@@ -234,3 +234,38 @@ def test_missing_input_says_what_to_call(ds, geometry):
         ds.MeshSilhouetteContour(triangle, ds.CephalometricGeometry())
     with pytest.raises(ds.ArgumentError, match="frameTransform"):
         ds.MidlineSideMesh(triangle, None)
+
+
+def test_settings_of_a_twin_are_by_default_those_of_its_class(ds, case):
+    mesh = case.upper
+    frame = ds.UMidlineDentalAxis(mesh).upperTransform
+    assert len(ds.MidlineSideMesh(mesh, frame).triangles) == len(ds.MidlineSideMeshFilter().Execute(mesh, frame).triangles)
+
+
+def test_word_that_is_no_value_of_a_setting_names_those_that_are(ds):
+    with pytest.raises(ds.ArgumentError, match="outputMode.*'foo'.*Thickness"):
+        ds.SurfaceDRR((np.eye(3), [[0, 1, 2]]), ds.CephalometricGeometry(pixelSpacing=0.25), outputMode="foo")
+
+
+@pytest.mark.parametrize("spacing", [0.0, -0.1, float("nan"), (0.1, 0.0)])
+def test_spacing_that_is_none_is_refused(ds, spacing):
+    with pytest.raises(ds.ArgumentError, match="pixelSpacing.*> 0"):
+        ds.CephalometricGeometry(pixelSpacing=spacing)
+
+
+def test_numbers_in_a_row_are_a_contour(ds):
+    assert np.array_equal(ds.as_contour([1.0, 2.0, 3.0, 4.0]).points, [[1.0, 2.0], [3.0, 4.0]])
+    with pytest.raises(ds.ArgumentError, match="3 numbers"):
+        ds.as_contour([1.0, 2.0, 3.0])
+
+
+def test_missing_teeth_of_a_phantom_have_no_labels(ds):
+    parameters = ds.DentalPhantomParameters()
+    parameters.numberOfTriangles = 8000
+    parameters.SetMissingTeeth([26, 45])
+    assert parameters.GetMissingTeeth() == [26, 45]
+    jaws = ds.DentalPhantomMesh(parameters=parameters)
+    assert 26 not in jaws["upper"].mesh.labels and 25 in jaws["upper"].mesh.labels
+    assert 45 not in jaws["lower"].mesh.labels and 44 in jaws["lower"].mesh.labels
+    with pytest.raises(ds.ArgumentError, match="no tooth 18"):
+        parameters.SetMissingTeeth([18])

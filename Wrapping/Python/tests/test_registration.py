@@ -243,3 +243,23 @@ def test_pose_refinement_of_one_jaw(ds):
     case = ds.DentalPhantomCase(3, "ideal", makeRadiograph=False)
     found = ds.PoseRefinement(case.geometry, case.upper.mesh, case.upper.tracing)
     assert found.lower is None and found.upper.registered
+
+
+@pytest.mark.parametrize("value, error", [(None, TypeError), ("x", TypeError), (float("nan"), ValueError)])
+def test_metric_that_gives_no_number_is_told_so(ds, curves, value, error):
+    method = ds.SilhouetteToContourRegistrationMethod()
+    method.SetMetricAsFunction(lambda fixed, moved: value)
+    with pytest.raises(error, match="a metric return"):
+        method.Execute(curves[0], curves[1])
+
+
+def test_partial_metric_gives_a_covariance_after_a_registration(ds, curves):
+    metric = ds.PartialContourMetricv4()
+    with pytest.raises(ds.Error):
+        metric.ComputeCovariance()
+    method = ds.SilhouetteToContourRegistrationMethod()
+    method.SetMetric(metric)
+    method.Execute(curves[0], curves[1])
+    assert metric.UpdateNoiseModel() and metric.HasNoiseModel()
+    assert np.linalg.eigvalsh(metric.ComputeCovariance()).min() > 0
+    assert metric.GetScaleSigma("Given") < metric.GetScaleSigma("Estimated")
