@@ -60,7 +60,7 @@ ReadTextFile(const std::string & fileName, const std::string & what, std::size_t
                              "",
                              reason == ENOENT ? "no such file"
                                               : std::string("cannot be opened: ") + std::strerror(reason),
-                             "check the path, which is relative to the file that names it");
+                             "check the path; in a case file it is relative to that file");
   }
   std::string content;
   char        buffer[1 << 16];
