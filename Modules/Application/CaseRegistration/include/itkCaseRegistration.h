@@ -157,7 +157,7 @@ private:
   RegisterByPose(const DentalFrameResult & frames, const std::array<TriangleSurface, 2> & surfaces);
 
   DataPointer           m_Data;
-  CasePresetEnum        m_Preset{ CasePresetEnum::Paper };
+  CasePresetEnum        m_Preset{ CasePresetEnum::Robust };
   unsigned int          m_NumberOfUpperContourPoints{ 441 };
   unsigned int          m_NumberOfLowerContourPoints{ 439 };
   bool                  m_UseSurfaceDRR{ true };

@@ -180,7 +180,7 @@ TEST(CaseRegistration, SaysWhatToCallWithoutData)
   }
   std::ostringstream text;
   registration->Print(text);
-  EXPECT_NE(text.str().find("Preset"), std::string::npos);
+  EXPECT_NE(text.str().find("Preset: robust"), std::string::npos);
 }
 
 TEST(CaseRegistration, OneJawsFailureDoesNotStopTheOther)
