@@ -85,7 +85,7 @@ struct PoseSchedule
 
 /** \class PoseEstimator
  * \brief Levenberg-Marquardt on the residuals of a tracing against its moving contour, generalised least squares with
- * Gaussian priors. Documentation/Robust.md has the formulas.
+ * priors (roll and yaw: t, the others Gaussian). Documentation/Robust.md has the formulas.
  *
  * Residual of tracing point x with the oriented nearest contour point q and its normal n: r = n.(x - q(theta)).
  * Cov(r_i, r_j) = s_c^2 exp(-(s_i - s_j)^2 / 2 l^2) n_i.n_j + delta_ij s_w^2 / w_i along one strand, w the robust
