@@ -16,7 +16,7 @@
  *
  *=========================================================================*/
 #include "itkExperimentFigures.h"
-#include "itkExperimentPlan.h"
+#include "itkExperimentRecordPlan.h"
 #include "itkExperimentTable.h"
 
 #include <cmath>
@@ -61,10 +61,10 @@ MakeVariants()
   return variants;
 }
 
-class AblationPlan : public ExperimentPlan
+class AblationPlan : public ExperimentRecordPlan
 {
 public:
-  using ExperimentPlan::ExperimentPlan;
+  using ExperimentRecordPlan::ExperimentRecordPlan;
 
   std::string
   Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
@@ -91,13 +91,6 @@ public:
       record.methods.clear();
     }
     return record.ToJson(key);
-  }
-
-  void
-  Accept(std::size_t i, const std::string & text, const std::string & key) override
-  {
-    m_Records.resize(this->GetCohort().size());
-    m_Records[i] = ExperimentRecord::FromJson(text, key);
   }
 
   std::map<std::string, std::string>
@@ -129,7 +122,7 @@ public:
       {
         for (const char * jaw : { "upper", "lower" })
         {
-          const ExperimentFigures f = PoolExperiment(m_Records, KeyOf(variant, level), jaw);
+          const ExperimentFigures f = PoolExperiment(this->GetRecords(), KeyOf(variant, level), jaw);
           std::string             options;
           for (const std::string & option : variant.options)
           {
@@ -161,7 +154,7 @@ public:
       << ", each at the levels typical and hard. One ingredient at a time is switched off (options of `dentalscr "
          "register --option` in ablation.csv). Landmark error in px: mean over the landmarks / worst case (mean over "
          "one jaw).\n"
-      << DescribeFailures(m_Records) << '\n'
+      << DescribeFailures(this->GetRecords()) << '\n'
       << markdown.ToMarkdown();
     return { { "ablation.csv", csv.ToCSV() }, { "ablation.md", text.str() } };
   }
@@ -172,8 +165,6 @@ private:
   {
     return variant.name + '@' + NameOf(level);
   }
-
-  std::vector<ExperimentRecord> m_Records;
 };
 } // namespace
 

@@ -18,7 +18,7 @@
 #include "itkExperimentConfusionTable.h"
 #include "itkExperimentCoverageTable.h"
 #include "itkExperimentFigures.h"
-#include "itkExperimentPlan.h"
+#include "itkExperimentRecordPlan.h"
 #include "itkExperimentStratum.h"
 #include "itkExperimentTable.h"
 
@@ -30,10 +30,10 @@ namespace
 {
 constexpr const char * Method = "robust";
 
-class CoveragePlan : public ExperimentPlan
+class CoveragePlan : public ExperimentRecordPlan
 {
 public:
-  using ExperimentPlan::ExperimentPlan;
+  using ExperimentRecordPlan::ExperimentRecordPlan;
 
   std::string
   Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
@@ -49,22 +49,15 @@ public:
     return record.ToJson(key);
   }
 
-  void
-  Accept(std::size_t i, const std::string & text, const std::string & key) override
-  {
-    m_Records.resize(this->GetCohort().size());
-    m_Records[i] = ExperimentRecord::FromJson(text, key);
-  }
-
   std::map<std::string, std::string>
   MakeFiles() const override
   {
     ExperimentCoverageTable  coverage;
     ExperimentConfusionTable confusion;
-    for (std::size_t i = 0; i < m_Records.size(); ++i)
+    for (std::size_t i = 0; i < this->GetRecords().size(); ++i)
     {
-      coverage.Add(m_Records[i], Method, GetExperimentStratum(i).name);
-      confusion.Add("", m_Records[i], Method);
+      coverage.Add(this->GetRecords()[i], Method, GetExperimentStratum(i).name);
+      confusion.Add("", this->GetRecords()[i], Method);
     }
     ExperimentTable accuracy(
       { "Cohort", "cases", "upper mean / worst px", "lower mean / worst px", "ok of the jaws within 0.5 mm" });
@@ -122,7 +115,7 @@ public:
       << this->GetCohort().Describe()
       << ", of several kinds in turn. Typical where nothing else is said. Errors in pixels of the radiograph (0.24 to "
          "0.26 mm), mean over the landmarks / worst case (mean over one jaw).\n"
-      << DescribeFailures(m_Records) << '\n'
+      << DescribeFailures(this->GetRecords()) << '\n'
       << accuracy.ToMarkdown() << "\n## Coverage of the 95 % regions\n\n"
       << ExperimentCoverageTable::GetExplanation() << "\n\n"
       << coverage.ToMarkdown() << "\n## Verdict\n\n"
@@ -140,17 +133,15 @@ private:
   RecordsOf(const ExperimentStratum & stratum) const
   {
     std::vector<ExperimentRecord> records;
-    for (std::size_t i = 0; i < m_Records.size(); ++i)
+    for (std::size_t i = 0; i < this->GetRecords().size(); ++i)
     {
       if (&GetExperimentStratum(i) == &stratum)
       {
-        records.push_back(m_Records[i]);
+        records.push_back(this->GetRecords()[i]);
       }
     }
     return records;
   }
-
-  std::vector<ExperimentRecord> m_Records;
 };
 } // namespace
 

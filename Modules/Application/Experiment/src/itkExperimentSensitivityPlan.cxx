@@ -15,7 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "itkExperimentPlan.h"
+#include "itkExperimentRecordPlan.h"
 #include "itkExperimentFigures.h"
 #include "itkExperimentTable.h"
 
@@ -96,10 +96,10 @@ MakeConditions()
   return conditions;
 }
 
-class SensitivityPlan : public ExperimentPlan
+class SensitivityPlan : public ExperimentRecordPlan
 {
 public:
-  using ExperimentPlan::ExperimentPlan;
+  using ExperimentRecordPlan::ExperimentRecordPlan;
 
   std::string
   Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
@@ -131,13 +131,6 @@ public:
     return record.ToJson(key);
   }
 
-  void
-  Accept(std::size_t i, const std::string & text, const std::string & key) override
-  {
-    m_Records.resize(this->GetCohort().size());
-    m_Records[i] = ExperimentRecord::FromJson(text, key);
-  }
-
   std::map<std::string, std::string>
   MakeFiles() const override
   {
@@ -157,7 +150,7 @@ public:
       << this->GetCohort().Describe()
       << ", spoilt one factor at a time. Mean landmark error in px over both jaws; in brackets the jaws above 2 mm or "
          "not registered, where there are any. Where a tooth is missing its landmarks are, too.\n"
-      << DescribeFailures(m_Records);
+      << DescribeFailures(this->GetRecords());
     std::string              factor;
     std::vector<std::string> header = { "" };
     for (const ExperimentMethod & method : this->GetMethods())
@@ -177,8 +170,8 @@ public:
       for (const ExperimentMethod & method : this->GetMethods())
       {
         const std::string       id = KeyOf(method.name, k);
-        const ExperimentFigures upper = PoolExperiment(m_Records, id, "upper");
-        const ExperimentFigures lower = PoolExperiment(m_Records, id, "lower");
+        const ExperimentFigures upper = PoolExperiment(this->GetRecords(), id, "upper");
+        const ExperimentFigures lower = PoolExperiment(this->GetRecords(), id, "lower");
         const auto              landmarks = static_cast<double>(upper.landmarks + lower.landmarks);
         const double            sum = (upper.landmarks > 0 ? upper.mean * static_cast<double>(upper.landmarks) : 0.0) +
                            (lower.landmarks > 0 ? lower.mean * static_cast<double>(lower.landmarks) : 0.0);
@@ -219,8 +212,7 @@ private:
     return method + '@' + std::to_string(condition);
   }
 
-  std::vector<Condition>        m_Conditions{ MakeConditions() };
-  std::vector<ExperimentRecord> m_Records;
+  std::vector<Condition> m_Conditions{ MakeConditions() };
 };
 } // namespace
 

@@ -16,7 +16,7 @@
  *
  *=========================================================================*/
 #include "itkExperimentFigure.h"
-#include "itkExperimentPlan.h"
+#include "itkExperimentRecordPlan.h"
 #include "itkExperimentTable.h"
 #include "itkExperimentTables.h"
 
@@ -29,10 +29,10 @@ namespace itk
 {
 namespace
 {
-class TablesPlan : public ExperimentPlan
+class TablesPlan : public ExperimentRecordPlan
 {
 public:
-  using ExperimentPlan::ExperimentPlan;
+  using ExperimentRecordPlan::ExperimentRecordPlan;
 
   std::string
   Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
@@ -62,32 +62,29 @@ public:
     return record.ToJson(key);
   }
 
-  void
-  Accept(std::size_t i, const std::string & text, const std::string & key) override
-  {
-    m_Records.resize(this->GetCohort().size());
-    m_Records[i] = ExperimentRecord::FromJson(text, key);
-  }
-
   std::map<std::string, std::string>
   MakeFiles() const override
   {
-    if (std::all_of(m_Records.begin(), m_Records.end(), [](const auto & record) { return !record.failure.empty(); }))
+    if (std::all_of(this->GetRecords().begin(), this->GetRecords().end(), [](const auto & record) {
+          return !record.failure.empty();
+        }))
     {
-      itkDentalInputErrorMacro(
-        m_Records.front().id, "", "and every other case is unusable: " + m_Records.front().failure, "see the first");
+      itkDentalInputErrorMacro(this->GetRecords().front().id,
+                               "",
+                               "and every other case is unusable: " + this->GetRecords().front().failure,
+                               "see the first");
     }
     ExperimentDescription description;
     description.cohort = this->GetCohort().Describe();
     description.seed = this->GetCohort().seed;
-    auto            files = MakeExperimentTables(m_Records, this->GetMethods(), description);
+    auto            files = MakeExperimentTables(this->GetRecords(), this->GetMethods(), description);
     ExperimentTable times({ "method", "jaws", "mean_seconds", "longest_seconds" });
     for (const ExperimentMethod & method : this->GetMethods())
     {
       double      sum = 0.0;
       double      longest = 0.0;
       std::size_t count = 0;
-      for (const ExperimentRecord & record : m_Records)
+      for (const ExperimentRecord & record : this->GetRecords())
       {
         const auto found = record.methods.find(method.name);
         if (found != record.methods.end())
@@ -132,12 +129,12 @@ public:
     }
     // Median and worst by the first column.
     std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = 0; i < m_Records.size(); ++i)
+    for (std::size_t i = 0; i < this->GetRecords().size(); ++i)
     {
-      const auto found = m_Records[i].methods.find(columns.front());
+      const auto found = this->GetRecords()[i].methods.find(columns.front());
       double     sum = 0.0;
       unsigned   count = 0;
-      if (found != m_Records[i].methods.end())
+      if (found != this->GetRecords()[i].methods.end())
       {
         for (const auto & jaw : found->second)
         {
@@ -186,9 +183,6 @@ public:
     }
     return written;
   }
-
-private:
-  std::vector<ExperimentRecord> m_Records;
 };
 } // namespace
 

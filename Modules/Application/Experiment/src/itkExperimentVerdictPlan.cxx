@@ -16,7 +16,7 @@
  *
  *=========================================================================*/
 #include "itkExperimentConfusionTable.h"
-#include "itkExperimentPlan.h"
+#include "itkExperimentRecordPlan.h"
 #include "itkExperimentStratum.h"
 #include "itkExperimentTable.h"
 
@@ -69,10 +69,10 @@ WithoutNumbers(const std::string & wholeReason)
   return text;
 }
 
-class VerdictPlan : public ExperimentPlan
+class VerdictPlan : public ExperimentRecordPlan
 {
 public:
-  using ExperimentPlan::ExperimentPlan;
+  using ExperimentRecordPlan::ExperimentRecordPlan;
 
   std::string
   Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
@@ -101,13 +101,6 @@ public:
     return record.ToJson(key);
   }
 
-  void
-  Accept(std::size_t i, const std::string & text, const std::string & key) override
-  {
-    m_Records.resize(this->GetCohort().size());
-    m_Records[i] = ExperimentRecord::FromJson(text, key);
-  }
-
   std::map<std::string, std::string>
   MakeFiles() const override
   {
@@ -129,7 +122,7 @@ public:
                                         "worst ok, mm",
                                         "most frequent reasons (# a number)" });
     ExperimentConfusionTable confusion;
-    for (const ExperimentRecord & record : m_Records)
+    for (const ExperimentRecord & record : this->GetRecords())
     {
       confusion.Add(GoodCases, record, Method);
     }
@@ -167,7 +160,7 @@ public:
     {
       addRows(Describe(mistake), Describe(mistake), true);
       // Alike dentitions can't be told apart: that one stands alone.
-      for (const ExperimentRecord & record : m_Records)
+      for (const ExperimentRecord & record : this->GetRecords())
       {
         confusion.Add(
           mistake == MistakeEnum::OtherPatient ? Describe(mistake) : WrongInputs, record, Describe(mistake));
@@ -184,7 +177,7 @@ public:
     text << "# Verdict of preset robust\n\n"
          << this->GetCohort().Describe()
          << ": each as it is (kinds of cases in turn) and with each mistake (typical and hard by turns).\n"
-         << DescribeFailures(m_Records) << '\n'
+         << DescribeFailures(this->GetRecords()) << '\n'
          << markdown.ToMarkdown() << "\nOf the jaws of good cases within 0.5 mm, "
          << good[ExperimentConfusionTable::Ok][ExperimentConfusionTable::Good] << " of " << within << " are ok.\n\n"
          << "## Confusion\n\n"
@@ -210,7 +203,7 @@ private:
   {
     RowType                            row;
     std::map<std::string, std::size_t> reasons;
-    for (std::size_t i = 0; i < m_Records.size(); ++i)
+    for (std::size_t i = 0; i < this->GetRecords().size(); ++i)
     {
       if (level != nullptr && *level != LevelOf(i))
       {
@@ -218,7 +211,7 @@ private:
       }
       for (const char * jaw : { "upper", "lower" })
       {
-        const auto * entry = m_Records[i].Find(key, jaw);
+        const auto * entry = this->GetRecords()[i].Find(key, jaw);
         if (entry == nullptr)
         {
           continue;
@@ -256,8 +249,6 @@ private:
     }
     return row;
   }
-
-  std::vector<ExperimentRecord> m_Records;
 };
 } // namespace
 
