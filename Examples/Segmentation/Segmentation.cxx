@@ -26,7 +26,7 @@
 #include "itkDentalLandmarkFileReader.h"
 #include "itkExtractImageFilter.h"
 #include "itkLandmarkErrorFilter.h"
-#include "itkPoseRefinementMethod.h"
+#include "itkPoseRegistrationMethod.h"
 #include "itkRegistrationOverlayFilter.h"
 #include "itkSilhouetteContourFilter.h"
 #include "itkUMidlineDentalAxisFilter.h"
@@ -142,7 +142,7 @@ SegmentAndRegister(const std::string & caseFile, const std::string & folder)
                                 folder);
 
   // What one outline of both sides determines: pitch, shift and scale, not which side hangs lower.
-  itk::PoseRefinementOptions options;
+  itk::PoseRegistrationOptions options;
   options.useSideSelection = false;
   options.useFullPose = false;
   options.yawStarts = { 0.0 };
@@ -158,7 +158,7 @@ SegmentAndRegister(const std::string & caseFile, const std::string & folder)
   axis->Update();
   const itk::PoseFrame frame = FrameOf(axis->GetUpperTransformOutput()->Get());
 
-  auto registration = itk::PoseRefinementMethod<MeshType>::New();
+  auto registration = itk::PoseRegistrationMethod<MeshType>::New();
   registration->SetFrames(frame, frame, true);
   registration->SetOptions(options);
   registration->SetUpperMesh(data->upper.mesh);

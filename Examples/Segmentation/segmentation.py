@@ -125,7 +125,7 @@ def outline_of(label, mask):
 
 def register(case, contours):
     # What one outline of both sides determines: pitch, shift and scale, not which side hangs lower.
-    options = ds.PoseRefinementOptions()
+    options = ds.PoseRegistrationOptions()
     options.useSideSelection = False
     options.useFullPose = False
     options.yawStarts = [0.0]
@@ -134,7 +134,7 @@ def register(case, contours):
     options.initialSmoothSigma = 2.0
     # The scans are in occlusion: one frame for both, hence one pose.
     frame = ds.UMidlineDentalAxis(case.upper, case.lower, refineMidline=True, jawsShareFrame="On").upperTransform
-    registration = ds.PoseRefinementMethod()
+    registration = ds.PoseRegistrationMethod()
     registration.SetOptions(options)
     registration.SetFrames(frame, frame, True)
     return registration.Execute(case.geometry, case.upper, contours["upper"], case.lower, contours["lower"])

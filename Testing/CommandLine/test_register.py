@@ -144,7 +144,7 @@ def test_robust_is_right_and_says_how_sure_it_is(registered):
             assert sigma == pytest.approx(math.sqrt((a + d) / 2)) and b == pytest.approx(c)
         errors = jaw["error"]["landmarks"]
         # The landmarks of a case err together, so one case says little about 95 %: that is tested on a cohort
-        # (PoseRefinementKernel.RegionsContainTheTruthAsOftenAsTheySay). Here all lie in the circle of 99.9 %.
+        # (PoseRegistrationKernel.RegionsContainTheTruthAsOftenAsTheySay). Here all lie in the circle of 99.9 %.
         assert all(error < 3.717 * jaw["landmark_sigma_px"][name] for name, error in errors.items())
 
 
@@ -368,8 +368,8 @@ def test_bad_options_are_one_line(run, sample, tmp_path, arguments, word):
 
 def test_every_ingredient_has_an_option(run, sample, tmp_path):
     """The struct of the options against what the program lists."""
-    header = ROOT / "Modules/Registration/PoseRefinement/include/itkPoseRefinementTypes.h"
-    body = re.search(r"struct PoseRefinementOptions\n{(.*?)\n};", header.read_text(), re.S).group(1)
+    header = ROOT / "Modules/Registration/PoseRegistration/include/itkPoseRegistrationTypes.h"
+    body = re.search(r"struct PoseRegistrationOptions\n{(.*?)\n};", header.read_text(), re.S).group(1)
     body = re.sub(r"/\*.*?\*/", "", body, flags=re.S)
     fields = set(re.findall(r"(?:bool|double|unsigned int|vector<double>)\s+(\w+)\{", body))
     # What the case file or the program's other options say.

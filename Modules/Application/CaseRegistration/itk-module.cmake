@@ -13,7 +13,7 @@ itk_module(CaseRegistration
     SilhouetteContour
     ContourMetric
     SilhouetteToContour
-    PoseRefinement
+    PoseRegistration
     RegistrationEvaluation
     RegistrationReport
     ITKCommon

@@ -1,6 +1,7 @@
 itk_module(ContourMetric
   DEPENDS
     DentalContour
+    RegistrationCommon
     ITKCommon
     ITKMesh
     ITKOptimizersv4

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CephalogramFileReader', 'CephalometricGeometry', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CrownRegionMeshFilter', 'DataObject', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExperimentStudy', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'OpenSilhouetteContourSource', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseRefinementMethod', 'PoseRefinementOptions', 'Preset', 'ProcessObject', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SpacingSource', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CephalogramFileReader', 'CephalometricGeometry', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CrownRegionMeshFilter', 'DataObject', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExperimentStudy', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'OpenSilhouetteContourSource', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'Preset', 'ProcessObject', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SpacingSource', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -2816,7 +2816,7 @@ class TracedSide:
     @property
     def value(self) -> int:
         ...
-class PoseRefinementOptions:
+class PoseRegistrationOptions:
     """
     Every ingredient of the robust method; lengths in px of 0.25 mm, angles in rad.
     """
@@ -2865,7 +2865,7 @@ class PoseRefinementOptions:
     @excludedTeeth.setter
     def excludedTeeth(self, arg1: typing.Sequence[int]) -> None:
         ...
-class PoseRefinementMethod(ProcessObject):
+class PoseRegistrationMethod(ProcessObject):
     """
     The robust registration.
     """
@@ -2883,7 +2883,7 @@ class PoseRefinementMethod(ProcessObject):
         """
     def GetJawsShareFrame(self) -> bool:
         ...
-    def GetOptions(self) -> PoseRefinementOptions:
+    def GetOptions(self) -> PoseRegistrationOptions:
         """
         A copy.
         """
@@ -2895,7 +2895,7 @@ class PoseRefinementMethod(ProcessObject):
         ...
     def PrincipalPointKnownOn(self) -> None:
         ...
-    def SetOptions(self, options: PoseRefinementOptions) -> None:
+    def SetOptions(self, options: PoseRegistrationOptions) -> None:
         ...
     def SetPrincipalPointKnown(self, value: bool) -> None:
         ...
@@ -3577,7 +3577,7 @@ class CaseRegistration(ProcessObject):
         ...
     def GetNumberOfUpperContourPoints(self) -> int:
         ...
-    def GetPoseOptions(self) -> PoseRefinementOptions:
+    def GetPoseOptions(self) -> PoseRegistrationOptions:
         """
         A copy.
         """
@@ -3599,7 +3599,7 @@ class CaseRegistration(ProcessObject):
         """
         One ingredient of preset Robust, "NAME=VALUE" (Documentation/Robust.md).
         """
-    def SetPoseOptions(self, options: PoseRefinementOptions) -> None:
+    def SetPoseOptions(self, options: PoseRegistrationOptions) -> None:
         """
         Ingredients of preset Robust.
         """

@@ -213,7 +213,7 @@ def IntensityRegistration(
 
 @dataclass(frozen=True)
 class PoseJaw:
-    """What :class:`PoseRefinementMethod` finds for a jaw."""
+    """What :class:`PoseRegistrationMethod` finds for a jaw."""
 
     #: "ok", "suspect" or "failed".
     status: str
@@ -243,7 +243,7 @@ class PoseResult:
     jawsShareFrame: bool
 
 
-class PoseRefinementMethod(ProcessObject, _core.PoseRefinementMethod):
+class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
     """The robust registration: scans and tracing to pose, scale, uncertainty and verdict."""
 
     def SetFrames(
@@ -308,7 +308,7 @@ class PoseRefinementMethod(ProcessObject, _core.PoseRefinementMethod):
         )
 
 
-def PoseRefinement(
+def PoseRegistration(
     geometry: Any,
     upper: Optional[MeshLike] = None,
     upperContour: Optional[ContourLike] = None,
@@ -317,8 +317,8 @@ def PoseRefinement(
     tracedSide: Union[str, _core.TracedSide] = "Right",
     **settings: Any,
 ) -> PoseResult:
-    """The robust registration; see :class:`PoseRefinementMethod`."""
-    process = PoseRefinementMethod()
+    """The robust registration; see :class:`PoseRegistrationMethod`."""
+    process = PoseRegistrationMethod()
     process.SetTracedSide(cast(_core.TracedSide, tracedSide))
     apply_settings(process, settings)
     return process.Execute(geometry, upper, upperContour, lower, lowerContour)

@@ -263,7 +263,7 @@ WrapFilters(py::module_ & module);
 void
 WrapRegistration(py::module_ & module);
 void
-WrapPoseRefinement(py::module_ & module);
+WrapPoseRegistration(py::module_ & module);
 void
 WrapEvaluation(py::module_ & module);
 void

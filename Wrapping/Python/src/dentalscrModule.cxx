@@ -78,7 +78,7 @@ PYBIND11_MODULE(_core, module)
   WrapInputOutput(module);
   WrapFilters(module);
   WrapRegistration(module);
-  WrapPoseRefinement(module);
+  WrapPoseRegistration(module);
   WrapEvaluation(module);
   WrapPhantom(module);
   WrapExperiment(module);

@@ -223,7 +223,7 @@ def test_intensity_registration_of_a_shifted_picture(ds):
 
 def test_pose_refinement_finds_the_true_projection(ds):
     case = ds.DentalPhantomCase(3, "ideal", makeRadiograph=False)
-    method = ds.PoseRefinementMethod()
+    method = ds.PoseRegistrationMethod()
     found = method.Execute(case.geometry, case.upper.mesh, case.upper.tracing, case.lower.mesh, case.lower.tracing)
     for jaw, true in ((found.upper, case.upper), (found.lower, case.lower)):
         assert jaw.status == "ok" and jaw.registered
@@ -241,7 +241,7 @@ def test_pose_refinement_finds_the_true_projection(ds):
 
 def test_pose_refinement_of_one_jaw(ds):
     case = ds.DentalPhantomCase(3, "ideal", makeRadiograph=False)
-    found = ds.PoseRefinement(case.geometry, case.upper.mesh, case.upper.tracing)
+    found = ds.PoseRegistration(case.geometry, case.upper.mesh, case.upper.tracing)
     assert found.lower is None and found.upper.registered
 
 

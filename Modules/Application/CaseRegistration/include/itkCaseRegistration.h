@@ -21,7 +21,7 @@
 #include "CaseRegistrationExport.h"
 #include "itkCaseResult.h"
 #include "itkDentalCaseData.h"
-#include "itkPoseRefinementTypes.h"
+#include "itkPoseRegistrationTypes.h"
 
 #include "itkProcessObject.h"
 
@@ -83,13 +83,13 @@ public:
   itkGetConstMacro(UseSurfaceDRR, bool);
   itkBooleanMacro(UseSurfaceDRR);
 
-  /** Every ingredient of preset Robust; PoseRefinementOptionTable sets them by name. What the case says of itself
+  /** Every ingredient of preset Robust; PoseRegistrationOptionTable sets them by name. What the case says of itself
    * (traced side, manual control, whether the jaws share a frame), threads and callbacks are set over it. So is
    * kappaSigma where it is the default and the pixel spacing is a DICOM file's, but not the detector's: 5 %.
    * SetOption("kappaSigma=...") holds in any case. Other presets ignore all of it. */
   void
-  SetPoseOptions(const PoseRefinementOptions & options);
-  const PoseRefinementOptions &
+  SetPoseOptions(const PoseRegistrationOptions & options);
+  const PoseRegistrationOptions &
   GetPoseOptions() const
   {
     return m_PoseOptions;
@@ -161,7 +161,7 @@ private:
   unsigned int          m_NumberOfUpperContourPoints{ 441 };
   unsigned int          m_NumberOfLowerContourPoints{ 439 };
   bool                  m_UseSurfaceDRR{ true };
-  PoseRefinementOptions m_PoseOptions;
+  PoseRegistrationOptions m_PoseOptions;
   bool                  m_KappaSigmaIsGiven{ false };
   bool                  m_RefineMidline{ true };
   CaseResult            m_Result;

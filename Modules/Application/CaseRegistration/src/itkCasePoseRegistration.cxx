@@ -26,7 +26,7 @@
 #include "itkPartialContourMetricv4.h"
 #include "itkPixelSpacingVerdict.h"
 #include "itkPoseModel.h"
-#include "itkPoseRefinementKernel.h"
+#include "itkPoseRegistrationKernel.h"
 #include "itkRegistrationVerdict.h"
 
 #include "itkTimeProbe.h"
@@ -116,7 +116,7 @@ ToPosePolylines(const DentalContour * contour)
 /** How well spacing x magnification is known. What a file's estimated or corrected magnification hides is not the
  * detector's pixel: it may be off by what the maker assumed. */
 double
-PriorOfScale(const DentalCaseData & data, const PoseRefinementOptions & options)
+PriorOfScale(const DentalCaseData & data, const PoseRegistrationOptions & options)
 {
   using MetricType = PartialContourMetricv4;
   std::ostringstream detector;
@@ -471,7 +471,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   {
     return;
   }
-  PoseRefinementOptions options = settings.options;
+  PoseRegistrationOptions options = settings.options;
   options.tracedSide = ToPoseSide(data.description.tracedSide);
   options.useJointPose = options.useJointPose && joint;
   options.fixScale = data.description.fixScale;
@@ -488,7 +488,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   probe.Start();
   const PoseGeometry geometry = ToPoseGeometry(data);
   SetInitialPoses(data, frames, geometry, inputs, result);
-  const PoseRefinementResult pose = PoseRefinementKernel::Run(inputs, geometry, options);
+  const PoseRegistrationResult pose = PoseRegistrationKernel::Run(inputs, geometry, options);
   probe.Stop();
   if (pose.aborted)
   {
@@ -611,7 +611,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
         {
           inMillimetres[d] = point[d] * unit;
         }
-        landmark.covariance = PoseRefinementKernel::LandmarkCovariance(pose, inputs[i], i, inMillimetres);
+        landmark.covariance = PoseRegistrationKernel::LandmarkCovariance(pose, inputs[i], i, inMillimetres);
         const auto * other = data.description.tracedSide == TracedSideEnum::Mean
                                ? FindOtherSide(*data.landmarks3D, landmark.name)
                                : nullptr;
@@ -622,7 +622,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
           {
             inMillimetres[d] = 0.5 * (point[d] + other->point[d]) * unit;
           }
-          landmark.middleCovariance = PoseRefinementKernel::LandmarkCovariance(pose, inputs[i], i, inMillimetres);
+          landmark.middleCovariance = PoseRegistrationKernel::LandmarkCovariance(pose, inputs[i], i, inMillimetres);
         }
       }
     }

@@ -20,7 +20,7 @@
 
 #include "itkCaseResult.h"
 #include "itkDentalFrameEstimator.h"
-#include "itkPoseRefinementTypes.h"
+#include "itkPoseRegistrationTypes.h"
 
 #include <functional>
 
@@ -31,7 +31,7 @@ namespace itk
 struct CasePoseSettings
 {
   /** The method's ingredients; what the case says is set over them. */
-  PoseRefinementOptions options;
+  PoseRegistrationOptions options;
   /** The prior of the scale is the user's; otherwise it follows from where the pixel spacing comes from. */
   bool         kappaSigmaIsGiven{ false };
   unsigned int numberOfThreads{ 0 };

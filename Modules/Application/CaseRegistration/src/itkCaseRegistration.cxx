@@ -24,7 +24,7 @@
 
 #include "itkMakeTriangleSurface.h"
 #include "itkParallelFor.h"
-#include "itkPoseRefinementOptionTable.h"
+#include "itkPoseRegistrationOptionTable.h"
 #include "itkTimeProbe.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ namespace
 constexpr ToothCode::JawEnum Jaws[] = { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower };
 /** A tracing of fewer points does not determine a similarity with any redundancy. */
 constexpr unsigned int MinimumTracingPoints = 5;
-/** The one option that is not in PoseRefinementOptions. */
+/** The one option that is not in PoseRegistrationOptions. */
 constexpr char RefineMidlineName[] = "refineMidline";
 
 std::string
@@ -87,19 +87,19 @@ CaseRegistration::GetOptions()
   std::vector<OptionType> options{
     { RefineMidlineName, "move the midline plane of the dental axis to the scan's mirror plane", "on" }
   };
-  const PoseRefinementOptions defaults;
-  for (const auto & entry : PoseRefinementOptionTable::GetEntries())
+  const PoseRegistrationOptions defaults;
+  for (const auto & entry : PoseRegistrationOptionTable::GetEntries())
   {
-    options.push_back({ entry.name, entry.description, PoseRefinementOptionTable::Get(defaults, entry.name) });
+    options.push_back({ entry.name, entry.description, PoseRegistrationOptionTable::Get(defaults, entry.name) });
   }
   return options;
 }
 
 void
-CaseRegistration::SetPoseOptions(const PoseRefinementOptions & options)
+CaseRegistration::SetPoseOptions(const PoseRegistrationOptions & options)
 {
   m_PoseOptions = options;
-  m_KappaSigmaIsGiven = options.kappaSigma != PoseRefinementOptions().kappaSigma;
+  m_KappaSigmaIsGiven = options.kappaSigma != PoseRegistrationOptions().kappaSigma;
   this->Modified();
 }
 
@@ -110,7 +110,7 @@ CaseRegistration::SetOption(const std::string & assignment)
   const std::string name = assignment.substr(0, sign);
   if (sign != std::string::npos && name == RefineMidlineName)
   {
-    this->SetRefineMidline(PoseRefinementOptionTable::ParseSwitch(name, assignment.substr(sign + 1)));
+    this->SetRefineMidline(PoseRegistrationOptionTable::ParseSwitch(name, assignment.substr(sign + 1)));
     return;
   }
   const auto options = GetOptions();
@@ -124,7 +124,7 @@ CaseRegistration::SetOption(const std::string & assignment)
     }
     throw std::invalid_argument("there is no option \"" + name + "\"; there are " + known);
   }
-  PoseRefinementOptionTable::Set(m_PoseOptions, assignment);
+  PoseRegistrationOptionTable::Set(m_PoseOptions, assignment);
   m_KappaSigmaIsGiven = m_KappaSigmaIsGiven || name == "kappaSigma";
   this->Modified();
 }
@@ -297,7 +297,7 @@ CaseRegistration::RegisterByPose(const DentalFrameResult & frames, const std::ar
   CasePoseSettings settings;
   settings.options = m_PoseOptions;
   settings.kappaSigmaIsGiven = m_KappaSigmaIsGiven;
-  m_Result.options = PoseRefinementOptionTable::GetChanges(m_PoseOptions);
+  m_Result.options = PoseRegistrationOptionTable::GetChanges(m_PoseOptions);
   if (!m_RefineMidline)
   {
     m_Result.options.push_back(std::string(RefineMidlineName) + "=off");
@@ -402,7 +402,7 @@ CaseRegistration::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "NumberOfLowerContourPoints: " << m_NumberOfLowerContourPoints << std::endl;
   os << indent << "UseSurfaceDRR: " << m_UseSurfaceDRR << std::endl;
   os << indent << "PoseOptions:";
-  for (const std::string & change : PoseRefinementOptionTable::GetChanges(m_PoseOptions))
+  for (const std::string & change : PoseRegistrationOptionTable::GetChanges(m_PoseOptions))
   {
     os << ' ' << change;
   }

@@ -1,0 +1,90 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseModel_h
+#define itkPoseModel_h
+
+#include "CephalometricPoseExport.h"
+#include "itkPerspectiveProjection.h"
+#include "itkPoseTypes.h"
+
+namespace itk
+{
+/** \class PoseModel
+ * \brief The projection of the dental frame onto the working plane under seven pose parameters, with its Jacobian.
+ *
+ *   c = Ry(pitch) Rx(roll) Rz(yaw) p + t,  m = exp(kappa) D / ((S + k c_y) 0.25),  w = (m c_x, -m c_z)
+ *
+ * The facing is not in here: the working plane is mirrored for a patient who faces left.
+ *
+ * \ingroup CephalometricPose
+ */
+class CephalometricPose_EXPORT PoseModel
+{
+public:
+  PoseModel(const PoseGeometry & geometry, const PoseParameters & parameters);
+
+  /** Dental frame to working plane; false where the point is not in front of the source. */
+  bool
+  Project(const double p[3], double w[2]) const;
+
+  /** The same with d w / d parameters: 2x7, row-major. */
+  bool
+  ProjectWithJacobian(const double p[3], double w[2], double jacobian[14]) const;
+
+  /** For the kernels that take a projection: dental frame to working plane. */
+  PerspectiveProjection
+  GetProjection() const;
+
+  /** Row-major. */
+  const std::array<double, 9> &
+  GetRotation() const
+  {
+    return m_Rotation;
+  }
+  const PoseParameters &
+  GetParameters() const
+  {
+    return m_Parameters;
+  }
+
+  /** t_x and t_z that bring a point of the dental frame to a place of the working plane; the rest of the pose stays. */
+  void
+  SolveTranslation(const double p[3], const double w[2], double & tx, double & tz) const;
+
+  /** Pixel of the radiograph to working plane, and back. */
+  static std::array<double, 2>
+  ToWorkingPlane(const PoseGeometry & geometry, const std::array<double, 2> & pixel);
+  static std::array<double, 2>
+  ToPixel(const PoseGeometry & geometry, const std::array<double, 2> & w);
+
+  /** Mesh frame (mm) to continuous pixel index, row-major 3x4, third row 1 at the midsagittal plane. */
+  std::array<double, 12>
+  GetPixelProjection(const PoseFrame & frame) const;
+
+private:
+  PoseGeometry          m_Geometry;
+  PoseParameters        m_Parameters;
+  std::array<double, 9> m_Rotation;
+  /** d R / d pitch, roll, yaw. */
+  std::array<std::array<double, 9>, 3> m_RotationDerivatives;
+  /** exp(kappa) D / 0.25. */
+  double m_Focal;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,69 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseArch_h
+#define itkPoseArch_h
+
+#include "PoseMetricExport.h"
+#include "itkTriangleSurface.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+/** \class PoseArch
+ * \brief The dental arch as a curve in the occlusal plane, to tell how far along it a point is from the midline.
+ *
+ * Built from the crown band: points within 6 mm of the 99th height percentile of their polar sector. In the dental
+ * frame, mm.
+ *
+ * \ingroup PoseMetric
+ */
+class PoseMetric_EXPORT PoseArch
+{
+public:
+  PoseArch() = default;
+  PoseArch(const TriangleSurface & surface, bool upper);
+
+  bool
+  IsValid() const
+  {
+    return m_Curve.size() >= 4;
+  }
+
+  /** Arc length from the midline to the nearest point of the curve, mm; negative on the patient's right. */
+  double
+  Arc(double x, double y) const;
+
+  /** Width of the curve along y, mm. */
+  double
+  Width() const;
+
+  /** Expected arc length from the midline to the middle of a tooth by textbook mesio-distal widths, mm; 0 for an
+   * unknown tooth and for third molars, whose place is not settled. */
+  static double
+  ExpectedArc(std::uint8_t tooth);
+
+private:
+  std::vector<std::array<double, 2>> m_Curve;
+  std::vector<double>                m_Arc;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,222 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseRegistrationTypes_h
+#define itkPoseRegistrationTypes_h
+
+#include "itkPoseFitStatistics.h"
+#include "itkPosePolyline.h"
+#include "itkPoseTypes.h"
+#include "itkTriangleSurface.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** Plain data of the robust registration, free of ITK headers.
+ *
+ * Frames: mesh (mm, as the surface is), dental (x anterior, y patient's left, z superior, origin on the midline plane),
+ * cephalostat (CephalometricGeometry). Lengths "in px" are units of 0.25 mm in the detector plane, whatever the image's
+ * pixel: the working plane w = ((u - pp_u) f sp_u, (v - pp_v) sp_v) / 0.25 has the patient facing right.
+ */
+
+/** A jaw to register. */
+struct PoseJawInput
+{
+  /** Mesh frame, mm; must outlive the call. */
+  const TriangleSurface *   surface{ nullptr };
+  PoseFrame                 frame;
+  bool                      upper{ true };
+  std::vector<PosePolyline> tracing;
+  /** Start instead of the global search, of this jaw's frame; before PoseRegistrationOptions::initialPose. Of jaws that
+   * share a pose the first that has one speaks. */
+  std::optional<PoseParameters> initialPose;
+};
+
+/** Every ingredient of the method; the defaults are preset "robust". */
+struct PoseRegistrationOptions
+{
+  PoseTracedSideEnum tracedSide{ PoseTracedSideEnum::Right };
+
+  /** Cut at the midline plane, or take the whole mesh's outline. */
+  bool useSideSelection{ true };
+  /** Triangles of the right side: y < midlineMargin mm. Half a millimetre short of the plane, since the other side's
+   * incisor often stands in front there (1-2 px of outline that was never traced). */
+  double midlineMargin{ -0.5 };
+  /** Keep only the occlusal and anterior part of the outline. */
+  bool useFacingFilter{ true };
+  /** Match position and normal, or position only. Weight of a unit normal, px. */
+  bool   useOrientation{ true };
+  double orientationWeight{ 8.0 };
+  /** Correlation along the tracing (generalised least squares), or independent points. */
+  bool   useCorrelatedNoise{ true };
+  double correlationLength{ 14.0 };
+  double covarianceCorrelationLength{ 18.0 };
+  /** Factor on the standard deviations. */
+  double covarianceInflation{ 1.0 };
+  /** The nearest contour point absorbs part of the noise, the more so the larger it is: in the covariance the levels
+   * are multiplied by min(1.6, 1 + absorbedNoise (smooth level / px)^2). */
+  double absorbedNoise{ 0.2 };
+  /** Estimate the two noise levels (REML), or keep the initial ones. */
+  bool   estimateNoise{ true };
+  double initialSmoothSigma{ 1.3 };
+  double initialWhiteSigma{ 0.6 };
+  /** Geman-McClure, or least squares. */
+  bool useRobustKernel{ true };
+  /** 6 degrees of freedom and scale, or a similarity: pitch, tx, tz, kappa. */
+  bool useFullPose{ true };
+  /** One pose for all jaws given, or one a jaw. */
+  bool useJointPose{ true };
+  /** Yaw of the global start, rad. */
+  std::vector<double> yawStarts{ -0.1396263401595464, 0.0, 0.1396263401595464 };
+  /** Candidates kept a yaw start. */
+  unsigned int startsPerYaw{ 4 };
+  /** Weight of the tooth codes' arc positions in the choice among candidates, px-free cost a mm; 0: off. */
+  double codeWeight{ 0.02 };
+  /** Regenerate the outline at each evaluation, or keep that of the start. */
+  bool         regenerateOutline{ true };
+  unsigned int maximumEvaluations{ 14 };
+
+  /** Standard deviations of the priors; 0: fixed. */
+  double rollSigma{ 0.0610865238198015 };
+  double yawSigma{ 0.0610865238198015 };
+  /** Degrees of freedom of the t distribution that is the prior of roll and yaw; up to 2: Gaussian, as the others. */
+  double rotationPriorFreedom{ 4.0 };
+  double tySigma{ 2.0 };
+  double kappaSigma{ 0.016 };
+  /** Of kappa where the pixel spacing is not known. */
+  double kappaSigmaWithoutSpacing{ 0.25 };
+
+  /** Standard deviation of roll and yaw in the covariance where they are not estimated (bisected tracing, similarity).
+   */
+  double unobservedRotationSigma{ 0.03490658503988659 };
+  /** What is held by fixRotation and fixTranslation is not known for certain: pitch (roll and yaw: as above) and shift,
+   * mm, in the covariance. A held scale has kappa's sigma. */
+  double heldPitchSigma{ 0.01745329251994330 };
+  double heldTranslationSigma{ 1.0 };
+  /** Try the other side, and, where the fit is poor, exchanged jaws and the other facing. */
+  bool checkHypotheses{ true };
+  /** Score above which the fit counts as poor for that. */
+  double poorScore{ 0.15 };
+
+  /** Manual control. */
+  bool           fixScale{ false };
+  bool           fixRotation{ false };
+  bool           fixTranslation{ false };
+  bool           useInitialPose{ false };
+  PoseParameters initialPose{ {} };
+  /** FDI numbers of teeth to leave out. */
+  std::vector<std::uint8_t> excludedTeeth;
+
+  /** Points a jaw above which a tracing is thinned. */
+  unsigned int maximumTracingPoints{ 200 };
+  unsigned int numberOfThreads{ 0 };
+
+  /** Called with progress in [0, 1]; returns true to abort. */
+  std::function<bool(double)> progress;
+};
+
+/** One minimum of the criterion. */
+struct PoseCandidate
+{
+  PoseParameters parameters{ {} };
+  /** Fixed-width cost + code term: what candidates are ranked by. */
+  double score{ 0.0 };
+  double cost{ 0.0 };
+  double codeTerm{ 0.0 };
+  /** Rms distance of the moving contours to those of the best candidate, px. */
+  double distance{ 0.0 };
+};
+
+/** Result for one jaw. */
+struct PoseJawResult
+{
+  bool upper{ true };
+  bool registered{ false };
+  /** Why not, where not. */
+  std::string failure;
+  /** Mesh frame to cephalostat frame. */
+  std::array<double, 9> rotation{ {} };
+  std::array<double, 3> translation{ {} };
+  /** Mesh frame (mm) to continuous pixel index, row-major 3x4. */
+  std::array<double, 12> projection{ {} };
+  /** p = scale R(angle) q + (tx, ty) on the geometry's own projection of the dental frame, least squares over the jaw.
+   */
+  double                similarityScale{ 1.0 };
+  double                similarityAngle{ 0.0 };
+  std::array<double, 2> similarityTranslation{ { 0.0, 0.0 } };
+  double                similarityRms{ 0.0 };
+  PoseFitStatistics     fit;
+  /** Extent of the surface along y, mm. */
+  double archWidth{ 0.0 };
+  /** Component along the occlusal direction of the sum of area normals over the area: positive for an open shell with
+   * outward winding, near 0 for a closed cast. */
+  double winding{ 0.0 };
+  /** Share of the tracing whose tooth codes are of the side that was not said to be traced. */
+  double otherSideCodes{ 0.0 };
+  /** The moving contour at the solution: open, in pixels of the radiograph, with its points in the mesh frame. */
+  std::vector<std::array<double, 2>> contour;
+  std::vector<std::array<double, 3>> contourPoints;
+};
+
+/** Result for a group of jaws that share one pose. */
+struct PoseGroupResult
+{
+  std::vector<std::size_t> jaws;
+  PoseParameters           parameters{ {} };
+  /** 7x7, row-major; inflation included. */
+  std::array<double, 49> covariance{ {} };
+  double                 smoothSigma{ 0.0 };
+  double                 whiteSigma{ 0.0 };
+  /** |parameter - prior mean| / sigma; 0 where there is no prior. */
+  std::array<double, 7>      priorTension{ {} };
+  double                     score{ 1.0 };
+  std::vector<PoseCandidate> candidates;
+  /** Score of the best candidate that is elsewhere minus the best's; 1 where there is none. */
+  double       margin{ 1.0 };
+  unsigned int evaluations{ 0 };
+  bool         converged{ false };
+  /** The middle of both sides was fitted. */
+  bool bisected{ false };
+  /** Minus twice the log likelihood of the tracing on the other side's contour (registered anew) minus that
+   * on the traced side's: clearly negative where the other side was traced. 0 where it was not tried. */
+  double otherSideDeviance{ 0.0 };
+  /** Where the fit is poor: the scores when the jaws' tracings are exchanged, and when the patient faces the other way;
+   * infinite where not tried. */
+  double exchangedScore{ std::numeric_limits<double>::infinity() };
+  double otherFacingScore{ std::numeric_limits<double>::infinity() };
+};
+/** Everything that PoseRegistrationKernel found. */
+struct PoseRegistrationResult
+{
+  std::vector<PoseJawResult>   jaws;
+  std::vector<PoseGroupResult> groups;
+  /** Index into groups, a jaw; the number of groups where the jaw was not registered. */
+  std::vector<std::size_t> groupOfJaw;
+  /** What the working plane was made with: the given values or the estimates. */
+  PoseGeometry geometry;
+  bool         aborted{ false };
+};
+} // namespace itk
+
+#endif

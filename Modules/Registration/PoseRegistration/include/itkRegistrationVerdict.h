@@ -1,0 +1,111 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkRegistrationVerdict_h
+#define itkRegistrationVerdict_h
+
+#include "PoseRegistrationExport.h"
+#include "itkPoseRegistrationTypes.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \class RegistrationVerdict
+ * \brief Whether a robust registration can be used: ok, suspect (a person should look) or failed, with reasons.
+ *
+ * Judges what the data can tell: the residuals at a fixed kernel width, the predicted uncertainty, near-equal minima,
+ * tension with the priors, the other side's fit, widths, winding and codes. The thresholds come from phantom cohorts
+ * (Documentation/Robust.md). GetNotCheckable() lists what the data of a case cannot tell. Free of ITK headers.
+ *
+ * \ingroup PoseRegistration
+ */
+class PoseRegistration_EXPORT RegistrationVerdict
+{
+public:
+  enum class StatusEnum : std::uint8_t
+  {
+    Ok,
+    Suspect,
+    Failed
+  };
+  /** Why a jaw is not simply ok. */
+  struct Reason
+  {
+    StatusEnum severity{ StatusEnum::Suspect };
+    /** Short and stable, for programs: "poor-fit". */
+    std::string code;
+    /** For a person. */
+    std::string text;
+  };
+  /** The verdict on one jaw; no reasons where it is ok. */
+  struct JawVerdict
+  {
+    StatusEnum          status{ StatusEnum::Ok };
+    std::vector<Reason> reasons;
+  };
+
+  /** px of 0.25 mm and mm. */
+  struct Thresholds
+  {
+    double suspectCost{ 0.36 };
+    double failedCost{ 0.50 };
+    double suspectP90{ 6.0 };
+    double suspectMedian{ 2.7 };
+    double suspectInlierShare{ 0.70 };
+    double failedInlierShare{ 0.50 };
+    /** Estimated drift of the tracing: nobody draws worse. */
+    double suspectSmoothSigma{ 3.0 };
+    /** At the tracing, and anywhere on the outline. Not judged on bisected tracings. */
+    double suspectPredictedSigma{ 3.0 };
+    double suspectExtrapolatedSigma{ 4.5 };
+    double failedPredictedSigma{ 20.0 };
+    /** mm along the arch: a tooth is some 7 mm wide, and the textbook's place is missed by up to 4 mm. */
+    double suspectCodeOffset{ 5.5 };
+    double suspectMargin{ 0.03 };
+    /** Rotations up to 32 degrees (0.56) are searched. */
+    double suspectPitch{ 0.54 };
+    double suspectPriorTension{ 4.5 };
+    /** Of roll and yaw, whose prior has long tails: 17.5 degrees. A scanner's frame may be off by as much as a head. */
+    double suspectRotationTension{ 5.0 };
+    /** Difference of minus twice the log likelihood: 5 is odds of 12. */
+    double suspectOtherSideDeviance{ -5.0 };
+    double suspectWinding{ -0.1 };
+    double minimumArchWidth{ 30.0 };
+    double maximumArchWidth{ 120.0 };
+    /** How much better (score) another hypothesis must be to be named. */
+    double hypothesisGain{ 0.03 };
+  };
+
+  /** One verdict a jaw, in the order of the result. */
+  static std::vector<JawVerdict>
+  Evaluate(const PoseRegistrationResult & result, const Thresholds & thresholds);
+  static std::vector<JawVerdict>
+  Evaluate(const PoseRegistrationResult & result);
+
+  /** One of the sentences below, for callers that say the same of each cast. */
+  static constexpr const char * ClosedCastLine = "winding of a closed cast";
+
+  /** What cannot be told from this case's data, as sentences. */
+  static std::vector<std::string>
+  GetNotCheckable(const PoseRegistrationResult & result, const PoseRegistrationOptions & options);
+};
+} // namespace itk
+
+#endif

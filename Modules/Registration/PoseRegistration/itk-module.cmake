@@ -1,0 +1,20 @@
+itk_module(PoseRegistration
+  DEPENDS
+    DentalCommon
+    CephalometricGeometry
+    CephalometricPose
+    ContourMetric
+    DentalContour
+    PoseMetric
+    RegistrationCommon
+    SilhouetteContour
+    UMidlineDentalAxis
+    ITKCommon
+    ITKMesh
+    ITKTransform
+  TEST_DEPENDS
+    DentalPhantom
+    ITKTestKernel
+  DESCRIPTION
+    "The robust registration: pose of the jaws through the perspective geometry, regenerated outlines, correlated noise, priors, covariance and verdict."
+)

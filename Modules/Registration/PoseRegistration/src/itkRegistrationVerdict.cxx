@@ -1,0 +1,320 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkRegistrationVerdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+namespace itk
+{
+namespace
+{
+using StatusEnum = RegistrationVerdict::StatusEnum;
+
+std::string
+Number(double value, int digits)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.setf(std::ios::fixed);
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+
+void
+Add(RegistrationVerdict::JawVerdict & verdict, StatusEnum severity, const char * code, const std::string & text)
+{
+  verdict.status = std::max(verdict.status, severity);
+  verdict.reasons.push_back({ severity, code, text });
+}
+
+void
+JudgeWidth(const PoseJawResult &                   jaw,
+           const RegistrationVerdict::Thresholds & thresholds,
+           RegistrationVerdict::JawVerdict &       verdict)
+{
+  const double width = jaw.archWidth;
+  if (width >= thresholds.minimumArchWidth && width <= thresholds.maximumArchWidth)
+  {
+    return;
+  }
+  std::string text = "the arch is " + Number(width, width < 1.0 ? 4 : 1) + " mm wide";
+  struct Unit
+  {
+    double       factor;
+    const char * name;
+  };
+  for (const Unit & unit : { Unit{ 10.0, "cm" }, Unit{ 25.4, "inch" }, Unit{ 1000.0, "m" }, Unit{ 0.001, "um" } })
+  {
+    if (width * unit.factor >= thresholds.minimumArchWidth && width * unit.factor <= thresholds.maximumArchWidth)
+    {
+      text += std::string("; the mesh may be in ") + unit.name + " (it would then be " +
+              Number(width * unit.factor, 1) + " mm)";
+      break;
+    }
+  }
+  Add(verdict, StatusEnum::Suspect, "arch-width", text);
+}
+
+void
+JudgeFit(const PoseFitStatistics &               fit,
+         const RegistrationVerdict::Thresholds & thresholds,
+         RegistrationVerdict::JawVerdict &       verdict)
+{
+  const std::string residuals = "median distance " + Number(fit.medianResidual, 1) + " px, 90 % below " +
+                                Number(fit.p90Residual, 1) + " px of 0.25 mm, " + Number(100.0 * fit.inlierShare, 0) +
+                                " % of the tracing within 4 px";
+  if (fit.cost > thresholds.failedCost || fit.inlierShare < thresholds.failedInlierShare)
+  {
+    Add(verdict, StatusEnum::Failed, "no-fit", "the tracing does not lie on the projected outline: " + residuals);
+  }
+  else if (fit.cost > thresholds.suspectCost || fit.p90Residual > thresholds.suspectP90 ||
+           fit.medianResidual > thresholds.suspectMedian || fit.inlierShare < thresholds.suspectInlierShare)
+  {
+    Add(verdict, StatusEnum::Suspect, "poor-fit", "the tracing fits the projected outline poorly: " + residuals);
+  }
+}
+
+void
+JudgeUncertainty(const PoseFitStatistics &               fit,
+                 const PoseGroupResult &                 group,
+                 const RegistrationVerdict::Thresholds & thresholds,
+                 RegistrationVerdict::JawVerdict &       verdict)
+{
+  if (group.smoothSigma > thresholds.suspectSmoothSigma)
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "rough-tracing",
+        "tracing and outline differ by " + Number(group.smoothSigma, 1) +
+          " px (sd) along the teeth, more than hands draw: shapes of another patient, jaw or date?");
+  }
+  if (fit.predictedSigma > thresholds.failedPredictedSigma)
+  {
+    Add(
+      verdict, StatusEnum::Failed, "undetermined", "the tracing does not determine the pose at all; trace more teeth");
+  }
+  if (fit.hasCodes && std::abs(fit.codeOffset) > thresholds.suspectCodeOffset)
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "code-offset",
+        "the teeth lie " + Number(std::abs(fit.codeOffset), 1) +
+          " mm along the arch from where teeth of their codes are on average: slipped by a tooth, wrong codes, or "
+          "teeth missing");
+  }
+  // A bisected tracing leaves the two sides' landmarks uncertain by itself.
+  const bool bisected = group.bisected;
+  if (!bisected && (fit.predictedSigma > thresholds.suspectPredictedSigma ||
+                    fit.extrapolatedSigma > thresholds.suspectExtrapolatedSigma))
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "uncertain",
+        "the tracing does not determine the pose: the predicted uncertainty is " + Number(fit.predictedSigma, 1) +
+          " px an axis at the tracing and up to " + Number(fit.extrapolatedSigma, 1) +
+          " px elsewhere; trace more teeth");
+  }
+}
+
+void
+JudgePriors(const PoseGroupResult &                 group,
+            const RegistrationVerdict::Thresholds & thresholds,
+            RegistrationVerdict::JawVerdict &       verdict)
+{
+  constexpr double degree = 180.0 / 3.14159265358979323846;
+  for (const unsigned int k : { PoseRoll, PoseYaw, PoseTy, PoseKappa })
+  {
+    const bool   rotation = k == PoseRoll || k == PoseYaw;
+    const double limit = rotation ? thresholds.suspectRotationTension : thresholds.suspectPriorTension;
+    if (group.priorTension[k] <= limit)
+    {
+      continue;
+    }
+    const double value = group.parameters[k];
+    std::string  text;
+    switch (k)
+    {
+      case PoseKappa:
+        text = "the scale contradicts pixel spacing and distances by " + Number(100.0 * (std::exp(value) - 1.0), 1) +
+               " %: check the pixel spacing and its plane";
+        break;
+      case PoseRoll:
+        text = "the head would be rolled by " + Number(value * degree, 1) + " degrees";
+        break;
+      case PoseYaw:
+        text = "the head would be turned by " + Number(value * degree, 1) + " degrees";
+        break;
+      default:
+        text = "the midline would be " + Number(value, 1) + " mm off the midsagittal plane";
+        break;
+    }
+    Add(verdict, StatusEnum::Suspect, "prior-tension", text);
+  }
+}
+} // namespace
+
+std::vector<RegistrationVerdict::JawVerdict>
+RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thresholds & thresholds)
+{
+  std::vector<JawVerdict> verdicts(result.jaws.size());
+  for (std::size_t j = 0; j < result.jaws.size(); ++j)
+  {
+    const PoseJawResult & jaw = result.jaws[j];
+    JawVerdict &          verdict = verdicts[j];
+    if (!jaw.registered)
+    {
+      Add(verdict, StatusEnum::Failed, "not-registered", jaw.failure);
+      continue;
+    }
+    const PoseGroupResult & group = result.groups[result.groupOfJaw[j]];
+    JudgeFit(jaw.fit, thresholds, verdict);
+    JudgeUncertainty(jaw.fit, group, thresholds, verdict);
+    const std::size_t before = verdict.reasons.size();
+    JudgeWidth(jaw, thresholds, verdict);
+    const bool wrongUnit = verdict.reasons.size() > before;
+    for (std::size_t other : group.jaws)
+    {
+      JawVerdict fitOfOther;
+      JudgeFit(result.jaws[other].fit, thresholds, fitOfOther);
+      if (other != j && fitOfOther.status != StatusEnum::Ok)
+      {
+        Add(verdict, StatusEnum::Suspect, "other-jaw", "the other jaw, which shares this pose, fits poorly");
+      }
+    }
+    if (jaw.winding < thresholds.suspectWinding)
+    {
+      Add(verdict,
+          StatusEnum::Suspect,
+          "inward-winding",
+          "the triangles face inward: the scan may be mirrored, or its triangles are wound the wrong way");
+    }
+    if (jaw.otherSideCodes > 0.5)
+    {
+      Add(verdict,
+          StatusEnum::Suspect,
+          "side-codes",
+          "the tooth codes are of the side that is not said to be traced: check traced_side and the numbering");
+    }
+    if (group.otherSideDeviance < thresholds.suspectOtherSideDeviance)
+    {
+      Add(
+        verdict,
+        StatusEnum::Suspect,
+        "other-side",
+        "the outline of the other side fits significantly better: the other side may have been traced, or the scan is "
+        "mirrored");
+    }
+    if (group.margin < thresholds.suspectMargin)
+    {
+      double distance = 0.0;
+      for (const PoseCandidate & candidate : group.candidates)
+      {
+        if (candidate.distance > 4.0)
+        {
+          distance = candidate.distance;
+          break;
+        }
+      }
+      Add(verdict,
+          StatusEnum::Suspect,
+          "ambiguous",
+          "another position, " + Number(distance, 0) + " px away, fits nearly as well");
+    }
+    JudgePriors(group, thresholds, verdict);
+    if (std::abs(group.parameters[PosePitch]) > thresholds.suspectPitch)
+    {
+      Add(verdict,
+          StatusEnum::Suspect,
+          "search-limit",
+          "the head would be tipped by " + Number(group.parameters[PosePitch] * 57.29578, 0) +
+            " degrees, at or beyond what is searched");
+    }
+    // In another unit nothing fits, whatever else is tried.
+    if (wrongUnit)
+    {
+      continue;
+    }
+    if (group.exchangedScore < group.score - thresholds.hypothesisGain)
+    {
+      Add(verdict, StatusEnum::Failed, "jaws-exchanged", "upper and lower scan seem to be exchanged");
+    }
+    if (group.otherFacingScore < group.score - thresholds.hypothesisGain)
+    {
+      Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`");
+    }
+  }
+  return verdicts;
+}
+
+std::vector<RegistrationVerdict::JawVerdict>
+RegistrationVerdict::Evaluate(const PoseRegistrationResult & result)
+{
+  return Evaluate(result, Thresholds());
+}
+
+std::vector<std::string>
+RegistrationVerdict::GetNotCheckable(const PoseRegistrationResult & result, const PoseRegistrationOptions & options)
+{
+  std::vector<std::string> lines;
+  lines.emplace_back("source distance, depth and pixel spacing: one view shows their product alone");
+  lines.emplace_back("which side the X-ray source was on");
+  if (!result.geometry.pixelSpacingKnown)
+  {
+    lines.emplace_back("pixel spacing: it was not given, the scale is the fit's own");
+  }
+  if (!result.geometry.principalPointKnown)
+  {
+    lines.emplace_back("principal point: it was not given, the tracing's centre was used");
+  }
+  bool registered = false;
+  bool coded = false;
+  bool closedCast = false;
+  for (const PoseJawResult & jaw : result.jaws)
+  {
+    registered = registered || jaw.registered;
+    coded = coded || jaw.fit.hasCodes;
+    closedCast = closedCast || (jaw.registered && std::abs(jaw.winding) < 0.1);
+  }
+  // Of a jaw that was not registered nobody looked.
+  if (registered && !coded)
+  {
+    lines.emplace_back("whether each tooth lies on its own: the tracing has no tooth codes");
+  }
+  if (closedCast)
+  {
+    lines.emplace_back(ClosedCastLine);
+  }
+  if (options.useInitialPose || options.fixRotation || options.fixScale || options.fixTranslation)
+  {
+    lines.emplace_back(
+      "exchanged jaws, facing, other side, other minima: not searched beside a given start or held values");
+  }
+  if (options.tracedSide == PoseTracedSideEnum::Mean)
+  {
+    lines.emplace_back("roll and yaw of the head: a bisected tracing does not carry them");
+    lines.emplace_back("whether the tracing really is the middle of both sides");
+  }
+  lines.emplace_back("a mirrored scan of a nearly symmetric dentition");
+  lines.emplace_back("whether scan and radiograph are of one patient, where the dentitions are alike");
+  return lines;
+}
+} // namespace itk

@@ -1,0 +1,144 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseEstimator.h"
+#include "itkPoseRegistrationTestCase.h"
+
+#include <gtest/gtest.h>
+
+TEST(PoseEstimator, ResidualJacobianMatchesDifferencesOfRegeneratedContours)
+{
+  // Facets well below a pixel, or their edges are what is measured.
+  const PoseRegistrationTestCase     c(72,
+                                 PoseRegistrationTestCase::Source::CohortEnum::Typical,
+                                 PoseRegistrationTestCase::Source::TracedSideEnum::Right,
+                                 0.0,
+                                 120000);
+  const itk::PoseRegistrationOptions options;
+  const auto                       start = itk::PoseRegistrationKernel::Run(c.jaws, c.geometry, options);
+  const auto                  half = itk::PoseRegistrationKernel::SelectSide(c.surfaces[0], 1.0, options.midlineMargin);
+  const itk::PoseContourModel model(half, true, true);
+  itk::PoseStrand             strand;
+  strand.tracing = itk::PoseTracing(start.geometry, c.jaws[0].tracing, true);
+  strand.models = { &model };
+  const itk::PoseEstimator estimator(start.geometry, options, { strand });
+  const auto               pose = start.groups[0].parameters;
+  const auto               lin = estimator.Linearize(pose, estimator.ComputeContours(pose), true);
+  // The contour made anew moves along its normal as its surface points do, where no other part of the outline takes
+  // over.
+  const double steps[7] = { 1e-3, 2e-3, 2e-3, 0.05, 0.5, 0.05, 1e-3 };
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    auto a = pose, b = pose;
+    a[k] -= steps[k];
+    b[k] += steps[k];
+    const auto   ca = estimator.ComputeContours(a);
+    const auto   cb = estimator.ComputeContours(b);
+    const auto   la = estimator.Linearize(a, ca, false);
+    const auto   lb = estimator.Linearize(b, cb, false);
+    unsigned int close = 0, used = 0;
+    for (std::size_t i = 0; i < lin.residual.size(); ++i)
+    {
+      // Beside corners of the outline the nearest point jumps: a kink, not a derivative.
+      if (lin.facing[i] < 1.0 || lin.distance[i] > std::abs(lin.residual[i]) + 1e-12)
+      {
+        continue;
+      }
+      // So does one that goes over to another part of the surface.
+      const auto & pa = ca[0].rim[la.match[i]];
+      const auto & pb = cb[0].rim[lb.match[i]];
+      if (std::hypot(pa[0] - pb[0], pa[1] - pb[1], pa[2] - pb[2]) > 1.0)
+      {
+        continue;
+      }
+      ++used;
+      const double moved = lb.residual[i] - la.residual[i];
+      const double expected = 2.0 * steps[k] * lin.jacobian[7 * i + k];
+      // Facets and samples 0.5 px apart on curves of a few px radius leave some hundredths of a pixel.
+      close += std::abs(moved - expected) < 0.08 + 0.1 * std::abs(expected) ? 1 : 0;
+    }
+    EXPECT_GT(used, lin.residual.size() / 2);
+    EXPECT_GT(close, used * 85 / 100) << "parameter " << k << ", used " << used;
+  }
+}
+
+TEST(PoseTracing, NormalsPointOcclusallyAndArcRunsOverGaps)
+{
+  itk::PoseGeometry geometry;
+  geometry.pixelSpacing = { { 0.25, 0.25 } };
+  std::vector<itk::PosePolyline> lines(2);
+  for (int i = 0; i <= 10; ++i)
+  {
+    lines[0].points.push_back({ { 50.0 - i, 7.0 } });
+    // The second tooth is drawn back to front.
+    lines[1].points.push_back({ { 20.0 + i, 7.0 } });
+  }
+  lines[0].tooth = 13;
+  lines[1].tooth = 14;
+  const itk::PoseTracing upper(geometry, lines, true);
+  ASSERT_EQ(upper.Size(), 22u);
+  EXPECT_NEAR(upper.arc.back(), 30.0, 1e-12);
+  EXPECT_NEAR(upper.length, 20.0, 1e-12);
+  for (std::size_t i = 0; i < upper.Size(); ++i)
+  {
+    EXPECT_NEAR(upper.nu[i], 0.0, 1e-9);
+    EXPECT_NEAR(upper.nv[i], 1.0, 1e-9);
+  }
+  const itk::PoseTracing lower(geometry, lines, false);
+  EXPECT_NEAR(lower.nv[3], -1.0, 1e-9);
+}
+
+TEST(PoseTracing, NormalsOfALabialBorderAloneFaceForward)
+{
+  itk::PoseGeometry geometry;
+  geometry.pixelSpacing = { { 0.25, 0.25 } };
+  // Incisors that lean forward: the labial border of the lower ones faces down as well, that of the upper ones up.
+  itk::PosePolyline lower, upper;
+  for (int i = 0; i <= 20; ++i)
+  {
+    lower.points.push_back({ { 100.0 - 0.5 * i, 50.0 + i } });
+    upper.points.push_back({ { 100.0 - 0.5 * i, 50.0 - i } });
+  }
+  const itk::PoseTracing lowerTracing(geometry, { lower }, false);
+  const itk::PoseTracing upperTracing(geometry, { upper }, true);
+  for (std::size_t i = 0; i < lowerTracing.Size(); ++i)
+  {
+    EXPECT_GT(lowerTracing.nu[i], 0.8);
+    EXPECT_GT(upperTracing.nu[i], 0.8);
+  }
+}
+
+TEST(PoseTracing, ClosedCrownKeepsItsOcclusalPart)
+{
+  itk::PoseGeometry geometry;
+  geometry.pixelSpacing = { { 0.25, 0.25 } };
+  itk::PosePolyline circle;
+  circle.closed = true;
+  for (int i = 0; i < 72; ++i)
+  {
+    circle.points.push_back({ { 20.0 * std::cos(i * M_PI / 36.0), 20.0 * std::sin(i * M_PI / 36.0) } });
+  }
+  const itk::PoseTracing tracing(geometry, { circle }, true);
+  EXPECT_GT(tracing.Size(), 30u);
+  EXPECT_LT(tracing.Size(), 50u);
+  for (std::size_t i = 0; i < tracing.Size(); ++i)
+  {
+    // Down or to the front, and outward.
+    EXPECT_TRUE(tracing.v[i] > 2.0 || tracing.u[i] > 2.0);
+    EXPECT_GT(tracing.nu[i] * tracing.u[i] + tracing.nv[i] * tracing.v[i], 0.0);
+  }
+}
