@@ -86,6 +86,33 @@ public:
            std::size_t                    numberOfParameters,
            const ContourNoiseLevels &     start,
            double *                       deviance = nullptr);
+
+  /** The same where what else is known of the parameters (priors, residuals of known noise) is a quadratic form near
+   * the estimate: value + 2 gradient' step + step' information step.
+   * \param information  numberOfParameters^2.
+   * \param gradient  one each. */
+  static ContourNoiseLevels
+  Estimate(const std::vector<BlockType> & blocks,
+           const double *                 information,
+           const double *                 gradient,
+           double                         value,
+           std::size_t                    numberOfParameters,
+           const ContourNoiseLevels &     start,
+           double *                       deviance = nullptr);
+
+  /** Cholesky factor L of a covariance K = L L', count x count, in its place (lower triangle, column by column). False
+   * where K is not positive definite. */
+  static bool
+  Factor(double * covariance, std::size_t count);
+
+  /** L^-1 times columns (count rows each, one behind the other), in their place: residuals and Jacobian with this
+   * covariance become independent with variance 1. */
+  static void
+  Whiten(const double * factor, std::size_t count, double * columns, std::size_t numberOfColumns);
+
+  /** L'^-1 times columns, in their place: after Whiten() that is K^-1 times the columns. */
+  static void
+  WhitenTransposed(const double * factor, std::size_t count, double * columns, std::size_t numberOfColumns);
 };
 } // namespace itk
 

@@ -39,15 +39,16 @@ struct DiagonalBlock
 
 double
 Deviance(const std::vector<DiagonalBlock> & blocks,
-         const Eigen::VectorXd &            precision,
-         const Eigen::VectorXd &            offset,
+         const Eigen::MatrixXd &            fixedInformation,
+         const Eigen::VectorXd &            fixedGradient,
+         double                             fixedValue,
          double                             smooth2,
          double                             white2)
 {
-  const Eigen::Index p = precision.size();
-  Eigen::MatrixXd    information = precision.asDiagonal();
-  Eigen::VectorXd    gradient = precision.cwiseProduct(offset);
-  double             value = offset.dot(gradient);
+  const Eigen::Index p = fixedGradient.size();
+  Eigen::MatrixXd    information = fixedInformation;
+  Eigen::VectorXd    gradient = fixedGradient;
+  double             value = fixedValue;
   for (const DiagonalBlock & block : blocks)
   {
     const Eigen::ArrayXd  variance = (smooth2 * block.eigenvalues.array().max(0.0) + white2).max(1e-12);
@@ -111,9 +112,27 @@ ContourNoiseModel::Estimate(const std::vector<BlockType> & blocks,
                             const ContourNoiseLevels &     start,
                             double *                       deviance)
 {
+  const auto            p = static_cast<Eigen::Index>(numberOfParameters);
+  const Eigen::VectorXd precision = Eigen::Map<const Eigen::VectorXd>(precisionOfParameters, p);
+  const Eigen::VectorXd offset = Eigen::Map<const Eigen::VectorXd>(offsetOfParameters, p);
+  const Eigen::MatrixXd information = precision.asDiagonal();
+  const Eigen::VectorXd gradient = precision.cwiseProduct(offset);
+  return Estimate(
+    blocks, information.data(), gradient.data(), offset.dot(gradient), numberOfParameters, start, deviance);
+}
+
+ContourNoiseLevels
+ContourNoiseModel::Estimate(const std::vector<BlockType> & blocks,
+                            const double *                 fixedInformation,
+                            const double *                 fixedGradient,
+                            double                         fixedValue,
+                            std::size_t                    numberOfParameters,
+                            const ContourNoiseLevels &     start,
+                            double *                       deviance)
+{
   const auto                 p = static_cast<Eigen::Index>(numberOfParameters);
-  const Eigen::VectorXd      precision = Eigen::Map<const Eigen::VectorXd>(precisionOfParameters, p);
-  const Eigen::VectorXd      offset = Eigen::Map<const Eigen::VectorXd>(offsetOfParameters, p);
+  const Eigen::MatrixXd      information = Eigen::Map<const Eigen::MatrixXd>(fixedInformation, p, p);
+  const Eigen::VectorXd      gradient = Eigen::Map<const Eigen::VectorXd>(fixedGradient, p);
   std::vector<DiagonalBlock> diagonal;
   for (const BlockType & block : blocks)
   {
@@ -160,7 +179,7 @@ ContourNoiseModel::Estimate(const std::vector<BlockType> & blocks,
   const auto value = [&](const std::array<double, 2> & x) {
     const double a = (x[0] - std::log(1.5)) / 0.8;
     const double b = (x[1] - std::log(0.7)) / 0.8;
-    return Deviance(diagonal, precision, offset, std::exp(2.0 * x[0]), std::exp(2.0 * x[1])) + a * a + b * b;
+    return Deviance(diagonal, information, gradient, fixedValue, std::exp(2.0 * x[0]), std::exp(2.0 * x[1])) + a * a + b * b;
   };
   // Nelder-Mead with an explicit first simplex.
   using Vertex = std::pair<double, std::array<double, 2>>;
@@ -225,8 +244,42 @@ ContourNoiseModel::Estimate(const std::vector<BlockType> & blocks,
   const ContourNoiseLevels noise{ std::exp(simplex[0].second[0]), std::exp(simplex[0].second[1]) };
   if (deviance != nullptr)
   {
-    *deviance = Deviance(diagonal, precision, offset, noise.smooth * noise.smooth, noise.white * noise.white);
+    *deviance = Deviance(
+      diagonal, information, gradient, fixedValue, noise.smooth * noise.smooth, noise.white * noise.white);
   }
   return noise;
+}
+
+bool
+ContourNoiseModel::Factor(double * covariance, std::size_t count)
+{
+  const auto                                  n = static_cast<Eigen::Index>(count);
+  Eigen::Map<Eigen::MatrixXd>                 k(covariance, n, n);
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(k);
+  return factor.info() == Eigen::Success;
+}
+
+void
+ContourNoiseModel::Whiten(const double * factor,
+                          std::size_t    count,
+                          double *       columns,
+                          std::size_t    numberOfColumns)
+{
+  const auto                              n = static_cast<Eigen::Index>(count);
+  const Eigen::Map<const Eigen::MatrixXd> l(factor, n, n);
+  Eigen::Map<Eigen::MatrixXd>             x(columns, n, static_cast<Eigen::Index>(numberOfColumns));
+  l.triangularView<Eigen::Lower>().solveInPlace(x);
+}
+
+void
+ContourNoiseModel::WhitenTransposed(const double * factor,
+                                    std::size_t    count,
+                                    double *       columns,
+                                    std::size_t    numberOfColumns)
+{
+  const auto                              n = static_cast<Eigen::Index>(count);
+  const Eigen::Map<const Eigen::MatrixXd> l(factor, n, n);
+  Eigen::Map<Eigen::MatrixXd>             x(columns, n, static_cast<Eigen::Index>(numberOfColumns));
+  l.transpose().triangularView<Eigen::Upper>().solveInPlace(x);
 }
 } // namespace itk

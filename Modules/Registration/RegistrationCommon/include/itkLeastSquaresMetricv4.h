@@ -1,0 +1,244 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkLeastSquaresMetricv4_h
+#define itkLeastSquaresMetricv4_h
+
+#include "itkContourNoiseModel.h"
+#include "itkLeastSquaresMetric.h"
+#include "itkRegistrationFit.h"
+#include "itkRegistrationState.h"
+#include "itkResidualNoiseBlock.h"
+#include "itkRobustKernel.h"
+
+#include "itkObjectToObjectMetricBase.h"
+
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \class LeastSquaresMetricv4
+ * \brief Base of the metrics whose value is a sum over residuals, and of their sums: terms of one criterion.
+ *
+ * A term declares the blocks of parameters that it reads and computes its residuals and their derivatives. It is a v4
+ * metric: any v4 optimizer takes it, alone or as a term of a LeastSquaresSumMetricv4, which owns the state of the whole.
+ *
+ * A metric of one's own implements DeclareBlocks(), GetNumberOfResiduals() and ComputeResiduals() (residuals divided by
+ * their standard deviation, so that terms can be added) and InternalClone() where it has members. Where it is asked for
+ * a Jacobian and has none, it calls ComputeJacobianByDifferences(). What else is virtual here is for metrics with a
+ * robust kernel, a noise model or matches, and does nothing by default:
+ *
+ * - the value is the criterion at the kernel width, noise levels and matching rule as they are set, a fixed function for
+ *   any optimizer. SetKernelWidth(), SetNoiseLevels() and EstimateNoise() change it, between runs of an optimizer;
+ * - Hold(Matches) freezes matches and weights at the current position, which makes residuals and value differentiable
+ *   everywhere and equal in value and slope to the free ones there. Tests differentiate them. Hold(Contours) freezes
+ *   only which samples are matched with: cheaper, for searches that begin far away.
+ *
+ * Positions: x holds all parameters of this metric's blocks in the order of DeclareBlocks(), natural units. An optimizer
+ * sees the free ones, scaled (RegistrationState). As all v4 metrics do, GetDerivative() returns MINUS the gradient. A
+ * metric is evaluated by one thread at a time; Clone() gives each thread its own, cheaply, what is constant being
+ * shared.
+ *
+ * \ingroup RegistrationCommon
+ */
+class RegistrationCommon_EXPORT LeastSquaresMetricv4
+  : public ObjectToObjectMetricBaseTemplate<double>
+  , public LeastSquaresMetric
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(LeastSquaresMetricv4);
+
+  using Self = LeastSquaresMetricv4;
+  using Superclass = ObjectToObjectMetricBaseTemplate<double>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkTypeMacro(LeastSquaresMetricv4, ObjectToObjectMetricBaseTemplate);
+
+  using ParametersType = Superclass::ParametersType;
+  using BlockType = RegistrationState::BlockType;
+  using BlocksType = RegistrationState::BlocksType;
+  using VectorType = vnl_vector<double>;
+  using MatrixType = vnl_matrix<double>;
+  using PositionType = std::vector<double>;
+
+  // The state ---------------------------------------------------------------------------------------------------
+
+  /** The blocks that this metric reads, with their values before anything else is known. */
+  virtual BlocksType
+  DeclareBlocks() const = 0;
+
+  /** Blocks, values and what is free. */
+  const RegistrationState &
+  GetState() const;
+  /** Values of a block, natural units. Initialize() keeps them. */
+  void
+  SetBlockValues(const std::string & block, const std::vector<double> & values);
+  std::vector<double>
+  GetBlockValues(const std::string & block) const;
+  /** Which parameters of a block an optimizer may move; the others are removed from its parameters. */
+  void
+  SetBlockFree(const std::string & block, const std::vector<bool> & isFree);
+  void
+  SetBlockFree(const std::string & block, bool isFree);
+
+  // What a term computes ------------------------------------------------------------------------------------------
+
+  /** Residuals at x, divided by their standard deviation, and where not null their derivatives: a row a residual, a
+   * column a parameter of x. Sizes are set. */
+  virtual void
+  ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const = 0;
+
+  /** The criterion at x; by default the sum of the squared residuals. */
+  virtual double
+  ComputeValue(const PositionType & x) const;
+
+  /** Its gradient, plus sign; by default 2 J' r. */
+  virtual void
+  ComputeGradient(const PositionType & x, VectorType & gradient) const;
+
+  /** Adds the squared distances, px^2 of 0.25 mm, that samples of what is matched move by between two positions, and
+   * their number. */
+  virtual void
+  AddSquaredMotion(const PositionType & from, const PositionType & to, double & sum, double & count) const;
+
+  /** Adds how well this metric's evidence is explained at x. */
+  virtual void
+  AddFit(const PositionType & x, RegistrationFit & fit) const;
+
+  // Kernel and noise ----------------------------------------------------------------------------------------------
+
+  /** Width of the robust kernel, px of 0.25 mm, of every term that has one. */
+  virtual void
+  SetKernelWidth(double width);
+  virtual void
+  SetRobustKernel(const RobustKernel * kernel);
+  /** Model of the noise, of every term that has one. */
+  virtual void
+  SetNoiseModel(const ResidualNoiseModel * model);
+  /** Levels of the noise, px of 0.25 mm, of every term with this model; of all terms where it is null. */
+  virtual void
+  SetNoiseLevels(const ContourNoiseLevels & levels, const ResidualNoiseModel * model = nullptr);
+  /** False where no term has such noise. */
+  virtual bool
+  GetNoiseLevels(ContourNoiseLevels & levels, const ResidualNoiseModel * model = nullptr) const;
+
+  /** Appends the residuals whose noise is to be estimated; x as everywhere. */
+  virtual void
+  AppendNoiseBlocks(const PositionType & x, std::vector<ResidualNoiseBlock> & blocks) const;
+
+  /** Adds J'J, J'r and r'r of the residuals whose noise is known: of a metric that appends no noise block all of them.
+   */
+  virtual void
+  AddFixedInformation(const PositionType & x, MatrixType & information, VectorType & gradient, double & value) const;
+
+  /** Estimates the levels of every noise model by restricted maximum likelihood at the current position, with the free
+   * parameters integrated out, and sets them.
+   * \return minus twice the restricted log likelihood there.
+   * \param minimumWeight weights are taken as at least this: with more than 0 a point that fits nowhere counts against
+   * a hypothesis instead of dropping out. */
+  double
+  EstimateNoise(double minimumWeight = 0.0);
+
+  // Matches ---------------------------------------------------------------------------------------------------------
+
+  /** What stays as it is at the current position while the parameters move. */
+  enum class HoldEnum : uint8_t
+  {
+    /** Everything follows the parameters. */
+    Nothing,
+    /** The samples of a contour move as points of the scan do; they are not made anew. */
+    Contours,
+    /** Samples, which of them is matched with which, directions and weights. */
+    Matches
+  };
+  virtual void
+  Hold(HoldEnum what);
+
+  // v4 --------------------------------------------------------------------------------------------------------------
+
+  /** Prepares the evaluation. Throws where something is missing or no parameter is free. */
+  void
+  Initialize() override;
+
+  MeasureType
+  GetValue() const override;
+  void
+  GetDerivative(DerivativeType & derivative) const override;
+  void
+  GetValueAndDerivative(MeasureType & value, DerivativeType & derivative) const override;
+  NumberOfParametersType
+  GetNumberOfParameters() const override;
+  NumberOfParametersType
+  GetNumberOfLocalParameters() const override;
+  void
+  SetParameters(ParametersType & parameters) override;
+  const ParametersType &
+  GetParameters() const override;
+  bool
+  HasLocalSupport() const override
+  {
+    return false;
+  }
+  void
+  UpdateTransformParameters(const DerivativeType & derivative, ParametersValueType factor) override;
+
+  // LeastSquaresMetric ------------------------------------------------------------------------------------------------
+
+  void
+  GetResiduals(VectorType & residuals, MatrixType * jacobian) const override;
+  /** Root mean square motion in px of 0.25 mm; the norm of the step where nothing is matched. */
+  double
+  GetStepLength(const ParametersType & from, const ParametersType & to) const override;
+  ParametersType
+  GetMaximumSteps() const override;
+
+protected:
+  LeastSquaresMetricv4() = default;
+  ~LeastSquaresMetricv4() override = default;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+  /** Checks the inputs and prepares what is constant. Called by Initialize(). */
+  virtual void
+  InitializeTerm();
+
+  /** Jacobian of ComputeResiduals() by central differences, for metrics without derivatives of their own: a step of
+   * 1e-5 over the parameter's scale. */
+  void
+  ComputeJacobianByDifferences(const PositionType & x, MatrixType & jacobian) const;
+
+  /** Copies state and parameters of another metric of the same blocks, for InternalClone(). */
+  void
+  CopyState(const Self & other);
+
+private:
+  /** Adds the declared blocks that are not there yet. */
+  void
+  UpdateBlocks() const;
+  void
+  StateChanged();
+
+  mutable RegistrationState m_State;
+  mutable ParametersType    m_Parameters;
+
+  friend class LeastSquaresSumMetricv4;
+};
+} // namespace itk
+
+#endif

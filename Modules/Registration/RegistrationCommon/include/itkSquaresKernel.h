@@ -1,0 +1,58 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkSquaresKernel_h
+#define itkSquaresKernel_h
+
+#include "itkRobustKernel.h"
+
+namespace itk
+{
+/** \class SquaresKernel
+ * \brief Least squares: every residual counts fully.
+ *
+ * \ingroup RegistrationCommon
+ */
+class RegistrationCommon_EXPORT SquaresKernel : public RobustKernel
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(SquaresKernel);
+
+  using Self = SquaresKernel;
+  using Superclass = RobustKernel;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(SquaresKernel, RobustKernel);
+
+  double
+  GetWeight(double squaredDistance, double width) const override;
+  double
+  GetWeightDerivative(double squaredDistance, double width) const override;
+  double
+  GetCharge(double weight) const override;
+  double
+  GetChargeDerivative(double weight) const override;
+
+protected:
+  SquaresKernel() = default;
+  ~SquaresKernel() override = default;
+};
+} // namespace itk
+
+#endif
