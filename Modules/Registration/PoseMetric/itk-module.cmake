@@ -6,6 +6,7 @@ itk_module(PoseMetric
     DentalContour
     RegistrationCommon
     SilhouetteContour
+    UMidlineDentalAxis
     ITKCommon
     ITKMesh
     ITKTransform

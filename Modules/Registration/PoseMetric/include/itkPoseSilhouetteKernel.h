@@ -1,0 +1,193 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseSilhouetteKernel_h
+#define itkPoseSilhouetteKernel_h
+
+#include "PoseMetricExport.h"
+#include "itkPoseArch.h"
+#include "itkPoseContourModel.h"
+#include "itkPoseFitStatistics.h"
+#include "itkPosePolyline.h"
+#include "itkPoseTracing.h"
+#include "itkTriangleSurface.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \struct PoseSilhouetteSettings
+ * \brief What the residuals of a scan's silhouette against a tracing depend on; lengths in px of 0.25 mm.
+ * \ingroup PoseMetric
+ */
+struct PoseSilhouetteSettings
+{
+  PoseGeometry       geometry;
+  bool               upper{ true };
+  PoseTracedSideEnum tracedSide{ PoseTracedSideEnum::Right };
+  /** Cut at the midline plane, or take the whole mesh's outline. */
+  bool useSideSelection{ true };
+  /** Triangles of the right side: y < midlineMargin mm. Half a millimetre short of the plane, since the other side's
+   * incisor often stands in front there (1-2 px of outline that was never traced). */
+  double midlineMargin{ -0.5 };
+  /** Keep only the occlusal and anterior part of the outline. */
+  bool useFacingFilter{ true };
+  /** Match position and normal, or position only. Weight of a unit normal, px. */
+  bool   useOrientation{ true };
+  double orientationWeight{ 8.0 };
+  /** FDI numbers of teeth to leave out. */
+  std::vector<std::uint8_t> excludedTeeth;
+  /** Points a jaw above which a tracing is thinned. */
+  unsigned int maximumTracingPoints{ 200 };
+};
+
+/** \class PoseSilhouetteKernel
+ * \brief Residuals of a tracing against the moving contour of one jaw, on flat arrays: the engine of
+ * SilhouettePoseMetricv4. Free of ITK headers.
+ *
+ * Residual of tracing point x with the oriented nearest contour point q and its normal n: r = n.(x - q(theta)). The
+ * silhouette moves along its normal as its surface points do, so that -n.dq/dtheta of the matched surface point is the
+ * derivative also where the contour is made anew. Documentation/Robust.md has the formulas.
+ *
+ * A tracing of both sides has a strand a side; points without a code of theirs may lie on either contour. Const methods
+ * may be called from several threads; metrics that are clones of each other share one kernel.
+ *
+ * \ingroup PoseMetric
+ */
+class PoseMetric_EXPORT PoseSilhouetteKernel
+{
+public:
+  /** Width of the Geman-McClure kernel that fits are judged with, px. */
+  static constexpr double FitWidth = 4.0;
+
+  /** A strand of tracing and the contour models that it may lie on. */
+  struct Strand
+  {
+    PoseTracing                           tracing;
+    std::vector<const PoseContourModel *> models;
+  };
+
+  /** Residuals of one strand, their derivatives and what weights are made of. */
+  struct Linearization
+  {
+    std::vector<double> residual;
+    /** Squared distance that the robust kernel sees: of the residual and, past the end of the contour, of the distance
+     * along it. */
+    std::vector<double> squaredDistance;
+    /** Normal of the matched contour sample. */
+    std::vector<double> nu;
+    std::vector<double> nv;
+    /** d residual / d theta, 7 a point; empty where not asked for. */
+    std::vector<double> jacobian;
+    /** d squaredDistance / d theta, 7 a point. */
+    std::vector<double> distanceJacobian;
+    /** 1 where contour and tracing face the same way, 0 where they do not. */
+    std::vector<double> facing;
+    /** Index of the matched sample in the strand's contour. */
+    std::vector<std::size_t> match;
+  };
+
+  /** \param surface  all triangles of the jaw, dental frame, mm. Not kept.
+   *  \param polylines  the tracing, continuous pixel indices. */
+  PoseSilhouetteKernel(const TriangleSurface &           surface,
+                       const std::vector<PosePolyline> & polylines,
+                       const PoseSilhouetteSettings &    settings);
+  ~PoseSilhouetteKernel();
+  PoseSilhouetteKernel(const PoseSilhouetteKernel &) = delete;
+  PoseSilhouetteKernel &
+  operator=(const PoseSilhouetteKernel &) = delete;
+
+  /** Why nothing can be matched; empty where something can. */
+  const std::string &
+  GetFailure() const
+  {
+    return m_Failure;
+  }
+
+  const PoseSilhouetteSettings &
+  GetSettings() const
+  {
+    return m_Settings;
+  }
+  const std::vector<Strand> &
+  GetStrands() const
+  {
+    return m_Strands;
+  }
+
+  /** The moving contour of each strand. */
+  std::vector<PoseContour>
+  ComputeContours(const PoseParameters & parameters) const;
+
+  /** Contours made at one pose, moved to another as the points of the scan are. */
+  std::vector<PoseContour>
+  MoveContours(const std::vector<PoseContour> & contours,
+               const PoseParameters &           from,
+               const PoseParameters &           to) const;
+
+  /** Matches a strand with its contour. */
+  Linearization
+  Linearize(std::size_t strand, const PoseParameters & parameters, const PoseContour & contour, bool withJacobian) const;
+
+  /** The same with the matches, normals and facing of a linearisation made before. */
+  Linearization
+  LinearizeHeld(std::size_t            strand,
+                const PoseParameters & parameters,
+                const PoseContour &    contour,
+                const Linearization &  held,
+                bool                   withJacobian) const;
+
+  /** How well a strand is explained, with a kernel width of 4 px. */
+  PoseFitStatistics
+  ComputeStatistics(std::size_t strand, const PoseContour & contour) const;
+
+  /** Share of a strand's contour that has a tracing point within 4 px. */
+  double
+  ComputeOverlap(std::size_t strand, const PoseContour & contour) const;
+
+  /** Adds the squared distances that samples of contours move by between two poses, px^2, and their number. */
+  void
+  AddSquaredMotion(const std::vector<PoseContour> & contours,
+                   const PoseParameters &           from,
+                   const PoseParameters &           to,
+                   double &                         sum,
+                   double &                         count) const;
+
+private:
+  void
+  AddStrand(const std::vector<PosePolyline> & polylines, std::vector<const PoseContourModel *> models);
+  void
+  Fill(const PoseModel &   model,
+       const PoseContour & contour,
+       std::size_t         strand,
+       std::size_t         point,
+       std::size_t         sample,
+       Linearization &     lin,
+       bool                withJacobian) const;
+
+  PoseSilhouetteSettings                         m_Settings;
+  std::string                                    m_Failure;
+  PoseArch                                       m_Arch;
+  std::vector<std::unique_ptr<PoseContourModel>> m_Models;
+  std::vector<Strand>                            m_Strands;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,419 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseSilhouetteKernel.h"
+
+#include "itkKeepTriangles.h"
+#include "itkMidlineSide.h"
+#include "itkPoseContourIndex.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace itk
+{
+namespace
+{
+double
+GemanMcClure(double squaredDistance, double width)
+{
+  const double a = width * width / (width * width + squaredDistance);
+  return a * a;
+}
+
+/** What the kernel sees of a match beyond its residual: past the end of the contour the distance along it. Continuous,
+ * as is FacingWeight(): a switch would let a step of a thousandth of a pixel change the criterion. */
+double
+BeyondEnd(double tangential)
+{
+  return std::max(0.0, std::abs(tangential) - 1.0);
+}
+
+/** 1 where contour and tracing face the same way, 0 where their normals differ by more than some 65 degrees. */
+double
+FacingWeight(double cosine)
+{
+  const double t = std::min(1.0, std::max(0.0, (cosine - 0.4) / 0.2));
+  return t * t * (3.0 - 2.0 * t);
+}
+
+bool
+IsLeft(std::uint8_t tooth)
+{
+  return tooth / 10 == 2 || tooth / 10 == 3;
+}
+
+std::size_t
+CountDifferentPoints(const std::vector<PosePolyline> & polylines)
+{
+  std::set<std::array<double, 2>> points;
+  for (const PosePolyline & polyline : polylines)
+  {
+    points.insert(polyline.points.begin(), polyline.points.end());
+  }
+  return points.size();
+}
+
+/** Appends a contour's samples to another's. */
+void
+Append(PoseContour & all, PoseContour && more)
+{
+  if (all.Size() == 0)
+  {
+    all = std::move(more);
+    return;
+  }
+  for (const std::size_t run : more.runs)
+  {
+    all.runs.push_back(run + all.u.size());
+  }
+  all.u.insert(all.u.end(), more.u.begin(), more.u.end());
+  all.v.insert(all.v.end(), more.v.begin(), more.v.end());
+  all.nu.insert(all.nu.end(), more.nu.begin(), more.nu.end());
+  all.nv.insert(all.nv.end(), more.nv.begin(), more.nv.end());
+  all.rim.insert(all.rim.end(), more.rim.begin(), more.rim.end());
+  all.rimOther.insert(all.rimOther.end(), more.rimOther.begin(), more.rimOther.end());
+}
+} // namespace
+
+PoseSilhouetteKernel::~PoseSilhouetteKernel() = default;
+
+PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           surface,
+                                           const std::vector<PosePolyline> & polylines,
+                                           const PoseSilhouetteSettings &    settings)
+  : m_Settings(settings)
+{
+  if (surface.triangles.empty())
+  {
+    m_Failure = "there is no surface";
+    return;
+  }
+  std::vector<PosePolyline> selected;
+  for (const PosePolyline & polyline : polylines)
+  {
+    const auto & excluded = settings.excludedTeeth;
+    if (polyline.tooth == 0 || std::find(excluded.begin(), excluded.end(), polyline.tooth) == excluded.end())
+    {
+      selected.push_back(polyline);
+    }
+  }
+  const std::size_t points = CountDifferentPoints(selected);
+  if (points < 5)
+  {
+    m_Failure = "the tracing has " + std::to_string(points) + " different points, at least 5 are needed";
+    return;
+  }
+  m_Arch = PoseArch(surface, settings.upper);
+  const auto side = [&](double sign) {
+    return settings.useSideSelection
+             ? KeepTriangles(
+                 surface,
+                 SelectMidlineSide(surface, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 0.0 } }, sign, settings.midlineMargin))
+             : surface;
+  };
+  const bool filter = settings.useFacingFilter;
+  const auto addModel = [&](double sign) {
+    m_Models.push_back(std::make_unique<PoseContourModel>(side(sign), settings.upper, filter));
+    return m_Models.back().get();
+  };
+  switch (settings.tracedSide)
+  {
+    case PoseTracedSideEnum::Mean:
+      m_Models.push_back(std::make_unique<PoseContourModel>(side(1.0), side(-1.0), settings.upper, filter));
+      this->AddStrand(selected, { m_Models.back().get() });
+      break;
+    case PoseTracedSideEnum::Both:
+    {
+      std::vector<PosePolyline> right, left, unknown;
+      for (const PosePolyline & polyline : selected)
+      {
+        (polyline.tooth == 0 ? unknown : IsLeft(polyline.tooth) ? left : right).push_back(polyline);
+      }
+      const PoseContourModel * rightModel = addModel(1.0);
+      const PoseContourModel * leftModel = addModel(-1.0);
+      this->AddStrand(right, { rightModel });
+      this->AddStrand(left, { leftModel });
+      this->AddStrand(unknown, { rightModel, leftModel });
+      break;
+    }
+    default:
+      this->AddStrand(selected, { addModel(settings.tracedSide == PoseTracedSideEnum::Right ? 1.0 : -1.0) });
+  }
+  if (m_Strands.empty())
+  {
+    m_Failure = "no part of the tracing can lie on the occlusal or anterior outline";
+  }
+}
+
+void
+PoseSilhouetteKernel::AddStrand(const std::vector<PosePolyline> & polylines, std::vector<const PoseContourModel *> models)
+{
+  Strand strand;
+  strand.tracing = PoseTracing(m_Settings.geometry, polylines, m_Settings.upper, m_Settings.maximumTracingPoints);
+  strand.models = std::move(models);
+  if (strand.tracing.Size() > 0)
+  {
+    m_Strands.push_back(std::move(strand));
+  }
+}
+
+std::vector<PoseContour>
+PoseSilhouetteKernel::ComputeContours(const PoseParameters & parameters) const
+{
+  const PoseModel          model(m_Settings.geometry, parameters);
+  std::vector<PoseContour> contours(m_Strands.size());
+  for (std::size_t s = 0; s < m_Strands.size(); ++s)
+  {
+    for (const PoseContourModel * contourModel : m_Strands[s].models)
+    {
+      Append(contours[s], contourModel->Compute(model));
+    }
+  }
+  return contours;
+}
+
+std::vector<PoseContour>
+PoseSilhouetteKernel::MoveContours(const std::vector<PoseContour> & contours,
+                                   const PoseParameters &           from,
+                                   const PoseParameters &           to) const
+{
+  std::vector<PoseContour> moved = contours;
+  const PoseModel          fromModel(m_Settings.geometry, from);
+  const PoseModel          toModel(m_Settings.geometry, to);
+  for (PoseContour & contour : moved)
+  {
+    PoseContourModel::Reproject(contour, fromModel, toModel);
+  }
+  return moved;
+}
+
+void
+PoseSilhouetteKernel::Fill(const PoseModel &   model,
+                           const PoseContour & contour,
+                           std::size_t         s,
+                           std::size_t         i,
+                           std::size_t         j,
+                           Linearization &     lin,
+                           bool                withJacobian) const
+{
+  const PoseTracing & tracing = m_Strands[s].tracing;
+  const double        nu = lin.nu[i];
+  const double        nv = lin.nv[i];
+  const double        du = tracing.u[i] - contour.u[j];
+  const double        dv = tracing.v[i] - contour.v[j];
+  const double        r = nu * du + nv * dv;
+  const double        t = nu * dv - nv * du;
+  const double        beyond = BeyondEnd(t);
+  lin.residual[i] = r;
+  lin.squaredDistance[i] = r * r + beyond * beyond;
+  if (!withJacobian)
+  {
+    return;
+  }
+  double w[2], jacobian[14];
+  model.ProjectWithJacobian(contour.rim[j].data(), w, jacobian);
+  if (!contour.rimOther.empty())
+  {
+    double other[14];
+    model.ProjectWithJacobian(contour.rimOther[j].data(), w, other);
+    for (int a = 0; a < 14; ++a)
+    {
+      jacobian[a] = 0.5 * (jacobian[a] + other[a]);
+    }
+  }
+  const double along = 2.0 * std::copysign(beyond, t);
+  for (int a = 0; a < 7; ++a)
+  {
+    lin.jacobian[7 * i + a] = -(nu * jacobian[a] + nv * jacobian[7 + a]);
+    lin.distanceJacobian[7 * i + a] =
+      2.0 * r * lin.jacobian[7 * i + a] + along * (nv * jacobian[a] - nu * jacobian[7 + a]);
+  }
+}
+
+PoseSilhouetteKernel::Linearization
+PoseSilhouetteKernel::Linearize(std::size_t            s,
+                                const PoseParameters & parameters,
+                                const PoseContour &    contour,
+                                bool                   withJacobian) const
+{
+  const PoseModel     model(m_Settings.geometry, parameters);
+  const PoseTracing & tracing = m_Strands[s].tracing;
+  const std::size_t   n = tracing.Size();
+  Linearization       lin;
+  lin.residual.resize(n);
+  lin.squaredDistance.resize(n);
+  lin.nu.resize(n);
+  lin.nv.resize(n);
+  lin.facing.resize(n);
+  lin.match.resize(n);
+  lin.jacobian.assign(withJacobian ? 7 * n : 0, 0.0);
+  lin.distanceJacobian.assign(withJacobian ? 7 * n : 0, 0.0);
+  const double normalWeight2 =
+    m_Settings.useOrientation ? m_Settings.orientationWeight * m_Settings.orientationWeight : 0.0;
+  const PoseContourIndex index(contour);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (index.Empty())
+    {
+      // Nothing to match: a residual that no pose can change, without weight.
+      lin.residual[i] = 1e3;
+      lin.squaredDistance[i] = 1e6;
+      lin.nv[i] = 1.0;
+      lin.facing[i] = 0.0;
+      continue;
+    }
+    const std::size_t j = index.Nearest(tracing.u[i], tracing.v[i], tracing.nu[i], tracing.nv[i], normalWeight2);
+    lin.match[i] = j;
+    lin.nu[i] = contour.nu[j];
+    lin.nv[i] = contour.nv[j];
+    const auto & direction = index.GetDirection(j);
+    lin.facing[i] =
+      m_Settings.useOrientation ? FacingWeight(direction[0] * tracing.nu[i] + direction[1] * tracing.nv[i]) : 1.0;
+    this->Fill(model, contour, s, i, j, lin, withJacobian);
+  }
+  return lin;
+}
+
+PoseSilhouetteKernel::Linearization
+PoseSilhouetteKernel::LinearizeHeld(std::size_t            s,
+                                    const PoseParameters & parameters,
+                                    const PoseContour &    contour,
+                                    const Linearization &  held,
+                                    bool                   withJacobian) const
+{
+  const PoseModel   model(m_Settings.geometry, parameters);
+  const std::size_t n = m_Strands[s].tracing.Size();
+  Linearization     lin = held;
+  lin.jacobian.assign(withJacobian ? 7 * n : 0, 0.0);
+  lin.distanceJacobian.assign(withJacobian ? 7 * n : 0, 0.0);
+  for (std::size_t i = 0; i < n && contour.Size() > 0; ++i)
+  {
+    this->Fill(model, contour, s, i, held.match[i], lin, withJacobian);
+  }
+  return lin;
+}
+
+PoseFitStatistics
+PoseSilhouetteKernel::ComputeStatistics(std::size_t s, const PoseContour & contour) const
+{
+  const PoseTracing & tracing = m_Strands[s].tracing;
+  PoseFitStatistics   fit;
+  fit.numberOfPoints = tracing.Size();
+  fit.tracingLength = tracing.length;
+  fit.contourLength = PoseContourModel::Spacing * static_cast<double>(contour.Size());
+  if (contour.Size() == 0 || tracing.Size() == 0)
+  {
+    fit.inlierShare = 0.0;
+    return fit;
+  }
+  const PoseParameters  anywhere{ {} };
+  const Linearization   lin = this->Linearize(s, anywhere, contour, false);
+  std::vector<double>   distances;
+  double                weights = 0.0, cost = 0.0, squares = 0.0, inliers = 0.0;
+  std::array<double, 9> arcSum{}, arcCount{}, arcExpected{};
+  for (std::size_t i = 0; i < tracing.Size(); ++i)
+  {
+    const double d = std::sqrt(lin.squaredDistance[i]);
+    const double w = lin.facing[i] * GemanMcClure(lin.squaredDistance[i], FitWidth);
+    weights += tracing.weight[i];
+    cost += tracing.weight[i] * (1.0 - std::sqrt(w));
+    inliers += lin.facing[i] > 0.5 && d < FitWidth ? tracing.weight[i] : 0.0;
+    squares += lin.squaredDistance[i];
+    distances.push_back(d);
+    const double expected = PoseArch::ExpectedArc(tracing.tooth[i]);
+    if (expected > 0.0 && m_Arch.IsValid())
+    {
+      const int    position = tracing.tooth[i] % 10;
+      const auto & rim = contour.rim[lin.match[i]];
+      arcSum[position] += std::abs(m_Arch.Arc(rim[0], rim[1]));
+      arcCount[position] += 1.0;
+      arcExpected[position] = expected;
+    }
+  }
+  double teeth = 0.0;
+  for (int k = 1; k < 9; ++k)
+  {
+    if (arcCount[k] > 0.0)
+    {
+      fit.codeOffset += arcSum[k] / arcCount[k] - arcExpected[k];
+      teeth += 1.0;
+    }
+  }
+  if (teeth > 0.0)
+  {
+    fit.codeOffset /= teeth;
+    fit.hasCodes = true;
+  }
+  fit.cost = weights > 0.0 ? cost / weights : 1.0;
+  fit.inlierShare = weights > 0.0 ? inliers / weights : 0.0;
+  fit.rmsResidual = std::sqrt(squares / static_cast<double>(distances.size()));
+  std::sort(distances.begin(), distances.end());
+  const auto quantile = [&](double q) {
+    const double      x = q * static_cast<double>(distances.size() - 1);
+    const std::size_t k = static_cast<std::size_t>(x);
+    const std::size_t l = std::min(k + 1, distances.size() - 1);
+    return distances[k] + (x - static_cast<double>(k)) * (distances[l] - distances[k]);
+  };
+  fit.medianResidual = quantile(0.5);
+  fit.p90Residual = quantile(0.9);
+  return fit;
+}
+
+double
+PoseSilhouetteKernel::ComputeOverlap(std::size_t s, const PoseContour & contour) const
+{
+  const PoseTracing & tracing = m_Strands[s].tracing;
+  std::size_t         near = 0;
+  for (std::size_t j = 0; j < contour.Size(); ++j)
+  {
+    bool found = false;
+    for (std::size_t i = 0; i < tracing.Size() && !found; ++i)
+    {
+      const double du = tracing.u[i] - contour.u[j];
+      const double dv = tracing.v[i] - contour.v[j];
+      found = du * du + dv * dv < FitWidth * FitWidth;
+    }
+    near += found ? 1 : 0;
+  }
+  return contour.Size() > 0 ? static_cast<double>(near) / static_cast<double>(contour.Size()) : 0.0;
+}
+
+void
+PoseSilhouetteKernel::AddSquaredMotion(const std::vector<PoseContour> & contours,
+                                       const PoseParameters &           from,
+                                       const PoseParameters &           to,
+                                       double &                         sum,
+                                       double &                         count) const
+{
+  const PoseModel fromModel(m_Settings.geometry, from);
+  const PoseModel toModel(m_Settings.geometry, to);
+  for (const PoseContour & contour : contours)
+  {
+    // Every fifth sample: 2.5 px apart.
+    for (std::size_t i = 0; i < contour.Size(); i += 5)
+    {
+      double a[2], b[2];
+      fromModel.Project(contour.rim[i].data(), a);
+      toModel.Project(contour.rim[i].data(), b);
+      sum += (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+      count += 1.0;
+    }
+  }
+}
+} // namespace itk

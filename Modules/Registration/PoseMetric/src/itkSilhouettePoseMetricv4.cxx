@@ -1,0 +1,692 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkSilhouettePoseMetricv4.h"
+
+#include "itkCorrelatedNoiseModel.h"
+#include "itkGemanMcClureKernel.h"
+#include "itkMakePosePolylines.h"
+#include "itkPoseStateBlocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace itk
+{
+namespace
+{
+/** Of a metric's position: its two blocks one behind the other are the pose's seven parameters. */
+PoseParameters
+ToPose(const std::vector<double> & x)
+{
+  PoseParameters parameters{ {} };
+  std::copy_n(x.begin(), parameters.size(), parameters.begin());
+  return parameters;
+}
+
+/** As ContourNoiseModel::ComputeCovariance() has it: no weight is quite 0. */
+constexpr double SmallestWeight = 1e-6;
+} // namespace
+
+SilhouettePoseMetricv4::SilhouettePoseMetricv4()
+  : m_RobustKernel(GemanMcClureKernel::New().GetPointer())
+  , m_NoiseModel(CorrelatedNoiseModel::New().GetPointer())
+{
+  m_SettingsTime.Modified();
+}
+
+void
+SilhouettePoseMetricv4::SetTransform(const TransformType * transform)
+{
+  if (m_Transform != transform)
+  {
+    m_Transform = transform;
+    this->Modified();
+  }
+  if (transform != nullptr)
+  {
+    const auto & parameters = transform->GetParameters();
+    this->SetBlockValues(
+      m_PoseBlock, { parameters[0], parameters[1], parameters[2], parameters[3], parameters[4], parameters[5] });
+    this->SetBlockValues(m_ScaleBlock, { parameters[6] });
+  }
+}
+
+void
+SilhouettePoseMetricv4::SetMovingSurface(SurfacePointer surface)
+{
+  if (m_Surface != surface)
+  {
+    m_Surface = std::move(surface);
+    this->Modified();
+  }
+}
+
+void
+SilhouettePoseMetricv4::SetExcludedTeeth(const std::vector<std::uint8_t> & teeth)
+{
+  if (m_ExcludedTeeth != teeth)
+  {
+    m_ExcludedTeeth = teeth;
+    this->Modified();
+  }
+}
+
+void
+SilhouettePoseMetricv4::SetRobustKernel(const RobustKernel * kernel)
+{
+  if (kernel == nullptr)
+  {
+    itkExceptionMacro("No robust kernel: give SetRobustKernel() one; SquaresKernel is least squares.");
+  }
+  if (m_RobustKernel != kernel)
+  {
+    m_RobustKernel = kernel;
+    m_SettingsTime.Modified();
+  }
+}
+
+void
+SilhouettePoseMetricv4::SetKernelWidth(double width)
+{
+  if (!(width > 0.0))
+  {
+    itkExceptionMacro("The kernel width " << width << " px must be positive: see SetKernelWidth().");
+  }
+  m_KernelWidth = width;
+}
+
+void
+SilhouettePoseMetricv4::SetNoiseModel(const ResidualNoiseModel * model)
+{
+  if (model == nullptr)
+  {
+    itkExceptionMacro(
+      "No noise model: give SetNoiseModel() one; a CorrelatedNoiseModel of length 0 is independent noise.");
+  }
+  if (m_NoiseModel != model)
+  {
+    m_NoiseModel = model;
+    m_Correlations.reset();
+    m_SettingsTime.Modified();
+  }
+}
+
+void
+SilhouettePoseMetricv4::SetNoiseLevels(const ContourNoiseLevels & levels, const ResidualNoiseModel * model)
+{
+  if (model == nullptr || model == m_NoiseModel.GetPointer())
+  {
+    m_NoiseLevels = levels;
+  }
+}
+
+bool
+SilhouettePoseMetricv4::GetNoiseLevels(ContourNoiseLevels & levels, const ResidualNoiseModel * model) const
+{
+  if (model != nullptr && model != m_NoiseModel.GetPointer())
+  {
+    return false;
+  }
+  levels = m_NoiseLevels;
+  return true;
+}
+
+SilhouettePoseMetricv4::BlocksType
+SilhouettePoseMetricv4::DeclareBlocks() const
+{
+  return { PoseStateBlocks::MakePose(m_PoseBlock), PoseStateBlocks::MakeScale(m_ScaleBlock) };
+}
+
+void
+SilhouettePoseMetricv4::Prepare()
+{
+  if (m_Transform.IsNull())
+  {
+    itkExceptionMacro("No transform: call SetTransform() with a CephalometricPoseTransform that has the geometry.");
+  }
+  if (!m_Surface)
+  {
+    itkExceptionMacro("No scan: call SetMovingMesh() or SetMovingSurface() with the jaw in its dental frame.");
+  }
+  if (this->GetFixedContour() == nullptr)
+  {
+    itkExceptionMacro("No tracing: call SetFixedContour() with this jaw's tracing (a DentalContour).");
+  }
+  const ModifiedTimeType time =
+    std::max({ this->GetMTime(), m_Transform->GetMTime(), this->GetFixedContour()->GetMTime() });
+  if (m_Kernel && m_KernelTime >= time)
+  {
+    return;
+  }
+  PoseSilhouetteSettings settings;
+  settings.geometry = m_Transform->GetPoseGeometry();
+  settings.upper = m_Jaw == JawEnum::Upper;
+  settings.tracedSide = m_TracedSide;
+  settings.useSideSelection = m_UseSideSelection;
+  settings.midlineMargin = m_MidlineMargin;
+  settings.useFacingFilter = m_UseFacingFilter;
+  settings.useOrientation = m_UseOrientation;
+  settings.orientationWeight = m_OrientationWeight;
+  settings.excludedTeeth = m_ExcludedTeeth;
+  settings.maximumTracingPoints = m_MaximumTracingPoints;
+  m_Kernel = std::make_shared<const PoseSilhouetteKernel>(
+    *m_Surface, MakePosePolylines(*this->GetFixedContour()), settings);
+  m_KernelTime = time;
+  m_Correlations.reset();
+  m_Held.reset();
+  m_Hold = HoldEnum::Nothing;
+  m_Linearized = EvaluationType();
+  m_Last = EvaluationType();
+}
+
+const std::string &
+SilhouettePoseMetricv4::GetFailure() const
+{
+  return this->GetKernel().GetFailure();
+}
+
+const PoseSilhouetteKernel &
+SilhouettePoseMetricv4::GetKernel() const
+{
+  if (!m_Kernel)
+  {
+    itkExceptionMacro("The metric is not prepared: call Initialize() or Prepare().");
+  }
+  return *m_Kernel;
+}
+
+void
+SilhouettePoseMetricv4::InitializeTerm()
+{
+  this->Prepare();
+  if (!m_Kernel->GetFailure().empty())
+  {
+    itkExceptionMacro("The tracing of the " << (m_Jaw == JawEnum::Upper ? "upper" : "lower")
+                                            << " jaw cannot be matched: " << m_Kernel->GetFailure() << '.');
+  }
+  if (!m_Correlations)
+  {
+    auto correlations = std::make_shared<CorrelationsType>();
+    for (const auto & strand : m_Kernel->GetStrands())
+    {
+      const std::size_t   n = strand.tracing.Size();
+      std::vector<double> rho(n * n);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        rho[i * n + i] = 1.0;
+        for (std::size_t j = 0; j < i; ++j)
+        {
+          rho[i * n + j] = rho[j * n + i] = m_NoiseModel->GetCorrelation(strand.tracing.arc[i] - strand.tracing.arc[j]);
+        }
+      }
+      correlations->push_back(std::move(rho));
+    }
+    m_Correlations = correlations;
+  }
+}
+
+SizeValueType
+SilhouettePoseMetricv4::GetNumberOfResiduals() const
+{
+  SizeValueType count = 0;
+  for (const auto & strand : this->GetKernel().GetStrands())
+  {
+    count += strand.tracing.Size();
+  }
+  return count;
+}
+
+SilhouettePoseMetricv4::EvaluationType &
+SilhouettePoseMetricv4::Evaluate(const PositionType & x) const
+{
+  if (m_Linearized.x == x)
+  {
+    return m_Linearized;
+  }
+  if (m_Last.x == x)
+  {
+    return m_Last;
+  }
+  const PoseParameters         pose = ToPose(x);
+  const PoseSilhouetteKernel & kernel = this->GetKernel();
+  EvaluationType               evaluation;
+  evaluation.x = x;
+  const std::size_t count = kernel.GetStrands().size();
+  if (m_Held)
+  {
+    evaluation.contours = kernel.MoveContours(m_Held->contours, ToPose(m_Held->x), pose);
+  }
+  else
+  {
+    evaluation.contours = kernel.ComputeContours(pose);
+  }
+  for (std::size_t s = 0; s < count; ++s)
+  {
+    evaluation.strands.push_back(
+      m_Hold == HoldEnum::Matches
+        ? kernel.LinearizeHeld(s, pose, evaluation.contours[s], m_Held->strands[s], true)
+        : kernel.Linearize(s, pose, evaluation.contours[s], true));
+  }
+  m_Last = std::move(evaluation);
+  return m_Last;
+}
+
+void
+SilhouettePoseMetricv4::UpdateWeights(EvaluationType & evaluation) const
+{
+  const auto & strands = m_Kernel->GetStrands();
+  evaluation.weights.resize(strands.size());
+  for (std::size_t s = 0; s < strands.size(); ++s)
+  {
+    const auto & lin = evaluation.strands[s];
+    evaluation.weights[s].resize(lin.residual.size());
+    for (std::size_t i = 0; i < lin.residual.size(); ++i)
+    {
+      evaluation.weights[s][i] = lin.facing[i] * m_RobustKernel->GetWeight(lin.squaredDistance[i], m_KernelWidth);
+    }
+  }
+}
+
+void
+SilhouettePoseMetricv4::FillCorrelation(const EvaluationType & evaluation, std::size_t s, double * correlation) const
+{
+  const auto &                lin = evaluation.strands[s];
+  const std::vector<double> & rho = (*m_Correlations)[s];
+  const std::size_t           n = lin.residual.size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    correlation[i * n + i] = 1.0;
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const double g = rho[i * n + j] * (lin.nu[i] * lin.nu[j] + lin.nv[i] * lin.nv[j]);
+      correlation[i * n + j] = g;
+      correlation[j * n + i] = g;
+    }
+  }
+}
+
+void
+SilhouettePoseMetricv4::UpdateFactors(EvaluationType & evaluation) const
+{
+  if (!m_Correlations)
+  {
+    itkExceptionMacro("The metric is not initialized: call Initialize().");
+  }
+  if (evaluation.settingsTime == m_SettingsTime.GetMTime() && evaluation.kernelWidth == m_KernelWidth &&
+      evaluation.levels.smooth == m_NoiseLevels.smooth && evaluation.levels.white == m_NoiseLevels.white)
+  {
+    return;
+  }
+  this->UpdateWeights(evaluation);
+  const auto & strands = m_Kernel->GetStrands();
+  evaluation.factors.resize(strands.size());
+  evaluation.whitened.resize(strands.size());
+  for (std::size_t s = 0; s < strands.size(); ++s)
+  {
+    const auto &                lin = evaluation.strands[s];
+    const std::vector<double> & given = strands[s].tracing.weight;
+    const std::size_t           n = lin.residual.size();
+    std::vector<double> &       k = evaluation.factors[s];
+    k.resize(n * n);
+    this->FillCorrelation(evaluation, s, k.data());
+    const double smooth2 = m_NoiseLevels.smooth * m_NoiseLevels.smooth;
+    const double white2 = m_NoiseLevels.white * m_NoiseLevels.white;
+    // The lower triangle, column by column, is all that the factorisation reads.
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      for (std::size_t i = j; i < n; ++i)
+      {
+        k[j * n + i] *= smooth2;
+      }
+      k[j * n + j] += white2 / std::max(given[j] * evaluation.weights[s][j], SmallestWeight);
+    }
+    if (!ContourNoiseModel::Factor(k.data(), n))
+    {
+      itkExceptionMacro("The covariance of the residuals is not positive definite; the noise model "
+                        << m_NoiseModel->GetNameOfClass() << " must give correlations that are, and the white level ("
+                        << m_NoiseLevels.white << " px) must be positive.");
+    }
+    evaluation.whitened[s] = lin.residual;
+    ContourNoiseModel::Whiten(k.data(), n, evaluation.whitened[s].data(), 1);
+  }
+  evaluation.kernelWidth = m_KernelWidth;
+  evaluation.levels = m_NoiseLevels;
+  evaluation.settingsTime = m_SettingsTime.GetMTime();
+}
+
+void
+SilhouettePoseMetricv4::ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const
+{
+  EvaluationType & at = this->Evaluate(x);
+  std::vector<std::vector<double>> whitened;
+  const std::vector<std::vector<double>> * factors = &at.factors;
+  if (m_Hold == HoldEnum::Matches)
+  {
+    // The weights, and with them the covariance, are those of the position that is held.
+    auto & held = const_cast<EvaluationType &>(*m_Held);
+    this->UpdateFactors(held);
+    factors = &held.factors;
+    for (std::size_t s = 0; s < at.strands.size(); ++s)
+    {
+      whitened.push_back(at.strands[s].residual);
+      ContourNoiseModel::Whiten((*factors)[s].data(), whitened[s].size(), whitened[s].data(), 1);
+    }
+  }
+  else
+  {
+    this->UpdateFactors(at);
+    whitened = at.whitened;
+  }
+  residuals.set_size(static_cast<unsigned int>(this->GetNumberOfResiduals()));
+  if (jacobian != nullptr)
+  {
+    jacobian->set_size(residuals.size(), 7);
+  }
+  unsigned int        row = 0;
+  std::vector<double> columns;
+  for (std::size_t s = 0; s < at.strands.size(); ++s)
+  {
+    const auto &      lin = at.strands[s];
+    const std::size_t n = lin.residual.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      residuals[row + static_cast<unsigned int>(i)] = whitened[s][i];
+    }
+    if (jacobian != nullptr)
+    {
+      columns.resize(7 * n);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        for (std::size_t a = 0; a < 7; ++a)
+        {
+          columns[a * n + i] = lin.jacobian[7 * i + a];
+        }
+      }
+      ContourNoiseModel::Whiten((*factors)[s].data(), n, columns.data(), 7);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        for (unsigned int a = 0; a < 7; ++a)
+        {
+          (*jacobian)(row + static_cast<unsigned int>(i), a) = columns[a * n + i];
+        }
+      }
+    }
+    row += static_cast<unsigned int>(n);
+  }
+  if (jacobian != nullptr && &at == &m_Last)
+  {
+    // An optimizer comes back here.
+    m_Linearized = std::move(m_Last);
+    m_Last = EvaluationType();
+  }
+}
+
+double
+SilhouettePoseMetricv4::ComputeValue(const PositionType & x) const
+{
+  EvaluationType & at = this->Evaluate(x);
+  this->UpdateFactors(at);
+  const auto & strands = m_Kernel->GetStrands();
+  const double unit = m_KernelWidth * m_KernelWidth / (m_NoiseLevels.white * m_NoiseLevels.white);
+  double       value = 0.0;
+  for (std::size_t s = 0; s < strands.size(); ++s)
+  {
+    for (std::size_t i = 0; i < at.whitened[s].size(); ++i)
+    {
+      value += at.whitened[s][i] * at.whitened[s][i] +
+               unit * strands[s].tracing.weight[i] * m_RobustKernel->GetCharge(at.weights[s][i]);
+    }
+  }
+  return value;
+}
+
+void
+SilhouettePoseMetricv4::ComputeGradient(const PositionType & x, VectorType & gradient) const
+{
+  EvaluationType & at = this->Evaluate(x);
+  this->UpdateFactors(at);
+  const auto & strands = m_Kernel->GetStrands();
+  const double white2 = m_NoiseLevels.white * m_NoiseLevels.white;
+  const double unit = m_KernelWidth * m_KernelWidth / white2;
+  gradient.set_size(7);
+  gradient.fill(0.0);
+  for (std::size_t s = 0; s < strands.size(); ++s)
+  {
+    const auto &        lin = at.strands[s];
+    const std::size_t   n = lin.residual.size();
+    std::vector<double> z = at.whitened[s];
+    ContourNoiseModel::WhitenTransposed(at.factors[s].data(), n, z.data(), 1);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const double given = strands[s].tracing.weight[i];
+      const double weight = at.weights[s][i];
+      // The weight moves as well: with it the point's variance, and what is charged.
+      double byWeight = unit * given * m_RobustKernel->GetChargeDerivative(weight);
+      if (given * weight > SmallestWeight)
+      {
+        byWeight += z[i] * z[i] * white2 / (given * weight * weight);
+      }
+      const double byDistance =
+        byWeight * lin.facing[i] * m_RobustKernel->GetWeightDerivative(lin.squaredDistance[i], m_KernelWidth);
+      for (unsigned int a = 0; a < 7; ++a)
+      {
+        gradient[a] += 2.0 * z[i] * lin.jacobian[7 * i + a] + byDistance * lin.distanceJacobian[7 * i + a];
+      }
+    }
+  }
+}
+
+void
+SilhouettePoseMetricv4::AddSquaredMotion(const PositionType & from,
+                                         const PositionType & to,
+                                         double &             sum,
+                                         double &             count) const
+{
+  const std::vector<PoseContour> & contours = m_Held ? m_Held->contours : this->Evaluate(from).contours;
+  m_Kernel->AddSquaredMotion(contours, ToPose(from), ToPose(to), sum, count);
+}
+
+std::vector<PoseFitStatistics>
+SilhouettePoseMetricv4::ComputeFitStatistics(const PositionType & x) const
+{
+  const EvaluationType &         at = this->Evaluate(x);
+  std::vector<PoseFitStatistics> statistics;
+  for (std::size_t s = 0; s < at.contours.size(); ++s)
+  {
+    statistics.push_back(m_Kernel->ComputeStatistics(s, at.contours[s]));
+  }
+  return statistics;
+}
+
+void
+SilhouettePoseMetricv4::AddFit(const PositionType & x, RegistrationFit & fit) const
+{
+  for (const PoseFitStatistics & statistics : this->ComputeFitStatistics(x))
+  {
+    fit.cost += statistics.cost * static_cast<double>(statistics.numberOfPoints);
+    fit.numberOfPoints += statistics.numberOfPoints;
+    if (statistics.hasCodes)
+    {
+      fit.codeOffset += std::abs(statistics.codeOffset);
+      ++fit.numberOfCodedStrands;
+    }
+  }
+}
+
+void
+SilhouettePoseMetricv4::AppendNoiseBlocks(const PositionType & x, std::vector<ResidualNoiseBlock> & blocks) const
+{
+  EvaluationType & at = this->Evaluate(x);
+  this->UpdateWeights(at);
+  // The weights may be newer than the factors now.
+  at.settingsTime = 0;
+  const auto & strands = m_Kernel->GetStrands();
+  for (std::size_t s = 0; s < strands.size(); ++s)
+  {
+    const auto &       lin = at.strands[s];
+    ResidualNoiseBlock block;
+    block.model = m_NoiseModel;
+    block.count = lin.residual.size();
+    block.residuals = lin.residual;
+    block.correlation.resize(block.count * block.count);
+    this->FillCorrelation(at, s, block.correlation.data());
+    block.jacobian.resize(7 * block.count);
+    for (std::size_t i = 0; i < block.count; ++i)
+    {
+      block.weights.push_back(at.weights[s][i] * strands[s].tracing.weight[i]);
+      for (std::size_t a = 0; a < 7; ++a)
+      {
+        block.jacobian[a * block.count + i] = lin.jacobian[7 * i + a];
+      }
+    }
+    blocks.push_back(std::move(block));
+  }
+}
+
+void
+SilhouettePoseMetricv4::AddFixedInformation(const PositionType &, MatrixType &, VectorType &, double &) const
+{}
+
+void
+SilhouettePoseMetricv4::Hold(HoldEnum what)
+{
+  if (what == HoldEnum::Nothing)
+  {
+    m_Held.reset();
+  }
+  else
+  {
+    m_Held = std::make_shared<const EvaluationType>(this->Evaluate(this->GetState().GetValues()));
+  }
+  m_Hold = what;
+  m_Linearized = EvaluationType();
+  m_Last = EvaluationType();
+}
+
+const std::vector<PoseContour> &
+SilhouettePoseMetricv4::GetContours(const PositionType & x) const
+{
+  return this->Evaluate(x).contours;
+}
+
+std::array<double, 2>
+SilhouettePoseMetricv4::PredictSigma(std::size_t                    s,
+                                     const PositionType &           x,
+                                     const std::array<double, 49> & covariance) const
+{
+  const EvaluationType & at = this->Evaluate(x);
+  const PoseModel        model(m_Kernel->GetSettings().geometry, ToPose(x));
+  const PoseContour &    contour = at.contours[s];
+  const auto &           match = at.strands[s].match;
+  if (match.empty() || contour.Size() == 0)
+  {
+    return { { 0.0, 0.0 } };
+  }
+  const auto variance = [&](std::size_t sample) {
+    double w[2], jacobian[14];
+    double sum = 0.0;
+    model.ProjectWithJacobian(contour.rim[sample].data(), w, jacobian);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      for (int a = 0; a < 7; ++a)
+      {
+        for (int b = 0; b < 7; ++b)
+        {
+          sum += 0.5 * jacobian[7 * axis + a] * covariance[7 * a + b] * jacobian[7 * axis + b];
+        }
+      }
+    }
+    return sum;
+  };
+  double sum = 0.0;
+  for (const std::size_t sample : match)
+  {
+    sum += variance(sample);
+  }
+  double largest = 0.0;
+  for (std::size_t j = 0; j < contour.Size(); j += 10)
+  {
+    largest = std::max(largest, variance(j));
+  }
+  return { { std::sqrt(sum / static_cast<double>(match.size())), std::sqrt(largest) } };
+}
+
+LightObject::Pointer
+SilhouettePoseMetricv4::InternalClone() const
+{
+  auto clone = Self::New();
+  clone->SetFixedObject(this->GetFixedObject());
+  clone->m_Transform = m_Transform;
+  clone->m_Surface = m_Surface;
+  clone->m_Jaw = m_Jaw;
+  clone->m_TracedSide = m_TracedSide;
+  clone->m_UseSideSelection = m_UseSideSelection;
+  clone->m_MidlineMargin = m_MidlineMargin;
+  clone->m_UseFacingFilter = m_UseFacingFilter;
+  clone->m_UseOrientation = m_UseOrientation;
+  clone->m_OrientationWeight = m_OrientationWeight;
+  clone->m_MaximumTracingPoints = m_MaximumTracingPoints;
+  clone->m_ExcludedTeeth = m_ExcludedTeeth;
+  clone->m_PoseBlock = m_PoseBlock;
+  clone->m_ScaleBlock = m_ScaleBlock;
+  clone->m_RobustKernel = m_RobustKernel;
+  clone->m_KernelWidth = m_KernelWidth;
+  clone->m_NoiseModel = m_NoiseModel;
+  clone->m_NoiseLevels = m_NoiseLevels;
+  clone->m_Hold = m_Hold;
+  clone->m_Kernel = m_Kernel;
+  clone->m_Correlations = m_Correlations;
+  clone->m_Held = m_Held;
+  clone->CopyState(*this);
+  // Prepared as the original is: what the setters above changed is the same.
+  clone->m_KernelTime = std::max(clone->GetMTime(), m_KernelTime);
+  return clone.GetPointer();
+}
+
+void
+SilhouettePoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  itkPrintSelfObjectMacro(Transform);
+  os << indent << "Surface: " << (m_Surface ? m_Surface->triangles.size() : 0) << " triangles" << std::endl;
+  os << indent << "Jaw: " << static_cast<int>(m_Jaw) << std::endl;
+  os << indent << "TracedSide: " << static_cast<int>(m_TracedSide) << std::endl;
+  os << indent << "UseSideSelection: " << (m_UseSideSelection ? "On" : "Off") << std::endl;
+  os << indent << "MidlineMargin: " << m_MidlineMargin << std::endl;
+  os << indent << "UseFacingFilter: " << (m_UseFacingFilter ? "On" : "Off") << std::endl;
+  os << indent << "UseOrientation: " << (m_UseOrientation ? "On" : "Off") << std::endl;
+  os << indent << "OrientationWeight: " << m_OrientationWeight << std::endl;
+  os << indent << "MaximumTracingPoints: " << m_MaximumTracingPoints << std::endl;
+  os << indent << "ExcludedTeeth:";
+  for (const unsigned int tooth : m_ExcludedTeeth)
+  {
+    os << ' ' << tooth;
+  }
+  os << std::endl;
+  os << indent << "PoseBlock: " << m_PoseBlock << std::endl;
+  os << indent << "ScaleBlock: " << m_ScaleBlock << std::endl;
+  itkPrintSelfObjectMacro(RobustKernel);
+  os << indent << "KernelWidth: " << m_KernelWidth << std::endl;
+  itkPrintSelfObjectMacro(NoiseModel);
+  os << indent << "NoiseLevels: " << m_NoiseLevels.smooth << ' ' << m_NoiseLevels.white << std::endl;
+  os << indent << "Hold: " << static_cast<int>(m_Hold) << std::endl;
+  os << indent << "Prepared: " << (m_Kernel ? "yes" : "no") << ", correlations "
+     << (m_Correlations ? m_Correlations->size() : 0) << ", held " << (m_Held ? "yes" : "no") << std::endl;
+}
+} // namespace itk
