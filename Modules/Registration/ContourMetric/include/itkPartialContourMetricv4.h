@@ -68,6 +68,9 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(PartialContourMetricv4, ContourToContourMetricv4);
 
+  // Both bases name it.
+  using ParametersType = Superclass::ParametersType;
+
   using RobustKernelEnum = ContourMetricEnums::RobustKernel;
   using SpacingSourceEnum = ContourMetricEnums::SpacingSource;
   using CovarianceType = vnl_matrix_fixed<double, NumberOfParameters, NumberOfParameters>;
