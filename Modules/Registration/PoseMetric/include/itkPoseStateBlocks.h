@@ -30,7 +30,7 @@ namespace itk
  * \brief The blocks of a registration's state that metrics of a pose read.
  *
  * A pose is of a body (both jaws in occlusion, or one jaw), the scale of a view. Units: rad and mm. An optimizer sees
- * millimetres: angles and the log scale are multiplied by the arm of 50 mm at which they move a tooth. The longest steps
+ * millimetres: angles and the log scale are multiplied by an arm of 64 mm, some distance of a tooth from the origin. The longest steps
  * are what the linearisation of a silhouette was seen to hold for.
  *
  * \ingroup PoseMetric
@@ -38,8 +38,8 @@ namespace itk
 class PoseMetric_EXPORT PoseStateBlocks
 {
 public:
-  /** mm an angle or a log scale is multiplied by. */
-  static constexpr double Arm = 50.0;
+  /** mm an angle or a log scale is multiplied by; a power of two, so that scaling there and back changes no bit. */
+  static constexpr double Arm = 64.0;
 
   /** pitch, roll, yaw (rad), tx, ty, tz (mm). */
   static RegistrationState::BlockType

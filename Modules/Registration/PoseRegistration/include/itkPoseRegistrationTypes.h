@@ -23,9 +23,10 @@
 #include "itkPoseTypes.h"
 #include "itkTriangleSurface.h"
 
+#include "itkDentalContour.h"
+
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -33,7 +34,7 @@
 
 namespace itk
 {
-/** Plain data of the robust registration, free of ITK headers.
+/** Plain data of the pose registration.
  *
  * Frames: mesh (mm, as the surface is), dental (x anterior, y patient's left, z superior, origin on the midline plane),
  * cephalostat (CephalometricGeometry). Lengths "in px" are units of 0.25 mm in the detector plane, whatever the image's
@@ -44,10 +45,10 @@ namespace itk
 struct PoseJawInput
 {
   /** Mesh frame, mm; must outlive the call. */
-  const TriangleSurface *   surface{ nullptr };
-  PoseFrame                 frame;
-  bool                      upper{ true };
-  std::vector<PosePolyline> tracing;
+  const TriangleSurface *     surface{ nullptr };
+  PoseFrame                   frame;
+  bool                        upper{ true };
+  DentalContour::ConstPointer tracing;
   /** Start instead of the global search, of this jaw's frame; before PoseRegistrationOptions::initialPose. Of jaws that
    * share a pose the first that has one speaks. */
   std::optional<PoseParameters> initialPose;
@@ -132,8 +133,33 @@ struct PoseRegistrationOptions
   unsigned int maximumTracingPoints{ 200 };
   unsigned int numberOfThreads{ 0 };
 
-  /** Called with progress in [0, 1]; returns true to abort. */
-  std::function<bool(double)> progress;
+  /** Steps of the refinement of starts as similarities, contour held: kernel widths (px) one after another, evaluations
+   * at most, step below which it ends (rms, px). */
+  std::vector<double> startKernelWidths{ 10.0, 8.0, 6.0, 5.0, 4.0, 3.0 };
+  unsigned int        startEvaluations{ 13 };
+  double              startTolerance{ 0.05 };
+  /** Starts nearer to a better one than this are the same, px. */
+  double startDistance{ 3.0 };
+  /** The same of the pooled candidates in all degrees of freedom. */
+  std::vector<double> coarseKernelWidths{ 6.0, 4.5, 3.0 };
+  unsigned int        coarseEvaluations{ 6 };
+  double              coarseTolerance{ 0.05 };
+  /** Of the candidates that go on to the end: the best of so many places that lie further apart than this, px, and a
+   * second way into the best place. */
+  unsigned int maximumPlaces{ 3 };
+  double       placeDistance{ 4.0 };
+  double       secondWayDistance{ 1.0 };
+  /** Candidates behind the best by more than this score do not go on. */
+  double scoreMargin{ 0.12 };
+  /** The same of the last refinement: kernel width before the noise is known, and the factor on its standard deviation
+   * afterwards, never below the width for covariances. */
+  double fineKernelWidth{ 3.0 };
+  double adaptiveKernelFactor{ 2.5 };
+  double fineTolerance{ 0.005 };
+  /** Error of the moving contour itself, px, in covariances: half the sample spacing, facets, the cut at the midline. */
+  double modelSigma{ 0.15 };
+  /** The most that the correction for absorbed noise may be. */
+  double absorbedNoiseLimit{ 1.6 };
 };
 
 /** One minimum of the criterion. */
@@ -153,6 +179,8 @@ struct PoseJawResult
 {
   bool upper{ true };
   bool registered{ false };
+  /** The dental frame that the pose is of. */
+  PoseFrame frame;
   /** Why not, where not. */
   std::string failure;
   /** Mesh frame to cephalostat frame. */
@@ -160,13 +188,7 @@ struct PoseJawResult
   std::array<double, 3> translation{ {} };
   /** Mesh frame (mm) to continuous pixel index, row-major 3x4. */
   std::array<double, 12> projection{ {} };
-  /** p = scale R(angle) q + (tx, ty) on the geometry's own projection of the dental frame, least squares over the jaw.
-   */
-  double                similarityScale{ 1.0 };
-  double                similarityAngle{ 0.0 };
-  std::array<double, 2> similarityTranslation{ { 0.0, 0.0 } };
-  double                similarityRms{ 0.0 };
-  PoseFitStatistics     fit;
+  PoseFitStatistics fit;
   /** Extent of the surface along y, mm. */
   double archWidth{ 0.0 };
   /** Component along the occlusal direction of the sum of area normals over the area: positive for an open shell with
@@ -206,7 +228,7 @@ struct PoseGroupResult
   double exchangedScore{ std::numeric_limits<double>::infinity() };
   double otherFacingScore{ std::numeric_limits<double>::infinity() };
 };
-/** Everything that PoseRegistrationKernel found. */
+/** Everything that a pose registration found. */
 struct PoseRegistrationResult
 {
   std::vector<PoseJawResult>   jaws;

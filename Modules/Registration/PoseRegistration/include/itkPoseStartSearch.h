@@ -18,8 +18,7 @@
 #ifndef itkPoseStartSearch_h
 #define itkPoseStartSearch_h
 
-#include "PoseRegistrationExport.h"
-#include "itkPoseEstimator.h"
+#include "itkPoseStart.h"
 
 #include <vector>
 
@@ -28,32 +27,62 @@ namespace itk
 /** \class PoseStartSearch
  * \brief Exhaustive search over in-plane rotation, shift and scale of the tracing against one contour.
  *
- * Distances in position and normal, truncated at 12 px, are read from a table (2 px, 16 directions); every third
- * tracing point is used. The starts are the best grid points that differ by more than 5 degrees or 10 px.
+ * Distances in position and normal, truncated at 12 px of 0.25 mm, are read from a table (2 px, 16 directions); every
+ * third tracing point is used. The starts are the best grid points that differ by more than 5 degrees or 10 px. Looks at
+ * the terms of the metric that are SilhouettePoseMetricv4.
  *
  * \ingroup PoseRegistration
  */
-class PoseRegistration_EXPORT PoseStartSearch
+class PoseRegistration_EXPORT PoseStartSearch : public PoseStart
 {
 public:
-  /** Half range and step of the grid, rad and px; kappas are tried one by one. */
-  double              rotationRange{ 0.5585053606381855 };
-  double              rotationStep{ 0.06981317007977318 };
-  double              uRange{ 64.0 };
-  double              vRange{ 40.0 };
-  double              shiftStep{ 8.0 };
-  std::vector<double> kappas{ 0.0 };
-  unsigned int        maximumStarts{ 6 };
-  /** A pose to refine and its cost in the table. */
-  struct Start
-  {
-    PoseParameters parameters{ {} };
-    double         cost{ 0.0 };
-  };
+  ITK_DISALLOW_COPY_AND_MOVE(PoseStartSearch);
 
-  /** \param pose  where the contours were made; roll, yaw and ty are kept. */
-  std::vector<Start>
-  Search(const PoseEstimator & estimator, const std::vector<PoseContour> & contours, const PoseParameters & pose) const;
+  using Self = PoseStartSearch;
+  using Superclass = PoseStart;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(PoseStartSearch, PoseStart);
+
+  /** Half range and step of the rotation, rad: 32 and 4 degrees. */
+  itkSetMacro(RotationRange, double);
+  itkGetConstMacro(RotationRange, double);
+  itkSetMacro(RotationStep, double);
+  itkGetConstMacro(RotationStep, double);
+  /** Half ranges and step of the shift of the contour's centre from the tracing's, px: 64, 40 and 8. */
+  itkSetMacro(HorizontalRange, double);
+  itkGetConstMacro(HorizontalRange, double);
+  itkSetMacro(VerticalRange, double);
+  itkGetConstMacro(VerticalRange, double);
+  itkSetMacro(ShiftStep, double);
+  itkGetConstMacro(ShiftStep, double);
+  /** Logarithms of the scale factors that are tried where the scale is searched: 0 and +-35 % by 7 %. */
+  void
+  SetKappas(const std::vector<double> & kappas);
+  const std::vector<double> &
+  GetKappas() const
+  {
+    return m_Kappas;
+  }
+
+  std::vector<StartType>
+  Search(const LeastSquaresMetricv4 & metric, const RequestType & request) const override;
+
+protected:
+  PoseStartSearch() = default;
+  ~PoseStartSearch() override = default;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  double              m_RotationRange{ 0.5585053606381855 };
+  double              m_RotationStep{ 0.06981317007977318 };
+  double              m_HorizontalRange{ 64.0 };
+  double              m_VerticalRange{ 40.0 };
+  double              m_ShiftStep{ 8.0 };
+  std::vector<double> m_Kappas{ 0.0, -0.35, -0.28, -0.21, -0.14, -0.07, 0.07, 0.14, 0.21, 0.28, 0.35 };
 };
 } // namespace itk
 

@@ -53,12 +53,29 @@ public:
     std::string code;
     /** For a person. */
     std::string text;
+
+    bool
+    operator==(const Reason & other) const
+    {
+      return severity == other.severity && code == other.code && text == other.text;
+    }
   };
   /** The verdict on one jaw; no reasons where it is ok. */
   struct JawVerdict
   {
     StatusEnum          status{ StatusEnum::Ok };
     std::vector<Reason> reasons;
+
+    bool
+    operator==(const JawVerdict & other) const
+    {
+      return status == other.status && reasons == other.reasons;
+    }
+    bool
+    operator!=(const JawVerdict & other) const
+    {
+      return !(*this == other);
+    }
   };
 
   /** px of 0.25 mm and mm. */

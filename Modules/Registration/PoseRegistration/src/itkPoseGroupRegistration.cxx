@@ -17,60 +17,317 @@
  *=========================================================================*/
 #include "itkPoseGroupRegistration.h"
 
-#include "itkParallelFor.h"
-#include "itkPoseStartSearch.h"
+#include "itkFindSilhouettes.h"
+#include "itkPoseCovariance.h"
+
+#include "itkCommand.h"
+#include "itkCorrelatedNoiseModel.h"
+#include "itkGemanMcClureKernel.h"
+#include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkSquaresKernel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace itk
 {
 namespace
 {
-using Vector3 = std::array<double, 3>;
+PoseParameters
+ToPose(const LeastSquaresMetricv4 & metric, const std::vector<double> & x)
+{
+  PoseParameters    pose{ {} };
+  const std::size_t offset = metric.GetState().GetOffset("pose");
+  for (unsigned int k = 0; k < PoseKappa; ++k)
+  {
+    pose[k] = x[offset + k];
+  }
+  pose[PoseKappa] = x[metric.GetState().GetOffset("scale")];
+  return pose;
 }
 
-std::vector<PoseState>
-PoseGroupRegistration::StartsAt(double yaw, unsigned int & evaluations) const
+std::vector<double>
+WithPose(const LeastSquaresMetricv4 & metric, std::vector<double> x, const PoseParameters & pose)
+{
+  const std::size_t offset = metric.GetState().GetOffset("pose");
+  for (unsigned int k = 0; k < PoseKappa; ++k)
+  {
+    x[offset + k] = pose[k];
+  }
+  x[metric.GetState().GetOffset("scale")] = pose[PoseKappa];
+  return x;
+}
+
+ResidualNoiseModel::ConstPointer
+MakeNoiseModel(double correlationLength)
+{
+  auto model = CorrelatedNoiseModel::New();
+  model->SetCorrelationLength(correlationLength);
+  return model.GetPointer();
+}
+} // namespace
+
+PoseGroupRegistration::PoseGroupRegistration(const PoseRegistrationOptions &            options,
+                                             bool                                       pixelSpacingKnown,
+                                             MetricType *                               metric,
+                                             OptimizerType *                            optimizer,
+                                             const PoseStart *                          start,
+                                             PoseIterationMonitor &                     monitor,
+                                             const std::function<void(PoseStageEnum)> & stages,
+                                             unsigned int                               group,
+                                             bool                                       hypothesis)
+  : m_Options(options)
+  , m_PixelSpacingKnown(pixelSpacingKnown)
+  , m_Metric(metric)
+  , m_Optimizer(optimizer)
+  , m_Start(start)
+  , m_Monitor(monitor)
+  , m_Stages(stages)
+  , m_Group(group)
+  , m_Hypothesis(hypothesis)
+  , m_Priors(options, pixelSpacingKnown)
+  , m_CorrelatedNoise(MakeNoiseModel(options.useCorrelatedNoise ? options.correlationLength : 0.0))
+  , m_WhiteNoise(MakeNoiseModel(0.0))
+{
+  if (m_Options.useRobustKernel)
+  {
+    m_Metric->SetRobustKernel(GemanMcClureKernel::New());
+  }
+  else
+  {
+    m_Metric->SetRobustKernel(SquaresKernel::New());
+  }
+  m_Metric->SetNoiseModel(m_CorrelatedNoise);
+}
+
+PoseGroupRegistration::MetricType::Pointer
+PoseGroupRegistration::CloneAt(const PositionType & x) const
+{
+  MetricType::Pointer clone = m_Metric->Clone();
+  clone->SetValues(x);
+  return clone;
+}
+
+PoseGroupRegistration::CandidateType
+PoseGroupRegistration::MakeCandidate(const PositionType & x) const
+{
+  CandidateType candidate;
+  candidate.x = x;
+  candidate.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
+  return candidate;
+}
+
+double
+PoseGroupRegistration::Distance(const MetricType & metric, const PositionType & from, const PositionType & to) const
+{
+  double sum = 0.0;
+  double count = 0.0;
+  metric.AddSquaredMotion(from, to, sum, count);
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+std::vector<PoseGroupRegistration::CandidateType>
+PoseGroupRegistration::SelectDistinct(const MetricType &                 metric,
+                                      const std::vector<CandidateType> & sorted,
+                                      double                             distance,
+                                      std::size_t                        maximum) const
+{
+  std::vector<CandidateType> distinct;
+  for (const CandidateType & candidate : sorted)
+  {
+    const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const CandidateType & other) {
+      return this->Distance(metric, candidate.x, other.x) < distance;
+    });
+    if (!near && distinct.size() < maximum)
+    {
+      distinct.push_back(candidate);
+    }
+  }
+  return distinct;
+}
+
+void
+PoseGroupRegistration::Score(const MetricType & metric, CandidateType & candidate) const
+{
+  RegistrationFit fit;
+  metric.AddFit(candidate.x, fit);
+  candidate.cost = fit.GetMeanCost();
+  candidate.codeTerm = fit.GetMeanCodeOffset();
+  candidate.score = candidate.cost + m_Options.codeWeight * candidate.codeTerm;
+}
+
+void
+PoseGroupRegistration::Refine(MetricType &         metric,
+                              const ScheduleType & schedule,
+                              unsigned int         index,
+                              CandidateType &      candidate) const
+{
+  metric.SetValues(candidate.x);
+  PosePriors::SetFree(metric, m_Priors.GetFitSigmas(schedule.similarityOnly));
+  metric.SetNoiseModel(schedule.correlated ? m_CorrelatedNoise : m_WhiteNoise);
+  metric.SetNoiseLevels(candidate.noise);
+  candidate.evaluations = 1;
+  candidate.converged = false;
+  if (metric.GetState().GetNumberOfFreeParameters() == 0)
+  {
+    this->Score(metric, candidate);
+    return;
+  }
+  metric.Initialize();
+
+  // A clone has no observers: this one's steps go to the monitor, which knows what thread observers are called in.
+  const auto * prototype = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer());
+  LevenbergMarquardtOptimizerv4::Pointer own;
+  if (prototype != nullptr)
+  {
+    own = prototype->Clone();
+  }
+  OptimizerType * optimizer = own.IsNotNull() ? static_cast<OptimizerType *>(own.GetPointer()) : m_Optimizer.GetPointer();
+  optimizer->SetMetric(&metric);
+  PoseRegistrationIteration report;
+  report.group = m_Group;
+  report.stage = schedule.stage;
+  report.candidate = index;
+  report.hypothesis = m_Hypothesis;
+  const auto post = [&](const EventObject &) {
+    report.step = own.IsNotNull() ? own->GetLastIteration() : LeastSquaresIteration();
+    if (own.IsNull())
+    {
+      report.step.position = metric.GetParameters();
+      report.step.value = report.step.trialValue = optimizer->GetCurrentMetricValue();
+      report.step.iteration = optimizer->GetCurrentIteration();
+      report.step.accepted = true;
+    }
+    report.pose = ToPose(metric, metric.GetState().Expand(report.step.position));
+    metric.GetNoiseLevels(report.noise);
+    m_Monitor.Post(report);
+    if (own.IsNotNull() && m_Monitor.IsAborted())
+    {
+      own->StopOptimization();
+    }
+  };
+  auto command = FunctionCommand::New();
+  command->SetCallback(post);
+  const unsigned long observer = optimizer->AddObserver(IterationEvent(), command);
+
+  const bool   estimate = schedule.estimateNoise && m_Options.estimateNoise;
+  double       damping = 0.0;
+  unsigned int accepted = 0;
+  while (!m_Monitor.IsAborted())
+  {
+    const bool annealed = accepted >= schedule.widths.size();
+    double     width = annealed ? schedule.widths.back() : schedule.widths[accepted];
+    if (annealed && estimate)
+    {
+      ContourNoiseLevels levels = candidate.noise;
+      metric.GetNoiseLevels(levels);
+      width = m_Options.adaptiveKernelFactor * std::hypot(levels.smooth, levels.white);
+    }
+    metric.SetKernelWidth(width);
+    report.kernelWidth = width;
+    // Every second step once the kernel is narrow: the levels settle much faster than the pose.
+    if (estimate && annealed && (accepted - schedule.widths.size()) % 2 == 0)
+    {
+      metric.EstimateNoise();
+    }
+    bool moved = false;
+    if (own.IsNull())
+    {
+      // An optimizer that knows neither our damping nor our step length: it ends by its own rules, once a width.
+      optimizer->StartOptimization();
+      ++accepted;
+      candidate.converged = accepted > schedule.widths.size();
+      if (candidate.converged)
+      {
+        break;
+      }
+      continue;
+    }
+    own->SetInitialDamping(damping);
+    own->SetNumberOfIterations(1);
+    own->SetValueTolerance(0.0);
+    own->SetStepTolerance(schedule.tolerance);
+    own->SetMaximumNumberOfEvaluations(schedule.maximumEvaluations - candidate.evaluations);
+    own->StartOptimization();
+    damping = own->GetDamping();
+    candidate.evaluations += static_cast<unsigned int>(own->GetNumberOfEvaluations());
+    moved = own->GetCurrentIteration() > 0;
+    if (moved || own->HasConverged())
+    {
+      candidate.converged = own->HasConverged();
+    }
+    accepted += moved ? 1 : 0;
+    if (!moved && !(candidate.converged && !annealed))
+    {
+      break;
+    }
+    if (!moved)
+    {
+      // Nothing to gain at this width: go on to the narrower one.
+      ++accepted;
+      candidate.converged = false;
+    }
+    if ((candidate.converged && accepted > schedule.widths.size()) ||
+        candidate.evaluations >= schedule.maximumEvaluations)
+    {
+      break;
+    }
+  }
+  optimizer->RemoveObserver(observer);
+  candidate.x = metric.GetState().GetValues();
+  metric.GetNoiseLevels(candidate.noise);
+  this->Score(metric, candidate);
+}
+
+std::vector<PoseGroupRegistration::CandidateType>
+PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & evaluations) const
 {
   // The view direction is that of the tracing: two rounds settle the perspective.
-  PoseParameters           pose{ {} };
-  std::vector<PoseContour> contours;
+  PoseParameters pose{ {} };
   pose[PoseYaw] = yaw;
-  double      target[2] = { 0, 0 };
-  std::size_t points = 0;
-  for (const PoseStrand & strand : m_Estimator.GetStrands())
-  {
-    for (int k = 0; k < 2; ++k)
-    {
-      target[k] += strand.tracing.centroid[k] * static_cast<double>(strand.tracing.Size());
-    }
-    points += strand.tracing.Size();
-  }
-  for (double & t : target)
-  {
-    t /= static_cast<double>(points);
-  }
+  MetricType::Pointer metric = m_Metric->Clone();
   for (int round = 0; round < 2; ++round)
   {
-    contours = m_Estimator.ComputeContours(pose);
+    metric->Hold(MetricType::HoldEnum::Nothing);
+    metric->SetValues(WithPose(*metric, metric->GetState().GetValues(), pose));
+    metric->Hold(MetricType::HoldEnum::Contours);
     ++evaluations;
-    Vector3     centre{ { 0, 0, 0 } };
-    std::size_t samples = 0;
-    for (const PoseContour & contour : contours)
+    double                target[2] = { 0, 0 };
+    std::size_t           points = 0;
+    std::array<double, 3> centre{ { 0, 0, 0 } };
+    std::size_t           samples = 0;
+    PoseGeometry          geometry;
+    for (const FoundSilhouette & found : FindSilhouettes(*metric))
     {
-      for (const auto & rim : contour.rim)
+      geometry = found.metric->GetKernel().GetSettings().geometry;
+      for (const auto & strand : found.metric->GetKernel().GetStrands())
       {
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < 2; ++k)
         {
-          centre[k] += rim[k];
+          target[k] += strand.tracing.centroid[k] * static_cast<double>(strand.tracing.Size());
         }
+        points += strand.tracing.Size();
       }
-      samples += contour.Size();
+      for (const PoseContour & contour : found.metric->GetContours(found.position))
+      {
+        for (const auto & rim : contour.rim)
+        {
+          for (int k = 0; k < 3; ++k)
+          {
+            centre[k] += rim[k];
+          }
+        }
+        samples += contour.Size();
+      }
     }
-    if (samples == 0)
+    if (samples == 0 || points == 0)
     {
       return {};
+    }
+    for (double & t : target)
+    {
+      t /= static_cast<double>(points);
     }
     for (double & x : centre)
     {
@@ -78,83 +335,60 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int & evaluations) const
     }
     if (round == 0)
     {
-      PoseModel(m_Estimator.GetGeometry(), pose).SolveTranslation(centre.data(), target, pose[PoseTx], pose[PoseTz]);
+      PoseModel(geometry, pose).SolveTranslation(centre.data(), target, pose[PoseTx], pose[PoseTz]);
     }
   }
-  PoseStartSearch search;
-  search.maximumStarts = m_Options.startsPerYaw + 2;
-  if (!m_Estimator.GetGeometry().pixelSpacingKnown && !m_Options.fixScale)
+  PoseStart::RequestType request;
+  request.pose = pose;
+  request.maximumNumberOfStarts = m_Options.startsPerYaw + 2;
+  request.holdRotation = m_Options.fixRotation;
+  if (!m_PixelSpacingKnown && !m_Options.fixScale)
   {
-    search.kappas = { 0.0, -0.35, -0.28, -0.21, -0.14, -0.07, 0.07, 0.14, 0.21, 0.28, 0.35 };
-    search.maximumStarts *= 2;
+    request.searchScale = true;
+    request.maximumNumberOfStarts *= 2;
   }
-  if (m_Options.fixRotation)
-  {
-    search.rotationRange = 0.0;
-  }
-  PoseSchedule schedule;
-  schedule.widths = { 10.0, 8.0, 6.0, 5.0, 4.0, 3.0 };
-  schedule.maximumEvaluations = 13;
+  ScheduleType schedule;
+  schedule.widths = m_Options.startKernelWidths;
+  schedule.maximumEvaluations = m_Options.startEvaluations;
+  schedule.tolerance = m_Options.startTolerance;
   schedule.similarityOnly = true;
   schedule.correlated = false;
   schedule.estimateNoise = false;
-  schedule.tolerance = 0.05;
-  std::vector<PoseState> states;
-  for (const auto & start : search.Search(m_Estimator, contours, pose))
+  schedule.stage = PoseStageEnum::Start;
+  std::vector<CandidateType> candidates;
+  for (const auto & start : m_Start->Search(*metric, request))
   {
-    PoseState state;
-    state.parameters = start.parameters;
-    state.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
-    states.push_back(m_Estimator.RefineFrozen(state, schedule, contours, pose));
-  }
-  std::stable_sort(
-    states.begin(), states.end(), [](const PoseState & a, const PoseState & b) { return a.score < b.score; });
-  std::vector<PoseState> distinct;
-  for (const PoseState & state : states)
-  {
-    const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const PoseState & other) {
-      return m_Estimator.ContourDistance(contours, state.parameters, other.parameters) < 3.0;
-    });
-    if (!near && distinct.size() < m_Options.startsPerYaw)
+    if (m_Monitor.IsAborted())
     {
-      distinct.push_back(state);
+      return {};
     }
+    candidates.push_back(
+      this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters)));
+    this->Refine(*metric, schedule, index, candidates.back());
   }
-  return distinct;
-}
-
-std::vector<PoseState>
-PoseGroupRegistration::Distinct(const std::vector<PoseState> & states, double distance, std::size_t maximum) const
-{
-  std::vector<PoseState> distinct;
-  for (const PoseState & state : states)
-  {
-    const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const PoseState & other) {
-      return m_Estimator.ContourDistance(m_Reference, state.parameters, other.parameters) < distance;
-    });
-    if (!near && distinct.size() < maximum)
-    {
-      distinct.push_back(state);
-    }
-  }
-  return distinct;
+  std::stable_sort(candidates.begin(), candidates.end(), [](const CandidateType & a, const CandidateType & b) {
+    return a.score < b.score;
+  });
+  return this->SelectDistinct(*metric, candidates, m_Options.startDistance, m_Options.startsPerYaw);
 }
 
 bool
 PoseGroupRegistration::Run(PoseGroupResult & group)
 {
-  const auto byScore = [](const PoseState & a, const PoseState & b) { return a.score < b.score; };
-  if (this->Aborted(0.0))
+  const auto byScore = [](const CandidateType & a, const CandidateType & b) { return a.score < b.score; };
+  // One that is not ours runs on the one object that it is.
+  const bool         cloneable = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer()) != nullptr;
+  const unsigned int threads = cloneable ? m_Options.numberOfThreads : 1;
+  m_Stages(PoseStageEnum::Start);
+  if (m_Monitor.IsAborted())
   {
     return false;
   }
-  std::vector<PoseState> pool;
+  const PositionType         origin = m_Metric->GetState().GetValues();
+  std::vector<CandidateType> pool;
   if (m_Options.useInitialPose)
   {
-    PoseState state;
-    state.parameters = m_Options.initialPose;
-    state.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
-    pool.push_back(state);
+    pool.push_back(this->MakeCandidate(WithPose(*m_Metric, origin, m_Options.initialPose)));
   }
   else
   {
@@ -164,10 +398,10 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     {
       yaws = m_Options.yawStarts;
     }
-    std::vector<std::vector<PoseState>> found(yaws.size());
-    std::vector<unsigned int>           evaluations(yaws.size(), 0);
-    ParallelFor(yaws.size(), m_Options.numberOfThreads, [&](std::size_t y) {
-      found[y] = this->StartsAt(yaws[y], evaluations[y]);
+    std::vector<std::vector<CandidateType>> found(yaws.size());
+    std::vector<unsigned int>               evaluations(yaws.size(), 0);
+    m_Monitor.ForEach(yaws.size(), threads, [&](std::size_t y) {
+      found[y] = this->StartsAt(yaws[y], static_cast<unsigned int>(y), evaluations[y]);
     });
     for (std::size_t y = 0; y < yaws.size(); ++y)
     {
@@ -175,90 +409,127 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
       group.evaluations += evaluations[y];
     }
   }
-  if (pool.empty() || this->Aborted(0.3))
+  m_Stages(PoseStageEnum::Candidates);
+  if (m_Monitor.IsAborted())
   {
-    return !pool.empty() ? false : true;
+    return false;
+  }
+  if (pool.empty())
+  {
+    return true;
   }
   std::stable_sort(pool.begin(), pool.end(), byScore);
-  m_ReferencePose = pool.front().parameters;
-  m_Reference = m_Estimator.ComputeContours(m_ReferencePose);
+  const MetricType::Pointer reference = this->CloneAt(pool.front().x);
+  reference->Hold(MetricType::HoldEnum::Contours);
+  const auto refineAll = [&](const ScheduleType & schedule) {
+    m_Monitor.ForEach(pool.size(), threads, [&](std::size_t i) {
+      const MetricType::Pointer metric = this->CloneAt(pool[i].x);
+      if (!m_Options.regenerateOutline)
+      {
+        metric->Hold(MetricType::HoldEnum::Contours);
+      }
+      this->Refine(*metric, schedule, static_cast<unsigned int>(i), pool[i]);
+    });
+    for (const CandidateType & candidate : pool)
+    {
+      group.evaluations += candidate.evaluations;
+    }
+    std::stable_sort(pool.begin(), pool.end(), byScore);
+    return !m_Monitor.IsAborted();
+  };
 
   // A few steps of each, then the best ones to the end.
-  PoseSchedule coarse;
-  coarse.maximumEvaluations = 6;
+  ScheduleType coarse;
+  coarse.widths = m_Options.coarseKernelWidths;
+  coarse.maximumEvaluations = m_Options.coarseEvaluations;
+  coarse.tolerance = m_Options.coarseTolerance;
   coarse.estimateNoise = false;
-  coarse.tolerance = 0.05;
-  ParallelFor(
-    pool.size(), m_Options.numberOfThreads, [&](std::size_t i) { pool[i] = m_Estimator.Refine(pool[i], coarse); });
-  for (const PoseState & state : pool)
+  coarse.stage = PoseStageEnum::Candidates;
+  if (!refineAll(coarse))
   {
-    group.evaluations += state.evaluations;
+    return false;
   }
-  std::stable_sort(pool.begin(), pool.end(), byScore);
-  // The best of each of three places, and a second way into the best place: four of one place would hide the others.
-  std::vector<PoseState> kept = this->Distinct(pool, 4.0, 3);
-  for (const PoseState & state : this->Distinct(pool, 1.0, 2))
+  // The best of each of some places, and a second way into the best place: four of one place would hide the others.
+  std::vector<CandidateType> kept =
+    this->SelectDistinct(*reference, pool, m_Options.placeDistance, m_Options.maximumPlaces);
+  for (const CandidateType & candidate : this->SelectDistinct(*reference, pool, m_Options.secondWayDistance, 2))
   {
     const bool there = std::any_of(
-      kept.begin(), kept.end(), [&](const PoseState & other) { return other.parameters == state.parameters; });
+      kept.begin(), kept.end(), [&](const CandidateType & other) { return other.x == candidate.x; });
     if (!there)
     {
-      kept.push_back(state);
+      kept.push_back(candidate);
     }
   }
   pool = std::move(kept);
   std::stable_sort(pool.begin(), pool.end(), byScore);
-  const double limit = pool.front().score + 0.12;
-  pool.erase(std::remove_if(pool.begin(), pool.end(), [&](const PoseState & s) { return s.score > limit; }),
-             pool.end());
-  if (this->Aborted(0.6))
+  const double limit = pool.front().score + m_Options.scoreMargin;
+  pool.erase(
+    std::remove_if(pool.begin(), pool.end(), [&](const CandidateType & candidate) { return candidate.score > limit; }),
+    pool.end());
+  m_Stages(PoseStageEnum::Refinement);
+  if (m_Monitor.IsAborted())
   {
     return false;
   }
-  PoseSchedule fine;
-  fine.widths = { 3.0 };
+  ScheduleType fine;
+  fine.widths = { m_Options.fineKernelWidth };
   fine.maximumEvaluations = m_Options.maximumEvaluations;
-  ParallelFor(
-    pool.size(), m_Options.numberOfThreads, [&](std::size_t i) { pool[i] = m_Estimator.Refine(pool[i], fine); });
-  for (const PoseState & state : pool)
-  {
-    group.evaluations += state.evaluations;
-  }
-  std::stable_sort(pool.begin(), pool.end(), byScore);
-  if (this->Aborted(0.9))
+  fine.tolerance = m_Options.fineTolerance;
+  if (!refineAll(fine))
   {
     return false;
   }
-  const PoseState & best = pool.front();
-  group.parameters = best.parameters;
+  m_Stages(PoseStageEnum::Uncertainty);
+  if (m_Monitor.IsAborted())
+  {
+    return false;
+  }
+
+  const CandidateType & best = pool.front();
+  m_Solution = best.x;
+  group.parameters = ToPose(*m_Metric, best.x);
   group.score = best.score;
   group.converged = best.converged;
   group.smoothSigma = best.noise.smooth;
   group.whiteSigma = best.noise.white;
-  for (const PoseState & state : pool)
+  for (const CandidateType & other : pool)
   {
     PoseCandidate candidate;
-    candidate.parameters = state.parameters;
-    candidate.score = state.score;
-    candidate.cost = state.cost;
-    candidate.codeTerm = state.codeTerm;
-    candidate.distance = m_Estimator.ContourDistance(m_Reference, best.parameters, state.parameters);
+    candidate.parameters = ToPose(*m_Metric, other.x);
+    candidate.score = other.score;
+    candidate.cost = other.cost;
+    candidate.codeTerm = other.codeTerm;
+    candidate.distance = this->Distance(*reference, best.x, other.x);
     group.candidates.push_back(candidate);
-    if (candidate.distance > 4.0)
+    if (candidate.distance > m_Options.placeDistance)
     {
       group.margin = std::min(group.margin, candidate.score - best.score);
     }
   }
-  PoseNoise noise;
-  group.covariance = m_Estimator.ComputeCovariance(best, noise);
-  const auto sigmas = m_Estimator.GetPriorSigmas(false);
+  m_Metric->SetValues(best.x);
+  PosePriors::SetFree(*m_Metric, m_Priors.GetFitSigmas(false));
+  m_Metric->SetNoiseModel(m_CorrelatedNoise);
+  m_Metric->SetNoiseLevels(best.noise);
+  group.covariance = ComputePoseCovariance(*m_Metric, m_Options, m_Priors);
+  const auto sigmas = m_Priors.GetFitSigmas(false);
   for (unsigned int k = 0; k < 7; ++k)
   {
     if (sigmas[k] > 0.0 && !std::isinf(sigmas[k]))
     {
-      group.priorTension[k] = std::abs(best.parameters[k]) / sigmas[k];
+      group.priorTension[k] = std::abs(group.parameters[k]) / sigmas[k];
     }
   }
   return true;
+}
+
+double
+PoseGroupRegistration::ComputeDeviance() const
+{
+  constexpr double          smallestWeight = 1e-3;
+  const MetricType::Pointer metric = this->CloneAt(m_Solution);
+  metric->Hold(MetricType::HoldEnum::Nothing);
+  metric->SetKernelWidth(PoseSilhouetteKernel::FitWidth);
+  return metric->EstimateNoise(smallestWeight);
 }
 } // namespace itk

@@ -18,50 +18,119 @@
 #ifndef itkPoseGroupRegistration_h
 #define itkPoseGroupRegistration_h
 
-#include "itkPoseEstimator.h"
+#include "itkPoseIterationMonitor.h"
+#include "itkPosePriors.h"
+#include "itkPoseRegistrationTypes.h"
+#include "itkPoseStart.h"
 
+#include "itkLeastSquaresSumMetricv4.h"
+#include "itkObjectToObjectOptimizerBase.h"
+#include "itkResidualNoiseModel.h"
+#include "itkRobustKernel.h"
+
+#include <functional>
 #include <vector>
 
 namespace itk
 {
-/** Registers one group of jaws that share a pose: global start, refinement of the candidates, choice. */
+/** Registers one group of jaws that share a pose: global start, refinement of the candidates, choice, covariance. Works
+ * on clones of a metric and an optimizer, a candidate each. */
 class PoseGroupRegistration
 {
 public:
-  PoseGroupRegistration(const PoseGeometry &          geometry,
-                        const PoseRegistrationOptions & options,
-                        std::vector<PoseStrand>       strands)
-    : m_Options(options)
-    , m_Estimator(geometry, options, std::move(strands))
-  {}
+  using MetricType = LeastSquaresSumMetricv4;
+  using OptimizerType = ObjectToObjectOptimizerBaseTemplate<double>;
+  using PositionType = MetricType::PositionType;
 
-  /** \return false on abort. */
+  /** \param metric  the sum with its priors, initialized, where the search begins.
+   *  \param stages  called in the calling thread where a stage begins. */
+  PoseGroupRegistration(const PoseRegistrationOptions &            options,
+                        bool                                       pixelSpacingKnown,
+                        MetricType *                               metric,
+                        OptimizerType *                            optimizer,
+                        const PoseStart *                          start,
+                        PoseIterationMonitor &                     monitor,
+                        const std::function<void(PoseStageEnum)> & stages,
+                        unsigned int                               group,
+                        bool                                       hypothesis);
+
+  /** Fills in all but jaws and hypotheses. \return false on abort. */
   bool
   Run(PoseGroupResult & group);
 
-  const PoseEstimator &
-  GetEstimator() const
+  /** The metric at the solution, in all its free parameters; valid after Run(). */
+  MetricType *
+  GetMetric() const
   {
-    return m_Estimator;
+    return m_Metric;
   }
+  const PositionType &
+  GetSolution() const
+  {
+    return m_Solution;
+  }
+
+  /** Minus twice the log likelihood of the evidence at the solution, for the comparison of models: a point that fits
+   * nowhere counts against a model, it does not drop out. */
+  double
+  ComputeDeviance() const;
 
 private:
-  std::vector<PoseState>
-  StartsAt(double yaw, unsigned int & evaluations) const;
-
-  std::vector<PoseState>
-  Distinct(const std::vector<PoseState> & states, double distance, std::size_t maximum) const;
-
-  bool
-  Aborted(double progress) const
+  /** A pose on its way. */
+  struct CandidateType
   {
-    return m_Options.progress && m_Options.progress(progress);
-  }
+    PositionType       x;
+    ContourNoiseLevels noise;
+    unsigned int       evaluations{ 0 };
+    bool               converged{ false };
+    double             cost{ 1.0 };
+    double             codeTerm{ 0.0 };
+    double             score{ 1.0 };
+  };
+  /** How a candidate is refined. */
+  struct ScheduleType
+  {
+    std::vector<double> widths;
+    unsigned int        maximumEvaluations{ 14 };
+    double              tolerance{ 0.005 };
+    bool                similarityOnly{ false };
+    bool                correlated{ true };
+    bool                estimateNoise{ true };
+    PoseStageEnum       stage{ PoseStageEnum::Refinement };
+  };
 
-  PoseRegistrationOptions    m_Options;
-  PoseEstimator            m_Estimator;
-  std::vector<PoseContour> m_Reference;
-  PoseParameters           m_ReferencePose{ {} };
+  std::vector<CandidateType>
+  StartsAt(double yaw, unsigned int index, unsigned int & evaluations) const;
+  void
+  Refine(MetricType & metric, const ScheduleType & schedule, unsigned int index, CandidateType & candidate) const;
+  void
+  Score(const MetricType & metric, CandidateType & candidate) const;
+  /** The best ones that lie further than a distance from each other. */
+  std::vector<CandidateType>
+  SelectDistinct(const MetricType &                 metric,
+                 const std::vector<CandidateType> & sorted,
+                 double                             distance,
+                 std::size_t                        maximum) const;
+  double
+  Distance(const MetricType & metric, const PositionType & from, const PositionType & to) const;
+  MetricType::Pointer
+  CloneAt(const PositionType & x) const;
+  CandidateType
+  MakeCandidate(const PositionType & x) const;
+
+  PoseRegistrationOptions            m_Options;
+  bool                               m_PixelSpacingKnown;
+  MetricType::Pointer                m_Metric;
+  OptimizerType::Pointer             m_Optimizer;
+  PoseStart::ConstPointer            m_Start;
+  PoseIterationMonitor &             m_Monitor;
+  std::function<void(PoseStageEnum)> m_Stages;
+  unsigned int                       m_Group;
+  bool                               m_Hypothesis;
+  PosePriors                         m_Priors;
+  ResidualNoiseModel::ConstPointer   m_CorrelatedNoise;
+  ResidualNoiseModel::ConstPointer   m_WhiteNoise;
+  PositionType                       m_Solution;
 };
 } // namespace itk
 

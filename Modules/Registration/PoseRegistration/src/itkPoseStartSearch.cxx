@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkPoseStartSearch.h"
 
+#include "itkFindSilhouettes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -122,12 +124,42 @@ struct GridPoint
 };
 } // namespace
 
-std::vector<PoseStartSearch::Start>
-PoseStartSearch::Search(const PoseEstimator &            estimator,
-                        const std::vector<PoseContour> & contours,
-                        const PoseParameters &           pose) const
+void
+PoseStartSearch::SetKappas(const std::vector<double> & kappas)
 {
-  const auto & strands = estimator.GetStrands();
+  if (kappas.empty())
+  {
+    itkExceptionMacro("SetKappas() wants at least one; 0 is the scale of the geometry.");
+  }
+  if (kappas != m_Kappas)
+  {
+    m_Kappas = kappas;
+    this->Modified();
+  }
+}
+
+std::vector<PoseStartSearch::StartType>
+PoseStartSearch::Search(const LeastSquaresMetricv4 & metric, const RequestType & request) const
+{
+  const PoseParameters &    pose = request.pose;
+  const std::vector<double> kappas = request.searchScale ? m_Kappas : std::vector<double>{ 0.0 };
+  struct StrandType
+  {
+    const PoseTracing & tracing;
+    const PoseContour & contour;
+  };
+  std::vector<StrandType> strands;
+  PoseGeometry            geometry;
+  for (const FoundSilhouette & found : FindSilhouettes(metric))
+  {
+    const auto & kernel = found.metric->GetKernel();
+    const auto & contours = found.metric->GetContours(found.position);
+    geometry = kernel.GetSettings().geometry;
+    for (std::size_t s = 0; s < contours.size(); ++s)
+    {
+      strands.push_back({ kernel.GetStrands()[s].tracing, contours[s] });
+    }
+  }
   // Centroids of all tracing and all contours: the grid's origin.
   double                     tracingCentre[2] = { 0, 0 }, contourCentre[2] = { 0, 0 };
   std::array<double, 3>      rimCentre{ { 0, 0, 0 } };
@@ -136,7 +168,7 @@ PoseStartSearch::Search(const PoseEstimator &            estimator,
   for (std::size_t s = 0; s < strands.size(); ++s)
   {
     const PoseTracing & tracing = strands[s].tracing;
-    const PoseContour & contour = contours[s];
+    const PoseContour & contour = strands[s].contour;
     points += tracing.Size();
     for (int k = 0; k < 2; ++k)
     {
@@ -154,7 +186,7 @@ PoseStartSearch::Search(const PoseEstimator &            estimator,
     }
     fields.emplace_back(contour, 8.0);
   }
-  std::vector<Start> starts;
+  std::vector<StartType> starts;
   if (points == 0 || samples == 0)
   {
     return starts;
@@ -188,9 +220,9 @@ PoseStartSearch::Search(const PoseEstimator &            estimator,
                          s });
     }
   }
-  const int              rotations = static_cast<int>(rotationRange / rotationStep + 0.5);
-  const int              us = static_cast<int>(uRange / shiftStep + 0.5);
-  const int              vs = static_cast<int>(vRange / shiftStep + 0.5);
+  const int              rotations = request.holdRotation ? 0 : static_cast<int>(m_RotationRange / m_RotationStep + 0.5);
+  const int              us = static_cast<int>(m_HorizontalRange / m_ShiftStep + 0.5);
+  const int              vs = static_cast<int>(m_VerticalRange / m_ShiftStep + 0.5);
   std::vector<GridPoint> grid;
   grid.reserve(kappas.size() * (2 * rotations + 1) * (2 * us + 1) * (2 * vs + 1));
   for (unsigned int k = 0; k < kappas.size(); ++k)
@@ -199,7 +231,7 @@ PoseStartSearch::Search(const PoseEstimator &            estimator,
     for (int r = -rotations; r <= rotations; ++r)
     {
       // The tracing is turned back onto the contour.
-      const double angle = r * rotationStep;
+      const double angle = r * m_RotationStep;
       const double c = shrink * std::cos(angle);
       const double s = shrink * std::sin(angle);
       for (Probe & probe : probes)
@@ -214,8 +246,8 @@ PoseStartSearch::Search(const PoseEstimator &            estimator,
         for (int u = -us; u <= us; ++u)
         {
           // The contour's shift, seen from the turned tracing.
-          const double du = u * shiftStep;
-          const double dv = v * shiftStep;
+          const double du = u * m_ShiftStep;
+          const double dv = v * m_ShiftStep;
           const double ou = -(c * du + s * dv);
           const double ov = -(-s * du + c * dv);
           unsigned int cost = 0;
@@ -233,8 +265,8 @@ PoseStartSearch::Search(const PoseEstimator &            estimator,
   for (const GridPoint & point : grid)
   {
     const bool near = std::any_of(kept.begin(), kept.end(), [&](const GridPoint & other) {
-      return std::abs(point.rotation - other.rotation) * rotationStep < 0.0873 &&
-             std::hypot(point.u - other.u, point.v - other.v) * shiftStep < 10.0 &&
+      return std::abs(point.rotation - other.rotation) * m_RotationStep < 0.0873 &&
+             std::hypot(point.u - other.u, point.v - other.v) * m_ShiftStep < 10.0 &&
              std::abs(kappas[point.kappa] - kappas[other.kappa]) < 0.08;
     });
     if (near)
@@ -242,20 +274,37 @@ PoseStartSearch::Search(const PoseEstimator &            estimator,
       continue;
     }
     kept.push_back(point);
-    Start start;
+    StartType start;
     start.cost = Quantum * point.cost / static_cast<double>(probes.size());
     start.parameters = pose;
-    start.parameters[PosePitch] += point.rotation * rotationStep;
+    start.parameters[PosePitch] += point.rotation * m_RotationStep;
     start.parameters[PoseKappa] = kappas[point.kappa];
-    const double target[2] = { tracingCentre[0] + point.u * shiftStep, tracingCentre[1] + point.v * shiftStep };
-    PoseModel(estimator.GetGeometry(), start.parameters)
+    const double target[2] = { tracingCentre[0] + point.u * m_ShiftStep, tracingCentre[1] + point.v * m_ShiftStep };
+    PoseModel(geometry, start.parameters)
       .SolveTranslation(rimCentre.data(), target, start.parameters[PoseTx], start.parameters[PoseTz]);
     starts.push_back(start);
-    if (starts.size() >= maximumStarts)
+    if (starts.size() >= request.maximumNumberOfStarts)
     {
       break;
     }
   }
   return starts;
+}
+
+void
+PoseStartSearch::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "RotationRange: " << m_RotationRange << std::endl;
+  os << indent << "RotationStep: " << m_RotationStep << std::endl;
+  os << indent << "HorizontalRange: " << m_HorizontalRange << std::endl;
+  os << indent << "VerticalRange: " << m_VerticalRange << std::endl;
+  os << indent << "ShiftStep: " << m_ShiftStep << std::endl;
+  os << indent << "Kappas:";
+  for (const double kappa : m_Kappas)
+  {
+    os << ' ' << kappa;
+  }
+  os << std::endl;
 }
 } // namespace itk

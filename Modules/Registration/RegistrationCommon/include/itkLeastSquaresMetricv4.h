@@ -91,6 +91,9 @@ public:
   SetBlockValues(const std::string & block, const std::vector<double> & values);
   std::vector<double>
   GetBlockValues(const std::string & block) const;
+  /** Values of all blocks. */
+  void
+  SetValues(const PositionType & x);
   /** Which parameters of a block an optimizer may move; the others are removed from its parameters. */
   void
   SetBlockFree(const std::string & block, const std::vector<bool> & isFree);

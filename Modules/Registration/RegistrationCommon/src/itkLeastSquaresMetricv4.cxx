@@ -59,6 +59,15 @@ LeastSquaresMetricv4::SetBlockValues(const std::string & block, const std::vecto
   this->Modified();
 }
 
+void
+LeastSquaresMetricv4::SetValues(const PositionType & x)
+{
+  this->UpdateBlocks();
+  m_State.SetValues(x);
+  this->StateChanged();
+  this->Modified();
+}
+
 std::vector<double>
 LeastSquaresMetricv4::GetBlockValues(const std::string & block) const
 {

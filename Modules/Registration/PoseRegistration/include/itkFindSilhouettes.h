@@ -1,0 +1,44 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkFindSilhouettes_h
+#define itkFindSilhouettes_h
+
+#include "PoseRegistrationExport.h"
+
+#include "itkSilhouettePoseMetricv4.h"
+
+#include <vector>
+
+namespace itk
+{
+/** A silhouette among the terms of a metric, and the part of the metric's position that it reads. */
+struct FoundSilhouette
+{
+  const SilhouettePoseMetricv4 *       metric{ nullptr };
+  SilhouettePoseMetricv4::PositionType position;
+};
+
+/** The silhouettes of a metric, of a sum and of sums within it, in order, at the metric's current position. */
+PoseRegistration_EXPORT std::vector<FoundSilhouette>
+                        FindSilhouettes(const LeastSquaresMetricv4 & metric);
+/** The same at a position. */
+PoseRegistration_EXPORT std::vector<FoundSilhouette>
+                        FindSilhouettes(const LeastSquaresMetricv4 & metric, const LeastSquaresMetricv4::PositionType & x);
+} // namespace itk
+
+#endif

@@ -1,0 +1,94 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseHypothesis_h
+#define itkPoseHypothesis_h
+
+#include "PoseRegistrationExport.h"
+#include "itkPoseProblem.h"
+
+#include "itkObject.h"
+
+#include <string>
+
+namespace itk
+{
+/** \class PoseHypothesis
+ * \brief Another reading of the same input, tried beside the result to name a likely mistake.
+ *
+ * A hypothesis turns the question into another one, which PoseRegistrationMethod answers quickly and compares with the
+ * result. RegistrationVerdict names those that explain the evidence better. To run one alone, give Apply()'s answer to a
+ * method of one's own.
+ *
+ * \ingroup PoseRegistration
+ */
+class PoseRegistration_EXPORT PoseHypothesis : public Object
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(PoseHypothesis);
+
+  using Self = PoseHypothesis;
+  using Superclass = Object;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkTypeMacro(PoseHypothesis, Object);
+
+  /** What came of it. */
+  struct OutcomeType
+  {
+    /** Score of its best candidate; 1 where there is none. */
+    double score{ 1.0 };
+    /** Minus twice the log likelihood of the evidence under the hypothesis minus that of the result; 0 where there is
+     * no candidate. */
+    double deviance{ 0.0 };
+  };
+
+  /** Short and stable, as the verdict's codes: "facing". */
+  virtual std::string
+  GetCode() const = 0;
+
+  /** Whether to try it. It is never tried beside a given start or held values: any free search would look better. */
+  virtual bool
+  IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const = 0;
+
+  /** The other question. The problem is that of one group. */
+  virtual PoseProblem
+  Apply(const PoseProblem & problem) const = 0;
+
+  /** Whether the deviance is wanted, which takes another estimate of the noise of both. */
+  virtual bool
+  GetComparesDeviance() const
+  {
+    return false;
+  }
+
+  /** Writes what came of it into the result. */
+  virtual void
+  Record(const OutcomeType & outcome, PoseGroupResult & result) const = 0;
+
+protected:
+  PoseHypothesis() = default;
+  ~PoseHypothesis() override = default;
+
+  /** The options of a quick search: one yaw, few evaluations, no hypotheses of its own. */
+  static PoseRegistrationOptions
+  MakeQuickOptions(const PoseRegistrationOptions & options, unsigned int maximumEvaluations);
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,43 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseProblem_h
+#define itkPoseProblem_h
+
+#include "itkPoseRegistrationTypes.h"
+
+#include <optional>
+#include <vector>
+
+namespace itk
+{
+/** \struct PoseProblem
+ * \brief A question to a pose registration: the jaws, the geometry, how to go about it.
+ * \ingroup PoseRegistration
+ */
+struct PoseProblem
+{
+  std::vector<PoseJawInput> jaws;
+  /** As it is known. */
+  PoseGeometry nominal;
+  /** With what was not known filled in: made from the jaws where absent. */
+  std::optional<PoseGeometry> completed;
+  PoseRegistrationOptions     options;
+};
+} // namespace itk
+
+#endif

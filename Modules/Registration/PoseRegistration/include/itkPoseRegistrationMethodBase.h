@@ -1,0 +1,239 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseRegistrationMethodBase_h
+#define itkPoseRegistrationMethodBase_h
+
+#include "itkPoseHypothesis.h"
+#include "itkPoseRegistrationIteration.h"
+#include "itkPoseSolution.h"
+#include "itkPoseStart.h"
+
+#include "itkDataObjectDecorator.h"
+#include "itkDentalContour.h"
+#include "itkLeastSquaresSumMetricv4.h"
+#include "itkObjectToObjectOptimizerBase.h"
+#include "itkProcessObject.h"
+#include "itkSimpleDataObjectDecorator.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace itk
+{
+/** \class PoseRegistrationMethodBase
+ * \brief All of PoseRegistrationMethod but the type of the meshes.
+ * \ingroup PoseRegistration
+ */
+class PoseRegistration_EXPORT PoseRegistrationMethodBase : public ProcessObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(PoseRegistrationMethodBase);
+
+  using Self = PoseRegistrationMethodBase;
+  using Superclass = ProcessObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkTypeMacro(PoseRegistrationMethodBase, ProcessObject);
+
+  using JawEnum = ToothCode::JawEnum;
+  using ContourType = DentalContour;
+  using GeometryType = CephalometricGeometry;
+  using RigidTransformType = VersorRigid3DTransform<double>;
+  using DecoratedTransformType = DataObjectDecorator<RigidTransformType>;
+  using SolutionType = PoseSolution;
+  using MetricType = LeastSquaresSumMetricv4;
+  using TermType = LeastSquaresMetricv4;
+  using OptimizerType = ObjectToObjectOptimizerBaseTemplate<double>;
+  using IterationType = PoseRegistrationIteration;
+  using DataObjectPointer = Superclass::DataObjectPointer;
+  using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
+
+  // Inputs ------------------------------------------------------------------------------------------------------
+
+  itkSetInputMacro(UpperContour, ContourType);
+  itkGetInputMacro(UpperContour, ContourType);
+  itkSetInputMacro(LowerContour, ContourType);
+  itkGetInputMacro(LowerContour, ContourType);
+  itkSetInputMacro(Geometry, GeometryType);
+  itkGetInputMacro(Geometry, GeometryType);
+
+  /** Mesh frame to dental frame, as UMidlineDentalAxisFilter (RefineMidline on) gives it: GetUpperTransformOutput(),
+   * GetLowerTransformOutput(), GetJointTransformOutput(). Where the joint one is set and holds a transform, both jaws
+   * share its frame and, with the option useJointPose, one pose. Frames that are not set are estimated. */
+  itkSetInputMacro(UpperFrame, DecoratedTransformType);
+  itkGetInputMacro(UpperFrame, DecoratedTransformType);
+  itkSetInputMacro(LowerFrame, DecoratedTransformType);
+  itkGetInputMacro(LowerFrame, DecoratedTransformType);
+  itkSetInputMacro(JointFrame, DecoratedTransformType);
+  itkGetInputMacro(JointFrame, DecoratedTransformType);
+
+  // Options -----------------------------------------------------------------------------------------------------
+
+  /** Every ingredient of the method. Thread number is this object's own. */
+  void
+  SetOptions(const PoseRegistrationOptions & options);
+  const PoseRegistrationOptions &
+  GetOptions() const
+  {
+    return m_Options;
+  }
+
+  /** Which side was traced: the option that cases differ in. */
+  void
+  SetTracedSide(PoseTracedSideEnum side);
+  PoseTracedSideEnum
+  GetTracedSide() const
+  {
+    return m_Options.tracedSide;
+  }
+
+  /** Whether the geometry's principal point is one. Default on; off, the tracing's centre is used. */
+  itkSetMacro(PrincipalPointKnown, bool);
+  itkGetConstMacro(PrincipalPointKnown, bool);
+  itkBooleanMacro(PrincipalPointKnown);
+
+  /** Where a jaw's registration begins instead of with a search: mesh frame to cephalostat frame, and the factor on the
+   * magnification. Of jaws with one pose the upper's speaks first. */
+  void
+  SetInitialTransform(JawEnum jaw, const RigidTransformType * transform, double scaleFactor = 1.0);
+  void
+  ClearInitialTransforms();
+
+  // Parts -------------------------------------------------------------------------------------------------------
+
+  /** LevenbergMarquardtOptimizerv4 by default, of which candidates take clones. Any other v4 optimizer runs as it is, in
+   * one thread, by its own stop rules. */
+  itkSetObjectMacro(Optimizer, OptimizerType);
+  itkGetModifiableObjectMacro(Optimizer, OptimizerType);
+
+  /** PoseStartSearch by default. */
+  itkSetConstObjectMacro(Start, PoseStart);
+  itkGetConstObjectMacro(Start, PoseStart);
+
+  /** A further term of the sum that is minimized, as a metric of one's own. It may read the blocks "pose" and "scale"
+   * or have blocks of its own. */
+  void
+  AddMetric(TermType * term);
+  void
+  ClearMetrics();
+  const std::vector<TermType::Pointer> &
+  GetMetrics() const
+  {
+    return m_Terms;
+  }
+
+  /** OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis by default. */
+  void
+  AddHypothesis(const PoseHypothesis * hypothesis);
+  void
+  ClearHypotheses();
+
+  // While it runs -----------------------------------------------------------------------------------------------
+
+  /** Groups are jaws with a pose of their own; level = 4 group + stage. */
+  itkGetConstMacro(CurrentLevel, unsigned int);
+  itkGetConstMacro(NumberOfLevels, unsigned int);
+  /** The step that the last IterationEvent was about. */
+  const IterationType &
+  GetCurrentIteration() const
+  {
+    return m_CurrentIteration;
+  }
+  /** The sum of the group that runs, at the position of the last IterationEvent; null before the first group. It sends
+   * IterationEvents too. */
+  itkGetModifiableObjectMacro(Metric, MetricType);
+
+  // Outputs -----------------------------------------------------------------------------------------------------
+
+  /** Pose, covariance, candidates, fit. The primary output. */
+  SolutionType *
+  GetOutput();
+  const SolutionType *
+  GetOutput() const;
+  /** Mesh frame to cephalostat frame, decorated; its Get() is null for a jaw that was not registered. */
+  DecoratedTransformType *
+  GetTransformOutput(JawEnum jaw);
+  const RigidTransformType *
+  GetTransform(JawEnum jaw);
+  /** Geometry with the pose: ProjectPoint() of a mesh point is its place on the radiograph. */
+  GeometryType *
+  GetGeometryOutput(JawEnum jaw);
+
+  /** Whether one frame was used for both jaws; valid after Update(). */
+  itkGetConstMacro(JawsShareFrame, bool);
+
+  using Superclass::MakeOutput;
+  DataObjectPointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  PoseRegistrationMethodBase();
+  ~PoseRegistrationMethodBase() override;
+
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+  /** Meshes, contours and a geometry share no physical space that could be compared. */
+  void
+  VerifyInputInformation() ITKv5_CONST override
+  {}
+  void
+  GenerateData() override;
+  ModifiedTimeType
+  GetMTime() const override;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+  virtual bool
+  HasMesh(JawEnum jaw) const = 0;
+  virtual TriangleSurface
+  MakeSurface(JawEnum jaw) const = 0;
+
+private:
+  static constexpr unsigned int NumberOfJaws = 2;
+  struct InitialType
+  {
+    RigidTransformType::ConstPointer transform;
+    double                           scaleFactor{ 1.0 };
+  };
+
+  const ContourType *
+  GetContour(JawEnum jaw) const;
+  void
+  UpdateFrames(const std::array<TriangleSurface, NumberOfJaws> & surfaces);
+  void
+  Report(const IterationType & iteration);
+
+  PoseRegistrationOptions                   m_Options;
+  bool                                      m_PrincipalPointKnown{ true };
+  std::array<InitialType, NumberOfJaws>     m_Initial;
+  OptimizerType::Pointer                    m_Optimizer;
+  PoseStart::ConstPointer                   m_Start;
+  std::vector<TermType::Pointer>            m_Terms;
+  std::vector<PoseHypothesis::ConstPointer> m_Hypotheses;
+  unsigned int                              m_CurrentLevel{ 0 };
+  unsigned int                              m_NumberOfLevels{ 4 };
+  IterationType                             m_CurrentIteration;
+  MetricType::Pointer                       m_Metric;
+  bool                                      m_JawsShareFrame{ false };
+  std::array<PoseFrame, NumberOfJaws>       m_Frames;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,127 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseSolution_h
+#define itkPoseSolution_h
+
+#include "PoseRegistrationExport.h"
+#include "itkPoseRegistrationTypes.h"
+
+#include "itkCephalometricGeometry.h"
+#include "itkCephalometricPoseTransform.h"
+#include "itkDataObject.h"
+#include "itkMatrix.h"
+#include "itkToothCode.h"
+#include "itkVersorRigid3DTransform.h"
+
+namespace itk
+{
+/** \class PoseSolution
+ * \brief What a pose registration found, as a data object: poses, covariance, candidates, fit, and why a jaw was not
+ * registered.
+ *
+ * Output of PoseRegistrationMethod, input of what lies downstream: RegistrationVerdictFilter, LandmarkProjectionFilter.
+ * Points of a jaw's mesh are in the mesh's frame, mm; pixels are continuous indices of the radiograph.
+ *
+ * Errors (ExceptionObject): a question about a jaw that had no input or was not registered.
+ *
+ * \ingroup PoseRegistration
+ */
+class PoseRegistration_EXPORT PoseSolution : public DataObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(PoseSolution);
+
+  using Self = PoseSolution;
+  using Superclass = DataObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(PoseSolution, DataObject);
+
+  using JawEnum = ToothCode::JawEnum;
+  using PointType = Point<double, 3>;
+  using PixelIndexType = CephalometricGeometry::PixelIndexType;
+  using CovarianceType = Matrix<double, 2, 2>;
+  using ProjectionMatrixType = Matrix<double, 3, 4>;
+  using RigidTransformType = VersorRigid3DTransform<double>;
+
+  /** Everything, by index of jaw and group. */
+  const PoseRegistrationResult &
+  GetResult() const
+  {
+    return m_Result;
+  }
+  /** What the registration was asked for. */
+  const PoseRegistrationOptions &
+  GetOptions() const
+  {
+    return m_Options;
+  }
+  void
+  SetResult(const PoseRegistrationResult & result, const PoseRegistrationOptions & options);
+
+  /** Index of a jaw in the result, or -1 where it had no input. */
+  int
+  GetIndex(JawEnum jaw) const;
+  bool
+  IsRegistered(JawEnum jaw) const;
+  /** Throws where the jaw had no input. */
+  const PoseJawResult &
+  GetJaw(JawEnum jaw) const;
+  /** The group of jaws with one pose that a registered jaw belongs to. */
+  const PoseGroupResult &
+  GetGroup(JawEnum jaw) const;
+
+  /** Mesh frame, mm, to homogeneous continuous pixel index. */
+  ProjectionMatrixType
+  GetProjectionMatrix(JawEnum jaw) const;
+  PixelIndexType
+  ProjectPoint(JawEnum jaw, const PointType & point) const;
+  /** Covariance, square pixels, of the projection of a point. */
+  CovarianceType
+  ComputeCovariance(JawEnum jaw, const PointType & point) const;
+
+  /** Mesh frame to cephalostat frame. */
+  RigidTransformType::Pointer
+  MakeRigidTransform(JawEnum jaw) const;
+  /** Dental frame of the jaw to the radiograph. */
+  CephalometricPoseTransform::Pointer
+  MakePoseTransform(JawEnum jaw) const;
+  /** Gives a geometry the pose of a jaw's mesh; the scale of the fit is in its pixel spacing. */
+  void
+  CopyToGeometry(JawEnum jaw, CephalometricGeometry * geometry) const;
+
+  void
+  Initialize() override;
+  void
+  Graft(const DataObject * data) override;
+
+protected:
+  PoseSolution() = default;
+  ~PoseSolution() override = default;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  PoseRegistrationResult  m_Result;
+  PoseRegistrationOptions m_Options;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,101 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkRegistrationVerdictFilter_h
+#define itkRegistrationVerdictFilter_h
+
+#include "itkPoseSolution.h"
+#include "itkRegistrationVerdict.h"
+
+#include "itkProcessObject.h"
+#include "itkSimpleDataObjectDecorator.h"
+
+#include <vector>
+
+namespace itk
+{
+/** \class RegistrationVerdictFilter
+ * \brief Judges a pose registration: ok, suspect (a person should look) or failed, a jaw each, with reasons.
+ *
+ * Input: a PoseSolution. Output: the verdicts of upper and lower jaw, decorated; a jaw without input has a verdict that
+ * is ok and has no reasons. RegistrationVerdict has the rules.
+ *
+ * \ingroup PoseRegistration
+ */
+class PoseRegistration_EXPORT RegistrationVerdictFilter : public ProcessObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(RegistrationVerdictFilter);
+
+  using Self = RegistrationVerdictFilter;
+  using Superclass = ProcessObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(RegistrationVerdictFilter, ProcessObject);
+
+  using JawEnum = ToothCode::JawEnum;
+  using JawVerdictType = RegistrationVerdict::JawVerdict;
+  using ThresholdsType = RegistrationVerdict::Thresholds;
+  using DecoratedVerdictType = SimpleDataObjectDecorator<JawVerdictType>;
+  using Superclass::MakeOutput;
+  using DataObjectPointer = Superclass::DataObjectPointer;
+  using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
+
+  itkSetInputMacro(Solution, PoseSolution);
+  itkGetInputMacro(Solution, PoseSolution);
+
+  void
+  SetThresholds(const ThresholdsType & thresholds);
+  const ThresholdsType &
+  GetThresholds() const
+  {
+    return m_Thresholds;
+  }
+
+  DecoratedVerdictType *
+  GetVerdictOutput(JawEnum jaw);
+  /** Valid after Update(). */
+  const JawVerdictType &
+  GetVerdict(JawEnum jaw);
+
+  /** What the data could not tell, as sentences; valid after Update(). */
+  const std::vector<std::string> &
+  GetNotCheckable() const
+  {
+    return m_NotCheckable;
+  }
+
+  DataObjectPointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  RegistrationVerdictFilter();
+  ~RegistrationVerdictFilter() override = default;
+  void
+  GenerateData() override;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  ThresholdsType           m_Thresholds;
+  std::vector<std::string> m_NotCheckable;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,62 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkExchangedJawsHypothesis.h"
+
+#include <utility>
+
+namespace itk
+{
+std::string
+ExchangedJawsHypothesis::GetCode() const
+{
+  return "jaws-exchanged";
+}
+
+bool
+ExchangedJawsHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
+{
+  return problem.jaws.size() == 2 && result.score > problem.options.poorScore;
+}
+
+PoseProblem
+ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
+{
+  constexpr unsigned int evaluations = 6;
+  PoseProblem            other = problem;
+  other.options = MakeQuickOptions(problem.options, evaluations);
+  other.completed.reset();
+  std::swap(other.jaws[0].tracing, other.jaws[1].tracing);
+  for (PoseJawInput & jaw : other.jaws)
+  {
+    // What was called upper is the lower jaw, the frame stands on its head about x.
+    jaw.initialPose.reset();
+    jaw.upper = !jaw.upper;
+    for (int k = 3; k < 9; ++k)
+    {
+      jaw.frame.rotation[k] = -jaw.frame.rotation[k];
+    }
+  }
+  return other;
+}
+
+void
+ExchangedJawsHypothesis::Record(const OutcomeType & outcome, PoseGroupResult & result) const
+{
+  result.exchangedScore = outcome.score;
+}
+} // namespace itk

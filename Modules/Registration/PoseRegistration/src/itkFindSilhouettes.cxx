@@ -1,0 +1,59 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkFindSilhouettes.h"
+
+#include "itkLeastSquaresSumMetricv4.h"
+
+namespace itk
+{
+namespace
+{
+void
+Append(const LeastSquaresMetricv4 &               metric,
+       const LeastSquaresMetricv4::PositionType & x,
+       std::vector<FoundSilhouette> &             found)
+{
+  if (const auto * silhouette = dynamic_cast<const SilhouettePoseMetricv4 *>(&metric))
+  {
+    found.push_back({ silhouette, x });
+    return;
+  }
+  if (const auto * sum = dynamic_cast<const LeastSquaresSumMetricv4 *>(&metric))
+  {
+    for (SizeValueType t = 0; t < sum->GetNumberOfMetrics(); ++t)
+    {
+      Append(*sum->GetMetric(t), sum->GetTermPosition(t, x), found);
+    }
+  }
+}
+} // namespace
+
+std::vector<FoundSilhouette>
+FindSilhouettes(const LeastSquaresMetricv4 & metric, const LeastSquaresMetricv4::PositionType & x)
+{
+  std::vector<FoundSilhouette> found;
+  Append(metric, x, found);
+  return found;
+}
+
+std::vector<FoundSilhouette>
+FindSilhouettes(const LeastSquaresMetricv4 & metric)
+{
+  return FindSilhouettes(metric, metric.GetState().GetValues());
+}
+} // namespace itk

@@ -1,0 +1,54 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkOtherFacingHypothesis.h"
+
+namespace itk
+{
+std::string
+OtherFacingHypothesis::GetCode() const
+{
+  return "facing";
+}
+
+bool
+OtherFacingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
+{
+  return result.score > problem.options.poorScore;
+}
+
+PoseProblem
+OtherFacingHypothesis::Apply(const PoseProblem & problem) const
+{
+  constexpr unsigned int evaluations = 6;
+  PoseProblem            other = problem;
+  other.options = MakeQuickOptions(problem.options, evaluations);
+  other.completed.reset();
+  other.nominal.facingSign = -problem.nominal.facingSign;
+  for (PoseJawInput & jaw : other.jaws)
+  {
+    jaw.initialPose.reset();
+  }
+  return other;
+}
+
+void
+OtherFacingHypothesis::Record(const OutcomeType & outcome, PoseGroupResult & result) const
+{
+  result.otherFacingScore = outcome.score;
+}
+} // namespace itk

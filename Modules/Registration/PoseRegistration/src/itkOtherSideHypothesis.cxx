@@ -1,0 +1,57 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkOtherSideHypothesis.h"
+
+namespace itk
+{
+std::string
+OtherSideHypothesis::GetCode() const
+{
+  return "other-side";
+}
+
+bool
+OtherSideHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult &) const
+{
+  const PoseRegistrationOptions & options = problem.options;
+  return options.useSideSelection &&
+         (options.tracedSide == PoseTracedSideEnum::Right || options.tracedSide == PoseTracedSideEnum::Left);
+}
+
+PoseProblem
+OtherSideHypothesis::Apply(const PoseProblem & problem) const
+{
+  constexpr unsigned int evaluations = 8;
+  PoseProblem            other = problem;
+  other.options = MakeQuickOptions(problem.options, evaluations);
+  other.options.startsPerYaw = 3;
+  other.options.tracedSide =
+    problem.options.tracedSide == PoseTracedSideEnum::Right ? PoseTracedSideEnum::Left : PoseTracedSideEnum::Right;
+  for (PoseJawInput & jaw : other.jaws)
+  {
+    jaw.initialPose.reset();
+  }
+  return other;
+}
+
+void
+OtherSideHypothesis::Record(const OutcomeType & outcome, PoseGroupResult & result) const
+{
+  result.otherSideDeviance = outcome.deviance;
+}
+} // namespace itk

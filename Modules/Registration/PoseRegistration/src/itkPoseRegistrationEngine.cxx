@@ -1,0 +1,520 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseRegistrationEngine.h"
+
+#include "itkFindSilhouettes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace itk
+{
+namespace
+{
+using Vector3 = std::array<double, 3>;
+
+Vector3
+ToDentalFrame(const PoseFrame & frame, const Vector3 & p)
+{
+  const Vector3 d{ { p[0] - frame.origin[0], p[1] - frame.origin[1], p[2] - frame.origin[2] } };
+  Vector3       q;
+  for (int k = 0; k < 3; ++k)
+  {
+    q[k] = frame.rotation[3 * k] * d[0] + frame.rotation[3 * k + 1] * d[1] + frame.rotation[3 * k + 2] * d[2];
+  }
+  return q;
+}
+
+Vector3
+ToMeshFrame(const PoseFrame & frame, const Vector3 & p)
+{
+  Vector3 q = frame.origin;
+  for (int a = 0; a < 3; ++a)
+  {
+    for (int b = 0; b < 3; ++b)
+    {
+      q[a] += frame.rotation[3 * b + a] * p[b];
+    }
+  }
+  return q;
+}
+
+std::shared_ptr<const TriangleSurface>
+ToDentalFrame(const TriangleSurface & surface, const PoseFrame & frame)
+{
+  auto moved = std::make_shared<TriangleSurface>();
+  moved->triangles = surface.triangles;
+  moved->points.resize(surface.points.size());
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
+  {
+    const Vector3 p{ { surface.points[i][0], surface.points[i][1], surface.points[i][2] } };
+    const Vector3 q = ToDentalFrame(frame, p);
+    for (int k = 0; k < 3; ++k)
+    {
+      moved->points[i][k] = q[k];
+    }
+  }
+  return moved;
+}
+
+bool
+IsExcluded(const PoseRegistrationOptions & options, std::uint8_t tooth)
+{
+  const auto & excluded = options.excludedTeeth;
+  return tooth != 0 && std::find(excluded.begin(), excluded.end(), tooth) != excluded.end();
+}
+
+/** Fills in what is not known: the principal point by the tracing's centroid, the spacing from the arch's length. */
+PoseGeometry
+CompleteGeometry(const PoseProblem & problem)
+{
+  PoseGeometry geometry = problem.nominal;
+  double       low[2] = { 1e300, 1e300 };
+  double       high[2] = { -1e300, -1e300 };
+  double       sum[2] = { 0, 0 };
+  double       count = 0.0;
+  for (const PoseJawInput & jaw : problem.jaws)
+  {
+    for (const auto & polyline : jaw.tracing->GetPolylines())
+    {
+      if (IsExcluded(problem.options, polyline.code.GetFDI()))
+      {
+        continue;
+      }
+      for (const auto & p : polyline.points)
+      {
+        for (unsigned int k = 0; k < 2; ++k)
+        {
+          low[k] = std::min(low[k], p[k]);
+          high[k] = std::max(high[k], p[k]);
+          sum[k] += p[k];
+        }
+        count += 1.0;
+      }
+    }
+  }
+  if (count == 0.0)
+  {
+    return geometry;
+  }
+  if (!geometry.principalPointKnown)
+  {
+    geometry.principalPoint = { { sum[0] / count, sum[1] / count } };
+  }
+  if (!geometry.pixelSpacingKnown)
+  {
+    // The length of the arches along x against that of the tracing. Teeth at the back may be untraced: the search over
+    // scale settles the rest.
+    double depth = 0.0;
+    for (const PoseJawInput & jaw : problem.jaws)
+    {
+      if (jaw.surface == nullptr)
+      {
+        continue;
+      }
+      double front = -1e300, back = 1e300;
+      for (const auto & p : jaw.surface->points)
+      {
+        const double x = ToDentalFrame(jaw.frame, { { p[0], p[1], p[2] } })[0];
+        front = std::max(front, x);
+        back = std::min(back, x);
+      }
+      depth = std::max(depth, front - back);
+    }
+    const double pixels = std::max(1.0, std::hypot(high[0] - low[0], 0.5 * (high[1] - low[1])));
+    const double spacing = depth * geometry.sourceToDetector / geometry.sourceToMidsagittal / pixels;
+    geometry.pixelSpacing = { { spacing, spacing } };
+  }
+  return geometry;
+}
+
+void
+CheckGeometry(const PoseGeometry & geometry)
+{
+  if (!(geometry.sourceToMidsagittal > 0.0) || !(geometry.sourceToDetector > geometry.sourceToMidsagittal))
+  {
+    throw std::invalid_argument("source-to-midsagittal distance " + std::to_string(geometry.sourceToMidsagittal) +
+                                " mm must be positive and smaller than the source-to-detector distance " +
+                                std::to_string(geometry.sourceToDetector) + " mm");
+  }
+  if (!(geometry.pixelSpacing[0] > 0.0) || !(geometry.pixelSpacing[1] > 0.0))
+  {
+    throw std::invalid_argument("the pixel spacing must be positive; mark it as unknown where it is not known");
+  }
+}
+
+CephalometricPoseTransform::Pointer
+MakeTransform(const PoseGeometry & geometry)
+{
+  auto                                                transform = CephalometricPoseTransform::New();
+  CephalometricPoseTransform::FixedParametersType fixed(CephalometricPoseTransform::NumberOfFixedParameters);
+  fixed[CephalometricPoseTransform::SourceToMidsagittal] = geometry.sourceToMidsagittal;
+  fixed[CephalometricPoseTransform::SourceToDetector] = geometry.sourceToDetector;
+  fixed[CephalometricPoseTransform::SourceSign] = geometry.sourceSign;
+  fixed[CephalometricPoseTransform::FacingSign] = geometry.facingSign;
+  fixed[CephalometricPoseTransform::PixelSpacingU] = geometry.pixelSpacing[0];
+  fixed[CephalometricPoseTransform::PixelSpacingV] = geometry.pixelSpacing[1];
+  fixed[CephalometricPoseTransform::PrincipalPointU] = geometry.principalPoint[0];
+  fixed[CephalometricPoseTransform::PrincipalPointV] = geometry.principalPoint[1];
+  transform->SetFixedParameters(fixed);
+  return transform;
+}
+
+/** Pose and projection in the mesh's frame. */
+void
+PlaceJaw(const PoseGeometry & geometry, const PoseParameters & parameters, PoseJawResult & result)
+{
+  const PoseModel   model(geometry, parameters);
+  const PoseFrame & frame = result.frame;
+  const auto &      r = model.GetRotation();
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      result.rotation[3 * i + j] =
+        r[3 * i] * frame.rotation[j] + r[3 * i + 1] * frame.rotation[3 + j] + r[3 * i + 2] * frame.rotation[6 + j];
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    result.translation[i] = parameters[PoseTx + i] - result.rotation[3 * i] * frame.origin[0] -
+                            result.rotation[3 * i + 1] * frame.origin[1] - result.rotation[3 * i + 2] * frame.origin[2];
+  }
+  result.projection = model.GetPixelProjection(frame);
+}
+
+bool
+IsLeft(std::uint8_t tooth)
+{
+  return tooth / 10 == 2 || tooth / 10 == 3;
+}
+
+/** What the verdict wants to know of a jaw besides the fit. */
+void
+DescribeJaw(const PoseJawInput &            input,
+            const TriangleSurface &         surface,
+            const PoseRegistrationOptions & options,
+            PoseJawResult &                 result)
+{
+  double low = 0.0, high = 0.0;
+  for (const auto & p : surface.points)
+  {
+    low = std::min<double>(low, p[1]);
+    high = std::max<double>(high, p[1]);
+  }
+  result.archWidth = high - low;
+  double sum = 0.0, area = 0.0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const auto normal = surface.AreaNormal(t);
+    sum += normal[2];
+    area += std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  }
+  result.winding = area > 0.0 ? (input.upper ? -sum : sum) / area : 0.0;
+  std::size_t other = 0, all = 0;
+  for (const auto & polyline : input.tracing->GetPolylines())
+  {
+    const std::uint8_t tooth = polyline.code.GetFDI();
+    all += polyline.points.size();
+    const bool wrong = tooth != 0 && IsLeft(tooth) == (options.tracedSide == PoseTracedSideEnum::Right);
+    other += wrong ? polyline.points.size() : 0;
+  }
+  if (all > 0 && (options.tracedSide == PoseTracedSideEnum::Right || options.tracedSide == PoseTracedSideEnum::Left))
+  {
+    result.otherSideCodes = static_cast<double>(other) / static_cast<double>(all);
+  }
+}
+
+/** How a jaw's tracing is explained at the solution, and its moving contour in pixels and on the mesh. */
+void
+DescribeFit(const SilhouettePoseMetricv4 &               metric,
+            const SilhouettePoseMetricv4::PositionType & x,
+            const std::array<double, 49> &               covariance,
+            const PoseGeometry &                         geometry,
+            PoseJawResult &                              jaw)
+{
+  const auto statistics = metric.ComputeFitStatistics(x);
+  const auto contours = metric.GetContours(x);
+  for (std::size_t s = 0; s < contours.size(); ++s)
+  {
+    PoseFitStatistics fit = statistics[s];
+    const auto        sigma = metric.PredictSigma(s, x, covariance);
+    fit.predictedSigma = sigma[0];
+    fit.extrapolatedSigma = sigma[1];
+    fit.overlap = metric.GetKernel().ComputeOverlap(s, contours[s]);
+    // Two strands of a jaw: the worse one speaks.
+    if (s == 0 || fit.cost > jaw.fit.cost)
+    {
+      jaw.fit = fit;
+    }
+    for (std::size_t i = 0; i < contours[s].Size(); ++i)
+    {
+      jaw.contour.push_back(PoseModel::ToPixel(geometry, { { contours[s].u[i], contours[s].v[i] } }));
+      jaw.contourPoints.push_back(ToMeshFrame(jaw.frame, contours[s].rim[i]));
+    }
+  }
+}
+} // namespace
+
+std::vector<PoseRegistrationEngine::JawType>
+PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
+                                    const PoseGeometry &     geometry,
+                                    PoseRegistrationResult & result) const
+{
+  const PoseRegistrationOptions & options = problem.options;
+  std::vector<JawType>            jaws(problem.jaws.size());
+  const auto                      transform = MakeTransform(geometry);
+  for (std::size_t j = 0; j < jaws.size(); ++j)
+  {
+    const PoseJawInput & input = problem.jaws[j];
+    result.jaws[j].upper = input.upper;
+    result.jaws[j].frame = input.frame;
+    if (input.surface == nullptr || input.surface->triangles.empty())
+    {
+      result.jaws[j].failure = "there is no surface";
+      continue;
+    }
+    jaws[j].metric = SilhouettePoseMetricv4::New();
+    jaws[j].metric->SetTransform(transform);
+    jaws[j].metric->SetFixedContour(input.tracing);
+    jaws[j].metric->SetJaw(input.upper ? SilhouettePoseMetricv4::JawEnum::Upper
+                                       : SilhouettePoseMetricv4::JawEnum::Lower);
+    jaws[j].metric->SetTracedSide(options.tracedSide);
+    jaws[j].metric->SetUseSideSelection(options.useSideSelection);
+    jaws[j].metric->SetMidlineMargin(options.midlineMargin);
+    jaws[j].metric->SetUseFacingFilter(options.useFacingFilter);
+    jaws[j].metric->SetUseOrientation(options.useOrientation);
+    jaws[j].metric->SetOrientationWeight(options.orientationWeight);
+    jaws[j].metric->SetMaximumTracingPoints(options.maximumTracingPoints);
+    jaws[j].metric->SetExcludedTeeth(options.excludedTeeth);
+  }
+  monitor->ForEach(jaws.size(), options.numberOfThreads, [&](std::size_t j) {
+    if (jaws[j].metric.IsNull())
+    {
+      return;
+    }
+    jaws[j].surface = ToDentalFrame(*problem.jaws[j].surface, problem.jaws[j].frame);
+    jaws[j].metric->SetMovingSurface(jaws[j].surface);
+    jaws[j].metric->Prepare();
+    result.jaws[j].failure = jaws[j].metric->GetFailure();
+  });
+  return jaws;
+}
+
+PoseRegistrationEngine::MetricType::Pointer
+PoseRegistrationEngine::MakeMetric(const PoseProblem &              problem,
+                                   const PoseGeometry &             geometry,
+                                   const std::vector<JawType> &     jaws,
+                                   const std::vector<std::size_t> & members) const
+{
+  auto sum = MetricType::New();
+  for (const std::size_t j : members)
+  {
+    sum->AddMetric(jaws[j].metric);
+  }
+  PosePriors(problem.options, geometry.pixelSpacingKnown).AddTo(*sum);
+  for (const auto & term : terms)
+  {
+    sum->AddMetric(term);
+  }
+  sum->Initialize();
+  return sum;
+}
+
+PoseRegistrationResult
+PoseRegistrationEngine::Run(const PoseProblem & problem) const
+{
+  const PoseRegistrationOptions & options = problem.options;
+  PoseRegistrationResult          result;
+  result.geometry = problem.completed ? *problem.completed : CompleteGeometry(problem);
+  CheckGeometry(result.geometry);
+  result.jaws.resize(problem.jaws.size());
+  const std::vector<JawType> jaws = this->PrepareJaws(problem, result.geometry, result);
+
+  // Groups of jaws with one pose.
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t j = 0; j < jaws.size(); ++j)
+  {
+    if (!result.jaws[j].failure.empty())
+    {
+      continue;
+    }
+    if (options.useJointPose && !groups.empty())
+    {
+      groups[0].push_back(j);
+    }
+    else
+    {
+      groups.push_back({ j });
+    }
+  }
+  result.groupOfJaw.assign(jaws.size(), groups.size());
+  for (std::size_t g = 0; g < groups.size(); ++g)
+  {
+    const std::vector<std::size_t> & members = groups[g];
+    const auto                       index = static_cast<unsigned int>(g);
+    PoseProblem                      own = problem;
+    own.completed = result.geometry;
+    own.jaws.clear();
+    for (const std::size_t j : members)
+    {
+      own.jaws.push_back(problem.jaws[j]);
+    }
+    const auto started = std::find_if(
+      own.jaws.begin(), own.jaws.end(), [](const PoseJawInput & jaw) { return jaw.initialPose.has_value(); });
+    if (started != own.jaws.end())
+    {
+      own.options.initialPose = *started->initialPose;
+      own.options.useInitialPose = true;
+    }
+    PoseGroupResult group;
+    group.jaws = members;
+    group.bisected = options.tracedSide == PoseTracedSideEnum::Mean;
+    const MetricType::Pointer metric = this->MakeMetric(problem, result.geometry, jaws, members);
+    if (groupObserver)
+    {
+      groupObserver(index, static_cast<unsigned int>(groups.size()), metric);
+    }
+    PoseGroupRegistration registration(
+      own.options,
+      result.geometry.pixelSpacingKnown,
+      metric,
+      optimizer,
+      start,
+      *monitor,
+      [&](PoseStageEnum stage) {
+        if (stageObserver)
+        {
+          stageObserver(index, stage);
+        }
+      },
+      index,
+      !stageObserver);
+    if (!registration.Run(group))
+    {
+      result.aborted = true;
+      return result;
+    }
+    if (group.candidates.empty())
+    {
+      for (const std::size_t j : members)
+      {
+        result.jaws[j].failure = "no start was found: the contour of the surface is empty";
+      }
+      result.groups.push_back(std::move(group));
+      continue;
+    }
+    this->TryHypotheses(own, result.geometry, registration, index, group);
+    if (monitor->IsAborted())
+    {
+      result.aborted = true;
+      return result;
+    }
+    const auto silhouettes = FindSilhouettes(*metric, registration.GetSolution());
+    for (std::size_t m = 0; m < members.size(); ++m)
+    {
+      PoseJawResult & jaw = result.jaws[members[m]];
+      result.groupOfJaw[members[m]] = g;
+      jaw.registered = true;
+      PlaceJaw(result.geometry, group.parameters, jaw);
+      DescribeJaw(problem.jaws[members[m]], *jaws[members[m]].surface, options, jaw);
+      // The jaws' terms are the sum's first, in their order.
+      DescribeFit(*silhouettes[m].metric, silhouettes[m].position, group.covariance, result.geometry, jaw);
+    }
+    result.groups.push_back(std::move(group));
+  }
+  return result;
+}
+
+void
+PoseRegistrationEngine::TryHypotheses(const PoseProblem &           problem,
+                                      const PoseGeometry &          geometry,
+                                      const PoseGroupRegistration & registration,
+                                      unsigned int                  index,
+                                      PoseGroupResult &             result) const
+{
+  const PoseRegistrationOptions & options = problem.options;
+  // Beside a given start or held parameters any free search looks better.
+  if (!options.checkHypotheses || options.useInitialPose || options.fixRotation || options.fixScale ||
+      options.fixTranslation)
+  {
+    return;
+  }
+  for (const auto & hypothesis : hypotheses)
+  {
+    if (monitor->IsAborted())
+    {
+      return;
+    }
+    if (!hypothesis->IsWorthTrying(problem, result))
+    {
+      continue;
+    }
+    PoseProblem question = hypothesis->Apply(problem);
+    question.options.useJointPose = true;
+    PoseRegistrationResult answer;
+    answer.geometry = question.completed ? *question.completed : CompleteGeometry(question);
+    answer.jaws.resize(question.jaws.size());
+    const std::vector<JawType> jaws = this->PrepareJaws(question, answer.geometry, answer);
+    std::vector<std::size_t>   members;
+    for (std::size_t j = 0; j < jaws.size(); ++j)
+    {
+      if (answer.jaws[j].failure.empty())
+      {
+        members.push_back(j);
+      }
+    }
+    PoseHypothesis::OutcomeType outcome;
+    if (!members.empty() && !monitor->IsAborted())
+    {
+      PoseGroupResult           group;
+      const MetricType::Pointer metric = this->MakeMetric(question, answer.geometry, jaws, members);
+      PoseGroupRegistration     other(
+        question.options,
+        geometry.pixelSpacingKnown,
+        metric,
+        optimizer,
+        start,
+        *monitor,
+        [](PoseStageEnum) {},
+        index,
+        true);
+      if (!other.Run(group))
+      {
+        return;
+      }
+      if (!group.candidates.empty())
+      {
+        outcome.score = group.score;
+        if (hypothesis->GetComparesDeviance())
+        {
+          std::array<double, 2> deviance{};
+          monitor->ForEach(2, options.numberOfThreads, [&](std::size_t k) {
+            deviance[k] = (k == 0 ? registration : other).ComputeDeviance();
+          });
+          outcome.deviance = deviance[1] - deviance[0];
+        }
+      }
+    }
+    hypothesis->Record(outcome, result);
+  }
+}
+} // namespace itk

@@ -1,0 +1,80 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkPoseRegistrationEngine_h
+#define itkPoseRegistrationEngine_h
+
+#include "itkPoseGroupRegistration.h"
+#include "itkPoseHypothesis.h"
+#include "itkPoseProblem.h"
+
+#include "itkSilhouettePoseMetricv4.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace itk
+{
+/** Answers a PoseProblem: makes the metric of each group of jaws, registers it, tries the hypotheses. What
+ * PoseRegistrationMethod runs. */
+class PoseRegistrationEngine
+{
+public:
+  using MetricType = LeastSquaresSumMetricv4;
+  /** Told the metric of a group before it is registered. */
+  using GroupObserverType = std::function<void(unsigned int group, unsigned int numberOfGroups, MetricType * metric)>;
+  using StageObserverType = std::function<void(unsigned int group, PoseStageEnum stage)>;
+
+  PoseGroupRegistration::OptimizerType::Pointer optimizer;
+  PoseStart::ConstPointer                       start;
+  std::vector<PoseHypothesis::ConstPointer>     hypotheses;
+  /** Further terms of every group's sum. */
+  std::vector<LeastSquaresMetricv4::Pointer> terms;
+  PoseIterationMonitor *                     monitor{ nullptr };
+  GroupObserverType                          groupObserver;
+  StageObserverType                          stageObserver;
+
+  /** Throws std::invalid_argument for a geometry that cannot be. */
+  PoseRegistrationResult
+  Run(const PoseProblem & problem) const;
+
+private:
+  /** A jaw with its term; null where nothing can be matched. */
+  struct JawType
+  {
+    std::shared_ptr<const TriangleSurface> surface;
+    SilhouettePoseMetricv4::Pointer        metric;
+  };
+
+  std::vector<JawType>
+  PrepareJaws(const PoseProblem & problem, const PoseGeometry & geometry, PoseRegistrationResult & result) const;
+  MetricType::Pointer
+  MakeMetric(const PoseProblem &                 problem,
+             const PoseGeometry &                geometry,
+             const std::vector<JawType> &        jaws,
+             const std::vector<std::size_t> &    members) const;
+  void
+  TryHypotheses(const PoseProblem &           problem,
+                const PoseGeometry &          geometry,
+                const PoseGroupRegistration & registration,
+                unsigned int                  group,
+                PoseGroupResult &             result) const;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,517 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseRegistrationMethodBase.h"
+
+#include "itkDentalFrameEstimator.h"
+#include "itkExchangedJawsHypothesis.h"
+#include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkOtherFacingHypothesis.h"
+#include "itkOtherSideHypothesis.h"
+#include "itkPoseRegistrationEngine.h"
+#include "itkPoseRegistrationOptionTable.h"
+#include "itkPoseStartSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace itk
+{
+namespace
+{
+using JawEnum = ToothCode::JawEnum;
+constexpr JawEnum Jaws[] = { JawEnum::Upper, JawEnum::Lower };
+
+unsigned int
+ToIndex(JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? 0 : 1;
+}
+
+PoseFrame
+ToFrame(const VersorRigid3DTransform<double> & transform)
+{
+  // q = R p + b = R (p - o), o = -R' b.
+  PoseFrame    frame;
+  const auto & rotation = transform.GetMatrix();
+  const auto & offset = transform.GetOffset();
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    frame.origin[row] = 0.0;
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      frame.rotation[3 * row + column] = rotation(row, column);
+      frame.origin[row] -= rotation(column, row) * offset[column];
+    }
+  }
+  return frame;
+}
+
+PoseFrame
+ToFrame(const DentalJawFrame & jaw)
+{
+  PoseFrame frame;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    std::copy(jaw.axes[row].begin(), jaw.axes[row].end(), frame.rotation.begin() + 3 * row);
+  }
+  frame.origin = jaw.origin;
+  return frame;
+}
+
+/** Mesh frame to cephalostat, as pose of the dental frame. */
+PoseParameters
+ToParameters(const VersorRigid3DTransform<double> & transform, double scaleFactor, const PoseFrame & frame)
+{
+  Matrix<double, 3, 3> rotation;
+  Vector<double, 3>    translation;
+  const auto &         matrix = transform.GetMatrix();
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    translation[row] = transform.GetOffset()[row];
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rotation(row, column) = 0.0;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        rotation(row, column) += matrix(row, d) * frame.rotation[3 * column + d];
+      }
+      translation[row] += matrix(row, column) * frame.origin[column];
+    }
+  }
+  auto pose = CephalometricPoseTransform::New();
+  pose->SetParametersFromRotation(rotation, translation, std::log(scaleFactor));
+  return pose->GetPoseParameters();
+}
+} // namespace
+
+PoseRegistrationMethodBase::PoseRegistrationMethodBase()
+  : m_Optimizer(LevenbergMarquardtOptimizerv4::New().GetPointer())
+  , m_Start(PoseStartSearch::New().GetPointer())
+{
+  m_Hypotheses = { OtherSideHypothesis::New().GetPointer(),
+                   OtherFacingHypothesis::New().GetPointer(),
+                   ExchangedJawsHypothesis::New().GetPointer() };
+  this->AddRequiredInputName("Geometry", 0);
+  this->AddOptionalInputName("UpperMesh", 1);
+  this->AddOptionalInputName("LowerMesh", 2);
+  this->AddOptionalInputName("UpperContour", 3);
+  this->AddOptionalInputName("LowerContour", 4);
+  this->AddOptionalInputName("UpperFrame", 5);
+  this->AddOptionalInputName("LowerFrame", 6);
+  this->AddOptionalInputName("JointFrame", 7);
+  this->SetNumberOfRequiredOutputs(1 + 2 * NumberOfJaws);
+  for (unsigned int i = 0; i < 1 + 2 * NumberOfJaws; ++i)
+  {
+    this->SetNthOutput(i, this->MakeOutput(i));
+  }
+}
+
+PoseRegistrationMethodBase::~PoseRegistrationMethodBase() = default;
+
+PoseRegistrationMethodBase::DataObjectPointer
+PoseRegistrationMethodBase::MakeOutput(DataObjectPointerArraySizeType index)
+{
+  if (index == 0)
+  {
+    return SolutionType::New().GetPointer();
+  }
+  if (index <= NumberOfJaws)
+  {
+    return DecoratedTransformType::New().GetPointer();
+  }
+  return GeometryType::New().GetPointer();
+}
+
+void
+PoseRegistrationMethodBase::SetOptions(const PoseRegistrationOptions & options)
+{
+  m_Options = options;
+  this->Modified();
+}
+
+void
+PoseRegistrationMethodBase::SetTracedSide(PoseTracedSideEnum side)
+{
+  if (m_Options.tracedSide != side)
+  {
+    m_Options.tracedSide = side;
+    this->Modified();
+  }
+}
+
+void
+PoseRegistrationMethodBase::SetInitialTransform(JawEnum                    jaw,
+                                                const RigidTransformType * transform,
+                                                double                     scaleFactor)
+{
+  if (!(scaleFactor > 0.0))
+  {
+    itkExceptionMacro("The scale factor " << scaleFactor << " of SetInitialTransform() must be positive.");
+  }
+  m_Initial[ToIndex(jaw)] = { transform, scaleFactor };
+  this->Modified();
+}
+
+void
+PoseRegistrationMethodBase::ClearInitialTransforms()
+{
+  m_Initial = {};
+  this->Modified();
+}
+
+void
+PoseRegistrationMethodBase::AddMetric(TermType * term)
+{
+  if (term == nullptr)
+  {
+    itkExceptionMacro("AddMetric() was given no metric.");
+  }
+  m_Terms.emplace_back(term);
+  this->Modified();
+}
+
+void
+PoseRegistrationMethodBase::ClearMetrics()
+{
+  m_Terms.clear();
+  this->Modified();
+}
+
+void
+PoseRegistrationMethodBase::AddHypothesis(const PoseHypothesis * hypothesis)
+{
+  if (hypothesis == nullptr)
+  {
+    itkExceptionMacro("AddHypothesis() was given no hypothesis.");
+  }
+  m_Hypotheses.emplace_back(hypothesis);
+  this->Modified();
+}
+
+void
+PoseRegistrationMethodBase::ClearHypotheses()
+{
+  m_Hypotheses.clear();
+  this->Modified();
+}
+
+ModifiedTimeType
+PoseRegistrationMethodBase::GetMTime() const
+{
+  // A term that a user changed runs the method again. The optimizer's own time changes as it runs.
+  ModifiedTimeType time = Superclass::GetMTime();
+  for (const auto & term : m_Terms)
+  {
+    time = std::max(time, term->GetMTime());
+  }
+  for (const auto & hypothesis : m_Hypotheses)
+  {
+    time = std::max(time, hypothesis->GetMTime());
+  }
+  return m_Start.IsNull() ? time : std::max(time, m_Start->GetMTime());
+}
+
+PoseRegistrationMethodBase::SolutionType *
+PoseRegistrationMethodBase::GetOutput()
+{
+  return itkDynamicCastInDebugMode<SolutionType *>(this->ProcessObject::GetOutput(0));
+}
+
+const PoseRegistrationMethodBase::SolutionType *
+PoseRegistrationMethodBase::GetOutput() const
+{
+  return itkDynamicCastInDebugMode<const SolutionType *>(this->ProcessObject::GetOutput(0));
+}
+
+PoseRegistrationMethodBase::DecoratedTransformType *
+PoseRegistrationMethodBase::GetTransformOutput(JawEnum jaw)
+{
+  return itkDynamicCastInDebugMode<DecoratedTransformType *>(this->ProcessObject::GetOutput(1 + ToIndex(jaw)));
+}
+
+const PoseRegistrationMethodBase::RigidTransformType *
+PoseRegistrationMethodBase::GetTransform(JawEnum jaw)
+{
+  return this->GetTransformOutput(jaw)->Get();
+}
+
+PoseRegistrationMethodBase::GeometryType *
+PoseRegistrationMethodBase::GetGeometryOutput(JawEnum jaw)
+{
+  return itkDynamicCastInDebugMode<GeometryType *>(this->ProcessObject::GetOutput(1 + NumberOfJaws + ToIndex(jaw)));
+}
+
+const PoseRegistrationMethodBase::ContourType *
+PoseRegistrationMethodBase::GetContour(JawEnum jaw) const
+{
+  return jaw == JawEnum::Upper ? this->GetUpperContour() : this->GetLowerContour();
+}
+
+void
+PoseRegistrationMethodBase::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  if (std::none_of(std::begin(Jaws), std::end(Jaws), [this](JawEnum jaw) {
+        return this->HasMesh(jaw) && this->GetContour(jaw) != nullptr;
+      }))
+  {
+    itkExceptionMacro("No jaw has both a mesh and a contour: call SetUpperMesh() and SetUpperContour(), "
+                      "SetLowerMesh() and SetLowerContour(), or both pairs.");
+  }
+  if (m_Optimizer.IsNull())
+  {
+    itkExceptionMacro("No optimizer: call SetOptimizer(), with a LevenbergMarquardtOptimizerv4 for example.");
+  }
+  if (m_Start.IsNull())
+  {
+    itkExceptionMacro("No start: call SetStart(), with a PoseStartSearch for example.");
+  }
+}
+
+void
+PoseRegistrationMethodBase::UpdateFrames(const std::array<TriangleSurface, NumberOfJaws> & surfaces)
+{
+  const DecoratedTransformType * joint = this->GetJointFrame();
+  m_JawsShareFrame = joint != nullptr && joint->Get() != nullptr;
+  if (m_JawsShareFrame)
+  {
+    m_Frames = { { ToFrame(*joint->Get()), ToFrame(*joint->Get()) } };
+    return;
+  }
+  const std::array<const DecoratedTransformType *, NumberOfJaws> given{ { this->GetUpperFrame(),
+                                                                          this->GetLowerFrame() } };
+  bool                                                           isComplete = true;
+  for (const JawEnum jaw : Jaws)
+  {
+    const bool needed = this->HasMesh(jaw) && this->GetContour(jaw) != nullptr;
+    const auto frame = given[ToIndex(jaw)];
+    if (frame != nullptr && frame->Get() != nullptr)
+    {
+      m_Frames[ToIndex(jaw)] = ToFrame(*frame->Get());
+    }
+    else if (needed)
+    {
+      isComplete = false;
+    }
+  }
+  if (isComplete)
+  {
+    return;
+  }
+  DentalFrameOptions frameOptions;
+  frameOptions.refineMidline = true;
+  frameOptions.threads = this->GetNumberOfWorkUnits();
+  frameOptions.abort = [this]() { return this->GetAbortGenerateData(); };
+  const DentalFrameResult frames = EstimateDentalFrame(this->HasMesh(JawEnum::Upper) ? &surfaces[0] : nullptr,
+                                                       this->HasMesh(JawEnum::Lower) ? &surfaces[1] : nullptr,
+                                                       frameOptions);
+  m_JawsShareFrame = frames.jawsShareFrame && frames.joint.valid;
+  for (const JawEnum jaw : Jaws)
+  {
+    const DentalJawFrame & own = jaw == JawEnum::Upper ? frames.upper : frames.lower;
+    const DentalJawFrame & frame = m_JawsShareFrame ? frames.joint : own;
+    if (this->HasMesh(jaw) && this->GetContour(jaw) != nullptr && !frame.valid && !this->GetAbortGenerateData())
+    {
+      const char * name = jaw == JawEnum::Upper ? "upper" : "lower";
+      itkExceptionMacro("No dental arch was found in the " << name << " mesh. Set its frame with Set"
+                                                           << (jaw == JawEnum::Upper ? "Upper" : "Lower")
+                                                           << "Frame().");
+    }
+    m_Frames[ToIndex(jaw)] = ToFrame(frame);
+  }
+}
+
+void
+PoseRegistrationMethodBase::Report(const IterationType & iteration)
+{
+  m_CurrentIteration = iteration;
+  if (m_Metric.IsNotNull() && !iteration.hypothesis)
+  {
+    const PoseParameters & pose = iteration.pose;
+    m_Metric->SetBlockValues("pose", { pose[0], pose[1], pose[2], pose[3], pose[4], pose[5] });
+    m_Metric->SetBlockValues("scale", { pose[PoseKappa] });
+    m_Metric->SetKernelWidth(iteration.kernelWidth);
+    m_Metric->SetNoiseLevels(iteration.noise);
+    m_Metric->InvokeEvent(IterationEvent());
+  }
+  if (auto * optimizer = dynamic_cast<LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer()))
+  {
+    if (!optimizer->ReportIteration(iteration.step))
+    {
+      // An observer of the optimizer has stopped it: that is the end of the registration.
+      this->AbortGenerateDataOn();
+    }
+  }
+  this->InvokeEvent(IterationEvent());
+}
+
+void
+PoseRegistrationMethodBase::GenerateData()
+{
+  const GeometryType *                      nominal = this->GetGeometry();
+  std::array<TriangleSurface, NumberOfJaws> surfaces;
+  for (const JawEnum jaw : Jaws)
+  {
+    this->GetTransformOutput(jaw)->Set(nullptr);
+    this->GetGeometryOutput(jaw)->CopyParameters(nominal);
+    // The other jaw's surface serves the frame even without a contour.
+    if (this->HasMesh(jaw))
+    {
+      surfaces[ToIndex(jaw)] = this->MakeSurface(jaw);
+    }
+  }
+  this->UpdateFrames(surfaces);
+
+  PoseProblem problem;
+  problem.options = m_Options;
+  problem.options.useJointPose = m_Options.useJointPose && m_JawsShareFrame;
+  problem.options.numberOfThreads = this->GetNumberOfWorkUnits();
+  for (const JawEnum jaw : Jaws)
+  {
+    if (!this->HasMesh(jaw) || this->GetContour(jaw) == nullptr)
+    {
+      continue;
+    }
+    PoseJawInput input;
+    input.surface = &surfaces[ToIndex(jaw)];
+    input.frame = m_Frames[ToIndex(jaw)];
+    input.upper = jaw == JawEnum::Upper;
+    input.tracing = this->GetContour(jaw);
+    const InitialType & initial = m_Initial[ToIndex(jaw)];
+    if (initial.transform.IsNotNull())
+    {
+      input.initialPose = ToParameters(*initial.transform, initial.scaleFactor, input.frame);
+      problem.options.useInitialPose = true;
+    }
+    problem.jaws.push_back(input);
+  }
+  PoseGeometry & geometry = problem.nominal;
+  geometry.sourceToMidsagittal = nominal->GetSourceToMidsagittalDistance();
+  geometry.sourceToDetector = nominal->GetSourceToDetectorDistance();
+  geometry.sourceSign = nominal->GetSourceSign();
+  geometry.facingSign = nominal->GetFacingSign();
+  geometry.pixelSpacingKnown = nominal->HasPixelSpacing();
+  geometry.principalPointKnown = m_PrincipalPointKnown;
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    if (geometry.pixelSpacingKnown)
+    {
+      geometry.pixelSpacing[d] = nominal->GetPixelSpacing()[d];
+    }
+    geometry.principalPoint[d] = nominal->GetPrincipalPoint()[d];
+  }
+
+  PoseIterationMonitor   monitor([this](const IterationType & iteration) { this->Report(iteration); },
+                               [this]() { return this->GetAbortGenerateData(); });
+  PoseRegistrationEngine engine;
+  engine.optimizer = m_Optimizer;
+  engine.start = m_Start;
+  engine.hypotheses = m_Hypotheses;
+  engine.terms = m_Terms;
+  engine.monitor = &monitor;
+  engine.groupObserver = [this](unsigned int, unsigned int numberOfGroups, MetricType * metric) {
+    m_NumberOfLevels = 4 * numberOfGroups;
+    // Observers that were added to the metric of the group before stay with it; a copy would be no group's.
+    m_Metric = metric;
+  };
+  engine.stageObserver = [this](unsigned int group, PoseStageEnum stage) {
+    m_CurrentLevel = 4 * group + static_cast<unsigned int>(stage);
+    this->InvokeEvent(MultiResolutionIterationEvent());
+    this->UpdateProgress(static_cast<float>(m_CurrentLevel) / static_cast<float>(m_NumberOfLevels));
+  };
+  PoseRegistrationResult result;
+  try
+  {
+    result = engine.Run(problem);
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkExceptionMacro("The geometry cannot be used: " << error.what() << ". Correct it with SetGeometry().");
+  }
+  if (result.aborted || this->GetAbortGenerateData())
+  {
+    this->ResetPipeline();
+    ProcessAborted aborted(__FILE__, __LINE__);
+    aborted.SetLocation(ITK_LOCATION);
+    aborted.SetDescription("The registration was aborted.");
+    throw aborted;
+  }
+
+  PoseRegistrationOptions used = m_Options;
+  used.useInitialPose = problem.options.useInitialPose;
+  this->GetOutput()->SetResult(result, used);
+  for (const JawEnum jaw : Jaws)
+  {
+    if (this->GetOutput()->IsRegistered(jaw))
+    {
+      this->GetTransformOutput(jaw)->Set(this->GetOutput()->MakeRigidTransform(jaw));
+      this->GetOutput()->CopyToGeometry(jaw, this->GetGeometryOutput(jaw));
+    }
+  }
+  this->UpdateProgress(1.0f);
+}
+
+void
+PoseRegistrationMethodBase::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "TracedSide: " << static_cast<int>(m_Options.tracedSide) << std::endl;
+  for (const auto & entry : PoseRegistrationOptionTable::GetEntries())
+  {
+    os << indent << entry.name << ": " << PoseRegistrationOptionTable::Get(m_Options, entry.name) << std::endl;
+  }
+  os << indent << "FixScale: " << m_Options.fixScale << std::endl;
+  os << indent << "FixRotation: " << m_Options.fixRotation << std::endl;
+  os << indent << "FixTranslation: " << m_Options.fixTranslation << std::endl;
+  os << indent << "UseInitialPose: " << m_Options.useInitialPose << std::endl;
+  os << indent << "InitialPose:";
+  for (const double parameter : m_Options.initialPose)
+  {
+    os << ' ' << parameter;
+  }
+  os << std::endl;
+  os << indent << "ExcludedTeeth:";
+  for (const unsigned int tooth : m_Options.excludedTeeth)
+  {
+    os << ' ' << tooth;
+  }
+  os << std::endl;
+  os << indent << "PrincipalPointKnown: " << m_PrincipalPointKnown << std::endl;
+  itkPrintSelfObjectMacro(Optimizer);
+  itkPrintSelfObjectMacro(Start);
+  itkPrintSelfObjectMacro(Metric);
+  os << indent << "Metrics: " << m_Terms.size() << std::endl;
+  os << indent << "Hypotheses:";
+  for (const auto & hypothesis : m_Hypotheses)
+  {
+    os << ' ' << hypothesis->GetCode();
+  }
+  os << std::endl;
+  os << indent << "JawsShareFrame: " << m_JawsShareFrame << std::endl;
+  os << indent << "CurrentLevel: " << m_CurrentLevel << " of " << m_NumberOfLevels << std::endl;
+  os << indent << "CurrentIteration: " << m_CurrentIteration.step.iteration << std::endl;
+  for (const JawEnum jaw : Jaws)
+  {
+    const unsigned int j = ToIndex(jaw);
+    os << indent << (j == 0 ? "Upper" : "Lower") << " initial transform: " << (m_Initial[j].transform.IsNotNull())
+       << ", frame origin: " << m_Frames[j].origin[0] << ' ' << m_Frames[j].origin[1] << ' ' << m_Frames[j].origin[2]
+       << std::endl;
+  }
+}
+} // namespace itk

@@ -1,0 +1,256 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseSolution.h"
+
+#include "itkPoseModel.h"
+
+#include <cmath>
+
+namespace itk
+{
+void
+PoseSolution::SetResult(const PoseRegistrationResult & result, const PoseRegistrationOptions & options)
+{
+  m_Result = result;
+  m_Options = options;
+  this->Modified();
+}
+
+void
+PoseSolution::Initialize()
+{
+  Superclass::Initialize();
+  m_Result = PoseRegistrationResult();
+}
+
+void
+PoseSolution::Graft(const DataObject * data)
+{
+  const auto * other = dynamic_cast<const Self *>(data);
+  if (other == nullptr)
+  {
+    itkExceptionMacro("Graft() takes a PoseSolution.");
+  }
+  Superclass::Graft(data);
+  this->SetResult(other->m_Result, other->m_Options);
+}
+
+int
+PoseSolution::GetIndex(JawEnum jaw) const
+{
+  for (std::size_t j = 0; j < m_Result.jaws.size(); ++j)
+  {
+    if (m_Result.jaws[j].upper == (jaw == JawEnum::Upper))
+    {
+      return static_cast<int>(j);
+    }
+  }
+  return -1;
+}
+
+bool
+PoseSolution::IsRegistered(JawEnum jaw) const
+{
+  const int index = this->GetIndex(jaw);
+  return index >= 0 && m_Result.jaws[static_cast<std::size_t>(index)].registered;
+}
+
+const PoseJawResult &
+PoseSolution::GetJaw(JawEnum jaw) const
+{
+  const int index = this->GetIndex(jaw);
+  if (index < 0)
+  {
+    itkExceptionMacro("The " << (jaw == JawEnum::Upper ? "upper" : "lower")
+                             << " jaw had no input: give the registration its mesh and its contour.");
+  }
+  return m_Result.jaws[static_cast<std::size_t>(index)];
+}
+
+const PoseGroupResult &
+PoseSolution::GetGroup(JawEnum jaw) const
+{
+  const PoseJawResult & result = this->GetJaw(jaw);
+  if (!result.registered)
+  {
+    itkExceptionMacro("The " << (jaw == JawEnum::Upper ? "upper" : "lower") << " jaw was not registered: "
+                             << result.failure << ". Ask IsRegistered() first.");
+  }
+  return m_Result.groups[m_Result.groupOfJaw[static_cast<std::size_t>(this->GetIndex(jaw))]];
+}
+
+PoseSolution::ProjectionMatrixType
+PoseSolution::GetProjectionMatrix(JawEnum jaw) const
+{
+  this->GetGroup(jaw);
+  ProjectionMatrixType matrix;
+  const auto &         rows = this->GetJaw(jaw).projection;
+  for (unsigned int i = 0; i < 12; ++i)
+  {
+    matrix(i / 4, i % 4) = rows[i];
+  }
+  return matrix;
+}
+
+PoseSolution::PixelIndexType
+PoseSolution::ProjectPoint(JawEnum jaw, const PointType & point) const
+{
+  const ProjectionMatrixType p = this->GetProjectionMatrix(jaw);
+  double                     q[3];
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    q[i] = p(i, 0) * point[0] + p(i, 1) * point[1] + p(i, 2) * point[2] + p(i, 3);
+  }
+  PixelIndexType index;
+  index[0] = q[0] / q[2];
+  index[1] = q[1] / q[2];
+  return index;
+}
+
+PoseSolution::CovarianceType
+PoseSolution::ComputeCovariance(JawEnum jaw, const PointType & point) const
+{
+  const PoseGroupResult & group = this->GetGroup(jaw);
+  const PoseFrame &       frame = this->GetJaw(jaw).frame;
+  double                  p[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    p[k] = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      p[k] += frame.rotation[3 * k + c] * (point[c] - frame.origin[c]);
+    }
+  }
+  double w[2], jacobian[14];
+  PoseModel(m_Result.geometry, group.parameters).ProjectWithJacobian(p, w, jacobian);
+  // From the working plane to pixels.
+  const double   scale[2] = { PoseWorkingPixel * m_Result.geometry.facingSign / m_Result.geometry.pixelSpacing[0],
+                              PoseWorkingPixel / m_Result.geometry.pixelSpacing[1] };
+  CovarianceType covariance;
+  for (unsigned int a = 0; a < 2; ++a)
+  {
+    for (unsigned int b = 0; b < 2; ++b)
+    {
+      double sum = 0.0;
+      for (unsigned int i = 0; i < 7; ++i)
+      {
+        for (unsigned int k = 0; k < 7; ++k)
+        {
+          sum += jacobian[7 * a + i] * group.covariance[7 * i + k] * jacobian[7 * b + k];
+        }
+      }
+      covariance(a, b) = scale[a] * scale[b] * sum;
+    }
+  }
+  return covariance;
+}
+
+PoseSolution::RigidTransformType::Pointer
+PoseSolution::MakeRigidTransform(JawEnum jaw) const
+{
+  this->GetGroup(jaw);
+  const PoseJawResult &           result = this->GetJaw(jaw);
+  RigidTransformType::MatrixType  rotation;
+  RigidTransformType::OffsetType  offset;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    offset[row] = result.translation[row];
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rotation(row, column) = result.rotation[3 * row + column];
+    }
+  }
+  auto transform = RigidTransformType::New();
+  // As far as rounding goes: products of rotations.
+  transform->SetMatrix(rotation, 1e-6);
+  transform->SetOffset(offset);
+  return transform;
+}
+
+CephalometricPoseTransform::Pointer
+PoseSolution::MakePoseTransform(JawEnum jaw) const
+{
+  const PoseGroupResult & group = this->GetGroup(jaw);
+  const PoseGeometry &    geometry = m_Result.geometry;
+  using TransformType = CephalometricPoseTransform;
+  TransformType::FixedParametersType fixed(TransformType::NumberOfFixedParameters);
+  fixed[TransformType::SourceToMidsagittal] = geometry.sourceToMidsagittal;
+  fixed[TransformType::SourceToDetector] = geometry.sourceToDetector;
+  fixed[TransformType::SourceSign] = geometry.sourceSign;
+  fixed[TransformType::FacingSign] = geometry.facingSign;
+  fixed[TransformType::PixelSpacingU] = geometry.pixelSpacing[0];
+  fixed[TransformType::PixelSpacingV] = geometry.pixelSpacing[1];
+  fixed[TransformType::PrincipalPointU] = geometry.principalPoint[0];
+  fixed[TransformType::PrincipalPointV] = geometry.principalPoint[1];
+  TransformType::ParametersType parameters(TransformType::NumberOfParameters);
+  for (unsigned int k = 0; k < TransformType::NumberOfParameters; ++k)
+  {
+    parameters[k] = group.parameters[k];
+  }
+  auto transform = TransformType::New();
+  transform->SetFixedParameters(fixed);
+  transform->SetParameters(parameters);
+  return transform;
+}
+
+void
+PoseSolution::CopyToGeometry(JawEnum jaw, CephalometricGeometry * geometry) const
+{
+  const auto   rigid = this->MakeRigidTransform(jaw);
+  const double shrink = std::exp(-this->GetGroup(jaw).parameters[PoseKappa]);
+  CephalometricGeometry::PixelSpacingType spacing;
+  CephalometricGeometry::PixelIndexType   principal;
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    spacing[d] = m_Result.geometry.pixelSpacing[d] * shrink;
+    principal[d] = m_Result.geometry.principalPoint[d];
+  }
+  geometry->SetSourceToMidsagittalDistance(m_Result.geometry.sourceToMidsagittal);
+  geometry->SetSourceToDetectorDistance(m_Result.geometry.sourceToDetector);
+  geometry->SetSourceSide(m_Result.geometry.sourceSign > 0.0 ? CephalometricGeometry::SourceSideEnum::Right
+                                                             : CephalometricGeometry::SourceSideEnum::Left);
+  geometry->SetFacing(m_Result.geometry.facingSign > 0.0 ? CephalometricGeometry::FacingEnum::Right
+                                                         : CephalometricGeometry::FacingEnum::Left);
+  geometry->SetPixelSpacing(spacing);
+  geometry->SetPrincipalPoint(principal);
+  geometry->SetPose(rigid->GetMatrix(), rigid->GetOffset());
+}
+
+void
+PoseSolution::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Jaws: " << m_Result.jaws.size() << std::endl;
+  for (const PoseJawResult & jaw : m_Result.jaws)
+  {
+    os << indent.GetNextIndent() << (jaw.upper ? "upper" : "lower") << ": "
+       << (jaw.registered ? "registered" : jaw.failure) << std::endl;
+  }
+  os << indent << "Groups: " << m_Result.groups.size() << std::endl;
+  for (const PoseGroupResult & group : m_Result.groups)
+  {
+    os << indent.GetNextIndent() << "score " << group.score << ", candidates " << group.candidates.size()
+       << ", pose";
+    for (const double parameter : group.parameters)
+    {
+      os << ' ' << parameter;
+    }
+    os << std::endl;
+  }
+}
+} // namespace itk
