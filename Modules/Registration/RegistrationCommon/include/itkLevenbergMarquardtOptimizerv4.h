@@ -192,7 +192,8 @@ private:
   CheckSettings() const;
   StopConditionEnum
   Iterate(const LeastSquaresMetric & residuals);
-  void
+  // Both are false where there is no finite step.
+  bool
   Linearize(const LeastSquaresMetric & residuals);
   bool
   ComputeTrialPosition();
