@@ -57,8 +57,6 @@ TEST(PartialContourLeastSquares, ConvergesInAFewIterationsAndReportsThem)
   const auto metric = MakeMetric(start);
   const auto optimizer = OptimizerType::New();
   optimizer->SetMetric(metric);
-  // Reweighting converges linearly: what is left at this tolerance is a thousandth of a pixel.
-  optimizer->SetValueTolerance(1e-8);
   unsigned int        iterations = 0;
   unsigned int        evaluations = 0;
   unsigned int        starts = 0;

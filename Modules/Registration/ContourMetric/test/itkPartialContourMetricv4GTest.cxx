@@ -325,6 +325,7 @@ TEST(PartialContourMetricv4, StockSolversOfBothKindsFindTheSameMinimum)
   {
     const auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
     optimizer->SetMetric(prepare(byV4));
+    optimizer->SetValueTolerance(1e-12);
     optimizer->StartOptimization();
   }
   for (int i = 0; i <= 10; ++i)

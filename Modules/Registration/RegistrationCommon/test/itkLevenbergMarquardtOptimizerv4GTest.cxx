@@ -158,7 +158,7 @@ TEST(LevenbergMarquardtOptimizerv4, BasicObjectMethodsAndEverySettingIsPrinted)
   OptimizerType::New()->Print(text);
   for (const char * line : { "MaximumNumberOfEvaluations: 1000",
                              "StepTolerance: 1e-06",
-                             "ValueTolerance: 1e-10",
+                             "ValueTolerance: 1e-08",
                              "InitialDamping: 0",
                              "StopCondition: itk::LevenbergMarquardtOptimizerv4Enums::StopCondition::NotStarted" })
   {
