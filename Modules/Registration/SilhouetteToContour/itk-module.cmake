@@ -3,6 +3,7 @@ itk_module(SilhouetteToContour
     ContourMetric
     DentalCommon
     DentalContour
+    RegistrationCommon
     ITKCommon
     ITKOptimizersv4
     ITKTransform

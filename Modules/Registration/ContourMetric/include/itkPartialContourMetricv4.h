@@ -43,7 +43,9 @@ namespace itk
  * Use: contours, transform, Initialize(), then an optimizer's SetMetric(): any v4 optimizer;
  * LevenbergMarquardtOptimizerv4; or itk::LevenbergMarquardtOptimizer through LeastSquaresMetricCostFunction. What the
  * optimizer's parameters mean is said in ContourToContourMetricv4. Beyond the bounds the residuals are those at the
- * nearest position within and the excess, so that the sum of squares grows there as well.
+ * nearest position within and the excess, so that value and sum of squares grow there alike. At a bound the Jacobian is
+ * the one-sided derivative: of a parameter that the residuals push outwards it is that of the excess alone, so that
+ * least-squares solvers slide along the bound.
  *
  * The defaults are what did best on simulated cases, Documentation/Metric.md; priors and the reverse direction are the
  * user's to add.
@@ -211,9 +213,17 @@ protected:
   MeasureType
   ComputeApproximateValue(const ContourSimilarity & similarity, SizeValueType numberOfPoints) const override;
 
+  double
+  ComputePenalty(double excess, double & slope) const override;
+
 private:
   void
   CheckSettings() const;
+  /** Whether the parameter is exactly at a bound and the residuals push it outwards. */
+  bool
+  IsHeldByBound(unsigned int               parameter,
+                const vnl_vector<double> & residuals,
+                const vnl_matrix<double> & jacobian) const;
 
   RobustKernelEnum     m_RobustKernel{ RobustKernelEnum::GemanMcClure };
   double               m_KernelWidth{ 5.0 };

@@ -321,10 +321,11 @@ ContourToContourMetricv4::Compute(const ParametersType & parameters, DerivativeT
     const double excess = parameters[i] - inside[i];
     if (excess != 0.0)
     {
-      value += ExcessSlope * std::abs(excess);
+      double slope = 0.0;
+      value += this->ComputePenalty(excess, slope);
       if (derivative != nullptr)
       {
-        (*derivative)[i] = excess > 0.0 ? -ExcessSlope : ExcessSlope;
+        (*derivative)[i] = -slope;
       }
     }
   }
@@ -346,6 +347,13 @@ ContourToContourMetricv4::MapDerivatives(const ContourSimilarity & similarity,
   byParameters[1] = (bySimilarity[1] + bySimilarity[2] * ry - bySimilarity[3] * rx) / m_ReferenceLength;
   byParameters[2] = bySimilarity[2];
   byParameters[3] = bySimilarity[3];
+}
+
+double
+ContourToContourMetricv4::ComputePenalty(double excess, double & slope) const
+{
+  slope = excess > 0.0 ? ExcessSlope : -ExcessSlope;
+  return ExcessSlope * std::abs(excess);
 }
 
 double

@@ -233,6 +233,39 @@ PartialContourMetricv4::GetNumberOfResiduals() const
   return m_Kernel.GetNumberOfResiduals() + NumberOfParameters;
 }
 
+bool
+PartialContourMetricv4::IsHeldByBound(unsigned int               parameter,
+                                      const vnl_vector<double> & residuals,
+                                      const vnl_matrix<double> & jacobian) const
+{
+  if (!this->GetHasBounds())
+  {
+    return false;
+  }
+  // A solver that knows no bounds would go beyond at every step, and have it refused.
+  const double x = this->GetParameters()[parameter];
+  const bool   atLower = x == this->GetLowerBound()[parameter];
+  const bool   atUpper = x == this->GetUpperBound()[parameter];
+  if (!atLower && !atUpper)
+  {
+    return false;
+  }
+  double gradient = 0.0;
+  for (unsigned int i = 0; i < residuals.size(); ++i)
+  {
+    gradient += residuals[i] * jacobian(i, parameter);
+  }
+  return (atLower && gradient >= 0.0) || (atUpper && gradient <= 0.0);
+}
+
+double
+PartialContourMetricv4::ComputePenalty(double excess, double & slope) const
+{
+  // As the residuals have it.
+  slope = 2.0 * excess;
+  return excess * excess;
+}
+
 void
 PartialContourMetricv4::GetResiduals(vnl_vector<double> & residuals, vnl_matrix<double> * jacobian) const
 {
@@ -262,7 +295,7 @@ PartialContourMetricv4::GetResiduals(vnl_vector<double> & residuals, vnl_matrix<
     const double excess = this->GetExcess(k);
     residuals[count + k] = excess;
     sum += excess * excess;
-    if (jacobian != nullptr && excess != 0.0)
+    if (jacobian != nullptr && (excess != 0.0 || this->IsHeldByBound(k, residuals, *jacobian)))
     {
       for (unsigned int i = 0; i < count; ++i)
       {

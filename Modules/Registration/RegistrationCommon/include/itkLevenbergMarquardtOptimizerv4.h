@@ -121,7 +121,7 @@ public:
   itkSetMacro(StepTolerance, double);
   itkGetConstMacro(StepTolerance, double);
 
-  /** A run ends where an accepted step lowers the value by less than this part of it; 1e-10 by default, 0 is never. */
+  /** A run ends where an accepted step lowers the value by less than this part of it; 1e-8 by default, 0 is never. */
   itkSetMacro(ValueTolerance, double);
   itkGetConstMacro(ValueTolerance, double);
 
@@ -192,7 +192,8 @@ private:
   CheckSettings() const;
   StopConditionEnum
   Iterate(const LeastSquaresMetric & residuals);
-  void
+  // Both are false where there is no finite step.
+  bool
   Linearize(const LeastSquaresMetric & residuals);
   bool
   ComputeTrialPosition();
@@ -203,7 +204,7 @@ private:
 
   SizeValueType     m_MaximumNumberOfEvaluations{ 1000 };
   double            m_StepTolerance{ 1e-6 };
-  double            m_ValueTolerance{ 1e-10 };
+  double            m_ValueTolerance{ 1e-8 };
   double            m_InitialDamping{ 0.0 };
   double            m_Damping{ 0.0 };
   SizeValueType     m_NumberOfEvaluations{ 0 };

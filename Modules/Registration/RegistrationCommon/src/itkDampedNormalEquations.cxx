@@ -42,7 +42,7 @@ DampedNormalEquations::DampedNormalEquations()
 
 DampedNormalEquations::~DampedNormalEquations() = default;
 
-void
+bool
 DampedNormalEquations::Set(const double * residuals,
                            const double * jacobian,
                            std::size_t    numberOfResiduals,
@@ -65,6 +65,13 @@ DampedNormalEquations::Set(const double * residuals,
       }
     }
   }
+  // Each derivative enters its square.
+  bool finite = true;
+  for (std::size_t a = 0; a < numberOfParameters; ++a)
+  {
+    finite = finite && std::isfinite(g[a]) && std::isfinite(h[numberOfParameters * a + a]);
+  }
+  return finite;
 }
 
 bool

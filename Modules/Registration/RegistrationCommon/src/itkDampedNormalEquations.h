@@ -41,8 +41,9 @@ public:
   DampedNormalEquations &
   operator=(const DampedNormalEquations &) = delete;
 
-  /** H = J'J and g = J'r; the Jacobian row by row. */
-  void
+  /** H = J'J and g = J'r; the Jacobian row by row. False where they are not finite: the factorisation would take what
+   * is no number for a parameter that nothing observes. */
+  bool
   Set(const double * residuals, const double * jacobian, std::size_t numberOfResiduals, std::size_t numberOfParameters);
 
   /** The step into numberOfParameters doubles; false where it is not finite. */

@@ -203,11 +203,7 @@ LevenbergMarquardtOptimizerv4::Iterate(const LeastSquaresMetric & residuals) -> 
     {
       return StopConditionEnum::NotFinite;
     }
-    if (linearize)
-    {
-      this->Linearize(residuals);
-    }
-    if (!this->ComputeTrialPosition())
+    if ((linearize && !this->Linearize(residuals)) || !this->ComputeTrialPosition())
     {
       return StopConditionEnum::NotFinite;
     }
@@ -248,7 +244,7 @@ LevenbergMarquardtOptimizerv4::Iterate(const LeastSquaresMetric & residuals) -> 
   }
 }
 
-void
+bool
 LevenbergMarquardtOptimizerv4::Linearize(const LeastSquaresMetric & residuals)
 {
   residuals.GetResiduals(m_Equations->residuals, &m_Equations->jacobian);
@@ -268,7 +264,7 @@ LevenbergMarquardtOptimizerv4::Linearize(const LeastSquaresMetric & residuals)
                                               << m_MaximumSteps.GetSize() << " limits; it must be none, or " << count
                                               << ", one a parameter.");
   }
-  m_Equations->normal.Set(
+  return m_Equations->normal.Set(
     m_Equations->residuals.data_block(), m_Equations->jacobian.data_block(), m_Equations->residuals.size(), count);
 }
 

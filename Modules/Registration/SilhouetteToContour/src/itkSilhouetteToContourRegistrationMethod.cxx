@@ -18,6 +18,7 @@
 #include "itkSilhouetteToContourRegistrationMethod.h"
 
 #include "itkContourChamferMetricv4.h"
+#include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkMakeContourArrays.h"
 #include "itkReproducibleRandom.h"
 
@@ -199,6 +200,7 @@ public:
       onePlusOne->SetNormalVariateGenerator(generator);
     }
     m_LBFGSB = dynamic_cast<LBFGSBOptimizerv4 *>(m_Optimizer.GetPointer());
+    m_LevenbergMarquardt = dynamic_cast<LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer());
   }
 
   ~RunType()
@@ -496,6 +498,11 @@ private:
   OnEvent(const EventObject & event)
   {
     this->CheckAbort();
+    // A step that was refused is no iteration, and the metric does not stand at the position that counts.
+    if (m_LevenbergMarquardt != nullptr && !m_LevenbergMarquardt->GetStepAccepted())
+    {
+      return;
+    }
     // Evaluations are reported by subclasses; Amoeba reports nothing else.
     if (typeid(event) == typeid(IterationEvent) ||
         (m_Amoeba != nullptr && typeid(event) == typeid(FunctionEvaluationIterationEvent)))
@@ -534,23 +541,24 @@ private:
     }
   }
 
-  Self *                 m_Method;
-  MetricType::Pointer    m_Metric;
-  OptimizerType::Pointer m_Optimizer;
-  SizeValueType          m_NumberOfIterations;
-  unsigned long          m_ObserverTag{ 0 };
-  LBFGSBOptimizerv4 *    m_LBFGSB{ nullptr };
-  AmoebaOptimizerv4 *    m_Amoeba{ nullptr };
-  ExhaustiveType *       m_Exhaustive{ nullptr };
-  OnePlusOneType *       m_OnePlusOne{ nullptr };
-  bool                   m_SetSimplex{ false };
-  bool                   m_SetScales{ false };
-  const LevelType *      m_Level{ nullptr };
-  ParametersType         m_Lower;
-  ParametersType         m_Upper;
-  double                 m_StartFraction{ 0.0 };
-  double                 m_StartShare{ 0.0 };
-  std::size_t            m_IterationsOfStart{ 0 };
+  Self *                          m_Method;
+  MetricType::Pointer             m_Metric;
+  OptimizerType::Pointer          m_Optimizer;
+  SizeValueType                   m_NumberOfIterations;
+  unsigned long                   m_ObserverTag{ 0 };
+  LBFGSBOptimizerv4 *             m_LBFGSB{ nullptr };
+  AmoebaOptimizerv4 *             m_Amoeba{ nullptr };
+  LevenbergMarquardtOptimizerv4 * m_LevenbergMarquardt{ nullptr };
+  ExhaustiveType *                m_Exhaustive{ nullptr };
+  OnePlusOneType *                m_OnePlusOne{ nullptr };
+  bool                            m_SetSimplex{ false };
+  bool                            m_SetScales{ false };
+  const LevelType *               m_Level{ nullptr };
+  ParametersType                  m_Lower;
+  ParametersType                  m_Upper;
+  double                          m_StartFraction{ 0.0 };
+  double                          m_StartShare{ 0.0 };
+  std::size_t                     m_IterationsOfStart{ 0 };
 };
 
 SilhouetteToContourRegistrationMethod::SilhouetteToContourRegistrationMethod()
