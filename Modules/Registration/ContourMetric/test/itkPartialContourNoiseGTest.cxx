@@ -40,7 +40,10 @@ constexpr double KernelWidth = 4.5;
 constexpr double DirectionWeight = 6.0;
 constexpr double CorrelationLength = 15.0;
 
-const itk::ContourSimilarity Pose{ 1.04, 0.06, 3.0, 48.0 };
+/** The silhouette: y of the line in its own frame. */
+constexpr double LineHeight = 35.0;
+
+const itk::ContourSimilarity Pose{ 1.3, 0.5, 3.0, 48.0 };
 
 double
 Square(double x)
@@ -48,17 +51,18 @@ Square(double x)
   return x * x;
 }
 
+/** Tight and some sigmas off: so the levels depend on every part of it. */
 itk::PartialContourPrior
 MakePrior()
 {
   itk::PartialContourPrior prior;
-  prior.logScale = std::log(1.02);
-  prior.logScaleSigma = 0.03;
-  prior.angle = 0.05;
-  prior.angleSigma = 0.02;
+  prior.logScale = std::log(1.29);
+  prior.logScaleSigma = 0.003;
+  prior.angle = 0.495;
+  prior.angleSigma = 0.0015;
   prior.at = { { 40.0, -30.0 } };
-  prior.position = { { 47.0, 17.0 } };
-  prior.positionSigma = 2.5;
+  prior.position = { { 67.1, 38.2 } };
+  prior.positionSigma = 0.25;
   return prior;
 }
 
@@ -89,7 +93,7 @@ struct Tracing
         const double step = random.Uniform(1.5, 5.0);
         along += step;
         drift += 0.25 * std::sqrt(step) * random.Normal();
-        const double across = drift + random.Normal(0.0, 0.4) + (i % 11 == 6 ? 9.0 : 0.0);
+        const double across = Pose.scale * LineHeight + drift + random.Normal(0.0, 0.4) + (i % 11 == 6 ? 9.0 : 0.0);
         jaw.points.push_back({ { c * along - s * across + Pose.tx, s * along + c * across + Pose.ty } });
         jaw.weights.push_back(random.Uniform(0.15, 1.0));
       }
@@ -102,7 +106,7 @@ struct Tracing
   Distance(const std::array<double, 2> & point, const itk::ContourSimilarity & similarity)
   {
     return -std::sin(similarity.angle) * (point[0] - similarity.tx) +
-           std::cos(similarity.angle) * (point[1] - similarity.ty);
+           std::cos(similarity.angle) * (point[1] - similarity.ty) - similarity.scale * LineHeight;
   }
 
   /** What a point's line direction, that of its two segments' mean, makes of the direction weight. */
@@ -167,8 +171,8 @@ struct Tracing
         const bool within = SquaredMatch(jaw, i, Pose) <= KernelWidth * KernelWidth;
         strand.weights.push_back(!forLevels || within ? jaw.weights[i] : 0.0);
         strand.residuals[i] = Distance(p, Pose);
-        // r = n (p - place) + s at_y
-        strand.jacobian(i, 0) = Pose.scale * prior.at[1];
+        // r = n (p - place) + s (at_y - height)
+        strand.jacobian(i, 0) = Pose.scale * (prior.at[1] - LineHeight);
         strand.jacobian(i, 1) = -(c * (p[0] - place[0]) + s * (p[1] - place[1]));
         strand.jacobian(i, 2) = s;
         strand.jacobian(i, 3) = -c;
@@ -266,7 +270,7 @@ KernelType
 MakeKernel(const Tracing & tracing, bool estimate)
 {
   itk::ContourArrays moving;
-  moving.points = { -300.0, 0.0, 300.0, 0.0 };
+  moving.points = { -300.0, LineHeight, 300.0, LineHeight };
   moving.segments = { 0, 1 };
   KernelType::SettingsType settings;
   settings.width = KernelWidth;
@@ -302,9 +306,9 @@ MakeMetric(const Tracing & tracing, bool estimate)
   const auto                                 moving = itk::DentalContour::New();
   std::vector<itk::DentalContour::PointType> ends(2);
   ends[0][0] = -300.0;
-  ends[0][1] = 0.0;
+  ends[0][1] = LineHeight;
   ends[1][0] = 300.0;
-  ends[1][1] = 0.0;
+  ends[1][1] = LineHeight;
   moving->AddPolyline(ends);
   const auto                 transform = MetricType::TransformType::New();
   MetricType::ParametersType parameters(4);
