@@ -7,6 +7,8 @@ import struct
 
 import pytest
 
+from transform_file import is_anatomical, read_transform
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 OUTPUTS = {
     "result.json",
@@ -172,6 +174,41 @@ def test_transform_files_say_their_direction(registered):
     assert "Transform: VersorRigid3DTransform_double_3_3" in text
     text = (registered["paper"] / "upper_similarity2d.tfm").read_text()
     assert "Transform: Similarity2DTransform_double_2_2" in text and "not for Slicer" in text
+
+
+@pytest.mark.parametrize("preset", PRESETS)
+def test_umda_transform_file_maps_the_scan_as_the_results_matrix_does(registered, sample, preset):
+    landmarks = json.loads((sample / "landmarks3d.json").read_text())
+    result = load(registered[preset])
+    for name, jaw in result["jaws"].items():
+        transform = read_transform(registered[preset] / f"{name}_umda.tfm")
+        places = {key: transform(landmarks[key]) for key in jaw["landmarks_px"]}
+        assert is_anatomical(places, name[0].upper())
+        for key, place in places.items():
+            expected = [sum(m * p for m, p in zip(row, [*landmarks[key], 1.0])) for row in jaw["mesh_to_umda_mm"]]
+            # A square root of 1 - |v|^2 loses half of the digits where the rotation is near half a turn.
+            assert place == pytest.approx(expected, abs=1e-6)
+
+
+@pytest.mark.parametrize("preset, tolerance", [("paper", 1e-6), ("single-stage", 1e-6), ("robust", 12.0)])
+def test_similarity_transform_file_maps_the_geometrys_projection_to_the_radiograph(registered, sample, preset, tolerance):
+    """The file alone, after the formula of the contract; a pose is no similarity, as above."""
+    case = json.loads((sample / "case.json").read_text())
+    landmarks = json.loads((sample / "landmarks3d.json").read_text())
+    distance, detector = case["geometry"]["source_to_midsagittal_mm"], case["geometry"]["source_to_detector_mm"]
+    spacing = case["cephalogram"]["pixel_spacing_mm"]
+    for name, jaw in load(registered[preset])["jaws"].items():
+        umda = read_transform(registered[preset] / f"{name}_umda.tfm")
+        similarity = read_transform(registered[preset] / f"{name}_similarity2d.tfm")
+        s, angle, t = (jaw["similarity"][key] for key in ("scale", "rotation_rad", "translation_px"))
+        for key, position in jaw["landmarks_px"].items():
+            x, y, z = umda(landmarks[key])
+            m = detector / (distance + y)
+            q = (m * x / spacing[0], -m * z / spacing[1])
+            assert similarity(q) == pytest.approx(tuple(position), abs=tolerance)
+            u = s * (math.cos(angle) * q[0] - math.sin(angle) * q[1]) + t[0]
+            v = s * (math.sin(angle) * q[0] + math.cos(angle) * q[1]) + t[1]
+            assert similarity(q) == pytest.approx((u, v), abs=1e-9)
 
 
 @pytest.mark.parametrize("preset", ["robust", "paper"])

@@ -5,6 +5,8 @@ import zlib
 
 import pytest
 
+from transform_file import is_anatomical, read_transform
+
 
 def png_size(path):
     data = path.read_bytes()
@@ -61,6 +63,14 @@ def test_axis_writes_frames_in_which_the_arch_is_symmetric(run, sample, tmp_path
         assert along(x, f"{side}R1_tip") > along(x, f"{side}R6_MB") + 10
         assert (along(z, f"{side}R1_tip") < 0) == (jaw == "upper")
         assert 30 < axis[jaw]["arch_width_mm"] < 120
+
+        transform = read_transform(tmp_path / "axes" / f"{jaw}_umda.tfm")
+        places = {name: transform(landmarks[name]) for name in landmarks if name.startswith(side)}
+        assert is_anatomical(places, side)
+        for name, place in places.items():
+            expected = [along(axis_row, name) for axis_row in (x, y, z)]
+            # A square root of 1 - |v|^2 loses half of the digits where the rotation is near half a turn.
+            assert place == pytest.approx(expected, abs=1e-6)
 
 
 def test_render_makes_a_picture_that_covers_the_scans(run, sample, tmp_path):

@@ -326,6 +326,79 @@ TEST(SurfaceDRRImageSource, TiltedPlateIsThickerByOneOverTheCosine)
   }
 }
 
+TEST(SurfaceDRRImageSource, WideSplatsStayWithinTheToleranceToTheirEnds)
+{
+  // 24 by 30 pixels wide, in an image that shows them to 5 sigma; off the central ray, pixels not square.
+  constexpr double             sigma = 12.0;
+  auto                         geometry = MakeGeometry(0.5, 0.4);
+  GeometryType::PixelIndexType principal;
+  principal[0] = -300.0;
+  principal[1] = 210.0;
+  geometry->SetPrincipalPoint(principal);
+  const auto mesh = MakeTiltedPlate(0.7, 25.0, Position(60.0, 30.0, -40.0), 6);
+  for (const auto normalization : { NormalizationEnum::Physical, NormalizationEnum::Paper })
+  {
+    const auto source = MakeSource(mesh, geometry, sigma);
+    source->SetSizeToCoverMeshes(5.0 * sigma);
+    source->SetNormalization(normalization);
+    source->SetDensity(1.3);
+    // The sum by its definition, in double: a third of the area of each vertex's triangles, spread over the plane.
+    std::vector<double> areas(mesh->GetNumberOfPoints(), 0.0);
+    for (auto it = mesh->GetCells()->Begin(); it != mesh->GetCells()->End(); ++it)
+    {
+      const auto * ids = it.Value()->GetPointIds();
+      const auto   edge1 = mesh->GetPoint(ids[1]) - mesh->GetPoint(ids[0]);
+      const auto   edge2 = mesh->GetPoint(ids[2]) - mesh->GetPoint(ids[0]);
+      for (unsigned int corner = 0; corner < 3; ++corner)
+      {
+        areas[ids[corner]] += itk::CrossProduct(edge1, edge2).GetNorm() / 6.0;
+      }
+    }
+    struct Splat
+    {
+      double u;
+      double v;
+      double weight;
+    };
+    std::vector<Splat> splats;
+    for (unsigned int i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      GeometryType::PointType point;
+      point.CastFrom(mesh->GetPoint(i));
+      const auto   index = geometry->ProjectPoint(point);
+      const double m = 1674.0 / (1524.0 + point[1]);
+      const double away = std::hypot(0.5 * (index[0] - principal[0]), 0.4 * (index[1] - principal[1]));
+      const double cosine = 1674.0 / std::hypot(1674.0, away);
+      const double physical = m * m / (2.0 * itk::Math::pi * sigma * sigma * cosine);
+      splats.push_back(
+        { index[0], index[1], 1.3 * areas[i] * (normalization == NormalizationEnum::Physical ? physical : 1.0) });
+    }
+    for (const double tolerance : { 1e-2, 1e-4 })
+    {
+      source->SetTolerance(tolerance);
+      source->Update();
+      const ImageType * image = source->GetOutput();
+      double            largest = 0.0;
+      double            error = 0.0;
+      for (itk::ImageRegionConstIteratorWithIndex<ImageType> it(image, image->GetBufferedRegion()); !it.IsAtEnd(); ++it)
+      {
+        double sum = 0.0;
+        for (const Splat & splat : splats)
+        {
+          const double du = 0.5 * (static_cast<double>(it.GetIndex()[0]) - splat.u);
+          const double dv = 0.4 * (static_cast<double>(it.GetIndex()[1]) - splat.v);
+          sum += splat.weight * std::exp(-0.5 * (du * du + dv * dv) / (sigma * sigma));
+        }
+        largest = std::max(largest, sum);
+        error = std::max(error, std::abs(it.Get() - sum));
+      }
+      EXPECT_LE(error, tolerance * largest) << normalization << ", tolerance " << tolerance;
+      // Looser tolerances are used: else this would not show what is cut off.
+      EXPECT_GE(error, 0.05 * tolerance * largest) << normalization << ", tolerance " << tolerance;
+    }
+  }
+}
+
 TEST(SurfaceDRRImageSource, PaperNormalizationIsTheBareSumOfAreas)
 {
   auto         geometry = MakeGeometry();

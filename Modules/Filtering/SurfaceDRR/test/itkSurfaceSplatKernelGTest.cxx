@@ -22,6 +22,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -194,6 +195,89 @@ TEST(SurfaceSplatKernel, ComputedErrorOfASplatIsAttained)
     EXPECT_GE(worst, 0.4 * bound) << method;
   }
 }
+
+/** Splats so wide that an image shows where they are cut off: the tests above end within the first sigmas. */
+class WideSplats : public ::testing::TestWithParam<std::tuple<Method, double>>
+{
+protected:
+  static Layer
+  MakeLayer(Method method, double sigma, const std::vector<std::array<double, 3>> & splats)
+  {
+    Layer layer;
+    // Not square: no width may stand for the other.
+    layer.sigmaU = sigma;
+    layer.sigmaV = 0.7 * sigma;
+    for (const auto & splat : splats)
+    {
+      Add(layer, splat[0], splat[1], splat[2]);
+      if (method == Method::PerSplat)
+      {
+        layer.sigmaUs.push_back(static_cast<float>(layer.sigmaU));
+        layer.sigmaVs.push_back(static_cast<float>(layer.sigmaV));
+      }
+    }
+    return layer;
+  }
+
+  /** Six sigmas to every side: what is beyond is below 2e-8 of the peak. */
+  static Region
+  MakeImage(double sigma)
+  {
+    const auto reach = static_cast<std::int64_t>(6.0 * sigma);
+    return { -reach, -reach, 2 * reach, 2 * reach };
+  }
+};
+
+TEST_P(WideSplats, StayWithinTheComputedErrorWhichStaysWithinTheTolerance)
+{
+  const auto [method, sigma] = GetParam();
+  const Region image = MakeImage(sigma);
+  for (const double tolerance : { 1e-2, 1e-3, 1e-4 })
+  {
+    double worst = 0.0;
+    double bound = 0.0;
+    for (const double fraction : { 0.0, 0.31, 0.5 })
+    {
+      const Layer  layer = MakeLayer(method, sigma, { { { fraction, -fraction, 1.7 } } });
+      const Kernel kernel(layer, image, tolerance, method == Method::PerSplat ? Method::Automatic : method);
+      ASSERT_EQ(kernel.GetMethod(), method);
+      bound = kernel.GetSplatError();
+      worst = std::max(worst, RelativeError(layer, image, Render(kernel, image)));
+    }
+    // Single precision: the exponential, two factors and a sum, or a filter of a thousand taps.
+    EXPECT_LE(worst, bound + 5e-6) << "tolerance " << tolerance;
+    // Two tails of half a tolerance, the interpolation, and single precision.
+    EXPECT_LE(bound, 1.2 * tolerance) << "tolerance " << tolerance;
+    EXPECT_LE(worst, tolerance) << "tolerance " << tolerance;
+    // The bound is of use only where it is not far above what happens.
+    EXPECT_GE(worst, 0.3 * bound) << "tolerance " << tolerance;
+  }
+}
+
+TEST_P(WideSplats, KeepTheToleranceInSumsOfManyWhereTheyAreCutOff)
+{
+  const auto [method, sigma] = GetParam();
+  const Region                       image = MakeImage(sigma);
+  itk::ReproducibleRandom            random(17);
+  std::vector<std::array<double, 3>> splats;
+  for (int i = 0; i < 40; ++i)
+  {
+    splats.push_back({ { random.Uniform(-0.8, 0.8) * sigma, random.Uniform(-0.8, 0.8) * sigma, random.Uniform() } });
+  }
+  const Layer layer = MakeLayer(method, sigma, splats);
+  for (const double tolerance : { 1e-2, 1e-3, 1e-4 })
+  {
+    const Kernel kernel(layer, image, tolerance, method == Method::PerSplat ? Method::Automatic : method);
+    ASSERT_EQ(kernel.GetMethod(), method);
+    EXPECT_LE(RelativeError(layer, image, Render(kernel, image)), tolerance) << "tolerance " << tolerance;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Cut,
+  WideSplats,
+  ::testing::Combine(::testing::Values(Method::Table, Method::CubicSpline, Method::QuinticSpline, Method::PerSplat),
+                     ::testing::Values(11.0, 37.0)));
 
 TEST(SurfaceSplatKernel, ChoosesSplinesForManyWideSplatsOnly)
 {

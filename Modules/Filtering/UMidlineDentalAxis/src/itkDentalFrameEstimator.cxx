@@ -645,9 +645,14 @@ FitEvenCurve(const std::vector<std::array<double, 2>> & points, double radius)
 
 /** The paper's X: baseline between left and right molars, across which is the anterior direction. Which points of the
  * left and the right crowns belong together is what their mirror symmetry says: uneven trimming or a missing molar then
- * turns nothing. The U is the even curve about that axis. */
+ * turns nothing. The U is the even curve about that axis. The front is where the crowns say, or such
+ * that the lateral axis goes with the one given. */
 Arch
-FitArch(const Samples & samples, const Vertical & vertical, bool upper, const MidsagittalPlaneResult & mirror)
+FitArch(const Samples &                samples,
+        const Vertical &               vertical,
+        bool                           upper,
+        const MidsagittalPlaneResult & mirror,
+        const Vector3 *                givenLateral = nullptr)
 {
   Arch          arch;
   const Vector3 superior = upper ? -1.0 * vertical.direction : vertical.direction;
@@ -689,7 +694,7 @@ FitArch(const Samples & samples, const Vertical & vertical, bool upper, const Mi
   {
     front += std::clamp(Quantile(middle, 0.5) / 6.0, -2.0, 2.0);
   }
-  const double sign = front < 0.0 ? -1.0 : 1.0;
+  const double sign = (givenLateral != nullptr ? Dot(lateral, *givenLateral) : front) < 0.0 ? -1.0 : 1.0;
   anterior = sign * anterior;
   lateral = sign * lateral;
   arch.resultant = std::abs(front) / 3.0;
@@ -1194,15 +1199,23 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
     }
   }
 
-  // The shared lateral axis: on contradicting fronts the clearer U has its way.
+  if (result.jawsShareFrame && Dot(jaws[0].arch.lateral, jaws[1].arch.lateral) < 0.0)
+  {
+    // Contradicting fronts: the clearer U has its way, and neither is surer of it than by what it is clearer.
+    const unsigned int clearer = jaws[0].arch.resultant >= jaws[1].arch.resultant ? 0 : 1;
+    Jaw &              other = jaws[1 - clearer];
+    const double       lead = std::abs(jaws[0].arch.resultant - jaws[1].arch.resultant);
+    other.arch = FitArch(other.samples, other.vertical, other.upper, other.arch.mirror, &jaws[clearer].arch.lateral);
+    for (Jaw & jaw : jaws)
+    {
+      jaw.arch.resultant = std::min(jaw.arch.resultant, lead);
+    }
+  }
+
+  // The shared lateral axis.
   std::array<Vector3, 2> laterals{ { jaws[0].arch.lateral, jaws[1].arch.lateral } };
   if (result.jawsShareFrame)
   {
-    if (Dot(laterals[0], laterals[1]) < 0.0)
-    {
-      const unsigned int clearer = jaws[0].arch.resultant >= jaws[1].arch.resultant ? 0 : 1;
-      laterals[1 - clearer] = laterals[clearer];
-    }
     laterals[0] = laterals[1] = Unit(laterals[0] + laterals[1]);
   }
 

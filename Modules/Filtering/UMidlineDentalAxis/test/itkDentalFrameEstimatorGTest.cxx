@@ -105,6 +105,28 @@ PhantomErrors(bool refine, std::size_t count)
   return errors;
 }
 
+/** A pair whose jaw number `turned` (0: upper) stands the wrong way round, half a turn about the vertical through the
+ * middle of its arch, and without the foremost millimetres. */
+std::array<itk::TriangleSurface, 2>
+MakeContradictingPair(std::uint64_t seed, unsigned int turned, double missing)
+{
+  auto                   jaws = MakePhantom(seed);
+  itk::TriangleSurface & jaw = jaws[turned];
+  double                 front = -1e9;
+  double                 back = 1e9;
+  for (const Vector3 & p : jaw.points)
+  {
+    front = std::max(front, p[0]);
+    back = std::min(back, p[0]);
+  }
+  Cut(jaw, [&](const Vector3 & p) { return p[0] > front - missing; });
+  for (Vector3 & p : jaw.points)
+  {
+    p = { front + back - p[0], -p[1], p[2] };
+  }
+  return jaws;
+}
+
 /** Vertices and faces of an OBJ file, in mm from m; false where there is no file. */
 bool
 ReadCast(const std::string & name, itk::TriangleSurface & surface)
@@ -337,6 +359,66 @@ TEST(DentalFrameEstimator, InwardWindingOfAPairIsSeenByContactAndDoesNotTurnTheA
   EXPECT_LT(AxisErrors(result.lower, Motion())[2], 6.0);
   EXPECT_LT(result.upper.windingAgreement, -0.5);
   EXPECT_LT(result.lower.windingAgreement, -0.5);
+}
+
+TEST(DentalFrameEstimator, ClearerUDecidesForBothJawsWhereTheirFrontsContradict)
+{
+  itk::DentalFrameOptions options;
+  options.jawsShareFrame = itk::DentalFrameEnums::JawsShareFrame::On;
+  for (const std::uint64_t seed : { 7u, 33u })
+  {
+    for (const unsigned int turned : { 0u, 1u })
+    {
+      // Without its incisors a U is less clear than a whole one, here all the same enough to have a front of its own.
+      const auto jaws = MakeContradictingPair(seed, turned, 15.0);
+      const auto own = itk::EstimateDentalFrame(
+        turned == 0 ? &jaws[0] : nullptr, turned == 0 ? nullptr : &jaws[1], itk::DentalFrameOptions());
+      const auto result = itk::EstimateDentalFrame(&jaws[0], &jaws[1], options);
+      EXPECT_LT(Dot((turned == 0 ? own.upper : own.lower).axes[0], { 1, 0, 0 }), 0.5);
+      EXPECT_GT(result.anteriorDisagreement, 75.0);
+      EXPECT_EQ(result.upper.axes[1], result.lower.axes[1]) << "the lateral axis is shared";
+      for (const itk::DentalJawFrame * frame : { &result.upper, &result.lower })
+      {
+        // As good as a pair's without a contradiction.
+        const Vector3 errors = AxisErrors(*frame, Motion());
+        for (unsigned int axis = 0; axis < 3; ++axis)
+        {
+          EXPECT_LT(errors[axis], 6.0) << "seed " << seed << ", turned " << turned << ", axis " << axis;
+        }
+        // What is said of the arch is said in that frame: the baseline's left end lies left, the front in front.
+        EXPECT_GT(frame->baselineLeft[1], 15.0) << "seed " << seed << ", turned " << turned;
+        EXPECT_LT(frame->baselineRight[1], -15.0) << "seed " << seed << ", turned " << turned;
+        EXPECT_GT(frame->archDepth, 10.0) << "seed " << seed << ", turned " << turned;
+      }
+    }
+  }
+}
+
+TEST(DentalFrameEstimator, ContradictingFrontsThatAreAlikeClearAreNotTrusted)
+{
+  itk::DentalFrameOptions options;
+  options.jawsShareFrame = itk::DentalFrameEnums::JawsShareFrame::On;
+  for (const std::uint64_t seed : { 7u, 44u })
+  {
+    for (const unsigned int turned : { 0u, 1u })
+    {
+      const auto jaws = MakeContradictingPair(seed, turned, 0.0);
+      const auto result = itk::EstimateDentalFrame(&jaws[0], &jaws[1], options);
+      EXPECT_GT(result.anteriorDisagreement, 170.0);
+      EXPECT_LT(result.upper.confidence, 0.5) << "seed " << seed << ", turned " << turned;
+      EXPECT_LT(result.lower.confidence, 0.5) << "seed " << seed << ", turned " << turned;
+      EXPECT_LT(result.joint.confidence, 0.5) << "seed " << seed << ", turned " << turned;
+      // Whichever had its way, both frames have the same front, and both arches are described in it.
+      EXPECT_GT(Dot(result.upper.axes[0], result.lower.axes[0]), 0.9);
+      for (const itk::DentalJawFrame * frame : { &result.upper, &result.lower })
+      {
+        const Vector3 & left = frame->baselineLeft;
+        const Vector3 & right = frame->baselineRight;
+        EXPECT_GT(Dot({ left[0] - right[0], left[1] - right[1], left[2] - right[2] }, frame->axes[1]), 30.0);
+        EXPECT_GT(frame->archDepth, 10.0);
+      }
+    }
+  }
 }
 
 TEST(DentalFrameEstimator, SpecksRepeatedPointsAndHolesDoNotMoveTheAxes)

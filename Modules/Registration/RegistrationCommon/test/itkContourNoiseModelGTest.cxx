@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkContourNoiseModel.h"
 
+#include "itkContourNoiseReference.h"
 #include "itkReproducibleRandom.h"
 
 #include "itkGTest.h"
@@ -152,6 +153,124 @@ TEST(ContourNoiseModel, DevianceIsThatOfTheDenseFormula)
   expected += std::log(vnl_determinant(information)) -
               dot_product(gradient, vnl_matrix_inverse<double>(information).inverse() * gradient);
   EXPECT_NEAR(deviance, expected, 1e-7);
+}
+
+TEST(ContourNoiseModel, CorrelationIsTheFormulaForUnevenArcsAndNormals)
+{
+  constexpr std::size_t   n = 12;
+  itk::ReproducibleRandom random(21);
+  std::vector<double>     arc(n);
+  std::vector<double>     nu(n);
+  std::vector<double>     nv(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double angle = random.Uniform(-1.5, 1.5);
+    arc[i] = (i > 0 ? arc[i - 1] : 3.0) + random.Uniform(0.3, 6.0);
+    nu[i] = std::cos(angle);
+    nv[i] = std::sin(angle);
+  }
+  std::vector<double> correlation(n * n);
+  itk::ContourNoiseModel::ComputeCorrelation(arc.data(), nu.data(), nv.data(), n, 7.5, correlation.data());
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      const double d = arc[i] - arc[j];
+      // Left out is what is below exp(-20) = 2e-9.
+      EXPECT_NEAR(
+        correlation[i * n + j], std::exp(-d * d / (2.0 * 7.5 * 7.5)) * (nu[i] * nu[j] + nv[i] * nv[j]), 2.1e-9);
+    }
+  }
+}
+
+TEST(ContourNoiseModel, LevelsAndDevianceAreThoseOfTheDenseFormulaWithAllLengthsDistinct)
+{
+  // Two strands of uneven points that turn, weights from 0.1 to 3, three parameters with priors of their own, each of
+  // them off its mean. Few points, and levels on either side of their priors' middle: then those count, too.
+  for (const double size : { 0.15, 1.0, 6.0 })
+  {
+    itk::ReproducibleRandom                    random(77);
+    constexpr double                           length = 9.0;
+    std::vector<ContourNoiseReference::Strand> strands;
+    for (const std::size_t n : { 17u, 26u })
+    {
+      ContourNoiseReference::Strand strand;
+      strand.residuals.set_size(static_cast<unsigned int>(n));
+      strand.jacobian.set_size(static_cast<unsigned int>(n), 3);
+      double drift = 0.0;
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        const double step = random.Uniform(0.4, 5.0);
+        const double angle = 0.11 * i + random.Uniform(-0.3, 0.3);
+        strand.arc.push_back(i > 0 ? strand.arc.back() + step : 2.0);
+        strand.nu.push_back(std::sin(angle));
+        strand.nv.push_back(std::cos(angle));
+        strand.weights.push_back(std::exp(random.Uniform(std::log(0.1), std::log(3.0))));
+        drift += 0.4 * std::sqrt(step) * random.Normal();
+        strand.residuals[i] = size * (drift + random.Normal(0.0, 0.5 / std::sqrt(strand.weights[i])));
+        strand.jacobian(i, 0) = strand.nu[i];
+        strand.jacobian(i, 1) = strand.nv[i];
+        strand.jacobian(i, 2) = 0.05 * strand.arc[i] - 1.0;
+      }
+      strands.push_back(strand);
+    }
+    const vnl_vector<double> precision = [] {
+      const double values[3] = { 1.0 / 0.09, 4.0, 0.25 };
+      return vnl_vector<double>(values, 3);
+    }();
+    const vnl_vector<double> offset = [] {
+      const double values[3] = { 0.6, -0.8, 1.7 };
+      return vnl_vector<double>(values, 3);
+    }();
+
+    std::vector<std::vector<double>>               correlations;
+    std::vector<std::vector<double>>               jacobians;
+    std::vector<itk::ContourNoiseModel::BlockType> blocks;
+    for (const auto & strand : strands)
+    {
+      const std::size_t n = strand.arc.size();
+      correlations.emplace_back(n * n);
+      itk::ContourNoiseModel::ComputeCorrelation(
+        strand.arc.data(), strand.nu.data(), strand.nv.data(), n, length, correlations.back().data());
+      jacobians.emplace_back();
+      for (unsigned int a = 0; a < 3; ++a)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          jacobians.back().push_back(strand.jacobian(i, a));
+        }
+      }
+    }
+    for (std::size_t b = 0; b < strands.size(); ++b)
+    {
+      blocks.push_back({ strands[b].arc.size(),
+                         correlations[b].data(),
+                         strands[b].weights.data(),
+                         strands[b].residuals.data_block(),
+                         jacobians[b].data() });
+    }
+    double     deviance = 0.0;
+    const auto levels =
+      itk::ContourNoiseModel::Estimate(blocks, precision.data_block(), offset.data_block(), 3, { 0.9, 0.8 }, &deviance);
+    // The same formula by another order of operations; G is cut off at 2e-9.
+    EXPECT_NEAR(deviance,
+                ContourNoiseReference::Deviance(strands, length, precision, offset, { levels.smooth, levels.white }),
+                1e-5);
+    // The search ends where its simplex spans 1e-4 of the objective: no level may be better by more than some of that.
+    // The objective's curvature in the logarithms is above 10 here, which makes sqrt(2 2e-4 / 10) = 0.006 of it.
+    const auto   best = ContourNoiseReference::Minimise(strands, length, precision, offset);
+    const double least = ContourNoiseReference::Objective(strands, length, precision, offset, best);
+    EXPECT_NEAR(ContourNoiseReference::Objective(strands, length, precision, offset, { levels.smooth, levels.white }),
+                least,
+                2e-4);
+    EXPECT_NEAR(std::log(levels.smooth), std::log(best.smooth), 0.006);
+    EXPECT_NEAR(std::log(levels.white), std::log(best.white), 0.006);
+    // The case tells the formulas apart: twice the white level, or priors around other levels, is clearly worse.
+    EXPECT_GT(ContourNoiseReference::Objective(strands, length, precision, offset, { best.smooth * 1.1, best.white }),
+              least + 0.03);
+    EXPECT_GT(ContourNoiseReference::Objective(strands, length, precision, offset, { best.smooth, best.white * 1.1 }),
+              least + 0.03);
+  }
 }
 
 TEST(ContourNoiseModel, RecoversTheLevelsOfSimulatedTracings)

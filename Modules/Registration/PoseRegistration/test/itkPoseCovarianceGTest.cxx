@@ -1,0 +1,581 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseCovarianceReference.h"
+
+#include "itkContourNoiseModel.h"
+#include "itkPoseEstimator.h"
+#include "itkPoseRegistrationKernel.h"
+#include "itkReproducibleRandom.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+// What is said of the uncertainty of a pose against dense formulas in which no two lengths are alike.
+namespace
+{
+namespace Reference = PoseCovarianceReference;
+
+constexpr double Degree = 0.017453292519943295;
+
+/** Pose off the middle of every prior. */
+const itk::PoseParameters Pose{ { 0.12, 0.06, -0.09, 3.0, 0.8, -2.0, 0.015 } };
+
+itk::PoseGeometry
+MakeGeometry(double sourceSign = 1.0, double facingSign = 1.0)
+{
+  itk::PoseGeometry geometry;
+  geometry.sourceToMidsagittal = 1500.0;
+  geometry.sourceToDetector = 1650.0;
+  geometry.sourceSign = sourceSign;
+  geometry.facingSign = facingSign;
+  geometry.pixelSpacing = { { 0.31, 0.19 } };
+  geometry.principalPoint = { { 420.0, 530.0 } };
+  return geometry;
+}
+
+Reference::Imaging
+ImagingOf(const itk::PoseGeometry & geometry)
+{
+  return { geometry.sourceToMidsagittal, geometry.sourceToDetector, geometry.sourceSign,
+           geometry.facingSign,          geometry.pixelSpacing,     geometry.principalPoint };
+}
+
+/** Half an arch on the right like a row of crowns: a tube along a circle whose thickness swells nine times. */
+itk::TriangleSurface
+MakeArch(double scale = 1.0)
+{
+  constexpr unsigned int rings = 90;
+  constexpr unsigned int sectors = 28;
+  itk::TriangleSurface   surface;
+  for (unsigned int i = 0; i <= rings; ++i)
+  {
+    const double phi = 0.02 + 1.8 * i / rings;
+    const double radius = 4.0 + 1.3 * std::sin(10.0 * phi);
+    for (unsigned int s = 0; s < sectors; ++s)
+    {
+      const double theta = 2.0 * 3.14159265358979323846 * s / sectors;
+      const double r = 24.0 + radius * std::cos(theta);
+      surface.points.push_back(
+        { scale * r * std::cos(phi), -scale * r * std::sin(phi), scale * radius * std::sin(theta) });
+    }
+  }
+  for (unsigned int i = 0; i < rings; ++i)
+  {
+    for (unsigned int s = 0; s < sectors; ++s)
+    {
+      const unsigned int a = i * sectors + s;
+      const unsigned int b = i * sectors + (s + 1) % sectors;
+      surface.triangles.push_back({ a, b, a + sectors });
+      surface.triangles.push_back({ b, b + sectors, a + sectors });
+    }
+  }
+  return surface;
+}
+
+/** Two jaws' strands: tracings by hand beside the contours at the pose, with weights and gaps of their own. */
+struct Scene
+{
+  itk::PoseGeometry          geometry;
+  itk::PoseRegistrationOptions options;
+  itk::PoseContourModel      upper;
+  itk::PoseContourModel      lower;
+
+  explicit Scene(double sourceSign = 1.0)
+    : geometry(MakeGeometry(sourceSign))
+    , upper(MakeArch(), true, true)
+    , lower(MakeArch(0.9), false, true)
+  {
+    options.correlationLength = 9.0;
+    options.covarianceCorrelationLength = 21.0;
+    options.covarianceInflation = 1.3;
+    options.absorbedNoise = 0.2;
+    options.rollSigma = 0.05;
+    options.yawSigma = 0.08;
+    options.rotationPriorFreedom = 5.0;
+    options.tySigma = 1.7;
+    options.kappaSigma = 0.02;
+    options.kappaSigmaWithoutSpacing = 0.3;
+    options.estimateNoise = false;
+  }
+
+  itk::PoseEstimator
+  MakeEstimator() const
+  {
+    std::vector<itk::PoseStrand> strands(2);
+    itk::ReproducibleRandom      random(19);
+    for (unsigned int j = 0; j < 2; ++j)
+    {
+      itk::PoseStrand & strand = strands[j];
+      strand.models = { j == 0 ? &upper : &lower };
+      strand.upper = j == 0;
+      strand.jaw = j;
+      const itk::PoseContour contour = strand.models[0]->Compute(itk::PoseModel(geometry, Pose));
+      double                 drift = 0.0;
+      for (std::size_t i = 4 + 3 * j; i < contour.Size(); i += 3 + random.Integer(5))
+      {
+        // A gap in the middle of the upper one.
+        if (j == 0 && i > contour.Size() / 2 && i < contour.Size() / 2 + 40)
+        {
+          continue;
+        }
+        // Some points lie elsewhere, the last of them far, and some are drawn at an angle to the contour: their weights
+        // are near 0 and between.
+        drift = 0.9 * drift + random.Normal(0.0, 0.35);
+        const double       across = drift + random.Normal(0.0, 0.3) + (random.Uniform() < 0.06 ? 4.0 : 0.0);
+        const double       gross = i + 30 > contour.Size() ? 40.0 : 0.0;
+        const double       turn = random.Uniform() < 0.15 ? 1.05 : 0.0;
+        const double       nu = contour.nu[i];
+        const double       nv = contour.nv[i];
+        itk::PoseTracing & t = strand.tracing;
+        t.u.push_back(contour.u[i] + (across + gross) * nu);
+        t.v.push_back(contour.v[i] + (across + gross) * nv);
+        t.nu.push_back(std::cos(turn) * nu - std::sin(turn) * nv);
+        t.nv.push_back(std::sin(turn) * nu + std::cos(turn) * nv);
+        t.arc.push_back(0.5 * static_cast<double>(i) * 1.1);
+        t.weight.push_back(random.Uniform(0.2, 1.0));
+        t.tooth.push_back(0);
+      }
+    }
+    return itk::PoseEstimator(geometry, options, strands);
+  }
+};
+
+/** The strands by the documentation's formulas: only which sample a point is matched with, and its normal, are the
+ * estimator's. */
+std::vector<Reference::Strand>
+MakeStrands(const Scene & scene, const itk::PoseEstimator & estimator, double width, double leastWeight = 0.0)
+{
+  const auto                     contours = estimator.ComputeContours(Pose);
+  const auto                     lin = estimator.Linearize(Pose, contours, false);
+  const Reference::Imaging       imaging = ImagingOf(scene.geometry);
+  std::vector<Reference::Strand> strands;
+  std::size_t                    k = 0;
+  for (std::size_t s = 0; s < 2; ++s)
+  {
+    const itk::PoseTracing & tracing = estimator.GetStrands()[s].tracing;
+    Reference::Strand        strand;
+    strand.arc = tracing.arc;
+    strand.jacobian.set_size(static_cast<unsigned int>(tracing.Size()), 7);
+    for (unsigned int i = 0; i < tracing.Size(); ++i, ++k)
+    {
+      const std::size_t sample = lin.match[k];
+      const double      nu = contours[s].nu[sample];
+      const double      nv = contours[s].nv[sample];
+      strand.nu.push_back(nu);
+      strand.nv.push_back(nv);
+      strand.residuals.push_back(nu * (tracing.u[i] - contours[s].u[sample]) +
+                                 nv * (tracing.v[i] - contours[s].v[sample]));
+      strand.weights.push_back(
+        std::max(leastWeight, lin.facing[k] * tracing.weight[i] * Reference::RobustWeight(lin.distance[k], width)));
+      const Reference::Point   rim = contours[s].rim[sample];
+      const vnl_matrix<double> byPose = Reference::Differentiate(
+        [&](const Reference::Parameters & q) { return Reference::ProjectToWorkingPlane(imaging, q, rim); }, Pose);
+      for (unsigned int a = 0; a < 7; ++a)
+      {
+        strand.jacobian(i, a) = -(nu * byPose(0, a) + nv * byPose(1, a));
+      }
+    }
+    strands.push_back(strand);
+  }
+  return strands;
+}
+
+/** Precisions of the priors: Gaussian, but for roll and yaw. */
+Reference::Parameters
+MakePrecision(const Scene & scene, double (*ofT)(double, double, double))
+{
+  const auto & o = scene.options;
+  return { { 0.0,
+             ofT(Pose[itk::PoseRoll], o.rollSigma, o.rotationPriorFreedom),
+             ofT(Pose[itk::PoseYaw], o.yawSigma, o.rotationPriorFreedom),
+             0.0,
+             1.0 / (o.tySigma * o.tySigma),
+             0.0,
+             1.0 / (o.kappaSigma * o.kappaSigma) } };
+}
+
+void
+ExpectNear(const std::array<double, 49> & actual, const vnl_matrix<double> & expected, const char * what)
+{
+  for (unsigned int a = 0; a < 7; ++a)
+  {
+    for (unsigned int b = 0; b < 7; ++b)
+    {
+      // Differences leave 1e-7 of the derivatives; their inverse magnifies it, the flattest direction most.
+      EXPECT_NEAR(actual[7 * a + b], expected(a, b), 1e-5 * std::sqrt(expected(a, a) * expected(b, b)))
+        << what << ", " << a << ", " << b;
+    }
+  }
+}
+
+/** A covariance with every correlation. */
+vnl_matrix<double>
+MakeCovariance()
+{
+  const double            sigmas[7] = { 0.01, 0.03, 0.04, 0.5, 1.5, 0.4, 0.02 };
+  itk::ReproducibleRandom random(29);
+  vnl_matrix<double>      root(7, 7);
+  for (unsigned int a = 0; a < 7; ++a)
+  {
+    for (unsigned int b = 0; b < 7; ++b)
+    {
+      root(a, b) = sigmas[a] * (a == b ? 1.0 : random.Uniform(-0.5, 0.5));
+    }
+  }
+  return root * root.transpose();
+}
+
+std::array<double, 49>
+Flatten(const vnl_matrix<double> & matrix)
+{
+  std::array<double, 49> flat{};
+  std::copy(matrix.begin(), matrix.end(), flat.begin());
+  return flat;
+}
+
+itk::PoseState
+MakeState(double smooth, double white)
+{
+  itk::PoseState state;
+  state.parameters = Pose;
+  state.noise = { smooth, white };
+  return state;
+}
+
+/** The nearest contour point absorbs noise: factor on both levels; the contour's own 0.15 px in squares. */
+itk::PoseNoise
+Inflate(const itk::PoseNoise & noise, double absorbed)
+{
+  const double factor = std::min(1.6, 1.0 + absorbed * noise.smooth * noise.smooth);
+  return { std::hypot(factor * noise.smooth, 0.15), factor * noise.white };
+}
+
+double
+KernelWidth(const itk::PoseNoise & noise)
+{
+  return std::max(3.0, 2.5 * std::hypot(noise.smooth, noise.white));
+}
+} // namespace
+
+TEST(PoseCovariance, IsTheInverseOfDenseInformationAndPriorsWithTheLongerCorrelationLength)
+{
+  for (const double sourceSign : { 1.0, -1.0 })
+  {
+    const Scene scene(sourceSign);
+    const auto  estimator = scene.MakeEstimator();
+    ASSERT_GT(estimator.GetStrands()[0].tracing.Size(), 20u);
+    ASSERT_GT(estimator.GetStrands()[1].tracing.Size(), 20u);
+    const itk::PoseState state = MakeState(1.1, 0.5);
+    itk::PoseNoise       noise;
+    const auto           covariance = estimator.ComputeCovariance(state, noise);
+    const itk::PoseNoise inflated = Inflate(state.noise, 0.2);
+    EXPECT_NEAR(noise.smooth, inflated.smooth, 1e-12);
+    EXPECT_NEAR(noise.white, inflated.white, 1e-12);
+    const auto information = Reference::Information(MakeStrands(scene, estimator, KernelWidth(state.noise)),
+                                                    21.0,
+                                                    inflated.smooth,
+                                                    inflated.white,
+                                                    MakePrecision(scene, Reference::VariancePrecisionOfT));
+    ExpectNear(covariance, Reference::Covariance(information, {}, {}, 1.3), "all parameters");
+  }
+}
+
+TEST(PoseCovariance, WithoutCorrelationOrRobustKernelIsThatOfIndependentPoints)
+{
+  Scene scene;
+  scene.options.useCorrelatedNoise = false;
+  scene.options.useRobustKernel = false;
+  const auto     estimator = scene.MakeEstimator();
+  itk::PoseNoise noise;
+  const auto     covariance = estimator.ComputeCovariance(MakeState(0.7, 0.9), noise);
+  const auto     inflated = Inflate({ 0.7, 0.9 }, 0.2);
+  const auto     information = Reference::Information(MakeStrands(scene, estimator, 1e9),
+                                                  0.0,
+                                                  inflated.smooth,
+                                                  inflated.white,
+                                                  MakePrecision(scene, Reference::VariancePrecisionOfT));
+  ExpectNear(covariance, Reference::Covariance(information, {}, {}, 1.3), "independent points");
+}
+
+TEST(PoseCovariance, AbsorbedNoiseGrowsWithTheDriftUpToItsLimit)
+{
+  Scene scene;
+  for (const double absorbed : { 0.0, 0.05, 0.2 })
+  {
+    scene.options.absorbedNoise = absorbed;
+    const auto estimator = scene.MakeEstimator();
+    for (const double smooth : { 0.4, 1.7, 2.6 })
+    {
+      itk::PoseNoise noise;
+      estimator.ComputeCovariance(MakeState(smooth, 0.8), noise);
+      const itk::PoseNoise expected = Inflate({ smooth, 0.8 }, absorbed);
+      EXPECT_NEAR(noise.smooth, expected.smooth, 1e-12) << absorbed << ", " << smooth;
+      EXPECT_NEAR(noise.white, expected.white, 1e-12) << absorbed << ", " << smooth;
+    }
+  }
+  // By hand: 1 + 0.2 1.7^2 = 1.578, and 1.6 for 2.6 px.
+  EXPECT_NEAR(Inflate({ 1.7, 0.8 }, 0.2).white, 1.578 * 0.8, 1e-12);
+  EXPECT_NEAR(Inflate({ 2.6, 0.8 }, 0.2).white, 1.6 * 0.8, 1e-12);
+}
+
+TEST(PoseCovariance, NoiseIsEstimatedWithTheCovariancesOwnLengthAndPriors)
+{
+  Scene scene;
+  scene.options.estimateNoise = true;
+  const auto           estimator = scene.MakeEstimator();
+  const itk::PoseState state = MakeState(1.1, 0.5);
+  itk::PoseNoise       noise;
+  const auto           covariance = estimator.ComputeCovariance(state, noise);
+
+  const auto                                     strands = MakeStrands(scene, estimator, KernelWidth(state.noise));
+  const auto                                     precision = MakePrecision(scene, Reference::VariancePrecisionOfT);
+  std::vector<vnl_matrix<double>>                correlations;
+  std::vector<vnl_matrix<double>>                jacobians;
+  std::vector<itk::ContourNoiseModel::BlockType> blocks;
+  for (const auto & strand : strands)
+  {
+    correlations.push_back(Reference::NoiseCovariance(strand, 21.0, 1.0, 0.0));
+    jacobians.push_back(strand.jacobian.transpose());
+  }
+  for (std::size_t s = 0; s < 2; ++s)
+  {
+    blocks.push_back({ strands[s].arc.size(),
+                       correlations[s].data_block(),
+                       strands[s].weights.data(),
+                       strands[s].residuals.data(),
+                       jacobians[s].data_block() });
+  }
+  const auto levels = itk::ContourNoiseModel::Estimate(blocks, precision.data(), Pose.data(), 7, { 1.1, 0.5 });
+  const auto inflated = Inflate({ levels.smooth, levels.white }, 0.2);
+  // Both end their search where the criterion changes by 1e-4, on input that differs by rounding.
+  EXPECT_NEAR(noise.smooth, inflated.smooth, 1e-3);
+  EXPECT_NEAR(noise.white, inflated.white, 1e-3);
+  EXPECT_GT(std::abs(noise.smooth - Inflate({ 1.1, 0.5 }, 0.2).smooth), 0.02) << "the case tells them apart";
+  const auto information = Reference::Information(strands, 21.0, noise.smooth, noise.white, precision);
+  ExpectNear(covariance, Reference::Covariance(information, {}, {}, 1.3), "estimated noise");
+}
+
+TEST(PoseCovariance, DevianceTakesTheTangentPrecisionOfTheTPriorAndTheShorterLength)
+{
+  const Scene                                    scene;
+  const auto                                     estimator = scene.MakeEstimator();
+  const itk::PoseState                           state = MakeState(1.1, 0.5);
+  const auto                                     strands = MakeStrands(scene, estimator, 4.0, 1e-3);
+  const auto                                     precision = MakePrecision(scene, Reference::TangentPrecisionOfT);
+  std::vector<vnl_matrix<double>>                correlations;
+  std::vector<vnl_matrix<double>>                jacobians;
+  std::vector<itk::ContourNoiseModel::BlockType> blocks;
+  for (const auto & strand : strands)
+  {
+    correlations.push_back(Reference::NoiseCovariance(strand, 9.0, 1.0, 0.0));
+    jacobians.push_back(strand.jacobian.transpose());
+  }
+  for (std::size_t s = 0; s < 2; ++s)
+  {
+    blocks.push_back({ strands[s].arc.size(),
+                       correlations[s].data_block(),
+                       strands[s].weights.data(),
+                       strands[s].residuals.data(),
+                       jacobians[s].data_block() });
+  }
+  double deviance = 0.0;
+  itk::ContourNoiseModel::Estimate(blocks, precision.data(), Pose.data(), 7, { 1.1, 0.5 }, &deviance);
+  // The criterion's own search ends within 1e-4.
+  EXPECT_NEAR(estimator.ComputeDeviance(state), deviance, 1e-3);
+}
+
+TEST(PoseCovariance, TPriorHasItsVarianceAndTheSlopeOfItsLogDensity)
+{
+  // Of the reference itself, by hand: (nu + 1) / ((nu - 2) s^2 + x^2), and 1 / s^2 at 0 for the covariance.
+  for (const double x : { 0.0, 0.03, 0.2 })
+  {
+    EXPECT_NEAR(Reference::TangentPrecisionOfT(x, 0.06, 4.0) * (2.0 * 0.0036 + x * x), 5.0, 1e-5);
+    EXPECT_NEAR(Reference::VariancePrecisionOfT(x, 0.06, 4.0) * (2.0 * 0.0036 + x * x), 2.0, 1e-5);
+  }
+}
+
+TEST(PoseCovariance, HeldParametersHaveTheirOwnWidthAndTheOthersFollow)
+{
+  struct Case
+  {
+    const char *          what;
+    bool                  scale;
+    bool                  rotation;
+    bool                  translation;
+    bool                  spacingKnown;
+    Reference::Parameters held;
+  };
+  const Case cases[] = {
+    { "scale", true, false, false, true, { { 0, 0, 0, 0, 0, 0, 0.02 } } },
+    { "scale without a spacing", true, false, false, false, { { 0, 0, 0, 0, 0, 0, 0.3 } } },
+    { "rotation", false, true, false, true, { { 1.5 * Degree, 2.5 * Degree, 2.5 * Degree, 0, 0, 0, 0 } } },
+    { "translation", false, false, true, true, { { 0, 0, 0, 1.2, 1.2, 1.2, 0 } } },
+    { "rotation and scale", true, true, false, true, { { 1.5 * Degree, 2.5 * Degree, 2.5 * Degree, 0, 0, 0, 0.02 } } },
+    { "all", true, true, true, true, { { 1.5 * Degree, 2.5 * Degree, 2.5 * Degree, 1.2, 1.2, 1.2, 0.02 } } },
+  };
+  for (const Case & c : cases)
+  {
+    Scene scene;
+    scene.options.fixScale = c.scale;
+    scene.options.fixRotation = c.rotation;
+    scene.options.fixTranslation = c.translation;
+    scene.options.heldPitchSigma = 1.5 * Degree;
+    scene.options.unobservedRotationSigma = 2.5 * Degree;
+    scene.options.heldTranslationSigma = 1.2;
+    scene.geometry.pixelSpacingKnown = c.spacingKnown;
+    const auto estimator = scene.MakeEstimator();
+    for (unsigned int k = 0; k < 7; ++k)
+    {
+      EXPECT_NEAR(estimator.GetHeldSigmas()[k], c.held[k], 1e-15) << c.what << ", " << k;
+    }
+    itk::PoseNoise noise;
+    const auto     covariance = estimator.ComputeCovariance(MakeState(1.1, 0.5), noise);
+    const auto     information = Reference::Information(MakeStrands(scene, estimator, KernelWidth({ 1.1, 0.5 })),
+                                                    21.0,
+                                                    noise.smooth,
+                                                    noise.white,
+                                                    MakePrecision(scene, Reference::VariancePrecisionOfT));
+    ExpectNear(covariance, Reference::Covariance(information, c.held, {}, 1.3), c.what);
+    for (unsigned int k = 0; k < 7; ++k)
+    {
+      if (c.held[k] > 0.0)
+      {
+        EXPECT_NEAR(std::sqrt(covariance[8 * k]), c.held[k], 1e-9) << c.what << ", " << k;
+      }
+    }
+  }
+}
+
+TEST(PoseCovariance, RotationsThatATracingDoesNotCarryEnterWithTheirOwnWidth)
+{
+  Scene scene;
+  scene.options.tracedSide = itk::PoseTracedSideEnum::Mean;
+  scene.options.unobservedRotationSigma = 2.5 * Degree;
+  const auto     estimator = scene.MakeEstimator();
+  itk::PoseNoise noise;
+  const auto     covariance = estimator.ComputeCovariance(MakeState(1.1, 0.5), noise);
+  auto           precision = MakePrecision(scene, Reference::VariancePrecisionOfT);
+  precision[itk::PoseRoll] = Reference::VariancePrecisionOfT(Pose[itk::PoseRoll], 2.5 * Degree, 5.0);
+  precision[itk::PoseYaw] = Reference::VariancePrecisionOfT(Pose[itk::PoseYaw], 2.5 * Degree, 5.0);
+  const auto information = Reference::Information(
+    MakeStrands(scene, estimator, KernelWidth({ 1.1, 0.5 })), 21.0, noise.smooth, noise.white, precision);
+  ExpectNear(covariance, Reference::Covariance(information, {}, {}, 1.3), "bisected");
+  // What the pose itself is estimated with: nothing of roll, yaw and lateral shift.
+  const auto sigmas = estimator.GetPriorSigmas(false);
+  EXPECT_EQ(sigmas[itk::PoseRoll], 0.0);
+  EXPECT_EQ(sigmas[itk::PoseYaw], 0.0);
+  EXPECT_EQ(sigmas[itk::PoseTy], 0.0);
+  EXPECT_EQ(sigmas[itk::PosePitch], std::numeric_limits<double>::infinity());
+}
+
+TEST(PoseCovariance, PredictedSigmaIsThatOfTheProjectedCovariance)
+{
+  const Scene              scene(-1.0);
+  const auto               estimator = scene.MakeEstimator();
+  const auto               contours = estimator.ComputeContours(Pose);
+  const auto               lin = estimator.Linearize(Pose, contours, false);
+  const Reference::Imaging imaging = ImagingOf(scene.geometry);
+  const vnl_matrix<double> covariance = MakeCovariance();
+  std::size_t              begin = 0;
+  for (std::size_t s = 0; s < 2; ++s)
+  {
+    const auto variance = [&](std::size_t sample) {
+      const Reference::Point   rim = contours[s].rim[sample];
+      const vnl_matrix<double> c = Reference::ProjectCovariance(
+        [&](const Reference::Parameters & q) { return Reference::ProjectToWorkingPlane(imaging, q, rim); },
+        Pose,
+        covariance);
+      return 0.5 * (c(0, 0) + c(1, 1));
+    };
+    const std::size_t n = estimator.GetStrands()[s].tracing.Size();
+    double            sum = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      sum += variance(lin.match[begin + i]) / static_cast<double>(n);
+    }
+    begin += n;
+    double largest = 0.0;
+    for (std::size_t j = 0; j < contours[s].Size(); ++j)
+    {
+      largest = std::max(largest, variance(j));
+    }
+    const auto sigma = estimator.PredictedSigma(s, Pose, contours, Flatten(covariance));
+    EXPECT_NEAR(sigma[0], std::sqrt(sum), 1e-6 * sigma[0]) << "strand " << s;
+    // Every tenth sample is looked at, 5 px apart: between them the sigma changes by less than 1 %.
+    EXPECT_LE(sigma[1], std::sqrt(largest) * (1.0 + 1e-6)) << "strand " << s;
+    EXPECT_GE(sigma[1], std::sqrt(largest) * 0.99) << "strand " << s;
+    EXPECT_GT(sigma[1], 1.02 * sigma[0]) << "strand " << s;
+  }
+}
+
+TEST(PoseCovariance, LandmarksCovarianceIsThatOfTheProjectedPixelWhereNoTwoLengthsAreAlike)
+{
+  const vnl_matrix<double> covariance = MakeCovariance();
+  for (const double sourceSign : { 1.0, -1.0 })
+  {
+    for (const double facingSign : { 1.0, -1.0 })
+    {
+      itk::PoseRegistrationResult result;
+      result.geometry = MakeGeometry(sourceSign, facingSign);
+      result.groups.resize(2);
+      result.groups[0].parameters = Pose;
+      result.groups[0].covariance = Flatten(covariance);
+      result.groups[1].parameters = { { -0.1, 0.02, 0.11, -4.0, -1.0, 6.0, -0.03 } };
+      result.groups[1].covariance = Flatten(3.0 * covariance.transpose());
+      result.jaws.resize(3);
+      result.groupOfJaw = { 1, 0, 2 };
+      // A frame that turns and shifts: rows are the axes.
+      itk::PoseJawInput jaw;
+      jaw.frame.rotation = { { 0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6 } };
+      jaw.frame.origin = { { 7.0, -11.0, 4.0 } };
+      for (const std::array<double, 3> point :
+           { std::array<double, 3>{ { 20.0, -30.0, 5.0 } }, { { -25.0, 12.0, -18.0 } } })
+      {
+        for (unsigned int j = 0; j < 2; ++j)
+        {
+          Reference::Point p{};
+          for (unsigned int k = 0; k < 3; ++k)
+          {
+            for (unsigned int c = 0; c < 3; ++c)
+            {
+              p[k] += jaw.frame.rotation[3 * k + c] * (point[c] - jaw.frame.origin[c]);
+            }
+          }
+          const auto imaging = ImagingOf(result.geometry);
+          const auto expected = Reference::ProjectCovariance(
+            [&](const Reference::Parameters & q) { return Reference::ProjectToPixel(imaging, q, p); },
+            result.groups[1 - j].parameters,
+            j == 0 ? 3.0 * covariance : covariance);
+          const auto actual = itk::PoseRegistrationKernel::LandmarkCovariance(result, jaw, j, point);
+          for (unsigned int a = 0; a < 2; ++a)
+          {
+            for (unsigned int b = 0; b < 2; ++b)
+            {
+              EXPECT_NEAR(actual[2 * a + b], expected(a, b), 1e-6 * std::sqrt(expected(a, a) * expected(b, b)));
+            }
+          }
+          // The geometry tells the axes apart, and the axes are correlated.
+          EXPECT_GT(std::abs(expected(0, 0) / expected(1, 1) - 1.0), 0.1);
+        }
+        EXPECT_EQ(itk::PoseRegistrationKernel::LandmarkCovariance(result, jaw, 2, point), (std::array<double, 4>{}));
+      }
+    }
+  }
+}

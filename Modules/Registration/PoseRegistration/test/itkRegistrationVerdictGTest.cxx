@@ -1,0 +1,595 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkRegistrationVerdict.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Results made by hand, nothing registered: what the table of Documentation/Robust.md says of each.
+namespace
+{
+using Verdict = itk::RegistrationVerdict;
+using StatusEnum = Verdict::StatusEnum;
+using Thresholds = Verdict::Thresholds;
+using Named = std::vector<std::pair<std::string, StatusEnum>>;
+
+constexpr StatusEnum Suspect = StatusEnum::Suspect;
+constexpr StatusEnum Failed = StatusEnum::Failed;
+
+/** Jaws in one group, with nothing to complain about. */
+itk::PoseRegistrationResult
+MakeGoodResult(std::size_t numberOfJaws = 1)
+{
+  itk::PoseRegistrationResult result;
+  itk::PoseGroupResult      group;
+  for (std::size_t j = 0; j < numberOfJaws; ++j)
+  {
+    itk::PoseJawResult jaw;
+    jaw.upper = j == 0;
+    jaw.registered = true;
+    jaw.archWidth = 58.0;
+    jaw.winding = 0.4;
+    jaw.fit.numberOfPoints = 100;
+    jaw.fit.cost = 0.1;
+    jaw.fit.medianResidual = 0.8;
+    jaw.fit.p90Residual = 2.0;
+    jaw.fit.inlierShare = 0.98;
+    jaw.fit.hasCodes = true;
+    jaw.fit.codeOffset = 1.0;
+    jaw.fit.predictedSigma = 0.6;
+    jaw.fit.extrapolatedSigma = 1.2;
+    result.jaws.push_back(jaw);
+    result.groupOfJaw.push_back(0);
+    group.jaws.push_back(j);
+  }
+  group.smoothSigma = 1.1;
+  group.whiteSigma = 0.5;
+  group.score = 0.4;
+  group.converged = true;
+  result.groups.push_back(group);
+  return result;
+}
+
+Named
+NamesOf(const Verdict::JawVerdict & verdict)
+{
+  Named names;
+  for (const auto & reason : verdict.reasons)
+  {
+    names.emplace_back(reason.code, reason.severity);
+    EXPECT_FALSE(reason.text.empty()) << reason.code;
+  }
+  return names;
+}
+
+/** The status of a jaw is its worst reason's. */
+StatusEnum
+WorstOf(const Named & names)
+{
+  StatusEnum worst = StatusEnum::Ok;
+  for (const auto & name : names)
+  {
+    worst = std::max(worst, name.second);
+  }
+  return worst;
+}
+
+const Verdict::Reason &
+OnlyReason(const std::vector<Verdict::JawVerdict> & verdicts)
+{
+  static const Verdict::Reason none;
+  EXPECT_EQ(verdicts.at(0).reasons.size(), 1u);
+  return verdicts.at(0).reasons.empty() ? none : verdicts.at(0).reasons.front();
+}
+
+bool
+Contains(const std::string & text, const std::string & part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+/** A threshold, the number in Documentation/Robust.md, and what is named on either side of it. */
+struct Limit
+{
+  const char * name;
+  double Thresholds::*                                     member;
+  double                                                   documented;
+  bool                                                     badAbove;
+  std::function<void(itk::PoseRegistrationResult &, double)> set;
+  Named                                                    within;
+  Named                                                    beyond;
+};
+
+void
+PrintTo(const Limit & limit, std::ostream * os)
+{
+  *os << limit.name;
+}
+
+using Result = itk::PoseRegistrationResult;
+
+std::vector<Limit>
+MakeLimits()
+{
+  return {
+    { "SuspectCost",
+      &Thresholds::suspectCost,
+      0.36,
+      true,
+      [](Result & r, double x) { r.jaws[0].fit.cost = x; },
+      {},
+      { { "poor-fit", Suspect } } },
+    { "FailedCost",
+      &Thresholds::failedCost,
+      0.50,
+      true,
+      [](Result & r, double x) { r.jaws[0].fit.cost = x; },
+      { { "poor-fit", Suspect } },
+      { { "no-fit", Failed } } },
+    { "SuspectP90",
+      &Thresholds::suspectP90,
+      6.0,
+      true,
+      [](Result & r, double x) { r.jaws[0].fit.p90Residual = x; },
+      {},
+      { { "poor-fit", Suspect } } },
+    { "SuspectMedian",
+      &Thresholds::suspectMedian,
+      2.7,
+      true,
+      [](Result & r, double x) { r.jaws[0].fit.medianResidual = x; },
+      {},
+      { { "poor-fit", Suspect } } },
+    { "SuspectInlierShare",
+      &Thresholds::suspectInlierShare,
+      0.70,
+      false,
+      [](Result & r, double x) { r.jaws[0].fit.inlierShare = x; },
+      {},
+      { { "poor-fit", Suspect } } },
+    { "FailedInlierShare",
+      &Thresholds::failedInlierShare,
+      0.50,
+      false,
+      [](Result & r, double x) { r.jaws[0].fit.inlierShare = x; },
+      { { "poor-fit", Suspect } },
+      { { "no-fit", Failed } } },
+    { "SuspectSmoothSigma",
+      &Thresholds::suspectSmoothSigma,
+      3.0,
+      true,
+      [](Result & r, double x) { r.groups[0].smoothSigma = x; },
+      {},
+      { { "rough-tracing", Suspect } } },
+    { "SuspectPredictedSigma",
+      &Thresholds::suspectPredictedSigma,
+      3.0,
+      true,
+      [](Result & r, double x) { r.jaws[0].fit.predictedSigma = x; },
+      {},
+      { { "uncertain", Suspect } } },
+    { "SuspectExtrapolatedSigma",
+      &Thresholds::suspectExtrapolatedSigma,
+      4.5,
+      true,
+      [](Result & r, double x) { r.jaws[0].fit.extrapolatedSigma = x; },
+      {},
+      { { "uncertain", Suspect } } },
+    { "FailedPredictedSigma",
+      &Thresholds::failedPredictedSigma,
+      20.0,
+      true,
+      [](Result & r, double x) { r.jaws[0].fit.predictedSigma = x; },
+      { { "uncertain", Suspect } },
+      { { "undetermined", Failed }, { "uncertain", Suspect } } },
+    { "FailedPredictedSigmaOfABisectedTracing",
+      &Thresholds::failedPredictedSigma,
+      20.0,
+      true,
+      [](Result & r, double x) {
+        r.groups[0].bisected = true;
+        r.jaws[0].fit.predictedSigma = x;
+        r.jaws[0].fit.extrapolatedSigma = x;
+      },
+      {},
+      { { "undetermined", Failed } } },
+    { "SuspectCodeOffset",
+      &Thresholds::suspectCodeOffset,
+      5.5,
+      true,
+      [](Result & r, double x) { r.jaws[0].fit.codeOffset = x; },
+      {},
+      { { "code-offset", Suspect } } },
+    { "SuspectCodeOffsetTheOtherWay",
+      &Thresholds::suspectCodeOffset,
+      5.5,
+      true,
+      [](Result & r, double x) { r.jaws[0].fit.codeOffset = -x; },
+      {},
+      { { "code-offset", Suspect } } },
+    { "SuspectMargin",
+      &Thresholds::suspectMargin,
+      0.03,
+      false,
+      [](Result & r, double x) { r.groups[0].margin = x; },
+      {},
+      { { "ambiguous", Suspect } } },
+    { "SuspectPitch",
+      &Thresholds::suspectPitch,
+      0.54,
+      true,
+      [](Result & r, double x) { r.groups[0].parameters[itk::PosePitch] = x; },
+      {},
+      { { "search-limit", Suspect } } },
+    { "SuspectPitchDown",
+      &Thresholds::suspectPitch,
+      0.54,
+      true,
+      [](Result & r, double x) { r.groups[0].parameters[itk::PosePitch] = -x; },
+      {},
+      { { "search-limit", Suspect } } },
+    { "SuspectPriorTensionOfScale",
+      &Thresholds::suspectPriorTension,
+      4.5,
+      true,
+      [](Result & r, double x) { r.groups[0].priorTension[itk::PoseKappa] = x; },
+      {},
+      { { "prior-tension", Suspect } } },
+    { "SuspectPriorTensionOfLateralShift",
+      &Thresholds::suspectPriorTension,
+      4.5,
+      true,
+      [](Result & r, double x) { r.groups[0].priorTension[itk::PoseTy] = x; },
+      {},
+      { { "prior-tension", Suspect } } },
+    { "SuspectRotationTensionOfRoll",
+      &Thresholds::suspectRotationTension,
+      5.0,
+      true,
+      [](Result & r, double x) { r.groups[0].priorTension[itk::PoseRoll] = x; },
+      {},
+      { { "prior-tension", Suspect } } },
+    { "SuspectRotationTensionOfYaw",
+      &Thresholds::suspectRotationTension,
+      5.0,
+      true,
+      [](Result & r, double x) { r.groups[0].priorTension[itk::PoseYaw] = x; },
+      {},
+      { { "prior-tension", Suspect } } },
+    { "SuspectOtherSideDeviance",
+      &Thresholds::suspectOtherSideDeviance,
+      -5.0,
+      false,
+      [](Result & r, double x) { r.groups[0].otherSideDeviance = x; },
+      {},
+      { { "other-side", Suspect } } },
+    { "SuspectWinding",
+      &Thresholds::suspectWinding,
+      -0.1,
+      false,
+      [](Result & r, double x) { r.jaws[0].winding = x; },
+      {},
+      { { "inward-winding", Suspect } } },
+    { "MinimumArchWidth",
+      &Thresholds::minimumArchWidth,
+      30.0,
+      false,
+      [](Result & r, double x) { r.jaws[0].archWidth = x; },
+      {},
+      { { "arch-width", Suspect } } },
+    { "MaximumArchWidth",
+      &Thresholds::maximumArchWidth,
+      120.0,
+      true,
+      [](Result & r, double x) { r.jaws[0].archWidth = x; },
+      {},
+      { { "arch-width", Suspect } } },
+    { "HypothesisGainOfExchangedJaws",
+      &Thresholds::hypothesisGain,
+      0.03,
+      true,
+      [](Result & r, double x) { r.groups[0].exchangedScore = r.groups[0].score - x; },
+      {},
+      { { "jaws-exchanged", Failed } } },
+    { "HypothesisGainOfTheOtherFacing",
+      &Thresholds::hypothesisGain,
+      0.03,
+      true,
+      [](Result & r, double x) { r.groups[0].otherFacingScore = r.groups[0].score - x; },
+      {},
+      { { "facing", Failed } } },
+  };
+}
+} // namespace
+
+class RegistrationVerdictLimit : public ::testing::TestWithParam<Limit>
+{
+protected:
+  /** At the limit all is well still; a billionth beyond it is named. */
+  static void
+  Check(const Limit & limit, double value, const Thresholds * thresholds)
+  {
+    for (const double excess : { -1e-9, 0.0, 1e-9 })
+    {
+      Result result = MakeGoodResult();
+      limit.set(result, limit.badAbove ? value + excess : value - excess);
+      const auto verdicts = thresholds == nullptr ? Verdict::Evaluate(result) : Verdict::Evaluate(result, *thresholds);
+      const Named & expected = excess > 0.0 ? limit.beyond : limit.within;
+      ASSERT_EQ(verdicts.size(), 1u);
+      EXPECT_EQ(NamesOf(verdicts[0]), expected) << limit.name << ", excess " << excess;
+      EXPECT_EQ(verdicts[0].status, WorstOf(expected)) << limit.name << ", excess " << excess;
+    }
+  }
+};
+
+TEST_P(RegistrationVerdictLimit, IsTheDocumentedNumber)
+{
+  const Limit & limit = GetParam();
+  EXPECT_EQ(Thresholds().*limit.member, limit.documented);
+  Check(limit, limit.documented, nullptr);
+}
+
+TEST_P(RegistrationVerdictLimit, MovesWithTheThreshold)
+{
+  const Limit & limit = GetParam();
+  Thresholds    thresholds;
+  thresholds.*limit.member = 1.25 * limit.documented;
+  Check(limit, 1.25 * limit.documented, &thresholds);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table,
+                         RegistrationVerdictLimit,
+                         ::testing::ValuesIn(MakeLimits()),
+                         [](const ::testing::TestParamInfo<Limit> & info) { return std::string(info.param.name); });
+
+TEST(RegistrationVerdict, GoodResultIsOkWithoutReasons)
+{
+  for (const auto & verdict : Verdict::Evaluate(MakeGoodResult(2)))
+  {
+    EXPECT_EQ(verdict.status, StatusEnum::Ok);
+    EXPECT_TRUE(verdict.reasons.empty());
+  }
+}
+
+TEST(RegistrationVerdict, JawThatWasNotRegisteredFailsWithItsOwnWords)
+{
+  Result result = MakeGoodResult(2);
+  result.groups[0].jaws = { 0 };
+  // Figures that nobody computed say nothing.
+  result.jaws[1] = itk::PoseJawResult();
+  result.jaws[1].failure = "no tracing";
+  result.groupOfJaw[1] = 1;
+  const auto verdicts = Verdict::Evaluate(result);
+  EXPECT_EQ(verdicts[0].status, StatusEnum::Ok);
+  EXPECT_EQ(verdicts[1].status, Failed);
+  EXPECT_EQ(NamesOf(verdicts[1]), (Named{ { "not-registered", Failed } }));
+  EXPECT_EQ(verdicts[1].reasons[0].text, "no tracing");
+}
+
+TEST(RegistrationVerdict, WhatAGroupSharesIsNamedForItsJawsAlone)
+{
+  Result result = MakeGoodResult(2);
+  result.groups[0].margin = 0.0;
+  for (const auto & verdict : Verdict::Evaluate(result))
+  {
+    EXPECT_EQ(NamesOf(verdict), (Named{ { "ambiguous", Suspect } }));
+  }
+  result.groups.push_back(MakeGoodResult().groups[0]);
+  result.groups[0].jaws = { 0 };
+  result.groups[1].jaws = { 1 };
+  result.groupOfJaw = { 0, 1 };
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result)[0]), (Named{ { "ambiguous", Suspect } }));
+  EXPECT_TRUE(NamesOf(Verdict::Evaluate(result)[1]).empty());
+}
+
+TEST(RegistrationVerdict, PoorFitOfOneJawIsNamedForTheOtherThatSharesThePose)
+{
+  for (const double cost : { 0.4, 0.6 })
+  {
+    Result result = MakeGoodResult(2);
+    result.jaws[1].fit.cost = cost;
+    const auto verdicts = Verdict::Evaluate(result);
+    EXPECT_EQ(NamesOf(verdicts[0]), (Named{ { "other-jaw", Suspect } }));
+    EXPECT_EQ(NamesOf(verdicts[1]), (cost < 0.5 ? Named{ { "poor-fit", Suspect } } : Named{ { "no-fit", Failed } }));
+  }
+  Result result = MakeGoodResult(2);
+  result.jaws[1].fit.cost = 0.36;
+  EXPECT_TRUE(NamesOf(Verdict::Evaluate(result)[0]).empty());
+}
+
+TEST(RegistrationVerdict, SideCodesAreNamedFromMoreThanHalf)
+{
+  Result result = MakeGoodResult();
+  result.jaws[0].otherSideCodes = 0.5;
+  EXPECT_TRUE(NamesOf(Verdict::Evaluate(result)[0]).empty());
+  result.jaws[0].otherSideCodes = 0.5 + 1e-9;
+  const Verdict::Reason reason = OnlyReason(Verdict::Evaluate(result));
+  EXPECT_EQ(reason.code, "side-codes");
+  EXPECT_EQ(reason.severity, Suspect);
+  EXPECT_TRUE(Contains(reason.text, "traced_side"));
+}
+
+TEST(RegistrationVerdict, CodeOffsetNeedsCodesAndUncertaintyIsNotJudgedOnBisectedTracings)
+{
+  Result result = MakeGoodResult();
+  result.jaws[0].fit.hasCodes = false;
+  result.jaws[0].fit.codeOffset = 30.0;
+  EXPECT_TRUE(NamesOf(Verdict::Evaluate(result)[0]).empty());
+  result.groups[0].bisected = true;
+  result.jaws[0].fit.predictedSigma = 19.0;
+  result.jaws[0].fit.extrapolatedSigma = 60.0;
+  EXPECT_TRUE(NamesOf(Verdict::Evaluate(result)[0]).empty());
+}
+
+TEST(RegistrationVerdict, OnlyWhatHasAPriorCanBeInTensionAndTheTextSaysWhatIs)
+{
+  const std::vector<std::pair<unsigned int, std::string>> words{ { itk::PoseRoll, "rolled by -20.0 degrees" },
+                                                                 { itk::PoseYaw, "turned by -20.0 degrees" },
+                                                                 { itk::PoseTy, "midline would be -0.3 mm" },
+                                                                 { itk::PoseKappa,
+                                                                   "scale contradicts pixel spacing" } };
+  for (const auto & word : words)
+  {
+    Result result = MakeGoodResult();
+    result.groups[0].priorTension[word.first] = 6.0;
+    result.groups[0].parameters[word.first] = -0.3490658503988659;
+    const Verdict::Reason reason = OnlyReason(Verdict::Evaluate(result));
+    EXPECT_EQ(reason.code, "prior-tension");
+    EXPECT_TRUE(Contains(reason.text, word.second)) << reason.text;
+  }
+  Result result = MakeGoodResult();
+  result.groups[0].priorTension[itk::PoseKappa] = 6.0;
+  result.groups[0].parameters[itk::PoseKappa] = 0.0953101798043249;
+  EXPECT_TRUE(Contains(OnlyReason(Verdict::Evaluate(result)).text, "by 10.0 %"));
+  for (const unsigned int free : { itk::PosePitch, itk::PoseTx, itk::PoseTz })
+  {
+    Result untouched = MakeGoodResult();
+    untouched.groups[0].priorTension[free] = 100.0;
+    EXPECT_TRUE(NamesOf(Verdict::Evaluate(untouched)[0]).empty());
+  }
+}
+
+TEST(RegistrationVerdict, ArchOfAnotherUnitIsNamedWithTheUnitThatFitsAndSilencesHypotheses)
+{
+  // 58 mm in other units; 25 and 500 mm are an arch in none.
+  const std::vector<std::pair<double, std::string>> widths{ { 5.8, " cm (it would then be 58.0 mm)" },
+                                                            { 58.0 / 25.4, " inch (it would then be 58.0 mm)" },
+                                                            { 0.058, " m (it would then be 58.0 mm)" },
+                                                            { 58000.0, " um (it would then be 58.0 mm)" } };
+  for (const auto & width : widths)
+  {
+    Result result = MakeGoodResult();
+    result.jaws[0].archWidth = width.first;
+    result.groups[0].exchangedScore = 0.0;
+    result.groups[0].otherFacingScore = 0.0;
+    const Verdict::Reason reason = OnlyReason(Verdict::Evaluate(result));
+    EXPECT_EQ(reason.code, "arch-width");
+    EXPECT_TRUE(Contains(reason.text, width.second)) << reason.text;
+  }
+  for (const double width : { 25.0, 500.0 })
+  {
+    Result result = MakeGoodResult();
+    result.jaws[0].archWidth = width;
+    EXPECT_FALSE(Contains(OnlyReason(Verdict::Evaluate(result)).text, "may be in")) << width;
+  }
+}
+
+TEST(RegistrationVerdict, HypothesesAreNamedByWhatToCheck)
+{
+  const auto evaluate = [](const std::function<void(itk::PoseGroupResult &)> & change) {
+    Result result = MakeGoodResult();
+    change(result.groups[0]);
+    return OnlyReason(Verdict::Evaluate(result));
+  };
+  Verdict::Reason reason = evaluate([](itk::PoseGroupResult & g) { g.otherSideDeviance = -6.0; });
+  EXPECT_EQ(reason.code, "other-side");
+  EXPECT_TRUE(Contains(reason.text, "other side") && Contains(reason.text, "mirrored")) << reason.text;
+  reason = evaluate([](itk::PoseGroupResult & g) { g.exchangedScore = 0.2; });
+  EXPECT_EQ(reason.code, "jaws-exchanged");
+  EXPECT_TRUE(Contains(reason.text, "upper and lower scan")) << reason.text;
+  reason = evaluate([](itk::PoseGroupResult & g) { g.otherFacingScore = 0.2; });
+  EXPECT_EQ(reason.code, "facing");
+  EXPECT_TRUE(Contains(reason.text, "`facing`")) << reason.text;
+  // The place of the minimum that is elsewhere, not that of a neighbour of the best.
+  reason = evaluate([](itk::PoseGroupResult & g) {
+    g.margin = 0.01;
+    g.candidates.resize(3);
+    g.candidates[1].distance = 3.9;
+    g.candidates[2].distance = 27.2;
+  });
+  EXPECT_EQ(reason.code, "ambiguous");
+  EXPECT_TRUE(Contains(reason.text, "27 px")) << reason.text;
+}
+
+TEST(RegistrationVerdict, NotCheckableIsWhatTheDataOfTheCaseLeavesOpen)
+{
+  using Lines = std::vector<std::string>;
+  const std::string view = "source distance, depth and pixel spacing: one view shows their product alone";
+  const std::string source = "which side the X-ray source was on";
+  const std::string mirrored = "a mirrored scan of a nearly symmetric dentition";
+  const std::string patient = "whether scan and radiograph are of one patient, where the dentitions are alike";
+  const std::string spacing = "pixel spacing: it was not given, the scale is the fit's own";
+  const std::string principal = "principal point: it was not given, the tracing's centre was used";
+  const std::string codes = "whether each tooth lies on its own: the tracing has no tooth codes";
+  const std::string closed = "winding of a closed cast";
+  const std::string manual =
+    "exchanged jaws, facing, other side, other minima: not searched beside a given start or held values";
+  const std::string                roll = "roll and yaw of the head: a bisected tracing does not carry them";
+  const std::string                middle = "whether the tracing really is the middle of both sides";
+  const itk::PoseRegistrationOptions none;
+
+  EXPECT_EQ(Verdict::GetNotCheckable(MakeGoodResult(2), none), (Lines{ view, source, mirrored, patient }));
+
+  Result result = MakeGoodResult();
+  result.geometry.pixelSpacingKnown = false;
+  EXPECT_EQ(Verdict::GetNotCheckable(result, none), (Lines{ view, source, spacing, mirrored, patient }));
+  result = MakeGoodResult();
+  result.geometry.principalPointKnown = false;
+  EXPECT_EQ(Verdict::GetNotCheckable(result, none), (Lines{ view, source, principal, mirrored, patient }));
+
+  // Codes in one jaw are enough to say that the tracing has some.
+  result = MakeGoodResult(2);
+  result.jaws[0].fit.hasCodes = false;
+  EXPECT_EQ(Verdict::GetNotCheckable(result, none), (Lines{ view, source, mirrored, patient }));
+  result.jaws[1].fit.hasCodes = false;
+  EXPECT_EQ(Verdict::GetNotCheckable(result, none), (Lines{ view, source, codes, mirrored, patient }));
+
+  for (const double winding : { 0.1, -0.1, 0.0999, -0.0999 })
+  {
+    result = MakeGoodResult(2);
+    result.jaws[1].winding = winding;
+    EXPECT_EQ(Verdict::GetNotCheckable(result, none),
+              (std::abs(winding) < 0.1 ? Lines{ view, source, closed, mirrored, patient }
+                                       : Lines{ view, source, mirrored, patient }))
+      << winding;
+  }
+  EXPECT_EQ(closed, Verdict::ClosedCastLine);
+
+  // Of a jaw that was not registered nobody looked at codes or winding.
+  result = MakeGoodResult();
+  result.jaws[0] = itk::PoseJawResult();
+  EXPECT_EQ(Verdict::GetNotCheckable(result, none), (Lines{ view, source, mirrored, patient }));
+
+  for (bool itk::PoseRegistrationOptions::*held : { &itk::PoseRegistrationOptions::useInitialPose,
+                                                  &itk::PoseRegistrationOptions::fixRotation,
+                                                  &itk::PoseRegistrationOptions::fixScale,
+                                                  &itk::PoseRegistrationOptions::fixTranslation })
+  {
+    itk::PoseRegistrationOptions options;
+    options.*held = true;
+    EXPECT_EQ(Verdict::GetNotCheckable(MakeGoodResult(), options), (Lines{ view, source, manual, mirrored, patient }));
+  }
+  for (const auto side : { itk::PoseTracedSideEnum::Right,
+                           itk::PoseTracedSideEnum::Left,
+                           itk::PoseTracedSideEnum::Both,
+                           itk::PoseTracedSideEnum::Mean })
+  {
+    itk::PoseRegistrationOptions options;
+    options.tracedSide = side;
+    EXPECT_EQ(Verdict::GetNotCheckable(MakeGoodResult(), options),
+              (side == itk::PoseTracedSideEnum::Mean ? Lines{ view, source, roll, middle, mirrored, patient }
+                                                     : Lines{ view, source, mirrored, patient }));
+  }
+}
