@@ -32,7 +32,8 @@
 namespace itk
 {
 struct DentalFrameResult;
-struct TriangleSurface;
+template <typename TMesh>
+class UMidlineDentalAxisFilter;
 
 /** \class CaseRegistration
  * \brief Takes a case through the chain of a preset: dental axis, projection, contour, registration, landmarks,
@@ -134,6 +135,10 @@ public:
   void
   Update() override;
 
+  /** Reaches the process object that runs. */
+  void
+  SetAbortGenerateData(bool abort) override;
+
 protected:
   CaseRegistration() = default;
   ~CaseRegistration() override = default;
@@ -154,7 +159,10 @@ private:
   void
   RegisterBySimilarity(const DentalFrameResult & frames);
   void
-  RegisterByPose(const DentalFrameResult & frames, const std::array<TriangleSurface, 2> & surfaces);
+  RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis);
+  /** Updates a process object between two values of this one's progress. */
+  void
+  Run(ProcessObject * process, float from, float to);
 
   DataPointer           m_Data;
   CasePresetEnum        m_Preset{ CasePresetEnum::Robust };
@@ -166,6 +174,8 @@ private:
   bool                  m_RefineMidline{ true };
   CaseResult            m_Result;
   std::string           m_CurrentStage;
+  /** What runs, to be told of an abort; null between. */
+  ProcessObject *       m_Running{ nullptr };
   ModifiedTimeType      m_ResultMTime{ 0 };
 };
 } // namespace itk

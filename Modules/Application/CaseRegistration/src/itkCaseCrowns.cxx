@@ -17,29 +17,68 @@
  *=========================================================================*/
 #include "itkCaseCrowns.h"
 
-#include "itkCrownRegionKernel.h"
+#include "itkCrownRegionMeshFilter.h"
 #include "itkDentalInputError.h"
-#include "itkKeepTriangles.h"
+
+#include <algorithm>
 
 namespace itk
 {
-TriangleSurface
-SelectCaseCrowns(const DentalCaseData &  data,
-                 ToothCode::JawEnum      jaw,
-                 const DentalJawFrame &  frame,
-                 const TriangleSurface & surface)
+DentalCaseData::MeshType::Pointer
+SelectCaseCrowns(const DentalCaseData &                 data,
+                 ToothCode::JawEnum                     jaw,
+                 const VersorRigid3DTransform<double> * frame)
 {
-  const bool upper = jaw == ToothCode::JawEnum::Upper;
-  const bool byLabels = data.description.crowns == CrownsEnum::Labels;
-  const auto region = byLabels ? CrownRegionFromLabels(surface, data.GetJaw(jaw).labels)
-                               : ComputeCrownRegion(surface, upper, frame.axes, frame.origin);
-  if (!region.valid)
-  {
-    itkDentalInputErrorMacro(upper ? data.description.upperFile : data.description.lowerFile,
+  using MeshType = DentalCaseData::MeshType;
+  const bool                           upper = jaw == ToothCode::JawEnum::Upper;
+  const bool                           byLabels = data.description.crowns == CrownsEnum::Labels;
+  const std::vector<std::uint8_t> &    labels = data.GetJaw(jaw).labels;
+  const std::string &                  file = upper ? data.description.upperFile : data.description.lowerFile;
+  auto                                 filter = CrownRegionMeshFilter<MeshType>::New();
+  const auto                           fail = [&]() {
+    itkDentalInputErrorMacro(file,
                              "",
                              byLabels ? "its labels name no tooth" : "no crowns were found in it by shape",
                              "leave \"crowns\" out of the case file");
+  };
+  filter->SetJaw(upper ? UMidlineDentalAxisFilterEnums::Jaw::Upper : UMidlineDentalAxisFilterEnums::Jaw::Lower);
+  filter->SetUseLabels(byLabels);
+  filter->SetFrameTransform(frame);
+  if (byLabels)
+  {
+    if (std::all_of(labels.begin(), labels.end(), [](std::uint8_t label) { return label == 0; }))
+    {
+      fail();
+    }
+    // The labels were read beside the scan: a mesh that shares its points and cells carries them.
+    auto pointData = MeshType::PointDataContainer::New();
+    for (std::size_t i = 0; i < labels.size(); ++i)
+    {
+      pointData->InsertElement(i, static_cast<MeshType::PixelType>(labels[i]));
+    }
+    auto labelled = MeshType::New();
+    labelled->Graft(data.GetJaw(jaw).mesh);
+    labelled->SetPointData(pointData);
+    filter->SetInput(labelled);
   }
-  return KeepTriangles(surface, region.triangles);
+  else
+  {
+    filter->SetInput(data.GetJaw(jaw).mesh);
+  }
+  try
+  {
+    filter->Update();
+  }
+  catch (const ProcessAborted &)
+  {
+    throw;
+  }
+  catch (const ExceptionObject &)
+  {
+    fail();
+  }
+  MeshType::Pointer crowns = filter->GetOutput();
+  crowns->DisconnectPipeline();
+  return crowns;
 }
 } // namespace itk

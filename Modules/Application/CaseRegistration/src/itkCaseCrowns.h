@@ -19,17 +19,17 @@
 #define itkCaseCrowns_h
 
 #include "itkDentalCaseData.h"
-#include "itkDentalFrameEstimator.h"
-#include "itkTriangleSurface.h"
+
+#include "itkVersorRigid3DTransform.h"
 
 namespace itk
 {
-/** The crowns of a jaw as the case wants them found; throws a DentalInputError where there are none. */
-TriangleSurface
-SelectCaseCrowns(const DentalCaseData &  data,
-                 ToothCode::JawEnum      jaw,
-                 const DentalJawFrame &  frame,
-                 const TriangleSurface & surface);
+/** The crowns of a jaw as the case wants them found, by CrownRegionMeshFilter; throws a DentalInputError where there are
+ * none. The transform is that of the jaw's dental frame, mesh to frame. */
+DentalCaseData::MeshType::Pointer
+SelectCaseCrowns(const DentalCaseData &                 data,
+                 ToothCode::JawEnum                     jaw,
+                 const VersorRigid3DTransform<double> * frame);
 } // namespace itk
 
 #endif

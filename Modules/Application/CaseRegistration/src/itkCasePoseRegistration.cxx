@@ -21,13 +21,16 @@
 #include "itkCaseCrowns.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkContourDistanceFilter.h"
-#include "itkMeshSilhouette.h"
+#include "itkLandmarkProjectionFilter.h"
+#include "itkMatchedContourFilter.h"
+#include "itkMeshSilhouetteContourSource.h"
 #include "itkParallelFor.h"
 #include "itkPartialContourMetricv4.h"
 #include "itkPixelSpacingVerdict.h"
 #include "itkPoseModel.h"
-#include "itkPoseRegistrationKernel.h"
-#include "itkRegistrationVerdict.h"
+#include "itkPoseRegistrationMethod.h"
+#include "itkProjectionSimilarityFilter.h"
+#include "itkRegistrationVerdictFilter.h"
 
 #include "itkTimeProbe.h"
 
@@ -40,9 +43,25 @@ namespace itk
 namespace
 {
 using JawEnum = ToothCode::JawEnum;
+using MeshType = DentalCaseData::MeshType;
+using AxisType = UMidlineDentalAxisFilter<MeshType>;
+using MethodType = PoseRegistrationMethod<MeshType>;
 
-/** mm on the detector within which the moving contour counts as matched. */
+/** mm on the detector within which the moving contour counts as matched, and what is a gap of it. */
 constexpr double MatchedWithin = 2.5;
+constexpr double MatchedGap = 3.0;
+
+unsigned int
+ToIndex(JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? 0 : 1;
+}
+
+AxisType::DecoratedTransformType *
+FrameOf(AxisType * axis, JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? axis->GetUpperTransformOutput() : axis->GetLowerTransformOutput();
+}
 
 PoseTracedSideEnum
 ToPoseSide(TracedSideEnum side)
@@ -60,219 +79,6 @@ ToPoseSide(TracedSideEnum side)
   }
 }
 
-PoseFrame
-ToPoseFrame(const DentalJawFrame & frame)
-{
-  PoseFrame poseFrame;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    std::copy(frame.axes[row].begin(), frame.axes[row].end(), poseFrame.rotation.begin() + 3 * row);
-  }
-  poseFrame.origin = frame.origin;
-  return poseFrame;
-}
-
-PoseGeometry
-ToPoseGeometry(const DentalCaseData & data)
-{
-  const CephalometricGeometry & geometry = *data.geometry;
-  PoseGeometry                  pose;
-  pose.sourceToMidsagittal = geometry.GetSourceToMidsagittalDistance();
-  pose.sourceToDetector = geometry.GetSourceToDetectorDistance();
-  pose.sourceSign = geometry.GetSourceSign();
-  pose.facingSign = geometry.GetFacingSign();
-  pose.pixelSpacingKnown = data.HasPixelSpacing();
-  pose.principalPointKnown = data.HasPrincipalPoint();
-  for (unsigned int d = 0; d < 2; ++d)
-  {
-    if (pose.pixelSpacingKnown)
-    {
-      pose.pixelSpacing[d] = geometry.GetPixelSpacing()[d];
-    }
-    pose.principalPoint[d] = geometry.GetPrincipalPoint()[d];
-  }
-  return pose;
-}
-
-std::vector<PosePolyline>
-ToPosePolylines(const DentalContour * contour)
-{
-  std::vector<PosePolyline> polylines;
-  for (const auto & polyline : contour->GetPolylines())
-  {
-    PosePolyline converted;
-    converted.tooth = polyline.code.GetFDI();
-    converted.closed = polyline.closed;
-    converted.weights = polyline.weights;
-    for (const auto & point : polyline.points)
-    {
-      converted.points.push_back({ { point[0], point[1] } });
-    }
-    polylines.push_back(converted);
-  }
-  return polylines;
-}
-
-/** How well spacing x magnification is known. What a file's estimated or corrected magnification hides is not the
- * detector's pixel: it may be off by what the maker assumed. */
-double
-PriorOfScale(const DentalCaseData & data, const PoseRegistrationOptions & options)
-{
-  using MetricType = PartialContourMetricv4;
-  std::ostringstream detector;
-  detector << PixelSpacingVerdictEnum::Detector;
-  return data.sources.pixelSpacing == ValueSourceEnum::DICOM && data.spacingVerdict != detector.str()
-           ? MetricType::GetScaleSigma(ContourMetricEnums::SpacingSource::Dicom)
-           : options.kappaSigma;
-}
-
-/** A user's pose, mesh (mm) to cephalostat, as the kernel's parameters: R = Ry Rx Rz of the dental frame. */
-PoseParameters
-PoseToParameters(const std::array<double, 12> & pose, const PoseFrame & frame)
-{
-  double         rotation[3][3];
-  PoseParameters parameters{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    parameters[PoseTx + row] = pose[4 * row + 3];
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation[row][column] = 0.0;
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        rotation[row][column] += pose[4 * row + d] * frame.rotation[3 * column + d];
-      }
-      parameters[PoseTx + row] += pose[4 * row + column] * frame.origin[column];
-    }
-  }
-  parameters[PosePitch] = std::atan2(rotation[0][2], rotation[2][2]);
-  parameters[PoseRoll] = std::asin(std::max(-1.0, std::min(1.0, -rotation[1][2])));
-  parameters[PoseYaw] = std::atan2(rotation[1][0], rotation[1][1]);
-  return parameters;
-}
-
-/** A user's similarity on the projection of the jaw's own frame, as the pose that it amounts to: mesh (mm) to
- * cephalostat. Its scale is no part of that. */
-std::array<double, 12>
-SimilarityToPose(const SimilarityParameters & similarity, const PoseFrame & own, const PoseGeometry & geometry)
-{
-  const double magnification = geometry.sourceToDetector / geometry.sourceToMidsagittal * similarity.scale;
-  const double c = std::cos(geometry.facingSign * similarity.rotation);
-  const double s = std::sin(geometry.facingSign * similarity.rotation);
-  const double pitch[3][3] = { { c, 0.0, s }, { 0.0, 1.0, 0.0 }, { -s, 0.0, c } };
-  const std::array<double, 3> translation{
-    { geometry.facingSign * (similarity.translation[0] - geometry.principalPoint[0]) * geometry.pixelSpacing[0] /
-        magnification,
-      0.0,
-      -(similarity.translation[1] - geometry.principalPoint[1]) * geometry.pixelSpacing[1] / magnification }
-  };
-  std::array<double, 12> pose{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    pose[4 * row + 3] = translation[row];
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        pose[4 * row + column] += pitch[row][d] * own.rotation[3 * d + column];
-      }
-      pose[4 * row + 3] -= pose[4 * row + column] * own.origin[column];
-    }
-  }
-  return pose;
-}
-
-/** What the case says to start from, a jaw each, in the frames that the jaws are registered in. */
-void
-SetInitialPoses(const DentalCaseData &      data,
-                const DentalFrameResult &   frames,
-                const PoseGeometry &        geometry,
-                std::vector<PoseJawInput> & inputs,
-                CaseResult &                result)
-{
-  const DentalCase & description = data.description;
-  if (!description.initialPose && description.initialSimilarity.empty())
-  {
-    return;
-  }
-  if (!geometry.principalPointKnown || !geometry.pixelSpacingKnown)
-  {
-    result.warnings.push_back("\"init\" is not used: it means nothing without pixel spacing and principal point");
-    return;
-  }
-  for (PoseJawInput & input : inputs)
-  {
-    if (description.initialPose)
-    {
-      input.initialPose = PoseToParameters(*description.initialPose, input.frame);
-      continue;
-    }
-    const auto similarity = description.initialSimilarity.find(input.upper ? JawEnum::Upper : JawEnum::Lower);
-    if (similarity != description.initialSimilarity.end())
-    {
-      const PoseFrame own = ToPoseFrame(input.upper ? frames.upper : frames.lower);
-      input.initialPose = PoseToParameters(SimilarityToPose(similarity->second, own, geometry), input.frame);
-      (*input.initialPose)[PoseKappa] = std::log(similarity->second.scale);
-    }
-  }
-}
-
-/** The similarity on the geometry's own projection of the jaw's frame that comes nearest (least squares over the
- * vertices) to a full projection. */
-SimilarityParameters
-FitSimilarity(const TriangleSurface &        surface,
-              const std::array<double, 12> & meshToFrame,
-              const std::array<double, 12> & projection,
-              const CephalometricGeometry &  geometry)
-{
-  const double S = geometry.GetSourceToMidsagittalDistance();
-  const double D = geometry.GetSourceToDetectorDistance();
-  double       mean[4] = { 0.0, 0.0, 0.0, 0.0 };
-  double       dot = 0.0;
-  double       cross = 0.0;
-  double       squares = 0.0;
-  double       count = 0.0;
-  for (const auto & point : surface.points)
-  {
-    double frame[3];
-    double homogeneous[3];
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      frame[row] = meshToFrame[4 * row + 3];
-      homogeneous[row] = projection[4 * row + 3];
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        frame[row] += meshToFrame[4 * row + d] * point[d];
-        homogeneous[row] += projection[4 * row + d] * point[d];
-      }
-    }
-    const double m = D / (S + geometry.GetSourceSign() * frame[1]);
-    const double values[4] = { geometry.GetFacingSign() * m * frame[0] / geometry.GetPixelSpacing()[0],
-                               -m * frame[2] / geometry.GetPixelSpacing()[1],
-                               homogeneous[0] / homogeneous[2],
-                               homogeneous[1] / homogeneous[2] };
-    // Running covariance: no cancellation (Welford).
-    count += 1.0;
-    double delta[4];
-    for (unsigned int d = 0; d < 4; ++d)
-    {
-      delta[d] = values[d] - mean[d];
-      mean[d] += delta[d] / count;
-    }
-    const double weight = (count - 1.0) / count;
-    dot += weight * (delta[0] * delta[2] + delta[1] * delta[3]);
-    cross += weight * (delta[0] * delta[3] - delta[1] * delta[2]);
-    squares += weight * (delta[0] * delta[0] + delta[1] * delta[1]);
-  }
-  SimilarityParameters similarity;
-  similarity.scale = std::hypot(dot, cross) / squares;
-  similarity.rotation = std::atan2(cross, dot);
-  const double c = dot / squares;
-  const double s = cross / squares;
-  similarity.translation = { { mean[2] - c * mean[0] + s * mean[1], mean[3] - s * mean[0] - c * mean[1] } };
-  return similarity;
-}
-
 CaseStatusEnum
 ToCaseStatus(RegistrationVerdict::StatusEnum status)
 {
@@ -287,73 +93,87 @@ ToCaseStatus(RegistrationVerdict::StatusEnum status)
   }
 }
 
-/** The same landmark of the other side; null without one. */
-const DentalLandmarkSet<3>::LandmarkType *
-FindOtherSide(const DentalLandmarkSet<3> & landmarks, const std::string & name)
+/** How well spacing x magnification is known. What a file's estimated or corrected magnification hides is not the
+ * detector's pixel: it may be off by what the maker assumed. */
+double
+PriorOfScale(const DentalCaseData & data, const PoseRegistrationOptions & options)
 {
-  const auto   kindOf = [](const std::string & text) { return text.substr(std::min(text.size(), text.find('_'))); };
-  const auto * own = landmarks.Find(name);
-  for (const auto & landmark : landmarks.GetLandmarks())
-  {
-    if (landmark.tooth == own->tooth.GetContralateral() && kindOf(landmark.name) == kindOf(name))
-    {
-      return &landmark;
-    }
-  }
-  return nullptr;
+  std::ostringstream detector;
+  detector << PixelSpacingVerdictEnum::Detector;
+  return data.sources.pixelSpacing == ValueSourceEnum::DICOM && data.spacingVerdict != detector.str()
+           ? PartialContourMetricv4::GetScaleSigma(ContourMetricEnums::SpacingSource::Dicom)
+           : options.kappaSigma;
 }
 
-/** The projection of a scan at the solution. */
-PerspectiveProjection
-PlaceJaw(const PoseJawResult & poseJaw, double kappa, const CephalometricGeometry * geometry)
+MethodType::RigidTransformType::Pointer
+MakeTransform(const std::array<double, 12> & rows)
 {
-  const auto spacing = geometry->GetPixelSpacing();
-  // Scale is spacing x magnification: as a geometry it is a pixel of another size.
-  auto placed = CephalometricGeometry::New();
-  placed->CopyParameters(geometry);
-  placed->SetPixelSpacing(spacing * std::exp(-kappa));
-  CephalometricGeometry::RotationType rotation;
-  CephalometricGeometry::VectorType   translation;
+  MethodType::RigidTransformType::MatrixType rotation;
+  MethodType::RigidTransformType::OffsetType offset;
   for (unsigned int row = 0; row < 3; ++row)
   {
-    translation[row] = poseJaw.translation[row];
+    offset[row] = rows[4 * row + 3];
     for (unsigned int column = 0; column < 3; ++column)
     {
-      rotation(row, column) = poseJaw.rotation[3 * row + column];
+      rotation(row, column) = rows[4 * row + column];
     }
   }
-  placed->SetPose(rotation, translation);
-  return placed->GetProjection();
+  auto transform = MethodType::RigidTransformType::New();
+  // A case file's pose is checked to 1e-4 when it is read.
+  transform->SetMatrix(rotation, 1e-3);
+  transform->SetOffset(offset);
+  return transform;
 }
 
-/** The exact silhouette of the whole scan at the solution, and the paper's figures on it. */
-void
-MeasureWholeSilhouette(const Silhouette &            silhouette,
-                       const PerspectiveProjection & projection,
-                       DentalContour *               tracing,
-                       unsigned int                  numberOfPoints,
-                       JawResult &                   result)
+std::array<double, 12>
+MakeRows(const MethodType::RigidTransformType * transform)
 {
-  auto contour = DentalContour::New();
-  if (!silhouette.loops.empty())
+  std::array<double, 12> rows{};
+  for (unsigned int row = 0; row < 3; ++row)
   {
-    DentalContour::PolylineType polyline;
-    polyline.closed = true;
-    for (const SilhouetteSample & sample : ResampleSilhouetteLoop(silhouette.loops.front(), projection, numberOfPoints))
+    for (unsigned int column = 0; column < 3; ++column)
     {
-      DentalContour::PointType point;
-      point[0] = sample.u;
-      point[1] = sample.v;
-      polyline.points.push_back(point);
+      rows[4 * row + column] = transform->GetMatrix()(row, column);
     }
-    contour->AddPolyline(polyline);
+    rows[4 * row + 3] = transform->GetOffset()[row];
   }
-  auto distances = ContourDistanceFilter::New();
-  distances->SetFixedContour(tracing);
-  distances->SetMovingContour(contour);
-  distances->Update();
-  result.metrics.emplace_back("whole", ToContourFigures(distances));
-  result.contours.emplace_back("whole", contour);
+  return rows;
+}
+
+/** What the case says to start from, a jaw each. */
+void
+SetInitialTransforms(const DentalCaseData &                data,
+                     const std::map<JawEnum, JawResult> &  jaws,
+                     AxisType *                            axis,
+                     MethodType *                          method,
+                     CaseResult &                          result)
+{
+  const DentalCase & description = data.description;
+  if (!description.initialPose && description.initialSimilarity.empty())
+  {
+    return;
+  }
+  if (!data.HasPrincipalPoint() || !data.HasPixelSpacing())
+  {
+    result.warnings.push_back("\"init\" is not used: it means nothing without pixel spacing and principal point");
+    return;
+  }
+  for (const auto & entry : jaws)
+  {
+    if (description.initialPose)
+    {
+      method->SetInitialTransform(entry.first, MakeTransform(*description.initialPose));
+      continue;
+    }
+    const auto similarity = description.initialSimilarity.find(entry.first);
+    if (similarity != description.initialSimilarity.end() && FrameOf(axis, entry.first)->Get() != nullptr)
+    {
+      // It acts on the projection of the jaw's own frame: the place that it amounts to, its scale apart.
+      const auto placed = PlaceInCephalostat(
+        MakeRows(FrameOf(axis, entry.first)->Get()), similarity->second, data.geometry);
+      method->SetInitialTransform(entry.first, MakeTransform(placed), similarity->second.scale);
+    }
+  }
 }
 
 /** The result's way of writing a projection: from the mesh file's unit. */
@@ -370,21 +190,19 @@ FromFileUnit(std::array<double, 12> projection, double millimetresPerUnit)
 /** The minima of a jaw's group that are places of their own: what ends less than a working pixel from the best is not.
  */
 std::vector<AlignmentCandidate>
-ListCandidates(const PoseGroupResult & group,
-               const PoseFrame &       frame,
-               const PoseGeometry &    geometry,
-               double                  millimetresPerUnit)
+ListCandidates(const PoseSolution * solution, JawEnum jaw, double millimetresPerUnit)
 {
+  const PoseGeometry &            geometry = solution->GetResult().geometry;
   std::vector<AlignmentCandidate> candidates;
-  for (const PoseCandidate & minimum : group.candidates)
+  for (const PoseCandidate & minimum : solution->GetGroup(jaw).candidates)
   {
     if (!candidates.empty() && minimum.distance < 1.0)
     {
       continue;
     }
     AlignmentCandidate candidate;
-    candidate.projection =
-      FromFileUnit(PoseModel(geometry, minimum.parameters).GetPixelProjection(frame), millimetresPerUnit);
+    candidate.projection = FromFileUnit(
+      PoseModel(geometry, minimum.parameters).GetPixelProjection(solution->GetJaw(jaw).frame), millimetresPerUnit);
     candidate.score = minimum.score;
     candidate.distance =
       minimum.distance * PoseWorkingPixel / (0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]));
@@ -393,87 +211,110 @@ ListCandidates(const PoseGroupResult & group,
   return candidates;
 }
 
+/** The paper's figures between a jaw's tracing and a contour. */
 void
-MeasureMatchedContour(const PoseJawResult & pose, DentalContour * tracing, double spacing, JawResult & result)
+Measure(DentalContour * tracing, DentalContour * contour, const char * name, JawResult & result)
 {
-  // The method's contour holds everything that could be matched: keep what lies beside the tracing, in pieces.
-  const double                          maximumDistance = MatchedWithin / spacing;
-  const double                          maximumGap = 3.0 / spacing;
-  auto                                  contour = DentalContour::New();
-  std::vector<DentalContour::PointType> points;
-  for (const auto & position : pose.contour)
-  {
-    DentalContour::PointType point;
-    point[0] = position[0];
-    point[1] = position[1];
-    bool beside = false;
-    for (auto it = tracing->GetPoints()->Begin(); it != tracing->GetPoints()->End() && !beside; ++it)
-    {
-      beside = it.Value().EuclideanDistanceTo(point) < maximumDistance;
-    }
-    if (!points.empty() && (!beside || points.back().EuclideanDistanceTo(point) > maximumGap))
-    {
-      contour->AddPolyline(points);
-      points.clear();
-    }
-    if (beside)
-    {
-      points.push_back(point);
-    }
-  }
-  contour->AddPolyline(points);
-  if (contour->GetNumberOfPoints() == 0)
-  {
-    return;
-  }
   auto distances = ContourDistanceFilter::New();
   distances->SetFixedContour(tracing);
   distances->SetMovingContour(contour);
   distances->Update();
-  result.metrics.emplace_back("matched", ToContourFigures(distances));
-  result.contours.emplace_back("matched", contour);
+  result.metrics.emplace_back(name, ToContourFigures(distances));
+  result.contours.emplace_back(name, contour);
+}
+
+/** The exact silhouette of the whole scan at the solution, its points a given number. */
+DentalContour::Pointer
+MakeWholeSilhouette(const MeshType * mesh, CephalometricGeometry * placed, unsigned int numberOfPoints)
+{
+  auto silhouette = MeshSilhouetteContourSource<MeshType>::New();
+  silhouette->SetInput(mesh);
+  silhouette->SetGeometry(placed);
+  silhouette->LargestPartOnlyOn();
+  silhouette->SetNumberOfPoints(numberOfPoints);
+  silhouette->Update();
+  DentalContour::Pointer contour = silhouette->GetOutput();
+  contour->DisconnectPipeline();
+  return contour;
+}
+
+void
+ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseResult & result)
+{
+  if (data.landmarks3D.IsNull())
+  {
+    return;
+  }
+  auto projection = LandmarkProjectionFilter::New();
+  projection->SetSolution(solution);
+  projection->SetLandmarks(data.landmarks3D);
+  projection->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  projection->Update();
+  const auto toRows = [](const LandmarkProjectionFilter::CovarianceType & covariance) {
+    return std::array<double, 4>{ { covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1) } };
+  };
+  for (auto & entry : result.jaws)
+  {
+    if (!solution->IsRegistered(entry.first))
+    {
+      continue;
+    }
+    PredictLandmarks(data, entry.first, entry.second);
+    for (LandmarkPrediction & landmark : entry.second.landmarks)
+    {
+      landmark.covariance = toRows(projection->GetCovariance(landmark.name));
+      if (data.description.tracedSide == TracedSideEnum::Mean && projection->HasMiddleCovariance(landmark.name))
+      {
+        landmark.middleCovariance = toRows(projection->GetMiddleCovariance(landmark.name));
+      }
+    }
+  }
 }
 } // namespace
 
 void
-RegisterCaseByPose(const DentalCaseData &                 data,
-                   const DentalFrameResult &              frames,
-                   const std::array<TriangleSurface, 2> & surfaces,
-                   const CasePoseSettings &               settings,
-                   CaseResult &                           result)
+RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseSettings & settings, CaseResult & result)
 {
-  std::vector<PoseJawInput>      inputs;
-  std::vector<JawEnum>           jaws;
-  std::array<TriangleSurface, 2> crowns;
-  const bool                     joint = frames.jawsShareFrame && frames.joint.valid;
+  std::map<JawEnum, JawResult> jaws;
   for (const auto & entry : result.jaws)
   {
-    if (entry.second.status == CaseStatusEnum::Failed)
+    if (entry.second.status != CaseStatusEnum::Failed)
     {
-      continue;
+      jaws.insert(entry);
     }
-    const bool             upper = entry.first == JawEnum::Upper;
-    const DentalJawFrame & own = upper ? frames.upper : frames.lower;
-    PoseJawInput           input;
-    input.surface = &surfaces[upper ? 0 : 1];
-    if (data.description.crowns != CrownsEnum::Off)
-    {
-      crowns[upper ? 0 : 1] = SelectCaseCrowns(data, entry.first, own, *input.surface);
-      input.surface = &crowns[upper ? 0 : 1];
-    }
-    input.frame = ToPoseFrame(joint ? frames.joint : own);
-    input.upper = upper;
-    input.tracing = ToPosePolylines(data.GetJaw(entry.first).contour);
-    inputs.push_back(input);
-    jaws.push_back(entry.first);
   }
-  if (inputs.empty())
+  if (jaws.empty())
   {
     return;
   }
+  auto method = MethodType::New();
+  method->SetGeometry(data.geometry);
+  method->SetPrincipalPointKnown(data.HasPrincipalPoint());
+  method->SetNumberOfWorkUnits(settings.numberOfThreads);
+  method->SetUpperFrame(axis->GetUpperTransformOutput());
+  method->SetLowerFrame(axis->GetLowerTransformOutput());
+  method->SetJointFrame(axis->GetJointTransformOutput());
+  for (const auto & entry : jaws)
+  {
+    const auto &       input = data.GetJaw(entry.first);
+    MeshType::Pointer  mesh = input.mesh;
+    if (data.description.crowns != CrownsEnum::Off)
+    {
+      mesh = SelectCaseCrowns(data, entry.first, FrameOf(axis, entry.first)->Get());
+    }
+    if (entry.first == JawEnum::Upper)
+    {
+      method->SetUpperMesh(mesh);
+      method->SetUpperContour(input.contour);
+    }
+    else
+    {
+      method->SetLowerMesh(mesh);
+      method->SetLowerContour(input.contour);
+    }
+  }
   PoseRegistrationOptions options = settings.options;
   options.tracedSide = ToPoseSide(data.description.tracedSide);
-  options.useJointPose = options.useJointPose && joint;
   options.fixScale = data.description.fixScale;
   options.fixRotation = data.description.fixRotation;
   options.fixTranslation = data.description.fixTranslation;
@@ -481,39 +322,34 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   {
     options.kappaSigma = PriorOfScale(data, options);
   }
-  options.numberOfThreads = settings.numberOfThreads;
-  options.progress = settings.progress;
+  method->SetOptions(options);
+  SetInitialTransforms(data, jaws, axis, method, result);
 
+  auto verdict = RegistrationVerdictFilter::New();
+  verdict->SetSolution(method->GetOutput());
   TimeProbe probe;
   probe.Start();
-  const PoseGeometry geometry = ToPoseGeometry(data);
-  SetInitialPoses(data, frames, geometry, inputs, result);
-  const PoseRegistrationResult pose = PoseRegistrationKernel::Run(inputs, geometry, options);
+  settings.run(method);
   probe.Stop();
-  if (pose.aborted)
-  {
-    throw ProcessAborted(__FILE__, __LINE__);
-  }
+  verdict->Update();
+  const PoseSolution * solution = method->GetOutput();
+  const PoseGeometry & geometry = solution->GetResult().geometry;
 
   CephalometricGeometry::PixelSpacingType spacing;
   CephalometricGeometry::PixelIndexType   principal;
   for (unsigned int d = 0; d < 2; ++d)
   {
-    spacing[d] = pose.geometry.pixelSpacing[d];
-    principal[d] = pose.geometry.principalPoint[d];
+    spacing[d] = geometry.pixelSpacing[d];
+    principal[d] = geometry.principalPoint[d];
   }
   result.geometry->SetPixelSpacing(spacing);
   result.geometry->SetPrincipalPoint(principal);
 
-  const auto verdicts = RegistrationVerdict::Evaluate(pose);
-  options.useInitialPose =
-    options.useInitialPose ||
-    std::any_of(inputs.begin(), inputs.end(), [](const PoseJawInput & input) { return input.initialPose.has_value(); });
   const auto isClosed = [](const DentalJawFrame & frame) {
     return frame.valid && frame.openness <= OpennessOfClosedCast;
   };
-  const bool closedTold = isClosed(frames.upper) || isClosed(frames.lower);
-  for (const std::string & sentence : RegistrationVerdict::GetNotCheckable(pose, options))
+  const bool closedTold = isClosed(axis->GetFrame().upper) || isClosed(axis->GetFrame().lower);
+  for (const std::string & sentence : verdict->GetNotCheckable())
   {
     // Said already by the checks of the input, of each cast.
     if (!closedTold || sentence != RegistrationVerdict::ClosedCastLine)
@@ -525,22 +361,22 @@ RegisterCaseByPose(const DentalCaseData &                 data,
   // The largest part of what remains, and the jaws do not need each other.
   TimeProbe silhouetteProbe;
   silhouetteProbe.Start();
-  std::vector<PerspectiveProjection> projections(inputs.size());
-  std::vector<Silhouette>            silhouettes(inputs.size());
-  ParallelFor(inputs.size(), settings.numberOfThreads, [&](std::size_t i) {
-    if (pose.jaws[i].registered)
+  std::array<DentalContour::Pointer, 2> silhouettes;
+  ParallelFor(2, settings.numberOfThreads, [&](std::size_t i) {
+    const JawEnum jaw = i == 0 ? JawEnum::Upper : JawEnum::Lower;
+    if (solution->IsRegistered(jaw))
     {
-      const double kappa = pose.groups[pose.groupOfJaw[i]].parameters[PoseKappa];
-      projections[i] = PlaceJaw(pose.jaws[i], kappa, result.geometry);
-      silhouettes[i] = MeshSilhouette(surfaces[inputs[i].upper ? 0 : 1]).ComputeOuterBoundary(projections[i]);
+      silhouettes[i] = MakeWholeSilhouette(
+        data.GetJaw(jaw).mesh, method->GetGeometryOutput(jaw), settings.numberOfContourPoints[i]);
     }
   });
   silhouetteProbe.Stop();
 
-  for (std::size_t i = 0; i < inputs.size(); ++i)
+  const double unit = data.description.millimetresPerUnit;
+  for (const auto & entry : jaws)
   {
-    const PoseJawResult & poseJaw = pose.jaws[i];
-    JawResult &           jaw = result.jaws[jaws[i]];
+    JawResult &           jaw = result.jaws[entry.first];
+    const PoseJawResult & poseJaw = solution->GetJaw(entry.first);
     jaw.seconds.emplace_back("registration", probe.GetTotal());
     if (!poseJaw.registered)
     {
@@ -548,7 +384,7 @@ RegisterCaseByPose(const DentalCaseData &                 data,
       continue;
     }
     jaw.registered = true;
-    for (const auto & reason : verdicts[i].reasons)
+    for (const auto & reason : verdict->GetVerdict(entry.first).reasons)
     {
       // Said already by the checks of the input.
       if (reason.code != "arch-width" && reason.code != "inward-winding")
@@ -556,21 +392,20 @@ RegisterCaseByPose(const DentalCaseData &                 data,
         jaw.AddReason(ToCaseStatus(reason.severity), reason.text);
       }
     }
-    const double unit = data.description.millimetresPerUnit;
     jaw.projection = FromFileUnit(poseJaw.projection, unit);
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      for (unsigned int column = 0; column < 3; ++column)
-      {
-        jaw.meshToCephalostat[4 * row + column] = poseJaw.rotation[3 * row + column];
-      }
-      jaw.meshToCephalostat[4 * row + 3] = poseJaw.translation[row];
-    }
-    jaw.meshToUMDA = MeshToFrame(inputs[i].upper ? frames.upper : frames.lower);
-    jaw.similarity =
-      FitSimilarity(surfaces[inputs[i].upper ? 0 : 1], jaw.meshToUMDA, poseJaw.projection, *result.geometry);
+    jaw.meshToCephalostat = MakeRows(method->GetTransform(entry.first));
+    jaw.meshToUMDA = MakeRows(FrameOf(axis, entry.first)->Get());
 
-    const PoseGroupResult & group = pose.groups[pose.groupOfJaw[i]];
+    auto similarity = ProjectionSimilarityFilter::New();
+    similarity->SetSolution(solution);
+    similarity->SetMesh(data.GetJaw(entry.first).mesh);
+    similarity->SetFrame(FrameOf(axis, entry.first));
+    similarity->SetJaw(entry.first);
+    similarity->Update();
+    const auto & parameters = similarity->GetTransform()->GetParameters();
+    jaw.similarity = { parameters[0], parameters[1], { { parameters[2], parameters[3] } } };
+
+    const PoseGroupResult & group = solution->GetGroup(entry.first);
     const double            kappa = group.parameters[PoseKappa];
     jaw.details = { { "pitch_rad", group.parameters[PosePitch] },
                     { "roll_rad", group.parameters[PoseRoll] },
@@ -587,45 +422,29 @@ RegisterCaseByPose(const DentalCaseData &                 data,
                     { "overlap", poseJaw.fit.overlap },
                     { "prior_tension_sd", *std::max_element(group.priorTension.begin(), group.priorTension.end()) },
                     { "ambiguity_margin", group.margin },
-                    { "similarity_rms_px", poseJaw.similarityRms } };
-
-    jaw.candidates = ListCandidates(group, inputs[i].frame, pose.geometry, unit);
+                    { "similarity_rms_px", similarity->GetRMS() } };
+    jaw.candidates = ListCandidates(solution, entry.first, unit);
 
     TimeProbe contourProbe;
     contourProbe.Start();
-    DentalContour * tracing = data.GetJaw(jaws[i]).contour;
-    MeasureWholeSilhouette(
-      silhouettes[i], projections[i], tracing, settings.numberOfContourPoints[inputs[i].upper ? 0 : 1], jaw);
-    MeasureMatchedContour(poseJaw, tracing, 0.5 * (spacing[0] + spacing[1]), jaw);
+    DentalContour * tracing = data.GetJaw(entry.first).contour;
+    Measure(tracing, silhouettes[ToIndex(entry.first)], "whole", jaw);
+    auto         matched = MatchedContourFilter::New();
+    const double pixel = 0.5 * (spacing[0] + spacing[1]);
+    matched->SetFixedContour(tracing);
+    matched->SetMovingContour(solution->MakeMovingContour(entry.first));
+    matched->SetMaximumDistance(MatchedWithin / pixel);
+    matched->SetMaximumGap(MatchedGap / pixel);
+    matched->Update();
+    if (matched->GetOutput()->GetNumberOfPoints() > 0)
+    {
+      DentalContour::Pointer contour = matched->GetOutput();
+      contour->DisconnectPipeline();
+      Measure(tracing, contour, "matched", jaw);
+    }
     contourProbe.Stop();
     jaw.seconds.emplace_back("contour", contourProbe.GetTotal() + silhouetteProbe.GetTotal());
-
-    PredictLandmarks(data, jaws[i], jaw);
-    if (data.landmarks3D.IsNotNull())
-    {
-      for (LandmarkPrediction & landmark : jaw.landmarks)
-      {
-        const auto &          point = data.landmarks3D->Find(landmark.name)->point;
-        std::array<double, 3> inMillimetres;
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          inMillimetres[d] = point[d] * unit;
-        }
-        landmark.covariance = PoseRegistrationKernel::LandmarkCovariance(pose, inputs[i], i, inMillimetres);
-        const auto * other = data.description.tracedSide == TracedSideEnum::Mean
-                               ? FindOtherSide(*data.landmarks3D, landmark.name)
-                               : nullptr;
-        if (other != nullptr)
-        {
-          // The middle of two projections is the projection of the middle but for the perspective between them.
-          for (unsigned int d = 0; d < 3; ++d)
-          {
-            inMillimetres[d] = 0.5 * (point[d] + other->point[d]) * unit;
-          }
-          landmark.middleCovariance = PoseRegistrationKernel::LandmarkCovariance(pose, inputs[i], i, inMillimetres);
-        }
-      }
-    }
   }
+  ProjectLandmarks(data, solution, result);
 }
 } // namespace itk

@@ -19,9 +19,10 @@
 #define itkCasePoseRegistration_h
 
 #include "itkCaseResult.h"
-#include "itkDentalFrameEstimator.h"
 #include "itkPoseRegistrationTypes.h"
+#include "itkUMidlineDentalAxisFilter.h"
 
+#include <array>
 #include <functional>
 
 namespace itk
@@ -37,19 +38,18 @@ struct CasePoseSettings
   unsigned int numberOfThreads{ 0 };
   /** Points of the resampled whole silhouette, upper and lower, for the figures that presets are compared on. */
   std::array<unsigned int, 2> numberOfContourPoints{ { 441, 439 } };
-  /** Called with progress in [0, 1]; returns true to abort. */
-  std::function<bool(double)> progress;
+  /** Updates a process object with the caller's progress and abort. */
+  std::function<void(ProcessObject *)> run;
 };
 
-/** Preset "robust" from the dental frame on: all jaws that can be registered, jointly where they share a frame. Fills
- * the jaws of the result, and the geometry with what had to be estimated. The surfaces (upper, lower; mm) must be those
- * of the frames. */
+/** Preset "robust" from the dental frames on: all jaws that can be registered, jointly where they share a frame. Wires
+ * PoseRegistrationMethod and what lies downstream, and fills the jaws of the result, and the geometry with what had to
+ * be estimated. The filter has been updated with the scans of the case. */
 void
-RegisterCaseByPose(const DentalCaseData &                 data,
-                   const DentalFrameResult &              frames,
-                   const std::array<TriangleSurface, 2> & surfaces,
-                   const CasePoseSettings &               settings,
-                   CaseResult &                           result);
+RegisterCaseByPose(const DentalCaseData &                                  data,
+                   UMidlineDentalAxisFilter<DentalCaseData::MeshType> *    axis,
+                   const CasePoseSettings &                                settings,
+                   CaseResult &                                            result);
 } // namespace itk
 
 #endif

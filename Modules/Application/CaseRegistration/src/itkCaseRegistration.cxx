@@ -22,10 +22,10 @@
 #include "itkCaseSimilarityRegistration.h"
 #include "itkDescribePlainly.h"
 
-#include "itkMakeTriangleSurface.h"
-#include "itkParallelFor.h"
 #include "itkPoseRegistrationOptionTable.h"
+#include "itkCommand.h"
 #include "itkTimeProbe.h"
+#include "itkUMidlineDentalAxisFilter.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -156,6 +156,44 @@ CaseRegistration::Update()
 }
 
 void
+CaseRegistration::SetAbortGenerateData(bool abort)
+{
+  Superclass::SetAbortGenerateData(abort);
+  if (m_Running != nullptr)
+  {
+    m_Running->SetAbortGenerateData(abort);
+  }
+}
+
+void
+CaseRegistration::Run(ProcessObject * process, float from, float to)
+{
+  auto progress = FunctionCommand::New();
+  progress->SetCallback([&](const EventObject &) { this->UpdateProgress(from + (to - from) * process->GetProgress()); });
+  const auto observer = process->AddObserver(ProgressEvent(), progress);
+  // What stands in the middle of an iterative method is of interest to whoever watches the whole.
+  auto iteration = FunctionCommand::New();
+  iteration->SetCallback([this](const EventObject &) { this->InvokeEvent(IterationEvent()); });
+  const auto iterationObserver = process->AddObserver(IterationEvent(), iteration);
+  m_Running = process;
+  const auto end = [&]() {
+    m_Running = nullptr;
+    process->RemoveObserver(observer);
+    process->RemoveObserver(iterationObserver);
+  };
+  try
+  {
+    process->Update();
+  }
+  catch (...)
+  {
+    end();
+    throw;
+  }
+  end();
+}
+
+void
 CaseRegistration::EnterStage(const std::string & stage, float progress)
 {
   m_CurrentStage = stage;
@@ -232,22 +270,17 @@ CaseRegistration::GenerateData()
   this->EnterStage("dental axis", 0.1F);
   TimeProbe axisProbe;
   axisProbe.Start();
-  std::array<TriangleSurface, 2> surfaces;
-  DentalFrameOptions             frameOptions;
-  frameOptions.jawsShareFrame = ToFrameOption(m_Data->description.occlusion);
-  frameOptions.refineMidline = m_Preset == CasePresetEnum::Robust && m_RefineMidline;
-  frameOptions.abort = [this]() { return this->GetAbortGenerateData(); };
-  frameOptions.threads = this->GetNumberOfWorkUnits();
-  ParallelFor(2, frameOptions.threads, [&](std::size_t jaw) {
-    const auto * mesh = (jaw == 0 ? m_Data->upper : m_Data->lower).mesh.GetPointer();
-    if (mesh != nullptr)
-    {
-      surfaces[jaw] = MakeTriangleSurface(mesh);
-    }
-  });
-  const DentalFrameResult frames = EstimateDentalFrame(m_Data->upper.mesh.IsNull() ? nullptr : &surfaces[0],
-                                                       m_Data->lower.mesh.IsNull() ? nullptr : &surfaces[1],
-                                                       frameOptions);
+  using AxisType = UMidlineDentalAxisFilter<DentalCaseData::MeshType>;
+  auto axis = AxisType::New();
+  axis->SetUpperMesh(m_Data->upper.mesh);
+  axis->SetLowerMesh(m_Data->lower.mesh);
+  axis->SetJawsShareFrame(ToFrameOption(m_Data->description.occlusion));
+  axis->SetRefineMidline(m_Preset == CasePresetEnum::Robust && m_RefineMidline);
+  axis->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  axis->RequireArchesOff();
+  axis->TransformMeshesOff();
+  this->Run(axis, 0.1F, 0.3F);
+  const DentalFrameResult & frames = axis->GetFrame();
   axisProbe.Stop();
   this->EnterStage("checks", 0.3F);
   m_Result.jawsShareFrame = frames.jawsShareFrame;
@@ -280,7 +313,7 @@ CaseRegistration::GenerateData()
   }
   if (m_Preset == CasePresetEnum::Robust)
   {
-    this->RegisterByPose(frames, surfaces);
+    this->RegisterByPose(axis);
   }
   else
   {
@@ -291,7 +324,7 @@ CaseRegistration::GenerateData()
 }
 
 void
-CaseRegistration::RegisterByPose(const DentalFrameResult & frames, const std::array<TriangleSurface, 2> & surfaces)
+CaseRegistration::RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis)
 {
   this->EnterStage("registration", 0.35F);
   CasePoseSettings settings;
@@ -304,11 +337,8 @@ CaseRegistration::RegisterByPose(const DentalFrameResult & frames, const std::ar
   }
   settings.numberOfThreads = this->GetNumberOfWorkUnits();
   settings.numberOfContourPoints = { { m_NumberOfUpperContourPoints, m_NumberOfLowerContourPoints } };
-  settings.progress = [this](double progress) {
-    this->UpdateProgress(0.35F + 0.6F * static_cast<float>(progress));
-    return this->GetAbortGenerateData();
-  };
-  RegisterCaseByPose(*m_Data, frames, surfaces, settings, m_Result);
+  settings.run = [this](ProcessObject * process) { this->Run(process, 0.35F, 0.95F); };
+  RegisterCaseByPose(*m_Data, axis, settings, m_Result);
 }
 
 void
@@ -410,6 +440,7 @@ CaseRegistration::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "KappaSigmaIsGiven: " << (m_KappaSigmaIsGiven ? "On" : "Off") << std::endl;
   os << indent << "RefineMidline: " << (m_RefineMidline ? "On" : "Off") << std::endl;
   os << indent << "CurrentStage: " << m_CurrentStage << std::endl;
+  os << indent << "Running: " << (m_Running != nullptr ? m_Running->GetNameOfClass() : "(none)") << std::endl;
   os << indent << "ResultStatus: " << ToString(m_Result.GetStatus()) << std::endl;
 }
 } // namespace itk

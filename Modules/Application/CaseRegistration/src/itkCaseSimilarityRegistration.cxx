@@ -159,7 +159,9 @@ PlaceInCephalostat(const std::array<double, 12> & meshToFrame,
   const double f = geometry->GetFacingSign();
   const double c = std::cos(similarity.rotation);
   const double s = f * std::sin(similarity.rotation);
-  const double m = geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
+  // The scale is a factor on the magnification, as the pose registration's is: a pixel is so many mm fewer or more.
+  const double m =
+    similarity.scale * geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
   const double shift[3] = {
     f * (similarity.translation[0] - geometry->GetPrincipalPoint()[0]) * geometry->GetPixelSpacing()[0] / m,
     0.0,

@@ -64,7 +64,8 @@ UMidlineDentalAxis_EXPORT std::ostream &
  * knowledge.
  *
  * Outputs, in this order: upper and lower mesh in their UMDA frames (point data and cells as they were), upper and
- * lower transform. The transforms map MESH -> UMDA: q = R (p - o), as TransformPoint() does, decorated, written by
+ * lower transform, joint transform. The joint one is one frame for both jaws where these are in occlusion, and empty
+ * where they are not; registrations that give both jaws one pose take it. The transforms map MESH -> UMDA: q = R (p - o), as TransformPoint() does, decorated, written by
  * TransformFileWriter and loaded by Slicer. Outputs of a jaw without input are empty: a mesh without points, a
  * decorator whose Get() is null.
  *
@@ -149,6 +150,17 @@ public:
   itkSetMacro(AxesLength, double);
   itkGetConstMacro(AxesLength, double);
 
+  /** Default on. Off: the output meshes stay empty, for those who want the frames alone and not a copy of the scans. */
+  itkSetMacro(TransformMeshes, bool);
+  itkGetConstMacro(TransformMeshes, bool);
+  itkBooleanMacro(TransformMeshes);
+
+  /** Default on: a mesh in which no arch is found is an error. Off: its outputs are empty, GetJawFrame().valid says so,
+   * and the other jaw is none the worse for it. */
+  itkSetMacro(RequireArches, bool);
+  itkGetConstMacro(RequireArches, bool);
+  itkBooleanMacro(RequireArches);
+
   MeshType *
   GetUpperOutput();
   MeshType *
@@ -159,6 +171,9 @@ public:
   GetUpperTransformOutput();
   DecoratedTransformType *
   GetLowerTransformOutput();
+  /** Mesh -> the frame that both jaws share; Get() is null where they share none. */
+  DecoratedTransformType *
+  GetJointTransformOutput();
 
   /** Everything found, in the meshes' frames: baseline, midpoint, incisal edge, arch width and depth, confidence and
    * its factors, occlusion test, overjet and overbite. Valid after Update(). */
@@ -250,6 +265,9 @@ private:
   PlaneType
   MakePlane(JawEnum jaw, unsigned int axis) const;
 
+  typename TransformType::Pointer
+  MakeTransform(const DentalJawFrame & frame) const;
+
   void
   TransformJaw(const MeshType * input, const TransformType * transform, MeshType * output) const;
 
@@ -262,6 +280,8 @@ private:
   bool               m_RefineMidline{ false };
   bool               m_EmbedAxes{ false };
   double             m_AxesLength{ 40.0 };
+  bool               m_TransformMeshes{ true };
+  bool               m_RequireArches{ true };
   DentalFrameResult  m_Frame;
 };
 } // namespace itk

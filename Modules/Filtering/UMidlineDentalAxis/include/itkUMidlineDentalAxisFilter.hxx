@@ -33,8 +33,8 @@ UMidlineDentalAxisFilter<TMesh>::UMidlineDentalAxisFilter()
   this->SetPrimaryInputName("UpperMesh");
   this->AddOptionalInputName("LowerMesh", 1);
   this->SetNumberOfRequiredInputs(0);
-  this->SetNumberOfRequiredOutputs(4);
-  for (DataObjectPointerArraySizeType index = 0; index < 4; ++index)
+  this->SetNumberOfRequiredOutputs(5);
+  for (DataObjectPointerArraySizeType index = 0; index < 5; ++index)
   {
     this->SetNthOutput(index, this->MakeOutput(index));
   }
@@ -77,6 +77,35 @@ auto
 UMidlineDentalAxisFilter<TMesh>::GetLowerTransformOutput() -> DecoratedTransformType *
 {
   return static_cast<DecoratedTransformType *>(this->ProcessObject::GetOutput(3));
+}
+
+template <typename TMesh>
+auto
+UMidlineDentalAxisFilter<TMesh>::GetJointTransformOutput() -> DecoratedTransformType *
+{
+  return static_cast<DecoratedTransformType *>(this->ProcessObject::GetOutput(4));
+}
+
+template <typename TMesh>
+auto
+UMidlineDentalAxisFilter<TMesh>::MakeTransform(const DentalJawFrame & frame) const -> typename TransformType::Pointer
+{
+  typename TransformType::MatrixType       matrix;
+  typename TransformType::OutputVectorType translation;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    translation[row] = 0.0;
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      matrix(row, column) = frame.axes[row][column];
+      translation[row] -= frame.axes[row][column] * frame.origin[column];
+    }
+  }
+  auto transform = TransformType::New();
+  // As a rotation matrix it is orthogonal to rounding, which SetMatrix() tests to 1e-10.
+  transform->SetMatrix(matrix);
+  transform->SetTranslation(translation);
+  return transform;
 }
 
 template <typename TMesh>
@@ -147,6 +176,11 @@ UMidlineDentalAxisFilter<TMesh>::GenerateData()
       continue;
     }
     const DentalJawFrame & frame = jaw == 0 ? m_Frame.upper : m_Frame.lower;
+    if (!frame.valid && !m_RequireArches)
+    {
+      decorator->Set(nullptr);
+      continue;
+    }
     if (!frame.valid)
     {
       itkExceptionMacro("No dental arch was found in the " << names[jaw] << " mesh (" << surfaces[jaw].triangles.size()
@@ -154,28 +188,20 @@ UMidlineDentalAxisFilter<TMesh>::GenerateData()
                                                            << " mm^2). Check its unit (mm) and that it shows the teeth "
                                                               "of a whole jaw.");
     }
-    typename TransformType::MatrixType       matrix;
-    typename TransformType::OutputVectorType translation;
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      translation[row] = 0.0;
-      for (unsigned int column = 0; column < 3; ++column)
-      {
-        matrix(row, column) = frame.axes[row][column];
-        translation[row] -= frame.axes[row][column] * frame.origin[column];
-      }
-    }
-    auto transform = TransformType::New();
-    // As a rotation matrix it is orthogonal to rounding, which SetMatrix() tests to 1e-10.
-    transform->SetMatrix(matrix);
-    transform->SetTranslation(translation);
+    const auto transform = this->MakeTransform(frame);
     decorator->Set(transform);
+    if (!m_TransformMeshes)
+    {
+      continue;
+    }
     this->TransformJaw(meshes[jaw], transform, output);
     if (m_EmbedAxes)
     {
       this->AddAxes(output);
     }
   }
+  const bool joint = m_Frame.jawsShareFrame && m_Frame.joint.valid;
+  this->GetJointTransformOutput()->Set(joint ? this->MakeTransform(m_Frame.joint).GetPointer() : nullptr);
   this->UpdateProgress(1.0f);
 }
 
@@ -368,6 +394,8 @@ UMidlineDentalAxisFilter<TMesh>::PrintSelf(std::ostream & os, Indent indent) con
   os << indent << "RefineMidline: " << (m_RefineMidline ? "On" : "Off") << std::endl;
   os << indent << "EmbedAxes: " << (m_EmbedAxes ? "On" : "Off") << std::endl;
   os << indent << "AxesLength: " << m_AxesLength << std::endl;
+  os << indent << "TransformMeshes: " << m_TransformMeshes << std::endl;
+  os << indent << "RequireArches: " << m_RequireArches << std::endl;
   os << indent << "JawsAreInOneFrame: " << (m_Frame.jawsShareFrame ? "Yes" : "No") << std::endl;
   os << indent << "Overjet: " << m_Frame.overjet << std::endl;
   os << indent << "Overbite: " << m_Frame.overbite << std::endl;

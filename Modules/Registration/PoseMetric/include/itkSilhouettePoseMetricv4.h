@@ -243,6 +243,8 @@ private:
   EvaluationType &
   Evaluate(const PositionType & x) const;
   void
+  UpdateCorrelations() const;
+  void
   UpdateWeights(EvaluationType & evaluation) const;
   void
   UpdateFactors(EvaluationType & evaluation) const;
@@ -271,7 +273,7 @@ private:
   /** Constant and shared by clones. */
   std::shared_ptr<const PoseSilhouetteKernel> m_Kernel;
   ModifiedTimeType                            m_KernelTime{ 0 };
-  std::shared_ptr<const CorrelationsType>     m_Correlations;
+  mutable std::shared_ptr<const CorrelationsType> m_Correlations;
   std::shared_ptr<const EvaluationType>       m_Held;
   /** Changes with kernel and noise model. */
   TimeStamp m_SettingsTime;

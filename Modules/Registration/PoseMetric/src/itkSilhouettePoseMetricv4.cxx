@@ -220,25 +220,32 @@ SilhouettePoseMetricv4::InitializeTerm()
     itkExceptionMacro("The tracing of the " << (m_Jaw == JawEnum::Upper ? "upper" : "lower")
                                             << " jaw cannot be matched: " << m_Kernel->GetFailure() << '.');
   }
-  if (!m_Correlations)
+  this->UpdateCorrelations();
+}
+
+void
+SilhouettePoseMetricv4::UpdateCorrelations() const
+{
+  if (m_Correlations)
   {
-    auto correlations = std::make_shared<CorrelationsType>();
-    for (const auto & strand : m_Kernel->GetStrands())
-    {
-      const std::size_t   n = strand.tracing.Size();
-      std::vector<double> rho(n * n);
-      for (std::size_t i = 0; i < n; ++i)
-      {
-        rho[i * n + i] = 1.0;
-        for (std::size_t j = 0; j < i; ++j)
-        {
-          rho[i * n + j] = rho[j * n + i] = m_NoiseModel->GetCorrelation(strand.tracing.arc[i] - strand.tracing.arc[j]);
-        }
-      }
-      correlations->push_back(std::move(rho));
-    }
-    m_Correlations = correlations;
+    return;
   }
+  auto correlations = std::make_shared<CorrelationsType>();
+  for (const auto & strand : this->GetKernel().GetStrands())
+  {
+    const std::size_t   n = strand.tracing.Size();
+    std::vector<double> rho(n * n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      rho[i * n + i] = 1.0;
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        rho[i * n + j] = rho[j * n + i] = m_NoiseModel->GetCorrelation(strand.tracing.arc[i] - strand.tracing.arc[j]);
+      }
+    }
+    correlations->push_back(std::move(rho));
+  }
+  m_Correlations = correlations;
 }
 
 SizeValueType
@@ -324,10 +331,7 @@ SilhouettePoseMetricv4::FillCorrelation(const EvaluationType & evaluation, std::
 void
 SilhouettePoseMetricv4::UpdateFactors(EvaluationType & evaluation) const
 {
-  if (!m_Correlations)
-  {
-    itkExceptionMacro("The metric is not initialized: call Initialize().");
-  }
+  this->UpdateCorrelations();
   if (evaluation.settingsTime == m_SettingsTime.GetMTime() && evaluation.kernelWidth == m_KernelWidth &&
       evaluation.levels.smooth == m_NoiseLevels.smooth && evaluation.levels.white == m_NoiseLevels.white)
   {
@@ -532,6 +536,7 @@ SilhouettePoseMetricv4::AddFit(const PositionType & x, RegistrationFit & fit) co
 void
 SilhouettePoseMetricv4::AppendNoiseBlocks(const PositionType & x, std::vector<ResidualNoiseBlock> & blocks) const
 {
+  this->UpdateCorrelations();
   EvaluationType & at = this->Evaluate(x);
   this->UpdateWeights(at);
   // The weights may be newer than the factors now.

@@ -97,6 +97,10 @@ public:
   CovarianceType
   ComputeCovariance(JawEnum jaw, const PointType & point) const;
 
+  /** The moving contour at the solution, open, continuous pixel indices: everything that could be matched. */
+  DentalContour::Pointer
+  MakeMovingContour(JawEnum jaw) const;
+
   /** Mesh frame to cephalostat frame. */
   RigidTransformType::Pointer
   MakeRigidTransform(JawEnum jaw) const;

@@ -99,6 +99,8 @@ PoseGroupRegistration::PoseGroupRegistration(const PoseRegistrationOptions &    
     m_Metric->SetRobustKernel(SquaresKernel::New());
   }
   m_Metric->SetNoiseModel(m_CorrelatedNoise);
+  // Prepared once for all clones.
+  m_Metric->Initialize();
 }
 
 PoseGroupRegistration::MetricType::Pointer

@@ -160,6 +160,22 @@ PoseSolution::ComputeCovariance(JawEnum jaw, const PointType & point) const
   return covariance;
 }
 
+DentalContour::Pointer
+PoseSolution::MakeMovingContour(JawEnum jaw) const
+{
+  std::vector<DentalContour::PointType> points;
+  for (const auto & position : this->GetJaw(jaw).contour)
+  {
+    DentalContour::PointType point;
+    point[0] = position[0];
+    point[1] = position[1];
+    points.push_back(point);
+  }
+  auto contour = DentalContour::New();
+  contour->AddPolyline(points);
+  return contour;
+}
+
 PoseSolution::RigidTransformType::Pointer
 PoseSolution::MakeRigidTransform(JawEnum jaw) const
 {

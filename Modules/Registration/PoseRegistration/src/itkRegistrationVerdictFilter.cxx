@@ -21,7 +21,6 @@ namespace itk
 {
 RegistrationVerdictFilter::RegistrationVerdictFilter()
 {
-  this->SetPrimaryInputName("Solution");
   this->AddRequiredInputName("Solution", 0);
   this->SetNumberOfRequiredOutputs(2);
   this->SetNthOutput(0, this->MakeOutput(0));

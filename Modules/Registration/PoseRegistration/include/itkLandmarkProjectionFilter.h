@@ -1,0 +1,105 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkLandmarkProjectionFilter_h
+#define itkLandmarkProjectionFilter_h
+
+#include "itkPoseSolution.h"
+
+#include "itkDentalLandmarkSet.h"
+#include "itkProcessObject.h"
+
+#include <map>
+#include <string>
+
+namespace itk
+{
+/** \class LandmarkProjectionFilter
+ * \brief Landmarks of the scans as a pose registration places them on the radiograph, with their uncertainty.
+ *
+ * Inputs: a PoseSolution, and landmarks in the frame of the mesh files; MillimetresPerUnit says in what unit (1: mm).
+ * Output: the landmarks of the jaws that were registered, continuous pixel indices, with a covariance each (square
+ * pixels). GetSigma() is the standard deviation an axis, the root of half the covariance's trace.
+ *
+ * Of the middle between a right and its left landmark, which is all that a bisected tracing determines,
+ * GetMiddleCovariance() knows as well.
+ *
+ * \ingroup PoseRegistration
+ */
+class PoseRegistration_EXPORT LandmarkProjectionFilter : public ProcessObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(LandmarkProjectionFilter);
+
+  using Self = LandmarkProjectionFilter;
+  using Superclass = ProcessObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(LandmarkProjectionFilter, ProcessObject);
+
+  using LandmarksType = DentalLandmarkSet<3>;
+  using OutputType = DentalLandmarkSet<2>;
+  using CovarianceType = PoseSolution::CovarianceType;
+  using Superclass::MakeOutput;
+  using DataObjectPointer = Superclass::DataObjectPointer;
+  using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
+
+  itkSetInputMacro(Solution, PoseSolution);
+  itkGetInputMacro(Solution, PoseSolution);
+  itkSetInputMacro(Landmarks, LandmarksType);
+  itkGetInputMacro(Landmarks, LandmarksType);
+
+  itkSetMacro(MillimetresPerUnit, double);
+  itkGetConstMacro(MillimetresPerUnit, double);
+
+  OutputType *
+  GetOutput();
+
+  /** Of a landmark of the output, valid after Update(). Throws for a name that is not there. */
+  CovarianceType
+  GetCovariance(const std::string & name) const;
+  double
+  GetSigma(const std::string & name) const;
+  bool
+  HasMiddleCovariance(const std::string & name) const;
+  CovarianceType
+  GetMiddleCovariance(const std::string & name) const;
+
+  DataObjectPointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  LandmarkProjectionFilter();
+  ~LandmarkProjectionFilter() override = default;
+  void
+  GenerateData() override;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  PoseSolution::PointType
+  ToMillimetres(const LandmarksType::PointType & point) const;
+
+  double                                m_MillimetresPerUnit{ 1.0 };
+  std::map<std::string, CovarianceType> m_Covariances;
+  std::map<std::string, CovarianceType> m_MiddleCovariances;
+};
+} // namespace itk
+
+#endif

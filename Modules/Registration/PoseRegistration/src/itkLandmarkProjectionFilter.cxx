@@ -1,0 +1,156 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkLandmarkProjectionFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+using LandmarksType = LandmarkProjectionFilter::LandmarksType;
+
+/** What a name says behind the tooth's code: "_MB". */
+std::string
+KindOf(const std::string & name)
+{
+  return name.substr(std::min(name.size(), name.find('_')));
+}
+
+/** The same landmark of the other side; null without one. */
+const LandmarksType::LandmarkType *
+FindOtherSide(const LandmarksType & landmarks, const LandmarksType::LandmarkType & own)
+{
+  const auto & all = landmarks.GetLandmarks();
+  const auto   found = std::find_if(all.begin(), all.end(), [&](const LandmarksType::LandmarkType & landmark) {
+    return landmark.tooth == own.tooth.GetContralateral() && KindOf(landmark.name) == KindOf(own.name);
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+} // namespace
+
+LandmarkProjectionFilter::LandmarkProjectionFilter()
+{
+  this->AddRequiredInputName("Solution", 0);
+  this->AddRequiredInputName("Landmarks", 1);
+  this->SetNumberOfRequiredOutputs(1);
+  this->SetNthOutput(0, this->MakeOutput(0));
+}
+
+LandmarkProjectionFilter::DataObjectPointer
+LandmarkProjectionFilter::MakeOutput(DataObjectPointerArraySizeType)
+{
+  return OutputType::New().GetPointer();
+}
+
+LandmarkProjectionFilter::OutputType *
+LandmarkProjectionFilter::GetOutput()
+{
+  return itkDynamicCastInDebugMode<OutputType *>(this->ProcessObject::GetOutput(0));
+}
+
+PoseSolution::PointType
+LandmarkProjectionFilter::ToMillimetres(const LandmarksType::PointType & point) const
+{
+  PoseSolution::PointType millimetres;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    millimetres[d] = point[d] * m_MillimetresPerUnit;
+  }
+  return millimetres;
+}
+
+void
+LandmarkProjectionFilter::GenerateData()
+{
+  const PoseSolution *  solution = this->GetSolution();
+  const LandmarksType * landmarks = this->GetLandmarks();
+  OutputType *          output = this->GetOutput();
+  output->Initialize();
+  m_Covariances.clear();
+  m_MiddleCovariances.clear();
+  for (const auto & landmark : landmarks->GetLandmarks())
+  {
+    const auto jaw = landmark.tooth.GetJaw();
+    if (!solution->IsRegistered(jaw))
+    {
+      continue;
+    }
+    const auto            point = this->ToMillimetres(landmark.point);
+    const auto            pixel = solution->ProjectPoint(jaw, point);
+    OutputType::PointType place;
+    place[0] = pixel[0];
+    place[1] = pixel[1];
+    output->AddLandmark(landmark.name, place);
+    m_Covariances[landmark.name] = solution->ComputeCovariance(jaw, point);
+    if (const auto * other = FindOtherSide(*landmarks, landmark))
+    {
+      // The middle of two projections is the projection of the middle but for the perspective between them.
+      PoseSolution::PointType middle;
+      middle.SetToMidPoint(point, this->ToMillimetres(other->point));
+      m_MiddleCovariances[landmark.name] = solution->ComputeCovariance(jaw, middle);
+    }
+  }
+}
+
+LandmarkProjectionFilter::CovarianceType
+LandmarkProjectionFilter::GetCovariance(const std::string & name) const
+{
+  const auto found = m_Covariances.find(name);
+  if (found == m_Covariances.end())
+  {
+    itkExceptionMacro("There is no landmark \"" << name << "\" in the output: call Update(), and look at GetOutput().");
+  }
+  return found->second;
+}
+
+double
+LandmarkProjectionFilter::GetSigma(const std::string & name) const
+{
+  const CovarianceType covariance = this->GetCovariance(name);
+  return std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
+}
+
+bool
+LandmarkProjectionFilter::HasMiddleCovariance(const std::string & name) const
+{
+  return m_MiddleCovariances.count(name) != 0;
+}
+
+LandmarkProjectionFilter::CovarianceType
+LandmarkProjectionFilter::GetMiddleCovariance(const std::string & name) const
+{
+  const auto found = m_MiddleCovariances.find(name);
+  if (found == m_MiddleCovariances.end())
+  {
+    itkExceptionMacro("The landmark \"" << name << "\" has no counterpart on the other side: ask "
+                                           "HasMiddleCovariance() first.");
+  }
+  return found->second;
+}
+
+void
+LandmarkProjectionFilter::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
+  os << indent << "Covariances: " << m_Covariances.size() << std::endl;
+  os << indent << "MiddleCovariances: " << m_MiddleCovariances.size() << std::endl;
+}
+} // namespace itk

@@ -1,0 +1,84 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkMatchedContourFilter.h"
+
+#include <vector>
+
+namespace itk
+{
+MatchedContourFilter::MatchedContourFilter()
+{
+  this->AddRequiredInputName("MovingContour", 0);
+  this->AddRequiredInputName("FixedContour", 1);
+  this->SetNumberOfRequiredOutputs(1);
+  this->SetNthOutput(0, this->MakeOutput(0));
+}
+
+MatchedContourFilter::DataObjectPointer
+MatchedContourFilter::MakeOutput(DataObjectPointerArraySizeType)
+{
+  return ContourType::New().GetPointer();
+}
+
+MatchedContourFilter::ContourType *
+MatchedContourFilter::GetOutput()
+{
+  return itkDynamicCastInDebugMode<ContourType *>(this->ProcessObject::GetOutput(0));
+}
+
+void
+MatchedContourFilter::GenerateData()
+{
+  const auto *  fixed = this->GetFixedContour()->GetPoints();
+  ContourType * output = this->GetOutput();
+  output->Initialize();
+  std::vector<ContourType::PointType> points;
+  const auto                          flush = [&]() {
+    output->AddPolyline(points);
+    points.clear();
+  };
+  for (const auto & polyline : this->GetMovingContour()->GetPolylines())
+  {
+    for (const auto & point : polyline.points)
+    {
+      bool beside = false;
+      for (auto it = fixed->Begin(); it != fixed->End() && !beside; ++it)
+      {
+        beside = it.Value().EuclideanDistanceTo(point) < m_MaximumDistance;
+      }
+      if (!points.empty() && (!beside || points.back().EuclideanDistanceTo(point) > m_MaximumGap))
+      {
+        flush();
+      }
+      if (beside)
+      {
+        points.push_back(point);
+      }
+    }
+  }
+  flush();
+}
+
+void
+MatchedContourFilter::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumDistance: " << m_MaximumDistance << std::endl;
+  os << indent << "MaximumGap: " << m_MaximumGap << std::endl;
+}
+} // namespace itk
