@@ -2480,9 +2480,9 @@ class SilhouetteToContourRegistrationMethod(ProcessObject):
         ...
     def SetOptimizerAsLBFGSB(self, gradientConvergenceTolerance: float = 1e-05, numberOfIterations: int = 500, maximumNumberOfCorrections: int = 5, maximumNumberOfFunctionEvaluations: int = 2000, costFunctionConvergenceFactor: float = 10000000.0) -> None:
         ...
-    def SetOptimizerAsLevenbergMarquardt(self, numberOfIterations: int = 100, valueTolerance: float = 1e-08, stepTolerance: float = 1e-08, gradientTolerance: float = 1e-08) -> None:
+    def SetOptimizerAsLevenbergMarquardt(self, numberOfIterations: int = 100, valueTolerance: float = 1e-08, stepTolerance: float = 1e-06, maximumNumberOfEvaluations: int = 1000, initialDamping: float = 0.0) -> None:
         """
-        For metrics that are sums of squares: SetMetricAsPartialContour.
+        For metrics that are sums of squares: SetMetricAsPartialContour. stepTolerance in px, valueTolerance relative.
         """
     def SetOptimizerAsOnePlusOneEvolutionary(self, numberOfIterations: int = 100, epsilon: float = 0.00015, initialRadius: float = 1.01, growthFactor: float = 0.0, shrinkFactor: float = 0.0, seed: int = 0) -> None:
         """

@@ -601,19 +601,22 @@ WrapOptimizers(ProcessClass<MethodType> & type)
          unsigned int numberOfIterations,
          double       valueTolerance,
          double       stepTolerance,
-         double       gradientTolerance) {
+         unsigned int maximumNumberOfEvaluations,
+         double       initialDamping) {
         auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
         optimizer->SetNumberOfIterations(numberOfIterations);
         optimizer->SetValueTolerance(valueTolerance);
         optimizer->SetStepTolerance(stepTolerance);
-        optimizer->SetGradientTolerance(gradientTolerance);
+        optimizer->SetMaximumNumberOfEvaluations(maximumNumberOfEvaluations);
+        optimizer->SetInitialDamping(initialDamping);
         self.SetOptimizer(optimizer);
       },
       py::arg("numberOfIterations") = 100,
       py::arg("valueTolerance") = 1e-8,
-      py::arg("stepTolerance") = 1e-8,
-      py::arg("gradientTolerance") = 1e-8,
-      "For metrics that are sums of squares: SetMetricAsPartialContour.")
+      py::arg("stepTolerance") = 1e-6,
+      py::arg("maximumNumberOfEvaluations") = 1000,
+      py::arg("initialDamping") = 0.0,
+      "For metrics that are sums of squares: SetMetricAsPartialContour. stepTolerance in px, valueTolerance relative.")
     .def(
       "SetOptimizerAsExhaustive",
       [](MethodType & self, const std::array<unsigned int, 4> & numberOfSteps, double stepLength) {

@@ -289,7 +289,7 @@ TEST(LevenbergMarquardtOptimizerv4, JudgesARobustMetricByItsCriterion)
     before[k] -= 1e-4;
     EXPECT_NEAR((metric->Evaluate(after) - metric->Evaluate(before)) / 2e-4, 0.0, 1e-4);
   }
-  // The sum of squares of the reweighted residuals has no minimum there: it falls as points are let go.
+  // The sum of the reweighted residuals' squares is another figure: it lacks what the points let go cost.
   vnl_vector<double> r;
   metric->GetResiduals(r, nullptr);
   EXPECT_GT(std::abs(metric->Evaluate(x) - r.squared_magnitude()), 1.0);
