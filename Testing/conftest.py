@@ -11,6 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 def pytest_addoption(parser):
     parser.addoption("--build-dir", default=str(ROOT / "build" / "test"), help="build tree with bin/dentalscr")
+    parser.addoption("--refreeze", action="store_true", help="freeze the results anew instead of comparing with them")
 
 
 @pytest.fixture(scope="session")
@@ -55,11 +56,16 @@ def case(sample, tmp_path):
 
 
 @pytest.fixture(scope="session")
-def shared_cases():
-    folder = ROOT.parent / "shared" / "cases"
-    if not folder.is_dir():
+def shared_folder():
+    """Where the shared sample cases are, if they are there."""
+    return ROOT.parent / "shared" / "cases"
+
+
+@pytest.fixture(scope="session")
+def shared_cases(shared_folder):
+    if not shared_folder.is_dir():
         pytest.skip("the shared sample cases are not here")
-    return folder
+    return shared_folder
 
 
 class CaseFolder:

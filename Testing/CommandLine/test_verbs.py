@@ -167,6 +167,19 @@ def test_phantom_has_the_same_bits_for_the_same_seed(run, tmp_path):
     assert done.returncode == 2 and "already" in done.stderr
 
 
+def test_phantom_without_a_radiograph_is_the_same_case(run, tmp_path):
+    for name, options in (("with", ()), ("without", ("--no-radiograph",))):
+        done = run("phantom", "--seed", 5, "--triangles", 6000, *options, "--output", tmp_path / name)
+        assert done.returncode == 0, done.stderr
+    names = {path.name for path in (tmp_path / "with").iterdir()}
+    assert names - {path.name for path in (tmp_path / "without").iterdir()} == {"ceph.png"}
+    for name in names - {"ceph.png", "case.json"}:
+        assert (tmp_path / "with" / name).read_bytes() == (tmp_path / "without" / name).read_bytes(), name
+    case = json.loads((tmp_path / "with" / "case.json").read_text())
+    assert case["cephalogram"].pop("image") == "ceph.png"
+    assert json.loads((tmp_path / "without" / "case.json").read_text()) == case
+
+
 @pytest.mark.parametrize("side", ["left", "mean", "both"])
 def test_every_traced_side(run, tmp_path, side):
     made = run("phantom", "--seed", 4, "--triangles", 12000, "--traced-side", side, "--output", tmp_path / "case")

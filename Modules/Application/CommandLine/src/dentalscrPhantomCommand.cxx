@@ -43,6 +43,7 @@ struct PhantomOptions
   unsigned int  triangles{ 60000 };
   bool          buccal{ false };
   bool          stoneBase{ false };
+  bool          noRadiograph{ false };
   double        toothBias{ 0.0 };
   double        dropOut{ 0.0 };
   std::string   facing{ "right" };
@@ -79,6 +80,7 @@ Phantom(const PhantomOptions & options, const CommonOptions & common)
     source->SetNumberOfTriangles(options.triangles);
     source->SetBuccalOutline(options.buccal);
     source->SetStoneBase(options.stoneBase);
+    source->SetMakeRadiograph(!options.noRadiograph);
     source->SetToothBias(options.toothBias);
     source->SetDropOutFraction(options.dropOut);
     source->SetFacing(options.facing == "left" ? itk::CephalometricGeometry::FacingEnum::Left
@@ -128,6 +130,8 @@ AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction 
     ->capture_default_str();
   command->add_flag("--buccal", options->buccal, "Trace the buccal cusps, inside the silhouette");
   command->add_flag("--stone-base", options->stoneBase, "Closed casts with bases instead of open shells");
+  command->add_flag(
+    "--no-radiograph", options->noRadiograph, "Make no picture, which takes most of the time: the tracing alone");
   command
     ->add_option(
       "--tooth-bias", options->toothBias, "Each tooth drawn with an error of its own (1: 1.2 px, 2 degrees, 3 %)")
