@@ -133,8 +133,9 @@ WrapPoseRegistration(py::module_ & module)
                        { "Mean", SideEnum::Mean },
                        { "Both", SideEnum::Both } },
                      "Which side's outline was traced.");
-  py::class_<OptionsType>(
-    module, "PoseRegistrationOptions", "Every ingredient of the robust method; lengths in px of 0.25 mm, angles in rad.")
+  py::class_<OptionsType>(module,
+                          "PoseRegistrationOptions",
+                          "Every ingredient of the robust method; lengths in px of 0.25 mm, angles in rad.")
     .def(py::init<>())
     .def_readwrite("tracedSide", &OptionsType::tracedSide)
     .def_readwrite("useSideSelection", &OptionsType::useSideSelection)

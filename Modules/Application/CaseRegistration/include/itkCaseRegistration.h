@@ -164,19 +164,19 @@ private:
   void
   Run(ProcessObject * process, float from, float to);
 
-  DataPointer           m_Data;
-  CasePresetEnum        m_Preset{ CasePresetEnum::Robust };
-  unsigned int          m_NumberOfUpperContourPoints{ 441 };
-  unsigned int          m_NumberOfLowerContourPoints{ 439 };
-  bool                  m_UseSurfaceDRR{ true };
+  DataPointer             m_Data;
+  CasePresetEnum          m_Preset{ CasePresetEnum::Robust };
+  unsigned int            m_NumberOfUpperContourPoints{ 441 };
+  unsigned int            m_NumberOfLowerContourPoints{ 439 };
+  bool                    m_UseSurfaceDRR{ true };
   PoseRegistrationOptions m_PoseOptions;
-  bool                  m_KappaSigmaIsGiven{ false };
-  bool                  m_RefineMidline{ true };
-  CaseResult            m_Result;
-  std::string           m_CurrentStage;
+  bool                    m_KappaSigmaIsGiven{ false };
+  bool                    m_RefineMidline{ true };
+  CaseResult              m_Result;
+  std::string             m_CurrentStage;
   /** What runs, to be told of an abort; null between. */
-  ProcessObject *       m_Running{ nullptr };
-  ModifiedTimeType      m_ResultMTime{ 0 };
+  ProcessObject *  m_Running{ nullptr };
+  ModifiedTimeType m_ResultMTime{ 0 };
 };
 } // namespace itk
 

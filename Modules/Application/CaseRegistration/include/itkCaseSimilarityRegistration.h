@@ -79,7 +79,8 @@ CaseRegistration_EXPORT double
 EstimatePixelSpacing(const DentalCaseData & data, ToothCode::JawEnum jaw, const DentalJawFrame & frame);
 
 /** Where a similarity puts the jaw in the cephalostat: the in-plane rotation is one about y, the translation one in the
- * midsagittal plane; its scale is no rigid motion, but a factor on the magnification, which says how many mm a pixel is. */
+ * midsagittal plane; its scale is no rigid motion, but a factor on the magnification, which says how many mm a pixel
+ * is. */
 CaseRegistration_EXPORT std::array<double, 12>
                         PlaceInCephalostat(const std::array<double, 12> & meshToFrame,
                                            const SimilarityParameters &   similarity,

@@ -25,17 +25,15 @@
 namespace itk
 {
 DentalCaseData::MeshType::Pointer
-SelectCaseCrowns(const DentalCaseData &                 data,
-                 ToothCode::JawEnum                     jaw,
-                 const VersorRigid3DTransform<double> * frame)
+SelectCaseCrowns(const DentalCaseData & data, ToothCode::JawEnum jaw, const VersorRigid3DTransform<double> * frame)
 {
   using MeshType = DentalCaseData::MeshType;
-  const bool                           upper = jaw == ToothCode::JawEnum::Upper;
-  const bool                           byLabels = data.description.crowns == CrownsEnum::Labels;
-  const std::vector<std::uint8_t> &    labels = data.GetJaw(jaw).labels;
-  const std::string &                  file = upper ? data.description.upperFile : data.description.lowerFile;
-  auto                                 filter = CrownRegionMeshFilter<MeshType>::New();
-  const auto                           fail = [&]() {
+  const bool                        upper = jaw == ToothCode::JawEnum::Upper;
+  const bool                        byLabels = data.description.crowns == CrownsEnum::Labels;
+  const std::vector<std::uint8_t> & labels = data.GetJaw(jaw).labels;
+  const std::string &               file = upper ? data.description.upperFile : data.description.lowerFile;
+  auto                              filter = CrownRegionMeshFilter<MeshType>::New();
+  const auto                        fail = [&]() {
     itkDentalInputErrorMacro(file,
                              "",
                              byLabels ? "its labels name no tooth" : "no crowns were found in it by shape",

@@ -24,12 +24,10 @@
 
 namespace itk
 {
-/** The crowns of a jaw as the case wants them found, by CrownRegionMeshFilter; throws a DentalInputError where there are
- * none. The transform is that of the jaw's dental frame, mesh to frame. */
+/** The crowns of a jaw as the case wants them found, by CrownRegionMeshFilter; throws a DentalInputError where there
+ * are none. The transform is that of the jaw's dental frame, mesh to frame. */
 DentalCaseData::MeshType::Pointer
-SelectCaseCrowns(const DentalCaseData &                 data,
-                 ToothCode::JawEnum                     jaw,
-                 const VersorRigid3DTransform<double> * frame);
+SelectCaseCrowns(const DentalCaseData & data, ToothCode::JawEnum jaw, const VersorRigid3DTransform<double> * frame);
 } // namespace itk
 
 #endif

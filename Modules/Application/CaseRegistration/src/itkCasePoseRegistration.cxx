@@ -142,11 +142,11 @@ MakeRows(const MethodType::RigidTransformType * transform)
 
 /** What the case says to start from, a jaw each. */
 void
-SetInitialTransforms(const DentalCaseData &                data,
-                     const std::map<JawEnum, JawResult> &  jaws,
-                     AxisType *                            axis,
-                     MethodType *                          method,
-                     CaseResult &                          result)
+SetInitialTransforms(const DentalCaseData &               data,
+                     const std::map<JawEnum, JawResult> & jaws,
+                     AxisType *                           axis,
+                     MethodType *                         method,
+                     CaseResult &                         result)
 {
   const DentalCase & description = data.description;
   if (!description.initialPose && description.initialSimilarity.empty())
@@ -169,8 +169,8 @@ SetInitialTransforms(const DentalCaseData &                data,
     if (similarity != description.initialSimilarity.end() && FrameOf(axis, entry.first)->Get() != nullptr)
     {
       // It acts on the projection of the jaw's own frame: the place that it amounts to, its scale apart.
-      const auto placed = PlaceInCephalostat(
-        MakeRows(FrameOf(axis, entry.first)->Get()), similarity->second, data.geometry);
+      const auto placed =
+        PlaceInCephalostat(MakeRows(FrameOf(axis, entry.first)->Get()), similarity->second, data.geometry);
       method->SetInitialTransform(entry.first, MakeTransform(placed), similarity->second.scale);
     }
   }
@@ -296,8 +296,8 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   method->SetJointFrame(axis->GetJointTransformOutput());
   for (const auto & entry : jaws)
   {
-    const auto &       input = data.GetJaw(entry.first);
-    MeshType::Pointer  mesh = input.mesh;
+    const auto &      input = data.GetJaw(entry.first);
+    MeshType::Pointer mesh = input.mesh;
     if (data.description.crowns != CrownsEnum::Off)
     {
       mesh = SelectCaseCrowns(data, entry.first, FrameOf(axis, entry.first)->Get());
@@ -366,8 +366,8 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     const JawEnum jaw = i == 0 ? JawEnum::Upper : JawEnum::Lower;
     if (solution->IsRegistered(jaw))
     {
-      silhouettes[i] = MakeWholeSilhouette(
-        data.GetJaw(jaw).mesh, method->GetGeometryOutput(jaw), settings.numberOfContourPoints[i]);
+      silhouettes[i] =
+        MakeWholeSilhouette(data.GetJaw(jaw).mesh, method->GetGeometryOutput(jaw), settings.numberOfContourPoints[i]);
     }
   });
   silhouetteProbe.Stop();

@@ -46,10 +46,10 @@ struct CasePoseSettings
  * PoseRegistrationMethod and what lies downstream, and fills the jaws of the result, and the geometry with what had to
  * be estimated. The filter has been updated with the scans of the case. */
 void
-RegisterCaseByPose(const DentalCaseData &                                  data,
-                   UMidlineDentalAxisFilter<DentalCaseData::MeshType> *    axis,
-                   const CasePoseSettings &                                settings,
-                   CaseResult &                                            result);
+RegisterCaseByPose(const DentalCaseData &                               data,
+                   UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis,
+                   const CasePoseSettings &                             settings,
+                   CaseResult &                                         result);
 } // namespace itk
 
 #endif

@@ -169,7 +169,8 @@ void
 CaseRegistration::Run(ProcessObject * process, float from, float to)
 {
   auto progress = FunctionCommand::New();
-  progress->SetCallback([&](const EventObject &) { this->UpdateProgress(from + (to - from) * process->GetProgress()); });
+  progress->SetCallback(
+    [&](const EventObject &) { this->UpdateProgress(from + (to - from) * process->GetProgress()); });
   const auto observer = process->AddObserver(ProgressEvent(), progress);
   // What stands in the middle of an iterative method is of interest to whoever watches the whole.
   auto iteration = FunctionCommand::New();

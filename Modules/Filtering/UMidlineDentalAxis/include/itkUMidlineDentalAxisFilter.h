@@ -65,9 +65,9 @@ UMidlineDentalAxis_EXPORT std::ostream &
  *
  * Outputs, in this order: upper and lower mesh in their UMDA frames (point data and cells as they were), upper and
  * lower transform, joint transform. The joint one is one frame for both jaws where these are in occlusion, and empty
- * where they are not; registrations that give both jaws one pose take it. The transforms map MESH -> UMDA: q = R (p - o), as TransformPoint() does, decorated, written by
- * TransformFileWriter and loaded by Slicer. Outputs of a jaw without input are empty: a mesh without points, a
- * decorator whose Get() is null.
+ * where they are not; registrations that give both jaws one pose take it. The transforms map MESH -> UMDA: q = R (p -
+ * o), as TransformPoint() does, decorated, written by TransformFileWriter and loaded by Slicer. Outputs of a jaw
+ * without input are empty: a mesh without points, a decorator whose Get() is null.
  *
  * When the jaws share a frame (JawsShareFrame; by default tested by contact, see GetFrame()) they get one common y,
  * Y_sh = unit(Y0_upper + Y0_lower); x = unit(Y_sh x Z) and z = x x y, so that projection along y is the same for both.

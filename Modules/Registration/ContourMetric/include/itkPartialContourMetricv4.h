@@ -158,8 +158,8 @@ public:
   }
 
   /** Relative sigma of the scale (spacing x magnification) by where the spacing comes from: 1.6 % for the magnification
-   * of an unknown patient in a known spacing (PoseRegistration's), 5 % for a DICOM file, whose spacing may be that of the
-   * detector or of the film, 25 % for an assumed or estimated one. */
+   * of an unknown patient in a known spacing (PoseRegistration's), 5 % for a DICOM file, whose spacing may be that of
+   * the detector or of the film, 25 % for an assumed or estimated one. */
   static double
   GetScaleSigma(SpacingSourceEnum source);
 

@@ -138,13 +138,14 @@ public:
 
   /** Contours made at one pose, moved to another as the points of the scan are. */
   std::vector<PoseContour>
-  MoveContours(const std::vector<PoseContour> & contours,
-               const PoseParameters &           from,
-               const PoseParameters &           to) const;
+  MoveContours(const std::vector<PoseContour> & contours, const PoseParameters & from, const PoseParameters & to) const;
 
   /** Matches a strand with its contour. */
   Linearization
-  Linearize(std::size_t strand, const PoseParameters & parameters, const PoseContour & contour, bool withJacobian) const;
+  Linearize(std::size_t            strand,
+            const PoseParameters & parameters,
+            const PoseContour &    contour,
+            bool                   withJacobian) const;
 
   /** The same with the matches, normals and facing of a linearisation made before. */
   Linearization

@@ -30,8 +30,8 @@ namespace itk
  * \brief The blocks of a registration's state that metrics of a pose read.
  *
  * A pose is of a body (both jaws in occlusion, or one jaw), the scale of a view. Units: rad and mm. An optimizer sees
- * millimetres: angles and the log scale are multiplied by an arm of 64 mm, some distance of a tooth from the origin. The longest steps
- * are what the linearisation of a silhouette was seen to hold for.
+ * millimetres: angles and the log scale are multiplied by an arm of 64 mm, some distance of a tooth from the origin.
+ * The longest steps are what the linearisation of a silhouette was seen to hold for.
  *
  * \ingroup PoseMetric
  */

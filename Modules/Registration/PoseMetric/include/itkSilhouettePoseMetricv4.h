@@ -44,11 +44,12 @@ namespace itk
  *   r' K^-1 r + c^2/white^2 sum_i g_i charge(w_i),   K = smooth^2 G + white^2 diag(1 / (g_i w_i))
  *
  * with the tracing's weights g, the robust weights w at the position, kernel width c and the correlation G of
- * the noise model. Documentation/Robust.md has all formulas.
+ * the noise model, by the normals at the position of the last UpdateNoiseCorrelation(). Documentation/Robust.md has all
+ * formulas.
  *
  * Inputs: SetTransform() (its geometry; its parameters are where the state begins), SetMovingMesh() or
- * SetMovingSurface() (dental frame, mm, triangles wound outward), SetFixedContour() (continuous pixel indices), SetJaw().
- * Blocks read: "pose" (pitch, roll, yaw, tx, ty, tz) and "scale" (kappa), or as named.
+ * SetMovingSurface() (dental frame, mm, triangles wound outward), SetFixedContour() (continuous pixel indices),
+ * SetJaw(). Blocks read: "pose" (pitch, roll, yaw, tx, ty, tz) and "scale" (kappa), or as named.
  *
  * Clone() shares meshes, tracing and everything prepared. Errors (ExceptionObject): a missing input, with the call to
  * make; a tracing that cannot be matched, with the reason.
@@ -193,6 +194,8 @@ public:
   void
   AddFit(const PositionType & x, RegistrationFit & fit) const override;
   void
+  UpdateNoiseCorrelation(const PositionType & x) override;
+  void
   AppendNoiseBlocks(const PositionType & x, std::vector<ResidualNoiseBlock> & blocks) const override;
   void
   AddFixedInformation(const PositionType & x,
@@ -250,35 +253,40 @@ private:
   UpdateFactors(EvaluationType & evaluation) const;
   void
   FillCorrelation(const EvaluationType & evaluation, std::size_t strand, double * correlation) const;
+  void
+  TakeNormals(const EvaluationType & evaluation) const;
 
-  TransformType::ConstPointer              m_Transform;
-  SurfacePointer                           m_Surface;
-  JawEnum                                  m_Jaw{ JawEnum::Upper };
-  PoseTracedSideEnum                       m_TracedSide{ PoseTracedSideEnum::Right };
-  bool                                     m_UseSideSelection{ true };
-  double                                   m_MidlineMargin{ -0.5 };
-  bool                                     m_UseFacingFilter{ true };
-  bool                                     m_UseOrientation{ true };
-  double                                   m_OrientationWeight{ 8.0 };
-  unsigned int                             m_MaximumTracingPoints{ 200 };
-  std::vector<std::uint8_t>                m_ExcludedTeeth;
-  std::string                              m_PoseBlock{ "pose" };
-  std::string                              m_ScaleBlock{ "scale" };
-  RobustKernel::ConstPointer               m_RobustKernel;
-  double                                   m_KernelWidth{ 3.0 };
-  ResidualNoiseModel::ConstPointer         m_NoiseModel;
-  ContourNoiseLevels                       m_NoiseLevels;
-  HoldEnum                                 m_Hold{ HoldEnum::Nothing };
+  TransformType::ConstPointer      m_Transform;
+  SurfacePointer                   m_Surface;
+  JawEnum                          m_Jaw{ JawEnum::Upper };
+  PoseTracedSideEnum               m_TracedSide{ PoseTracedSideEnum::Right };
+  bool                             m_UseSideSelection{ true };
+  double                           m_MidlineMargin{ -0.5 };
+  bool                             m_UseFacingFilter{ true };
+  bool                             m_UseOrientation{ true };
+  double                           m_OrientationWeight{ 8.0 };
+  unsigned int                     m_MaximumTracingPoints{ 200 };
+  std::vector<std::uint8_t>        m_ExcludedTeeth;
+  std::string                      m_PoseBlock{ "pose" };
+  std::string                      m_ScaleBlock{ "scale" };
+  RobustKernel::ConstPointer       m_RobustKernel;
+  double                           m_KernelWidth{ 3.0 };
+  ResidualNoiseModel::ConstPointer m_NoiseModel;
+  ContourNoiseLevels               m_NoiseLevels;
+  HoldEnum                         m_Hold{ HoldEnum::Nothing };
 
   /** Constant and shared by clones. */
-  std::shared_ptr<const PoseSilhouetteKernel> m_Kernel;
-  ModifiedTimeType                            m_KernelTime{ 0 };
+  std::shared_ptr<const PoseSilhouetteKernel>     m_Kernel;
+  ModifiedTimeType                                m_KernelTime{ 0 };
   mutable std::shared_ptr<const CorrelationsType> m_Correlations;
-  std::shared_ptr<const EvaluationType>       m_Held;
-  /** Changes with kernel and noise model. */
-  TimeStamp m_SettingsTime;
+  std::shared_ptr<const EvaluationType>           m_Held;
+  /** Normals, u and v, one strand after the other, by which the noise is correlated. */
+  mutable std::vector<std::array<std::vector<double>, 2>> m_Normals;
+  /** Changes with kernel, noise model and normals. */
+  mutable TimeStamp m_SettingsTime;
 
-  /** Where it was linearised last, and where it was evaluated last: what an optimizer goes back to, and what it tries. */
+  /** Where it was linearised last, and where it was evaluated last: what an optimizer goes back to, and what it tries.
+   */
   mutable EvaluationType m_Linearized;
   mutable EvaluationType m_Last;
 };

@@ -138,8 +138,7 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           sur
       m_Models.push_back(std::make_unique<PoseContourModel>(side(1.0), side(-1.0), settings.upper, filter));
       this->AddStrand(selected, { m_Models.back().get() });
       break;
-    case PoseTracedSideEnum::Both:
-    {
+    case PoseTracedSideEnum::Both: {
       std::vector<PosePolyline> right, left, unknown;
       for (const PosePolyline & polyline : selected)
       {
@@ -162,7 +161,8 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           sur
 }
 
 void
-PoseSilhouetteKernel::AddStrand(const std::vector<PosePolyline> & polylines, std::vector<const PoseContourModel *> models)
+PoseSilhouetteKernel::AddStrand(const std::vector<PosePolyline> &     polylines,
+                                std::vector<const PoseContourModel *> models)
 {
   Strand strand;
   strand.tracing = PoseTracing(m_Settings.geometry, polylines, m_Settings.upper, m_Settings.maximumTracingPoints);

@@ -61,8 +61,8 @@ SilhouettePoseMetricv4::SetTransform(const TransformType * transform)
   if (transform != nullptr)
   {
     const auto & parameters = transform->GetParameters();
-    this->SetBlockValues(
-      m_PoseBlock, { parameters[0], parameters[1], parameters[2], parameters[3], parameters[4], parameters[5] });
+    this->SetBlockValues(m_PoseBlock,
+                         { parameters[0], parameters[1], parameters[2], parameters[3], parameters[4], parameters[5] });
     this->SetBlockValues(m_ScaleBlock, { parameters[6] });
   }
 }
@@ -168,8 +168,9 @@ SilhouettePoseMetricv4::Prepare()
   {
     itkExceptionMacro("No tracing: call SetFixedContour() with this jaw's tracing (a DentalContour).");
   }
+  // Not the state's time: what is free and where it stands changes nothing here.
   const ModifiedTimeType time =
-    std::max({ this->GetMTime(), m_Transform->GetMTime(), this->GetFixedContour()->GetMTime() });
+    std::max({ this->Object::GetMTime(), m_Transform->GetMTime(), this->GetFixedContour()->GetMTime() });
   if (m_Kernel && m_KernelTime >= time)
   {
     return;
@@ -185,12 +186,13 @@ SilhouettePoseMetricv4::Prepare()
   settings.orientationWeight = m_OrientationWeight;
   settings.excludedTeeth = m_ExcludedTeeth;
   settings.maximumTracingPoints = m_MaximumTracingPoints;
-  m_Kernel = std::make_shared<const PoseSilhouetteKernel>(
-    *m_Surface, MakePosePolylines(*this->GetFixedContour()), settings);
+  m_Kernel =
+    std::make_shared<const PoseSilhouetteKernel>(*m_Surface, MakePosePolylines(*this->GetFixedContour()), settings);
   m_KernelTime = time;
   m_Correlations.reset();
   m_Held.reset();
   m_Hold = HoldEnum::Nothing;
+  m_Normals.clear();
   m_Linearized = EvaluationType();
   m_Last = EvaluationType();
 }
@@ -285,10 +287,9 @@ SilhouettePoseMetricv4::Evaluate(const PositionType & x) const
   }
   for (std::size_t s = 0; s < count; ++s)
   {
-    evaluation.strands.push_back(
-      m_Hold == HoldEnum::Matches
-        ? kernel.LinearizeHeld(s, pose, evaluation.contours[s], m_Held->strands[s], true)
-        : kernel.Linearize(s, pose, evaluation.contours[s], true));
+    evaluation.strands.push_back(m_Hold == HoldEnum::Matches
+                                   ? kernel.LinearizeHeld(s, pose, evaluation.contours[s], m_Held->strands[s], true)
+                                   : kernel.Linearize(s, pose, evaluation.contours[s], true));
   }
   m_Last = std::move(evaluation);
   return m_Last;
@@ -313,19 +314,41 @@ SilhouettePoseMetricv4::UpdateWeights(EvaluationType & evaluation) const
 void
 SilhouettePoseMetricv4::FillCorrelation(const EvaluationType & evaluation, std::size_t s, double * correlation) const
 {
-  const auto &                lin = evaluation.strands[s];
+  if (m_Normals.empty())
+  {
+    this->TakeNormals(evaluation);
+  }
+  const std::vector<double> & nu = m_Normals[s][0];
+  const std::vector<double> & nv = m_Normals[s][1];
   const std::vector<double> & rho = (*m_Correlations)[s];
-  const std::size_t           n = lin.residual.size();
+  const std::size_t           n = nu.size();
   for (std::size_t i = 0; i < n; ++i)
   {
     correlation[i * n + i] = 1.0;
     for (std::size_t j = 0; j < i; ++j)
     {
-      const double g = rho[i * n + j] * (lin.nu[i] * lin.nu[j] + lin.nv[i] * lin.nv[j]);
+      const double g = rho[i * n + j] * (nu[i] * nu[j] + nv[i] * nv[j]);
       correlation[i * n + j] = g;
       correlation[j * n + i] = g;
     }
   }
+}
+
+void
+SilhouettePoseMetricv4::TakeNormals(const EvaluationType & evaluation) const
+{
+  m_Normals.clear();
+  for (const auto & lin : evaluation.strands)
+  {
+    m_Normals.push_back({ { lin.nu, lin.nv } });
+  }
+}
+
+void
+SilhouettePoseMetricv4::UpdateNoiseCorrelation(const PositionType & x)
+{
+  this->TakeNormals(this->Evaluate(x));
+  m_SettingsTime.Modified();
 }
 
 void
@@ -377,8 +400,8 @@ SilhouettePoseMetricv4::UpdateFactors(EvaluationType & evaluation) const
 void
 SilhouettePoseMetricv4::ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const
 {
-  EvaluationType & at = this->Evaluate(x);
-  std::vector<std::vector<double>> whitened;
+  EvaluationType &                         at = this->Evaluate(x);
+  std::vector<std::vector<double>>         whitened;
   const std::vector<std::vector<double>> * factors = &at.factors;
   if (m_Hold == HoldEnum::Matches)
   {
@@ -660,7 +683,7 @@ SilhouettePoseMetricv4::InternalClone() const
   clone->m_Held = m_Held;
   clone->CopyState(*this);
   // Prepared as the original is: what the setters above changed is the same.
-  clone->m_KernelTime = std::max(clone->GetMTime(), m_KernelTime);
+  clone->m_KernelTime = std::max(clone->Object::GetMTime(), m_KernelTime);
   return clone.GetPointer();
 }
 

@@ -38,7 +38,7 @@ PoseRegistration_EXPORT std::vector<FoundSilhouette>
                         FindSilhouettes(const LeastSquaresMetricv4 & metric);
 /** The same at a position. */
 PoseRegistration_EXPORT std::vector<FoundSilhouette>
-                        FindSilhouettes(const LeastSquaresMetricv4 & metric, const LeastSquaresMetricv4::PositionType & x);
+FindSilhouettes(const LeastSquaresMetricv4 & metric, const LeastSquaresMetricv4::PositionType & x);
 } // namespace itk
 
 #endif

@@ -29,8 +29,8 @@ namespace itk
  * \brief The part of a moving contour that has a tracing beside it, in pieces.
  *
  * The moving contour of a pose registration (PoseSolution::MakeMovingContour()) holds everything that could be matched.
- * What lies within MaximumDistance of a tracing's point is kept; a stretch that is not, or a gap longer than MaximumGap,
- * ends a piece. Lengths in pixels of the contours.
+ * What lies within MaximumDistance of a tracing's point is kept; a stretch that is not, or a gap longer than
+ * MaximumGap, ends a piece. Lengths in pixels of the contours.
  *
  * \ingroup PoseRegistration
  */

@@ -35,8 +35,8 @@ namespace itk
  * - The nearest contour point absorbs part of the noise: levels are multiplied by
  *   min(absorbedNoiseLimit, 1 + absorbedNoise smooth^2 / px^2).
  * - Rotations and a shift that were not estimated enter with their priors.
- * - What a user holds was not estimated: its own uncertainty, with what the estimated parameters do when it moves, comes
- *   on top instead of being narrowed by the data.
+ * - What a user holds was not estimated: its own uncertainty, with what the estimated parameters do when it moves,
+ * comes on top instead of being narrowed by the data.
  *
  * The metric stays as it is. */
 PoseRegistration_EXPORT std::array<double, 49>

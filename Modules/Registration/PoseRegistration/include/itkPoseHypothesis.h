@@ -31,8 +31,8 @@ namespace itk
  * \brief Another reading of the same input, tried beside the result to name a likely mistake.
  *
  * A hypothesis turns the question into another one, which PoseRegistrationMethod answers quickly and compares with the
- * result. RegistrationVerdict names those that explain the evidence better. To run one alone, give Apply()'s answer to a
- * method of one's own.
+ * result. RegistrationVerdict names those that explain the evidence better. To run one alone, give Apply()'s answer to
+ * a method of one's own.
  *
  * \ingroup PoseRegistration
  */

@@ -29,14 +29,14 @@ namespace itk
  *
  * Inputs: upper and lower mesh (mm, any orientation, triangles wound outward) with the tracing of each jaw (continuous
  * pixel indices), one jaw or both, and the nominal geometry without a pose. A geometry without a pixel spacing is
- * legal: the scale is then estimated with a wide prior. Dental frames as UMidlineDentalAxisFilter gives them; those that
- * are not set are estimated.
+ * legal: the scale is then estimated with a wide prior. Dental frames as UMidlineDentalAxisFilter gives them; those
+ * that are not set are estimated.
  *
  * Outputs: a PoseSolution (pose, covariance, candidates, fit) for RegistrationVerdictFilter and whatever else lies
- * downstream; for each jaw the rigid transform from mesh to cephalostat (decorated, VersorRigid3DTransform, safe to load
- * in Slicer) and a CephalometricGeometry with that pose that projects the mesh onto the radiograph. The scale factor of
- * the fit is in that geometry's pixel spacing: spacing, distances and depth are one unobservable scale. A jaw without
- * input, or that could not be registered, has an empty decorator; the solution says why.
+ * downstream; for each jaw the rigid transform from mesh to cephalostat (decorated, VersorRigid3DTransform, safe to
+ * load in Slicer) and a CephalometricGeometry with that pose that projects the mesh onto the radiograph. The scale
+ * factor of the fit is in that geometry's pixel spacing: spacing, distances and depth are one unobservable scale. A jaw
+ * without input, or that could not be registered, has an empty decorator; the solution says why.
  *
  * How: each jaw is a SilhouettePoseMetricv4; the jaws that share a pose, priors on pose and scale, and the terms that
  * are added with AddMetric() are one sum, which LevenbergMarquardtOptimizerv4 minimizes from every start that PoseStart

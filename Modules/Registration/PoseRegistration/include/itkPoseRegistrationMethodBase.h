@@ -118,8 +118,8 @@ public:
 
   // Parts -------------------------------------------------------------------------------------------------------
 
-  /** LevenbergMarquardtOptimizerv4 by default, of which candidates take clones. Any other v4 optimizer runs as it is, in
-   * one thread, by its own stop rules. */
+  /** LevenbergMarquardtOptimizerv4 by default, of which candidates take clones. Any other v4 optimizer runs as it is,
+   * in one thread, by its own stop rules. */
   itkSetObjectMacro(Optimizer, OptimizerType);
   itkGetModifiableObjectMacro(Optimizer, OptimizerType);
 

@@ -156,7 +156,8 @@ struct PoseRegistrationOptions
   double fineKernelWidth{ 3.0 };
   double adaptiveKernelFactor{ 2.5 };
   double fineTolerance{ 0.005 };
-  /** Error of the moving contour itself, px, in covariances: half the sample spacing, facets, the cut at the midline. */
+  /** Error of the moving contour itself, px, in covariances: half the sample spacing, facets, the cut at the midline.
+   */
   double modelSigma{ 0.15 };
   /** The most that the correction for absorbed noise may be. */
   double absorbedNoiseLimit{ 1.6 };
@@ -188,7 +189,7 @@ struct PoseJawResult
   std::array<double, 3> translation{ {} };
   /** Mesh frame (mm) to continuous pixel index, row-major 3x4. */
   std::array<double, 12> projection{ {} };
-  PoseFitStatistics fit;
+  PoseFitStatistics      fit;
   /** Extent of the surface along y, mm. */
   double archWidth{ 0.0 };
   /** Component along the occlusal direction of the sum of area normals over the area: positive for an open shell with

@@ -139,7 +139,8 @@ LandmarkProjectionFilter::GetMiddleCovariance(const std::string & name) const
   const auto found = m_MiddleCovariances.find(name);
   if (found == m_MiddleCovariances.end())
   {
-    itkExceptionMacro("The landmark \"" << name << "\" has no counterpart on the other side: ask "
+    itkExceptionMacro("The landmark \"" << name
+                                        << "\" has no counterpart on the other side: ask "
                                            "HasMiddleCovariance() first.");
   }
   return found->second;

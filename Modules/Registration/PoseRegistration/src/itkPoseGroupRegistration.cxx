@@ -185,7 +185,8 @@ PoseGroupRegistration::Refine(MetricType &         metric,
   {
     own = prototype->Clone();
   }
-  OptimizerType * optimizer = own.IsNotNull() ? static_cast<OptimizerType *>(own.GetPointer()) : m_Optimizer.GetPointer();
+  OptimizerType * optimizer =
+    own.IsNotNull() ? static_cast<OptimizerType *>(own.GetPointer()) : m_Optimizer.GetPointer();
   optimizer->SetMetric(&metric);
   PoseRegistrationIteration report;
   report.group = m_Group;
@@ -227,6 +228,7 @@ PoseGroupRegistration::Refine(MetricType &         metric,
       width = m_Options.adaptiveKernelFactor * std::hypot(levels.smooth, levels.white);
     }
     metric.SetKernelWidth(width);
+    metric.UpdateNoiseCorrelation(metric.GetState().GetValues());
     report.kernelWidth = width;
     // Every second step once the kernel is narrow: the levels settle much faster than the pose.
     if (estimate && annealed && (accepted - schedule.widths.size()) % 2 == 0)
@@ -364,8 +366,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
     {
       return {};
     }
-    candidates.push_back(
-      this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters)));
+    candidates.push_back(this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters)));
     this->Refine(*metric, schedule, index, candidates.back());
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const CandidateType & a, const CandidateType & b) {
@@ -379,7 +380,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
 {
   const auto byScore = [](const CandidateType & a, const CandidateType & b) { return a.score < b.score; };
   // One that is not ours runs on the one object that it is.
-  const bool         cloneable = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer()) != nullptr;
+  const bool cloneable = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer()) != nullptr;
   const unsigned int threads = cloneable ? m_Options.numberOfThreads : 1;
   m_Stages(PoseStageEnum::Start);
   if (m_Monitor.IsAborted())
@@ -456,8 +457,8 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     this->SelectDistinct(*reference, pool, m_Options.placeDistance, m_Options.maximumPlaces);
   for (const CandidateType & candidate : this->SelectDistinct(*reference, pool, m_Options.secondWayDistance, 2))
   {
-    const bool there = std::any_of(
-      kept.begin(), kept.end(), [&](const CandidateType & other) { return other.x == candidate.x; });
+    const bool there =
+      std::any_of(kept.begin(), kept.end(), [&](const CandidateType & other) { return other.x == candidate.x; });
     if (!there)
     {
       kept.push_back(candidate);

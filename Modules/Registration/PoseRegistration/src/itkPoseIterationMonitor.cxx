@@ -73,9 +73,7 @@ PoseIterationMonitor::Drain()
 }
 
 void
-PoseIterationMonitor::ForEach(std::size_t                              count,
-                              unsigned int                             threads,
-                              const std::function<void(std::size_t)> & body)
+PoseIterationMonitor::ForEach(std::size_t count, unsigned int threads, const std::function<void(std::size_t)> & body)
 {
   if (threads == 0)
   {

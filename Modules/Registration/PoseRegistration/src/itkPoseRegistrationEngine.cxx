@@ -164,7 +164,7 @@ CheckGeometry(const PoseGeometry & geometry)
 CephalometricPoseTransform::Pointer
 MakeTransform(const PoseGeometry & geometry)
 {
-  auto                                                transform = CephalometricPoseTransform::New();
+  auto                                            transform = CephalometricPoseTransform::New();
   CephalometricPoseTransform::FixedParametersType fixed(CephalometricPoseTransform::NumberOfFixedParameters);
   fixed[CephalometricPoseTransform::SourceToMidsagittal] = geometry.sourceToMidsagittal;
   fixed[CephalometricPoseTransform::SourceToDetector] = geometry.sourceToDetector;

@@ -64,10 +64,10 @@ private:
   std::vector<JawType>
   PrepareJaws(const PoseProblem & problem, const PoseGeometry & geometry, PoseRegistrationResult & result) const;
   MetricType::Pointer
-  MakeMetric(const PoseProblem &                 problem,
-             const PoseGeometry &                geometry,
-             const std::vector<JawType> &        jaws,
-             const std::vector<std::size_t> &    members) const;
+  MakeMetric(const PoseProblem &              problem,
+             const PoseGeometry &             geometry,
+             const std::vector<JawType> &     jaws,
+             const std::vector<std::size_t> & members) const;
   void
   TryHypotheses(const PoseProblem &           problem,
                 const PoseGeometry &          geometry,

@@ -156,9 +156,7 @@ PoseRegistrationMethodBase::SetTracedSide(PoseTracedSideEnum side)
 }
 
 void
-PoseRegistrationMethodBase::SetInitialTransform(JawEnum                    jaw,
-                                                const RigidTransformType * transform,
-                                                double                     scaleFactor)
+PoseRegistrationMethodBase::SetInitialTransform(JawEnum jaw, const RigidTransformType * transform, double scaleFactor)
 {
   if (!(scaleFactor > 0.0))
   {
@@ -427,8 +425,8 @@ PoseRegistrationMethodBase::GenerateData()
   engine.monitor = &monitor;
   engine.groupObserver = [this](unsigned int, unsigned int numberOfGroups, MetricType * metric) {
     m_NumberOfLevels = 4 * numberOfGroups;
-    // Observers that were added to the metric of the group before stay with it; a copy would be no group's.
-    m_Metric = metric;
+    // One to look at: the group's own is cloned in other threads while observers are told.
+    m_Metric = metric->Clone();
   };
   engine.stageObserver = [this](unsigned int group, PoseStageEnum stage) {
     m_CurrentLevel = 4 * group + static_cast<unsigned int>(stage);

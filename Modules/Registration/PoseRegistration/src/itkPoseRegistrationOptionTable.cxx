@@ -108,7 +108,11 @@ Rows()
     { "startEvaluations", "evaluations of a start", &Options::startEvaluations, 1.0, 1000.0 },
     { "startTolerance", "step below which a start ends, px", &Options::startTolerance, 0.0, Large },
     { "startDistance", "starts nearer than this are the same, px", &Options::startDistance, 0.0, Large },
-    { "coarseKernelWidths", "kernel widths of the candidates' refinement, px", &Options::coarseKernelWidths, Tiny, Large },
+    { "coarseKernelWidths",
+      "kernel widths of the candidates' refinement, px",
+      &Options::coarseKernelWidths,
+      Tiny,
+      Large },
     { "coarseEvaluations", "evaluations of a candidate before the choice", &Options::coarseEvaluations, 1.0, 1000.0 },
     { "coarseTolerance", "step below which a candidate ends, px", &Options::coarseTolerance, 0.0, Large },
     { "maximumPlaces", "places whose best candidate goes on", &Options::maximumPlaces, 1.0, 100.0 },
@@ -120,10 +124,18 @@ Rows()
       Large },
     { "scoreMargin", "candidates further behind the best do not go on", &Options::scoreMargin, 0.0, Large },
     { "fineKernelWidth", "kernel width before the noise is known, px", &Options::fineKernelWidth, Tiny, Large },
-    { "adaptiveKernelFactor", "kernel width in standard deviations of the noise", &Options::adaptiveKernelFactor, Tiny, Large },
+    { "adaptiveKernelFactor",
+      "kernel width in standard deviations of the noise",
+      &Options::adaptiveKernelFactor,
+      Tiny,
+      Large },
     { "fineTolerance", "step below which the refinement ends, px", &Options::fineTolerance, 0.0, Large },
     { "modelSigma", "error of the outline itself, for the covariance, px", &Options::modelSigma, 0.0, Large },
-    { "absorbedNoiseLimit", "the most that absorbedNoise multiplies levels by", &Options::absorbedNoiseLimit, 1.0, 10.0 },
+    { "absorbedNoiseLimit",
+      "the most that absorbedNoise multiplies levels by",
+      &Options::absorbedNoiseLimit,
+      1.0,
+      10.0 },
   };
   return rows;
 }
@@ -296,7 +308,7 @@ PoseRegistrationOptionTable::Set(PoseRegistrationOptions & options, const std::s
 std::vector<std::string>
 PoseRegistrationOptionTable::GetChanges(const PoseRegistrationOptions & options)
 {
-  std::vector<std::string>    changes;
+  std::vector<std::string>      changes;
   const PoseRegistrationOptions defaults;
   for (const Row & row : Rows())
   {

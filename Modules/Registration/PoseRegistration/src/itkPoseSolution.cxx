@@ -88,8 +88,8 @@ PoseSolution::GetGroup(JawEnum jaw) const
   const PoseJawResult & result = this->GetJaw(jaw);
   if (!result.registered)
   {
-    itkExceptionMacro("The " << (jaw == JawEnum::Upper ? "upper" : "lower") << " jaw was not registered: "
-                             << result.failure << ". Ask IsRegistered() first.");
+    itkExceptionMacro("The " << (jaw == JawEnum::Upper ? "upper" : "lower")
+                             << " jaw was not registered: " << result.failure << ". Ask IsRegistered() first.");
   }
   return m_Result.groups[m_Result.groupOfJaw[static_cast<std::size_t>(this->GetIndex(jaw))]];
 }
@@ -180,9 +180,9 @@ PoseSolution::RigidTransformType::Pointer
 PoseSolution::MakeRigidTransform(JawEnum jaw) const
 {
   this->GetGroup(jaw);
-  const PoseJawResult &           result = this->GetJaw(jaw);
-  RigidTransformType::MatrixType  rotation;
-  RigidTransformType::OffsetType  offset;
+  const PoseJawResult &          result = this->GetJaw(jaw);
+  RigidTransformType::MatrixType rotation;
+  RigidTransformType::OffsetType offset;
   for (unsigned int row = 0; row < 3; ++row)
   {
     offset[row] = result.translation[row];
@@ -227,8 +227,8 @@ PoseSolution::MakePoseTransform(JawEnum jaw) const
 void
 PoseSolution::CopyToGeometry(JawEnum jaw, CephalometricGeometry * geometry) const
 {
-  const auto   rigid = this->MakeRigidTransform(jaw);
-  const double shrink = std::exp(-this->GetGroup(jaw).parameters[PoseKappa]);
+  const auto                              rigid = this->MakeRigidTransform(jaw);
+  const double                            shrink = std::exp(-this->GetGroup(jaw).parameters[PoseKappa]);
   CephalometricGeometry::PixelSpacingType spacing;
   CephalometricGeometry::PixelIndexType   principal;
   for (unsigned int d = 0; d < 2; ++d)
@@ -260,8 +260,7 @@ PoseSolution::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Groups: " << m_Result.groups.size() << std::endl;
   for (const PoseGroupResult & group : m_Result.groups)
   {
-    os << indent.GetNextIndent() << "score " << group.score << ", candidates " << group.candidates.size()
-       << ", pose";
+    os << indent.GetNextIndent() << "score " << group.score << ", candidates " << group.candidates.size() << ", pose";
     for (const double parameter : group.parameters)
     {
       os << ' ' << parameter;

@@ -220,9 +220,9 @@ PoseStartSearch::Search(const LeastSquaresMetricv4 & metric, const RequestType &
                          s });
     }
   }
-  const int              rotations = request.holdRotation ? 0 : static_cast<int>(m_RotationRange / m_RotationStep + 0.5);
-  const int              us = static_cast<int>(m_HorizontalRange / m_ShiftStep + 0.5);
-  const int              vs = static_cast<int>(m_VerticalRange / m_ShiftStep + 0.5);
+  const int rotations = request.holdRotation ? 0 : static_cast<int>(m_RotationRange / m_RotationStep + 0.5);
+  const int us = static_cast<int>(m_HorizontalRange / m_ShiftStep + 0.5);
+  const int vs = static_cast<int>(m_VerticalRange / m_ShiftStep + 0.5);
   std::vector<GridPoint> grid;
   grid.reserve(kappas.size() * (2 * rotations + 1) * (2 * us + 1) * (2 * vs + 1));
   for (unsigned int k = 0; k < kappas.size(); ++k)

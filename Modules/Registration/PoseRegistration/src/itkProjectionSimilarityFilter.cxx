@@ -136,8 +136,7 @@ ProjectionSimilarityFilter::GenerateData()
   transform->SetParameters(parameters);
   this->GetTransformOutput()->Set(transform);
   // What is left over after the best scale and angle.
-  this->GetRMSOutput()->Set(
-    std::sqrt(std::max(0.0, otherSquares - (dot * dot + cross * cross) / squares) / count));
+  this->GetRMSOutput()->Set(std::sqrt(std::max(0.0, otherSquares - (dot * dot + cross * cross) / squares) / count));
 }
 
 void

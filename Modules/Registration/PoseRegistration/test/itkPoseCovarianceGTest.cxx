@@ -92,10 +92,10 @@ MakeArch(double scale = 1.0)
 /** Two jaws' strands: tracings by hand beside the contours at the pose, with weights and gaps of their own. */
 struct Scene
 {
-  itk::PoseGeometry          geometry;
+  itk::PoseGeometry            geometry;
   itk::PoseRegistrationOptions options;
-  itk::PoseContourModel      upper;
-  itk::PoseContourModel      lower;
+  itk::PoseContourModel        upper;
+  itk::PoseContourModel        lower;
 
   explicit Scene(double sourceSign = 1.0)
     : geometry(MakeGeometry(sourceSign))

@@ -24,12 +24,12 @@ TEST(PoseEstimator, ResidualJacobianMatchesDifferencesOfRegeneratedContours)
 {
   // Facets well below a pixel, or their edges are what is measured.
   const PoseRegistrationTestCase     c(72,
-                                 PoseRegistrationTestCase::Source::CohortEnum::Typical,
-                                 PoseRegistrationTestCase::Source::TracedSideEnum::Right,
-                                 0.0,
-                                 120000);
+                                   PoseRegistrationTestCase::Source::CohortEnum::Typical,
+                                   PoseRegistrationTestCase::Source::TracedSideEnum::Right,
+                                   0.0,
+                                   120000);
   const itk::PoseRegistrationOptions options;
-  const auto                       start = itk::PoseRegistrationKernel::Run(c.jaws, c.geometry, options);
+  const auto                         start = itk::PoseRegistrationKernel::Run(c.jaws, c.geometry, options);
   const auto                  half = itk::PoseRegistrationKernel::SelectSide(c.surfaces[0], 1.0, options.midlineMargin);
   const itk::PoseContourModel model(half, true, true);
   itk::PoseStrand             strand;

@@ -58,7 +58,8 @@ TEST(PoseRegistrationKernel, FindsTheTruthWhereTheTracingHasNoNoise)
 
 TEST(PoseRegistrationKernel, IsBelowTwoPixelsWithNoiseAndAPoseAndKnowsIt)
 {
-  const auto result = itk::PoseRegistrationKernel::Run(Typical().jaws, Typical().geometry, itk::PoseRegistrationOptions());
+  const auto result =
+    itk::PoseRegistrationKernel::Run(Typical().jaws, Typical().geometry, itk::PoseRegistrationOptions());
   const auto verdicts = itk::RegistrationVerdict::Evaluate(result);
   for (unsigned int jaw : { 0u, 1u })
   {
@@ -107,8 +108,8 @@ TEST(PoseRegistrationKernel, ATurnedHeadIsNotPulledStraight)
   // 10 degrees, where the prior's standard deviation is 3.5: its tails let the data decide.
   const PoseRegistrationTestCase turned(73, CohortEnum::Typical, SideEnum::Right, 0.1745);
   itk::PoseRegistrationOptions   options;
-  const auto                   result = itk::PoseRegistrationKernel::Run(turned.jaws, turned.geometry, options);
-  const auto                   verdicts = itk::RegistrationVerdict::Evaluate(result);
+  const auto                     result = itk::PoseRegistrationKernel::Run(turned.jaws, turned.geometry, options);
+  const auto                     verdicts = itk::RegistrationVerdict::Evaluate(result);
   for (unsigned int jaw : { 0u, 1u })
   {
     EXPECT_LT(turned.Error(result, jaw, 'R'), 2.0);
@@ -154,8 +155,8 @@ TEST(PoseRegistrationKernel, DirectionAndOrderOfThePolylinesDoNotMatter)
     std::reverse(jaw.tracing[4].points.begin(), jaw.tracing[4].points.end());
   }
   const itk::PoseRegistrationOptions options;
-  const auto                       shuffled = itk::PoseRegistrationKernel::Run(jaws, Typical().geometry, options);
-  const auto                       plain = itk::PoseRegistrationKernel::Run(Typical().jaws, Typical().geometry, options);
+  const auto                         shuffled = itk::PoseRegistrationKernel::Run(jaws, Typical().geometry, options);
+  const auto plain = itk::PoseRegistrationKernel::Run(Typical().jaws, Typical().geometry, options);
   EXPECT_EQ(shuffled.groups[0].parameters, plain.groups[0].parameters);
 }
 
@@ -176,8 +177,8 @@ TEST(PoseRegistrationKernel, MirroredImageWithTheOtherFacingIsTheSameCase)
     }
   }
   const itk::PoseRegistrationOptions options;
-  const auto                       mirrored = itk::PoseRegistrationKernel::Run(jaws, geometry, options);
-  const auto                       plain = itk::PoseRegistrationKernel::Run(Typical().jaws, Typical().geometry, options);
+  const auto                         mirrored = itk::PoseRegistrationKernel::Run(jaws, geometry, options);
+  const auto plain = itk::PoseRegistrationKernel::Run(Typical().jaws, Typical().geometry, options);
   for (unsigned int k = 0; k < 7; ++k)
   {
     // Rounding of 702 - u, amplified by discrete matches.
@@ -203,8 +204,8 @@ TEST(PoseRegistrationKernel, EstimatesAScaleWithoutAPixelSpacingAndSaysSoInTheCo
   geometry.pixelSpacingKnown = false;
   geometry.principalPointKnown = false;
   const itk::PoseRegistrationOptions options;
-  const auto                       free = itk::PoseRegistrationKernel::Run(Typical().jaws, geometry, options);
-  const auto                       known = itk::PoseRegistrationKernel::Run(Typical().jaws, Typical().geometry, options);
+  const auto                         free = itk::PoseRegistrationKernel::Run(Typical().jaws, geometry, options);
+  const auto known = itk::PoseRegistrationKernel::Run(Typical().jaws, Typical().geometry, options);
   EXPECT_LT(Typical().Error(free, 0, 'R'), 3.0);
   EXPECT_LT(Typical().Error(free, 1, 'R'), 3.0);
   EXPECT_GT(free.groups[0].covariance[48], known.groups[0].covariance[48]);
@@ -245,7 +246,7 @@ TEST(PoseRegistrationKernel, CodesOfTheNextToothAndARepeatedPointAreNamed)
     }
   }
   const itk::PoseRegistrationOptions options;
-  auto                             verdicts =
+  auto                               verdicts =
     itk::RegistrationVerdict::Evaluate(itk::PoseRegistrationKernel::Run(shifted, Typical().geometry, options));
   EXPECT_TRUE(HasReason(verdicts[0], "code-offset"));
   auto jaws = Typical().jaws;
@@ -274,7 +275,8 @@ TEST(PoseRegistrationKernel, WrongFacingAndWrongUnitAreNotOk)
   auto geometry = Typical().geometry;
   geometry.facingSign = -1.0;
   const itk::PoseRegistrationOptions options;
-  auto verdicts = itk::RegistrationVerdict::Evaluate(itk::PoseRegistrationKernel::Run(Typical().jaws, geometry, options));
+  auto                               verdicts =
+    itk::RegistrationVerdict::Evaluate(itk::PoseRegistrationKernel::Run(Typical().jaws, geometry, options));
   EXPECT_NE(verdicts[0].status, StatusEnum::Ok);
   EXPECT_TRUE(HasReason(verdicts[0], "facing"));
 

@@ -38,10 +38,10 @@ struct PoseRegistrationTestCase
   std::map<std::string, std::array<double, 2>> truth;
 
   PoseRegistrationTestCase(std::uint64_t          seed,
-                         Source::CohortEnum     cohort,
-                         Source::TracedSideEnum side,
-                         double                 additionalYaw = 0.0,
-                         unsigned int           numberOfTriangles = 16000)
+                           Source::CohortEnum     cohort,
+                           Source::TracedSideEnum side,
+                           double                 additionalYaw = 0.0,
+                           unsigned int           numberOfTriangles = 16000)
   {
     auto source = Source::New();
     source->SetSeed(seed);

@@ -43,7 +43,7 @@ itk::PoseRegistrationResult
 MakeGoodResult(std::size_t numberOfJaws = 1)
 {
   itk::PoseRegistrationResult result;
-  itk::PoseGroupResult      group;
+  itk::PoseGroupResult        group;
   for (std::size_t j = 0; j < numberOfJaws; ++j)
   {
     itk::PoseJawResult jaw;
@@ -114,12 +114,12 @@ Contains(const std::string & text, const std::string & part)
 struct Limit
 {
   const char * name;
-  double Thresholds::*                                     member;
-  double                                                   documented;
-  bool                                                     badAbove;
+  double Thresholds::*                                       member;
+  double                                                     documented;
+  bool                                                       badAbove;
   std::function<void(itk::PoseRegistrationResult &, double)> set;
-  Named                                                    within;
-  Named                                                    beyond;
+  Named                                                      within;
+  Named                                                      beyond;
 };
 
 void
@@ -536,8 +536,8 @@ TEST(RegistrationVerdict, NotCheckableIsWhatTheDataOfTheCaseLeavesOpen)
   const std::string closed = "winding of a closed cast";
   const std::string manual =
     "exchanged jaws, facing, other side, other minima: not searched beside a given start or held values";
-  const std::string                roll = "roll and yaw of the head: a bisected tracing does not carry them";
-  const std::string                middle = "whether the tracing really is the middle of both sides";
+  const std::string                  roll = "roll and yaw of the head: a bisected tracing does not carry them";
+  const std::string                  middle = "whether the tracing really is the middle of both sides";
   const itk::PoseRegistrationOptions none;
 
   EXPECT_EQ(Verdict::GetNotCheckable(MakeGoodResult(2), none), (Lines{ view, source, mirrored, patient }));
@@ -573,9 +573,9 @@ TEST(RegistrationVerdict, NotCheckableIsWhatTheDataOfTheCaseLeavesOpen)
   EXPECT_EQ(Verdict::GetNotCheckable(result, none), (Lines{ view, source, mirrored, patient }));
 
   for (bool itk::PoseRegistrationOptions::*held : { &itk::PoseRegistrationOptions::useInitialPose,
-                                                  &itk::PoseRegistrationOptions::fixRotation,
-                                                  &itk::PoseRegistrationOptions::fixScale,
-                                                  &itk::PoseRegistrationOptions::fixTranslation })
+                                                    &itk::PoseRegistrationOptions::fixRotation,
+                                                    &itk::PoseRegistrationOptions::fixScale,
+                                                    &itk::PoseRegistrationOptions::fixTranslation })
   {
     itk::PoseRegistrationOptions options;
     options.*held = true;

@@ -27,8 +27,8 @@ namespace itk
 /** \class CorrelatedNoiseModel
  * \brief The hand drifts smoothly along a tracing: correlation falls with the distance along it as a Gaussian.
  *
- * G_ij = exp(-(s_i - s_j)^2 / (2 length^2)) (n_i . n_j), cut off where the exponential is below 2e-9. With a length of 0 all errors are independent and the two
- * variances add.
+ * G_ij = exp(-(s_i - s_j)^2 / (2 length^2)) (n_i . n_j), cut off where the exponential is below 2e-9. With a length of
+ * 0 all errors are independent and the two variances add.
  *
  * \ingroup RegistrationCommon
  */

@@ -34,8 +34,8 @@ namespace itk
  * For LevenbergMarquardtOptimizerv4 and LeastSquaresMetricCostFunction. GetValue() of the metric is what a step has to
  * lower. Of a plain metric it is the sum of the squared residuals. Of a robust one it is the criterion of the robust
  * kernel; the residuals are then those whose sum of squares, with matches, weights and noise held at the current
- * position, has the step that lowers it (iteratively reweighted least squares). The Jacobian has the plus sign, unlike a
- * v4 metric's GetDerivative().
+ * position, has the step that lowers it (iteratively reweighted least squares). The Jacobian has the plus sign, unlike
+ * a v4 metric's GetDerivative().
  *
  * \ingroup RegistrationCommon
  */

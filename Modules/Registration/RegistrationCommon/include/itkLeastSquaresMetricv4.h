@@ -36,23 +36,25 @@ namespace itk
  * \brief Base of the metrics whose value is a sum over residuals, and of their sums: terms of one criterion.
  *
  * A term declares the blocks of parameters that it reads and computes its residuals and their derivatives. It is a v4
- * metric: any v4 optimizer takes it, alone or as a term of a LeastSquaresSumMetricv4, which owns the state of the whole.
+ * metric: any v4 optimizer takes it, alone or as a term of a LeastSquaresSumMetricv4, which owns the state of the
+ * whole.
  *
  * A metric of one's own implements DeclareBlocks(), GetNumberOfResiduals() and ComputeResiduals() (residuals divided by
  * their standard deviation, so that terms can be added) and InternalClone() where it has members. Where it is asked for
  * a Jacobian and has none, it calls ComputeJacobianByDifferences(). What else is virtual here is for metrics with a
  * robust kernel, a noise model or matches, and does nothing by default:
  *
- * - the value is the criterion at the kernel width, noise levels and matching rule as they are set, a fixed function for
- *   any optimizer. SetKernelWidth(), SetNoiseLevels() and EstimateNoise() change it, between runs of an optimizer;
+ * - the value is the criterion at the kernel width, noise levels and matching rule as they are set, a fixed function
+ * for any optimizer. SetKernelWidth(), SetNoiseLevels(), UpdateNoiseCorrelation() and EstimateNoise() change it,
+ * between runs of an optimizer;
  * - Hold(Matches) freezes matches and weights at the current position, which makes residuals and value differentiable
  *   everywhere and equal in value and slope to the free ones there. Tests differentiate them. Hold(Contours) freezes
  *   only which samples are matched with: cheaper, for searches that begin far away.
  *
- * Positions: x holds all parameters of this metric's blocks in the order of DeclareBlocks(), natural units. An optimizer
- * sees the free ones, scaled (RegistrationState). As all v4 metrics do, GetDerivative() returns MINUS the gradient. A
- * metric is evaluated by one thread at a time; Clone() gives each thread its own, cheaply, what is constant being
- * shared.
+ * Positions: x holds all parameters of this metric's blocks in the order of DeclareBlocks(), natural units. An
+ * optimizer sees the free ones, scaled (RegistrationState). As all v4 metrics do, GetDerivative() returns MINUS the
+ * gradient. A metric is evaluated by one thread at a time; Clone() gives each thread its own, cheaply, what is constant
+ * being shared.
  *
  * \ingroup RegistrationCommon
  */
@@ -82,6 +84,10 @@ public:
   /** The blocks that this metric reads, with their values before anything else is known. */
   virtual BlocksType
   DeclareBlocks() const = 0;
+
+  /** Of settings, values and what is free. */
+  ModifiedTimeType
+  GetMTime() const override;
 
   /** Blocks, values and what is free. */
   const RegistrationState &
@@ -140,6 +146,12 @@ public:
   /** False where no term has such noise. */
   virtual bool
   GetNoiseLevels(ContourNoiseLevels & levels, const ResidualNoiseModel * model = nullptr) const;
+
+  /** Takes the correlation of the noise from position x: with which normals the errors of two points hang together. It
+   * is held while an optimizer runs, as the levels are, so that the value stays a fixed function; a metric that was not
+   * told takes it from the first position that is evaluated. */
+  virtual void
+  UpdateNoiseCorrelation(const PositionType & x);
 
   /** Appends the residuals whose noise is to be estimated; x as everywhere. */
   virtual void
@@ -236,6 +248,9 @@ private:
   UpdateBlocks() const;
   void
   StateChanged();
+
+  /** Changes with values and what is free, which are no settings: what was prepared of these stays valid. */
+  TimeStamp m_StateTime;
 
   mutable RegistrationState m_State;
   mutable ParametersType    m_Parameters;

@@ -66,6 +66,10 @@ public:
   MetricType *
   GetMetric(SizeValueType index) const;
 
+  /** Of the terms as well. */
+  ModifiedTimeType
+  GetMTime() const override;
+
   BlocksType
   DeclareBlocks() const override;
   SizeValueType
@@ -90,6 +94,8 @@ public:
   SetNoiseLevels(const ContourNoiseLevels & levels, const ResidualNoiseModel * model = nullptr) override;
   bool
   GetNoiseLevels(ContourNoiseLevels & levels, const ResidualNoiseModel * model = nullptr) const override;
+  void
+  UpdateNoiseCorrelation(const PositionType & x) override;
   void
   AppendNoiseBlocks(const PositionType & x, std::vector<ResidualNoiseBlock> & blocks) const override;
   void

@@ -29,10 +29,10 @@ namespace itk
  * \brief What is known of a block's parameters beforehand, as a term: Gaussian, or Student's t with long tails.
  *
  * Each parameter has a mean, a standard deviation s (infinity: nothing is known, no residual) and degrees of freedom n
- * of a t distribution; up to 2 is Gaussian. With d the difference from the mean the value is, Gaussian, d^2/s^2, and for
- * the t distribution of that standard deviation minus twice its log density, (n + 1) log(1 + d^2 / ((n - 2) s^2)): tight
- * where most are, and yet willing to let a far value be. Its residual is d times the root of the precision
- * (n + 1) / ((n - 2) s^2 + d^2), whose square has the derivative of that value (a quadratic majoriser).
+ * of a t distribution; up to 2 is Gaussian. With d the difference from the mean the value is, Gaussian, d^2/s^2, and
+ * for the t distribution of that standard deviation minus twice its log density, (n + 1) log(1 + d^2 / ((n - 2) s^2)):
+ * tight where most are, and yet willing to let a far value be. Its residual is d times the root of the precision (n +
+ * 1) / ((n - 2) s^2 + d^2), whose square has the derivative of that value (a quadratic majoriser).
  *
  * For a covariance the precision that belongs to the distribution's variance is the honest one
  * (UseVariancePrecision): (n - 2) / ((n - 2) s^2 + d^2).

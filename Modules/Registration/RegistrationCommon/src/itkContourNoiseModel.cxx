@@ -179,7 +179,8 @@ ContourNoiseModel::Estimate(const std::vector<BlockType> & blocks,
   const auto value = [&](const std::array<double, 2> & x) {
     const double a = (x[0] - std::log(1.5)) / 0.8;
     const double b = (x[1] - std::log(0.7)) / 0.8;
-    return Deviance(diagonal, information, gradient, fixedValue, std::exp(2.0 * x[0]), std::exp(2.0 * x[1])) + a * a + b * b;
+    return Deviance(diagonal, information, gradient, fixedValue, std::exp(2.0 * x[0]), std::exp(2.0 * x[1])) + a * a +
+           b * b;
   };
   // Nelder-Mead with an explicit first simplex.
   using Vertex = std::pair<double, std::array<double, 2>>;
@@ -244,8 +245,8 @@ ContourNoiseModel::Estimate(const std::vector<BlockType> & blocks,
   const ContourNoiseLevels noise{ std::exp(simplex[0].second[0]), std::exp(simplex[0].second[1]) };
   if (deviance != nullptr)
   {
-    *deviance = Deviance(
-      diagonal, information, gradient, fixedValue, noise.smooth * noise.smooth, noise.white * noise.white);
+    *deviance =
+      Deviance(diagonal, information, gradient, fixedValue, noise.smooth * noise.smooth, noise.white * noise.white);
   }
   return noise;
 }
@@ -253,17 +254,14 @@ ContourNoiseModel::Estimate(const std::vector<BlockType> & blocks,
 bool
 ContourNoiseModel::Factor(double * covariance, std::size_t count)
 {
-  const auto                                  n = static_cast<Eigen::Index>(count);
-  Eigen::Map<Eigen::MatrixXd>                 k(covariance, n, n);
+  const auto                                    n = static_cast<Eigen::Index>(count);
+  Eigen::Map<Eigen::MatrixXd>                   k(covariance, n, n);
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(k);
   return factor.info() == Eigen::Success;
 }
 
 void
-ContourNoiseModel::Whiten(const double * factor,
-                          std::size_t    count,
-                          double *       columns,
-                          std::size_t    numberOfColumns)
+ContourNoiseModel::Whiten(const double * factor, std::size_t count, double * columns, std::size_t numberOfColumns)
 {
   const auto                              n = static_cast<Eigen::Index>(count);
   const Eigen::Map<const Eigen::MatrixXd> l(factor, n, n);

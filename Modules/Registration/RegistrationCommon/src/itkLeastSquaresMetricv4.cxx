@@ -37,9 +37,16 @@ LeastSquaresMetricv4::UpdateBlocks() const
   }
 }
 
+ModifiedTimeType
+LeastSquaresMetricv4::GetMTime() const
+{
+  return std::max(Superclass::GetMTime(), m_StateTime.GetMTime());
+}
+
 void
 LeastSquaresMetricv4::StateChanged()
 {
+  m_StateTime.Modified();
   m_Parameters = m_State.GetFreeParameters();
 }
 
@@ -56,7 +63,6 @@ LeastSquaresMetricv4::SetBlockValues(const std::string & block, const std::vecto
   this->UpdateBlocks();
   m_State.SetBlockValues(block, values);
   this->StateChanged();
-  this->Modified();
 }
 
 void
@@ -65,7 +71,6 @@ LeastSquaresMetricv4::SetValues(const PositionType & x)
   this->UpdateBlocks();
   m_State.SetValues(x);
   this->StateChanged();
-  this->Modified();
 }
 
 std::vector<double>
@@ -80,7 +85,6 @@ LeastSquaresMetricv4::SetBlockFree(const std::string & block, const std::vector<
   this->UpdateBlocks();
   m_State.SetBlockFree(block, isFree);
   this->StateChanged();
-  this->Modified();
 }
 
 void
@@ -89,7 +93,6 @@ LeastSquaresMetricv4::SetBlockFree(const std::string & block, bool isFree)
   this->UpdateBlocks();
   m_State.SetBlockFree(block, isFree);
   this->StateChanged();
-  this->Modified();
 }
 
 double
@@ -148,6 +151,10 @@ LeastSquaresMetricv4::GetNoiseLevels(ContourNoiseLevels &, const ResidualNoiseMo
 }
 
 void
+LeastSquaresMetricv4::UpdateNoiseCorrelation(const PositionType &)
+{}
+
+void
 LeastSquaresMetricv4::AppendNoiseBlocks(const PositionType &, std::vector<ResidualNoiseBlock> &) const
 {}
 
@@ -182,6 +189,7 @@ LeastSquaresMetricv4::EstimateNoise(double minimumWeight)
   const auto                      all = static_cast<unsigned int>(x.size());
   const std::size_t               p = free.size();
   std::vector<ResidualNoiseBlock> blocks;
+  this->UpdateNoiseCorrelation(x);
   this->AppendNoiseBlocks(x, blocks);
   MatrixType information(all, all, 0.0);
   VectorType gradient(all, 0.0);
@@ -196,8 +204,7 @@ LeastSquaresMetricv4::EstimateNoise(double minimumWeight)
     freeGradient[a] = gradient[static_cast<unsigned int>(free[a])];
     for (std::size_t b = 0; b < p; ++b)
     {
-      freeInformation[p * b + a] =
-        information(static_cast<unsigned int>(free[a]), static_cast<unsigned int>(free[b]));
+      freeInformation[p * b + a] = information(static_cast<unsigned int>(free[a]), static_cast<unsigned int>(free[b]));
     }
   }
   std::vector<const ResidualNoiseModel *> models;
@@ -266,8 +273,8 @@ LeastSquaresMetricv4::EstimateNoise(double minimumWeight)
     ContourNoiseLevels levels;
     this->GetNoiseLevels(levels, model);
     double own2 = 0.0;
-    levels = ContourNoiseModel::Estimate(
-      own, otherInformation.data(), otherGradient.data(), otherValue, p, levels, &own2);
+    levels =
+      ContourNoiseModel::Estimate(own, otherInformation.data(), otherGradient.data(), otherValue, p, levels, &own2);
     this->SetNoiseLevels(levels, model);
     deviance += own2;
   }
@@ -295,8 +302,9 @@ LeastSquaresMetricv4::Initialize()
   {
     std::ostringstream state;
     m_State.Print(state, "  ");
-    itkExceptionMacro("All parameters are held, there is nothing to optimize: free some with SetBlockFree(). The state:\n"
-                      << state.str());
+    itkExceptionMacro(
+      "All parameters are held, there is nothing to optimize: free some with SetBlockFree(). The state:\n"
+      << state.str());
   }
   this->StateChanged();
 }

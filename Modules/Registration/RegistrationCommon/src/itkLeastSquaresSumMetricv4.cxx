@@ -26,8 +26,9 @@ LeastSquaresSumMetricv4::AddMetric(MetricType * metric)
 {
   if (metric == nullptr || metric == this)
   {
-    itkExceptionMacro("AddMetric() wants a term: " << (metric == nullptr ? "it was given none." : "a sum is none of its "
-                                                                                                 "own."));
+    itkExceptionMacro("AddMetric() wants a term: " << (metric == nullptr ? "it was given none."
+                                                                         : "a sum is none of its "
+                                                                           "own."));
   }
   const RegistrationState & own = metric->GetState();
   for (const BlockType & block : own.GetBlocks())
@@ -70,6 +71,17 @@ LeastSquaresSumMetricv4::GetMetric(SizeValueType index) const
     itkExceptionMacro("The sum has " << m_Metrics.size() << " terms; there is no term " << index << '.');
   }
   return m_Metrics[index].metric;
+}
+
+ModifiedTimeType
+LeastSquaresSumMetricv4::GetMTime() const
+{
+  ModifiedTimeType time = Superclass::GetMTime();
+  for (const TermType & term : m_Metrics)
+  {
+    time = std::max(time, term.metric->GetMTime());
+  }
+  return time;
 }
 
 LeastSquaresSumMetricv4::BlocksType
@@ -266,6 +278,15 @@ LeastSquaresSumMetricv4::GetNoiseLevels(ContourNoiseLevels & levels, const Resid
 }
 
 void
+LeastSquaresSumMetricv4::UpdateNoiseCorrelation(const PositionType & x)
+{
+  for (std::size_t t = 0; t < m_Metrics.size(); ++t)
+  {
+    m_Metrics[t].metric->UpdateNoiseCorrelation(this->GetTermPosition(t, x));
+  }
+}
+
+void
 LeastSquaresSumMetricv4::AppendNoiseBlocks(const PositionType & x, std::vector<ResidualNoiseBlock> & blocks) const
 {
   for (std::size_t t = 0; t < m_Metrics.size(); ++t)
@@ -305,8 +326,7 @@ LeastSquaresSumMetricv4::AddFixedInformation(const PositionType & x,
       gradient[static_cast<unsigned int>(places[a])] += ownGradient[a];
       for (unsigned int b = 0; b < count; ++b)
       {
-        information(static_cast<unsigned int>(places[a]), static_cast<unsigned int>(places[b])) +=
-          ownInformation(a, b);
+        information(static_cast<unsigned int>(places[a]), static_cast<unsigned int>(places[b])) += ownInformation(a, b);
       }
     }
   }
@@ -334,7 +354,8 @@ LeastSquaresSumMetricv4::InternalClone() const
     clone->m_Metrics.push_back({ dynamic_cast<MetricType *>(copy.GetPointer()), term.places });
     if (clone->m_Metrics.back().metric.IsNull())
     {
-      itkExceptionMacro("The metric " << term.metric->GetNameOfClass() << " cannot be cloned: implement InternalClone().");
+      itkExceptionMacro("The metric " << term.metric->GetNameOfClass()
+                                      << " cannot be cloned: implement InternalClone().");
     }
   }
   clone->CopyState(*this);

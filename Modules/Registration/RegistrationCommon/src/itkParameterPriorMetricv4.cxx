@@ -86,9 +86,9 @@ ParameterPriorMetricv4::InitializeTerm()
   {
     if (!(m_Priors[k].sigma > 0.0))
     {
-      itkExceptionMacro("The prior of \"" << m_Block.parameters[k].name << "\" has the standard deviation "
-                                          << m_Priors[k].sigma
-                                          << ": it must be positive. A parameter that is known is held: SetBlockFree().");
+      itkExceptionMacro("The prior of \""
+                        << m_Block.parameters[k].name << "\" has the standard deviation " << m_Priors[k].sigma
+                        << ": it must be positive. A parameter that is known is held: SetBlockFree().");
     }
   }
 }

@@ -84,10 +84,10 @@ RegistrationState::GetBlock(const std::string & name) const
     {
       known += (known.empty() ? "\"" : ", \"") + block.name + "\"";
     }
-    itkGenericExceptionMacro("There is no block \"" << name << "\" in the state; there "
-                                                    << (known.empty() ? "is none: call Initialize() of the metric first"
-                                                                      : "are " + known)
-                                                    << '.');
+    itkGenericExceptionMacro("There is no block \""
+                             << name << "\" in the state; there "
+                             << (known.empty() ? "is none: call Initialize() of the metric first" : "are " + known)
+                             << '.');
   }
   return *found;
 }
