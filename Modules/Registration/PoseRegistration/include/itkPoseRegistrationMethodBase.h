@@ -28,6 +28,7 @@
 #include "itkLeastSquaresSumMetricv4.h"
 #include "itkObjectToObjectOptimizerBase.h"
 #include "itkProcessObject.h"
+#include "itkRegistrationIterationInformation.h"
 #include "itkSimpleDataObjectDecorator.h"
 
 #include <array>
@@ -40,7 +41,9 @@ namespace itk
  * \brief All of PoseRegistrationMethod but the type of the meshes.
  * \ingroup PoseRegistration
  */
-class PoseRegistration_EXPORT PoseRegistrationMethodBase : public ProcessObject
+class PoseRegistration_EXPORT PoseRegistrationMethodBase
+  : public ProcessObject
+  , public RegistrationIterationInformation
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(PoseRegistrationMethodBase);
@@ -148,7 +151,11 @@ public:
   // While it runs -----------------------------------------------------------------------------------------------
 
   /** Groups are jaws with a pose of their own; level = 4 group + stage. */
-  itkGetConstMacro(CurrentLevel, unsigned int);
+  unsigned int
+  GetCurrentLevel() const override
+  {
+    return m_CurrentLevel;
+  }
   itkGetConstMacro(NumberOfLevels, unsigned int);
   /** The step that the last IterationEvent was about. */
   const IterationType &
@@ -156,6 +163,18 @@ public:
   {
     return m_CurrentIteration;
   }
+  /** Steps that were accepted in this run of the optimizer, of this candidate. */
+  std::size_t
+  GetOptimizerIteration() const override;
+  double
+  GetMetricValue() const override;
+  /** pitch, roll, yaw (rad), tx, ty, tz (mm), kappa. */
+  OptimizerParameters<double>
+  GetOptimizerPosition() const override;
+  /** Of the solution of the last group that ended. */
+  std::string
+  GetOptimizerStopConditionDescription() const override;
+
   /** The sum of the group that runs, at the position of the last IterationEvent; null before the first group. It sends
    * IterationEvents too. */
   itkGetModifiableObjectMacro(Metric, MetricType);

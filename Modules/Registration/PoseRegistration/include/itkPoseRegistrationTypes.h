@@ -219,6 +219,8 @@ struct PoseGroupResult
   double       margin{ 1.0 };
   unsigned int evaluations{ 0 };
   bool         converged{ false };
+  /** Why the optimizer's last run at the solution ended. */
+  std::string stopCondition;
   /** The middle of both sides was fitted. */
   bool bisected{ false };
   /** Minus twice the log likelihood of the tracing on the other side's contour (registered anew) minus that

@@ -279,6 +279,7 @@ PoseGroupRegistration::Refine(MetricType &         metric,
     }
   }
   optimizer->RemoveObserver(observer);
+  candidate.stopCondition = optimizer->GetStopConditionDescription();
   candidate.x = metric.GetState().GetValues();
   metric.GetNoiseLevels(candidate.noise);
   this->Score(metric, candidate);
@@ -494,6 +495,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   group.parameters = ToPose(*m_Metric, best.x);
   group.score = best.score;
   group.converged = best.converged;
+  group.stopCondition = best.stopCondition;
   group.smoothSigma = best.noise.smooth;
   group.whiteSigma = best.noise.white;
   for (const CandidateType & other : pool)

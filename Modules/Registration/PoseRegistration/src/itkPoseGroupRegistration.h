@@ -29,6 +29,7 @@
 #include "itkRobustKernel.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace itk
@@ -83,6 +84,7 @@ private:
     ContourNoiseLevels noise;
     unsigned int       evaluations{ 0 };
     bool               converged{ false };
+    std::string        stopCondition;
     double             cost{ 1.0 };
     double             codeTerm{ 0.0 };
     double             score{ 1.0 };

@@ -255,6 +255,33 @@ PoseRegistrationMethodBase::GetGeometryOutput(JawEnum jaw)
   return itkDynamicCastInDebugMode<GeometryType *>(this->ProcessObject::GetOutput(1 + NumberOfJaws + ToIndex(jaw)));
 }
 
+std::size_t
+PoseRegistrationMethodBase::GetOptimizerIteration() const
+{
+  return m_CurrentIteration.step.iteration;
+}
+
+double
+PoseRegistrationMethodBase::GetMetricValue() const
+{
+  return m_CurrentIteration.step.value;
+}
+
+OptimizerParameters<double>
+PoseRegistrationMethodBase::GetOptimizerPosition() const
+{
+  OptimizerParameters<double> position(static_cast<unsigned int>(m_CurrentIteration.pose.size()));
+  std::copy(m_CurrentIteration.pose.begin(), m_CurrentIteration.pose.end(), position.begin());
+  return position;
+}
+
+std::string
+PoseRegistrationMethodBase::GetOptimizerStopConditionDescription() const
+{
+  const auto & groups = this->GetOutput()->GetResult().groups;
+  return groups.empty() ? std::string() : groups.back().stopCondition;
+}
+
 const PoseRegistrationMethodBase::ContourType *
 PoseRegistrationMethodBase::GetContour(JawEnum jaw) const
 {

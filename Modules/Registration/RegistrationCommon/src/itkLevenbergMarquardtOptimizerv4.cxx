@@ -111,7 +111,7 @@ LevenbergMarquardtOptimizerv4::CheckMetric() const
   {
     itkExceptionMacro("No parameter of the metric "
                       << this->m_Metric->GetNameOfClass()
-                      << " is free, all are held; free one with SetFree() of the transform or state that holds them.");
+                      << " is free, all are held; free one with SetBlockFree() of the metric.");
   }
   return *residuals;
 }

@@ -607,7 +607,7 @@ TEST(LevenbergMarquardtOptimizerv4, SaysWhatItNeeds)
   EXPECT_TRUE(Contains(message, "LBFGSBOptimizerv4"));
   const auto held = Metric::Make({}, 1, nullptr);
   EXPECT_TRUE(Contains(MessageOf(MakeOptimizer(held)), "No parameter of the metric Metric is free"));
-  EXPECT_TRUE(Contains(MessageOf(MakeOptimizer(held)), "SetFree()"));
+  EXPECT_TRUE(Contains(MessageOf(MakeOptimizer(held)), "SetBlockFree()"));
   const auto crooked = MakeRosenbrock();
   crooked->function = [](const ParametersType &, vnl_vector<double> & r, vnl_matrix<double> & j) {
     r.fill(1.0);

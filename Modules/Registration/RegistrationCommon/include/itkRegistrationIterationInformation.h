@@ -18,7 +18,7 @@
 #ifndef itkRegistrationIterationInformation_h
 #define itkRegistrationIterationInformation_h
 
-#include "SilhouetteToContourExport.h"
+#include "RegistrationCommonExport.h"
 
 #include "itkOptimizerParameters.h"
 
@@ -32,9 +32,9 @@ namespace itk
  * Registration methods of this toolkit derive from it beside ProcessObject, so that RegistrationIterationCommand logs
  * any of them.
  *
- * \ingroup SilhouetteToContour
+ * \ingroup RegistrationCommon
  */
-class SilhouetteToContour_EXPORT RegistrationIterationInformation
+class RegistrationCommon_EXPORT RegistrationIterationInformation
 {
 public:
   virtual ~RegistrationIterationInformation();

@@ -18,7 +18,7 @@
 #ifndef itkRegistrationIterationCommand_h
 #define itkRegistrationIterationCommand_h
 
-#include "SilhouetteToContourExport.h"
+#include "RegistrationCommonExport.h"
 
 #include "itkCommand.h"
 #include "itkOptimizerParameters.h"
@@ -46,9 +46,9 @@ namespace itk
  * MultiResolutionIterationEvent as the start of a level. Records are cleared at each StartEvent, so that an observer
  * serves many runs. Nothing is printed unless a stream is given.
  *
- * \ingroup SilhouetteToContour
+ * \ingroup RegistrationCommon
  */
-class SilhouetteToContour_EXPORT RegistrationIterationCommand : public Command
+class RegistrationCommon_EXPORT RegistrationIterationCommand : public Command
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(RegistrationIterationCommand);
