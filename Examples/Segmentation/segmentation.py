@@ -133,11 +133,10 @@ def register(case, contours):
     options.estimateNoise = False
     options.initialSmoothSigma = 2.0
     # The scans are in occlusion: one frame for both, hence one pose.
-    frame = ds.UMidlineDentalAxis(case.upper, case.lower, refineMidline=True, jawsShareFrame="On").upperTransform
-    registration = ds.PoseRegistrationMethod()
-    registration.SetOptions(options)
-    registration.SetFrames(frame, frame, True)
-    return registration.Execute(case.geometry, case.upper, contours["upper"], case.lower, contours["lower"])
+    frames = ds.UMidlineDentalAxis(case.upper, case.lower, refineMidline=True, jawsShareFrame="On")
+    return ds.PoseRegistration(
+        case.geometry, case.upper, contours["upper"], case.lower, contours["lower"], frames=frames, options=options
+    )
 
 
 def main(case_file, folder):
@@ -151,22 +150,22 @@ def main(case_file, folder):
         print(f"{jaw} points: {contour.GetNumberOfPoints()}")
     ds.WriteContours(folder / "contours.json", case.imageSize, contours["upper"], contours["lower"])
 
-    result = register(case, contours)
+    solution = register(case, contours)
     marked = ds.ReadLandmarks(case_file.parent / "landmarks2d.json")
     moving = {}
     for jaw in ("upper", "lower"):
-        found = getattr(result, jaw)
+        found = solution.IsRegistered(jaw)
         # Both scans have one pose: where a jaw shows too little of a border, the other one's serves.
-        placed = found if found.registered else result.upper if jaw == "lower" else result.lower
+        placed = jaw if found else "upper" if jaw == "lower" else "lower"
         letter = "U" if jaw == "upper" else "L"
         predicted = {
-            name: placed.geometry.ProjectPoint(point) for name, point in case.landmarks3D.items() if name[0] == letter
+            name: solution.ProjectPoint(placed, point) for name, point in case.landmarks3D.items() if name[0] == letter
         }
         errors = [np.linalg.norm(predicted[name] - marked[name]) for name in predicted if name in marked]
         print(f"{jaw} landmark error px: {np.mean(errors)}")
-        print(f"{jaw} verdict: {found.status}")
-        if found.registered:
-            moving[f"{jaw} scan"] = found.contour
+        print(f"{jaw} verdict: {solution.GetStatus(jaw)}")
+        if found:
+            moving[f"{jaw} scan"] = solution.GetMovingContour(jaw)
     both = [polyline for contour in contours.values() for polyline in contour.polylines]
     picture = ds.RegistrationOverlay(case.image, both, moving, title="Outline by segmentation")
     (folder / "overlay.png").write_bytes(picture._repr_png_())
