@@ -630,6 +630,16 @@ SilhouettePoseMetricv4::PredictSigma(std::size_t                    s,
     double w[2], jacobian[14];
     double sum = 0.0;
     model.ProjectWithJacobian(contour.rim[sample].data(), w, jacobian);
+    if (!contour.rimOther.empty())
+    {
+      // Of a bisected tracing the middle of both sides is what is matched.
+      double other[14];
+      model.ProjectWithJacobian(contour.rimOther[sample].data(), w, other);
+      for (int a = 0; a < 14; ++a)
+      {
+        jacobian[a] = 0.5 * (jacobian[a] + other[a]);
+      }
+    }
     for (int axis = 0; axis < 2; ++axis)
     {
       for (int a = 0; a < 7; ++a)

@@ -130,6 +130,16 @@ public:
   itkSetConstObjectMacro(Start, PoseStart);
   itkGetConstObjectMacro(Start, PoseStart);
 
+  /** Kernel of the silhouettes in place of the options' (useRobustKernel), and noise model in place of theirs
+   * (useCorrelatedNoise, correlationLength; of the covariance covarianceCorrelationLength). Null: those of the options.
+   */
+  itkSetConstObjectMacro(RobustKernel, RobustKernel);
+  itkGetConstObjectMacro(RobustKernel, RobustKernel);
+  itkSetConstObjectMacro(NoiseModel, ResidualNoiseModel);
+  itkGetConstObjectMacro(NoiseModel, ResidualNoiseModel);
+  itkSetConstObjectMacro(CovarianceNoiseModel, ResidualNoiseModel);
+  itkGetConstObjectMacro(CovarianceNoiseModel, ResidualNoiseModel);
+
   /** A further term of the sum that is minimized, as a metric of one's own. It may read the blocks "pose" and "scale"
    * or have blocks of its own. */
   void
@@ -246,6 +256,9 @@ private:
   std::array<InitialType, NumberOfJaws>     m_Initial;
   OptimizerType::Pointer                    m_Optimizer;
   PoseStart::ConstPointer                   m_Start;
+  RobustKernel::ConstPointer                m_RobustKernel;
+  ResidualNoiseModel::ConstPointer          m_NoiseModel;
+  ResidualNoiseModel::ConstPointer          m_CovarianceNoiseModel;
   std::vector<TermType::Pointer>            m_Terms;
   std::vector<PoseHypothesis::ConstPointer> m_Hypotheses;
   unsigned int                              m_CurrentLevel{ 0 };

@@ -71,6 +71,7 @@ MakeNoiseModel(double correlationLength)
 PoseGroupRegistration::PoseGroupRegistration(const PoseRegistrationOptions &            options,
                                              bool                                       pixelSpacingKnown,
                                              MetricType *                               metric,
+                                             const PartsType &                          parts,
                                              OptimizerType *                            optimizer,
                                              const PoseStart *                          start,
                                              PoseIterationMonitor &                     monitor,
@@ -87,10 +88,19 @@ PoseGroupRegistration::PoseGroupRegistration(const PoseRegistrationOptions &    
   , m_Group(group)
   , m_Hypothesis(hypothesis)
   , m_Priors(options, pixelSpacingKnown)
-  , m_CorrelatedNoise(MakeNoiseModel(options.useCorrelatedNoise ? options.correlationLength : 0.0))
+  , m_CovarianceNoise(parts.covarianceNoiseModel.IsNotNull()
+                        ? parts.covarianceNoiseModel
+                        : MakeNoiseModel(options.useCorrelatedNoise ? options.covarianceCorrelationLength : 0.0))
+  , m_CorrelatedNoise(parts.noiseModel.IsNotNull()
+                        ? parts.noiseModel
+                        : MakeNoiseModel(options.useCorrelatedNoise ? options.correlationLength : 0.0))
   , m_WhiteNoise(MakeNoiseModel(0.0))
 {
-  if (m_Options.useRobustKernel)
+  if (parts.robustKernel.IsNotNull())
+  {
+    m_Metric->SetRobustKernel(parts.robustKernel);
+  }
+  else if (m_Options.useRobustKernel)
   {
     m_Metric->SetRobustKernel(GemanMcClureKernel::New());
   }
@@ -516,7 +526,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   PosePriors::SetFree(*m_Metric, m_Priors.GetFitSigmas(false));
   m_Metric->SetNoiseModel(m_CorrelatedNoise);
   m_Metric->SetNoiseLevels(best.noise);
-  group.covariance = ComputePoseCovariance(*m_Metric, m_Options, m_Priors);
+  group.covariance = ComputePoseCovariance(*m_Metric, m_Options, m_Priors, m_CovarianceNoise);
   const auto sigmas = m_Priors.GetFitSigmas(false);
   for (unsigned int k = 0; k < 7; ++k)
   {

@@ -445,6 +445,7 @@ PoseRegistrationMethodBase::GenerateData()
   PoseIterationMonitor   monitor([this](const IterationType & iteration) { this->Report(iteration); },
                                [this]() { return this->GetAbortGenerateData(); });
   PoseRegistrationEngine engine;
+  engine.parts = { m_RobustKernel, m_NoiseModel, m_CovarianceNoiseModel };
   engine.optimizer = m_Optimizer;
   engine.start = m_Start;
   engine.hypotheses = m_Hypotheses;
@@ -520,6 +521,9 @@ PoseRegistrationMethodBase::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "PrincipalPointKnown: " << m_PrincipalPointKnown << std::endl;
   itkPrintSelfObjectMacro(Optimizer);
   itkPrintSelfObjectMacro(Start);
+  itkPrintSelfObjectMacro(RobustKernel);
+  itkPrintSelfObjectMacro(NoiseModel);
+  itkPrintSelfObjectMacro(CovarianceNoiseModel);
   itkPrintSelfObjectMacro(Metric);
   os << indent << "Metrics: " << m_Terms.size() << std::endl;
   os << indent << "Hypotheses:";
