@@ -158,6 +158,10 @@ public:
   void
   ClearHypotheses();
 
+  /** Of the terms, the hypotheses and the start as well: a change of one of them runs the registration again. */
+  ModifiedTimeType
+  GetMTime() const override;
+
   // While it runs -----------------------------------------------------------------------------------------------
 
   /** Groups are jaws with a pose of their own; level = 4 group + stage. */
@@ -224,8 +228,6 @@ protected:
   {}
   void
   GenerateData() override;
-  ModifiedTimeType
-  GetMTime() const override;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
 
