@@ -185,11 +185,21 @@ public:
   {
     return m_CurrentIteration;
   }
-  /** Steps that were accepted in this run of the optimizer, of this candidate. */
+  /** Of the stage; their steps may alternate. */
+  unsigned int
+  GetCurrentCandidate() const override;
+  /** Steps that were accepted in this stage, of this candidate. */
   std::size_t
   GetOptimizerIteration() const override;
+  /** Value of the criterion with the kernel width and the noise levels of the step (GetCurrentIteration()): values of
+   * one candidate can be compared only as long as these stay. */
   double
   GetMetricValue() const override;
+  /** Root mean square motion of the moving contours, px of 0.25 mm. */
+  double
+  GetStepLength() const override;
+  bool
+  GetStepAccepted() const override;
   /** pitch, roll, yaw (rad), tx, ty, tz (mm), kappa. */
   OptimizerParameters<double>
   GetOptimizerPosition() const override;

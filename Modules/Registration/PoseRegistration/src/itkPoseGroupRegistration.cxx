@@ -203,8 +203,18 @@ PoseGroupRegistration::Refine(MetricType &         metric,
   report.stage = schedule.stage;
   report.candidate = index;
   report.hypothesis = m_Hypothesis;
-  const auto post = [&](const EventObject &) {
+  // The optimizer runs once a step, kernel and noise following between: steps are counted over all of its runs.
+  unsigned int stepsAccepted = 0;
+  unsigned int stepsTried = 0;
+  const auto   post = [&](const EventObject &) {
     report.step = own.IsNotNull() ? own->GetLastIteration() : LeastSquaresIteration();
+    if (own.IsNotNull())
+    {
+      ++stepsTried;
+      stepsAccepted += report.step.accepted ? 1 : 0;
+      report.step.iteration = stepsAccepted;
+      report.step.evaluations = stepsTried;
+    }
     if (own.IsNull())
     {
       report.step.position = metric.GetParameters();
@@ -378,7 +388,8 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
       return {};
     }
     candidates.push_back(this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters)));
-    this->Refine(*metric, schedule, index, candidates.back());
+    const auto number = static_cast<unsigned int>(candidates.size() - 1);
+    this->Refine(*metric, schedule, index * request.maximumNumberOfStarts + number, candidates.back());
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const CandidateType & a, const CandidateType & b) {
     return a.score < b.score;

@@ -275,6 +275,24 @@ PoseRegistrationMethodBase::GetGeometryOutput(JawEnum jaw)
   return itkDynamicCastInDebugMode<GeometryType *>(this->ProcessObject::GetOutput(1 + NumberOfJaws + ToIndex(jaw)));
 }
 
+unsigned int
+PoseRegistrationMethodBase::GetCurrentCandidate() const
+{
+  return m_CurrentIteration.candidate;
+}
+
+double
+PoseRegistrationMethodBase::GetStepLength() const
+{
+  return m_CurrentIteration.step.stepLength;
+}
+
+bool
+PoseRegistrationMethodBase::GetStepAccepted() const
+{
+  return m_CurrentIteration.step.accepted;
+}
+
 std::size_t
 PoseRegistrationMethodBase::GetOptimizerIteration() const
 {
