@@ -147,10 +147,12 @@ public:
     return m_ExcludedTeeth;
   }
 
-  /** Names of the blocks: another body or view has others. */
-  itkSetStringMacro(PoseBlock);
+  /** Names of the blocks: another body or view has others. The values go along. */
+  void
+  SetPoseBlock(const std::string & name);
   itkGetStringMacro(PoseBlock);
-  itkSetStringMacro(ScaleBlock);
+  void
+  SetScaleBlock(const std::string & name);
   itkGetStringMacro(ScaleBlock);
 
   /** Makes the engine where something has changed. Unlike Initialize() it does not throw for a tracing that cannot be
@@ -243,6 +245,8 @@ private:
   };
   using CorrelationsType = std::vector<std::vector<double>>;
 
+  void
+  RenameBlock(std::string & block, const std::string & name);
   EvaluationType &
   Evaluate(const PositionType & x) const;
   void

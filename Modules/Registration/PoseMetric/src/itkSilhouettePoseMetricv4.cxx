@@ -88,6 +88,40 @@ SilhouettePoseMetricv4::SetExcludedTeeth(const std::vector<std::uint8_t> & teeth
 }
 
 void
+SilhouettePoseMetricv4::RenameBlock(std::string & block, const std::string & name)
+{
+  if (block == name)
+  {
+    return;
+  }
+  // The unknowns are the same: their values and what is free go along.
+  const BlockType     before = this->GetState().GetBlock(block);
+  std::vector<double> values;
+  std::vector<bool>   isFree;
+  for (const auto & parameter : before.parameters)
+  {
+    values.push_back(parameter.value);
+    isFree.push_back(parameter.isFree);
+  }
+  block = name;
+  this->Modified();
+  this->SetBlockValues(name, values);
+  this->SetBlockFree(name, isFree);
+}
+
+void
+SilhouettePoseMetricv4::SetPoseBlock(const std::string & name)
+{
+  this->RenameBlock(m_PoseBlock, name);
+}
+
+void
+SilhouettePoseMetricv4::SetScaleBlock(const std::string & name)
+{
+  this->RenameBlock(m_ScaleBlock, name);
+}
+
+void
 SilhouettePoseMetricv4::SetRobustKernel(const RobustKernel * kernel)
 {
   if (kernel == nullptr)
