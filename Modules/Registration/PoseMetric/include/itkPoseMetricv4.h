@@ -55,10 +55,12 @@ public:
   SetTransform(const TransformType * transform);
   itkGetConstObjectMacro(Transform, TransformType);
 
-  /** Names of the blocks: another body or view has others. */
-  itkSetStringMacro(PoseBlock);
+  /** Names of the blocks: another body or view has others. The values go along. */
+  void
+  SetPoseBlock(const std::string & name);
   itkGetStringMacro(PoseBlock);
-  itkSetStringMacro(ScaleBlock);
+  void
+  SetScaleBlock(const std::string & name);
   itkGetStringMacro(ScaleBlock);
 
   BlocksType
@@ -80,6 +82,9 @@ protected:
   ToPoseParameters(const PositionType & x);
 
 private:
+  void
+  RenameBlock(std::string & block, const std::string & name);
+
   TransformType::ConstPointer m_Transform;
   std::string                 m_PoseBlock{ "pose" };
   std::string                 m_ScaleBlock{ "scale" };

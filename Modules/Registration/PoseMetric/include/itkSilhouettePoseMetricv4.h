@@ -261,7 +261,9 @@ private:
   std::shared_ptr<const PoseSilhouetteKernel>     m_Kernel;
   ModifiedTimeType                                m_KernelTime{ 0 };
   mutable std::shared_ptr<const CorrelationsType> m_Correlations;
-  std::shared_ptr<const EvaluationType>           m_Held;
+  /** Of the noise model that they are of. */
+  mutable ModifiedTimeType              m_CorrelationsTime{ 0 };
+  std::shared_ptr<const EvaluationType> m_Held;
   /** Normals, u and v, one strand after the other, by which the noise is correlated. */
   mutable std::vector<std::array<std::vector<double>, 2>> m_Normals;
   /** Changes with kernel, noise model and normals. */

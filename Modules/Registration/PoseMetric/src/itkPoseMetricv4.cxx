@@ -20,6 +20,7 @@
 #include "itkPoseStateBlocks.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace itk
 {
@@ -38,6 +39,40 @@ PoseMetricv4::SetTransform(const TransformType * transform)
                          { parameters[0], parameters[1], parameters[2], parameters[3], parameters[4], parameters[5] });
     this->SetBlockValues(m_ScaleBlock, { parameters[6] });
   }
+}
+
+void
+PoseMetricv4::RenameBlock(std::string & block, const std::string & name)
+{
+  if (block == name)
+  {
+    return;
+  }
+  // The unknowns are the same: their values and what is free go along.
+  const BlockType     before = this->GetState().GetBlock(block);
+  std::vector<double> values;
+  std::vector<bool>   isFree;
+  for (const auto & parameter : before.parameters)
+  {
+    values.push_back(parameter.value);
+    isFree.push_back(parameter.isFree);
+  }
+  block = name;
+  this->Modified();
+  this->SetBlockValues(name, values);
+  this->SetBlockFree(name, isFree);
+}
+
+void
+PoseMetricv4::SetPoseBlock(const std::string & name)
+{
+  this->RenameBlock(m_PoseBlock, name);
+}
+
+void
+PoseMetricv4::SetScaleBlock(const std::string & name)
+{
+  this->RenameBlock(m_ScaleBlock, name);
 }
 
 PoseMetricv4::BlocksType

@@ -192,10 +192,13 @@ SilhouettePoseMetricv4::InitializeTerm()
 void
 SilhouettePoseMetricv4::UpdateCorrelations() const
 {
-  if (m_Correlations)
+  const ModifiedTimeType time = m_NoiseModel->GetMTime();
+  if (m_Correlations && m_CorrelationsTime == time)
   {
     return;
   }
+  m_CorrelationsTime = time;
+  m_SettingsTime.Modified();
   auto correlations = std::make_shared<CorrelationsType>();
   for (const auto & strand : this->GetKernel().GetStrands())
   {
@@ -651,7 +654,17 @@ SilhouettePoseMetricv4::InternalClone() const
   clone->m_Hold = m_Hold;
   clone->m_Kernel = m_Kernel;
   clone->m_Correlations = m_Correlations;
-  clone->m_Held = m_Held;
+  clone->m_CorrelationsTime = m_CorrelationsTime;
+  clone->m_Normals = m_Normals;
+  if (m_Held && m_Hold == HoldEnum::Matches)
+  {
+    // A copy: its weights and factors are made anew where a setting changes, perhaps in several threads.
+    clone->m_Held = std::make_shared<const EvaluationType>(*m_Held);
+  }
+  else
+  {
+    clone->m_Held = m_Held;
+  }
   clone->CopyPose(*this);
   // Prepared as the original is: what the setters above changed is the same.
   clone->m_KernelTime = std::max(clone->Object::GetMTime(), m_KernelTime);
