@@ -19,9 +19,8 @@
 #define itkLandmarkPoseMetricv4_h
 
 #include "PoseMetricExport.h"
-#include "itkCephalometricPoseTransform.h"
 #include "itkDentalLandmarkSet.h"
-#include "itkLeastSquaresMetricv4.h"
+#include "itkPoseMetricv4.h"
 
 #include "itkMatrix.h"
 
@@ -53,28 +52,22 @@ namespace itk
  *
  * \ingroup PoseMetric
  */
-class PoseMetric_EXPORT LandmarkPoseMetricv4 : public LeastSquaresMetricv4
+class PoseMetric_EXPORT LandmarkPoseMetricv4 : public PoseMetricv4
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(LandmarkPoseMetricv4);
 
   using Self = LandmarkPoseMetricv4;
-  using Superclass = LeastSquaresMetricv4;
+  using Superclass = PoseMetricv4;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(LandmarkPoseMetricv4, LeastSquaresMetricv4);
+  itkTypeMacro(LandmarkPoseMetricv4, PoseMetricv4);
 
-  using TransformType = CephalometricPoseTransform;
   using MovingLandmarksType = DentalLandmarkSet<3>;
   using FixedLandmarksType = DentalLandmarkSet<2>;
   using CovarianceType = Matrix<double, 2, 2>;
-
-  /** Geometry of the radiograph (fixed parameters) and where the pose begins. */
-  virtual void
-  SetTransform(const TransformType * transform);
-  itkGetConstObjectMacro(Transform, TransformType);
 
   /** Landmarks of the scan, dental frame, mm. Same as SetMovingObject(). */
   void
@@ -119,19 +112,11 @@ public:
   itkSetMacro(KernelWidthInSigmas, double);
   itkGetConstMacro(KernelWidthInSigmas, double);
 
-  /** Names of the blocks: another body or view has others. */
-  itkSetStringMacro(PoseBlock);
-  itkGetStringMacro(PoseBlock);
-  itkSetStringMacro(ScaleBlock);
-  itkGetStringMacro(ScaleBlock);
-
   /** Names of the landmarks that are matched, in the order of the residuals (u and v each); valid after Initialize().
    */
   std::vector<std::string>
   GetMatchedNames() const;
 
-  BlocksType
-  DeclareBlocks() const override;
   SizeValueType
   GetNumberOfResiduals() const override;
   void
@@ -180,13 +165,10 @@ private:
   const PairsType &
   GetPairs() const;
 
-  TransformType::ConstPointer           m_Transform;
   double                                m_Sigma{ 4.0 };
   std::map<std::string, CovarianceType> m_Covariances;
   RobustKernel::ConstPointer            m_RobustKernel;
   double                                m_KernelWidthInSigmas{ 4.0 };
-  std::string                           m_PoseBlock{ "pose" };
-  std::string                           m_ScaleBlock{ "scale" };
   /** Constant and shared by clones. */
   std::shared_ptr<const PairsType> m_Pairs;
   /** Weights that are held, one a pair, or empty. */

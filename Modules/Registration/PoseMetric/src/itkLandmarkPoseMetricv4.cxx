@@ -17,7 +17,6 @@
  *=========================================================================*/
 #include "itkLandmarkPoseMetricv4.h"
 
-#include "itkPoseStateBlocks.h"
 #include "itkSquaresKernel.h"
 
 #include <algorithm>
@@ -27,7 +26,7 @@ namespace itk
 {
 namespace
 {
-constexpr unsigned int NumberOfParameters = CephalometricPoseTransform::NumberOfParameters;
+constexpr unsigned int NumberOfParameters = PoseMetricv4::NumberOfPoseParameters;
 /** Width of the kernel that fits are judged with, px of 0.25 mm, as PoseSilhouetteKernel::FitWidth. */
 constexpr double FitWidth = 4.0;
 
@@ -60,23 +59,6 @@ LandmarkPoseMetricv4::LandmarkPoseMetricv4()
 {}
 
 void
-LandmarkPoseMetricv4::SetTransform(const TransformType * transform)
-{
-  if (m_Transform != transform)
-  {
-    m_Transform = transform;
-    this->Modified();
-  }
-  if (transform != nullptr)
-  {
-    const auto & parameters = transform->GetParameters();
-    this->SetBlockValues(m_PoseBlock,
-                         { parameters[0], parameters[1], parameters[2], parameters[3], parameters[4], parameters[5] });
-    this->SetBlockValues(m_ScaleBlock, { parameters[6] });
-  }
-}
-
-void
 LandmarkPoseMetricv4::SetCovariance(const std::string & name, const CovarianceType & covariance)
 {
   m_Covariances[name] = covariance;
@@ -100,21 +82,10 @@ LandmarkPoseMetricv4::SetRobustKernel(const RobustKernel * kernel)
   m_RobustKernel = kernel;
 }
 
-LandmarkPoseMetricv4::BlocksType
-LandmarkPoseMetricv4::DeclareBlocks() const
-{
-  return { PoseStateBlocks::MakePose(m_PoseBlock), PoseStateBlocks::MakeScale(m_ScaleBlock) };
-}
-
 void
 LandmarkPoseMetricv4::InitializeTerm()
 {
-  if (m_Transform.IsNull())
-  {
-    itkExceptionMacro("No transform: call SetTransform() with a CephalometricPoseTransform that has the geometry.");
-  }
-  // Says what to call where the geometry is not set.
-  m_Transform->GetPoseGeometry();
+  Superclass::InitializeTerm();
   const MovingLandmarksType * moving = this->GetMovingLandmarks();
   const FixedLandmarksType *  fixed = this->GetFixedLandmarks();
   if (moving == nullptr)
@@ -206,7 +177,7 @@ LandmarkPoseMetricv4::MakeTransformAt(const PositionType & x) const
 {
   TransformType::ParametersType parameters(NumberOfParameters);
   std::copy_n(x.begin(), NumberOfParameters, parameters.begin());
-  TransformType::Pointer transform = m_Transform->Clone();
+  TransformType::Pointer transform = this->GetTransform()->Clone();
   transform->SetParameters(parameters);
   return transform;
 }
@@ -309,7 +280,7 @@ LandmarkPoseMetricv4::AddSquaredMotion(const PositionType & from,
 {
   const auto           before = this->MakeTransformAt(from);
   const auto           after = this->MakeTransformAt(to);
-  const PoseGeometry & geometry = m_Transform->GetPoseGeometry();
+  const PoseGeometry & geometry = this->GetTransform()->GetPoseGeometry();
   for (const PairType & pair : this->GetPairs())
   {
     const auto   move = after->TransformPoint(pair.moving) - before->TransformPoint(pair.moving);
@@ -324,7 +295,7 @@ void
 LandmarkPoseMetricv4::AddFit(const PositionType & x, RegistrationFit & fit) const
 {
   const auto           transform = this->MakeTransformAt(x);
-  const PoseGeometry & geometry = m_Transform->GetPoseGeometry();
+  const PoseGeometry & geometry = this->GetTransform()->GetPoseGeometry();
   for (const PairType & pair : this->GetPairs())
   {
     const auto   difference = pair.fixed - transform->TransformPoint(pair.moving);
@@ -359,16 +330,13 @@ LandmarkPoseMetricv4::InternalClone() const
   auto clone = Self::New();
   clone->SetFixedObject(this->GetFixedObject());
   clone->SetMovingObject(this->GetMovingObject());
-  clone->m_Transform = m_Transform;
   clone->m_Sigma = m_Sigma;
   clone->m_Covariances = m_Covariances;
   clone->m_RobustKernel = m_RobustKernel;
   clone->m_KernelWidthInSigmas = m_KernelWidthInSigmas;
-  clone->m_PoseBlock = m_PoseBlock;
-  clone->m_ScaleBlock = m_ScaleBlock;
   clone->m_Pairs = m_Pairs;
   clone->m_HeldWeights = m_HeldWeights;
-  clone->CopyState(*this);
+  clone->CopyPose(*this);
   return clone.GetPointer();
 }
 
@@ -376,13 +344,10 @@ void
 LandmarkPoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  itkPrintSelfObjectMacro(Transform);
   os << indent << "Sigma: " << m_Sigma << std::endl;
   os << indent << "Covariances: " << m_Covariances.size() << std::endl;
   itkPrintSelfObjectMacro(RobustKernel);
   os << indent << "KernelWidthInSigmas: " << m_KernelWidthInSigmas << std::endl;
-  os << indent << "PoseBlock: " << m_PoseBlock << std::endl;
-  os << indent << "ScaleBlock: " << m_ScaleBlock << std::endl;
   os << indent << "Pairs: " << (m_Pairs ? m_Pairs->size() : 0) << std::endl;
   os << indent << "HeldWeights: " << m_HeldWeights.size() << std::endl;
 }

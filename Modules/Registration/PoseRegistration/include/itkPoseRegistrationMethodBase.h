@@ -29,6 +29,7 @@
 #include "itkObjectToObjectOptimizerBase.h"
 #include "itkProcessObject.h"
 #include "itkRegistrationIterationInformation.h"
+#include "itkScalePrior.h"
 #include "itkSimpleDataObjectDecorator.h"
 
 #include <array>
@@ -111,6 +112,13 @@ public:
   itkSetMacro(PrincipalPointKnown, bool);
   itkGetConstMacro(PrincipalPointKnown, bool);
   itkBooleanMacro(PrincipalPointKnown);
+
+  /** Where the pixel spacing comes from: its prior of the scale (ScalePrior) takes the place of the option kappaSigma.
+   * Without a call the option holds, whose default is that of a spacing that was given. */
+  void
+  SetSpacingSource(ScalePrior::SpacingSource source);
+  void
+  ClearSpacingSource();
 
   /** Where a jaw's registration begins instead of with a search: mesh frame to cephalostat frame, and the factor on the
    * magnification. Of jaws with one pose the upper's speaks first. */
@@ -263,6 +271,7 @@ private:
 
   PoseRegistrationOptions                   m_Options;
   bool                                      m_PrincipalPointKnown{ true };
+  std::optional<ScalePrior::SpacingSource>  m_SpacingSource;
   std::array<InitialType, NumberOfJaws>     m_Initial;
   OptimizerType::Pointer                    m_Optimizer;
   PoseStart::ConstPointer                   m_Start;

@@ -55,6 +55,8 @@ ComputePoseCovariance(const LeastSquaresSumMetricv4 & original,
     return covariance;
   }
   metric->Initialize();
+  // By the normals of where the covariance is of, wherever the metric was evaluated before.
+  metric->UpdateNoiseCorrelation(metric->GetState().GetValues());
   if (hasNoise)
   {
     metric->SetKernelWidth(

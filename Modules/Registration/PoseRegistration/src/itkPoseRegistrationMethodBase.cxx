@@ -156,6 +156,26 @@ PoseRegistrationMethodBase::SetTracedSide(PoseTracedSideEnum side)
 }
 
 void
+PoseRegistrationMethodBase::SetSpacingSource(ScalePrior::SpacingSource source)
+{
+  if (m_SpacingSource != source)
+  {
+    m_SpacingSource = source;
+    this->Modified();
+  }
+}
+
+void
+PoseRegistrationMethodBase::ClearSpacingSource()
+{
+  if (m_SpacingSource)
+  {
+    m_SpacingSource.reset();
+    this->Modified();
+  }
+}
+
+void
 PoseRegistrationMethodBase::SetInitialTransform(JawEnum jaw, const RigidTransformType * transform, double scaleFactor)
 {
   if (!(scaleFactor > 0.0))
@@ -425,6 +445,10 @@ PoseRegistrationMethodBase::GenerateData()
   problem.options = m_Options;
   problem.options.useJointPose = m_Options.useJointPose && m_JawsShareFrame;
   problem.options.numberOfThreads = this->GetNumberOfWorkUnits();
+  if (m_SpacingSource)
+  {
+    problem.options.kappaSigma = ScalePrior::GetSigma(*m_SpacingSource);
+  }
   for (const JawEnum jaw : Jaws)
   {
     if (!this->HasMesh(jaw) || this->GetContour(jaw) == nullptr)
@@ -499,6 +523,7 @@ PoseRegistrationMethodBase::GenerateData()
 
   PoseRegistrationOptions used = m_Options;
   used.useInitialPose = problem.options.useInitialPose;
+  used.kappaSigma = problem.options.kappaSigma;
   this->GetOutput()->SetResult(result, used);
   for (const JawEnum jaw : Jaws)
   {
@@ -537,6 +562,7 @@ PoseRegistrationMethodBase::PrintSelf(std::ostream & os, Indent indent) const
   }
   os << std::endl;
   os << indent << "PrincipalPointKnown: " << m_PrincipalPointKnown << std::endl;
+  os << indent << "SpacingSource: " << (m_SpacingSource ? static_cast<int>(*m_SpacingSource) : -1) << std::endl;
   itkPrintSelfObjectMacro(Optimizer);
   itkPrintSelfObjectMacro(Start);
   itkPrintSelfObjectMacro(RobustKernel);

@@ -90,7 +90,8 @@ LeastSquaresSumMetricv4::DeclareBlocks() const
   RegistrationState state;
   for (const TermType & term : m_Metrics)
   {
-    for (const BlockType & block : term.metric->DeclareBlocks())
+    // With the values that a term has: a block that it declares since it was added begins where the term says.
+    for (const BlockType & block : term.metric->GetState().GetBlocks())
     {
       state.AddBlock(block);
     }

@@ -33,6 +33,7 @@
 
 namespace
 {
+// What RegistrationCommon's tests of it cannot show: that this registration tells all of it.
 using namespace SyntheticContours;
 using CommandType = itk::RegistrationIterationCommand;
 using KindEnum = CommandType::KindEnum;
