@@ -19,10 +19,12 @@
 
 #include "itkFindSilhouettes.h"
 #include "itkPoseCovariance.h"
+#include "itkPoseStateBlocks.h"
 
 #include "itkCommand.h"
 #include "itkCorrelatedNoiseModel.h"
 #include "itkGemanMcClureKernel.h"
+#include "itkLBFGSBOptimizerv4.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkSquaresKernel.h"
 
@@ -57,6 +59,35 @@ WithPose(const LeastSquaresMetricv4 & metric, std::vector<double> x, const PoseP
   }
   x[metric.GetState().GetOffset("scale")] = pose[PoseKappa];
   return x;
+}
+
+/** What optimizers keep of a run before, whose parameters may have been fewer: scales, of which millimetres need none,
+ * and the bounds and the start of LBFGSB. Its bounds are a radian, a factor e and 64 mm away: its line search tries far
+ * places, and an outline that is magnified without a limit has samples without a limit. */
+void
+PrepareToRun(ObjectToObjectOptimizerBaseTemplate<double> & optimizer, const LeastSquaresMetricv4 & metric)
+{
+  const auto                                              count = metric.GetNumberOfParameters();
+  ObjectToObjectOptimizerBaseTemplate<double>::ScalesType scales(count);
+  scales.Fill(1.0);
+  optimizer.SetScales(scales);
+  if (auto * lbfgsb = dynamic_cast<LBFGSBOptimizerv4 *>(&optimizer))
+  {
+    const LeastSquaresMetricv4::ParametersType start = metric.GetParameters();
+    LBFGSBOptimizerv4::BoundSelectionType      selection(count);
+    selection.Fill(LBFGSBOptimizerv4::BOTHBOUNDED);
+    LBFGSBOptimizerv4::BoundValueType lower(count);
+    LBFGSBOptimizerv4::BoundValueType upper(count);
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      lower[i] = start[i] - PoseStateBlocks::Arm;
+      upper[i] = start[i] + PoseStateBlocks::Arm;
+    }
+    lbfgsb->SetBoundSelection(selection);
+    lbfgsb->SetLowerBound(lower);
+    lbfgsb->SetUpperBound(upper);
+    lbfgsb->SetInitialPosition(start);
+  }
 }
 
 ResidualNoiseModel::ConstPointer
@@ -259,7 +290,11 @@ PoseGroupRegistration::Refine(MetricType &         metric,
     if (own.IsNull())
     {
       // An optimizer that knows neither our damping nor our step length: it ends by its own rules, once a width.
+      PrepareToRun(*optimizer, metric);
       optimizer->StartOptimization();
+      // The metric stands where it was evaluated last.
+      OptimizerType::ParametersType best = optimizer->GetCurrentPosition();
+      metric.SetParameters(best);
       ++accepted;
       candidate.converged = accepted > schedule.widths.size();
       if (candidate.converged)
