@@ -24,7 +24,7 @@ def parameter(function: str, kind: str) -> str:
     kind = re.sub(r"\bdict\[", "typing.Mapping[", kind)
     if kind.split(".")[-1] in ENUMERATIONS:
         return f"{kind} | str"
-    takes_none = re.match(r"_Set|SetMetric$|_Case\.__init__", function)
+    takes_none = re.match(r"_Set|SetMetric$|_Case\.__init__|CephalometricPoseTransform\.__init__", function)
     return f"{kind} | None" if takes_none and kind in DATA else kind
 
 

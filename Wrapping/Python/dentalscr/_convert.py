@@ -19,7 +19,7 @@ def to_sitk(value: Any) -> Any:
     import SimpleITK
 
     if isinstance(value, _core.Transform):
-        name = value.GetName()
+        name = _name_elsewhere(value, "SimpleITK")
         transform = getattr(SimpleITK, name)()
         transform.SetFixedParameters(value.GetFixedParameters())
         transform.SetParameters(value.GetParameters())
@@ -47,7 +47,7 @@ def to_itk(value: Any) -> Any:
     import itk
 
     if isinstance(value, _core.Transform):
-        kind = getattr(itk, value.GetName())[itk.D]
+        kind = getattr(itk, _name_elsewhere(value, "itk"))[itk.D]
         transform = kind.New()
         fixed = transform.GetFixedParameters()
         parameters = transform.GetParameters()
@@ -179,3 +179,8 @@ def _origin_of_first(image: _core.Image) -> Tuple[float, float]:
     return image.TransformContinuousIndexToPhysicalPoint((float(index[0]), float(index[1])))
 
 
+def _name_elsewhere(transform: _core.Transform, package: str) -> str:
+    name = transform.GetName()
+    if name not in ("Similarity2DTransform", "VersorRigid3DTransform"):
+        raise TypeError(f"{name} has no counterpart in {package}; GetRigidTransform() has the rigid part of a pose")
+    return name

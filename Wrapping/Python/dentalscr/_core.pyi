@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CephalogramFileReader', 'CephalometricGeometry', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CrownRegionMeshFilter', 'DataObject', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExperimentStudy', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'OpenSilhouetteContourSource', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'Preset', 'ProcessObject', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SpacingSource', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseIteration', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'RobustKernelBase', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -641,6 +641,74 @@ class CephalometricGeometry(DataObject):
         ...
     def __setstate__(self, arg0: tuple[typing.Any, ...]) -> None:
         ...
+class CephalometricPoseTransform(Transform):
+    """
+    Maps a point of the dental frame (mm) to the radiograph (continuous pixel index) under the seven parameters of a pose.
+
+    Parameters are (pitch, roll, yaw, tx, ty, tz, kappa): rad, mm, and the logarithm of the factor on the magnification.
+    Fixed parameters are the distances from the source to the midsagittal plane and to the detector (mm), the signs of the
+    source's side and of the facing, the pixel spacing (mm) and the principal point (px); SetGeometry() fills them.
+
+    Parameters
+    ----------
+    geometry : CephalometricGeometry, optional
+        With a pixel spacing; its pose is not taken.
+    parameters : seven numbers, optional
+    """
+    def ComputeJacobianWithRespectToParameters(self, point: typing.Sequence[float]) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (2, 7): pixels a rad, a mm and a unit of kappa.
+        """
+    def ComputeJacobianWithRespectToPosition(self, point: typing.Sequence[float]) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (2, 3): pixels a mm.
+        """
+    def CopyToGeometry(self, geometry: CephalometricGeometry) -> None:
+        """
+        Gives a geometry all of this transform; ProjectPoint(p) is TransformPoint(p) then.
+        """
+    def GetRigidTransform(self) -> VersorRigid3DTransform:
+        """
+        Dental frame to cephalostat frame, mm.
+        """
+    def GetScaleFactor(self) -> float:
+        """
+        exp(kappa).
+        """
+    def SetFixedParameters(self, parameters: typing.Sequence[float]) -> None:
+        ...
+    def SetGeometry(self, geometry: CephalometricGeometry) -> None:
+        """
+        Copies it; its pose is not taken.
+        """
+    def SetIdentity(self) -> None:
+        """
+        All seven parameters 0; the geometry stays.
+        """
+    def SetParameters(self, parameters: typing.Sequence[float]) -> None:
+        ...
+    def SetParametersFromRotation(self, rotation: numpy.typing.ArrayLike, translation: typing.Sequence[float], kappa: float = 0.0) -> None:
+        """
+        c = rotation p + translation (mm), and kappa.
+        """
+    def TransformPoint(self, point: typing.Sequence[float]) -> tuple[float, float]:
+        ...
+    def TransformPoints(self, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[typing.Any]:
+        """
+        All rows of an (N, 3) array: (N, 2).
+        """
+    def __copy__(self) -> CephalometricPoseTransform:
+        ...
+    def __deepcopy__(self, memo: dict[str, typing.Any]) -> CephalometricPoseTransform:
+        ...
+    def __getstate__(self) -> tuple[typing.Any, ...]:
+        ...
+    def __init__(self, geometry: CephalometricGeometry | None = None, parameters: typing.Sequence[float] = []) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, arg0: tuple[typing.Any, ...]) -> None:
+        ...
 class ProcessObject:
     """
     What every filter has.
@@ -1207,9 +1275,17 @@ class UMidlineDentalAxisFilter(ProcessObject):
         """
     def GetRefineMidline(self) -> bool:
         ...
+    def GetRequireArches(self) -> bool:
+        ...
+    def GetTransformMeshes(self) -> bool:
+        ...
     def RefineMidlineOff(self) -> None:
         ...
     def RefineMidlineOn(self) -> None:
+        ...
+    def RequireArchesOff(self) -> None:
+        ...
+    def RequireArchesOn(self) -> None:
         ...
     def SetAxesLength(self, value: float) -> None:
         ...
@@ -1223,8 +1299,18 @@ class UMidlineDentalAxisFilter(ProcessObject):
         ...
     def SetRefineMidline(self, value: bool) -> None:
         ...
-    def _GetTransform(self, arg0: Jaw | str) -> VersorRigid3DTransform | None:
+    def SetRequireArches(self, value: bool) -> None:
         ...
+    def SetTransformMeshes(self, value: bool) -> None:
+        ...
+    def TransformMeshesOff(self) -> None:
+        ...
+    def TransformMeshesOn(self) -> None:
+        ...
+    def _GetTransform(self, jaw: Jaw | str) -> VersorRigid3DTransform | None:
+        """
+        Of both jaws together for Unknown.
+        """
     def _SetLowerMesh(self, mesh: Mesh | None) -> None:
         ...
     def _SetUpperMesh(self, mesh: Mesh | None) -> None:
@@ -2767,6 +2853,265 @@ class IntensityRegistrationMethod(ProcessObject):
         ...
     def __init__(self) -> None:
         ...
+class StateParameter:
+    """
+    One unknown of a registration.
+
+    Parameters
+    ----------
+    name : str
+    value : float, optional
+        Natural units: rad, mm, 1.
+    scale : float, optional
+        Units of the optimizer in one natural unit, positive: mm a rad for an angle.
+    maximumStep : float, optional
+        The longest step an optimizer should take, natural units; 0 is any.
+    isFree : bool, optional
+        Whether an optimizer may move it.
+    """
+    def __init__(self, name: str, value: float = 0.0, scale: float = 1.0, maximumStep: float = 0.0, isFree: bool = True) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def isFree(self) -> bool:
+        ...
+    @property
+    def maximumStep(self) -> float:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def scale(self) -> float:
+        ...
+    @property
+    def value(self) -> float:
+        ...
+class StateBlock:
+    """
+    Unknowns of a registration that belong together. Metrics that name the same block are about the same unknowns.
+    """
+    def __init__(self, name: str, parameters: typing.Sequence[StateParameter]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def parameters(self) -> list[StateParameter]:
+        ...
+class PoseStateBlocks:
+    """
+    The blocks that the metrics of a pose read.
+    """
+    Arm: typing.ClassVar[float] = 64.0
+    @staticmethod
+    def MakePose(name: str = 'pose') -> StateBlock:
+        """
+        pitch, roll, yaw (rad), tx, ty, tz (mm).
+        """
+    @staticmethod
+    def MakeScale(name: str = 'scale') -> StateBlock:
+        """
+        kappa, the logarithm of the factor on the geometry's magnification.
+        """
+class RobustKernelBase:
+    """
+    How much a residual counts by its size.
+    """
+    def GetCharge(self, weight: float) -> float:
+        """
+        For a weight, in units of the squared width.
+        """
+    def GetName(self) -> str:
+        ...
+    def GetWeight(self, squaredDistance: float, width: float) -> float:
+        """
+        Between 1 at distance 0 and 0 far away.
+        """
+class GemanMcClureKernel(RobustKernelBase):
+    """
+    Robust: far residuals hardly count.
+    """
+    def __init__(self) -> None:
+        ...
+class SquaresKernel(RobustKernelBase):
+    """
+    Least squares: all residuals count alike.
+    """
+    def __init__(self) -> None:
+        ...
+class ResidualNoiseModel:
+    """
+    How the errors of a tracing's points hang together.
+    """
+    def GetCorrelation(self, arcDistance: float) -> float:
+        """
+        px of 0.25 mm along the tracing.
+        """
+    def GetName(self) -> str:
+        ...
+class CorrelatedNoiseModel(ResidualNoiseModel):
+    """
+    The hand drifts smoothly along a tracing; length 0 is independent errors.
+    """
+    def GetCorrelationLength(self) -> float:
+        ...
+    def SetCorrelationLength(self, value: float) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class MetricHold:
+    """
+    What of a metric stays as it is while the parameters move.
+
+    Members:
+
+      Nothing
+
+      Contours
+
+      Matches
+    """
+    Contours: typing.ClassVar[MetricHold]
+    Matches: typing.ClassVar[MetricHold]
+    Nothing: typing.ClassVar[MetricHold]
+    __members__: typing.ClassVar[dict[str, MetricHold]]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    @typing.overload
+    def __init__(self, value: int) -> None:
+        ...
+    @typing.overload
+    def __init__(self, name: str) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: int) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def value(self) -> int:
+        ...
+class LeastSquaresMetricv4:
+    """
+    A figure of merit that is, or is majorised by, a sum of squares over named blocks of parameters.
+
+    Values of blocks are in natural units (rad, mm, 1). The parameters of SetParameters(), GetParameters() and
+    GetDerivative() are an optimizer's: the free ones alone, each multiplied by its scale.
+    """
+    def Clone(self) -> LeastSquaresMetricv4:
+        """
+        A metric of its own with the same inputs and state.
+        """
+    def EstimateNoise(self, minimumWeight: float = 0.0) -> float:
+        """
+        Estimates the levels of the noise at the current values and sets them; minus twice the log likelihood.
+        """
+    def GetBlockValues(self, block: str) -> numpy.typing.NDArray[typing.Any]:
+        ...
+    def GetBlocks(self) -> list[StateBlock]:
+        """
+        Blocks, values and what is free; a copy.
+        """
+    def GetDerivative(self) -> numpy.typing.NDArray[typing.Any]:
+        """
+        By the optimizer's parameters, with ITK's sign: minus the gradient.
+        """
+    def GetFreeIndices(self) -> list[int]:
+        """
+        Places of the free parameters among GetValues().
+        """
+    def GetName(self) -> str:
+        ...
+    def GetNoiseLevels(self) -> typing.Any:
+        """
+        (smooth, white), or None where no term has such noise.
+        """
+    def GetNumberOfParameters(self) -> int:
+        """
+        The free ones.
+        """
+    def GetNumberOfResiduals(self) -> int:
+        ...
+    def GetParameters(self) -> numpy.typing.NDArray[typing.Any]:
+        ...
+    def GetResiduals(self) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (N,): divided by their standard deviations.
+        """
+    def GetResidualsAndJacobian(self) -> tuple[typing.Any, ...]:
+        """
+        (N,) and (N, M): by the optimizer's parameters, plus sign.
+        """
+    def GetValue(self) -> float:
+        ...
+    def GetValueAndDerivative(self) -> tuple[typing.Any, ...]:
+        ...
+    def GetValues(self) -> numpy.typing.NDArray[typing.Any]:
+        """
+        Of all blocks, one behind the other.
+        """
+    def Hold(self, what: MetricHold | str) -> None:
+        ...
+    def Initialize(self) -> None:
+        """
+        Checks the inputs and prepares the evaluation; values stay.
+        """
+    def Modified(self) -> None:
+        """
+        Says that what the metric computes has changed.
+        """
+    @typing.overload
+    def SetBlockFree(self, block: str, isFree: typing.Sequence[bool]) -> None:
+        ...
+    @typing.overload
+    def SetBlockFree(self, block: str, isFree: bool) -> None:
+        """
+        Whether an optimizer may move the block's parameters, all alike or one by one.
+        """
+    def SetBlockValues(self, block: str, values: typing.Sequence[float]) -> None:
+        ...
+    def SetKernelWidth(self, width: float) -> None:
+        """
+        Of the robust kernel, px of 0.25 mm.
+        """
+    def SetNoiseLevels(self, smooth: float, white: float) -> None:
+        """
+        Standard deviations of the drift along a tracing and of each point, px of 0.25 mm.
+        """
+    def SetNoiseModel(self, model: ResidualNoiseModel) -> None:
+        ...
+    def SetParameters(self, parameters: typing.Sequence[float]) -> None:
+        ...
+    def SetRobustKernel(self, kernel: RobustKernelBase) -> None:
+        ...
+    def SetValues(self, values: typing.Sequence[float]) -> None:
+        ...
+    def UpdateNoiseCorrelation(self) -> None:
+        """
+        Takes the correlation of the noise from the current values, where it is held from then on.
+
+        A metric that was not told takes it from the first place that is evaluated: call this between runs of an optimizer.
+        """
+    def __str__(self) -> str:
+        ...
 class TracedSide:
     """
     Which side's outline was traced.
@@ -2816,72 +3161,1164 @@ class TracedSide:
     @property
     def value(self) -> int:
         ...
+class _LeastSquaresMetric(LeastSquaresMetricv4):
+    def _Bind(self, object: typing.Any) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class LeastSquaresSumMetricv4(LeastSquaresMetricv4):
+    """
+    Sum of metrics over one state: silhouettes, priors, terms of your own.
+
+    Terms that name the same block are about the same unknowns. A term's own values and what is free there are the sum's
+    from the moment it is added.
+    """
+    def AddMetric(self, metric: LeastSquaresMetricv4) -> None:
+        ...
+    def GetMetric(self, index: int) -> LeastSquaresMetricv4:
+        ...
+    def GetNumberOfMetrics(self) -> int:
+        ...
+    def RemoveMetric(self, metric: LeastSquaresMetricv4) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class ParameterPrior:
+    """
+    What is known of a parameter beforehand: Gaussian, or Student's t where degreesOfFreedom > 2.
+    """
+    def __init__(self, mean: float = 0.0, sigma: float = 1.0, degreesOfFreedom: float = 0.0) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def degreesOfFreedom(self) -> float:
+        ...
+    @property
+    def mean(self) -> float:
+        ...
+    @property
+    def sigma(self) -> float:
+        """
+        Infinity: nothing is known.
+        """
+class ParameterPriorMetricv4(LeastSquaresMetricv4):
+    """
+    What is known of a block's parameters beforehand, as a term.
+    """
+    def GetBlock(self) -> StateBlock:
+        ...
+    def GetPriors(self) -> list[ParameterPrior]:
+        ...
+    def GetUseVariancePrecision(self) -> bool:
+        ...
+    def SetBlock(self, block: StateBlock) -> None:
+        ...
+    def SetPriors(self, priors: typing.Sequence[ParameterPrior]) -> None:
+        """
+        One a parameter of the block.
+        """
+    def SetUseVariancePrecision(self, value: bool) -> None:
+        ...
+    def UseVariancePrecisionOff(self) -> None:
+        ...
+    def UseVariancePrecisionOn(self) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class SilhouettePoseMetricv4(LeastSquaresMetricv4):
+    """
+    A scan's silhouette against a tracing of it: the term of a jaw in a registration of its pose.
+
+    Reads the blocks "pose" and "scale", or as named. The mesh is in its dental frame, as UMidlineDentalAxis() returns it.
+    """
+    def GetExcludedTeeth(self) -> list[int]:
+        ...
+    def GetFailure(self) -> str:
+        """
+        Why the tracing can't be matched; empty where it can.
+        """
+    def GetFit(self) -> list[typing.Any]:
+        """
+        How well each strand of the tracing is explained, px of 0.25 mm.
+        """
+    def GetJaw(self) -> Jaw:
+        ...
+    def GetKernelWidth(self) -> float:
+        ...
+    def GetMaximumTracingPoints(self) -> int:
+        ...
+    def GetMidlineMargin(self) -> float:
+        ...
+    def GetOrientationWeight(self) -> float:
+        ...
+    def GetPoseBlock(self) -> str:
+        ...
+    def GetScaleBlock(self) -> str:
+        ...
+    def GetTracedSide(self) -> TracedSide:
+        ...
+    def GetTransform(self) -> CephalometricPoseTransform:
+        ...
+    def GetUseFacingFilter(self) -> bool:
+        ...
+    def GetUseOrientation(self) -> bool:
+        ...
+    def GetUseSideSelection(self) -> bool:
+        ...
+    def SetExcludedTeeth(self, teeth: typing.Sequence[int]) -> None:
+        """
+        FDI numbers.
+        """
+    def SetJaw(self, jaw: Jaw | str) -> None:
+        ...
+    def SetMaximumTracingPoints(self, value: int) -> None:
+        ...
+    def SetMidlineMargin(self, value: float) -> None:
+        ...
+    def SetOrientationWeight(self, value: float) -> None:
+        ...
+    def SetPoseBlock(self, name: str) -> None:
+        ...
+    def SetScaleBlock(self, name: str) -> None:
+        ...
+    def SetTracedSide(self, side: TracedSide | str) -> None:
+        ...
+    def SetTransform(self, transform: CephalometricPoseTransform) -> None:
+        """
+        Its geometry is the radiograph's; its parameters are where pose and scale begin.
+        """
+    def SetUseFacingFilter(self, value: bool) -> None:
+        ...
+    def SetUseOrientation(self, value: bool) -> None:
+        ...
+    def SetUseSideSelection(self, value: bool) -> None:
+        ...
+    def UseFacingFilterOff(self) -> None:
+        ...
+    def UseFacingFilterOn(self) -> None:
+        ...
+    def UseOrientationOff(self) -> None:
+        ...
+    def UseOrientationOn(self) -> None:
+        ...
+    def UseSideSelectionOff(self) -> None:
+        ...
+    def UseSideSelectionOn(self) -> None:
+        ...
+    def _SetFixedContour(self, contour: Contour | None) -> None:
+        ...
+    def _SetMovingMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class StopCondition:
+    """
+    Why a run of LevenbergMarquardtOptimizerv4 ended.
+
+    Members:
+
+      NotStarted
+
+      Running
+
+      StepTolerance
+
+      ValueTolerance
+
+      MaximumNumberOfIterations
+
+      MaximumNumberOfEvaluations
+
+      StoppedByObserver
+
+      NotFinite
+
+      Exception
+    """
+    Exception: typing.ClassVar[StopCondition]
+    MaximumNumberOfEvaluations: typing.ClassVar[StopCondition]
+    MaximumNumberOfIterations: typing.ClassVar[StopCondition]
+    NotFinite: typing.ClassVar[StopCondition]
+    NotStarted: typing.ClassVar[StopCondition]
+    Running: typing.ClassVar[StopCondition]
+    StepTolerance: typing.ClassVar[StopCondition]
+    StoppedByObserver: typing.ClassVar[StopCondition]
+    ValueTolerance: typing.ClassVar[StopCondition]
+    __members__: typing.ClassVar[dict[str, StopCondition]]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    @typing.overload
+    def __init__(self, value: int) -> None:
+        ...
+    @typing.overload
+    def __init__(self, name: str) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: int) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def value(self) -> int:
+        ...
+class ObjectToObjectOptimizerBase:
+    """
+    An optimizer of ITK's v4 framework.
+    """
+    def GetName(self) -> str:
+        ...
+    def GetStopConditionDescription(self) -> str:
+        ...
+    def __str__(self) -> str:
+        ...
+class LevenbergMarquardtOptimizerv4(ObjectToObjectOptimizerBase):
+    """
+    Levenberg-Marquardt for metrics that are, or are majorised by, sums of squares.
+    """
+    def GetCurrentIteration(self) -> int:
+        ...
+    def GetCurrentMetricValue(self) -> float:
+        """
+        There.
+        """
+    def GetCurrentPosition(self) -> numpy.typing.NDArray[typing.Any]:
+        """
+        The optimizer's parameters: the best so far in commands, the metric's outside of them.
+        """
+    def GetDamping(self) -> float:
+        ...
+    def GetInitialDamping(self) -> float:
+        ...
+    def GetMaximumNumberOfEvaluations(self) -> int:
+        ...
+    def GetNumberOfEvaluations(self) -> int:
+        ...
+    def GetNumberOfIterations(self) -> int:
+        ...
+    def GetStepAccepted(self) -> bool:
+        ...
+    def GetStepLength(self) -> float:
+        """
+        In the metric's own unit.
+        """
+    def GetStepTolerance(self) -> float:
+        ...
+    def GetStopCondition(self) -> StopCondition:
+        ...
+    def GetTrialValue(self) -> float:
+        """
+        Where the last step was tried.
+        """
+    def GetValueTolerance(self) -> float:
+        ...
+    def HasConverged(self) -> bool:
+        ...
+    def SetInitialDamping(self, value: float) -> None:
+        ...
+    def SetMaximumNumberOfEvaluations(self, value: int) -> None:
+        ...
+    def SetMetric(self, metric: LeastSquaresMetricv4) -> None:
+        ...
+    def SetNumberOfIterations(self, value: int) -> None:
+        """
+        Most steps that are accepted.
+        """
+    def SetStepTolerance(self, value: float) -> None:
+        ...
+    def SetValueTolerance(self, value: float) -> None:
+        ...
+    def StartOptimization(self) -> None:
+        """
+        Runs from the metric's position and leaves the metric at the best one found.
+        """
+    def StopOptimization(self) -> None:
+        """
+        In a command: the run ends before the next evaluation.
+        """
+    def _AddCommand(self, event: int, key: int) -> int:
+        ...
+    def _RemoveCommand(self, tag: int) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
 class PoseRegistrationOptions:
     """
-    Every ingredient of the robust method; lengths in px of 0.25 mm, angles in rad.
+    Every ingredient of the robust method; px are units of 0.25 mm in the detector plane, angles are in rad.
     """
-    checkHypotheses: bool
-    codeWeight: float
-    correlationLength: float
-    covarianceCorrelationLength: float
-    covarianceInflation: float
-    estimateNoise: bool
-    fixRotation: bool
-    fixScale: bool
-    fixTranslation: bool
-    heldPitchSigma: float
-    heldTranslationSigma: float
-    initialSmoothSigma: float
-    initialWhiteSigma: float
-    kappaSigma: float
-    kappaSigmaWithoutSpacing: float
-    maximumEvaluations: int
-    maximumTracingPoints: int
-    midlineMargin: float
-    orientationWeight: float
-    poorScore: float
-    regenerateOutline: bool
-    rollSigma: float
-    startsPerYaw: int
-    tracedSide: TracedSide
-    tySigma: float
-    unobservedRotationSigma: float
-    useCorrelatedNoise: bool
-    useFacingFilter: bool
-    useFullPose: bool
-    useJointPose: bool
-    useOrientation: bool
-    useRobustKernel: bool
-    useSideSelection: bool
-    yawSigma: float
-    yawStarts: list[float]
+    @staticmethod
+    def GetEntries() -> list[tuple[str, str]]:
+        """
+        (name, description) of what SetOption() and the command line's --option take.
+        """
+    def GetChanges(self) -> list[str]:
+        """
+        What differs from the defaults, as assignments.
+        """
+    def GetOption(self, name: str) -> str:
+        """
+        The value as the command line writes it.
+        """
+    def SetOption(self, assignment: str) -> None:
+        """
+        "NAME=VALUE" as on the command line; a value out of range is an error.
+        """
+    def __copy__(self) -> PoseRegistrationOptions:
+        ...
+    def __deepcopy__(self, memo: dict[str, typing.Any]) -> PoseRegistrationOptions:
+        ...
     def __init__(self) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def absorbedNoise(self) -> float:
+        """
+        noise that the nearest point absorbs, for the covariance; 0: none
+        """
+    @absorbedNoise.setter
+    def absorbedNoise(self, arg1: float) -> None:
+        ...
+    @property
+    def absorbedNoiseLimit(self) -> float:
+        """
+        the most that absorbedNoise multiplies levels by
+        """
+    @absorbedNoiseLimit.setter
+    def absorbedNoiseLimit(self, arg1: float) -> None:
+        ...
+    @property
+    def adaptiveKernelFactor(self) -> float:
+        """
+        kernel width in standard deviations of the noise
+        """
+    @adaptiveKernelFactor.setter
+    def adaptiveKernelFactor(self, arg1: float) -> None:
+        ...
+    @property
+    def checkHypotheses(self) -> bool:
+        """
+        try the other side, exchanged jaws, the other facing
+        """
+    @checkHypotheses.setter
+    def checkHypotheses(self, arg1: bool) -> None:
+        ...
+    @property
+    def coarseEvaluations(self) -> int:
+        """
+        evaluations of a candidate before the choice
+        """
+    @coarseEvaluations.setter
+    def coarseEvaluations(self, arg1: int) -> None:
+        ...
+    @property
+    def coarseKernelWidths(self) -> list[float]:
+        """
+        kernel widths of the candidates' refinement, px
+        """
+    @coarseKernelWidths.setter
+    def coarseKernelWidths(self, arg1: typing.Sequence[float]) -> None:
+        ...
+    @property
+    def coarseTolerance(self) -> float:
+        """
+        step below which a candidate ends, px
+        """
+    @coarseTolerance.setter
+    def coarseTolerance(self, arg1: float) -> None:
+        ...
+    @property
+    def codeWeight(self) -> float:
+        """
+        weight of the tooth codes' places; 0: off
+        """
+    @codeWeight.setter
+    def codeWeight(self, arg1: float) -> None:
+        ...
+    @property
+    def correlationLength(self) -> float:
+        """
+        its correlation length, px
+        """
+    @correlationLength.setter
+    def correlationLength(self, arg1: float) -> None:
+        ...
+    @property
+    def covarianceCorrelationLength(self) -> float:
+        """
+        correlation length for the covariance, px
+        """
+    @covarianceCorrelationLength.setter
+    def covarianceCorrelationLength(self, arg1: float) -> None:
+        ...
+    @property
+    def covarianceInflation(self) -> float:
+        """
+        factor on the standard deviations
+        """
+    @covarianceInflation.setter
+    def covarianceInflation(self, arg1: float) -> None:
+        ...
+    @property
+    def estimateNoise(self) -> bool:
+        """
+        estimate the two noise levels
+        """
+    @estimateNoise.setter
+    def estimateNoise(self, arg1: bool) -> None:
         ...
     @property
     def excludedTeeth(self) -> list[int]:
         """
-        FDI numbers; a copy.
+        FDI numbers of teeth to leave out; a copy.
         """
     @excludedTeeth.setter
     def excludedTeeth(self, arg1: typing.Sequence[int]) -> None:
+        ...
+    @property
+    def fineKernelWidth(self) -> float:
+        """
+        kernel width before the noise is known, px
+        """
+    @fineKernelWidth.setter
+    def fineKernelWidth(self, arg1: float) -> None:
+        ...
+    @property
+    def fineTolerance(self) -> float:
+        """
+        step below which the refinement ends, px
+        """
+    @fineTolerance.setter
+    def fineTolerance(self, arg1: float) -> None:
+        ...
+    @property
+    def fixRotation(self) -> bool:
+        """
+        Hold the rotation at its start.
+        """
+    @fixRotation.setter
+    def fixRotation(self, arg0: bool) -> None:
+        ...
+    @property
+    def fixScale(self) -> bool:
+        """
+        Hold the scale at its start.
+        """
+    @fixScale.setter
+    def fixScale(self, arg0: bool) -> None:
+        ...
+    @property
+    def fixTranslation(self) -> bool:
+        """
+        Hold the shift at its start.
+        """
+    @fixTranslation.setter
+    def fixTranslation(self, arg0: bool) -> None:
+        ...
+    @property
+    def heldPitchSigma(self) -> float:
+        """
+        of a held pitch, in the covariance, rad
+        """
+    @heldPitchSigma.setter
+    def heldPitchSigma(self, arg1: float) -> None:
+        ...
+    @property
+    def heldTranslationSigma(self) -> float:
+        """
+        of a held shift, in the covariance, mm
+        """
+    @heldTranslationSigma.setter
+    def heldTranslationSigma(self, arg1: float) -> None:
+        ...
+    @property
+    def initialPose(self) -> list[float]:
+        """
+        pitch, roll, yaw (rad), tx, ty, tz (mm), kappa of the dental frame; a copy.
+        """
+    @initialPose.setter
+    def initialPose(self, arg0: typing.Sequence[float]) -> None:
+        ...
+    @property
+    def initialSmoothSigma(self) -> float:
+        """
+        correlated noise at the start, px
+        """
+    @initialSmoothSigma.setter
+    def initialSmoothSigma(self, arg1: float) -> None:
+        ...
+    @property
+    def initialWhiteSigma(self) -> float:
+        """
+        independent noise at the start, px
+        """
+    @initialWhiteSigma.setter
+    def initialWhiteSigma(self, arg1: float) -> None:
+        ...
+    @property
+    def kappaSigma(self) -> float:
+        """
+        prior of the log scale; 0: fixed
+        """
+    @kappaSigma.setter
+    def kappaSigma(self, arg1: float) -> None:
+        ...
+    @property
+    def kappaSigmaWithoutSpacing(self) -> float:
+        """
+        the same where the pixel spacing is unknown
+        """
+    @kappaSigmaWithoutSpacing.setter
+    def kappaSigmaWithoutSpacing(self, arg1: float) -> None:
+        ...
+    @property
+    def maximumEvaluations(self) -> int:
+        """
+        evaluations of the refinement
+        """
+    @maximumEvaluations.setter
+    def maximumEvaluations(self, arg1: int) -> None:
+        ...
+    @property
+    def maximumPlaces(self) -> int:
+        """
+        places whose best candidate goes on
+        """
+    @maximumPlaces.setter
+    def maximumPlaces(self, arg1: int) -> None:
+        ...
+    @property
+    def maximumTracingPoints(self) -> int:
+        """
+        points a jaw above which a tracing is thinned
+        """
+    @maximumTracingPoints.setter
+    def maximumTracingPoints(self, arg1: int) -> None:
+        ...
+    @property
+    def midlineMargin(self) -> float:
+        """
+        how far beyond the midline plane the cut lies, mm
+        """
+    @midlineMargin.setter
+    def midlineMargin(self, arg1: float) -> None:
+        ...
+    @property
+    def modelSigma(self) -> float:
+        """
+        error of the outline itself, for the covariance, px
+        """
+    @modelSigma.setter
+    def modelSigma(self, arg1: float) -> None:
+        ...
+    @property
+    def orientationWeight(self) -> float:
+        """
+        weight of a unit normal, px
+        """
+    @orientationWeight.setter
+    def orientationWeight(self, arg1: float) -> None:
+        ...
+    @property
+    def placeDistance(self) -> float:
+        """
+        candidates further apart lie in different places, px
+        """
+    @placeDistance.setter
+    def placeDistance(self, arg1: float) -> None:
+        ...
+    @property
+    def poorScore(self) -> float:
+        """
+        score above which the latter two are tried
+        """
+    @poorScore.setter
+    def poorScore(self, arg1: float) -> None:
+        ...
+    @property
+    def regenerateOutline(self) -> bool:
+        """
+        make the outline anew as the pose moves
+        """
+    @regenerateOutline.setter
+    def regenerateOutline(self, arg1: bool) -> None:
+        ...
+    @property
+    def rollSigma(self) -> float:
+        """
+        prior, rad; 0: fixed
+        """
+    @rollSigma.setter
+    def rollSigma(self, arg1: float) -> None:
+        ...
+    @property
+    def rotationPriorFreedom(self) -> float:
+        """
+        degrees of freedom of roll's and yaw's t prior; up to 2: Gaussian
+        """
+    @rotationPriorFreedom.setter
+    def rotationPriorFreedom(self, arg1: float) -> None:
+        ...
+    @property
+    def scoreMargin(self) -> float:
+        """
+        candidates further behind the best do not go on
+        """
+    @scoreMargin.setter
+    def scoreMargin(self, arg1: float) -> None:
+        ...
+    @property
+    def secondWayDistance(self) -> float:
+        """
+        how far a second candidate of the best place must lie, px
+        """
+    @secondWayDistance.setter
+    def secondWayDistance(self, arg1: float) -> None:
+        ...
+    @property
+    def startDistance(self) -> float:
+        """
+        starts nearer than this are the same, px
+        """
+    @startDistance.setter
+    def startDistance(self, arg1: float) -> None:
+        ...
+    @property
+    def startEvaluations(self) -> int:
+        """
+        evaluations of a start
+        """
+    @startEvaluations.setter
+    def startEvaluations(self, arg1: int) -> None:
+        ...
+    @property
+    def startKernelWidths(self) -> list[float]:
+        """
+        kernel widths of the starts' refinement, px
+        """
+    @startKernelWidths.setter
+    def startKernelWidths(self, arg1: typing.Sequence[float]) -> None:
+        ...
+    @property
+    def startTolerance(self) -> float:
+        """
+        step below which a start ends, px
+        """
+    @startTolerance.setter
+    def startTolerance(self, arg1: float) -> None:
+        ...
+    @property
+    def startsPerYaw(self) -> int:
+        """
+        candidates kept a yaw
+        """
+    @startsPerYaw.setter
+    def startsPerYaw(self, arg1: int) -> None:
+        ...
+    @property
+    def tracedSide(self) -> TracedSide:
+        """
+        Which side's outline was traced.
+        """
+    @tracedSide.setter
+    def tracedSide(self, arg0: TracedSide | str) -> None:
+        ...
+    @property
+    def tySigma(self) -> float:
+        """
+        prior of the lateral shift, mm; 0: fixed
+        """
+    @tySigma.setter
+    def tySigma(self, arg1: float) -> None:
+        ...
+    @property
+    def unobservedRotationSigma(self) -> float:
+        """
+        of rotations that are not estimated, in the covariance, rad
+        """
+    @unobservedRotationSigma.setter
+    def unobservedRotationSigma(self, arg1: float) -> None:
+        ...
+    @property
+    def useCorrelatedNoise(self) -> bool:
+        """
+        noise correlated along the tracing
+        """
+    @useCorrelatedNoise.setter
+    def useCorrelatedNoise(self, arg1: bool) -> None:
+        ...
+    @property
+    def useFacingFilter(self) -> bool:
+        """
+        keep the occlusal and anterior part of the outline alone
+        """
+    @useFacingFilter.setter
+    def useFacingFilter(self, arg1: bool) -> None:
+        ...
+    @property
+    def useFullPose(self) -> bool:
+        """
+        six degrees of freedom and scale instead of a similarity
+        """
+    @useFullPose.setter
+    def useFullPose(self, arg1: bool) -> None:
+        ...
+    @property
+    def useInitialPose(self) -> bool:
+        """
+        Start from initialPose instead of a search.
+        """
+    @useInitialPose.setter
+    def useInitialPose(self, arg0: bool) -> None:
+        ...
+    @property
+    def useJointPose(self) -> bool:
+        """
+        one pose for jaws in occlusion
+        """
+    @useJointPose.setter
+    def useJointPose(self, arg1: bool) -> None:
+        ...
+    @property
+    def useOrientation(self) -> bool:
+        """
+        match normals beside positions
+        """
+    @useOrientation.setter
+    def useOrientation(self, arg1: bool) -> None:
+        ...
+    @property
+    def useRobustKernel(self) -> bool:
+        """
+        Geman-McClure instead of least squares
+        """
+    @useRobustKernel.setter
+    def useRobustKernel(self, arg1: bool) -> None:
+        ...
+    @property
+    def useSideSelection(self) -> bool:
+        """
+        cut the scan at the midline plane
+        """
+    @useSideSelection.setter
+    def useSideSelection(self, arg1: bool) -> None:
+        ...
+    @property
+    def yawSigma(self) -> float:
+        """
+        prior, rad; 0: fixed
+        """
+    @yawSigma.setter
+    def yawSigma(self, arg1: float) -> None:
+        ...
+    @property
+    def yawStarts(self) -> list[float]:
+        """
+        yaw of the global starts, rad
+        """
+    @yawStarts.setter
+    def yawStarts(self, arg1: typing.Sequence[float]) -> None:
+        ...
+class PoseStage:
+    """
+    What a pose registration is at.
+
+    Members:
+
+      Start
+
+      Candidates
+
+      Refinement
+
+      Uncertainty
+    """
+    Candidates: typing.ClassVar[PoseStage]
+    Refinement: typing.ClassVar[PoseStage]
+    Start: typing.ClassVar[PoseStage]
+    Uncertainty: typing.ClassVar[PoseStage]
+    __members__: typing.ClassVar[dict[str, PoseStage]]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    @typing.overload
+    def __init__(self, value: int) -> None:
+        ...
+    @typing.overload
+    def __init__(self, name: str) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: int) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def value(self) -> int:
+        ...
+class PoseIteration:
+    """
+    A tried step of one candidate: what a command of PoseRegistrationMethod asks GetCurrentIteration() for.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def accepted(self) -> bool:
+        """
+        Whether it lowered the value.
+        """
+    @property
+    def candidate(self) -> int:
+        """
+        Candidates are refined at the same time; their steps may alternate.
+        """
+    @property
+    def damping(self) -> float:
+        ...
+    @property
+    def evaluations(self) -> int:
+        """
+        Steps tried in this run of the optimizer.
+        """
+    @property
+    def group(self) -> int:
+        """
+        Jaws with a pose of their own are groups, one after the other.
+        """
+    @property
+    def hypothesis(self) -> bool:
+        """
+        Whether it is of another reading that is tried beside the result.
+        """
+    @property
+    def iteration(self) -> int:
+        """
+        Steps accepted in this run of the optimizer.
+        """
+    @property
+    def kernelWidth(self) -> float:
+        """
+        px of 0.25 mm.
+        """
+    @property
+    def level(self) -> int:
+        """
+        4 group + stage.
+        """
+    @property
+    def pose(self) -> list[float]:
+        """
+        Best so far: pitch, roll, yaw (rad), tx, ty, tz (mm), kappa of the dental frame.
+        """
+    @property
+    def position(self) -> numpy.typing.NDArray[typing.Any]:
+        ...
+    @property
+    def smoothNoise(self) -> float:
+        """
+        Standard deviation of the tracer's drift, px of 0.25 mm.
+        """
+    @property
+    def stage(self) -> PoseStage:
+        ...
+    @property
+    def stepLength(self) -> float:
+        """
+        Root mean square, px of 0.25 mm.
+        """
+    @property
+    def trialValue(self) -> float:
+        """
+        Where the step led.
+        """
+    @property
+    def value(self) -> float:
+        """
+        Of the criterion, at the best position.
+        """
+    @property
+    def whiteNoise(self) -> float:
+        """
+        Standard deviation of the points' own errors, px of 0.25 mm.
+        """
+class PoseCandidate:
+    """
+    One minimum of the criterion.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def codeTerm(self) -> float:
+        ...
+    @property
+    def cost(self) -> float:
+        ...
+    @property
+    def distance(self) -> float:
+        """
+        Of its contour from the best candidate's, px of 0.25 mm.
+        """
+    @property
+    def parameters(self) -> list[float]:
+        """
+        pitch, roll, yaw (rad), tx, ty, tz (mm), kappa.
+        """
+    @property
+    def score(self) -> float:
+        """
+        What candidates are ranked by: cost and code term.
+        """
+class PoseSolution(DataObject):
+    """
+    What a pose registration found: poses, covariance, candidates, fit, and why a jaw was not registered.
+
+    Points of a jaw are in the frame of its mesh, mm; pixels are continuous indices of the radiograph. A question about a
+    jaw that had no input or was not registered is an error: ask IsRegistered() first.
+    """
+    def ComputeCovariance(self, jaw: Jaw | str, point: typing.Sequence[float]) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (2, 2) square pixels: of the projection of a point.
+        """
+    def GetCandidates(self, jaw: Jaw | str) -> list[PoseCandidate]:
+        """
+        The minima that were refined to the end, best first.
+        """
+    def GetFailure(self, jaw: Jaw | str) -> str:
+        """
+        Why the jaw was not registered; empty where it was.
+        """
+    def GetFit(self, jaw: Jaw | str) -> dict[str, typing.Any]:
+        """
+        How well the tracing is explained, px of 0.25 mm.
+        """
+    def GetFrame(self, jaw: Jaw | str) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (4, 4): mesh frame to the dental frame that the pose is of.
+        """
+    def GetGeometry(self, jaw: Jaw | str) -> CephalometricGeometry:
+        """
+        A geometry with the pose of the jaw's mesh; the scale of the fit is in its pixel spacing.
+        """
+    def GetJawsShareFrame(self) -> bool:
+        """
+        Whether one pose was fitted to both jaws.
+        """
+    def GetMargin(self, jaw: Jaw | str) -> float:
+        """
+        Score of the best candidate that lies elsewhere, minus the best's; 1 where there is none.
+        """
+    def GetMovingContour(self, jaw: Jaw | str) -> Contour:
+        """
+        What could be matched, at the solution, pixels; open.
+        """
+    def GetMovingContourPoints(self, jaw: Jaw | str) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (N, 3): the points of the mesh that GetMovingContour() shows.
+        """
+    def GetNoiseLevels(self, jaw: Jaw | str) -> tuple[float, float]:
+        """
+        Standard deviations (drift, each point's own), px of 0.25 mm.
+        """
+    def GetNumberOfEvaluations(self, jaw: Jaw | str) -> int:
+        ...
+    def GetOptions(self) -> PoseRegistrationOptions:
+        """
+        What was asked for; a copy.
+        """
+    def GetPose(self, jaw: Jaw | str) -> list[float]:
+        """
+        pitch, roll, yaw (rad), tx, ty, tz (mm), kappa of the dental frame.
+        """
+    def GetPoseCovariance(self, jaw: Jaw | str) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (7, 7): of GetPose().
+        """
+    def GetPoseTransform(self, jaw: Jaw | str) -> CephalometricPoseTransform:
+        """
+        Dental frame to the radiograph.
+        """
+    def GetPriorTension(self, jaw: Jaw | str) -> list[float]:
+        """
+        Of GetPose(), standard deviations of the priors; 0 where there is none.
+        """
+    def GetProjectionMatrix(self, jaw: Jaw | str) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (3, 4): mesh frame (mm) to homogeneous pixel index.
+        """
+    def GetScore(self, jaw: Jaw | str) -> float:
+        ...
+    def GetStatus(self, jaw: Jaw | str) -> str:
+        """
+        "ok", "suspect" or "failed" by the usual thresholds; RegistrationVerdict() has the reasons.
+        """
+    def GetStopConditionDescription(self, jaw: Jaw | str) -> str:
+        ...
+    def GetTransform(self, jaw: Jaw | str) -> VersorRigid3DTransform:
+        """
+        Mesh frame to cephalostat frame, mm.
+        """
+    def HasConverged(self, jaw: Jaw | str) -> bool:
+        ...
+    def HasJaw(self, jaw: Jaw | str) -> bool:
+        """
+        Whether the jaw had a mesh and a contour.
+        """
+    def IsRegistered(self, jaw: Jaw | str) -> bool:
+        ...
+    def ProjectPoint(self, jaw: Jaw | str, point: typing.Sequence[float]) -> tuple[float, float]:
+        ...
+    def ProjectPoints(self, jaw: Jaw | str, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[typing.Any]:
+        """
+        All rows of an (N, 3) array: (N, 2).
+        """
+    def __repr__(self) -> str:
+        ...
+    def __str__(self) -> str:
+        ...
+class PoseHypothesis:
+    """
+    Another reading of the same input, tried beside the result to name a likely mistake.
+    """
+    def GetCode(self) -> str:
+        """
+        Short and stable, as the verdict's codes.
+        """
+    def GetName(self) -> str:
+        ...
+class OtherSideHypothesis(PoseHypothesis):
+    """
+    The other side's outline was traced: its likelihood is compared.
+    """
+    def __init__(self) -> None:
+        ...
+class OtherFacingHypothesis(PoseHypothesis):
+    """
+    The patient faces the other way.
+    """
+    def __init__(self) -> None:
+        ...
+class ExchangedJawsHypothesis(PoseHypothesis):
+    """
+    Upper and lower scan were exchanged.
+    """
+    def __init__(self) -> None:
+        ...
+class PoseStart:
+    """
+    Finds poses where a registration may begin.
+    """
+class PoseStartSearch(PoseStart):
+    """
+    Exhaustive search over in-plane rotation, shift and scale of the tracing against one contour.
+    """
+    def GetHorizontalRange(self) -> float:
+        ...
+    def GetKappas(self) -> list[float]:
+        ...
+    def GetRotationRange(self) -> float:
+        ...
+    def GetRotationStep(self) -> float:
+        ...
+    def GetShiftStep(self) -> float:
+        ...
+    def GetVerticalRange(self) -> float:
+        ...
+    def SetHorizontalRange(self, value: float) -> None:
+        ...
+    def SetKappas(self, kappas: typing.Sequence[float]) -> None:
+        """
+        Logarithms of the scale factors that are tried where the scale is searched.
+        """
+    def SetRotationRange(self, value: float) -> None:
+        ...
+    def SetRotationStep(self, value: float) -> None:
+        ...
+    def SetShiftStep(self, value: float) -> None:
+        ...
+    def SetVerticalRange(self, value: float) -> None:
+        ...
+    def __init__(self) -> None:
         ...
 class PoseRegistrationMethod(ProcessObject):
     """
     The robust registration.
     """
-    def ComputeLandmarkCovariance(self, jaw: Jaw | str, point: typing.Sequence[float]) -> numpy.typing.NDArray[typing.Any]:
+    def AddHypothesis(self, hypothesis: PoseHypothesis) -> None:
+        ...
+    def AddMetric(self, metric: LeastSquaresMetricv4) -> None:
         """
-        (2, 2) square pixels: of the projection of a point of the jaw's mesh.
+        A further term of the sum that is minimized: a LeastSquaresMetric of your own, a prior, another sum.
+
+        It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. The
+        registration works on clones of it.
         """
-    def EstimateFrames(self) -> None:
+    def ClearHypotheses(self) -> None:
+        ...
+    def ClearInitialTransforms(self) -> None:
         """
-        Back from given frames to estimated ones, the default.
+        Back to a search.
+        """
+    def ClearMetrics(self) -> None:
+        ...
+    def GetCurrentIteration(self) -> PoseIteration:
+        """
+        The step that the last IterationEvent was about; a copy.
         """
     def GetCurrentLevel(self) -> int:
         """
-        0 start, 1 candidates, 2 refinement, 3 uncertainty.
+        4 group + stage: 0 starts, 1 candidates, 2 refinement, 3 uncertainty.
         """
     def GetJawsShareFrame(self) -> bool:
+        """
+        Whether one frame was used for both jaws.
+        """
+    def GetMetric(self) -> LeastSquaresMetricv4:
+        """
+        The sum of the group that runs, at the position of the last IterationEvent; None before the first group.
+        """
+    def GetMetricValue(self) -> float:
+        ...
+    def GetMetrics(self) -> list[LeastSquaresMetricv4]:
+        """
+        What was added.
+        """
+    def GetNumberOfLevels(self) -> int:
+        ...
+    def GetOptimizer(self) -> ObjectToObjectOptimizerBase:
+        ...
+    def GetOptimizerIteration(self) -> int:
+        ...
+    def GetOptimizerPosition(self) -> tuple[typing.Any, ...]:
+        """
+        pitch, roll, yaw (rad), tx, ty, tz (mm), kappa.
+        """
+    def GetOptimizerStopConditionDescription(self) -> str:
         ...
     def GetOptions(self) -> PoseRegistrationOptions:
         """
@@ -2895,25 +4332,158 @@ class PoseRegistrationMethod(ProcessObject):
         ...
     def PrincipalPointKnownOn(self) -> None:
         ...
+    def SetOptimizer(self, optimizer: ObjectToObjectOptimizerBase) -> None:
+        """
+        A LevenbergMarquardtOptimizerv4, of which candidates take clones, also in other threads.
+
+        Its own tolerances and numbers of iterations are set by the options; its events are sent in the thread that runs
+        Execute(), and StopOptimization() in a command of it ends the registration.
+        """
     def SetOptions(self, options: PoseRegistrationOptions) -> None:
         ...
     def SetPrincipalPointKnown(self, value: bool) -> None:
         ...
+    def SetStart(self, start: PoseStart) -> None:
+        ...
     def SetTracedSide(self, side: TracedSide | str) -> None:
         ...
-    def _GetJaw(self, jaw: Jaw | str) -> dict[str, typing.Any]:
-        ...
-    def _SetFrames(self, upper: VersorRigid3DTransform | None, lower: VersorRigid3DTransform | None, jawsShareFrame: bool) -> None:
+    def _GetSolution(self) -> PoseSolution:
         ...
     def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
         ...
+    def _SetInitialTransform(self, jaw: Jaw | str, transform: VersorRigid3DTransform | None, scaleFactor: float) -> None:
+        ...
+    def _SetJointFrame(self, transform: VersorRigid3DTransform | None) -> None:
+        ...
     def _SetLowerContour(self, contour: Contour | None) -> None:
+        ...
+    def _SetLowerFrame(self, transform: VersorRigid3DTransform | None) -> None:
         ...
     def _SetLowerMesh(self, mesh: Mesh | None) -> None:
         ...
     def _SetUpperContour(self, contour: Contour | None) -> None:
         ...
+    def _SetUpperFrame(self, transform: VersorRigid3DTransform | None) -> None:
+        ...
     def _SetUpperMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class RegistrationVerdictThresholds:
+    """
+    What is suspect and what has failed; px of 0.25 mm and mm.
+    """
+    failedCost: float
+    failedInlierShare: float
+    failedPredictedSigma: float
+    hypothesisGain: float
+    maximumArchWidth: float
+    minimumArchWidth: float
+    suspectCodeOffset: float
+    suspectCost: float
+    suspectExtrapolatedSigma: float
+    suspectInlierShare: float
+    suspectMargin: float
+    suspectMedian: float
+    suspectOtherSideDeviance: float
+    suspectP90: float
+    suspectPitch: float
+    suspectPredictedSigma: float
+    suspectPriorTension: float
+    suspectRotationTension: float
+    suspectSmoothSigma: float
+    suspectWinding: float
+    def __init__(self) -> None:
+        ...
+class RegistrationVerdictFilter(ProcessObject):
+    """
+    Judges a pose registration.
+    """
+    def GetNotCheckable(self) -> list[str]:
+        """
+        What the data could not tell, as sentences.
+        """
+    def GetThresholds(self) -> RegistrationVerdictThresholds:
+        """
+        A copy.
+        """
+    def SetThresholds(self, thresholds: RegistrationVerdictThresholds) -> None:
+        ...
+    def _GetVerdict(self, jaw: Jaw | str) -> typing.Any:
+        ...
+    def _SetSolution(self, solution: PoseSolution) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class LandmarkProjectionFilter(ProcessObject):
+    """
+    Landmarks of the scans as a registration places them, with uncertainty.
+    """
+    def GetCovariance(self, name: str) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (2, 2) square pixels.
+        """
+    def GetMiddleCovariance(self, name: str) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (2, 2) square pixels: of the middle between a right landmark and its left one.
+        """
+    def GetMillimetresPerUnit(self) -> float:
+        ...
+    def GetSigma(self, name: str) -> float:
+        """
+        Standard deviation an axis, pixels.
+        """
+    def HasMiddleCovariance(self, name: str) -> bool:
+        ...
+    def SetMillimetresPerUnit(self, value: float) -> None:
+        ...
+    def _GetOutput(self) -> dict[str, typing.Any]:
+        ...
+    def _SetLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
+        ...
+    def _SetSolution(self, solution: PoseSolution) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class MatchedContourFilter(ProcessObject):
+    """
+    The part of a moving contour that has a tracing beside it.
+    """
+    def GetMaximumDistance(self) -> float:
+        ...
+    def GetMaximumGap(self) -> float:
+        ...
+    def SetMaximumDistance(self, value: float) -> None:
+        ...
+    def SetMaximumGap(self, value: float) -> None:
+        ...
+    def _SetFixedContour(self, contour: Contour | None) -> None:
+        ...
+    def _SetMovingContour(self, contour: Contour | None) -> None:
+        ...
+    def _TakeOutput(self) -> Contour:
+        ...
+    def __init__(self) -> None:
+        ...
+class ProjectionSimilarityFilter(ProcessObject):
+    """
+    The 2-D similarity that comes nearest to a registered pose.
+    """
+    def GetJaw(self) -> Jaw:
+        ...
+    def GetRMS(self) -> float:
+        """
+        What the similarity leaves, pixels.
+        """
+    def SetJaw(self, jaw: Jaw | str) -> None:
+        ...
+    def _GetTransform(self) -> Similarity2DTransform | None:
+        ...
+    def _SetFrame(self, transform: VersorRigid3DTransform | None) -> None:
+        ...
+    def _SetMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def _SetSolution(self, solution: PoseSolution) -> None:
         ...
     def __init__(self) -> None:
         ...

@@ -34,14 +34,16 @@ def as_rigid(value: Optional[TransformLike]) -> Optional[_core.VersorRigid3DTran
 
 
 class DentalAxes(NamedTuple):
-    """What :class:`UMidlineDentalAxisFilter` finds; None where a jaw was not given."""
+    """What :class:`UMidlineDentalAxisFilter` finds; None where a jaw was not given, or has no arch and needs none."""
 
-    #: Scans in their UMDA frames: x anterior, y to the patient's left, z superior, mm.
+    #: Scans in their UMDA frames: x anterior, y to the patient's left, z superior, mm. None with TransformMeshesOff.
     upper: Optional[_core.Mesh]
     lower: Optional[_core.Mesh]
     #: Maps points of the scan as it was given to its UMDA frame.
     upperTransform: Optional[_core.VersorRigid3DTransform]
     lowerTransform: Optional[_core.VersorRigid3DTransform]
+    #: The same for both jaws where they share a frame, in occlusion; None where they don't.
+    jointTransform: Optional[_core.VersorRigid3DTransform]
 
 
 class UMidlineDentalAxisFilter(ProcessObject, _core.UMidlineDentalAxisFilter):
@@ -58,13 +60,14 @@ class UMidlineDentalAxisFilter(ProcessObject, _core.UMidlineDentalAxisFilter):
         self._SetUpperMesh(None if upper is None else as_mesh(upper))
         self._SetLowerMesh(None if lower is None else as_mesh(lower))
         self._Update()
-        transforms = [self._GetTransform(jaw) for jaw in (_core.Jaw.Upper, _core.Jaw.Lower)]
+        transforms = [self._GetTransform(jaw) for jaw in (_core.Jaw.Upper, _core.Jaw.Lower, _core.Jaw.Unknown)]
         meshes = [self._TakeMesh(jaw) for jaw in (_core.Jaw.Upper, _core.Jaw.Lower)]
         return DentalAxes(
-            None if upper is None else meshes[0],
-            None if lower is None else meshes[1],
+            None if transforms[0] is None or not self.GetTransformMeshes() else meshes[0],
+            None if transforms[1] is None or not self.GetTransformMeshes() else meshes[1],
             transforms[0],
             transforms[1],
+            transforms[2],
         )
 
 

@@ -16,14 +16,10 @@ else:
 CommandLike = Union[Callable[[], object], Command]
 
 
-class ProcessObject(_Base):
-    """Commands: called in the thread that runs :meth:`Execute`, with the interpreter taken.
+class Observable:
+    """Commands: called in the thread that runs, with the interpreter taken."""
 
-    An exception in a command ends the run at the next point where it can be ended and comes out of ``Execute``
-    unchanged. Ctrl-C does the same with ``KeyboardInterrupt``.
-    """
-
-    def AddCommand(self, event: int, command: CommandLike) -> int:
+    def AddCommand(self: Any, event: int, command: CommandLike) -> int:
         """Calls the command at each such event.
 
         Parameters
@@ -46,7 +42,7 @@ class ProcessObject(_Base):
         commands[key] = (self._AddCommand(int(event), key), int(event), call)
         return key
 
-    def RemoveCommand(self, number: int) -> None:
+    def RemoveCommand(self: Any, number: int) -> None:
         """Removes a command by the number that :meth:`AddCommand` returned."""
         commands = self.__dict__.get("_commands", {})
         if number not in commands:
@@ -66,6 +62,14 @@ class ProcessObject(_Base):
         entry = self.__dict__.get("_commands", {}).get(key)
         if entry is not None:
             entry[2]()
+
+
+class ProcessObject(Observable, _Base):
+    """Commands: called in the thread that runs :meth:`Execute`, with the interpreter taken.
+
+    An exception in a command ends the run at the next point where it can be ended and comes out of ``Execute``
+    unchanged. Ctrl-C does the same with ``KeyboardInterrupt``.
+    """
 
 
 def apply_settings(process: Any, settings: dict[str, Any]) -> None:

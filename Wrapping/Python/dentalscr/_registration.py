@@ -1,25 +1,12 @@
-"""Registration of contours, and of scans by their pose."""
+"""Registration of contours."""
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, Optional, Tuple, Union, cast
-
-import numpy as np
+from typing import Any, Callable, Optional, Union, cast
 
 from . import _core
 from ._errors import ArgumentError
-from ._filters import as_rigid, as_similarity
-from ._inputs import (
-    Array,
-    ContourLike,
-    ImageLike,
-    MeshLike,
-    TransformLike,
-    as_contour,
-    as_geometry,
-    as_image,
-    as_mesh,
-)
+from ._filters import as_similarity
+from ._inputs import Array, ContourLike, ImageLike, TransformLike, as_contour, as_image
 from ._process import ProcessObject, apply_settings
 
 
@@ -209,119 +196,6 @@ def IntensityRegistration(
     process.SetMeasure(cast(_core.IntensityMeasure, measure))
     apply_settings(process, settings)
     return process.Execute(fixedImage, movingImage, fixed, moving)
-
-
-@dataclass(frozen=True)
-class PoseJaw:
-    """What :class:`PoseRegistrationMethod` finds for a jaw."""
-
-    #: "ok", "suspect" or "failed".
-    status: str
-    #: (code, text) each.
-    reasons: Tuple[Tuple[str, str], ...]
-    registered: bool
-    #: Scan to cephalostat frame, mm.
-    transform: Optional[_core.VersorRigid3DTransform]
-    #: Projects the scan's points into the radiograph.
-    geometry: Optional[_core.CephalometricGeometry]
-    #: (3, 4): scan (mm) to homogeneous pixel index.
-    P_pixel_from_mesh: Optional[Array]
-    #: (N, 2): the moving contour at the solution, pixels, and its points on the scan, (N, 3).
-    contour: Optional[Array] = field(repr=False)
-    contourPoints: Optional[Array] = field(repr=False)
-    #: How well the tracing is explained, px of 0.25 mm.
-    fit: Dict[str, float] = field(repr=False)
-
-
-@dataclass(frozen=True)
-class PoseResult:
-    """Both jaws; None where one was not given."""
-
-    upper: Optional[PoseJaw]
-    lower: Optional[PoseJaw]
-    #: Whether one pose was fitted to both.
-    jawsShareFrame: bool
-
-
-class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
-    """The robust registration: scans and tracing to pose, scale, uncertainty and verdict."""
-
-    def SetFrames(
-        self,
-        upper: TransformLike,
-        lower: Optional[TransformLike] = None,
-        jawsShareFrame: bool = False,
-    ) -> None:
-        """Dental frames of the scans (mesh to UMDA, midline refined) instead of estimated ones.
-
-        Give the same frame for both where the jaws are in occlusion.
-        """
-        first = as_rigid(upper)
-        second = first if lower is None else as_rigid(lower)
-        if first is None or second is None:
-            raise ArgumentError("a frame is a transform from mesh to UMDA")
-        self._SetFrames(first, second, jawsShareFrame)
-
-    def Execute(
-        self,
-        geometry: Any,
-        upper: Optional[MeshLike] = None,
-        upperContour: Optional[ContourLike] = None,
-        lower: Optional[MeshLike] = None,
-        lowerContour: Optional[ContourLike] = None,
-    ) -> PoseResult:
-        """Registers one jaw or both.
-
-        Parameters
-        ----------
-        geometry : CephalometricGeometry or dict
-            Nominal, without a pose; without a pixel spacing the scale is estimated.
-        upper, lower : mesh-like, optional
-            mm, any orientation.
-        upperContour, lowerContour : contour-like, optional
-            The tracing of each jaw, continuous pixel indices.
-        """
-        self._SetGeometry(as_geometry(geometry))
-        self._SetUpperMesh(None if upper is None else as_mesh(upper))
-        self._SetLowerMesh(None if lower is None else as_mesh(lower))
-        self._SetUpperContour(None if upperContour is None else as_contour(upperContour, "upper"))
-        self._SetLowerContour(None if lowerContour is None else as_contour(lowerContour, "lower"))
-        self._Update()
-        return PoseResult(
-            self._make(_core.Jaw.Upper), self._make(_core.Jaw.Lower), self.GetJawsShareFrame()
-        )
-
-    def _make(self, jaw: _core.Jaw) -> Optional[PoseJaw]:
-        values = self._GetJaw(jaw)
-        if not values:
-            return None
-        return PoseJaw(
-            status=values["status"],
-            reasons=tuple(values["reasons"]),
-            registered=values["registered"],
-            transform=values.get("transform"),
-            geometry=values.get("geometry"),
-            P_pixel_from_mesh=values.get("projection"),
-            contour=values.get("contour"),
-            contourPoints=values.get("contourPoints"),
-            fit=values.get("fit", {}),
-        )
-
-
-def PoseRegistration(
-    geometry: Any,
-    upper: Optional[MeshLike] = None,
-    upperContour: Optional[ContourLike] = None,
-    lower: Optional[MeshLike] = None,
-    lowerContour: Optional[ContourLike] = None,
-    tracedSide: Union[str, _core.TracedSide] = "Right",
-    **settings: Any,
-) -> PoseResult:
-    """The robust registration; see :class:`PoseRegistrationMethod`."""
-    process = PoseRegistrationMethod()
-    process.SetTracedSide(cast(_core.TracedSide, tracedSide))
-    apply_settings(process, settings)
-    return process.Execute(geometry, upper, upperContour, lower, lowerContour)
 
 
 MetricFunction = Callable[[Array, Array], Any]

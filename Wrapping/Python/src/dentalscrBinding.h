@@ -167,6 +167,11 @@ Run(itk::ProcessObject * process)
   Run(process, [process]() { process->Update(); });
 }
 
+/** Calls _InvokeCommand(key) of the owner, a Python object that it does not keep alive, at an event of an object; the
+ * events have SimpleITK's numbers. Returns the observer's tag. */
+unsigned long
+AddPythonCommand(itk::Object & object, const py::object & owner, int event, unsigned long key);
+
 /** An array that owns its values. */
 template <typename T>
 py::array_t<T>
@@ -262,6 +267,10 @@ void
 WrapFilters(py::module_ & module);
 void
 WrapRegistration(py::module_ & module);
+void
+WrapPoseTransform(py::module_ & module);
+void
+WrapPoseMetrics(py::module_ & module);
 void
 WrapPoseRegistration(py::module_ & module);
 void

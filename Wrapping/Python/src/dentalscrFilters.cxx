@@ -101,22 +101,28 @@ WrapAxis(py::module_ & module)
     .dentalscrBoolean(AxisType, RefineMidline)
     .dentalscrBoolean(AxisType, EmbedAxes)
     .dentalscrProperty(AxisType, AxesLength)
+    .dentalscrBoolean(AxisType, TransformMeshes)
+    .dentalscrBoolean(AxisType, RequireArches)
     .def("_TakeMesh",
          [](AxisType & self, JawEnum jaw) {
            return Detach(jaw == JawEnum::Lower ? self.GetLowerOutput() : self.GetUpperOutput());
          })
-    .def("_GetTransform",
-         [](AxisType & self, JawEnum jaw) -> RigidType::Pointer {
-           auto * output = jaw == JawEnum::Lower ? self.GetLowerTransformOutput() : self.GetUpperTransformOutput();
-           if (output->Get() == nullptr)
-           {
-             return nullptr;
-           }
-           auto copy = RigidType::New();
-           copy->SetFixedParameters(output->Get()->GetFixedParameters());
-           copy->SetParameters(output->Get()->GetParameters());
-           return copy;
-         })
+    .def(
+      "_GetTransform",
+      [](AxisType & self, JawEnum jaw) -> RigidType::Pointer {
+        // Itself, as a copy by its parameters may differ in the last bit; the next run makes another.
+        switch (jaw)
+        {
+          case JawEnum::Upper:
+            return self.GetUpperTransformOutput()->GetModifiable();
+          case JawEnum::Lower:
+            return self.GetLowerTransformOutput()->GetModifiable();
+          default:
+            return self.GetJointTransformOutput()->GetModifiable();
+        }
+      },
+      py::arg("jaw"),
+      "Of both jaws together for Unknown.")
     .def(
       "GetBaselineRight",
       [](const AxisType & self, JawEnum jaw) { return self.GetBaselineRight(ToAxisJaw(jaw)); },

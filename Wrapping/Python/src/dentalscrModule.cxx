@@ -74,10 +74,12 @@ PYBIND11_MODULE(_core, module)
   WrapData(module);
   WrapTransforms(module);
   WrapGeometry(module);
+  WrapPoseTransform(module);
   WrapProcessObject(module);
   WrapInputOutput(module);
   WrapFilters(module);
   WrapRegistration(module);
+  WrapPoseMetrics(module);
   WrapPoseRegistration(module);
   WrapEvaluation(module);
   WrapPhantom(module);

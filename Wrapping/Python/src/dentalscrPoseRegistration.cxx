@@ -15,9 +15,22 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "dentalscrBinding.h"
+#include "dentalscrPoseRegistration.h"
 
+#include "itkExchangedJawsHypothesis.h"
+#include "itkLandmarkProjectionFilter.h"
+#include "itkMatchedContourFilter.h"
+#include "itkOtherFacingHypothesis.h"
+#include "itkOtherSideHypothesis.h"
 #include "itkPoseRegistrationMethod.h"
+#include "itkPoseRegistrationOptionTable.h"
+#include "itkPoseStartSearch.h"
+#include "itkProjectionSimilarityFilter.h"
+#include "itkRegistrationVerdictFilter.h"
+
+#include "dentalscrLandmarks.h"
+
+#include <sstream>
 
 namespace dentalscr
 {
@@ -25,20 +38,23 @@ namespace
 {
 using MethodType = itk::PoseRegistrationMethod<MeshType>;
 using OptionsType = itk::PoseRegistrationOptions;
+using SolutionType = itk::PoseSolution;
+using IterationType = itk::PoseRegistrationIteration;
 using RigidType = itk::VersorRigid3DTransform<double>;
+using FrameType = itk::DataObjectDecorator<RigidType>;
 using itk::RegistrationVerdict;
 using StatusEnum = RegistrationVerdict::StatusEnum;
-using SideEnum = itk::PoseTracedSideEnum;
+using StageEnum = itk::PoseStageEnum;
 using JawEnum = itk::ToothCode::JawEnum;
 
-unsigned int
-ToNumber(JawEnum jaw)
+JawEnum
+Checked(JawEnum jaw)
 {
   if (jaw == JawEnum::Unknown)
   {
     throw std::invalid_argument("a jaw is Upper or Lower here");
   }
-  return jaw == JawEnum::Upper ? 0 : 1;
+  return jaw;
 }
 
 const char *
@@ -47,137 +63,430 @@ ToText(StatusEnum status)
   return status == StatusEnum::Ok ? "ok" : status == StatusEnum::Suspect ? "suspect" : "failed";
 }
 
-py::dict
-ToDict(const itk::PoseFitStatistics & fit)
+template <unsigned int VRows, unsigned int VColumns>
+py::array_t<double>
+ToArray(const itk::Matrix<double, VRows, VColumns> & matrix)
 {
-  py::dict result;
-  result["numberOfPoints"] = fit.numberOfPoints;
-  result["cost"] = fit.cost;
-  result["medianResidual"] = fit.medianResidual;
-  result["rmsResidual"] = fit.rmsResidual;
-  result["p90Residual"] = fit.p90Residual;
-  result["inlierShare"] = fit.inlierShare;
-  result["overlap"] = fit.overlap;
-  result["codeOffset"] = fit.codeOffset;
-  result["predictedSigma"] = fit.predictedSigma;
-  result["extrapolatedSigma"] = fit.extrapolatedSigma;
-  return result;
+  std::vector<double> values;
+  for (unsigned int i = 0; i < VRows * VColumns; ++i)
+  {
+    values.push_back(matrix(i / VColumns, i % VColumns));
+  }
+  return MakeArray<double>(values, { VRows, VColumns });
 }
 
-itk::PoseFrame
-ToFrame(const RigidType & transform)
+/** A frame as the input of a filter: the transform is shared, so that it maps with the same bits. */
+FrameType::Pointer
+ToFrame(const RigidType * transform)
 {
-  // q = R p + b = R (p - o), o = -R' b.
-  itk::PoseFrame frame;
-  const auto &   rotation = transform.GetMatrix();
-  const auto &   offset = transform.GetOffset();
-  for (unsigned int row = 0; row < 3; ++row)
+  if (transform == nullptr)
   {
-    frame.origin[row] = 0.0;
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      frame.rotation[3 * row + column] = rotation(row, column);
-      frame.origin[row] -= rotation(column, row) * offset[column];
-    }
+    return nullptr;
   }
+  auto frame = FrameType::New();
+  frame->Set(transform);
   return frame;
 }
 
-py::dict
-GetJaw(MethodType & self, JawEnum name)
-{
-  const unsigned int jaw = ToNumber(name);
-  py::dict           result;
-  const int          index = self.GetResultIndex(jaw);
-  if (index < 0)
-  {
-    return result;
-  }
-  const itk::PoseJawResult & found = self.GetResult().jaws[static_cast<std::size_t>(index)];
-  result["registered"] = found.registered;
-  result["failure"] = found.failure;
-  const auto & verdict = self.GetVerdict(jaw);
-  result["status"] = ToText(verdict.status);
-  py::list reasons;
-  for (const auto & reason : verdict.reasons)
-  {
-    reasons.append(py::make_tuple(reason.code, reason.text));
-  }
-  result["reasons"] = py::tuple(reasons);
-  if (!found.registered)
-  {
-    return result;
-  }
-  auto transform = RigidType::New();
-  transform->SetFixedParameters(self.GetTransform(jaw)->GetFixedParameters());
-  transform->SetParameters(self.GetTransform(jaw)->GetParameters());
-  auto geometry = itk::CephalometricGeometry::New();
-  geometry->CopyParameters(self.GetGeometryOutput(jaw));
-  result["transform"] = transform;
-  result["geometry"] = geometry;
-  result["projection"] = MakeMatrix34(found.projection);
-  result["contour"] = MakeRows<2>(found.contour);
-  result["contourPoints"] = MakeRows<3>(found.contourPoints);
-  result["fit"] = ToDict(found.fit);
-  return result;
-}
-} // namespace
-
 void
-WrapPoseRegistration(py::module_ & module)
+WrapOptions(py::module_ & module)
 {
-  BindEnum<SideEnum>(module,
-                     "TracedSide",
-                     { { "Right", SideEnum::Right },
-                       { "Left", SideEnum::Left },
-                       { "Mean", SideEnum::Mean },
-                       { "Both", SideEnum::Both } },
-                     "Which side's outline was traced.");
-  py::class_<OptionsType>(module,
-                          "PoseRegistrationOptions",
-                          "Every ingredient of the robust method; lengths in px of 0.25 mm, angles in rad.")
-    .def(py::init<>())
-    .def_readwrite("tracedSide", &OptionsType::tracedSide)
-    .def_readwrite("useSideSelection", &OptionsType::useSideSelection)
-    .def_readwrite("midlineMargin", &OptionsType::midlineMargin)
-    .def_readwrite("useFacingFilter", &OptionsType::useFacingFilter)
-    .def_readwrite("useOrientation", &OptionsType::useOrientation)
-    .def_readwrite("orientationWeight", &OptionsType::orientationWeight)
-    .def_readwrite("useCorrelatedNoise", &OptionsType::useCorrelatedNoise)
-    .def_readwrite("correlationLength", &OptionsType::correlationLength)
-    .def_readwrite("covarianceCorrelationLength", &OptionsType::covarianceCorrelationLength)
-    .def_readwrite("covarianceInflation", &OptionsType::covarianceInflation)
-    .def_readwrite("estimateNoise", &OptionsType::estimateNoise)
-    .def_readwrite("initialSmoothSigma", &OptionsType::initialSmoothSigma)
-    .def_readwrite("initialWhiteSigma", &OptionsType::initialWhiteSigma)
-    .def_readwrite("useRobustKernel", &OptionsType::useRobustKernel)
-    .def_readwrite("useFullPose", &OptionsType::useFullPose)
-    .def_readwrite("useJointPose", &OptionsType::useJointPose)
-    .def_readwrite("yawStarts", &OptionsType::yawStarts)
-    .def_readwrite("startsPerYaw", &OptionsType::startsPerYaw)
-    .def_readwrite("codeWeight", &OptionsType::codeWeight)
-    .def_readwrite("regenerateOutline", &OptionsType::regenerateOutline)
-    .def_readwrite("maximumEvaluations", &OptionsType::maximumEvaluations)
-    .def_readwrite("rollSigma", &OptionsType::rollSigma)
-    .def_readwrite("yawSigma", &OptionsType::yawSigma)
-    .def_readwrite("tySigma", &OptionsType::tySigma)
-    .def_readwrite("kappaSigma", &OptionsType::kappaSigma)
-    .def_readwrite("kappaSigmaWithoutSpacing", &OptionsType::kappaSigmaWithoutSpacing)
-    .def_readwrite("unobservedRotationSigma", &OptionsType::unobservedRotationSigma)
-    .def_readwrite("heldPitchSigma", &OptionsType::heldPitchSigma)
-    .def_readwrite("heldTranslationSigma", &OptionsType::heldTranslationSigma)
-    .def_readwrite("checkHypotheses", &OptionsType::checkHypotheses)
-    .def_readwrite("poorScore", &OptionsType::poorScore)
-    .def_readwrite("fixScale", &OptionsType::fixScale)
-    .def_readwrite("fixRotation", &OptionsType::fixRotation)
-    .def_readwrite("fixTranslation", &OptionsType::fixTranslation)
-    .def_readwrite("maximumTracingPoints", &OptionsType::maximumTracingPoints)
+  py::class_<OptionsType> type(
+    module,
+    "PoseRegistrationOptions",
+    "Every ingredient of the robust method; px are units of 0.25 mm in the detector plane, angles are in rad.");
+  type.def(py::init<>())
+    .def_readwrite("tracedSide", &OptionsType::tracedSide, "Which side's outline was traced.")
+    .def_readwrite("fixScale", &OptionsType::fixScale, "Hold the scale at its start.")
+    .def_readwrite("fixRotation", &OptionsType::fixRotation, "Hold the rotation at its start.")
+    .def_readwrite("fixTranslation", &OptionsType::fixTranslation, "Hold the shift at its start.")
+    .def_readwrite("useInitialPose", &OptionsType::useInitialPose, "Start from initialPose instead of a search.")
+    .def_readwrite("initialPose",
+                   &OptionsType::initialPose,
+                   "pitch, roll, yaw (rad), tx, ty, tz (mm), kappa of the dental frame; a copy.")
     .def_property(
       "excludedTeeth",
       [](const OptionsType & self) { return std::vector<int>(self.excludedTeeth.begin(), self.excludedTeeth.end()); },
       [](OptionsType & self, const std::vector<int> & teeth) { self.excludedTeeth.assign(teeth.begin(), teeth.end()); },
-      "FDI numbers; a copy.");
+      "FDI numbers of teeth to leave out; a copy.");
+  // Whatever else there is has its name, its type and its words from the one table that command lines use, too.
+  for (const auto & entry : itk::PoseRegistrationOptionTable::GetEntries())
+  {
+    std::visit(
+      [&](auto field) {
+        using ValueType = std::decay_t<decltype(std::declval<OptionsType &>().*field)>;
+        type.def_property(
+          entry.name.c_str(),
+          [field](const OptionsType & self) -> ValueType { return self.*field; },
+          [field](OptionsType & self, const ValueType & value) { self.*field = value; },
+          py::doc(entry.description.c_str()));
+      },
+      entry.field);
+  }
+  type
+    .def_static(
+      "GetEntries",
+      []() {
+        std::vector<std::pair<std::string, std::string>> entries;
+        for (const auto & entry : itk::PoseRegistrationOptionTable::GetEntries())
+        {
+          entries.emplace_back(entry.name, entry.description);
+        }
+        return entries;
+      },
+      "(name, description) of what SetOption() and the command line's --option take.")
+    .def(
+      "SetOption",
+      [](OptionsType & self, const std::string & assignment) {
+        itk::PoseRegistrationOptionTable::Set(self, assignment);
+      },
+      py::arg("assignment"),
+      "\"NAME=VALUE\" as on the command line; a value out of range is an error.")
+    .def(
+      "GetOption",
+      [](const OptionsType & self, const std::string & name) {
+        return itk::PoseRegistrationOptionTable::Get(self, name);
+      },
+      py::arg("name"),
+      "The value as the command line writes it.")
+    .def("GetChanges", &itk::PoseRegistrationOptionTable::GetChanges, "What differs from the defaults, as assignments.")
+    .def("__copy__", [](const OptionsType & self) { return self; })
+    .def(
+      "__deepcopy__", [](const OptionsType & self, const py::dict &) { return self; }, py::arg("memo"))
+    .def("__repr__", [](const OptionsType & self) {
+      std::string text = "<dentalscr.PoseRegistrationOptions";
+      for (const std::string & change : itk::PoseRegistrationOptionTable::GetChanges(self))
+      {
+        text += ' ' + change;
+      }
+      return text + '>';
+    });
+}
 
+void
+WrapIteration(py::module_ & module)
+{
+  BindEnum<StageEnum>(module,
+                      "PoseStage",
+                      { { "Start", StageEnum::Start },
+                        { "Candidates", StageEnum::Candidates },
+                        { "Refinement", StageEnum::Refinement },
+                        { "Uncertainty", StageEnum::Uncertainty } },
+                      "What a pose registration is at.");
+  py::class_<IterationType>(
+    module,
+    "PoseIteration",
+    "A tried step of one candidate: what a command of PoseRegistrationMethod asks GetCurrentIteration() for.")
+    .def_property_readonly(
+      "level",
+      [](const IterationType & self) { return 4 * self.group + static_cast<unsigned int>(self.stage); },
+      "4 group + stage.")
+    .def_readonly("group", &IterationType::group, "Jaws with a pose of their own are groups, one after the other.")
+    .def_readonly("stage", &IterationType::stage)
+    .def_readonly(
+      "candidate", &IterationType::candidate, "Candidates are refined at the same time; their steps may alternate.")
+    .def_readonly(
+      "hypothesis", &IterationType::hypothesis, "Whether it is of another reading that is tried beside the result.")
+    .def_readonly(
+      "pose", &IterationType::pose, "Best so far: pitch, roll, yaw (rad), tx, ty, tz (mm), kappa of the dental frame.")
+    .def_property_readonly("position",
+                           [](const IterationType & self) {
+                             return MakeArray(
+                               std::vector<double>(self.step.position.begin(), self.step.position.end()));
+                           })
+    .def_property_readonly(
+      "value", [](const IterationType & self) { return self.step.value; }, "Of the criterion, at the best position.")
+    .def_property_readonly(
+      "trialValue", [](const IterationType & self) { return self.step.trialValue; }, "Where the step led.")
+    .def_property_readonly(
+      "accepted", [](const IterationType & self) { return self.step.accepted; }, "Whether it lowered the value.")
+    .def_property_readonly(
+      "stepLength", [](const IterationType & self) { return self.step.stepLength; }, "Root mean square, px of 0.25 mm.")
+    .def_property_readonly("damping", [](const IterationType & self) { return self.step.damping; })
+    .def_property_readonly(
+      "iteration",
+      [](const IterationType & self) { return self.step.iteration; },
+      "Steps accepted in this run of the optimizer.")
+    .def_property_readonly(
+      "evaluations",
+      [](const IterationType & self) { return self.step.evaluations; },
+      "Steps tried in this run of the optimizer.")
+    .def_readonly("kernelWidth", &IterationType::kernelWidth, "px of 0.25 mm.")
+    .def_property_readonly(
+      "smoothNoise",
+      [](const IterationType & self) { return self.noise.smooth; },
+      "Standard deviation of the tracer's drift, px of 0.25 mm.")
+    .def_property_readonly(
+      "whiteNoise",
+      [](const IterationType & self) { return self.noise.white; },
+      "Standard deviation of the points' own errors, px of 0.25 mm.")
+    .def("__repr__", [](const IterationType & self) {
+      std::ostringstream text;
+      text << "<dentalscr.PoseIteration level " << 4 * self.group + static_cast<unsigned int>(self.stage)
+           << ", candidate " << self.candidate << ", value " << self.step.value
+           << (self.step.accepted ? ", accepted" : ", rejected") << ", step " << self.step.stepLength << " px>";
+      return text.str();
+    });
+}
+
+void
+WrapSolution(py::module_ & module)
+{
+  using CandidateType = itk::PoseCandidate;
+  py::class_<CandidateType>(module, "PoseCandidate", "One minimum of the criterion.")
+    .def_readonly("parameters", &CandidateType::parameters, "pitch, roll, yaw (rad), tx, ty, tz (mm), kappa.")
+    .def_readonly("score", &CandidateType::score, "What candidates are ranked by: cost and code term.")
+    .def_readonly("cost", &CandidateType::cost)
+    .def_readonly("codeTerm", &CandidateType::codeTerm)
+    .def_readonly("distance", &CandidateType::distance, "Of its contour from the best candidate's, px of 0.25 mm.")
+    .def("__repr__", [](const CandidateType & self) {
+      return "<dentalscr.PoseCandidate score " + std::to_string(self.score) + ", " + std::to_string(self.distance) +
+             " px from the best>";
+    });
+
+  py::class_<SolutionType, itk::DataObject, itk::SmartPointer<SolutionType>>(
+    module,
+    "PoseSolution",
+    R"(What a pose registration found: poses, covariance, candidates, fit, and why a jaw was not registered.
+
+Points of a jaw are in the frame of its mesh, mm; pixels are continuous indices of the radiograph. A question about a
+jaw that had no input or was not registered is an error: ask IsRegistered() first.)")
+    .def(
+      "HasJaw",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetIndex(Checked(jaw)) >= 0; },
+      py::arg("jaw"),
+      "Whether the jaw had a mesh and a contour.")
+    .def(
+      "IsRegistered",
+      [](const SolutionType & self, JawEnum jaw) { return self.IsRegistered(Checked(jaw)); },
+      py::arg("jaw"))
+    .def(
+      "GetFailure",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetJaw(Checked(jaw)).failure; },
+      py::arg("jaw"),
+      "Why the jaw was not registered; empty where it was.")
+    .def(
+      "GetStatus",
+      [](const SolutionType & self, JawEnum jaw) {
+        const int index = self.GetIndex(Checked(jaw));
+        self.GetJaw(jaw);
+        return ToText(RegistrationVerdict::Evaluate(self.GetResult())[static_cast<std::size_t>(index)].status);
+      },
+      py::arg("jaw"),
+      "\"ok\", \"suspect\" or \"failed\" by the usual thresholds; RegistrationVerdict() has the reasons.")
+    .def(
+      "GetJawsShareFrame",
+      [](const SolutionType & self) {
+        const auto & groups = self.GetResult().groupOfJaw;
+        return groups.size() == 2 && groups[0] == groups[1] && groups[0] < self.GetResult().groups.size();
+      },
+      "Whether one pose was fitted to both jaws.")
+    .def(
+      "GetProjectionMatrix",
+      [](const SolutionType & self, JawEnum jaw) { return ToArray(self.GetProjectionMatrix(Checked(jaw))); },
+      py::arg("jaw"),
+      "(3, 4): mesh frame (mm) to homogeneous pixel index.")
+    .def(
+      "ProjectPoint",
+      [](const SolutionType & self, JawEnum jaw, const SolutionType::PointType & point) {
+        return self.ProjectPoint(Checked(jaw), point);
+      },
+      py::arg("jaw"),
+      py::arg("point"))
+    .def(
+      "ProjectPoints",
+      [](const SolutionType & self, JawEnum jaw, const DoubleArray & points) {
+        if (points.ndim() != 2 || points.shape(1) != 3)
+        {
+          throw std::invalid_argument("points have the wrong shape; (N, 3) is needed");
+        }
+        std::vector<SolutionType::PixelIndexType> result(static_cast<std::size_t>(points.shape(0)));
+        for (std::size_t i = 0; i < result.size(); ++i)
+        {
+          SolutionType::PointType point;
+          for (unsigned int d = 0; d < 3; ++d)
+          {
+            point[d] = points.at(i, d);
+          }
+          result[i] = self.ProjectPoint(Checked(jaw), point);
+        }
+        return MakeRows<2>(result);
+      },
+      py::arg("jaw"),
+      py::arg("points"),
+      "All rows of an (N, 3) array: (N, 2).")
+    .def(
+      "ComputeCovariance",
+      [](const SolutionType & self, JawEnum jaw, const SolutionType::PointType & point) {
+        return ToArray(self.ComputeCovariance(Checked(jaw), point));
+      },
+      py::arg("jaw"),
+      py::arg("point"),
+      "(2, 2) square pixels: of the projection of a point.")
+    .def(
+      "GetPose",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).parameters; },
+      py::arg("jaw"),
+      "pitch, roll, yaw (rad), tx, ty, tz (mm), kappa of the dental frame.")
+    .def(
+      "GetPoseCovariance",
+      [](const SolutionType & self, JawEnum jaw) {
+        const auto & covariance = self.GetGroup(Checked(jaw)).covariance;
+        return MakeArray(std::vector<double>(covariance.begin(), covariance.end()), { 7, 7 });
+      },
+      py::arg("jaw"),
+      "(7, 7): of GetPose().")
+    .def(
+      "GetTransform",
+      [](const SolutionType & self, JawEnum jaw) { return self.MakeRigidTransform(Checked(jaw)); },
+      py::arg("jaw"),
+      "Mesh frame to cephalostat frame, mm.")
+    .def(
+      "GetPoseTransform",
+      [](const SolutionType & self, JawEnum jaw) { return self.MakePoseTransform(Checked(jaw)); },
+      py::arg("jaw"),
+      "Dental frame to the radiograph.")
+    .def(
+      "GetFrame",
+      [](const SolutionType & self, JawEnum jaw) {
+        const itk::PoseFrame & frame = self.GetJaw(Checked(jaw)).frame;
+        std::array<double, 12> rows{};
+        for (unsigned int row = 0; row < 3; ++row)
+        {
+          for (unsigned int column = 0; column < 3; ++column)
+          {
+            rows[4 * row + column] = frame.rotation[3 * row + column];
+            rows[4 * row + 3] -= frame.rotation[3 * row + column] * frame.origin[column];
+          }
+        }
+        return MakeMatrix44(rows);
+      },
+      py::arg("jaw"),
+      "(4, 4): mesh frame to the dental frame that the pose is of.")
+    .def(
+      "GetGeometry",
+      [](const SolutionType & self, JawEnum jaw) {
+        auto geometry = itk::CephalometricGeometry::New();
+        self.CopyToGeometry(Checked(jaw), geometry);
+        return geometry;
+      },
+      py::arg("jaw"),
+      "A geometry with the pose of the jaw's mesh; the scale of the fit is in its pixel spacing.")
+    .def(
+      "GetMovingContour",
+      [](const SolutionType & self, JawEnum jaw) { return self.MakeMovingContour(Checked(jaw)); },
+      py::arg("jaw"),
+      "What could be matched, at the solution, pixels; open.")
+    .def(
+      "GetMovingContourPoints",
+      [](const SolutionType & self, JawEnum jaw) { return MakeRows<3>(self.GetJaw(Checked(jaw)).contourPoints); },
+      py::arg("jaw"),
+      "(N, 3): the points of the mesh that GetMovingContour() shows.")
+    .def(
+      "GetFit",
+      [](const SolutionType & self, JawEnum jaw) { return ToDict(self.GetJaw(Checked(jaw)).fit); },
+      py::arg("jaw"),
+      "How well the tracing is explained, px of 0.25 mm.")
+    .def(
+      "GetCandidates",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).candidates; },
+      py::arg("jaw"),
+      "The minima that were refined to the end, best first.")
+    .def(
+      "GetScore",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).score; },
+      py::arg("jaw"))
+    .def(
+      "GetMargin",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).margin; },
+      py::arg("jaw"),
+      "Score of the best candidate that lies elsewhere, minus the best's; 1 where there is none.")
+    .def(
+      "GetNoiseLevels",
+      [](const SolutionType & self, JawEnum jaw) {
+        const auto & group = self.GetGroup(Checked(jaw));
+        return std::make_pair(group.smoothSigma, group.whiteSigma);
+      },
+      py::arg("jaw"),
+      "Standard deviations (drift, each point's own), px of 0.25 mm.")
+    .def(
+      "GetPriorTension",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).priorTension; },
+      py::arg("jaw"),
+      "Of GetPose(), standard deviations of the priors; 0 where there is none.")
+    .def(
+      "HasConverged",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).converged; },
+      py::arg("jaw"))
+    .def(
+      "GetStopConditionDescription",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).stopCondition; },
+      py::arg("jaw"))
+    .def(
+      "GetNumberOfEvaluations",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).evaluations; },
+      py::arg("jaw"))
+    .def(
+      "GetOptions", [](const SolutionType & self) { return self.GetOptions(); }, "What was asked for; a copy.")
+    .def("__str__",
+         [](const SolutionType & self) {
+           std::ostringstream text;
+           self.Print(text);
+           return text.str();
+         })
+    .def("__repr__", [](const SolutionType & self) {
+      std::string text = "<dentalscr.PoseSolution";
+      for (const auto & jaw : self.GetResult().jaws)
+      {
+        text += std::string(jaw.upper ? " upper " : " lower ") + (jaw.registered ? "registered" : "not registered");
+      }
+      return text + '>';
+    });
+}
+
+void
+WrapParts(py::module_ & module)
+{
+  using HypothesisType = itk::PoseHypothesis;
+  py::class_<HypothesisType, itk::SmartPointer<HypothesisType>>(
+    module, "PoseHypothesis", "Another reading of the same input, tried beside the result to name a likely mistake.")
+    .def("GetName", [](const HypothesisType & self) { return std::string(self.GetNameOfClass()); })
+    .def("GetCode", &HypothesisType::GetCode, "Short and stable, as the verdict's codes.");
+  const auto wrapHypothesis = [&module](auto pointer, const char * name, const char * doc) {
+    using T = typename decltype(pointer)::ObjectType;
+    py::class_<T, HypothesisType, itk::SmartPointer<T>>(module, name, doc).def(New<T>());
+  };
+  wrapHypothesis(itk::OtherSideHypothesis::Pointer(),
+                 "OtherSideHypothesis",
+                 "The other side's outline was traced: its likelihood is compared.");
+  wrapHypothesis(itk::OtherFacingHypothesis::Pointer(), "OtherFacingHypothesis", "The patient faces the other way.");
+  wrapHypothesis(
+    itk::ExchangedJawsHypothesis::Pointer(), "ExchangedJawsHypothesis", "Upper and lower scan were exchanged.");
+
+  using StartType = itk::PoseStart;
+  using SearchType = itk::PoseStartSearch;
+  py::class_<StartType, itk::SmartPointer<StartType>>(
+    module, "PoseStart", "Finds poses where a registration may begin.");
+  py::class_<SearchType, StartType, itk::SmartPointer<SearchType>>(
+    module,
+    "PoseStartSearch",
+    "Exhaustive search over in-plane rotation, shift and scale of the tracing against one contour.")
+    .def(New<SearchType>())
+    .dentalscrProperty(SearchType, RotationRange)
+    .dentalscrProperty(SearchType, RotationStep)
+    .dentalscrProperty(SearchType, HorizontalRange)
+    .dentalscrProperty(SearchType, VerticalRange)
+    .dentalscrProperty(SearchType, ShiftStep)
+    .def("SetKappas",
+         &SearchType::SetKappas,
+         py::arg("kappas"),
+         "Logarithms of the scale factors that are tried where the scale is searched.")
+    .def("GetKappas", &SearchType::GetKappas);
+}
+
+void
+WrapPoseMethod(py::module_ & module)
+{
   ProcessClass<MethodType>(module, "PoseRegistrationMethod", "The robust registration.")
     .def(New<MethodType>())
     .def("_SetUpperMesh", &MethodType::SetUpperMesh, py::arg("mesh"))
@@ -185,6 +494,18 @@ WrapPoseRegistration(py::module_ & module)
     .def("_SetUpperContour", &MethodType::SetUpperContour, py::arg("contour"))
     .def("_SetLowerContour", &MethodType::SetLowerContour, py::arg("contour"))
     .def("_SetGeometry", &MethodType::SetGeometry, py::arg("geometry"))
+    .def(
+      "_SetUpperFrame",
+      [](MethodType & self, const RigidType * transform) { self.SetUpperFrame(ToFrame(transform)); },
+      py::arg("transform"))
+    .def(
+      "_SetLowerFrame",
+      [](MethodType & self, const RigidType * transform) { self.SetLowerFrame(ToFrame(transform)); },
+      py::arg("transform"))
+    .def(
+      "_SetJointFrame",
+      [](MethodType & self, const RigidType * transform) { self.SetJointFrame(ToFrame(transform)); },
+      py::arg("transform"))
     .def("SetOptions", &MethodType::SetOptions, py::arg("options"))
     .def(
       "GetOptions", [](const MethodType & self) { return self.GetOptions(); }, "A copy.")
@@ -192,25 +513,194 @@ WrapPoseRegistration(py::module_ & module)
     .def("GetTracedSide", &MethodType::GetTracedSide)
     .dentalscrBoolean(MethodType, PrincipalPointKnown)
     .def(
-      "_SetFrames",
-      [](MethodType & self, const RigidType & upper, const RigidType & lower, bool jawsShareFrame) {
-        self.SetFrames(ToFrame(upper), ToFrame(lower), jawsShareFrame);
-      },
-      py::arg("upper"),
-      py::arg("lower"),
-      py::arg("jawsShareFrame"))
-    .def("EstimateFrames", &MethodType::EstimateFrames, "Back from given frames to estimated ones, the default.")
-    .def("GetJawsShareFrame", &MethodType::GetJawsShareFrame)
-    .def("GetCurrentLevel", &MethodType::GetCurrentLevel, "0 start, 1 candidates, 2 refinement, 3 uncertainty.")
-    .def("_GetJaw", &GetJaw, py::arg("jaw"))
-    .def(
-      "ComputeLandmarkCovariance",
-      [](const MethodType & self, JawEnum jaw, const itk::Point<double, 3> & point) {
-        const auto covariance = self.ComputeLandmarkCovariance(ToNumber(jaw), point);
-        return MakeArray<double>({ covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1) }, { 2, 2 });
+      "_SetInitialTransform",
+      [](MethodType & self, JawEnum jaw, const RigidType & transform, double scaleFactor) {
+        self.SetInitialTransform(Checked(jaw), &transform, scaleFactor);
       },
       py::arg("jaw"),
-      py::arg("point"),
-      "(2, 2) square pixels: of the projection of a point of the jaw's mesh.");
+      py::arg("transform"),
+      py::arg("scaleFactor"))
+    .def("ClearInitialTransforms", &MethodType::ClearInitialTransforms, "Back to a search.")
+    .def(
+      "SetOptimizer",
+      [](MethodType & self, OptimizerBaseType * optimizer) { self.SetOptimizer(optimizer); },
+      py::arg("optimizer"),
+      R"(A LevenbergMarquardtOptimizerv4, of which candidates take clones, also in other threads.
+
+Its own tolerances and numbers of iterations are set by the options; its events are sent in the thread that runs
+Execute(), and StopOptimization() in a command of it ends the registration.)")
+    .def("GetOptimizer", [](MethodType & self) { return OptimizerBaseType::Pointer(self.GetModifiableOptimizer()); })
+    .def("SetStart", &MethodType::SetStart, py::arg("start"))
+    .def(
+      "AddMetric",
+      [](MethodType & self, MetricBaseType * metric) { self.AddMetric(metric); },
+      py::arg("metric"),
+      R"(A further term of the sum that is minimized: a LeastSquaresMetric of your own, a prior, another sum.
+
+It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. The
+registration works on clones of it.)")
+    .def("ClearMetrics", &MethodType::ClearMetrics)
+    .def(
+      "GetMetrics", [](const MethodType & self) { return self.GetMetrics(); }, "What was added.")
+    .def(
+      "GetMetric",
+      [](MethodType & self) { return itk::SmartPointer<MetricBaseType>(self.GetModifiableMetric()); },
+      "The sum of the group that runs, at the position of the last IterationEvent; None before the first group.")
+    .def(
+      "AddHypothesis",
+      [](MethodType & self, const itk::PoseHypothesis * hypothesis) { self.AddHypothesis(hypothesis); },
+      py::arg("hypothesis"))
+    .def("ClearHypotheses", &MethodType::ClearHypotheses)
+    .def("GetCurrentLevel",
+         &MethodType::GetCurrentLevel,
+         "4 group + stage: 0 starts, 1 candidates, 2 refinement, 3 uncertainty.")
+    .def("GetNumberOfLevels", &MethodType::GetNumberOfLevels)
+    .def(
+      "GetCurrentIteration",
+      [](const MethodType & self) { return self.GetCurrentIteration(); },
+      "The step that the last IterationEvent was about; a copy.")
+    .def("GetOptimizerIteration", &MethodType::GetOptimizerIteration)
+    .def("GetMetricValue", &MethodType::GetMetricValue)
+    .def(
+      "GetOptimizerPosition",
+      [](const MethodType & self) {
+        const auto position = self.GetOptimizerPosition();
+        return py::tuple(py::cast(std::vector<double>(position.begin(), position.end())));
+      },
+      "pitch, roll, yaw (rad), tx, ty, tz (mm), kappa.")
+    .def("GetOptimizerStopConditionDescription", &MethodType::GetOptimizerStopConditionDescription)
+    .def("GetJawsShareFrame", &MethodType::GetJawsShareFrame, "Whether one frame was used for both jaws.")
+    .def("_GetSolution", [](const MethodType & self) {
+      // A copy: the next Execute() does not change it.
+      auto solution = SolutionType::New();
+      solution->SetResult(self.GetOutput()->GetResult(), self.GetOutput()->GetOptions());
+      return solution;
+    });
+}
+
+py::object
+ToObject(const RegistrationVerdict::JawVerdict & verdict)
+{
+  py::list reasons;
+  for (const auto & reason : verdict.reasons)
+  {
+    reasons.append(py::make_tuple(ToText(reason.severity), reason.code, reason.text));
+  }
+  return py::make_tuple(ToText(verdict.status), reasons);
+}
+
+void
+WrapDownstream(py::module_ & module)
+{
+  using ThresholdsType = RegistrationVerdict::Thresholds;
+  py::class_<ThresholdsType>(
+    module, "RegistrationVerdictThresholds", "What is suspect and what has failed; px of 0.25 mm and mm.")
+    .def(py::init<>())
+    .def_readwrite("suspectCost", &ThresholdsType::suspectCost)
+    .def_readwrite("failedCost", &ThresholdsType::failedCost)
+    .def_readwrite("suspectP90", &ThresholdsType::suspectP90)
+    .def_readwrite("suspectMedian", &ThresholdsType::suspectMedian)
+    .def_readwrite("suspectInlierShare", &ThresholdsType::suspectInlierShare)
+    .def_readwrite("failedInlierShare", &ThresholdsType::failedInlierShare)
+    .def_readwrite("suspectSmoothSigma", &ThresholdsType::suspectSmoothSigma)
+    .def_readwrite("suspectPredictedSigma", &ThresholdsType::suspectPredictedSigma)
+    .def_readwrite("suspectExtrapolatedSigma", &ThresholdsType::suspectExtrapolatedSigma)
+    .def_readwrite("failedPredictedSigma", &ThresholdsType::failedPredictedSigma)
+    .def_readwrite("suspectCodeOffset", &ThresholdsType::suspectCodeOffset)
+    .def_readwrite("suspectMargin", &ThresholdsType::suspectMargin)
+    .def_readwrite("suspectPitch", &ThresholdsType::suspectPitch)
+    .def_readwrite("suspectPriorTension", &ThresholdsType::suspectPriorTension)
+    .def_readwrite("suspectRotationTension", &ThresholdsType::suspectRotationTension)
+    .def_readwrite("suspectOtherSideDeviance", &ThresholdsType::suspectOtherSideDeviance)
+    .def_readwrite("suspectWinding", &ThresholdsType::suspectWinding)
+    .def_readwrite("minimumArchWidth", &ThresholdsType::minimumArchWidth)
+    .def_readwrite("maximumArchWidth", &ThresholdsType::maximumArchWidth)
+    .def_readwrite("hypothesisGain", &ThresholdsType::hypothesisGain);
+
+  using VerdictType = itk::RegistrationVerdictFilter;
+  ProcessClass<VerdictType>(module, "RegistrationVerdictFilter", "Judges a pose registration.")
+    .def(New<VerdictType>())
+    .def("_SetSolution", &VerdictType::SetSolution, py::arg("solution"))
+    .def("SetThresholds", &VerdictType::SetThresholds, py::arg("thresholds"))
+    .def(
+      "GetThresholds", [](const VerdictType & self) { return self.GetThresholds(); }, "A copy.")
+    .def("GetNotCheckable", &VerdictType::GetNotCheckable, "What the data could not tell, as sentences.")
+    .def(
+      "_GetVerdict",
+      [](VerdictType & self, JawEnum jaw) -> py::object {
+        if (self.GetSolution() == nullptr || self.GetSolution()->GetIndex(Checked(jaw)) < 0)
+        {
+          return py::none();
+        }
+        return ToObject(self.GetVerdict(jaw));
+      },
+      py::arg("jaw"));
+
+  using ProjectionType = itk::LandmarkProjectionFilter;
+  ProcessClass<ProjectionType>(
+    module, "LandmarkProjectionFilter", "Landmarks of the scans as a registration places them, with uncertainty.")
+    .def(New<ProjectionType>())
+    .def("_SetSolution", &ProjectionType::SetSolution, py::arg("solution"))
+    .def(
+      "_SetLandmarks",
+      [](ProjectionType & self, const py::dict & landmarks) { self.SetLandmarks(FromDict<3>(landmarks)); },
+      py::arg("landmarks"))
+    .dentalscrProperty(ProjectionType, MillimetresPerUnit)
+    .def("_GetOutput", [](ProjectionType & self) { return ToDict<2>(self.GetOutput()); })
+    .def(
+      "GetCovariance",
+      [](const ProjectionType & self, const std::string & name) { return ToArray(self.GetCovariance(name)); },
+      py::arg("name"),
+      "(2, 2) square pixels.")
+    .def("GetSigma", &ProjectionType::GetSigma, py::arg("name"), "Standard deviation an axis, pixels.")
+    .def("HasMiddleCovariance", &ProjectionType::HasMiddleCovariance, py::arg("name"))
+    .def(
+      "GetMiddleCovariance",
+      [](const ProjectionType & self, const std::string & name) { return ToArray(self.GetMiddleCovariance(name)); },
+      py::arg("name"),
+      "(2, 2) square pixels: of the middle between a right landmark and its left one.");
+
+  using MatchedType = itk::MatchedContourFilter;
+  ProcessClass<MatchedType>(
+    module, "MatchedContourFilter", "The part of a moving contour that has a tracing beside it.")
+    .def(New<MatchedType>())
+    .def("_SetFixedContour", &MatchedType::SetFixedContour, py::arg("contour"))
+    .def("_SetMovingContour", &MatchedType::SetMovingContour, py::arg("contour"))
+    .dentalscrProperty(MatchedType, MaximumDistance)
+    .dentalscrProperty(MatchedType, MaximumGap)
+    .def("_TakeOutput", [](MatchedType & self) {
+      itk::DentalContour::Pointer contour = self.GetOutput();
+      contour->DisconnectPipeline();
+      return contour;
+    });
+
+  using SimilarityType = itk::ProjectionSimilarityFilter;
+  ProcessClass<SimilarityType>(
+    module, "ProjectionSimilarityFilter", "The 2-D similarity that comes nearest to a registered pose.")
+    .def(New<SimilarityType>())
+    .def("_SetSolution", &SimilarityType::SetSolution, py::arg("solution"))
+    .def("_SetMesh", &SimilarityType::SetMesh, py::arg("mesh"))
+    .def(
+      "_SetFrame",
+      [](SimilarityType & self, const RigidType & transform) { self.SetFrame(ToFrame(&transform)); },
+      py::arg("transform"))
+    .def("SetJaw", &SimilarityType::SetJaw, py::arg("jaw"))
+    .def("GetJaw", &SimilarityType::GetJaw)
+    .def("GetRMS", &SimilarityType::GetRMS, "What the similarity leaves, pixels.")
+    .def("_GetTransform", [](SimilarityType & self) {
+      return itk::Similarity2DTransform<double>::Pointer(self.GetTransformOutput()->GetModifiable());
+    });
+}
+} // namespace
+
+void
+WrapPoseRegistration(py::module_ & module)
+{
+  WrapOptions(module);
+  WrapIteration(module);
+  WrapSolution(module);
+  WrapParts(module);
+  WrapPoseMethod(module);
+  WrapDownstream(module);
 }
 } // namespace dentalscr

@@ -256,6 +256,14 @@ FindEvent(int number)
 }
 } // namespace
 
+unsigned long
+AddPythonCommand(itk::Object & object, const py::object & owner, int event, unsigned long key)
+{
+  const auto command = PythonCommand::New();
+  command->SetOwner(owner, key);
+  return object.AddObserver(FindEvent(event), command);
+}
+
 void
 Run(itk::ProcessObject * process, const std::function<void()> & body)
 {
@@ -315,9 +323,7 @@ WrapProcessObject(py::module_ & module)
     .def(
       "_AddCommand",
       [](py::object self, int event, unsigned long key) {
-        const auto command = PythonCommand::New();
-        command->SetOwner(self, key);
-        return self.cast<ProcessObject &>().AddObserver(FindEvent(event), command);
+        return AddPythonCommand(self.cast<ProcessObject &>(), self, event, key);
       },
       py::arg("event"),
       py::arg("key"))

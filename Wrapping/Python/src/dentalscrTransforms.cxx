@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "dentalscrBinding.h"
 
+#include "itkCephalometricPoseTransform.h"
 #include "itkSimilarity2DTransform.h"
 #include "itkTransformFileReader.h"
 #include "itkTransformFileWriter.h"
@@ -305,10 +306,12 @@ matrix : (4, 4) or (3, 4) array, optional
       }
       transform = reader->GetTransformList()->front().GetPointer();
       if (dynamic_cast<SimilarityType *>(transform.GetPointer()) == nullptr &&
-          dynamic_cast<RigidType *>(transform.GetPointer()) == nullptr)
+          dynamic_cast<RigidType *>(transform.GetPointer()) == nullptr &&
+          dynamic_cast<itk::CephalometricPoseTransform *>(transform.GetPointer()) == nullptr)
       {
-        throw std::invalid_argument(fileName + " holds a " + transform->GetNameOfClass() +
-                                    "; Similarity2DTransform and VersorRigid3DTransform are read");
+        throw std::invalid_argument(
+          fileName + " holds a " + transform->GetNameOfClass() +
+          "; Similarity2DTransform, VersorRigid3DTransform and CephalometricPoseTransform are read");
       }
       return transform;
     },

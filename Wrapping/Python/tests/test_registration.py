@@ -221,30 +221,6 @@ def test_intensity_registration_of_a_shifted_picture(ds):
     assert np.allclose(transform.TransformPoint((100.0, 85.0)), (103.0, 83.0), atol=0.3)
 
 
-def test_pose_refinement_finds_the_true_projection(ds):
-    case = ds.DentalPhantomCase(3, "ideal", makeRadiograph=False)
-    method = ds.PoseRegistrationMethod()
-    found = method.Execute(case.geometry, case.upper.mesh, case.upper.tracing, case.lower.mesh, case.lower.tracing)
-    for jaw, true in ((found.upper, case.upper), (found.lower, case.lower)):
-        assert jaw.status == "ok" and jaw.registered
-        names = list(true.landmarks2D)
-        points = np.array([true.landmarks3D[name] for name in names])
-        projected = jaw.geometry.ProjectPoints(points)
-        errors = np.linalg.norm(projected - np.array([true.landmarks2D[name] for name in names]), axis=1)
-        # Documentation/Robust.md: ideal cases 0.1 px, worst 0.5.
-        assert errors.mean() < 1.0
-        rows = points @ jaw.P_pixel_from_mesh[:, :3].T + jaw.P_pixel_from_mesh[:, 3]
-        assert np.allclose(rows[:, :2] / rows[:, 2:], projected, atol=1e-6)
-    covariance = method.ComputeLandmarkCovariance("upper", points[0])
-    assert covariance.shape == (2, 2) and np.linalg.eigvalsh(covariance).min() > 0
-
-
-def test_pose_refinement_of_one_jaw(ds):
-    case = ds.DentalPhantomCase(3, "ideal", makeRadiograph=False)
-    found = ds.PoseRegistration(case.geometry, case.upper.mesh, case.upper.tracing)
-    assert found.lower is None and found.upper.registered
-
-
 @pytest.mark.parametrize("value, error", [(None, TypeError), ("x", TypeError), (float("nan"), ValueError)])
 def test_metric_that_gives_no_number_is_told_so(ds, curves, value, error):
     method = ds.SilhouetteToContourRegistrationMethod()

@@ -22,6 +22,7 @@
 #include "itkPoseRegistrationTypes.h"
 
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace itk
@@ -37,12 +38,20 @@ namespace itk
 class PoseRegistration_EXPORT PoseRegistrationOptionTable
 {
 public:
+  /** The member of the struct that an option is: a switch, a number of things, a number or some numbers. */
+  using FieldType = std::variant<bool                PoseRegistrationOptions::*,
+                                 unsigned int        PoseRegistrationOptions::*,
+                                 double              PoseRegistrationOptions::*,
+                                 std::vector<double> PoseRegistrationOptions::*>;
+
   /** An option and its words. */
   struct EntryType
   {
     std::string name;
     /** In a few words, with the unit. */
     std::string description;
+    /** For those who make properties of another language from the table. */
+    FieldType field;
   };
 
   /** In the order of the struct. */

@@ -499,6 +499,11 @@ PoseRegistrationMethodBase::GenerateData()
     m_Metric = metric->Clone();
   };
   engine.stageObserver = [this](unsigned int group, PoseStageEnum stage) {
+    if (this->GetAbortGenerateData())
+    {
+      // What was aborted enters no further level.
+      return;
+    }
     m_CurrentLevel = 4 * group + static_cast<unsigned int>(stage);
     this->InvokeEvent(MultiResolutionIterationEvent());
     this->UpdateProgress(static_cast<float>(m_CurrentLevel) / static_cast<float>(m_NumberOfLevels));

@@ -22,15 +22,13 @@
 #include <locale>
 #include <sstream>
 #include <stdexcept>
-#include <variant>
 
 namespace itk
 {
 namespace
 {
 using Options = PoseRegistrationOptions;
-using FieldType =
-  std::variant<bool Options::*, unsigned int Options::*, double Options::*, std::vector<double> Options::*>;
+using FieldType = PoseRegistrationOptionTable::FieldType;
 
 struct Row
 {
@@ -206,7 +204,7 @@ PoseRegistrationOptionTable::GetEntries() -> std::vector<EntryType>
   std::vector<EntryType> entries;
   for (const Row & row : Rows())
   {
-    entries.push_back({ row.name, row.description });
+    entries.push_back({ row.name, row.description, row.field });
   }
   return entries;
 }

@@ -36,6 +36,7 @@ PoseSolution::Initialize()
 {
   Superclass::Initialize();
   m_Result = PoseRegistrationResult();
+  m_Options = PoseRegistrationOptions();
 }
 
 void

@@ -110,6 +110,10 @@ protected:
   InternalClone() const override;
 
 private:
+  /** Throws unless there is one prior a parameter; priors may have been set since Initialize(). */
+  void
+  VerifyPriors(const PositionType & x) const;
+
   BlockType              m_Block;
   std::vector<PriorType> m_Priors;
   bool                   m_UseVariancePrecision{ false };

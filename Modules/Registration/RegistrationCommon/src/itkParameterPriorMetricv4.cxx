@@ -35,6 +35,16 @@ ParameterPriorMetricv4::SetPriors(const std::vector<PriorType> & priors)
   this->Modified();
 }
 
+void
+ParameterPriorMetricv4::VerifyPriors(const PositionType & x) const
+{
+  if (m_Priors.size() != x.size())
+  {
+    itkExceptionMacro("The block \"" << m_Block.name << "\" has " << x.size() << " parameters and " << m_Priors.size()
+                                     << " priors: give SetPriors() one each.");
+  }
+}
+
 double
 ParameterPriorMetricv4::GetPrecision(const PriorType & prior, double value, bool forVariance)
 {
@@ -77,11 +87,7 @@ ParameterPriorMetricv4::InitializeTerm()
   {
     itkExceptionMacro("The prior is about nothing: call SetBlock().");
   }
-  if (m_Priors.size() != m_Block.parameters.size())
-  {
-    itkExceptionMacro("The block \"" << m_Block.name << "\" has " << m_Block.parameters.size() << " parameters and "
-                                     << m_Priors.size() << " priors: give SetPriors() one each.");
-  }
+  this->VerifyPriors(this->GetState().GetBlockValues(m_Block.name));
   for (std::size_t k = 0; k < m_Priors.size(); ++k)
   {
     if (!(m_Priors[k].sigma > 0.0))
@@ -102,6 +108,7 @@ ParameterPriorMetricv4::GetNumberOfResiduals() const
 void
 ParameterPriorMetricv4::ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const
 {
+  this->VerifyPriors(x);
   const auto count = static_cast<unsigned int>(m_Priors.size());
   residuals.set_size(count);
   if (jacobian != nullptr)
@@ -124,6 +131,7 @@ ParameterPriorMetricv4::ComputeResiduals(const PositionType & x, VectorType & re
 double
 ParameterPriorMetricv4::ComputeValue(const PositionType & x) const
 {
+  this->VerifyPriors(x);
   double value = 0.0;
   for (std::size_t k = 0; k < m_Priors.size(); ++k)
   {

@@ -1,0 +1,385 @@
+"""Registration of scans by their pose: the method, what lies downstream of it, and metrics of one's own."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Dict, NamedTuple, Optional, Tuple, Union, cast
+
+from . import _core
+from ._errors import ArgumentError
+from ._filters import DentalAxes, as_rigid
+from ._inputs import (
+    Array,
+    ContourLike,
+    LandmarksLike,
+    MeshLike,
+    TransformLike,
+    as_contour,
+    as_geometry,
+    as_landmarks,
+    as_mesh,
+)
+from ._process import Observable, ProcessObject, apply_settings
+
+#: A jaw or its name.
+JawLike = Union[str, _core.Jaw]
+
+
+class LevenbergMarquardtOptimizerv4(Observable, _core.LevenbergMarquardtOptimizerv4):
+    """Levenberg-Marquardt for metrics that are, or are majorised by, sums of squares.
+
+    ``SetMetric``, ``StartOptimization``; commands ask ``GetCurrentIteration``, ``GetCurrentMetricValue``,
+    ``GetCurrentPosition``, ``GetStepAccepted``, ``GetStepLength``. An exception in a command or in a metric of yours
+    comes out of ``StartOptimization``, with the metric back at the best position.
+    """
+
+
+class SilhouettePoseMetricv4(_core.SilhouettePoseMetricv4):
+    """A scan's silhouette against a tracing of it: the term of a jaw in a registration of its pose.
+
+    Reads the blocks "pose" (pitch, roll, yaw, tx, ty, tz) and "scale" (kappa), or as named by ``SetPoseBlock`` and
+    ``SetScaleBlock``.
+    """
+
+    def SetMovingMesh(self, mesh: MeshLike) -> None:
+        """The scan in its dental frame, mm: ``UMidlineDentalAxis(...).upper``."""
+        self._SetMovingMesh(as_mesh(mesh))
+
+    def SetFixedContour(self, contour: ContourLike) -> None:
+        """The tracing of this jaw, continuous pixel indices."""
+        self._SetFixedContour(as_contour(contour))
+
+
+class LeastSquaresMetric(_core._LeastSquaresMetric):
+    """A metric of your own: derive from it and say which parameters it reads and what its residuals are.
+
+    Give it to ``PoseRegistrationMethod.AddMetric``, to a ``LeastSquaresSumMetricv4`` or to an optimizer. It may read
+    the blocks "pose" and "scale" of a registration, which are those of the dental frame, or blocks of its own, which
+    are then estimated as well::
+
+        class IncisorPlane(ds.LeastSquaresMetric):
+            def blocks(self):
+                return ["pose"]
+
+            def residuals(self, values):
+                pitch, roll, yaw, tx, ty, tz = values["pose"]
+                return [(tz - 3.0) / 0.5]
+
+    A registration clones metrics into other threads. Clones share the Python object: its methods are called with the
+    interpreter taken, one at a time, but from several threads in turn, so they should change nothing in the object. An
+    exception in them ends what runs and comes out of ``Execute`` or ``StartOptimization`` unchanged. A class with an
+    ``__init__`` of its own calls ``super().__init__()``.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._Bind(self)
+
+    def blocks(self) -> Union[str, _core.StateBlock, Sequence[Union[str, _core.StateBlock]]]:
+        """What the metric reads: "pose", "scale", :class:`StateBlock` objects; asked for once."""
+        raise NotImplementedError(f"{type(self).__name__} needs blocks(): the names of what it reads")
+
+    def residuals(self, values: Dict[str, Array]) -> Any:
+        """(N,) numbers, each divided by its standard deviation; the criterion is the sum of their squares.
+
+        Parameters
+        ----------
+        values : dict
+            From the name of a block to the values of its parameters, rad and mm.
+        """
+        raise NotImplementedError(f"{type(self).__name__} needs residuals(values)")
+
+    def jacobian(self, values: Dict[str, Array]) -> Any:
+        """Derivatives of the residuals by the values; None, as here: they are found by differences.
+
+        Returns
+        -------
+        dict or array
+            From the name of a block to (N, M), M its parameters; blocks that are left out have none. Or (N, M) for the
+            parameters of all blocks one beside the other.
+        """
+        return None
+
+
+class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
+    """The robust registration: scans and tracing to pose, scale and uncertainty.
+
+    In a command, ``GetCurrentIteration()`` says what is tried: level, stage, candidate, pose, value, whether the step
+    was accepted and how long it is, kernel width, noise. ``Abort()`` there ends the run.
+    """
+
+    def SetUpperFrame(self, transform: Optional[TransformLike]) -> None:
+        """Mesh to dental frame (midline refined) of the upper scan instead of an estimated one; None for that."""
+        self._SetUpperFrame(as_rigid(transform))
+
+    def SetLowerFrame(self, transform: Optional[TransformLike]) -> None:
+        """Mesh to dental frame (midline refined) of the lower scan instead of an estimated one; None for that."""
+        self._SetLowerFrame(as_rigid(transform))
+
+    def SetJointFrame(self, transform: Optional[TransformLike]) -> None:
+        """One frame for both scans, which are in occlusion: they get one pose. None where they are not."""
+        self._SetJointFrame(as_rigid(transform))
+
+    def SetFrames(self, axes: Optional[DentalAxes]) -> None:
+        """All three frames as ``UMidlineDentalAxis(..., refineMidline=True)`` has them; None: estimate them."""
+        self.SetUpperFrame(None if axes is None else axes.upperTransform)
+        self.SetLowerFrame(None if axes is None else axes.lowerTransform)
+        self.SetJointFrame(None if axes is None else axes.jointTransform)
+
+    def SetInitialTransform(self, jaw: JawLike, transform: TransformLike, scaleFactor: float = 1.0) -> None:
+        """Begin here instead of with a search.
+
+        Parameters
+        ----------
+        jaw : "Upper" or "Lower"
+        transform : transform-like
+            Mesh frame to cephalostat frame, mm.
+        scaleFactor : float, optional
+            On the magnification.
+        """
+        rigid = as_rigid(transform)
+        if rigid is None:
+            raise ArgumentError("an initial transform maps the mesh to the cephalostat; ClearInitialTransforms()")
+        self._SetInitialTransform(cast(_core.Jaw, jaw), rigid, scaleFactor)
+
+    def SetOptimizer(self, optimizer: _core.ObjectToObjectOptimizerBase) -> None:
+        """A ``LevenbergMarquardtOptimizerv4``, of which candidates take clones, also in other threads.
+
+        Tolerances and numbers of iterations are those of the options. Commands of the optimizer are called in the
+        thread that runs ``Execute``; ``StopOptimization()`` in one ends the registration.
+        """
+        super().SetOptimizer(optimizer)
+        # Its commands are the Python object's.
+        self.__dict__["_optimizer"] = optimizer
+
+    def Execute(
+        self,
+        geometry: Any,
+        upper: Optional[MeshLike] = None,
+        upperContour: Optional[ContourLike] = None,
+        lower: Optional[MeshLike] = None,
+        lowerContour: Optional[ContourLike] = None,
+    ) -> _core.PoseSolution:
+        """Registers one jaw or both.
+
+        Parameters
+        ----------
+        geometry : CephalometricGeometry or dict
+            Nominal, without a pose; without a pixel spacing the scale is estimated.
+        upper, lower : mesh-like, optional
+            mm, any orientation.
+        upperContour, lowerContour : contour-like, optional
+            The tracing of each jaw, continuous pixel indices.
+        """
+        self._SetGeometry(as_geometry(geometry))
+        self._SetUpperMesh(None if upper is None else as_mesh(upper))
+        self._SetLowerMesh(None if lower is None else as_mesh(lower))
+        self._SetUpperContour(None if upperContour is None else as_contour(upperContour, "upper"))
+        self._SetLowerContour(None if lowerContour is None else as_contour(lowerContour, "lower"))
+        self._Update()
+        return self._GetSolution()
+
+
+def PoseRegistration(
+    geometry: Any,
+    upper: Optional[MeshLike] = None,
+    upperContour: Optional[ContourLike] = None,
+    lower: Optional[MeshLike] = None,
+    lowerContour: Optional[ContourLike] = None,
+    frames: Optional[DentalAxes] = None,
+    options: Optional[_core.PoseRegistrationOptions] = None,
+    **settings: Any,
+) -> _core.PoseSolution:
+    """The robust registration; see :class:`PoseRegistrationMethod`.
+
+    Parameters
+    ----------
+    geometry : CephalometricGeometry or dict
+    upper, lower : mesh-like, optional
+    upperContour, lowerContour : contour-like, optional
+    frames : DentalAxes, optional
+        Of ``UMidlineDentalAxis(upper, lower, refineMidline=True)``; estimated without it.
+    options : PoseRegistrationOptions, optional
+    **settings
+        ``tracedSide``, ``principalPointKnown``, ...
+    """
+    process = PoseRegistrationMethod()
+    process.SetFrames(frames)
+    if options is not None:
+        process.SetOptions(options)
+    apply_settings(process, settings)
+    return process.Execute(geometry, upper, upperContour, lower, lowerContour)
+
+
+class VerdictReason(NamedTuple):
+    """Why a jaw is not simply ok."""
+
+    #: "suspect" or "failed".
+    severity: str
+    #: Short and stable, for programs: "poor-fit".
+    code: str
+    #: For a person.
+    text: str
+
+
+class JawVerdict(NamedTuple):
+    """The verdict on one jaw."""
+
+    #: "ok", "suspect" (a person should look) or "failed".
+    status: str
+    reasons: Tuple[VerdictReason, ...]
+
+
+class RegistrationVerdicts(NamedTuple):
+    """The verdict on both jaws; None where one had no input."""
+
+    upper: Optional[JawVerdict]
+    lower: Optional[JawVerdict]
+    #: What the data could not tell, as sentences.
+    notCheckable: Tuple[str, ...]
+
+    @property
+    def status(self) -> str:
+        """The worst of the jaws."""
+        order = ("ok", "suspect", "failed")
+        return max((jaw.status for jaw in (self.upper, self.lower) if jaw is not None), key=order.index, default="failed")
+
+
+class RegistrationVerdictFilter(ProcessObject, _core.RegistrationVerdictFilter):
+    """Judges a pose registration: ok, suspect (a person should look) or failed, a jaw each, with reasons."""
+
+    def Execute(self, solution: _core.PoseSolution) -> RegistrationVerdicts:
+        """Judges what :class:`PoseRegistrationMethod` returned."""
+        self._SetSolution(solution)
+        self._Update()
+        return RegistrationVerdicts(
+            self._make(_core.Jaw.Upper), self._make(_core.Jaw.Lower), tuple(self.GetNotCheckable())
+        )
+
+    def _make(self, jaw: _core.Jaw) -> Optional[JawVerdict]:
+        found = self._GetVerdict(jaw)
+        return None if found is None else JawVerdict(found[0], tuple(VerdictReason(*reason) for reason in found[1]))
+
+
+def RegistrationVerdict(solution: _core.PoseSolution, **settings: Any) -> RegistrationVerdicts:
+    """Judges a pose registration; see :class:`RegistrationVerdictFilter`. ``thresholds`` is a setting."""
+    process = RegistrationVerdictFilter()
+    apply_settings(process, settings)
+    return process.Execute(solution)
+
+
+class LandmarkProjections(NamedTuple):
+    """Landmarks of the scans on the radiograph, by name."""
+
+    #: (u, v), pixels.
+    positions: Dict[str, Array]
+    #: (2, 2), square pixels.
+    covariances: Dict[str, Array]
+    #: Standard deviation an axis, pixels.
+    sigmas: Dict[str, float]
+    #: (2, 2): of the middle between a right landmark and its left one, which a bisected tracing determines.
+    middleCovariances: Dict[str, Array]
+
+
+class LandmarkProjectionFilter(ProcessObject, _core.LandmarkProjectionFilter):
+    """Landmarks of the scans as a pose registration places them on the radiograph, with their uncertainty."""
+
+    def Execute(self, solution: _core.PoseSolution, landmarks: LandmarksLike) -> LandmarkProjections:
+        """Projects the landmarks of the jaws that were registered.
+
+        Parameters
+        ----------
+        solution : PoseSolution
+        landmarks : landmarks-like
+            ``{"UR1_tip": (x, y, z)}`` or a file, in the frame of the mesh files; ``SetMillimetresPerUnit`` says in what
+            unit.
+        """
+        self._SetSolution(solution)
+        self._SetLandmarks(as_landmarks(landmarks, 3))
+        self._Update()
+        positions = cast("Dict[str, Array]", self._GetOutput())
+        return LandmarkProjections(
+            positions,
+            {name: self.GetCovariance(name) for name in positions},
+            {name: self.GetSigma(name) for name in positions},
+            {name: self.GetMiddleCovariance(name) for name in positions if self.HasMiddleCovariance(name)},
+        )
+
+
+def LandmarkProjection(
+    solution: _core.PoseSolution, landmarks: LandmarksLike, millimetresPerUnit: float = 1.0
+) -> LandmarkProjections:
+    """Landmarks on the radiograph; see :class:`LandmarkProjectionFilter`."""
+    process = LandmarkProjectionFilter()
+    process.SetMillimetresPerUnit(millimetresPerUnit)
+    return process.Execute(solution, landmarks)
+
+
+class MatchedContourFilter(ProcessObject, _core.MatchedContourFilter):
+    """The part of a moving contour that has a tracing beside it, in pieces."""
+
+    def Execute(self, fixed: ContourLike, moving: ContourLike) -> _core.Contour:
+        """Keeps what lies near the tracing.
+
+        Parameters
+        ----------
+        fixed : contour-like
+            The tracing.
+        moving : contour-like
+            ``PoseSolution.GetMovingContour(jaw)``.
+        """
+        self._SetFixedContour(as_contour(fixed))
+        self._SetMovingContour(as_contour(moving))
+        self._Update()
+        return self._TakeOutput()
+
+
+def MatchedContour(
+    fixed: ContourLike, moving: ContourLike, maximumDistance: float = 10.0, maximumGap: float = 12.0
+) -> _core.Contour:
+    """The matched part of a moving contour; see :class:`MatchedContourFilter`. Lengths in pixels."""
+    process = MatchedContourFilter()
+    process.SetMaximumDistance(maximumDistance)
+    process.SetMaximumGap(maximumGap)
+    return process.Execute(fixed, moving)
+
+
+class ProjectedSimilarity(NamedTuple):
+    """The similarity nearest to a pose."""
+
+    #: Maps the geometry's own projection of the frame, pixels, to the radiograph.
+    transform: _core.Similarity2DTransform
+    #: What it leaves, pixels: a pose parallaxes with depth, and a similarity can't.
+    rms: float
+
+
+class ProjectionSimilarityFilter(ProcessObject, _core.ProjectionSimilarityFilter):
+    """The 2-D similarity that comes nearest to a registered pose: what the paper's method would have to find."""
+
+    def Execute(self, solution: _core.PoseSolution, mesh: MeshLike, frame: TransformLike) -> ProjectedSimilarity:
+        """Fits over the scan's points; ``SetJaw`` says of which jaw.
+
+        Parameters
+        ----------
+        solution : PoseSolution
+        mesh : mesh-like
+            The scan, mm.
+        frame : transform-like
+            Mesh to dental frame, of :func:`UMidlineDentalAxis`.
+        """
+        rigid = as_rigid(frame)
+        if rigid is None:
+            raise ArgumentError("frame is needed: mesh to dental frame, of UMidlineDentalAxis()")
+        self._SetSolution(solution)
+        self._SetMesh(as_mesh(mesh))
+        self._SetFrame(rigid)
+        self._Update()
+        return ProjectedSimilarity(cast(_core.Similarity2DTransform, self._GetTransform()), self.GetRMS())
+
+
+def ProjectionSimilarity(
+    solution: _core.PoseSolution, mesh: MeshLike, frame: TransformLike, jaw: JawLike = "Upper"
+) -> ProjectedSimilarity:
+    """The similarity nearest to a pose; see :class:`ProjectionSimilarityFilter`."""
+    process = ProjectionSimilarityFilter()
+    process.SetJaw(cast(_core.Jaw, jaw))
+    return process.Execute(solution, mesh, frame)

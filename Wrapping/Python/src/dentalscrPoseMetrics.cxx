@@ -1,0 +1,593 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrPythonLeastSquaresMetric.h"
+
+#include "itkCorrelatedNoiseModel.h"
+#include "itkGemanMcClureKernel.h"
+#include "itkLeastSquaresSumMetricv4.h"
+#include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkParameterPriorMetricv4.h"
+#include "itkPoseStateBlocks.h"
+#include "itkSilhouettePoseMetricv4.h"
+#include "itkSquaresKernel.h"
+
+#include <limits>
+#include <sstream>
+
+namespace dentalscr
+{
+namespace
+{
+using StateType = itk::RegistrationState;
+using ParameterType = StateType::ParameterType;
+using BlockType = StateType::BlockType;
+using OptimizerType = itk::LevenbergMarquardtOptimizerv4;
+using JawEnum = itk::ToothCode::JawEnum;
+using HoldEnum = MetricBaseType::HoldEnum;
+using ArrayType = py::array_t<double>;
+
+template <typename TParameters>
+ArrayType
+ToArray(const TParameters & parameters)
+{
+  return MakeArray(std::vector<double>(parameters.begin(), parameters.end()));
+}
+
+ArrayType
+ToArray(const vnl_matrix<double> & matrix)
+{
+  return MakeArray(std::vector<double>(matrix.begin(), matrix.end()),
+                   { static_cast<py::ssize_t>(matrix.rows()), static_cast<py::ssize_t>(matrix.cols()) });
+}
+
+/** A metric that has its blocks: before Initialize() a metric knows them only when it is asked. */
+const MetricBaseType &
+Ready(const MetricBaseType & metric)
+{
+  if (metric.GetState().GetNumberOfParameters() == 0)
+  {
+    throw std::invalid_argument(std::string(metric.GetNameOfClass()) +
+                                " reads no parameters yet; set its inputs and call Initialize()");
+  }
+  return metric;
+}
+
+void
+WrapState(py::module_ & module)
+{
+  py::class_<ParameterType>(module,
+                            "StateParameter",
+                            R"(One unknown of a registration.
+
+Parameters
+----------
+name : str
+value : float, optional
+    Natural units: rad, mm, 1.
+scale : float, optional
+    Units of the optimizer in one natural unit, positive: mm a rad for an angle.
+maximumStep : float, optional
+    The longest step an optimizer should take, natural units; 0 is any.
+isFree : bool, optional
+    Whether an optimizer may move it.)")
+    .def(py::init([](const std::string & name, double value, double scale, double maximumStep, bool isFree) {
+           if (!(scale > 0.0))
+           {
+             throw std::invalid_argument("the scale of a parameter is positive");
+           }
+           return ParameterType{ name, value, scale, maximumStep, isFree };
+         }),
+         py::arg("name"),
+         py::arg("value") = 0.0,
+         py::arg("scale") = 1.0,
+         py::arg("maximumStep") = 0.0,
+         py::arg("isFree") = true)
+    .def_readonly("name", &ParameterType::name)
+    .def_readonly("value", &ParameterType::value)
+    .def_readonly("scale", &ParameterType::scale)
+    .def_readonly("maximumStep", &ParameterType::maximumStep)
+    .def_readonly("isFree", &ParameterType::isFree)
+    .def("__repr__", [](const ParameterType & self) {
+      return "<dentalscr.StateParameter " + self.name + " = " + std::to_string(self.value) +
+             (self.isFree ? ">" : ", held>");
+    });
+  py::class_<BlockType>(
+    module,
+    "StateBlock",
+    "Unknowns of a registration that belong together. Metrics that name the same block are about the same unknowns.")
+    .def(py::init([](const std::string & name, const std::vector<ParameterType> & parameters) {
+           return BlockType{ name, parameters };
+         }),
+         py::arg("name"),
+         py::arg("parameters"))
+    .def_readonly("name", &BlockType::name)
+    .def_property_readonly("parameters", [](const BlockType & self) { return self.parameters; })
+    .def("__repr__", [](const BlockType & self) {
+      std::string text = "<dentalscr.StateBlock " + self.name + ":";
+      for (const auto & parameter : self.parameters)
+      {
+        text += ' ' + parameter.name;
+      }
+      return text + '>';
+    });
+  py::class_<itk::PoseStateBlocks>(module, "PoseStateBlocks", "The blocks that the metrics of a pose read.")
+    .def_static(
+      "MakePose", &itk::PoseStateBlocks::MakePose, py::arg("name") = "pose", "pitch, roll, yaw (rad), tx, ty, tz (mm).")
+    .def_static("MakeScale",
+                &itk::PoseStateBlocks::MakeScale,
+                py::arg("name") = "scale",
+                "kappa, the logarithm of the factor on the geometry's magnification.")
+    .def_property_readonly_static(
+      "Arm", [](const py::object &) { return itk::PoseStateBlocks::Arm; }, "mm that an angle is multiplied by.");
+}
+
+void
+WrapModels(py::module_ & module)
+{
+  // "RobustKernel" is the enumeration of PartialContourMetricv4.
+  using KernelType = itk::RobustKernel;
+  py::class_<KernelType, itk::SmartPointer<KernelType>>(
+    module, "RobustKernelBase", "How much a residual counts by its size.")
+    .def("GetName", [](const KernelType & self) { return std::string(self.GetNameOfClass()); })
+    .def("GetWeight",
+         &KernelType::GetWeight,
+         py::arg("squaredDistance"),
+         py::arg("width"),
+         "Between 1 at distance 0 and 0 far away.")
+    .def("GetCharge", &KernelType::GetCharge, py::arg("weight"), "For a weight, in units of the squared width.");
+  py::class_<itk::GemanMcClureKernel, KernelType, itk::SmartPointer<itk::GemanMcClureKernel>>(
+    module, "GemanMcClureKernel", "Robust: far residuals hardly count.")
+    .def(New<itk::GemanMcClureKernel>());
+  py::class_<itk::SquaresKernel, KernelType, itk::SmartPointer<itk::SquaresKernel>>(
+    module, "SquaresKernel", "Least squares: all residuals count alike.")
+    .def(New<itk::SquaresKernel>());
+  using NoiseType = itk::ResidualNoiseModel;
+  py::class_<NoiseType, itk::SmartPointer<NoiseType>>(
+    module, "ResidualNoiseModel", "How the errors of a tracing's points hang together.")
+    .def("GetName", [](const NoiseType & self) { return std::string(self.GetNameOfClass()); })
+    .def("GetCorrelation", &NoiseType::GetCorrelation, py::arg("arcDistance"), "px of 0.25 mm along the tracing.");
+  using CorrelatedType = itk::CorrelatedNoiseModel;
+  py::class_<CorrelatedType, NoiseType, itk::SmartPointer<CorrelatedType>>(
+    module, "CorrelatedNoiseModel", "The hand drifts smoothly along a tracing; length 0 is independent errors.")
+    .def(New<CorrelatedType>())
+    .dentalscrProperty(CorrelatedType, CorrelationLength);
+}
+
+void
+WrapMetricBase(py::module_ & module)
+{
+  BindEnum<HoldEnum>(
+    module,
+    "MetricHold",
+    { { "Nothing", HoldEnum::Nothing }, { "Contours", HoldEnum::Contours }, { "Matches", HoldEnum::Matches } },
+    "What of a metric stays as it is while the parameters move.");
+  py::class_<MetricBaseType, itk::SmartPointer<MetricBaseType>>(
+    module,
+    "LeastSquaresMetricv4",
+    R"(A figure of merit that is, or is majorised by, a sum of squares over named blocks of parameters.
+
+Values of blocks are in natural units (rad, mm, 1). The parameters of SetParameters(), GetParameters() and
+GetDerivative() are an optimizer's: the free ones alone, each multiplied by its scale.)")
+    .def("GetName", [](const MetricBaseType & self) { return std::string(self.GetNameOfClass()); })
+    .def(
+      "GetBlocks",
+      [](const MetricBaseType & self) { return self.GetState().GetBlocks(); },
+      "Blocks, values and what is free; a copy.")
+    .def(
+      "GetBlockValues",
+      [](const MetricBaseType & self, const std::string & block) { return ToArray(self.GetBlockValues(block)); },
+      py::arg("block"))
+    .def("SetBlockValues", &MetricBaseType::SetBlockValues, py::arg("block"), py::arg("values"))
+    .def(
+      "GetValues",
+      [](const MetricBaseType & self) { return ToArray(self.GetState().GetValues()); },
+      "Of all blocks, one behind the other.")
+    .def("SetValues", &MetricBaseType::SetValues, py::arg("values"))
+    .def(
+      "SetBlockFree",
+      [](MetricBaseType & self, const std::string & block, const std::vector<bool> & isFree) {
+        self.SetBlockFree(block, isFree);
+      },
+      py::arg("block"),
+      py::arg("isFree"))
+    .def(
+      "SetBlockFree",
+      [](MetricBaseType & self, const std::string & block, bool isFree) { self.SetBlockFree(block, isFree); },
+      py::arg("block"),
+      py::arg("isFree"),
+      "Whether an optimizer may move the block's parameters, all alike or one by one.")
+    .def(
+      "GetFreeIndices",
+      [](const MetricBaseType & self) { return self.GetState().GetFreeIndices(); },
+      "Places of the free parameters among GetValues().")
+    .def("Initialize",
+         &MetricBaseType::Initialize,
+         py::call_guard<py::gil_scoped_release>(),
+         "Checks the inputs and prepares the evaluation; values stay.")
+    .def(
+      "GetValue",
+      [](const MetricBaseType & self) { return Ready(self).GetValue(); },
+      py::call_guard<py::gil_scoped_release>())
+    .def(
+      "GetDerivative",
+      [](const MetricBaseType & self) {
+        MetricBaseType::DerivativeType derivative;
+        {
+          const py::gil_scoped_release released;
+          Ready(self).GetDerivative(derivative);
+        }
+        return ToArray(derivative);
+      },
+      "By the optimizer's parameters, with ITK's sign: minus the gradient.")
+    .def("GetValueAndDerivative",
+         [](const MetricBaseType & self) {
+           MetricBaseType::MeasureType    value;
+           MetricBaseType::DerivativeType derivative;
+           {
+             const py::gil_scoped_release released;
+             Ready(self).GetValueAndDerivative(value, derivative);
+           }
+           return py::make_tuple(value, ToArray(derivative));
+         })
+    .def(
+      "GetNumberOfParameters",
+      [](const MetricBaseType & self) { return self.GetState().GetNumberOfFreeParameters(); },
+      "The free ones.")
+    .def(
+      "SetParameters",
+      [](MetricBaseType & self, const std::vector<double> & values) {
+        const std::size_t count = self.GetState().GetNumberOfFreeParameters();
+        if (values.size() != count)
+        {
+          throw std::invalid_argument("the metric has " + std::to_string(count) + " free parameters, not " +
+                                      std::to_string(values.size()));
+        }
+        MetricBaseType::ParametersType parameters(static_cast<unsigned int>(count));
+        std::copy(values.begin(), values.end(), parameters.begin());
+        self.SetParameters(parameters);
+      },
+      py::arg("parameters"))
+    .def("GetParameters", [](const MetricBaseType & self) { return ToArray(self.GetState().GetFreeParameters()); })
+    .def(
+      "GetNumberOfResiduals",
+      [](const MetricBaseType & self) { return Ready(self).GetNumberOfResiduals(); },
+      py::call_guard<py::gil_scoped_release>())
+    .def(
+      "GetResiduals",
+      [](const MetricBaseType & self) {
+        MetricBaseType::VectorType residuals;
+        {
+          const py::gil_scoped_release released;
+          Ready(self).GetResiduals(residuals, nullptr);
+        }
+        return ToArray(residuals);
+      },
+      "(N,): divided by their standard deviations.")
+    .def(
+      "GetResidualsAndJacobian",
+      [](const MetricBaseType & self) {
+        MetricBaseType::VectorType residuals;
+        MetricBaseType::MatrixType jacobian;
+        {
+          const py::gil_scoped_release released;
+          Ready(self).GetResiduals(residuals, &jacobian);
+        }
+        return py::make_tuple(ToArray(residuals), ToArray(jacobian));
+      },
+      "(N,) and (N, M): by the optimizer's parameters, plus sign.")
+    .def(
+      "SetKernelWidth",
+      [](MetricBaseType & self, double width) { self.SetKernelWidth(width); },
+      py::arg("width"),
+      "Of the robust kernel, px of 0.25 mm.")
+    .def(
+      "SetRobustKernel",
+      [](MetricBaseType & self, const itk::RobustKernel * kernel) { self.SetRobustKernel(kernel); },
+      py::arg("kernel"))
+    .def(
+      "SetNoiseModel",
+      [](MetricBaseType & self, const itk::ResidualNoiseModel * model) { self.SetNoiseModel(model); },
+      py::arg("model"))
+    .def(
+      "SetNoiseLevels",
+      [](MetricBaseType & self, double smooth, double white) {
+        self.SetNoiseLevels({ smooth, white });
+      },
+      py::arg("smooth"),
+      py::arg("white"),
+      "Standard deviations of the drift along a tracing and of each point, px of 0.25 mm.")
+    .def(
+      "GetNoiseLevels",
+      [](const MetricBaseType & self) -> py::object {
+        itk::ContourNoiseLevels levels;
+        if (!self.GetNoiseLevels(levels))
+        {
+          return py::none();
+        }
+        return py::make_tuple(levels.smooth, levels.white);
+      },
+      "(smooth, white), or None where no term has such noise.")
+    .def(
+      "UpdateNoiseCorrelation",
+      [](MetricBaseType & self) { self.UpdateNoiseCorrelation(Ready(self).GetState().GetValues()); },
+      py::call_guard<py::gil_scoped_release>(),
+      R"(Takes the correlation of the noise from the current values, where it is held from then on.
+
+A metric that was not told takes it from the first place that is evaluated: call this between runs of an optimizer.)")
+    .def(
+      "EstimateNoise",
+      [](MetricBaseType & self, double minimumWeight) {
+        Ready(self);
+        return self.EstimateNoise(minimumWeight);
+      },
+      py::arg("minimumWeight") = 0.0,
+      py::call_guard<py::gil_scoped_release>(),
+      "Estimates the levels of the noise at the current values and sets them; minus twice the log likelihood.")
+    .def(
+      "Hold",
+      [](MetricBaseType & self, HoldEnum what) {
+        Ready(self);
+        self.Hold(what);
+      },
+      py::arg("what"))
+    .def("Modified", &MetricBaseType::Modified, "Says that what the metric computes has changed.")
+    .def(
+      "Clone",
+      [](const MetricBaseType & self) {
+        const itk::LightObject::Pointer   clone = self.Clone().GetPointer();
+        itk::SmartPointer<MetricBaseType> metric = dynamic_cast<MetricBaseType *>(clone.GetPointer());
+        return metric;
+      },
+      "A metric of its own with the same inputs and state.")
+    .def("__str__", [](const MetricBaseType & self) {
+      std::ostringstream text;
+      self.Print(text);
+      return text.str();
+    });
+}
+
+void
+WrapTerms(py::module_ & module)
+{
+  using SideEnum = itk::PoseTracedSideEnum;
+  BindEnum<SideEnum>(module,
+                     "TracedSide",
+                     { { "Right", SideEnum::Right },
+                       { "Left", SideEnum::Left },
+                       { "Mean", SideEnum::Mean },
+                       { "Both", SideEnum::Both } },
+                     "Which side's outline was traced.");
+  using PythonType = PythonLeastSquaresMetric;
+  py::class_<PythonType, MetricBaseType, itk::SmartPointer<PythonType>>(
+    module, "_LeastSquaresMetric", py::custom_type_setup(&PythonType::SetupType))
+    .def(New<PythonType>())
+    .def("_Bind", &PythonType::Bind, py::arg("object"));
+
+  using SumType = itk::LeastSquaresSumMetricv4;
+  MetricClass<SumType>(module,
+                       "LeastSquaresSumMetricv4",
+                       R"(Sum of metrics over one state: silhouettes, priors, terms of your own.
+
+Terms that name the same block are about the same unknowns. A term's own values and what is free there are the sum's
+from the moment it is added.)")
+    .def(New<SumType>())
+    .def("AddMetric", &SumType::AddMetric, py::arg("metric"))
+    .def(
+      "RemoveMetric", [](SumType & self, MetricBaseType * metric) { self.RemoveMetric(metric); }, py::arg("metric"))
+    .def("GetNumberOfMetrics", &SumType::GetNumberOfMetrics)
+    .def(
+      "GetMetric",
+      [](const SumType & self, std::size_t index) { return itk::SmartPointer<MetricBaseType>(self.GetMetric(index)); },
+      py::arg("index"));
+
+  using PriorMetricType = itk::ParameterPriorMetricv4;
+  using PriorType = PriorMetricType::PriorType;
+  py::class_<PriorType>(module,
+                        "ParameterPrior",
+                        "What is known of a parameter beforehand: Gaussian, or Student's t where degreesOfFreedom > 2.")
+    .def(py::init([](double mean, double sigma, double degreesOfFreedom) {
+           return PriorType{ mean, sigma, degreesOfFreedom };
+         }),
+         py::arg("mean") = 0.0,
+         py::arg("sigma") = 1.0,
+         py::arg("degreesOfFreedom") = 0.0)
+    .def_readonly("mean", &PriorType::mean)
+    .def_readonly("sigma", &PriorType::sigma, "Infinity: nothing is known.")
+    .def_readonly("degreesOfFreedom", &PriorType::degreesOfFreedom)
+    .def("__repr__", [](const PriorType & self) {
+      std::ostringstream text;
+      text << "<dentalscr.ParameterPrior " << self.mean << " +- " << self.sigma << '>';
+      return text.str();
+    });
+  MetricClass<PriorMetricType>(
+    module, "ParameterPriorMetricv4", "What is known of a block's parameters beforehand, as a term.")
+    .def(New<PriorMetricType>())
+    .def("SetBlock", &PriorMetricType::SetBlock, py::arg("block"))
+    .def("GetBlock", [](const PriorMetricType & self) { return self.GetBlock(); })
+    .def("SetPriors", &PriorMetricType::SetPriors, py::arg("priors"), "One a parameter of the block.")
+    .def("GetPriors", [](const PriorMetricType & self) { return self.GetPriors(); })
+    .dentalscrBoolean(PriorMetricType, UseVariancePrecision);
+
+  using SilhouetteType = itk::SilhouettePoseMetricv4;
+  MetricClass<SilhouetteType>(
+    module,
+    "SilhouettePoseMetricv4",
+    R"(A scan's silhouette against a tracing of it: the term of a jaw in a registration of its pose.
+
+Reads the blocks "pose" and "scale", or as named. The mesh is in its dental frame, as UMidlineDentalAxis() returns it.)")
+    .def(New<SilhouetteType>())
+    .def("SetTransform",
+         &SilhouetteType::SetTransform,
+         py::arg("transform"),
+         "Its geometry is the radiograph's; its parameters are where pose and scale begin.")
+    .def("GetTransform",
+         [](const SilhouetteType & self) {
+           return SilhouetteType::TransformType::Pointer(
+             const_cast<SilhouetteType::TransformType *>(self.GetTransform()));
+         })
+    .def(
+      "_SetMovingMesh", [](SilhouetteType & self, const MeshType * mesh) { self.SetMovingMesh(mesh); }, py::arg("mesh"))
+    .def(
+      "_SetFixedContour",
+      [](SilhouetteType & self, const itk::DentalContour * contour) { self.SetFixedContour(contour); },
+      py::arg("contour"))
+    .def("SetJaw", &SilhouetteType::SetJaw, py::arg("jaw"))
+    .def("GetJaw", &SilhouetteType::GetJaw)
+    .def("SetTracedSide", &SilhouetteType::SetTracedSide, py::arg("side"))
+    .def("GetTracedSide", &SilhouetteType::GetTracedSide)
+    .dentalscrBoolean(SilhouetteType, UseSideSelection)
+    .dentalscrProperty(SilhouetteType, MidlineMargin)
+    .dentalscrBoolean(SilhouetteType, UseFacingFilter)
+    .dentalscrBoolean(SilhouetteType, UseOrientation)
+    .dentalscrProperty(SilhouetteType, OrientationWeight)
+    .dentalscrProperty(SilhouetteType, MaximumTracingPoints)
+    .def("SetExcludedTeeth", &SilhouetteType::SetExcludedTeeth, py::arg("teeth"), "FDI numbers.")
+    .def("GetExcludedTeeth",
+         [](const SilhouetteType & self) {
+           return std::vector<int>(self.GetExcludedTeeth().begin(), self.GetExcludedTeeth().end());
+         })
+    .def(
+      "SetPoseBlock", [](SilhouetteType & self, const std::string & name) { self.SetPoseBlock(name); }, py::arg("name"))
+    .def("GetPoseBlock", [](const SilhouetteType & self) { return std::string(self.GetPoseBlock()); })
+    .def(
+      "SetScaleBlock",
+      [](SilhouetteType & self, const std::string & name) { self.SetScaleBlock(name); },
+      py::arg("name"))
+    .def("GetScaleBlock", [](const SilhouetteType & self) { return std::string(self.GetScaleBlock()); })
+    .def("GetKernelWidth", &SilhouetteType::GetKernelWidth)
+    .def("GetFailure", &SilhouetteType::GetFailure, "Why the tracing can't be matched; empty where it can.")
+    .def(
+      "GetFit",
+      [](const SilhouetteType & self) {
+        py::list result;
+        for (const auto & fit : self.ComputeFitStatistics(Ready(self).GetState().GetValues()))
+        {
+          py::dict values = ToDict(fit);
+          // What takes a covariance, or the contour that was found.
+          for (const char * name : { "overlap", "predictedSigma", "extrapolatedSigma" })
+          {
+            values.attr("pop")(name);
+          }
+          result.append(values);
+        }
+        return result;
+      },
+      "How well each strand of the tracing is explained, px of 0.25 mm.");
+}
+
+void
+WrapOptimizer(py::module_ & module)
+{
+  using StopEnum = itk::LevenbergMarquardtOptimizerv4Enums::StopCondition;
+  BindEnum<StopEnum>(module,
+                     "StopCondition",
+                     { { "NotStarted", StopEnum::NotStarted },
+                       { "Running", StopEnum::Running },
+                       { "StepTolerance", StopEnum::StepTolerance },
+                       { "ValueTolerance", StopEnum::ValueTolerance },
+                       { "MaximumNumberOfIterations", StopEnum::MaximumNumberOfIterations },
+                       { "MaximumNumberOfEvaluations", StopEnum::MaximumNumberOfEvaluations },
+                       { "StoppedByObserver", StopEnum::StoppedByObserver },
+                       { "NotFinite", StopEnum::NotFinite },
+                       { "Exception", StopEnum::Exception } },
+                     "Why a run of LevenbergMarquardtOptimizerv4 ended.");
+  py::class_<OptimizerBaseType, itk::SmartPointer<OptimizerBaseType>>(
+    module, "ObjectToObjectOptimizerBase", "An optimizer of ITK's v4 framework.")
+    .def("GetName", [](const OptimizerBaseType & self) { return std::string(self.GetNameOfClass()); })
+    .def("GetStopConditionDescription",
+         [](const OptimizerBaseType & self) { return self.GetStopConditionDescription(); })
+    .def("__str__", [](const OptimizerBaseType & self) {
+      std::ostringstream text;
+      self.Print(text);
+      return text.str();
+    });
+  py::class_<OptimizerType, OptimizerBaseType, itk::SmartPointer<OptimizerType>>(
+    module,
+    "LevenbergMarquardtOptimizerv4",
+    "Levenberg-Marquardt for metrics that are, or are majorised by, sums of squares.")
+    .def(New<OptimizerType>())
+    .def(
+      "SetMetric", [](OptimizerType & self, MetricBaseType * metric) { self.SetMetric(metric); }, py::arg("metric"))
+    .def(
+      "SetNumberOfIterations", &OptimizerType::SetNumberOfIterations, py::arg("value"), "Most steps that are accepted.")
+    .def("GetNumberOfIterations", [](const OptimizerType & self) { return self.GetNumberOfIterations(); })
+    .dentalscrProperty(OptimizerType, MaximumNumberOfEvaluations)
+    .dentalscrProperty(OptimizerType, StepTolerance)
+    .dentalscrProperty(OptimizerType, ValueTolerance)
+    .dentalscrProperty(OptimizerType, InitialDamping)
+    .def(
+      "StartOptimization",
+      [](OptimizerType & self) {
+        // Ctrl-C ends it at a step.
+        const unsigned long observer = self.AddObserver(itk::IterationEvent(), [](const itk::EventObject &) {
+          const py::gil_scoped_acquire interpreter;
+          if (PyErr_CheckSignals() != 0)
+          {
+            throw py::error_already_set();
+          }
+        });
+        try
+        {
+          const py::gil_scoped_release released;
+          self.StartOptimization();
+        }
+        catch (...)
+        {
+          self.RemoveObserver(observer);
+          throw;
+        }
+        self.RemoveObserver(observer);
+      },
+      "Runs from the metric's position and leaves the metric at the best one found.")
+    .def("StopOptimization", &OptimizerType::StopOptimization, "In a command: the run ends before the next evaluation.")
+    .def("GetCurrentIteration", [](const OptimizerType & self) { return self.GetCurrentIteration(); })
+    .def(
+      "GetCurrentPosition",
+      [](const OptimizerType & self) { return ToArray(self.GetCurrentPosition()); },
+      "The optimizer's parameters: the best so far in commands, the metric's outside of them.")
+    .def(
+      "GetCurrentMetricValue", [](const OptimizerType & self) { return self.GetCurrentMetricValue(); }, "There.")
+    .def("GetTrialValue", &OptimizerType::GetTrialValue, "Where the last step was tried.")
+    .def("GetStepAccepted", &OptimizerType::GetStepAccepted)
+    .def("GetStepLength", &OptimizerType::GetStepLength, "In the metric's own unit.")
+    .def("GetDamping", &OptimizerType::GetDamping)
+    .def("GetNumberOfEvaluations", &OptimizerType::GetNumberOfEvaluations)
+    .def("GetStopCondition", &OptimizerType::GetStopCondition)
+    .def("HasConverged", &OptimizerType::HasConverged)
+    .def(
+      "_AddCommand",
+      [](const py::object & self, int event, unsigned long key) {
+        return AddPythonCommand(self.cast<OptimizerType &>(), self, event, key);
+      },
+      py::arg("event"),
+      py::arg("key"))
+    .def(
+      "_RemoveCommand", [](OptimizerType & self, unsigned long tag) { self.RemoveObserver(tag); }, py::arg("tag"));
+}
+} // namespace
+
+void
+WrapPoseMetrics(py::module_ & module)
+{
+  WrapState(module);
+  WrapModels(module);
+  WrapMetricBase(module);
+  WrapTerms(module);
+  WrapOptimizer(module);
+}
+} // namespace dentalscr

@@ -1,0 +1,806 @@
+"""The robust registration by its parts, its data and what a user adds to it."""
+import copy
+import gc
+import pathlib
+import pickle
+import threading
+import weakref
+
+import numpy as np
+import pytest
+
+
+@pytest.fixture(scope="module")
+def phantom(ds):
+    return ds.DentalPhantomCase(3, "ideal", makeRadiograph=False)
+
+
+@pytest.fixture(scope="module")
+def axes(ds, phantom):
+    return ds.UMidlineDentalAxis(phantom.upper.mesh, phantom.lower.mesh, refineMidline=True)
+
+
+def inputs(case):
+    return case.geometry, case.upper.mesh, case.upper.tracing, case.lower.mesh, case.lower.tracing
+
+
+@pytest.fixture(scope="module")
+def solution(ds, phantom, axes):
+    return ds.PoseRegistration(*inputs(phantom), frames=axes)
+
+
+def make_quick_options(ds):
+    options = ds.PoseRegistrationOptions()
+    options.yawStarts = [0.0]
+    options.startsPerYaw = 1
+    options.checkHypotheses = False
+    return options
+
+
+# What comes out ------------------------------------------------------------------------------------------------------
+
+
+def test_registration_finds_the_true_projection(ds, phantom, solution):
+    verdict = ds.RegistrationVerdict(solution)
+    assert verdict.status == "ok" and verdict.notCheckable
+    assert solution.GetJawsShareFrame() and solution.HasConverged("upper")
+    for jaw, true in (("upper", phantom.upper), ("lower", phantom.lower)):
+        assert solution.IsRegistered(jaw) and solution.GetFailure(jaw) == "" and solution.GetStatus(jaw) == "ok"
+        assert getattr(verdict, jaw) == ("ok", ())
+        names = list(true.landmarks2D)
+        points = np.array([true.landmarks3D[name] for name in names])
+        projected = solution.ProjectPoints(jaw, points)
+        errors = np.linalg.norm(projected - np.array([true.landmarks2D[name] for name in names]), axis=1)
+        # Documentation/Robust.md: ideal cases 0.1 px, worst 0.5.
+        assert errors.mean() < 1.0
+        matrix = solution.GetProjectionMatrix(jaw)
+        rows = points @ matrix[:, :3].T + matrix[:, 3]
+        assert np.allclose(rows[:, :2] / rows[:, 2:], projected, atol=1e-9)
+        assert np.allclose(solution.GetGeometry(jaw).ProjectPoints(points), projected, atol=1e-6)
+        dental = points @ solution.GetFrame(jaw)[:3, :3].T + solution.GetFrame(jaw)[:3, 3]
+        assert np.allclose(solution.GetPoseTransform(jaw).TransformPoints(dental), projected, atol=1e-6)
+        assert np.allclose(solution.ProjectPoint(jaw, points[0]), projected[0])
+
+
+def test_solution_has_covariance_candidates_and_fit(ds, phantom, solution):
+    point = next(iter(phantom.upper.landmarks3D.values()))
+    covariance = solution.ComputeCovariance("upper", point)
+    assert covariance.shape == (2, 2) and np.linalg.eigvalsh(covariance).min() > 0
+    assert solution.GetPoseCovariance("upper").shape == (7, 7)
+    candidates = solution.GetCandidates("upper")
+    assert candidates[0].parameters == solution.GetPose("upper") and candidates[0].distance == 0.0
+    assert [c.score for c in candidates] == sorted(c.score for c in candidates)
+    assert solution.GetScore("upper") == candidates[0].score
+    assert solution.GetFit("upper")["inlierShare"] > 0.9
+    contour = solution.GetMovingContour("upper")
+    assert contour.points.shape[0] == solution.GetMovingContourPoints("upper").shape[0]
+    assert np.allclose(
+        solution.ProjectPoints("upper", solution.GetMovingContourPoints("upper")), contour.points, atol=1e-3
+    )
+    assert len(solution.GetNoiseLevels("upper")) == 2 and len(solution.GetPriorTension("upper")) == 7
+    assert "Converged" in solution.GetStopConditionDescription("upper") and solution.GetNumberOfEvaluations("upper") > 10
+
+
+def test_solution_is_the_callers_own(ds, phantom, axes):
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    method.SetOptions(make_quick_options(ds))
+    first = method.Execute(*inputs(phantom))
+    pose = first.GetPose("upper")
+    second = method.Execute(phantom.geometry, phantom.lower.mesh, phantom.lower.tracing)
+    assert first.GetPose("upper") == pose and first is not second and not second.HasJaw("lower")
+
+
+def test_solution_of_one_jaw_says_what_the_other_lacks(ds, phantom):
+    found = ds.PoseRegistration(phantom.geometry, phantom.upper.mesh, phantom.upper.tracing)
+    assert found.IsRegistered("upper") and not found.HasJaw("lower") and not found.IsRegistered("lower")
+    assert ds.RegistrationVerdict(found).lower is None
+    with pytest.raises(ds.Error, match="lower jaw had no input"):
+        found.GetPose("lower")
+    with pytest.raises(ds.ArgumentError, match="Upper or Lower"):
+        found.GetPose(ds.Jaw.Unknown)
+
+
+def test_landmarks_have_the_solutions_places_and_covariances(ds, phantom, solution):
+    landmarks = {**phantom.upper.landmarks3D, **phantom.lower.landmarks3D}
+    projected = ds.LandmarkProjection(solution, landmarks)
+    name = next(iter(phantom.upper.landmarks3D))
+    assert set(projected.positions) == set(landmarks)
+    assert np.array_equal(projected.positions[name], solution.ProjectPoint("upper", landmarks[name]))
+    covariance = solution.ComputeCovariance("upper", landmarks[name])
+    assert np.array_equal(projected.covariances[name], covariance)
+    assert projected.sigmas[name] == pytest.approx(np.sqrt(0.5 * np.trace(covariance)))
+    assert projected.middleCovariances
+    metres = {key: point / 1000.0 for key, point in landmarks.items()}
+    assert np.allclose(ds.LandmarkProjection(solution, metres, 1000.0).positions[name], projected.positions[name])
+
+
+def test_matched_contour_is_part_of_the_moving_one(ds, phantom, solution):
+    moving = solution.GetMovingContour("upper")
+    matched = ds.MatchedContour(phantom.upper.tracing, moving)
+    assert 0 < matched.GetNumberOfPoints() <= moving.GetNumberOfPoints()
+    assert ds.MatchedContour(phantom.upper.tracing, moving, maximumDistance=1e-6).GetNumberOfPoints() == 0
+
+
+def test_similarity_of_a_pose_leaves_parallax(ds, phantom, axes, solution):
+    found = ds.ProjectionSimilarity(solution, phantom.upper.mesh, axes.upperTransform)
+    assert 0.0 < found.rms < 30.0 and found.transform.GetScale() == pytest.approx(1.0, abs=0.1)
+
+
+def test_verdict_takes_thresholds(ds, solution):
+    thresholds = ds.RegistrationVerdictThresholds()
+    thresholds.suspectP90 = 1e-9
+    verdict = ds.RegistrationVerdict(solution, thresholds=thresholds)
+    assert verdict.status == "suspect"
+    assert verdict.upper.reasons and all(r.severity == "suspect" and r.code and r.text for r in verdict.upper.reasons)
+
+
+# How it is set up ------------------------------------------------------------------------------------------------------
+
+
+def test_given_frames_are_those_that_are_estimated(ds, phantom, axes, solution):
+    assert axes.jointTransform is not None
+    estimated = ds.PoseRegistration(*inputs(phantom))
+    # The origin of a frame differs by rounding.
+    assert np.allclose(estimated.GetPose("upper"), solution.GetPose("upper"), atol=1e-9)
+    lean = ds.UMidlineDentalAxis(phantom.upper.mesh, refineMidline=True, transformMeshes=False)
+    assert lean.upper is None and lean.jointTransform is None and lean.upperTransform is not None
+    method = ds.PoseRegistrationMethod()
+    method.SetUpperFrame(axes.upperTransform)
+    method.SetLowerFrame(axes.lowerTransform)
+    separate = method.Execute(*inputs(phantom))
+    assert not separate.GetJawsShareFrame() and not method.GetJawsShareFrame()
+    assert separate.GetPose("upper") != separate.GetPose("lower")
+
+
+def test_every_option_is_an_attribute_with_its_default(ds):
+    options = ds.PoseRegistrationOptions()
+    entries = options.GetEntries()
+    assert len(entries) >= 40
+    stub = pathlib.Path(ds.__file__).resolve().with_name("_core.pyi").read_text().partition("class PoseRegistrationOptions:")[2].partition("\nclass ")[0]
+    for name, description in entries:
+        prop = getattr(ds.PoseRegistrationOptions, name)
+        assert isinstance(prop, property) and prop.__doc__ == description
+        value = getattr(options, name)
+        written = options.GetOption(name)
+        if isinstance(value, bool):
+            assert written == ("on" if value else "off")
+        else:
+            assert [float(part) for part in written.split(",")] == [float(v) for v in np.atleast_1d(value)]
+        assert f"def {name}(self) -> " in stub
+    assert options.GetChanges() == []
+
+
+def test_every_option_can_be_set(ds):
+    options = ds.PoseRegistrationOptions()
+    for name, _ in options.GetEntries():
+        value = getattr(options, name)
+        changed = not value if isinstance(value, bool) else [0.5, 0.25] if isinstance(value, list) else value + 1
+        setattr(options, name, changed)
+        assert getattr(options, name) == changed
+    assert len(options.GetChanges()) == len(options.GetEntries())
+    options.SetOption("rollSigma=0.25")
+    assert options.rollSigma == 0.25
+    with pytest.raises(ds.ArgumentError, match="0.001 to"):
+        options.SetOption("correlationLength=-1")
+    with pytest.raises(AttributeError):
+        options.rolSigma = 1.0
+    other = copy.deepcopy(options)
+    other.rollSigma = 0.5
+    assert options.rollSigma == 0.25
+
+
+def test_initial_transform_replaces_the_search(ds, phantom, axes, solution):
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    method.SetOptimizer(optimizer)
+    stages = []
+    optimizer.AddCommand(ds.sitkIterationEvent, lambda: stages.append(method.GetCurrentIteration().stage))
+    method.SetInitialTransform("upper", solution.GetTransform("upper"), np.exp(solution.GetPose("upper")[6]))
+    started = method.Execute(*inputs(phantom))
+    assert stages and ds.PoseStage.Start not in stages
+    assert np.allclose(started.GetPose("upper"), solution.GetPose("upper"), atol=0.05)
+    method.ClearInitialTransforms()
+    assert method.Execute(*inputs(phantom)).GetPose("upper") == solution.GetPose("upper")
+
+
+def test_hypotheses_are_what_was_added(ds, phantom, axes):
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    seen = []
+    method.AddCommand(ds.sitkIterationEvent, lambda: seen.append(method.GetCurrentIteration().hypothesis))
+    method.ClearHypotheses()
+    method.Execute(*inputs(phantom))
+    assert seen and not any(seen)
+    method.AddHypothesis(ds.OtherSideHypothesis())
+    method.Execute(*inputs(phantom))
+    assert any(seen)
+    assert ds.OtherFacingHypothesis().GetCode() == "facing"
+    assert ds.ExchangedJawsHypothesis().GetCode() == "jaws-exchanged"
+
+
+def test_start_search_can_be_set(ds, phantom, axes, solution):
+    search = ds.PoseStartSearch()
+    search.SetShiftStep(6.0)
+    search.SetKappas([0.0, -0.1, 0.1])
+    assert search.GetKappas() == [0.0, -0.1, 0.1]
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    method.SetStart(search)
+    assert np.allclose(method.Execute(*inputs(phantom)).GetPose("upper"), solution.GetPose("upper"), atol=0.05)
+
+
+# While it runs --------------------------------------------------------------------------------------------------------
+
+
+def test_commands_see_every_step_in_the_calling_thread(ds, phantom, axes):
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    method.SetOptimizer(optimizer)
+    assert method.GetOptimizer() is optimizer
+    steps, values, levels, threads = [], [], [], set()
+
+    def watch():
+        threads.add(threading.get_ident())
+        steps.append(method.GetCurrentIteration())
+        metric = method.GetMetric()
+        if not steps[-1].hypothesis:
+            assert np.allclose(metric.GetBlockValues("pose"), steps[-1].pose[:6])
+
+    method.AddCommand(ds.sitkMultiResolutionIterationEvent, lambda: levels.append(method.GetCurrentLevel()))
+    optimizer.AddCommand(ds.sitkIterationEvent, lambda: values.append(optimizer.GetCurrentMetricValue()))
+    # A level is an iteration event as well: the steps alone come from the optimizer.
+    method.AddCommand(ds.sitkIterationEvent, watch)
+    method.Execute(*inputs(phantom))
+    assert threads == {threading.get_ident()}
+    assert levels == [0, 1, 2, 3] and method.GetNumberOfLevels() == 4
+    step = next(step for step in steps if step.stage == ds.PoseStage.Refinement and step.accepted)
+    assert step.level == 2 and len(step.pose) == 7 and step.value == step.trialValue > 0.0
+    assert step.kernelWidth > 0.0 and step.smoothNoise > 0.0 and step.whiteNoise > 0.0 and step.stepLength > 0.0
+    assert len(step.position) == 7 and step.iteration >= 1 and step.evaluations >= 1
+    assert {s.candidate for s in steps} > {0} and any(s.hypothesis for s in steps)
+    assert len(values) == len(steps) - len(levels)
+    assert "accepted" in repr(step)
+
+
+def test_abort_in_a_command_ends_the_run(ds, phantom, axes):
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    count = []
+
+    def stop():
+        count.append(1)
+        if len(count) == 5:
+            method.Abort()
+
+    number = method.AddCommand(ds.sitkIterationEvent, stop)
+    with pytest.raises(ds.AbortedError):
+        method.Execute(*inputs(phantom))
+    assert len(count) == 5
+    method.RemoveCommand(number)
+    assert method.Execute(*inputs(phantom)).IsRegistered("upper")
+
+
+def test_stop_in_a_command_of_the_optimizer_ends_the_run(ds, phantom, axes):
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    optimizer.AddCommand(ds.sitkIterationEvent, optimizer.StopOptimization)
+    method.SetOptimizer(optimizer)
+    with pytest.raises(ds.AbortedError):
+        method.Execute(*inputs(phantom))
+
+
+@pytest.mark.parametrize("of_the_optimizer", [False, True])
+def test_exception_in_a_command_comes_out_unchanged(ds, phantom, axes, of_the_optimizer):
+    class Mine(Exception):
+        pass
+
+    def fail():
+        raise Mine("no")
+
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    method.SetOptimizer(optimizer)
+    (optimizer if of_the_optimizer else method).AddCommand(ds.sitkIterationEvent, fail)
+    with pytest.raises(Mine, match="no"):
+        method.Execute(*inputs(phantom))
+    optimizer.RemoveAllCommands()
+    method.RemoveAllCommands()
+    assert method.Execute(*inputs(phantom)).IsRegistered("upper")
+
+
+# The transform of a pose ------------------------------------------------------------------------------------------------
+
+
+POSE = (0.2, 0.03, -0.05, 2.0, 1.0, -4.0, 0.02)
+
+
+@pytest.fixture
+def transform(ds):
+    geometry = ds.CephalometricGeometry(pixelSpacing=(0.25, 0.24), principalPoint=(400.0, 300.0), facing="left")
+    return ds.CephalometricPoseTransform(geometry, POSE)
+
+
+def test_pose_transform_projects_as_its_geometry(ds, transform):
+    placed = ds.CephalometricGeometry()
+    transform.CopyToGeometry(placed)
+    points = np.array([[30.0, 5.0, -4.0], [-10.0, -20.0, 3.0]])
+    assert np.allclose(transform.TransformPoints(points), placed.ProjectPoints(points), atol=1e-9)
+    assert np.allclose(transform.TransformPoint(points[0]), transform.TransformPoints(points)[0])
+    assert transform.GetScaleFactor() == pytest.approx(np.exp(0.02))
+    rigid = transform.GetRigidTransform()
+    assert np.allclose(rigid.matrix[:3, 3], POSE[3:6])
+    other = ds.CephalometricPoseTransform()
+    other.SetGeometry(ds.CephalometricGeometry(pixelSpacing=0.25))
+    other.SetParametersFromRotation(rigid.matrix[:3, :3], POSE[3:6], 0.02)
+    assert np.allclose(other.GetParameters(), POSE)
+
+
+def test_jacobians_of_a_pose_transform_are_its_differences(transform):
+    point = np.array([30.0, 5.0, -4.0])
+    by_parameters = transform.ComputeJacobianWithRespectToParameters(point)
+    by_position = transform.ComputeJacobianWithRespectToPosition(point)
+    assert by_parameters.shape == (2, 7) and by_position.shape == (2, 3)
+    for k in range(7):
+        places = []
+        for step in (-1e-6, 1e-6):
+            transform.SetParameters(np.array(POSE) + step * np.eye(7)[k])
+            places.append(np.array(transform.TransformPoint(point)))
+        assert np.allclose((places[1] - places[0]) / 2e-6, by_parameters[:, k], rtol=1e-6, atol=1e-4)
+    transform.SetParameters(POSE)
+    for d in range(3):
+        moved = [np.array(transform.TransformPoint(point + step * np.eye(3)[d])) for step in (-1e-6, 1e-6)]
+        assert np.allclose((moved[1] - moved[0]) / 2e-6, by_position[:, d], rtol=1e-6, atol=1e-4)
+
+
+def test_pose_transform_is_kept_whole(ds, transform, tmp_path):
+    for other in (copy.copy(transform), copy.deepcopy(transform), pickle.loads(pickle.dumps(transform))):
+        assert other == transform and other is not transform
+    ds.WriteTransform(transform, tmp_path / "pose.tfm")
+    assert ds.ReadTransform(tmp_path / "pose.tfm") == transform
+    assert pickle.loads(pickle.dumps(ds.CephalometricPoseTransform())).GetParameters() == (0.0,) * 7
+
+
+@pytest.mark.parametrize("package, convert", [("SimpleITK", "to_sitk"), ("itk", "to_itk")])
+def test_pose_transform_has_no_counterpart_elsewhere(ds, transform, package, convert):
+    pytest.importorskip(package)
+    with pytest.raises(TypeError, match="no counterpart"):
+        getattr(ds, convert)(transform)
+
+
+def test_pose_transform_without_geometry_says_what_to_call(ds):
+    empty = ds.CephalometricPoseTransform()
+    with pytest.raises(ds.Error, match="SetGeometry"):
+        empty.TransformPoint((0.0, 0.0, 0.0))
+    with pytest.raises(ds.Error, match="SetPixelSpacing"):
+        empty.SetGeometry(ds.CephalometricGeometry())
+    with pytest.raises(ds.Error):
+        empty.SetParameters([0.0] * 6)
+    with pytest.raises(ds.Error):
+        empty.SetFixedParameters([1.0] * 8)
+
+
+# Metrics by hand ------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def Line(ds):
+    class Line(ds.LeastSquaresMetric):
+        """y = a + b x through points, with or without derivatives."""
+
+        def __init__(self, x, y, derivatives=None):
+            super().__init__()
+            self.x, self.y, self.derivatives, self.calls = np.asarray(x), np.asarray(y), derivatives, 0
+
+        def blocks(self):
+            return ds.StateBlock("line", [ds.StateParameter("a"), ds.StateParameter("b", 1.0, scale=10.0)])
+
+        def residuals(self, values):
+            self.calls += 1
+            a, b = values["line"]
+            return a + b * self.x - self.y
+
+        def jacobian(self, values):
+            both = np.c_[np.ones_like(self.x), self.x]
+            return {None: None, "dict": {"line": both}, "array": both}[self.derivatives]
+
+    return Line
+
+
+@pytest.fixture
+def points():
+    x = np.linspace(-1.0, 2.0, 7)
+    return x, 0.5 - 2.0 * x + 0.1 * np.sin(5.0 * x)
+
+
+@pytest.mark.parametrize("derivatives", [None, "dict", "array"])
+def test_own_metric_is_minimized(ds, Line, points, derivatives):
+    metric = Line(*points, derivatives)
+    metric.Initialize()
+    assert metric.GetNumberOfParameters() == 2 and metric.GetNumberOfResiduals() == 7
+    assert np.array_equal(metric.GetParameters(), [0.0, 10.0])
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    optimizer.SetMetric(metric)
+    values = []
+    optimizer.AddCommand(ds.sitkIterationEvent, lambda: values.append(optimizer.GetCurrentMetricValue()))
+    optimizer.StartOptimization()
+    b, a = np.polyfit(*points, 1)
+    assert np.allclose(metric.GetBlockValues("line"), [a, b], atol=1e-6)
+    assert np.allclose(optimizer.GetCurrentPosition(), [a, 10.0 * b], atol=1e-5)
+    assert values == sorted(values, reverse=True) and optimizer.HasConverged()
+    assert optimizer.GetStopCondition() in (ds.StopCondition.StepTolerance, ds.StopCondition.ValueTolerance)
+
+
+def test_own_metric_has_value_derivative_and_residuals(ds, Line, points):
+    metric = Line(*points)
+    metric.SetBlockValues("line", [0.3, -1.0])
+    metric.Initialize()
+    residuals, jacobian = metric.GetResidualsAndJacobian()
+    assert np.allclose(residuals, 0.3 - points[0] - points[1])
+    # By the optimizer's parameters: the slope is ten times as large there.
+    assert np.allclose(jacobian, np.c_[np.ones(7), points[0] / 10.0], atol=1e-7)
+    value, derivative = metric.GetValueAndDerivative()
+    assert value == metric.GetValue() == pytest.approx(residuals @ residuals)
+    assert np.allclose(derivative, -2.0 * jacobian.T @ residuals) and np.allclose(metric.GetDerivative(), derivative)
+    metric.SetParameters([0.1, 5.0])
+    assert np.allclose(metric.GetValues(), [0.1, 0.5])
+    metric.SetBlockFree("line", [True, False])
+    assert metric.GetNumberOfParameters() == 1 and metric.GetFreeIndices() == [0]
+    with pytest.raises(ds.ArgumentError, match="1 free parameters, not 2"):
+        metric.SetParameters([0.1, 5.0])
+    metric.SetBlockFree("line", False)
+    with pytest.raises(ds.Error, match="SetBlockFree"):
+        metric.Initialize()
+
+
+def test_clones_share_the_python_object(Line, points):
+    metric = Line(*points)
+    metric.Initialize()
+    calls = metric.calls
+    clone = metric.Clone()
+    clone.SetBlockValues("line", [5.0, 5.0])
+    clone.GetValue()
+    assert metric.calls == calls + 1 and np.array_equal(metric.GetBlockValues("line"), [0.0, 1.0])
+
+
+def test_own_metric_lives_as_long_as_what_holds_it_and_no_longer(ds, Line, points):
+    total = ds.LeastSquaresSumMetricv4()
+    total.AddMetric(Line(*points))
+    gc.collect()
+    total.Initialize()
+    assert total.GetValue() > 0.0 and type(total.GetMetric(0)).__name__ == "Line"
+    watcher = weakref.ref(total.GetMetric(0))
+    gc.collect()
+    assert watcher() is not None
+    clone = total.Clone()
+    del total
+    gc.collect()
+    assert clone.GetValue() > 0.0
+    del clone
+    gc.collect()
+    assert watcher() is None
+
+
+@pytest.mark.parametrize(
+    "method, answer, error, words",
+    [
+        ("residuals", "text", TypeError, "array of numbers"),
+        ("residuals", [1.0, float("nan")], ValueError, "finite"),
+        ("residuals", np.zeros((2, 2)), ValueError, "one dimension"),
+        ("jacobian", np.zeros((7, 3)), ValueError, "a row a residual"),
+        ("jacobian", {"lime": np.zeros((7, 2))}, ValueError, "does not name"),
+        ("jacobian", {"line": np.full((7, 2), np.inf)}, ValueError, "finite"),
+        ("blocks", ["posse"], ValueError, "StateBlock"),
+        ("blocks", [3], TypeError, "StateBlock"),
+        ("blocks", 3, TypeError, "iterable"),
+    ],
+)
+def test_own_metric_that_returns_nonsense_is_told_so(ds, Line, points, method, answer, error, words):
+    metric = Line(*points)
+    setattr(metric, method, lambda *values: answer)
+    with pytest.raises(error, match=words):
+        metric.Initialize()
+        metric.GetResidualsAndJacobian()
+
+
+def test_own_metric_keeps_its_number_of_residuals(Line, points):
+    metric = Line(*points)
+    metric.Initialize()
+    metric.GetValue()
+    metric.x, metric.y = metric.x[:3], metric.y[:3]
+    with pytest.raises(ValueError, match="7 residuals before and gives 3 now"):
+        metric.GetValue()
+    metric.Initialize()
+    assert metric.GetNumberOfResiduals() == 3
+
+
+def test_own_metric_without_its_methods_says_which(ds):
+    class Empty(ds.LeastSquaresMetric):
+        pass
+
+    with pytest.raises(NotImplementedError, match="Empty needs blocks"):
+        Empty().Initialize()
+
+    class Forgetful(ds.LeastSquaresMetric):
+        def __init__(self):
+            pass
+
+    with pytest.raises(TypeError, match="__init__"):
+        Forgetful().Initialize()
+
+
+def test_exception_in_an_own_metric_leaves_the_optimizer_at_its_best(ds, Line, points):
+    class Mine(Exception):
+        pass
+
+    metric = Line(*points)
+
+    def residuals(values):
+        if values["line"][1] < 0.0:
+            raise Mine("no")
+        return Line.residuals(metric, values)
+
+    metric.residuals = residuals
+    metric.Initialize()
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    optimizer.SetMetric(metric)
+    with pytest.raises(Mine, match="no"):
+        optimizer.StartOptimization()
+    assert np.array_equal(metric.GetBlockValues("line"), [0.0, 1.0])
+    assert optimizer.GetStopCondition() == ds.StopCondition.Exception
+
+
+def test_prior_pulls_towards_its_mean(ds, Line, points):
+    metric = Line(*points)
+    block = metric.GetBlocks()[0]
+    prior = ds.ParameterPriorMetricv4()
+    prior.SetBlock(block)
+    prior.SetPriors([ds.ParameterPrior(), ds.ParameterPrior(3.0, 1e-4)])
+    assert prior.GetBlock().name == "line" and prior.GetPriors()[1].mean == 3.0
+    total = ds.LeastSquaresSumMetricv4()
+    total.AddMetric(metric)
+    total.AddMetric(prior)
+    total.Initialize()
+    assert total.GetNumberOfResiduals() == 9 and [b.name for b in total.GetBlocks()] == ["line"]
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    optimizer.SetMetric(total)
+    optimizer.StartOptimization()
+    assert total.GetBlockValues("line")[1] == pytest.approx(3.0, abs=1e-4)
+    total.RemoveMetric(prior)
+    total.Initialize()
+    optimizer.StartOptimization()
+    assert total.GetBlockValues("line")[1] == pytest.approx(np.polyfit(*points, 1)[0], abs=1e-6)
+
+
+def test_metrics_that_are_not_ready_say_what_to_call(ds):
+    for metric, words in (
+        (ds.SilhouettePoseMetricv4(), "Initialize"),
+        (ds.LeastSquaresSumMetricv4(), "Initialize"),
+        (ds.ParameterPriorMetricv4(), "Initialize"),
+    ):
+        for call in (
+            metric.GetValue, metric.GetDerivative, metric.GetResiduals, metric.GetResidualsAndJacobian,
+            metric.GetNumberOfResiduals, metric.EstimateNoise, lambda: metric.Hold("Matches"),
+        ):
+            with pytest.raises(ds.Error, match=words):
+                call()
+        with pytest.raises(ds.Error):
+            metric.Initialize()
+        with pytest.raises(ds.Error):
+            metric.SetValues([1.0, 2.0])
+        assert metric.GetName() and str(metric)
+    prior = ds.ParameterPriorMetricv4()
+    prior.SetBlock(ds.PoseStateBlocks.MakeScale())
+    prior.SetPriors([ds.ParameterPrior()] * 300)
+    with pytest.raises(ds.Error, match="SetPriors"):
+        prior.GetValue()
+    with pytest.raises(ds.Error, match="No metric"):
+        ds.LevenbergMarquardtOptimizerv4().StartOptimization()
+
+
+@pytest.fixture
+def silhouettes(ds, phantom, axes):
+    """The terms of both jaws, in their common frame."""
+    transform = ds.CephalometricPoseTransform(phantom.geometry)
+    frame = axes.jointTransform
+    terms = []
+    for jaw, given in (("upper", phantom.upper), ("lower", phantom.lower)):
+        mesh = ds.Mesh(frame.TransformPoints(given.mesh.points), given.mesh.triangles)
+        metric = ds.SilhouettePoseMetricv4()
+        metric.SetTransform(transform)
+        metric.SetMovingMesh(mesh)
+        metric.SetFixedContour(given.tracing)
+        metric.SetJaw(jaw)
+        terms.append(metric)
+    return terms
+
+
+def test_sum_by_hand_ends_where_the_registration_does(ds, phantom, axes, silhouettes, solution):
+    total = ds.LeastSquaresSumMetricv4()
+    for metric in silhouettes:
+        total.AddMetric(metric)
+    prior = ds.ParameterPriorMetricv4()
+    prior.SetBlock(ds.PoseStateBlocks.MakePose())
+    options = ds.PoseRegistrationOptions()
+    nothing = float("inf")
+    prior.SetPriors(
+        [
+            ds.ParameterPrior(sigma=sigma, degreesOfFreedom=freedom)
+            for sigma, freedom in (
+                (nothing, 0), (options.rollSigma, 4), (options.yawSigma, 4), (nothing, 0), (options.tySigma, 0), (nothing, 0),
+            )
+        ]
+    )
+    scale = ds.ParameterPriorMetricv4()
+    scale.SetBlock(ds.PoseStateBlocks.MakeScale())
+    scale.SetPriors([ds.ParameterPrior(sigma=options.kappaSigma)])
+    total.AddMetric(prior)
+    total.AddMetric(scale)
+    total.SetNoiseLevels(options.initialSmoothSigma, options.initialWhiteSigma)
+    assert total.GetNoiseLevels() == (options.initialSmoothSigma, options.initialWhiteSigma)
+    # From a pose that is 4 degrees and 3 mm off.
+    pose = np.array(solution.GetPose("upper"))
+    total.SetBlockValues("pose", pose[:6] + [0.07, 0.0, 0.0, 3.0, 0.0, -3.0])
+    total.Initialize()
+    start = total.GetValues()
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    optimizer.SetMetric(total)
+    # As a similarity first, as the registration does.
+    total.SetBlockFree("pose", [True, False, False, True, False, True])
+    for width in (10.0, 8.0, 6.0, 5.0, 4.0):
+        total.SetKernelWidth(width)
+        total.UpdateNoiseCorrelation()
+        optimizer.StartOptimization()
+    total.SetBlockFree("pose", True)
+    assert total.GetNumberOfParameters() == 7
+    total.SetKernelWidth(3.0)
+    for _ in range(4):
+        deviance = total.EstimateNoise()
+        optimizer.StartOptimization()
+    assert optimizer.HasConverged()
+    # The registration refines many starts, and others: one alone ends near its solution.
+    points = axes.jointTransform.TransformPoints(list(phantom.upper.landmarks3D.values()))
+    expected = solution.GetPoseTransform("upper").TransformPoints(points)
+    errors = [
+        np.linalg.norm(ds.CephalometricPoseTransform(phantom.geometry, x).TransformPoints(points) - expected, axis=1)
+        for x in (start, total.GetValues())
+    ]
+    assert errors[0].mean() > 10.0 and errors[1].max() < 2.0
+    # The tracing of an ideal phantom has no noise to speak of.
+    assert np.isfinite(deviance) and 0.0 < max(total.GetNoiseLevels()) < options.initialSmoothSigma
+
+
+def test_gradient_of_a_silhouette_is_that_of_its_differences(silhouettes, solution):
+    metric = silhouettes[0]
+    metric.SetBlockValues("pose", np.array(solution.GetPose("upper"))[:6] + [0.0, 0.0, 0.0, 0.3, 0.0, 0.3])
+    metric.SetBlockFree("pose", [False, False, False, True, False, True])
+    metric.SetBlockFree("scale", False)
+    metric.Initialize()
+    assert metric.GetFit()[0]["inlierShare"] > 0.5
+    start = metric.GetParameters()
+    metric.GetValue()
+    gradient = -metric.GetDerivative()
+    assert gradient.shape == start.shape == (2,)
+    for k in range(2):
+        values = []
+        for step in (-1e-3, 1e-3):
+            metric.SetParameters(start + step * np.eye(2)[k])
+            values.append(metric.GetValue())
+        # The nearest point of an outline with corners jumps now and then.
+        assert (values[1] - values[0]) / 2e-3 == pytest.approx(gradient[k], rel=0.05)
+
+
+def test_silhouette_takes_kernel_and_noise_model(ds, silhouettes):
+    metric = silhouettes[0]
+    metric.Initialize()
+    robust = metric.GetValue()
+    metric.SetRobustKernel(ds.SquaresKernel())
+    squares = metric.GetValue()
+    model = ds.CorrelatedNoiseModel()
+    model.SetCorrelationLength(0.0)
+    metric.SetNoiseModel(model)
+    white = metric.GetValue()
+    assert len({robust, squares, white}) == 3
+    assert ds.GemanMcClureKernel().GetWeight(0.0, 3.0) == 1.0 and model.GetCorrelation(1.0) == 0.0
+
+
+# In the registration --------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def HeightOfPoint(ds):
+    class HeightOfPoint(ds.LeastSquaresMetric):
+        """A point of the dental frame has a height in the cephalostat: z = z0 +- sigma mm."""
+
+        def __init__(self, point, height, sigma):
+            super().__init__()
+            self.point, self.height, self.sigma = np.asarray(point), height, sigma
+            self.threads = set()
+
+        def blocks(self):
+            return ["pose"]
+
+        def residuals(self, values):
+            self.threads.add(threading.get_ident())
+            pitch, roll, yaw, tx, ty, tz = values["pose"]
+            rotate = ds.CephalometricPoseTransform(parameters=[pitch, roll, yaw, tx, ty, tz, 0.0]).GetRigidTransform()
+            return [(rotate.TransformPoint(self.point)[2] - self.height) / self.sigma]
+
+    return HeightOfPoint
+
+
+def test_own_metric_joins_the_registration(ds, phantom, axes, solution, HeightOfPoint):
+    point = axes.jointTransform.TransformPoint(phantom.upper.landmarks3D["UR1_tip"])
+    height = solution.GetPoseTransform("upper").GetRigidTransform().TransformPoint(point)[2]
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    metric = HeightOfPoint(point, height + 2.0, 1e-3)
+    method.AddMetric(metric)
+    assert method.GetMetrics() == [metric]
+    found = method.Execute(*inputs(phantom))
+    assert metric.threads
+    moved = found.GetPoseTransform("upper").GetRigidTransform().TransformPoint(point)[2]
+    assert moved == pytest.approx(height + 2.0, abs=0.02)
+    # One that agrees changes nothing to speak of.
+    method.ClearMetrics()
+    method.AddMetric(HeightOfPoint(point, height, 1.0))
+    agreed = method.Execute(*inputs(phantom))
+    assert np.allclose(agreed.GetPose("upper"), solution.GetPose("upper"), atol=0.02)
+    method.ClearMetrics()
+    assert method.Execute(*inputs(phantom)).GetPose("upper") == solution.GetPose("upper")
+
+
+def test_own_metric_gives_the_same_bits_for_any_number_of_threads(ds, phantom, axes, HeightOfPoint):
+    poses, threads = [], []
+    for count in (1, 2, 5):
+        method = ds.PoseRegistrationMethod()
+        method.SetNumberOfWorkUnits(count)
+        method.SetFrames(axes)
+        metric = HeightOfPoint((0.0, 0.0, 0.0), 1.0, 0.5)
+        method.AddMetric(metric)
+        poses.append(method.Execute(*inputs(phantom)).GetPose("upper"))
+        threads.append(len(metric.threads))
+    assert poses[0] == poses[1] == poses[2]
+    assert threads[0] == 1 and threads[2] > 1
+
+
+def test_own_block_is_estimated_beside_the_pose(ds, phantom, axes):
+    class Offset(ds.LeastSquaresMetric):
+        def blocks(self):
+            return ["scale", ds.StateBlock("offset", [ds.StateParameter("d")])]
+
+        def residuals(self, values):
+            return (values["offset"] - values["scale"] - 3.0) / 0.1
+
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    method.AddMetric(Offset())
+    found = method.Execute(*inputs(phantom))
+    metric = method.GetMetric()
+    assert found.IsRegistered("upper")
+    assert metric.GetBlockValues("offset") == pytest.approx(3.0, abs=0.1) or "offset" in [b.name for b in metric.GetBlocks()]
+
+
+@pytest.mark.parametrize("threads", [1, 4])
+def test_exception_in_an_own_metric_comes_out_of_the_registration(ds, phantom, axes, HeightOfPoint, threads):
+    class Mine(Exception):
+        pass
+
+    class Failing(HeightOfPoint):
+        def residuals(self, values):
+            if len(self.threads) >= (2 if threads > 1 else 1):
+                raise Mine("no")
+            return super().residuals(values)
+
+    method = ds.PoseRegistrationMethod()
+    method.SetNumberOfWorkUnits(threads)
+    method.SetFrames(axes)
+    method.AddMetric(Failing((0.0, 0.0, 0.0), 1.0, 0.5))
+    with pytest.raises(Mine, match="no"):
+        method.Execute(*inputs(phantom))
+    method.ClearMetrics()
+    assert method.Execute(*inputs(phantom)).IsRegistered("upper")
