@@ -11,6 +11,9 @@ trap 'rm -rf "$work"' EXIT
 $bin/OptimizerAndObserver "$work/convergence.csv" >/dev/null 2>&1
 /usr/bin/python3 Examples/OptimizerAndObserver/plot.py "$work/convergence.csv" $images/convergence.png
 
+$bin/ConvergencePlot "$work/paper.csv" "$work/robust.csv" >/dev/null
+/usr/bin/python3 Examples/ConvergencePlot/plot.py paper="$work/paper.csv" robust="$work/robust.csv" $images/convergence-robust.png
+
 $bin/dentalscr phantom --level typical --seed 101 --output "$work/case" >/dev/null
 mkdir "$work/segmentation" "$work/steps"
 $bin/Segmentation "$work/case/case.json" "$work/segmentation" >/dev/null

@@ -15,150 +15,129 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-// A metric of one's own, plugged into the registration method: 1 - exp(-d^2 / 2 sigma^2), averaged over the traced
-// points. A traced point that has no counterpart costs at most 1.
-#include "itkCephalometricGeometry.h"
-#include "itkContourDistanceIndex.h"
-#include "itkContourToContourMetricv4.h"
+// A metric of one's own joins the sum that PoseRegistrationMethod minimizes: the incisal edge of the upper scan lies on
+// a horizontal plane of the cephalostat whose height somebody has measured, as far as that measurement goes.
 #include "itkDentalPhantomCaseSource.h"
-#include "itkMeshSilhouetteContourSource.h"
-#include "itkSilhouetteToContourRegistrationMethod.h"
+#include "itkLeastSquaresMetricv4.h"
+#include "itkPoseModel.h"
+#include "itkPoseRegistrationMethod.h"
+#include "itkPoseStateBlocks.h"
+#include "itkUMidlineDentalAxisFilter.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 
-/** Exponential distances from the tracing to the silhouette. */
-class ExponentialContourMetric : public itk::ContourToContourMetricv4
+/** One residual: (z of a point under the pose - height of the plane) / sigma, in the cephalostat frame. */
+class PlaneMetric : public itk::LeastSquaresMetricv4
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(ExponentialContourMetric);
-  using Self = ExponentialContourMetric;
-  using Superclass = itk::ContourToContourMetricv4;
+  ITK_DISALLOW_COPY_AND_MOVE(PlaneMetric);
+  using Self = PlaneMetric;
+  using Superclass = itk::LeastSquaresMetricv4;
   using Pointer = itk::SmartPointer<Self>;
   itkNewMacro(Self);
-  itkTypeMacro(ExponentialContourMetric, ContourToContourMetricv4);
+  itkTypeMacro(PlaneMetric, LeastSquaresMetricv4);
+  using PointType = itk::Point<double, 3>;
 
-  /** Pixels. Modified() is called by the macro, so that the registration runs anew. */
+  /** The point, in the dental frame that the pose is of, mm. The macros call Modified(): the registration runs anew. */
+  itkSetMacro(Point, PointType);
+  /** Height of the plane and its standard deviation, mm. */
+  itkSetMacro(Height, double);
   itkSetMacro(Sigma, double);
-  itkGetConstMacro(Sigma, double);
 
-protected:
-  ExponentialContourMetric() = default;
-
-  /** Called once a run: the moving contour is searched, the fixed points are its queries. */
-  void
-  InitializeContours(const itk::ContourArrays & fixed, const itk::ContourArrays & moving) override
+  /** What the residuals depend on. A metric of the same block is about the same pose. */
+  BlocksType
+  DeclareBlocks() const override
   {
-    m_Fixed = fixed.points;
-    m_Index.SetPoints(moving.points.data(), moving.GetNumberOfPoints());
+    return { itk::PoseStateBlocks::MakePose() };
+  }
+  itk::SizeValueType
+  GetNumberOfResiduals() const override
+  {
+    return 1;
+  }
+  void
+  ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const override
+  {
+    // x is pitch, roll, yaw, tx, ty, tz; the seventh parameter of a pose, the scale, is not of this block.
+    const itk::PoseModel pose(itk::PoseGeometry(), { { x[0], x[1], x[2], x[3], x[4], x[5], 0.0 } });
+    const auto &         r = pose.GetRotation();
+    const double         z = r[6] * m_Point[0] + r[7] * m_Point[1] + r[8] * m_Point[2] + x[5];
+    residuals.set_size(1);
+    residuals[0] = (z - m_Height) / m_Sigma;
+    if (jacobian != nullptr)
+    {
+      this->ComputeJacobianByDifferences(x, *jacobian);
+    }
   }
 
-  /** The value at p = s R q + t, and its derivatives by s, angle, tx, ty. */
-  MeasureType
-  ComputeValue(const itk::ContourSimilarity & t, itk::ContourChamferKernel::GradientType * gradient) const override
+protected:
+  PlaneMetric() = default;
+  /** Candidates are refined in several threads, each with a clone of the sum and of its terms. */
+  itk::LightObject::Pointer
+  InternalClone() const override
   {
-    const double c = std::cos(t.angle);
-    const double s = std::sin(t.angle);
-    double       sum = 0.0;
-    if (gradient != nullptr)
-    {
-      gradient->fill(0.0);
-    }
-    const auto count = static_cast<double>(m_Fixed.size() / 2);
-    for (std::size_t i = 0; i < m_Fixed.size(); i += 2)
-    {
-      // The search structure does not move: the fixed point goes into its frame.
-      const double x = (m_Fixed[i] - t.tx) / t.scale;
-      const double y = (m_Fixed[i + 1] - t.ty) / t.scale;
-      const auto   near = m_Index.FindNearest(c * x + s * y, c * y - s * x);
-      // The nearest silhouette point in the radiograph, and from the fixed point to it.
-      const double rotatedX = c * near.x - s * near.y;
-      const double rotatedY = s * near.x + c * near.y;
-      const double dx = t.scale * rotatedX + t.tx - m_Fixed[i];
-      const double dy = t.scale * rotatedY + t.ty - m_Fixed[i + 1];
-      const double weight = std::exp(-0.5 * (dx * dx + dy * dy) / (m_Sigma * m_Sigma));
-      sum += 1.0 - weight;
-      if (gradient != nullptr)
-      {
-        const double f = weight / (m_Sigma * m_Sigma * count);
-        (*gradient)[0] += f * (dx * rotatedX + dy * rotatedY);
-        (*gradient)[1] += f * t.scale * (dy * rotatedX - dx * rotatedY);
-        (*gradient)[2] += f * dx;
-        (*gradient)[3] += f * dy;
-      }
-    }
-    return sum / count;
+    auto clone = Self::New();
+    clone->CopyState(*this);
+    clone->m_Point = m_Point;
+    clone->m_Height = m_Height;
+    clone->m_Sigma = m_Sigma;
+    return clone.GetPointer();
   }
 
 private:
-  double                    m_Sigma{ 4.0 };
-  std::vector<double>       m_Fixed;
-  itk::ContourDistanceIndex m_Index;
+  PointType m_Point;
+  double    m_Height{ 0.0 };
+  double    m_Sigma{ 1.0 };
 };
 
 int
 main()
 {
+  using MeshType = itk::Mesh<float, 3>;
+  using JawEnum = itk::ToothCode::JawEnum;
   try
   {
-    // A phantom whose tracing is known; the head not turned, so that a similarity can fit.
+    // A simulated case with a known answer.
     auto phantom = itk::DentalPhantomCaseSource::New();
-    phantom->SetSeed(3);
-    phantom->SetCohort(itk::DentalPhantomCaseSource::CohortEnum::Ideal);
-    phantom->SetFrame(itk::DentalPhantomCaseSource::FrameEnum::Anatomical);
+    phantom->SetSeed(8);
     phantom->MakeRadiographOff();
     phantom->Update();
+    auto axis = itk::UMidlineDentalAxisFilter<MeshType>::New();
+    axis->SetUpperMesh(phantom->GetMesh(0));
+    axis->RefineMidlineOn();
+    axis->Update();
+    auto registration = itk::PoseRegistrationMethod<MeshType>::New();
+    registration->SetUpperMesh(phantom->GetMesh(0));
+    registration->SetUpperContour(phantom->GetTracing(0));
+    registration->SetUpperFrame(axis->GetUpperTransformOutput());
+    registration->SetGeometry(phantom->GetNominalGeometry());
 
-    // The silhouette where it belongs: the true geometry projects it onto the tracing.
-    auto silhouette = itk::MeshSilhouetteContourSource<itk::Mesh<float, 3>>::New();
-    silhouette->SetInput(phantom->GetMesh(0));
-    silhouette->SetGeometry(phantom->GetTrueGeometry(0));
-    silhouette->SetNumberOfPoints(2000);
+    // The plane goes through the place where the incisal edge truly is, and is known to a tenth of a millimetre.
+    const auto   edge = axis->GetIncisalEdge(itk::UMidlineDentalAxisFilterEnums::Jaw::Upper);
+    const double height = phantom->GetTrueGeometry(0)->TransformToCephalostat(edge)[2];
+    auto         plane = PlaneMetric::New();
+    plane->SetPoint(axis->GetUpperTransformOutput()->Get()->TransformPoint(edge));
+    plane->SetHeight(height);
+    plane->SetSigma(0.1);
 
-    auto registration = itk::SilhouetteToContourRegistrationMethod::New();
-    registration->SetFixedContour(phantom->GetTracing(0));
-    registration->SetMovingContour(silhouette->GetOutput());
-    registration->SetPixelSpacing(phantom->GetTrueGeometry(0)->GetPixelSpacing()[0]);
-    // From 20 px, 3 degrees and 4 % off.
-    auto start = itk::Similarity2DTransform<double>::New();
-    silhouette->Update();
-    itk::DentalContour::PointType centre;
-    centre.Fill(0.0);
-    const auto points = silhouette->GetOutput()->GetPolylines().front().points;
-    for (const auto & point : points)
+    for (const std::string name : { "without", "with" })
     {
-      for (unsigned int d = 0; d < 2; ++d)
+      if (name == "with")
       {
-        centre[d] += point[d] / static_cast<double>(points.size());
+        registration->AddMetric(plane);
       }
-    }
-    start->SetCenter(centre);
-    start->SetScale(1.04);
-    start->SetAngle(0.05);
-    itk::Vector<double, 2> shift;
-    shift[0] = 16.0;
-    shift[1] = 12.0;
-    start->SetTranslation(shift);
-    registration->SetInitialTransform(start);
-
-    for (const bool own : { false, true })
-    {
-      itk::ContourToContourMetricv4::Pointer metric; // none: the paper's symmetric Chamfer
-      if (own)
-      {
-        metric = ExponentialContourMetric::New();
-      }
-      registration->SetMetric(metric);
       registration->Update();
-      // The truth is the identity: how far are the silhouette's points moved?
-      double error = 0.0;
-      for (const auto & point : points)
+      const char * const parameters[] = { "pitch rad", "roll rad", "yaw rad", "tx mm", "ty mm", "tz mm", "kappa" };
+      const auto &       pose = registration->GetOutput()->GetGroup(JawEnum::Upper).parameters;
+      for (unsigned int k = 0; k < pose.size(); ++k)
       {
-        error += registration->GetTransform()->TransformPoint(point).EuclideanDistanceTo(point) /
-                 static_cast<double>(points.size());
+        std::cout << name << ' ' << parameters[k] << ": " << pose[k] << std::endl;
       }
-      std::cout << (own ? "own" : "chamfer") << " error px: " << error << std::endl;
+      const auto placed = registration->GetTransform(JawEnum::Upper)->TransformPoint(edge);
+      std::cout << name << " edge to plane mm: " << std::abs(placed[2] - height) << std::endl;
     }
   }
   catch (const itk::ExceptionObject & error)

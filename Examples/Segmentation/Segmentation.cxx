@@ -28,6 +28,7 @@
 #include "itkLandmarkErrorFilter.h"
 #include "itkPoseRegistrationMethod.h"
 #include "itkRegistrationOverlayFilter.h"
+#include "itkRegistrationVerdictFilter.h"
 #include "itkSilhouetteContourFilter.h"
 #include "itkUMidlineDentalAxisFilter.h"
 #include "itkWritePicture.h"
@@ -57,23 +58,6 @@ OutlineOf(const LabelImageType * label, const LabelImageType * mask)
   believed->SetMinimumNumberOfPoints(6);
   believed->Update();
   return believed->GetOutput();
-}
-
-/** p_dental = R (p - origin) of the transform p_dental = R p + offset. */
-itk::PoseFrame
-FrameOf(const itk::VersorRigid3DTransform<double> * transform)
-{
-  itk::PoseFrame frame;
-  const auto     origin = transform->GetInverseTransform()->TransformPoint(itk::Point<double, 3>());
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      frame.rotation[3 * row + column] = transform->GetMatrix()(row, column);
-    }
-    frame.origin[row] = origin[row];
-  }
-  return frame;
 }
 
 void
@@ -155,11 +139,9 @@ SegmentAndRegister(const std::string & caseFile, const std::string & folder)
   axis->SetLowerMesh(data->lower.mesh);
   axis->SetJawsShareFrame(itk::DentalFrameEnums::JawsShareFrame::On);
   axis->RefineMidlineOn();
-  axis->Update();
-  const itk::PoseFrame frame = FrameOf(axis->GetUpperTransformOutput()->Get());
 
   auto registration = itk::PoseRegistrationMethod<MeshType>::New();
-  registration->SetFrames(frame, frame, true);
+  registration->SetJointFrame(axis->GetJointTransformOutput());
   registration->SetOptions(options);
   registration->SetUpperMesh(data->upper.mesh);
   registration->SetLowerMesh(data->lower.mesh);
@@ -167,23 +149,18 @@ SegmentAndRegister(const std::string & caseFile, const std::string & folder)
   registration->SetLowerContour(contours[1]);
   registration->SetGeometry(data->geometry);
   registration->SetPrincipalPointKnown(data->HasPrincipalPoint());
-  registration->Update();
+  auto verdict = itk::RegistrationVerdictFilter::New();
+  verdict->SetSolution(registration->GetOutput());
+  verdict->Update();
 
+  const itk::PoseSolution *                  solution = registration->GetOutput();
   std::array<itk::DentalContour::Pointer, 2> moving;
   auto                                       predicted = itk::DentalLandmarkSet<2>::New();
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
     // Both scans have one pose: where a jaw shows too little of a border, the other one's serves.
-    const int    index = registration->GetResultIndex(jaw);
-    const bool   registered = index >= 0 && registration->GetResult().jaws[index].registered;
-    const auto * geometry = registration->GetGeometryOutput(registered ? jaw : 1 - jaw);
-    std::vector<itk::DentalContour::PointType> points;
-    for (std::size_t i = 0; registered && i < registration->GetResult().jaws[index].contour.size(); ++i)
-    {
-      points.push_back(itk::DentalContour::PointType(registration->GetResult().jaws[index].contour[i].data()));
-    }
-    moving[jaw] = itk::DentalContour::New();
-    moving[jaw]->AddPolyline(points);
+    const auto * geometry = registration->GetGeometryOutput(jaws[solution->IsRegistered(jaws[jaw]) ? jaw : 1 - jaw]);
+    moving[jaw] = solution->MakeMovingContour(jaws[jaw]);
     for (const auto & landmark : data->landmarks3D->GetLandmarks())
     {
       if (landmark.tooth.GetJaw() == jaws[jaw])
@@ -209,8 +186,8 @@ SegmentAndRegister(const std::string & caseFile, const std::string & folder)
     lines.push_back(line.str());
     const char * const verdicts[] = { "ok", "suspect", "failed" };
     std::cout << (jaw == 0 ? "upper" : "lower")
-              << " verdict: " << verdicts[static_cast<int>(registration->GetVerdict(jaw).status)] << std::endl;
-    for (const auto & reason : registration->GetVerdict(jaw).reasons)
+              << " verdict: " << verdicts[static_cast<int>(verdict->GetVerdict(jaws[jaw]).status)] << std::endl;
+    for (const auto & reason : verdict->GetVerdict(jaws[jaw]).reasons)
     {
       lines.push_back("  " + reason.code);
     }

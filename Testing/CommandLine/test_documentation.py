@@ -1,13 +1,15 @@
-"""Numbers that the documentation repeats from the code."""
+"""Numbers and names that the documentation repeats from the code."""
 import math
 import pathlib
 import re
+
+import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
 
 def verdict_thresholds():
-    header = ROOT / "Modules/Registration/PoseRefinement/include/itkRegistrationVerdict.h"
+    header = ROOT / "Modules/Registration/PoseRegistration/include/itkRegistrationVerdict.h"
     body = re.search(r"struct Thresholds\n *{(.*?)\n *};", header.read_text(), re.S).group(1)
     return {name: float(value) for name, value in re.findall(r"double\s+(\w+)\{\s*(-?[\d.]+)\s*\}", body)}
 
@@ -46,3 +48,48 @@ def test_verdicts_table_has_the_codes_thresholds():
             assert part in rules[rule], rule
     # None of the thresholds is left out above.
     assert len(t) == 20
+
+
+def test_every_option_is_listed_with_its_default():
+    module = ROOT / "Modules/Registration/PoseRegistration"
+    table = (module / "src/itkPoseRegistrationOptionTable.cxx").read_text()
+    names = re.findall(r"&Options::(\w+)", table)
+    assert len(names) > 40
+    header = (module / "include/itkPoseRegistrationTypes.h").read_text()
+    header = re.search(r"struct PoseRegistrationOptions\n{(.*?)\n};", header, re.S).group(1)
+    text = (ROOT / "Documentation/Robust.md").read_text().split("## Options")[1].split("## Verdict")[0]
+    for name in names:
+        default = re.search(rf"\b{name}{{ *(.*?) *}};", header).group(1)
+        if default in ("true", "false"):
+            assert default == "true", "the page says that all switches are on by default"
+            assert f"\n| `{name}` |" in text, name
+            continue
+        row = re.search(rf"\n\| `{name}` \| (.*?) \|", text)
+        assert row, name
+        written = [float(number) for number in row.group(1).split(",")]
+        assert written == pytest.approx([float(number) for number in default.split(",")], rel=1e-3), name
+    listed = re.findall(r"\n\| `(\w+)` \|", text)
+    assert sorted(listed) == sorted([*names, "refineMidline"])
+
+
+def test_classes_by_concept_are_there():
+    """Each class of the index has a header, in the module that stands beside it."""
+    text = (ROOT / "Documentation/ClassIndex.md").read_text()
+    modules = {path.parent.name: path.parent for path in ROOT.glob("Modules/*/*/itk-module.cmake")}
+    everywhere = "\n".join(path.read_text() for path in ROOT.glob("Modules/*/*/include/*.h"))
+    for row in re.findall(r"^\| [^|]* \| ([^|]*`[^|]*) \| ([\w, ]+) \|", text, re.M):
+        for name in re.findall(r"`(\w+)(?:\(\))?`", row[0]):
+            if name == "MeshFileReader":  # ITK's own
+                continue
+            folders = [modules[module.strip()] for module in row[1].split(",")]
+            headers = "\n".join(path.read_text() for folder in folders for path in folder.glob("include/*.h"))
+            assert re.search(rf"\b{name}\b", headers), (name, row[1])
+    for name in ("PoseRefinement", "PoseEstimator", "PoseRegistrationKernel"):
+        assert name not in text and not re.search(rf"class \w+ {name}\b", everywhere)
+
+
+def test_links_of_the_documentation_lead_somewhere():
+    for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *ROOT.glob("Documentation/*.md"), *ROOT.glob("Examples/**/*.md")]:
+        for target in re.findall(r"\]\(([^)#\s]+)", page.read_text()):
+            if "://" not in target:
+                assert (page.parent / target).exists(), (page.name, target)

@@ -15,6 +15,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = sorted(path.parent for path in (ROOT / "Examples").glob("*/expected.json"))
 
 
+def twins_of(folder):
+    return [path for path in folder.glob("*.py") if path.stem not in ("plot", "measure")]
+
+
 @pytest.fixture(scope="session")
 def phantom(run, tmp_path_factory):
     folder = tmp_path_factory.mktemp("phantom") / "case"
@@ -75,6 +79,25 @@ def test_cxx_example_gives_what_is_expected(folder, build_dir, phantom, inputs):
     check(folder, [program], phantom, inputs)
 
 
+def test_robust_by_hand_has_the_bits_of_the_program(build_dir, run, phantom, tmp_path):
+    done = run("register", phantom / "case.json", "--output", tmp_path / "result", "--no-report")
+    assert done.returncode == 0, done.stderr
+    result = json.loads((tmp_path / "result" / "result.json").read_text())
+    expected = json.loads((ROOT / "Examples" / "RobustByHand" / "expected.json").read_text())
+    arguments = [a.format(case=phantom, out=tmp_path) for a in expected["arguments"]]
+    done = subprocess.run(
+        [str(build_dir / "bin" / "RobustByHand"), *arguments], capture_output=True, text=True, timeout=300
+    )
+    assert done.returncode == 0, done.stderr
+    values = read_values(done.stdout)
+    for name, jaw in result["jaws"].items():
+        assert values[f"{name} verdict"] == jaw["status"]
+        assert jaw["landmarks_px"]
+        for landmark, (u, v) in jaw["landmarks_px"].items():
+            assert (values[f"{landmark} u"], values[f"{landmark} v"]) == (u, v), landmark
+            assert values[f"{landmark} sigma px"] == jaw["landmark_sigma_px"][landmark], landmark
+
+
 @pytest.fixture(scope="session")
 def python(build_dir):
     """The interpreter of the tests' virtual environment, where there is one, else this one."""
@@ -82,9 +105,9 @@ def python(build_dir):
     return next(path for path in candidates if path.exists())
 
 
-@pytest.mark.parametrize("folder", EXAMPLES, ids=lambda path: path.name)
+@pytest.mark.parametrize("folder", list(filter(twins_of, EXAMPLES)), ids=lambda path: path.name)
 def test_python_twin_gives_the_same(folder, build_dir, phantom, inputs, python):
-    scripts = [path for path in folder.glob("*.py") if path.stem not in ("plot", "measure")]
+    scripts = twins_of(folder)
     assert len(scripts) == 1, scripts
     if "import SimpleITK" in scripts[0].read_text():
         done = subprocess.run([str(python), "-c", "import SimpleITK"], capture_output=True)

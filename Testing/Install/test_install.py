@@ -1,7 +1,9 @@
 """The install tree serves a project that knows nothing of the build tree."""
+import json
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 
 import pytest
@@ -61,7 +63,17 @@ def test_program_of_the_readme_compiles_as_shown_and_runs(prefix, run, tmp_path)
         "-DCMAKE_BUILD_TYPE=Release",
     )
     call("cmake", "--build", tmp_path / "build")
-    done = run("phantom", "--level", "typical", "--seed", 7, "--output", tmp_path / "case")
-    assert done.returncode == 0, done.stderr
-    parameters = call(tmp_path / "build" / "mine", tmp_path / "case" / "upper.stl", tmp_path / "case" / "contours.json").stdout
-    assert len(parameters.strip().strip("[]").split(",")) == 4
+    # The case that the README's first command makes; the program's numbers are those of its second.
+    commands = re.findall(r"^    dentalscr (.*)$", text, re.MULTILINE)
+    for command in commands[:2]:
+        done = run(*shlex.split(command, comments=True), cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+    jaws = json.loads((tmp_path / "result" / "result.json").read_text())["jaws"]
+    printed = call(tmp_path / "build" / "mine", cwd=tmp_path).stdout.split()
+    for jaw in ("upper", "lower"):
+        assert printed.pop(0) == jaws[jaw]["status"] == "ok"
+        for row in jaws[jaw]["projection_3x4"]:
+            for value in row:
+                # As many digits as a stream prints by default.
+                assert float(printed.pop(0)) == pytest.approx(value, rel=1e-5)
+    assert not printed

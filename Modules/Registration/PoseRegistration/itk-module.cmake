@@ -3,7 +3,6 @@ itk_module(PoseRegistration
     DentalCommon
     CephalometricGeometry
     CephalometricPose
-    ContourMetric
     DentalContour
     PoseMetric
     RegistrationCommon

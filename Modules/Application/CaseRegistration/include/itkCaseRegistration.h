@@ -19,8 +19,8 @@
 #define itkCaseRegistration_h
 
 #include "CaseRegistrationExport.h"
-#include "itkCaseResult.h"
-#include "itkDentalCaseData.h"
+#include "itkCaseResultObject.h"
+#include "itkDentalCaseObject.h"
 #include "itkPoseRegistrationTypes.h"
 
 #include "itkProcessObject.h"
@@ -39,8 +39,9 @@ class UMidlineDentalAxisFilter;
  * \brief Takes a case through the chain of a preset: dental axis, projection, contour, registration, landmarks,
  * verdict.
  *
- * One class for the program and for Python. Set the data (LoadDentalCase() reads it from a case file), call Update(),
- * take the result. A jaw that can't be registered does not stop the other: its status and reasons say why.
+ * One class for the program and for Python: a composite that wires the process objects of the chain. Input: a case,
+ * from DentalCaseReader; output: its result, for CaseResultFolderWriter. A jaw that can't be registered does not stop
+ * the other: its status and reasons say why.
  *
  * Events: StartEvent, ProgressEvent, MultiResolutionIterationEvent where a stage begins (GetCurrentStage()), EndEvent;
  * AbortGenerateDataOn() ends the run with ProcessAborted.
@@ -60,15 +61,29 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(CaseRegistration, ProcessObject);
 
-  using DataPointer = std::shared_ptr<const DentalCaseData>;
+  using DataPointer = DentalCaseObject::DataPointer;
+  using InputType = DentalCaseObject;
+  using OutputType = CaseResultObject;
+  using Superclass::MakeOutput;
+  using DataObjectPointer = Superclass::DataObjectPointer;
+  using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
 
+  using Superclass::SetInput;
+  void
+  SetInput(const InputType * input);
+  const InputType *
+  GetInput() const;
+  /** The same for a case that is no pipeline's: makes the input of it. */
   void
   SetData(DataPointer data);
+  /** Of the input; null where it has none. */
   const DentalCaseData *
-  GetData() const
-  {
-    return m_Data.get();
-  }
+  GetData() const;
+
+  OutputType *
+  GetOutput();
+  const OutputType *
+  GetOutput() const;
 
   itkSetEnumMacro(Preset, CasePresetEnum);
   itkGetEnumMacro(Preset, CasePresetEnum);
@@ -122,7 +137,7 @@ public:
   const CaseResult &
   GetResult() const
   {
-    return m_Result;
+    return this->GetOutput()->Get();
   }
 
   /** What runs now, e.g. "upper: registration". */
@@ -132,15 +147,15 @@ public:
     return m_CurrentStage;
   }
 
-  void
-  Update() override;
+  DataObjectPointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
 
   /** Reaches the process object that runs. */
   void
   SetAbortGenerateData(bool abort) override;
 
 protected:
-  CaseRegistration() = default;
+  CaseRegistration();
   ~CaseRegistration() override = default;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;

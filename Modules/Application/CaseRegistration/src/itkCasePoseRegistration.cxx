@@ -25,7 +25,6 @@
 #include "itkMatchedContourFilter.h"
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkParallelFor.h"
-#include "itkPartialContourMetricv4.h"
 #include "itkPixelSpacingVerdict.h"
 #include "itkPoseModel.h"
 #include "itkPoseRegistrationMethod.h"
@@ -93,16 +92,16 @@ ToCaseStatus(RegistrationVerdict::StatusEnum status)
   }
 }
 
-/** How well spacing x magnification is known. What a file's estimated or corrected magnification hides is not the
- * detector's pixel: it may be off by what the maker assumed. */
-double
-PriorOfScale(const DentalCaseData & data, const PoseRegistrationOptions & options)
+/** What a file's estimated or corrected magnification hides is not the detector's pixel: it may be off by what the
+ * maker assumed. */
+ScalePrior::SpacingSource
+SpacingSourceOf(const DentalCaseData & data)
 {
   std::ostringstream detector;
   detector << PixelSpacingVerdictEnum::Detector;
   return data.sources.pixelSpacing == ValueSourceEnum::DICOM && data.spacingVerdict != detector.str()
-           ? PartialContourMetricv4::GetScaleSigma(ContourMetricEnums::SpacingSource::Dicom)
-           : options.kappaSigma;
+           ? ScalePrior::SpacingSource::Dicom
+           : ScalePrior::SpacingSource::Given;
 }
 
 MethodType::RigidTransformType::Pointer
@@ -318,11 +317,11 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   options.fixScale = data.description.fixScale;
   options.fixRotation = data.description.fixRotation;
   options.fixTranslation = data.description.fixTranslation;
+  method->SetOptions(options);
   if (!settings.kappaSigmaIsGiven)
   {
-    options.kappaSigma = PriorOfScale(data, options);
+    method->SetSpacingSource(SpacingSourceOf(data));
   }
-  method->SetOptions(options);
   SetInitialTransforms(data, jaws, axis, method, result);
 
   auto verdict = RegistrationVerdictFilter::New();
@@ -412,7 +411,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
                     { "yaw_rad", group.parameters[PoseYaw] },
                     { "scale_factor", std::exp(kappa) },
                     { "scale_prior_sd",
-                      data.HasPixelSpacing() ? options.kappaSigma : options.kappaSigmaWithoutSpacing },
+                      data.HasPixelSpacing() ? solution->GetOptions().kappaSigma : options.kappaSigmaWithoutSpacing },
                     { "noise_correlated_px", group.smoothSigma },
                     { "noise_white_px", group.whiteSigma },
                     { "fit_cost", poseJaw.fit.cost },

@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace itk
 {
@@ -61,24 +62,70 @@ ToFrameOption(OcclusionEnum occlusion)
 }
 } // namespace
 
+CaseRegistration::CaseRegistration()
+{
+  this->SetNumberOfRequiredInputs(1);
+  this->SetNumberOfRequiredOutputs(1);
+  this->SetNthOutput(0, this->MakeOutput(0));
+}
+
+CaseRegistration::DataObjectPointer
+CaseRegistration::MakeOutput(DataObjectPointerArraySizeType)
+{
+  return OutputType::New().GetPointer();
+}
+
+void
+CaseRegistration::SetInput(const InputType * input)
+{
+  this->ProcessObject::SetNthInput(0, const_cast<InputType *>(input));
+}
+
+const CaseRegistration::InputType *
+CaseRegistration::GetInput() const
+{
+  return itkDynamicCastInDebugMode<const InputType *>(this->GetPrimaryInput());
+}
+
 void
 CaseRegistration::SetData(DataPointer data)
 {
-  if (m_Data != data)
+  if (this->GetInput() != nullptr && this->GetInput()->Get() == data)
   {
-    m_Data = std::move(data);
-    this->Modified();
+    return;
   }
+  auto input = InputType::New();
+  input->Set(std::move(data));
+  this->SetInput(input);
+}
+
+const DentalCaseData *
+CaseRegistration::GetData() const
+{
+  return this->GetInput() != nullptr ? this->GetInput()->Get().get() : nullptr;
+}
+
+CaseRegistration::OutputType *
+CaseRegistration::GetOutput()
+{
+  return itkDynamicCastInDebugMode<OutputType *>(this->ProcessObject::GetOutput(0));
+}
+
+const CaseRegistration::OutputType *
+CaseRegistration::GetOutput() const
+{
+  return itkDynamicCastInDebugMode<const OutputType *>(this->ProcessObject::GetOutput(0));
 }
 
 void
 CaseRegistration::VerifyPreconditions() ITKv5_CONST
 {
-  Superclass::VerifyPreconditions();
-  if (!m_Data)
+  if (this->GetInput() == nullptr)
   {
-    itkExceptionMacro("There is no case: call SetData() with what LoadDentalCase() returns.");
+    itkExceptionMacro("There is no case: call SetInput() with the output of a DentalCaseReader, or SetData() with what "
+                      "LoadDentalCase() returns.");
   }
+  Superclass::VerifyPreconditions();
 }
 
 std::vector<CaseRegistration::OptionType>
@@ -127,32 +174,6 @@ CaseRegistration::SetOption(const std::string & assignment)
   PoseRegistrationOptionTable::Set(m_PoseOptions, assignment);
   m_KappaSigmaIsGiven = m_KappaSigmaIsGiven || name == "kappaSigma";
   this->Modified();
-}
-
-void
-CaseRegistration::Update()
-{
-  // The inputs are no pipeline objects, hence neither is the check of what changed.
-  if (m_ResultMTime >= this->GetMTime())
-  {
-    return;
-  }
-  this->VerifyPreconditions();
-  this->ResetPipeline();
-  this->SetAbortGenerateData(false);
-  this->InvokeEvent(StartEvent());
-  try
-  {
-    this->GenerateData();
-  }
-  catch (const ProcessAborted &)
-  {
-    this->InvokeEvent(AbortEvent());
-    throw;
-  }
-  this->UpdateProgress(1.0F);
-  this->InvokeEvent(EndEvent());
-  m_ResultMTime = this->GetMTime();
 }
 
 void
@@ -262,6 +283,11 @@ CaseRegistration::GenerateData()
 {
   TimeProbe total;
   total.Start();
+  m_Data = this->GetInput()->Get();
+  if (!m_Data)
+  {
+    itkExceptionMacro("The input holds no case: call Set() of the DentalCaseObject, or use a DentalCaseReader.");
+  }
   m_Result = CaseResult();
   m_Result.preset = m_Preset;
   m_Result.data = m_Data;
@@ -322,6 +348,8 @@ CaseRegistration::GenerateData()
   }
   total.Stop();
   m_Result.totalSeconds = total.GetTotal() + m_Data->readSeconds;
+  this->GetOutput()->Set(m_Result);
+  this->UpdateProgress(1.0F);
 }
 
 void
@@ -442,6 +470,6 @@ CaseRegistration::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "RefineMidline: " << (m_RefineMidline ? "On" : "Off") << std::endl;
   os << indent << "CurrentStage: " << m_CurrentStage << std::endl;
   os << indent << "Running: " << (m_Running != nullptr ? m_Running->GetNameOfClass() : "(none)") << std::endl;
-  os << indent << "ResultStatus: " << ToString(m_Result.GetStatus()) << std::endl;
+  os << indent << "ResultStatus: " << ToString(this->GetResult().GetStatus()) << std::endl;
 }
 } // namespace itk

@@ -22,8 +22,6 @@
 
 #include "itkCommand.h"
 
-#include "itkMakeTriangleSurface.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -334,11 +332,12 @@ TEST(CaseRegistration, TheScalesPriorFollowsTheSpacingsSource)
 
 TEST(CaseRegistration, WithoutAJointFrameNoJointPoseIsAskedFor)
 {
-  const PhantomCase                   phantom(5);
-  std::array<itk::TriangleSurface, 2> surfaces{ { itk::MakeTriangleSurface(phantom.data->upper.mesh.GetPointer()),
-                                                  itk::MakeTriangleSurface(phantom.data->lower.mesh.GetPointer()) } };
-  itk::DentalFrameResult frames = itk::EstimateDentalFrame(&surfaces[0], &surfaces[1], itk::DentalFrameOptions());
-  ASSERT_TRUE(frames.jawsShareFrame && frames.joint.valid);
+  const PhantomCase phantom(5);
+  auto              axis = itk::UMidlineDentalAxisFilter<itk::DentalCaseData::MeshType>::New();
+  axis->SetUpperMesh(phantom.data->upper.mesh);
+  axis->SetLowerMesh(phantom.data->lower.mesh);
+  axis->Update();
+  ASSERT_NE(axis->GetJointTransformOutput()->Get(), nullptr);
   const auto pitches = [&]() {
     itk::CaseResult result;
     result.jaws[JawEnum::Upper];
@@ -346,13 +345,15 @@ TEST(CaseRegistration, WithoutAJointFrameNoJointPoseIsAskedFor)
     result.data = phantom.data;
     result.geometry = itk::CephalometricGeometry::New();
     result.geometry->CopyParameters(phantom.data->geometry);
-    itk::RegisterCaseByPose(*phantom.data, frames, surfaces, itk::CasePoseSettings(), result);
+    itk::CasePoseSettings settings;
+    settings.run = [](itk::ProcessObject * process) { process->Update(); };
+    itk::RegisterCaseByPose(*phantom.data, axis, settings, result);
     return std::array<double, 2>{ { Detail(result.jaws[JawEnum::Upper], "pitch_rad"),
                                     Detail(result.jaws[JawEnum::Lower], "pitch_rad") } };
   };
   const auto joint = pitches();
   EXPECT_EQ(joint[0], joint[1]);
-  frames.joint.valid = false;
+  axis->GetJointTransformOutput()->Set(nullptr);
   const auto apart = pitches();
   EXPECT_NE(apart[0], apart[1]);
 }

@@ -134,7 +134,9 @@ public:
   void
   SetGeometry(const CephalometricGeometry * geometry);
 
-  /** The fixed parameters as the kernels take them. Throws before they are set. */
+  /** The fixed parameters as the kernels take them. Getting throws before they are set. */
+  void
+  SetPoseGeometry(const PoseGeometry & geometry);
   const PoseGeometry &
   GetPoseGeometry() const;
 

@@ -222,15 +222,31 @@ CephalometricPoseTransform::SetGeometry(const CephalometricGeometry * geometry)
     itkExceptionMacro("SetGeometry() needs a CephalometricGeometry, not a null pointer.");
   }
   geometry->VerifyComplete();
+  PoseGeometry own;
+  own.sourceToMidsagittal = geometry->GetSourceToMidsagittalDistance();
+  own.sourceToDetector = geometry->GetSourceToDetectorDistance();
+  own.sourceSign = geometry->GetSourceSign();
+  own.facingSign = geometry->GetFacingSign();
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    own.pixelSpacing[d] = geometry->GetPixelSpacing()[d];
+    own.principalPoint[d] = geometry->GetPrincipalPoint()[d];
+  }
+  this->SetPoseGeometry(own);
+}
+
+void
+CephalometricPoseTransform::SetPoseGeometry(const PoseGeometry & geometry)
+{
   FixedParametersType fixedParameters(NumberOfFixedParameters);
-  fixedParameters[SourceToMidsagittal] = geometry->GetSourceToMidsagittalDistance();
-  fixedParameters[SourceToDetector] = geometry->GetSourceToDetectorDistance();
-  fixedParameters[SourceSign] = geometry->GetSourceSign();
-  fixedParameters[FacingSign] = geometry->GetFacingSign();
-  fixedParameters[PixelSpacingU] = geometry->GetPixelSpacing()[0];
-  fixedParameters[PixelSpacingV] = geometry->GetPixelSpacing()[1];
-  fixedParameters[PrincipalPointU] = geometry->GetPrincipalPoint()[0];
-  fixedParameters[PrincipalPointV] = geometry->GetPrincipalPoint()[1];
+  fixedParameters[SourceToMidsagittal] = geometry.sourceToMidsagittal;
+  fixedParameters[SourceToDetector] = geometry.sourceToDetector;
+  fixedParameters[SourceSign] = geometry.sourceSign;
+  fixedParameters[FacingSign] = geometry.facingSign;
+  fixedParameters[PixelSpacingU] = geometry.pixelSpacing[0];
+  fixedParameters[PixelSpacingV] = geometry.pixelSpacing[1];
+  fixedParameters[PrincipalPointU] = geometry.principalPoint[0];
+  fixedParameters[PrincipalPointV] = geometry.principalPoint[1];
   this->SetFixedParameters(fixedParameters);
 }
 

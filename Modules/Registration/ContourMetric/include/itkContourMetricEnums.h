@@ -19,6 +19,7 @@
 #define itkContourMetricEnums_h
 
 #include "ContourMetricExport.h"
+#include "itkScalePrior.h"
 
 #include <cstdint>
 #include <iosfwd>
@@ -59,13 +60,7 @@ public:
 
   /** Where the pixel spacing of the radiograph comes from: said by the user, read from a DICOM file, assumed, or
    * estimated by the registration. */
-  enum class SpacingSource : std::uint8_t
-  {
-    Given,
-    Dicom,
-    Default,
-    Estimated
-  };
+  using SpacingSource = ScalePrior::SpacingSource;
 };
 
 extern ContourMetric_EXPORT std::ostream &

@@ -86,17 +86,7 @@ PartialContourMetricv4::SetTranslationPrior(const PointType & at, const PointTyp
 double
 PartialContourMetricv4::GetScaleSigma(SpacingSourceEnum source)
 {
-  switch (source)
-  {
-    case SpacingSourceEnum::Given:
-      return 0.016;
-    case SpacingSourceEnum::Dicom:
-      return 0.05;
-    case SpacingSourceEnum::Default:
-    case SpacingSourceEnum::Estimated:
-      break;
-  }
-  return 0.25;
+  return ScalePrior::GetSigma(source);
 }
 
 void

@@ -18,11 +18,10 @@
 #ifndef itkSilhouettePoseMetricv4_h
 #define itkSilhouettePoseMetricv4_h
 
+#include "itkPoseMetricv4.h"
 #include "itkPoseSilhouetteKernel.h"
 
-#include "itkCephalometricPoseTransform.h"
 #include "itkDentalContour.h"
-#include "itkLeastSquaresMetricv4.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkToothCode.h"
 
@@ -56,28 +55,22 @@ namespace itk
  *
  * \ingroup PoseMetric
  */
-class PoseMetric_EXPORT SilhouettePoseMetricv4 : public LeastSquaresMetricv4
+class PoseMetric_EXPORT SilhouettePoseMetricv4 : public PoseMetricv4
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(SilhouettePoseMetricv4);
 
   using Self = SilhouettePoseMetricv4;
-  using Superclass = LeastSquaresMetricv4;
+  using Superclass = PoseMetricv4;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(SilhouettePoseMetricv4, LeastSquaresMetricv4);
+  itkTypeMacro(SilhouettePoseMetricv4, PoseMetricv4);
 
-  using TransformType = CephalometricPoseTransform;
   using ContourType = DentalContour;
   using JawEnum = ToothCode::JawEnum;
   using SurfacePointer = std::shared_ptr<const TriangleSurface>;
-
-  /** Geometry of the radiograph (fixed parameters) and where the pose begins. */
-  virtual void
-  SetTransform(const TransformType * transform);
-  itkGetConstObjectMacro(Transform, TransformType);
 
   /** The scan in its dental frame, mm. */
   void
@@ -147,12 +140,6 @@ public:
     return m_ExcludedTeeth;
   }
 
-  /** Names of the blocks: another body or view has others. */
-  itkSetStringMacro(PoseBlock);
-  itkGetStringMacro(PoseBlock);
-  itkSetStringMacro(ScaleBlock);
-  itkGetStringMacro(ScaleBlock);
-
   /** Makes the engine where something has changed. Unlike Initialize() it does not throw for a tracing that cannot be
    * matched: GetFailure() says why. May be called for several metrics at once, in several threads. */
   void
@@ -179,8 +166,6 @@ public:
   bool
   GetNoiseLevels(ContourNoiseLevels & levels, const ResidualNoiseModel * model = nullptr) const override;
 
-  BlocksType
-  DeclareBlocks() const override;
   SizeValueType
   GetNumberOfResiduals() const override;
   void
@@ -256,7 +241,6 @@ private:
   void
   TakeNormals(const EvaluationType & evaluation) const;
 
-  TransformType::ConstPointer      m_Transform;
   SurfacePointer                   m_Surface;
   JawEnum                          m_Jaw{ JawEnum::Upper };
   PoseTracedSideEnum               m_TracedSide{ PoseTracedSideEnum::Right };
@@ -267,8 +251,6 @@ private:
   double                           m_OrientationWeight{ 8.0 };
   unsigned int                     m_MaximumTracingPoints{ 200 };
   std::vector<std::uint8_t>        m_ExcludedTeeth;
-  std::string                      m_PoseBlock{ "pose" };
-  std::string                      m_ScaleBlock{ "scale" };
   RobustKernel::ConstPointer       m_RobustKernel;
   double                           m_KernelWidth{ 3.0 };
   ResidualNoiseModel::ConstPointer m_NoiseModel;
@@ -279,7 +261,9 @@ private:
   std::shared_ptr<const PoseSilhouetteKernel>     m_Kernel;
   ModifiedTimeType                                m_KernelTime{ 0 };
   mutable std::shared_ptr<const CorrelationsType> m_Correlations;
-  std::shared_ptr<const EvaluationType>           m_Held;
+  /** Of the noise model that they are of. */
+  mutable ModifiedTimeType              m_CorrelationsTime{ 0 };
+  std::shared_ptr<const EvaluationType> m_Held;
   /** Normals, u and v, one strand after the other, by which the noise is correlated. */
   mutable std::vector<std::array<std::vector<double>, 2>> m_Normals;
   /** Changes with kernel, noise model and normals. */

@@ -20,7 +20,6 @@
 #include "itkCorrelatedNoiseModel.h"
 #include "itkGemanMcClureKernel.h"
 #include "itkMakePosePolylines.h"
-#include "itkPoseStateBlocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,15 +29,6 @@ namespace itk
 {
 namespace
 {
-/** Of a metric's position: its two blocks one behind the other are the pose's seven parameters. */
-PoseParameters
-ToPose(const std::vector<double> & x)
-{
-  PoseParameters parameters{ {} };
-  std::copy_n(x.begin(), parameters.size(), parameters.begin());
-  return parameters;
-}
-
 /** As ContourNoiseModel::ComputeCovariance() has it: no weight is quite 0. */
 constexpr double SmallestWeight = 1e-6;
 } // namespace
@@ -48,23 +38,6 @@ SilhouettePoseMetricv4::SilhouettePoseMetricv4()
   , m_NoiseModel(CorrelatedNoiseModel::New().GetPointer())
 {
   m_SettingsTime.Modified();
-}
-
-void
-SilhouettePoseMetricv4::SetTransform(const TransformType * transform)
-{
-  if (m_Transform != transform)
-  {
-    m_Transform = transform;
-    this->Modified();
-  }
-  if (transform != nullptr)
-  {
-    const auto & parameters = transform->GetParameters();
-    this->SetBlockValues(m_PoseBlock,
-                         { parameters[0], parameters[1], parameters[2], parameters[3], parameters[4], parameters[5] });
-    this->SetBlockValues(m_ScaleBlock, { parameters[6] });
-  }
 }
 
 void
@@ -147,19 +120,10 @@ SilhouettePoseMetricv4::GetNoiseLevels(ContourNoiseLevels & levels, const Residu
   return true;
 }
 
-SilhouettePoseMetricv4::BlocksType
-SilhouettePoseMetricv4::DeclareBlocks() const
-{
-  return { PoseStateBlocks::MakePose(m_PoseBlock), PoseStateBlocks::MakeScale(m_ScaleBlock) };
-}
-
 void
 SilhouettePoseMetricv4::Prepare()
 {
-  if (m_Transform.IsNull())
-  {
-    itkExceptionMacro("No transform: call SetTransform() with a CephalometricPoseTransform that has the geometry.");
-  }
+  Superclass::InitializeTerm();
   if (!m_Surface)
   {
     itkExceptionMacro("No scan: call SetMovingMesh() or SetMovingSurface() with the jaw in its dental frame.");
@@ -170,13 +134,13 @@ SilhouettePoseMetricv4::Prepare()
   }
   // Not the state's time: what is free and where it stands changes nothing here.
   const ModifiedTimeType time =
-    std::max({ this->Object::GetMTime(), m_Transform->GetMTime(), this->GetFixedContour()->GetMTime() });
+    std::max({ this->Object::GetMTime(), this->GetTransform()->GetMTime(), this->GetFixedContour()->GetMTime() });
   if (m_Kernel && m_KernelTime >= time)
   {
     return;
   }
   PoseSilhouetteSettings settings;
-  settings.geometry = m_Transform->GetPoseGeometry();
+  settings.geometry = this->GetTransform()->GetPoseGeometry();
   settings.upper = m_Jaw == JawEnum::Upper;
   settings.tracedSide = m_TracedSide;
   settings.useSideSelection = m_UseSideSelection;
@@ -228,10 +192,13 @@ SilhouettePoseMetricv4::InitializeTerm()
 void
 SilhouettePoseMetricv4::UpdateCorrelations() const
 {
-  if (m_Correlations)
+  const ModifiedTimeType time = m_NoiseModel->GetMTime();
+  if (m_Correlations && m_CorrelationsTime == time)
   {
     return;
   }
+  m_CorrelationsTime = time;
+  m_SettingsTime.Modified();
   auto correlations = std::make_shared<CorrelationsType>();
   for (const auto & strand : this->GetKernel().GetStrands())
   {
@@ -272,14 +239,14 @@ SilhouettePoseMetricv4::Evaluate(const PositionType & x) const
   {
     return m_Last;
   }
-  const PoseParameters         pose = ToPose(x);
+  const PoseParameters         pose = ToPoseParameters(x);
   const PoseSilhouetteKernel & kernel = this->GetKernel();
   EvaluationType               evaluation;
   evaluation.x = x;
   const std::size_t count = kernel.GetStrands().size();
   if (m_Held)
   {
-    evaluation.contours = kernel.MoveContours(m_Held->contours, ToPose(m_Held->x), pose);
+    evaluation.contours = kernel.MoveContours(m_Held->contours, ToPoseParameters(m_Held->x), pose);
   }
   else
   {
@@ -526,7 +493,7 @@ SilhouettePoseMetricv4::AddSquaredMotion(const PositionType & from,
                                          double &             count) const
 {
   const std::vector<PoseContour> & contours = m_Held ? m_Held->contours : this->Evaluate(from).contours;
-  m_Kernel->AddSquaredMotion(contours, ToPose(from), ToPose(to), sum, count);
+  m_Kernel->AddSquaredMotion(contours, ToPoseParameters(from), ToPoseParameters(to), sum, count);
 }
 
 std::vector<PoseFitStatistics>
@@ -619,7 +586,7 @@ SilhouettePoseMetricv4::PredictSigma(std::size_t                    s,
                                      const std::array<double, 49> & covariance) const
 {
   const EvaluationType & at = this->Evaluate(x);
-  const PoseModel        model(m_Kernel->GetSettings().geometry, ToPose(x));
+  const PoseModel        model(m_Kernel->GetSettings().geometry, ToPoseParameters(x));
   const PoseContour &    contour = at.contours[s];
   const auto &           match = at.strands[s].match;
   if (match.empty() || contour.Size() == 0)
@@ -630,6 +597,16 @@ SilhouettePoseMetricv4::PredictSigma(std::size_t                    s,
     double w[2], jacobian[14];
     double sum = 0.0;
     model.ProjectWithJacobian(contour.rim[sample].data(), w, jacobian);
+    if (!contour.rimOther.empty())
+    {
+      // Of a bisected tracing the middle of both sides is what is matched.
+      double other[14];
+      model.ProjectWithJacobian(contour.rimOther[sample].data(), w, other);
+      for (int a = 0; a < 14; ++a)
+      {
+        jacobian[a] = 0.5 * (jacobian[a] + other[a]);
+      }
+    }
     for (int axis = 0; axis < 2; ++axis)
     {
       for (int a = 0; a < 7; ++a)
@@ -660,7 +637,6 @@ SilhouettePoseMetricv4::InternalClone() const
 {
   auto clone = Self::New();
   clone->SetFixedObject(this->GetFixedObject());
-  clone->m_Transform = m_Transform;
   clone->m_Surface = m_Surface;
   clone->m_Jaw = m_Jaw;
   clone->m_TracedSide = m_TracedSide;
@@ -671,8 +647,6 @@ SilhouettePoseMetricv4::InternalClone() const
   clone->m_OrientationWeight = m_OrientationWeight;
   clone->m_MaximumTracingPoints = m_MaximumTracingPoints;
   clone->m_ExcludedTeeth = m_ExcludedTeeth;
-  clone->m_PoseBlock = m_PoseBlock;
-  clone->m_ScaleBlock = m_ScaleBlock;
   clone->m_RobustKernel = m_RobustKernel;
   clone->m_KernelWidth = m_KernelWidth;
   clone->m_NoiseModel = m_NoiseModel;
@@ -680,8 +654,18 @@ SilhouettePoseMetricv4::InternalClone() const
   clone->m_Hold = m_Hold;
   clone->m_Kernel = m_Kernel;
   clone->m_Correlations = m_Correlations;
-  clone->m_Held = m_Held;
-  clone->CopyState(*this);
+  clone->m_CorrelationsTime = m_CorrelationsTime;
+  clone->m_Normals = m_Normals;
+  if (m_Held && m_Hold == HoldEnum::Matches)
+  {
+    // A copy: its weights and factors are made anew where a setting changes, perhaps in several threads.
+    clone->m_Held = std::make_shared<const EvaluationType>(*m_Held);
+  }
+  else
+  {
+    clone->m_Held = m_Held;
+  }
+  clone->CopyPose(*this);
   // Prepared as the original is: what the setters above changed is the same.
   clone->m_KernelTime = std::max(clone->Object::GetMTime(), m_KernelTime);
   return clone.GetPointer();
@@ -691,7 +675,6 @@ void
 SilhouettePoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  itkPrintSelfObjectMacro(Transform);
   os << indent << "Surface: " << (m_Surface ? m_Surface->triangles.size() : 0) << " triangles" << std::endl;
   os << indent << "Jaw: " << static_cast<int>(m_Jaw) << std::endl;
   os << indent << "TracedSide: " << static_cast<int>(m_TracedSide) << std::endl;
@@ -707,8 +690,6 @@ SilhouettePoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
     os << ' ' << tooth;
   }
   os << std::endl;
-  os << indent << "PoseBlock: " << m_PoseBlock << std::endl;
-  os << indent << "ScaleBlock: " << m_ScaleBlock << std::endl;
   itkPrintSelfObjectMacro(RobustKernel);
   os << indent << "KernelWidth: " << m_KernelWidth << std::endl;
   itkPrintSelfObjectMacro(NoiseModel);

@@ -38,11 +38,13 @@ namespace itk
  * - What a user holds was not estimated: its own uncertainty, with what the estimated parameters do when it moves,
  * comes on top instead of being narrowed by the data.
  *
- * The metric stays as it is. */
+ * The noise model is the options' correlation over covarianceCorrelationLength where none is given. The metric stays as
+ * it is. */
 PoseRegistration_EXPORT std::array<double, 49>
                         ComputePoseCovariance(const LeastSquaresSumMetricv4 & metric,
                                               const PoseRegistrationOptions & options,
-                                              const PosePriors &              priors);
+                                              const PosePriors &              priors,
+                                              const ResidualNoiseModel *      noiseModel = nullptr);
 } // namespace itk
 
 #endif

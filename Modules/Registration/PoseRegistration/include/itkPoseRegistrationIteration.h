@@ -49,13 +49,14 @@ struct PoseRegistrationIteration
   /** Jaws with a pose of their own are groups, one after the other. */
   unsigned int  group{ 0 };
   PoseStageEnum stage{ PoseStageEnum::Start };
-  /** Which of the candidates; candidates are refined at the same time and their steps may alternate. */
+  /** Which of the candidates of the stage, in the start one for each yaw and start; candidates are refined at the same
+   * time and their steps may alternate. */
   unsigned int candidate{ 0 };
   /** A step of a hypothesis that is tried beside the result, as the other side. */
   bool hypothesis{ false };
   /** Best position so far. */
   PoseParameters pose{ {} };
-  /** The step: value, whether accepted, how long, how many so far in this run of the optimizer. */
+  /** The step: value, whether accepted, how long (px), how many so far of this candidate in this stage. */
   LeastSquaresIteration step;
   /** Of the criterion that the value is of, px of 0.25 mm. */
   double             kernelWidth{ 0.0 };

@@ -29,6 +29,7 @@
 #include "itkObjectToObjectOptimizerBase.h"
 #include "itkProcessObject.h"
 #include "itkRegistrationIterationInformation.h"
+#include "itkScalePrior.h"
 #include "itkSimpleDataObjectDecorator.h"
 
 #include <array>
@@ -112,6 +113,13 @@ public:
   itkGetConstMacro(PrincipalPointKnown, bool);
   itkBooleanMacro(PrincipalPointKnown);
 
+  /** Where the pixel spacing comes from: its prior of the scale (ScalePrior) takes the place of the option kappaSigma.
+   * Without a call the option holds, whose default is that of a spacing that was given. */
+  void
+  SetSpacingSource(ScalePrior::SpacingSource source);
+  void
+  ClearSpacingSource();
+
   /** Where a jaw's registration begins instead of with a search: mesh frame to cephalostat frame, and the factor on the
    * magnification. Of jaws with one pose the upper's speaks first. */
   void
@@ -129,6 +137,16 @@ public:
   /** PoseStartSearch by default. */
   itkSetConstObjectMacro(Start, PoseStart);
   itkGetConstObjectMacro(Start, PoseStart);
+
+  /** Kernel of the silhouettes in place of the options' (useRobustKernel), and noise model in place of theirs
+   * (useCorrelatedNoise, correlationLength; of the covariance covarianceCorrelationLength). Null: those of the options.
+   */
+  itkSetConstObjectMacro(RobustKernel, RobustKernel);
+  itkGetConstObjectMacro(RobustKernel, RobustKernel);
+  itkSetConstObjectMacro(NoiseModel, ResidualNoiseModel);
+  itkGetConstObjectMacro(NoiseModel, ResidualNoiseModel);
+  itkSetConstObjectMacro(CovarianceNoiseModel, ResidualNoiseModel);
+  itkGetConstObjectMacro(CovarianceNoiseModel, ResidualNoiseModel);
 
   /** A further term of the sum that is minimized, as a metric of one's own. It may read the blocks "pose" and "scale"
    * or have blocks of its own. */
@@ -148,6 +166,10 @@ public:
   void
   ClearHypotheses();
 
+  /** Of the terms, the hypotheses and the start as well: a change of one of them runs the registration again. */
+  ModifiedTimeType
+  GetMTime() const override;
+
   // While it runs -----------------------------------------------------------------------------------------------
 
   /** Groups are jaws with a pose of their own; level = 4 group + stage. */
@@ -163,11 +185,21 @@ public:
   {
     return m_CurrentIteration;
   }
-  /** Steps that were accepted in this run of the optimizer, of this candidate. */
+  /** Of the stage; their steps may alternate. */
+  unsigned int
+  GetCurrentCandidate() const override;
+  /** Steps that were accepted in this stage, of this candidate. */
   std::size_t
   GetOptimizerIteration() const override;
+  /** Value of the criterion with the kernel width and the noise levels of the step (GetCurrentIteration()): values of
+   * one candidate can be compared only as long as these stay. */
   double
   GetMetricValue() const override;
+  /** Root mean square motion of the moving contours, px of 0.25 mm. */
+  double
+  GetStepLength() const override;
+  bool
+  GetStepAccepted() const override;
   /** pitch, roll, yaw (rad), tx, ty, tz (mm), kappa. */
   OptimizerParameters<double>
   GetOptimizerPosition() const override;
@@ -214,8 +246,6 @@ protected:
   {}
   void
   GenerateData() override;
-  ModifiedTimeType
-  GetMTime() const override;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
 
@@ -241,9 +271,13 @@ private:
 
   PoseRegistrationOptions                   m_Options;
   bool                                      m_PrincipalPointKnown{ true };
+  std::optional<ScalePrior::SpacingSource>  m_SpacingSource;
   std::array<InitialType, NumberOfJaws>     m_Initial;
   OptimizerType::Pointer                    m_Optimizer;
   PoseStart::ConstPointer                   m_Start;
+  RobustKernel::ConstPointer                m_RobustKernel;
+  ResidualNoiseModel::ConstPointer          m_NoiseModel;
+  ResidualNoiseModel::ConstPointer          m_CovarianceNoiseModel;
   std::vector<TermType::Pointer>            m_Terms;
   std::vector<PoseHypothesis::ConstPointer> m_Hypotheses;
   unsigned int                              m_CurrentLevel{ 0 };

@@ -44,9 +44,14 @@ MatchedContourFilter::GetOutput()
 void
 MatchedContourFilter::GenerateData()
 {
-  const auto *  fixed = this->GetFixedContour()->GetPoints();
   ContourType * output = this->GetOutput();
   output->Initialize();
+  const auto * fixed = this->GetFixedContour()->GetPoints();
+  if (fixed == nullptr)
+  {
+    // Nothing was traced.
+    return;
+  }
   std::vector<ContourType::PointType> points;
   const auto                          flush = [&]() {
     output->AddPolyline(points);

@@ -31,7 +31,8 @@ namespace itk
 std::array<double, 49>
 ComputePoseCovariance(const LeastSquaresSumMetricv4 & original,
                       const PoseRegistrationOptions & options,
-                      const PosePriors &              priors)
+                      const PosePriors &              priors,
+                      const ResidualNoiseModel *      noiseModel)
 {
   PosePriors::SigmasType       sigmas = priors.GetCovarianceSigmas();
   const PosePriors::SigmasType heldSigmas = priors.GetHeldSigmas();
@@ -44,16 +45,18 @@ ComputePoseCovariance(const LeastSquaresSumMetricv4 & original,
   metric->Hold(LeastSquaresMetricv4::HoldEnum::Nothing);
   PosePriors::SetFree(*metric, sigmas);
   priors.SetPriors(*metric, sigmas, true);
-  auto noiseModel = CorrelatedNoiseModel::New();
-  noiseModel->SetCorrelationLength(options.useCorrelatedNoise ? options.covarianceCorrelationLength : 0.0);
+  auto ownModel = CorrelatedNoiseModel::New();
+  ownModel->SetCorrelationLength(options.useCorrelatedNoise ? options.covarianceCorrelationLength : 0.0);
   ContourNoiseLevels levels;
   const bool         hasNoise = metric->GetNoiseLevels(levels);
-  metric->SetNoiseModel(noiseModel);
+  metric->SetNoiseModel(noiseModel != nullptr ? noiseModel : ownModel.GetPointer());
   if (metric->GetState().GetNumberOfFreeParameters() == 0)
   {
     return covariance;
   }
   metric->Initialize();
+  // By the normals of where the covariance is of, wherever the metric was evaluated before.
+  metric->UpdateNoiseCorrelation(metric->GetState().GetValues());
   if (hasNoise)
   {
     metric->SetKernelWidth(

@@ -19,10 +19,12 @@
 
 #include "itkFindSilhouettes.h"
 #include "itkPoseCovariance.h"
+#include "itkPoseStateBlocks.h"
 
 #include "itkCommand.h"
 #include "itkCorrelatedNoiseModel.h"
 #include "itkGemanMcClureKernel.h"
+#include "itkLBFGSBOptimizerv4.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkSquaresKernel.h"
 
@@ -59,6 +61,49 @@ WithPose(const LeastSquaresMetricv4 & metric, std::vector<double> x, const PoseP
   return x;
 }
 
+/** What optimizers keep of a run before, whose parameters may have been fewer: scales, of which millimetres need none,
+ * and the bounds and the start of LBFGSB. Its bounds are a radian, a factor e and 64 mm away: its line search tries far
+ * places, and an outline that is magnified without a limit has samples without a limit. */
+void
+PrepareToRun(ObjectToObjectOptimizerBaseTemplate<double> & optimizer, const LeastSquaresMetricv4 & metric)
+{
+  const auto                                              count = metric.GetNumberOfParameters();
+  ObjectToObjectOptimizerBaseTemplate<double>::ScalesType scales(count);
+  scales.Fill(1.0);
+  optimizer.SetScales(scales);
+  if (auto * lbfgsb = dynamic_cast<LBFGSBOptimizerv4 *>(&optimizer))
+  {
+    const LeastSquaresMetricv4::ParametersType start = metric.GetParameters();
+    LBFGSBOptimizerv4::BoundSelectionType      selection(count);
+    selection.Fill(LBFGSBOptimizerv4::BOTHBOUNDED);
+    LBFGSBOptimizerv4::BoundValueType lower(count);
+    LBFGSBOptimizerv4::BoundValueType upper(count);
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      lower[i] = start[i] - PoseStateBlocks::Arm;
+      upper[i] = start[i] + PoseStateBlocks::Arm;
+    }
+    lbfgsb->SetBoundSelection(selection);
+    lbfgsb->SetLowerBound(lower);
+    lbfgsb->SetUpperBound(upper);
+    lbfgsb->SetInitialPosition(start);
+  }
+}
+
+/** Takes an observer away again. */
+struct ObserverGuard
+{
+  ITK_DISALLOW_COPY_AND_MOVE(ObserverGuard);
+  ObserverGuard(Object * observed, unsigned long tagOfObserver)
+    : object(observed)
+    , tag(tagOfObserver)
+  {}
+  ~ObserverGuard() { object->RemoveObserver(tag); }
+
+  Object *      object;
+  unsigned long tag;
+};
+
 ResidualNoiseModel::ConstPointer
 MakeNoiseModel(double correlationLength)
 {
@@ -71,6 +116,7 @@ MakeNoiseModel(double correlationLength)
 PoseGroupRegistration::PoseGroupRegistration(const PoseRegistrationOptions &            options,
                                              bool                                       pixelSpacingKnown,
                                              MetricType *                               metric,
+                                             const PartsType &                          parts,
                                              OptimizerType *                            optimizer,
                                              const PoseStart *                          start,
                                              PoseIterationMonitor &                     monitor,
@@ -87,10 +133,19 @@ PoseGroupRegistration::PoseGroupRegistration(const PoseRegistrationOptions &    
   , m_Group(group)
   , m_Hypothesis(hypothesis)
   , m_Priors(options, pixelSpacingKnown)
-  , m_CorrelatedNoise(MakeNoiseModel(options.useCorrelatedNoise ? options.correlationLength : 0.0))
+  , m_CovarianceNoise(parts.covarianceNoiseModel.IsNotNull()
+                        ? parts.covarianceNoiseModel
+                        : MakeNoiseModel(options.useCorrelatedNoise ? options.covarianceCorrelationLength : 0.0))
+  , m_CorrelatedNoise(parts.noiseModel.IsNotNull()
+                        ? parts.noiseModel
+                        : MakeNoiseModel(options.useCorrelatedNoise ? options.correlationLength : 0.0))
   , m_WhiteNoise(MakeNoiseModel(0.0))
 {
-  if (m_Options.useRobustKernel)
+  if (parts.robustKernel.IsNotNull())
+  {
+    m_Metric->SetRobustKernel(parts.robustKernel);
+  }
+  else if (m_Options.useRobustKernel)
   {
     m_Metric->SetRobustKernel(GemanMcClureKernel::New());
   }
@@ -165,6 +220,7 @@ PoseGroupRegistration::Refine(MetricType &         metric,
                               unsigned int         index,
                               CandidateType &      candidate) const
 {
+  const auto * prototype = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer());
   metric.SetValues(candidate.x);
   PosePriors::SetFree(metric, m_Priors.GetFitSigmas(schedule.similarityOnly));
   metric.SetNoiseModel(schedule.correlated ? m_CorrelatedNoise : m_WhiteNoise);
@@ -179,7 +235,6 @@ PoseGroupRegistration::Refine(MetricType &         metric,
   metric.Initialize();
 
   // A clone has no observers: this one's steps go to the monitor, which knows what thread observers are called in.
-  const auto * prototype = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer());
   LevenbergMarquardtOptimizerv4::Pointer own;
   if (prototype != nullptr)
   {
@@ -193,8 +248,18 @@ PoseGroupRegistration::Refine(MetricType &         metric,
   report.stage = schedule.stage;
   report.candidate = index;
   report.hypothesis = m_Hypothesis;
-  const auto post = [&](const EventObject &) {
+  // The optimizer runs once a step, kernel and noise following between: steps are counted over all of its runs.
+  unsigned int stepsAccepted = 0;
+  unsigned int stepsTried = 0;
+  const auto   post = [&](const EventObject &) {
     report.step = own.IsNotNull() ? own->GetLastIteration() : LeastSquaresIteration();
+    if (own.IsNotNull())
+    {
+      ++stepsTried;
+      stepsAccepted += report.step.accepted ? 1 : 0;
+      report.step.iteration = stepsAccepted;
+      report.step.evaluations = stepsTried;
+    }
     if (own.IsNull())
     {
       report.step.position = metric.GetParameters();
@@ -212,7 +277,8 @@ PoseGroupRegistration::Refine(MetricType &         metric,
   };
   auto command = FunctionCommand::New();
   command->SetCallback(post);
-  const unsigned long observer = optimizer->AddObserver(IterationEvent(), command);
+  // Also where an observer throws: an optimizer that is the user's lives on.
+  const ObserverGuard observer{ optimizer, optimizer->AddObserver(IterationEvent(), command) };
 
   const bool   estimate = schedule.estimateNoise && m_Options.estimateNoise;
   double       damping = 0.0;
@@ -239,7 +305,11 @@ PoseGroupRegistration::Refine(MetricType &         metric,
     if (own.IsNull())
     {
       // An optimizer that knows neither our damping nor our step length: it ends by its own rules, once a width.
+      PrepareToRun(*optimizer, metric);
       optimizer->StartOptimization();
+      // The metric stands where it was evaluated last.
+      OptimizerType::ParametersType best = optimizer->GetCurrentPosition();
+      metric.SetParameters(best);
       ++accepted;
       candidate.converged = accepted > schedule.widths.size();
       if (candidate.converged)
@@ -278,7 +348,6 @@ PoseGroupRegistration::Refine(MetricType &         metric,
       break;
     }
   }
-  optimizer->RemoveObserver(observer);
   candidate.stopCondition = optimizer->GetStopConditionDescription();
   candidate.x = metric.GetState().GetValues();
   metric.GetNoiseLevels(candidate.noise);
@@ -368,7 +437,8 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
       return {};
     }
     candidates.push_back(this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters)));
-    this->Refine(*metric, schedule, index, candidates.back());
+    const auto number = static_cast<unsigned int>(candidates.size() - 1);
+    this->Refine(*metric, schedule, index * request.maximumNumberOfStarts + number, candidates.back());
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const CandidateType & a, const CandidateType & b) {
     return a.score < b.score;
@@ -516,7 +586,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   PosePriors::SetFree(*m_Metric, m_Priors.GetFitSigmas(false));
   m_Metric->SetNoiseModel(m_CorrelatedNoise);
   m_Metric->SetNoiseLevels(best.noise);
-  group.covariance = ComputePoseCovariance(*m_Metric, m_Options, m_Priors);
+  group.covariance = ComputePoseCovariance(*m_Metric, m_Options, m_Priors, m_CovarianceNoise);
   const auto sigmas = m_Priors.GetFitSigmas(false);
   for (unsigned int k = 0; k < 7; ++k)
   {

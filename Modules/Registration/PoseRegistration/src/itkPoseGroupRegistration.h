@@ -43,11 +43,20 @@ public:
   using OptimizerType = ObjectToObjectOptimizerBaseTemplate<double>;
   using PositionType = MetricType::PositionType;
 
+  /** What a user has put in place of the options' kernel and noise models; null: those of the options. */
+  struct PartsType
+  {
+    RobustKernel::ConstPointer       robustKernel;
+    ResidualNoiseModel::ConstPointer noiseModel;
+    ResidualNoiseModel::ConstPointer covarianceNoiseModel;
+  };
+
   /** \param metric  the sum with its priors, initialized, where the search begins.
    *  \param stages  called in the calling thread where a stage begins. */
   PoseGroupRegistration(const PoseRegistrationOptions &            options,
                         bool                                       pixelSpacingKnown,
                         MetricType *                               metric,
+                        const PartsType &                          parts,
                         OptimizerType *                            optimizer,
                         const PoseStart *                          start,
                         PoseIterationMonitor &                     monitor,
@@ -130,6 +139,7 @@ private:
   unsigned int                       m_Group;
   bool                               m_Hypothesis;
   PosePriors                         m_Priors;
+  ResidualNoiseModel::ConstPointer   m_CovarianceNoise;
   ResidualNoiseModel::ConstPointer   m_CorrelatedNoise;
   ResidualNoiseModel::ConstPointer   m_WhiteNoise;
   PositionType                       m_Solution;

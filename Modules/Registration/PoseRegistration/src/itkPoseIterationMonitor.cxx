@@ -18,6 +18,7 @@
 #include "itkPoseIterationMonitor.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <utility>
 #include <vector>
@@ -29,6 +30,16 @@ PoseIterationMonitor::PoseIterationMonitor(HandlerType handler, AbortType abort)
   , m_Abort(std::move(abort))
   , m_Owner(std::this_thread::get_id())
 {}
+
+bool
+PoseIterationMonitor::IsAborted()
+{
+  if (!m_Aborted && m_Abort && std::this_thread::get_id() == m_Owner && m_Abort())
+  {
+    m_Aborted = true;
+  }
+  return m_Aborted;
+}
 
 void
 PoseIterationMonitor::Post(const PoseRegistrationIteration & iteration)
@@ -65,10 +76,7 @@ PoseIterationMonitor::Drain()
       m_Queue.pop_front();
     }
     m_Handler(iteration);
-    if (m_Abort && m_Abort())
-    {
-      m_Aborted = true;
-    }
+    this->IsAborted();
   }
 }
 
@@ -122,9 +130,11 @@ PoseIterationMonitor::ForEach(std::size_t count, unsigned int threads, const std
   {
     {
       std::unique_lock<std::mutex> lock(m_Mutex);
-      m_Arrived.wait(lock, [&]() { return running == 0 || !m_Queue.empty(); });
+      // Now and then, since an abort may come from a thread that tells nobody.
+      m_Arrived.wait_for(lock, std::chrono::milliseconds(10), [&]() { return running == 0 || !m_Queue.empty(); });
       waiting = running > 0;
     }
+    this->IsAborted();
     try
     {
       this->Drain();

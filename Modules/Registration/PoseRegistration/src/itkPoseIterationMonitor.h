@@ -41,18 +41,16 @@ public:
   using HandlerType = std::function<void(const PoseRegistrationIteration &)>;
   using AbortType = std::function<bool()>;
 
-  /** \param handler  called in the constructing thread only.  \param abort  read from any thread. */
+  /** Both are called in the constructing thread only. */
   PoseIterationMonitor(HandlerType handler, AbortType abort);
 
   /** From any thread. */
   void
   Post(const PoseRegistrationIteration & iteration);
 
+  /** From any thread; in the constructing one it asks anew. */
   bool
-  IsAborted() const
-  {
-    return m_Aborted || (m_Abort && m_Abort());
-  }
+  IsAborted();
 
   /** Calls body(i) for i in [0, count) on up to so many threads (0: all of the machine's), the calling one among them;
    * what bodies post is handed on meanwhile. Returns when all have ended; the first exception is rethrown. */

@@ -161,23 +161,6 @@ CheckGeometry(const PoseGeometry & geometry)
   }
 }
 
-CephalometricPoseTransform::Pointer
-MakeTransform(const PoseGeometry & geometry)
-{
-  auto                                            transform = CephalometricPoseTransform::New();
-  CephalometricPoseTransform::FixedParametersType fixed(CephalometricPoseTransform::NumberOfFixedParameters);
-  fixed[CephalometricPoseTransform::SourceToMidsagittal] = geometry.sourceToMidsagittal;
-  fixed[CephalometricPoseTransform::SourceToDetector] = geometry.sourceToDetector;
-  fixed[CephalometricPoseTransform::SourceSign] = geometry.sourceSign;
-  fixed[CephalometricPoseTransform::FacingSign] = geometry.facingSign;
-  fixed[CephalometricPoseTransform::PixelSpacingU] = geometry.pixelSpacing[0];
-  fixed[CephalometricPoseTransform::PixelSpacingV] = geometry.pixelSpacing[1];
-  fixed[CephalometricPoseTransform::PrincipalPointU] = geometry.principalPoint[0];
-  fixed[CephalometricPoseTransform::PrincipalPointV] = geometry.principalPoint[1];
-  transform->SetFixedParameters(fixed);
-  return transform;
-}
-
 /** Pose and projection in the mesh's frame. */
 void
 PlaceJaw(const PoseGeometry & geometry, const PoseParameters & parameters, PoseJawResult & result)
@@ -281,7 +264,8 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
 {
   const PoseRegistrationOptions & options = problem.options;
   std::vector<JawType>            jaws(problem.jaws.size());
-  const auto                      transform = MakeTransform(geometry);
+  auto                            transform = CephalometricPoseTransform::New();
+  transform->SetPoseGeometry(geometry);
   for (std::size_t j = 0; j < jaws.size(); ++j)
   {
     const PoseJawInput & input = problem.jaws[j];
@@ -397,6 +381,7 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
       own.options,
       result.geometry.pixelSpacingKnown,
       metric,
+      parts,
       optimizer,
       start,
       *monitor,
@@ -491,6 +476,7 @@ PoseRegistrationEngine::TryHypotheses(const PoseProblem &           problem,
         question.options,
         geometry.pixelSpacingKnown,
         metric,
+        parts,
         optimizer,
         start,
         *monitor,

@@ -40,6 +40,7 @@ public:
   using GroupObserverType = std::function<void(unsigned int group, unsigned int numberOfGroups, MetricType * metric)>;
   using StageObserverType = std::function<void(unsigned int group, PoseStageEnum stage)>;
 
+  PoseGroupRegistration::PartsType              parts;
   PoseGroupRegistration::OptimizerType::Pointer optimizer;
   PoseStart::ConstPointer                       start;
   std::vector<PoseHypothesis::ConstPointer>     hypotheses;

@@ -156,6 +156,26 @@ PoseRegistrationMethodBase::SetTracedSide(PoseTracedSideEnum side)
 }
 
 void
+PoseRegistrationMethodBase::SetSpacingSource(ScalePrior::SpacingSource source)
+{
+  if (m_SpacingSource != source)
+  {
+    m_SpacingSource = source;
+    this->Modified();
+  }
+}
+
+void
+PoseRegistrationMethodBase::ClearSpacingSource()
+{
+  if (m_SpacingSource)
+  {
+    m_SpacingSource.reset();
+    this->Modified();
+  }
+}
+
+void
 PoseRegistrationMethodBase::SetInitialTransform(JawEnum jaw, const RigidTransformType * transform, double scaleFactor)
 {
   if (!(scaleFactor > 0.0))
@@ -253,6 +273,24 @@ PoseRegistrationMethodBase::GeometryType *
 PoseRegistrationMethodBase::GetGeometryOutput(JawEnum jaw)
 {
   return itkDynamicCastInDebugMode<GeometryType *>(this->ProcessObject::GetOutput(1 + NumberOfJaws + ToIndex(jaw)));
+}
+
+unsigned int
+PoseRegistrationMethodBase::GetCurrentCandidate() const
+{
+  return m_CurrentIteration.candidate;
+}
+
+double
+PoseRegistrationMethodBase::GetStepLength() const
+{
+  return m_CurrentIteration.step.stepLength;
+}
+
+bool
+PoseRegistrationMethodBase::GetStepAccepted() const
+{
+  return m_CurrentIteration.step.accepted;
 }
 
 std::size_t
@@ -407,6 +445,10 @@ PoseRegistrationMethodBase::GenerateData()
   problem.options = m_Options;
   problem.options.useJointPose = m_Options.useJointPose && m_JawsShareFrame;
   problem.options.numberOfThreads = this->GetNumberOfWorkUnits();
+  if (m_SpacingSource)
+  {
+    problem.options.kappaSigma = ScalePrior::GetSigma(*m_SpacingSource);
+  }
   for (const JawEnum jaw : Jaws)
   {
     if (!this->HasMesh(jaw) || this->GetContour(jaw) == nullptr)
@@ -445,6 +487,7 @@ PoseRegistrationMethodBase::GenerateData()
   PoseIterationMonitor   monitor([this](const IterationType & iteration) { this->Report(iteration); },
                                [this]() { return this->GetAbortGenerateData(); });
   PoseRegistrationEngine engine;
+  engine.parts = { m_RobustKernel, m_NoiseModel, m_CovarianceNoiseModel };
   engine.optimizer = m_Optimizer;
   engine.start = m_Start;
   engine.hypotheses = m_Hypotheses;
@@ -485,6 +528,7 @@ PoseRegistrationMethodBase::GenerateData()
 
   PoseRegistrationOptions used = m_Options;
   used.useInitialPose = problem.options.useInitialPose;
+  used.kappaSigma = problem.options.kappaSigma;
   this->GetOutput()->SetResult(result, used);
   for (const JawEnum jaw : Jaws)
   {
@@ -523,8 +567,12 @@ PoseRegistrationMethodBase::PrintSelf(std::ostream & os, Indent indent) const
   }
   os << std::endl;
   os << indent << "PrincipalPointKnown: " << m_PrincipalPointKnown << std::endl;
+  os << indent << "SpacingSource: " << (m_SpacingSource ? static_cast<int>(*m_SpacingSource) : -1) << std::endl;
   itkPrintSelfObjectMacro(Optimizer);
   itkPrintSelfObjectMacro(Start);
+  itkPrintSelfObjectMacro(RobustKernel);
+  itkPrintSelfObjectMacro(NoiseModel);
+  itkPrintSelfObjectMacro(CovarianceNoiseModel);
   itkPrintSelfObjectMacro(Metric);
   os << indent << "Metrics: " << m_Terms.size() << std::endl;
   os << indent << "Hypotheses:";

@@ -36,6 +36,7 @@ PoseSolution::Initialize()
 {
   Superclass::Initialize();
   m_Result = PoseRegistrationResult();
+  m_Options = PoseRegistrationOptions();
 }
 
 void
@@ -202,24 +203,14 @@ CephalometricPoseTransform::Pointer
 PoseSolution::MakePoseTransform(JawEnum jaw) const
 {
   const PoseGroupResult & group = this->GetGroup(jaw);
-  const PoseGeometry &    geometry = m_Result.geometry;
   using TransformType = CephalometricPoseTransform;
-  TransformType::FixedParametersType fixed(TransformType::NumberOfFixedParameters);
-  fixed[TransformType::SourceToMidsagittal] = geometry.sourceToMidsagittal;
-  fixed[TransformType::SourceToDetector] = geometry.sourceToDetector;
-  fixed[TransformType::SourceSign] = geometry.sourceSign;
-  fixed[TransformType::FacingSign] = geometry.facingSign;
-  fixed[TransformType::PixelSpacingU] = geometry.pixelSpacing[0];
-  fixed[TransformType::PixelSpacingV] = geometry.pixelSpacing[1];
-  fixed[TransformType::PrincipalPointU] = geometry.principalPoint[0];
-  fixed[TransformType::PrincipalPointV] = geometry.principalPoint[1];
   TransformType::ParametersType parameters(TransformType::NumberOfParameters);
   for (unsigned int k = 0; k < TransformType::NumberOfParameters; ++k)
   {
     parameters[k] = group.parameters[k];
   }
   auto transform = TransformType::New();
-  transform->SetFixedParameters(fixed);
+  transform->SetPoseGeometry(m_Result.geometry);
   transform->SetParameters(parameters);
   return transform;
 }

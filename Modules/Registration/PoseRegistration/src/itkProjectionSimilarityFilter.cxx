@@ -88,6 +88,10 @@ ProjectionSimilarityFilter::GenerateData()
   double          otherSquares = 0.0;
   double          count = 0.0;
   const auto *    points = this->GetMesh()->GetPoints();
+  if (points == nullptr)
+  {
+    itkExceptionMacro("The mesh has no points: give SetMesh() the scan of the jaw.");
+  }
   for (auto it = points->Begin(); it != points->End(); ++it)
   {
     PoseSolution::PointType point;

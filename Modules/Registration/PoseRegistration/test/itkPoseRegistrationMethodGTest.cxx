@@ -21,6 +21,7 @@
 #include "itkPoseContourModel.h"
 #include "itkPoseRegistrationOptionTable.h"
 #include "itkPoseRegistrationTestCase.h"
+#include "itkRegistrationVerdictFilter.h"
 
 #include "itkCommand.h"
 #include "itkTestingMacros.h"
@@ -34,6 +35,8 @@ namespace
 {
 using Source = itk::DentalPhantomCaseSource;
 using MethodType = itk::PoseRegistrationMethod<>;
+using JawEnum = MethodType::JawEnum;
+constexpr JawEnum Jaws[] = { JawEnum::Upper, JawEnum::Lower };
 
 Source *
 Case()
@@ -66,7 +69,8 @@ TEST(PoseRegistrationMethod, BasicObject)
 {
   auto method = MethodType::New();
   EXPECT_STREQ(method->GetNameOfClass(), "PoseRegistrationMethod");
-  EXPECT_STREQ(method->Superclass::GetNameOfClass(), "ProcessObject");
+  EXPECT_STREQ(method->Superclass::GetNameOfClass(), "PoseRegistrationMethodBase");
+  EXPECT_STREQ(method->Superclass::Superclass::GetNameOfClass(), "ProcessObject");
   std::ostringstream text;
   method->Print(text);
   EXPECT_NE(text.str().find("PrincipalPointKnown: 1"), std::string::npos);
@@ -105,15 +109,19 @@ TEST(PoseRegistrationMethod, RegistersMeshesAsTheyAreAndItsOutputsAgree)
   method->Update();
   EXPECT_EQ(levels, 4u);
   EXPECT_TRUE(method->GetJawsShareFrame());
-  for (unsigned int jaw : { 0u, 1u })
+  auto verdicts = itk::RegistrationVerdictFilter::New();
+  verdicts->SetSolution(method->GetOutput());
+  verdicts->Update();
+  for (unsigned int j : { 0u, 1u })
   {
-    EXPECT_EQ(method->GetVerdict(jaw).status, itk::RegistrationVerdict::StatusEnum::Ok);
-    const auto & p = method->GetResult().jaws[jaw].projection;
+    const JawEnum jaw = Jaws[j];
+    EXPECT_EQ(verdicts->GetVerdict(jaw).status, itk::RegistrationVerdict::StatusEnum::Ok);
+    const auto & p = method->GetOutput()->GetResult().jaws[j].projection;
     double       sum = 0.0;
-    const auto & landmarks = Case()->GetLandmarks2D(jaw)->GetLandmarks();
+    const auto & landmarks = Case()->GetLandmarks2D(j)->GetLandmarks();
     for (const auto & landmark : landmarks)
     {
-      const auto   x = Case()->GetLandmarks3D(jaw)->Find(landmark.name)->point;
+      const auto   x = Case()->GetLandmarks3D(j)->Find(landmark.name)->point;
       const auto   q = method->GetGeometryOutput(jaw)->ProjectPoint(x);
       const double w = p[8] * x[0] + p[9] * x[1] + p[10] * x[2] + p[11];
       EXPECT_NEAR(q[0], (p[0] * x[0] + p[1] * x[1] + p[2] * x[2] + p[3]) / w, 1e-6);
@@ -121,16 +129,16 @@ TEST(PoseRegistrationMethod, RegistersMeshesAsTheyAreAndItsOutputsAgree)
       const auto c = method->GetTransform(jaw)->TransformPoint(x);
       EXPECT_LT(c.EuclideanDistanceTo(method->GetGeometryOutput(jaw)->TransformToCephalostat(x)), 1e-6);
       sum += std::hypot(q[0] - landmark.point[0], q[1] - landmark.point[1]);
-      const auto covariance = method->ComputeLandmarkCovariance(jaw, x);
+      const auto covariance = method->GetOutput()->ComputeCovariance(jaw, x);
       EXPECT_GT(covariance(0, 0), 0.0);
       EXPECT_GT(covariance(0, 0) * covariance(1, 1), covariance(0, 1) * covariance(1, 0));
     }
     EXPECT_LT(sum / landmarks.size(), 2.0);
   }
   // Nothing changed: nothing runs.
-  const auto time = method->GetTransformOutput(0)->GetUpdateMTime();
+  const auto time = method->GetTransformOutput(JawEnum::Upper)->GetUpdateMTime();
   method->Update();
-  EXPECT_EQ(time, method->GetTransformOutput(0)->GetUpdateMTime());
+  EXPECT_EQ(time, method->GetTransformOutput(JawEnum::Upper)->GetUpdateMTime());
 }
 
 TEST(PoseRegistrationMethod, SaysWhatToCallWhereInputIsMissing)
@@ -156,10 +164,11 @@ TEST(PoseRegistrationMethod, AJawWithoutInputHasNoTransform)
   method->SetLowerMesh(Case()->GetMesh(1));
   method->SetLowerContour(Case()->GetTracing(1));
   method->Update();
-  EXPECT_EQ(method->GetTransform(0), nullptr);
-  EXPECT_NE(method->GetTransform(1), nullptr);
-  EXPECT_EQ(method->GetResultIndex(0), -1);
-  EXPECT_THROW(method->ComputeLandmarkCovariance(0, MethodType::LandmarkPointType()), itk::ExceptionObject);
+  EXPECT_EQ(method->GetTransform(JawEnum::Upper), nullptr);
+  EXPECT_NE(method->GetTransform(JawEnum::Lower), nullptr);
+  EXPECT_EQ(method->GetOutput()->GetIndex(JawEnum::Upper), -1);
+  EXPECT_THROW(method->GetOutput()->ComputeCovariance(JawEnum::Upper, itk::PoseSolution::PointType()),
+               itk::ExceptionObject);
 }
 
 TEST(PoseRegistrationMethod, AbortEndsInProcessAborted)

@@ -18,74 +18,172 @@
 #ifndef itkPoseRegistrationTestCase_h
 #define itkPoseRegistrationTestCase_h
 
-#include "itkDentalPhantomCaseSource.h"
-#include "itkMakeTriangleSurface.h"
-#include "itkPoseRegistrationKernel.h"
+#include "itkPosePhantom.h"
+#include "itkPosePolyline.h"
+#include "itkPoseRegistrationMethod.h"
+
+#include "itkMakePosePolylines.h"
+#include "itkTriangleCell.h"
 
 #include <cmath>
-#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
-/** A phantom case in its anatomical frame as the kernel takes it, with the true places of the landmarks. */
-struct PoseRegistrationTestCase
+/** A jaw as flat arrays that a test may bend: the surface in its dental frame, and its tracing. */
+struct PoseTestJaw
 {
-  using Source = itk::DentalPhantomCaseSource;
+  const itk::TriangleSurface *   surface{ nullptr };
+  bool                           upper{ true };
+  std::vector<itk::PosePolyline> tracing;
+};
 
-  itk::TriangleSurface                         surfaces[2];
-  std::vector<itk::PoseJawInput>               jaws;
-  itk::PoseGeometry                            geometry;
-  std::map<std::string, std::array<double, 3>> landmarks;
-  std::map<std::string, std::array<double, 2>> truth;
+/** A phantom case in its anatomical frame, and the registration of it and of what tests make of it. */
+struct PoseRegistrationTestCase : PosePhantom
+{
+  using MeshType = itk::Mesh<double, 3>;
+  using MethodType = itk::PoseRegistrationMethod<MeshType>;
+  using JawEnum = MethodType::JawEnum;
+  using JawsType = std::vector<PoseTestJaw>;
+
+  JawsType jaws;
 
   PoseRegistrationTestCase(std::uint64_t          seed,
                            Source::CohortEnum     cohort,
                            Source::TracedSideEnum side,
                            double                 additionalYaw = 0.0,
                            unsigned int           numberOfTriangles = 16000)
+    : PosePhantom(seed, cohort, side, additionalYaw, numberOfTriangles)
   {
-    auto source = Source::New();
-    source->SetSeed(seed);
-    source->SetCohort(cohort);
-    source->SetTracedSide(side);
-    source->SetAdditionalYaw(additionalYaw);
-    source->SetFrame(itk::DentalPhantomParameters::FrameEnum::Anatomical);
-    source->SetNumberOfTriangles(numberOfTriangles);
-    source->MakeRadiographOff();
-    source->Update();
-    jaws.resize(2);
     for (unsigned int j = 0; j < 2; ++j)
     {
-      surfaces[j] = itk::MakeTriangleSurface(source->GetMesh(j));
-      jaws[j].surface = &surfaces[j];
-      jaws[j].upper = j == 0;
-      for (const auto & polyline : source->GetTracing(j)->GetPolylines())
-      {
-        itk::PosePolyline converted;
-        converted.tooth = polyline.code.GetFDI();
-        for (const auto & p : polyline.points)
-        {
-          converted.points.push_back({ { p[0], p[1] } });
-        }
-        jaws[j].tracing.push_back(converted);
-      }
-      for (const auto & landmark : source->GetLandmarks3D(j)->GetLandmarks())
-      {
-        const auto & p = landmark.point;
-        const auto   q = source->GetTrueGeometry(j)->ProjectPoint(p);
-        landmarks[landmark.name] = { { p[0], p[1], p[2] } };
-        truth[landmark.name] = { { q[0], q[1] } };
-      }
-    }
-    const auto * nominal = source->GetNominalGeometry();
-    geometry.sourceToMidsagittal = nominal->GetSourceToMidsagittalDistance();
-    geometry.sourceToDetector = nominal->GetSourceToDetectorDistance();
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      geometry.pixelSpacing[d] = nominal->GetPixelSpacing()[d];
-      geometry.principalPoint[d] = nominal->GetPrincipalPoint()[d];
+      jaws.push_back({ &surfaces[j], j == 0, itk::MakePosePolylines(*contours[j]) });
     }
   }
-  PoseRegistrationTestCase(const PoseRegistrationTestCase &) = delete;
+
+  /** Double precision: the surface comes back with the same bits. */
+  static MeshType::Pointer
+  MakeMesh(const itk::TriangleSurface & surface)
+  {
+    auto mesh = MeshType::New();
+    for (std::size_t i = 0; i < surface.points.size(); ++i)
+    {
+      MeshType::PointType point;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        point[d] = surface.points[i][d];
+      }
+      mesh->SetPoint(i, point);
+    }
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    {
+      MeshType::CellAutoPointer cell;
+      cell.TakeOwnership(new itk::TriangleCell<MeshType::CellType>);
+      for (unsigned int corner = 0; corner < 3; ++corner)
+      {
+        cell->SetPointId(static_cast<int>(corner), surface.triangles[t][corner]);
+      }
+      mesh->SetCell(t, cell);
+    }
+    return mesh;
+  }
+
+  static itk::DentalContour::Pointer
+  MakeContour(const std::vector<itk::PosePolyline> & tracing)
+  {
+    auto contour = itk::DentalContour::New();
+    for (const itk::PosePolyline & polyline : tracing)
+    {
+      itk::DentalContour::PolylineType converted;
+      converted.code = itk::ToothCode(polyline.tooth);
+      converted.closed = polyline.closed;
+      converted.weights = polyline.weights;
+      for (const auto & p : polyline.points)
+      {
+        itk::DentalContour::PointType point;
+        point[0] = p[0];
+        point[1] = p[1];
+        converted.points.push_back(point);
+      }
+      contour->AddPolyline(converted);
+    }
+    return contour;
+  }
+
+  static itk::CephalometricGeometry::Pointer
+  MakeGeometry(const itk::PoseGeometry & geometry)
+  {
+    using GeometryType = itk::CephalometricGeometry;
+    auto made = GeometryType::New();
+    made->SetSourceToMidsagittalDistance(geometry.sourceToMidsagittal);
+    made->SetSourceToDetectorDistance(geometry.sourceToDetector);
+    made->SetSourceSide(geometry.sourceSign > 0.0 ? GeometryType::SourceSideEnum::Right
+                                                  : GeometryType::SourceSideEnum::Left);
+    made->SetFacing(geometry.facingSign > 0.0 ? GeometryType::FacingEnum::Right : GeometryType::FacingEnum::Left);
+    GeometryType::PixelSpacingType spacing;
+    GeometryType::PixelIndexType   principal;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      spacing[d] = geometry.pixelSpacing[d];
+      principal[d] = geometry.principalPoint[d];
+    }
+    if (geometry.pixelSpacingKnown)
+    {
+      made->SetPixelSpacing(spacing);
+    }
+    made->SetPrincipalPoint(principal);
+    return made;
+  }
+
+  /** The registration of these jaws, whose frame is the meshes' own. */
+  static MethodType::Pointer
+  MakeMethod(const JawsType & jaws, const itk::PoseGeometry & geometry, const itk::PoseRegistrationOptions & options)
+  {
+    auto method = MethodType::New();
+    for (const PoseTestJaw & jaw : jaws)
+    {
+      if (jaw.upper)
+      {
+        method->SetUpperMesh(MakeMesh(*jaw.surface));
+        method->SetUpperContour(MakeContour(jaw.tracing));
+      }
+      else
+      {
+        method->SetLowerMesh(MakeMesh(*jaw.surface));
+        method->SetLowerContour(MakeContour(jaw.tracing));
+      }
+    }
+    method->SetGeometry(MakeGeometry(geometry));
+    method->SetPrincipalPointKnown(geometry.principalPointKnown);
+    auto frame = MethodType::DecoratedTransformType::New();
+    frame->Set(MethodType::RigidTransformType::New());
+    method->SetJointFrame(frame);
+    method->SetOptions(options);
+    if (options.numberOfThreads > 0)
+    {
+      method->SetNumberOfWorkUnits(options.numberOfThreads);
+    }
+    return method;
+  }
+
+  static itk::PoseRegistrationResult
+  Run(const JawsType & jaws, const itk::PoseGeometry & geometry, const itk::PoseRegistrationOptions & options)
+  {
+    const auto method = MakeMethod(jaws, geometry, options);
+    method->Update();
+    return method->GetOutput()->GetResult();
+  }
+
+  /** Covariance of a landmark, square pixels. */
+  static itk::PoseSolution::CovarianceType
+  LandmarkCovariance(const itk::PoseRegistrationResult & result, unsigned int jaw, const std::array<double, 3> & point)
+  {
+    auto solution = itk::PoseSolution::New();
+    solution->SetResult(result, itk::PoseRegistrationOptions());
+    itk::PoseSolution::PointType p;
+    std::copy(point.begin(), point.end(), p.Begin());
+    return solution->ComputeCovariance(jaw == 0 ? JawEnum::Upper : JawEnum::Lower, p);
+  }
 
   /** Mean distance, pixels, over the landmarks of a jaw and side ('R', 'L'). */
   double

@@ -243,7 +243,7 @@ protected:
   CopyState(const Self & other);
 
 private:
-  /** Adds the declared blocks that are not there yet. */
+  /** Adds the declared blocks that are not there yet, and drops those that are declared no longer. */
   void
   UpdateBlocks() const;
   void

@@ -31,7 +31,7 @@
 namespace itk
 {
 /** \class RegistrationIterationCommand
- * \brief Ready observer of a registration: level, iteration, value, parameters, stop reason.
+ * \brief Ready observer of a registration: level, candidate, iteration, value, step, parameters, stop reason.
  *
  * \code
  * auto observer = itk::RegistrationIterationCommand::New();
@@ -39,6 +39,7 @@ namespace itk
  * observer->Observe(method);
  * method->Update();
  * for (const auto & record : observer->GetRecords()) ...
+ * observer->WriteTable(file);            // or all iterations as CSV
  * \endcode
  *
  * Observes a RegistrationIterationInformation (every registration method here) or a bare v4 optimizer. Optimizers send
@@ -74,9 +75,14 @@ public:
   {
     KindEnum                    kind{ KindEnum::Start };
     unsigned int                level{ 0 };
+    unsigned int                candidate{ 0 };
     std::size_t                 iteration{ 0 };
     double                      value{ 0.0 };
     OptimizerParameters<double> parameters;
+    /** Of iterations. A step that was tried and not taken is a record of its own where the observed object reports it;
+     * value and parameters are then those of the best position as before. */
+    double stepLength{ 0.0 };
+    bool   accepted{ true };
     /** Set at a level's start (of the level before), at the end and at an abort. */
     std::string stopReason;
   };
@@ -105,6 +111,11 @@ public:
   {
     return m_Records;
   }
+
+  /** All iterations as comma-separated values, with a line of names: level, candidate, iteration, value, step_length,
+   * accepted (1 or 0), p0, p1 ... the parameters. */
+  void
+  WriteTable(std::ostream & stream) const;
 
   void
   Execute(Object * caller, const EventObject & event) override;

@@ -43,6 +43,11 @@ public:
   virtual unsigned int
   GetCurrentLevel() const = 0;
 
+  /** Which of the candidates that are refined in this level, one after the other or at the same time; 0 by default, for
+   * methods that refine one. */
+  virtual unsigned int
+  GetCurrentCandidate() const;
+
   /** Iteration of the optimizer within the level. */
   virtual std::size_t
   GetOptimizerIteration() const = 0;
@@ -54,6 +59,15 @@ public:
   /** Parameters of the transform (not the optimizer's balanced ones). */
   virtual OptimizerParameters<double>
   GetOptimizerPosition() const = 0;
+
+  /** How far the step that is reported moves what is matched, in the method's own unit of length; 0 by default, for
+   * methods that do not know. */
+  virtual double
+  GetStepLength() const;
+
+  /** Whether that step was taken; true by default, for methods that report no others. */
+  virtual bool
+  GetStepAccepted() const;
 
   /** Why the optimizer stopped; of the level before while a level starts; empty before the first. */
   virtual std::string

@@ -26,13 +26,21 @@ namespace itk
 void
 LeastSquaresMetricv4::UpdateBlocks() const
 {
-  const std::size_t before = m_State.GetNumberOfParameters();
+  RegistrationState state;
   for (const BlockType & block : this->DeclareBlocks())
   {
-    m_State.AddBlock(block);
+    // What is known of a block stays.
+    const bool isThere =
+      m_State.HasBlock(block.name) && m_State.GetBlock(block.name).parameters.size() == block.parameters.size();
+    state.AddBlock(isThere ? m_State.GetBlock(block.name) : block);
   }
-  if (m_State.GetNumberOfParameters() != before)
+  const auto & before = m_State.GetBlocks();
+  const auto & now = state.GetBlocks();
+  if (!std::equal(before.begin(), before.end(), now.begin(), now.end(), [](const BlockType & a, const BlockType & b) {
+        return a.name == b.name && a.parameters.size() == b.parameters.size();
+      }))
   {
+    m_State = state;
     m_Parameters = m_State.GetFreeParameters();
   }
 }

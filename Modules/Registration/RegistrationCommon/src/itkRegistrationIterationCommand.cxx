@@ -17,10 +17,14 @@
  *=========================================================================*/
 #include "itkRegistrationIterationCommand.h"
 
+#include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkRegistrationIterationInformation.h"
 
 #include "itkObjectToObjectOptimizerBase.h"
 
+#include <algorithm>
+#include <limits>
+#include <locale>
 #include <ostream>
 #include <sstream>
 #include <typeinfo>
@@ -97,7 +101,13 @@ RegistrationIterationCommand::Execute(const Object * caller, const EventObject &
       record.iteration = method->GetOptimizerIteration();
       record.value = method->GetMetricValue();
       record.parameters = method->GetOptimizerPosition();
-      if (record.kind != KindEnum::Iteration)
+      if (record.kind == KindEnum::Iteration)
+      {
+        record.candidate = method->GetCurrentCandidate();
+        record.stepLength = method->GetStepLength();
+        record.accepted = method->GetStepAccepted();
+      }
+      else
       {
         record.stopReason = method->GetOptimizerStopConditionDescription();
       }
@@ -110,6 +120,12 @@ RegistrationIterationCommand::Execute(const Object * caller, const EventObject &
       record.iteration = optimizer->GetCurrentIteration();
       record.value = optimizer->GetValue();
       record.parameters = optimizer->GetCurrentPosition();
+      const auto * leastSquares = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(optimizer);
+      if (record.kind == KindEnum::Iteration && leastSquares != nullptr)
+      {
+        record.stepLength = leastSquares->GetStepLength();
+        record.accepted = leastSquares->GetStepAccepted();
+      }
       if (record.kind != KindEnum::Iteration)
       {
         record.stopReason = optimizer->GetStopConditionDescription();
@@ -143,7 +159,16 @@ RegistrationIterationCommand::Write(const RecordType & record)
       line << "level " << record.level;
       break;
     case KindEnum::Iteration:
-      line << "level " << record.level << " iteration " << record.iteration;
+      line << "level " << record.level;
+      if (record.candidate > 0)
+      {
+        line << " candidate " << record.candidate;
+      }
+      line << " iteration " << record.iteration;
+      if (!record.accepted)
+      {
+        line << " refused a step of " << record.stepLength;
+      }
       break;
     case KindEnum::Abort:
       line << "abort level " << record.level << " iteration " << record.iteration;
@@ -165,5 +190,39 @@ RegistrationIterationCommand::Write(const RecordType & record)
     line << " (" << record.stopReason << ')';
   }
   *m_Stream << line.str() << '\n';
+}
+
+void
+RegistrationIterationCommand::WriteTable(std::ostream & stream) const
+{
+  std::size_t numberOfParameters = 0;
+  for (const RecordType & record : m_Records)
+  {
+    numberOfParameters = std::max<std::size_t>(numberOfParameters, record.parameters.GetSize());
+  }
+  std::ostringstream table;
+  table.imbue(std::locale::classic());
+  table.precision(std::numeric_limits<double>::max_digits10);
+  table << "level,candidate,iteration,value,step_length,accepted";
+  for (std::size_t i = 0; i < numberOfParameters; ++i)
+  {
+    table << ",p" << i;
+  }
+  table << '\n';
+  for (const RecordType & record : m_Records)
+  {
+    if (record.kind != KindEnum::Iteration)
+    {
+      continue;
+    }
+    table << record.level << ',' << record.candidate << ',' << record.iteration << ',' << record.value << ','
+          << record.stepLength << ',' << (record.accepted ? 1 : 0);
+    for (const double parameter : record.parameters)
+    {
+      table << ',' << parameter;
+    }
+    table << '\n';
+  }
+  stream << table.str();
 }
 } // namespace itk

@@ -21,4 +21,22 @@ namespace itk
 {
 // Out of line, so that the type information lives in this library.
 RegistrationIterationInformation::~RegistrationIterationInformation() = default;
+
+unsigned int
+RegistrationIterationInformation::GetCurrentCandidate() const
+{
+  return 0;
+}
+
+double
+RegistrationIterationInformation::GetStepLength() const
+{
+  return 0.0;
+}
+
+bool
+RegistrationIterationInformation::GetStepAccepted() const
+{
+  return true;
+}
 } // namespace itk

@@ -18,9 +18,11 @@
 #include "itkContourNoiseModel.h"
 
 #include "itkContourNoiseReference.h"
+#include "itkCorrelatedNoiseModel.h"
 #include "itkReproducibleRandom.h"
 
 #include "itkGTest.h"
+#include "itkTestingMacros.h"
 
 #include "vnl/algo/vnl_determinant.h"
 #include "vnl/algo/vnl_matrix_inverse.h"
@@ -93,6 +95,14 @@ struct Strand
   std::vector<double> jacobian;
   std::vector<double> correlation;
 };
+
+int
+ExerciseBasicObjectMethods()
+{
+  const auto model = itk::CorrelatedNoiseModel::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(model, CorrelatedNoiseModel, ResidualNoiseModel);
+  return EXIT_SUCCESS;
+}
 } // namespace
 
 TEST(ContourNoiseModel, CovarianceIsDriftPlusWhiteNoiseByWeight)
@@ -306,4 +316,152 @@ TEST(ContourNoiseModel, PointsWithoutWeightAndEmptyBlocksSayNothing)
     itk::ContourNoiseModel::Estimate({ strand.View(), itk::ContourNoiseModel::BlockType() }, free, free, 2, {});
   EXPECT_NEAR(levels.smooth, expected.smooth, 1e-9);
   EXPECT_NEAR(levels.white, expected.white, 1e-9);
+}
+
+TEST(ContourNoiseModel, PriorsAreAQuadraticFormAmongOthers)
+{
+  Strand strand(50);
+  strand.Draw(1.4, 0.6, 8);
+  const double precision[2] = { 0.7, 3.0 };
+  const double offset[2] = { 0.4, -0.3 };
+  double       byPriors = 0.0;
+  const auto   expected = itk::ContourNoiseModel::Estimate({ strand.View() }, precision, offset, 2, {}, &byPriors);
+  const double information[4] = { 0.7, 0.0, 0.0, 3.0 };
+  const double gradient[2] = { 0.7 * 0.4, -3.0 * 0.3 };
+  const double value = 0.7 * 0.16 + 3.0 * 0.09;
+  double       byForm = 0.0;
+  const auto levels = itk::ContourNoiseModel::Estimate({ strand.View() }, information, gradient, value, 2, {}, &byForm);
+  // The same sums by another order of operations, and a search that goes on until its simplex spans 1e-4.
+  EXPECT_NEAR(levels.smooth, expected.smooth, 1e-6);
+  EXPECT_NEAR(levels.white, expected.white, 1e-6);
+  EXPECT_NEAR(byForm, byPriors, 1e-6);
+}
+
+TEST(ContourNoiseModel, ResidualsOfKnownNoiseAreAQuadraticFormToo)
+{
+  // Two strands, of which one has noise that is known: what it says of the parameters enters by J'J, J'r and r'r, and
+  // the deviance is that of both but for the known one's own determinant.
+  Strand known(40), unknown(60);
+  known.Draw(0.0, 0.5, 21);
+  unknown.Draw(1.6, 0.5, 22);
+  std::vector<double> information(4, 0.0), gradient(2, 0.0);
+  double              value = 0.0;
+  for (std::size_t i = 0; i < 40; ++i)
+  {
+    const double r = known.residuals[i] / 0.5;
+    value += r * r;
+    for (std::size_t a = 0; a < 2; ++a)
+    {
+      gradient[a] += known.jacobian[40 * a + i] / 0.5 * r;
+      for (std::size_t b = 0; b < 2; ++b)
+      {
+        information[2 * a + b] += known.jacobian[40 * a + i] * known.jacobian[40 * b + i] / 0.25;
+      }
+    }
+  }
+  double     deviance = 0.0;
+  const auto levels =
+    itk::ContourNoiseModel::Estimate({ unknown.View() }, information.data(), gradient.data(), value, 2, {}, &deviance);
+  vnl_matrix<double> k(60, 60);
+  itk::ContourNoiseModel::ComputeCovariance(
+    unknown.correlation.data(), unknown.weights.data(), 60, levels, k.data_block());
+  vnl_matrix<double> covariance(100, 100, 0.0), j(100, 2);
+  covariance.update(k, 40, 40);
+  vnl_vector<double> r(100);
+  for (unsigned int i = 0; i < 100; ++i)
+  {
+    const Strand &     strand = i < 40 ? known : unknown;
+    const std::size_t  n = i < 40 ? 40 : 60;
+    const unsigned int own = i < 40 ? i : i - 40;
+    covariance(i, i) = i < 40 ? 0.25 : covariance(i, i);
+    r[i] = strand.residuals[own];
+    j(i, 0) = strand.jacobian[own];
+    j(i, 1) = strand.jacobian[n + own];
+  }
+  const vnl_matrix<double> inverse = vnl_matrix_inverse<double>(covariance).inverse();
+  const vnl_matrix<double> all = j.transpose() * inverse * j;
+  const vnl_vector<double> slope = j.transpose() * (inverse * r);
+  const double             expected = dot_product(r, inverse * r) + std::log(vnl_determinant(k)) -
+                          dot_product(slope, vnl_matrix_inverse<double>(all).inverse() * slope) +
+                          std::log(vnl_determinant(all));
+  // G is cut off at 2e-9, and the two orders of operations differ by rounding.
+  EXPECT_NEAR(deviance, expected, 1e-5);
+}
+
+TEST(ContourNoiseModel, FactorWhitensResidualsAndJacobian)
+{
+  Strand strand(30);
+  strand.Draw(1.0, 0.5, 4);
+  std::vector<double> covariance(900);
+  itk::ContourNoiseModel::ComputeCovariance(
+    strand.correlation.data(), strand.weights.data(), 30, { 1.1, 0.5 }, covariance.data());
+  const vnl_matrix<double> inverse =
+    vnl_matrix_inverse<double>(vnl_matrix<double>(covariance.data(), 30, 30)).inverse();
+  std::vector<double> factor = covariance;
+  ASSERT_TRUE(itk::ContourNoiseModel::Factor(factor.data(), 30));
+  for (std::size_t i = 0; i < 30; ++i)
+  {
+    for (std::size_t j = 0; j <= i; ++j)
+    {
+      double sum = 0.0;
+      for (std::size_t k = 0; k <= j; ++k)
+      {
+        sum += factor[30 * k + i] * factor[30 * k + j];
+      }
+      EXPECT_NEAR(sum, covariance[30 * i + j], 1e-12) << "L L' = K, column by column";
+    }
+  }
+  std::vector<double> columns = strand.jacobian;
+  std::vector<double> residuals = strand.residuals;
+  itk::ContourNoiseModel::Whiten(factor.data(), 30, columns.data(), 2);
+  itk::ContourNoiseModel::Whiten(factor.data(), 30, residuals.data(), 1);
+  const vnl_vector<double> r(strand.residuals.data(), 30);
+  double                   squares = 0.0, cross = 0.0, dense = 0.0;
+  const vnl_vector<double> solved = inverse * r;
+  for (std::size_t i = 0; i < 30; ++i)
+  {
+    squares += residuals[i] * residuals[i];
+    cross += columns[30 + i] * residuals[i];
+    dense += strand.jacobian[30 + i] * solved[static_cast<unsigned int>(i)];
+  }
+  EXPECT_NEAR(squares, dot_product(r, solved), 1e-9 * squares);
+  EXPECT_NEAR(cross, dense, 1e-9 * (1.0 + std::abs(dense)));
+  itk::ContourNoiseModel::WhitenTransposed(factor.data(), 30, residuals.data(), 1);
+  for (unsigned int i = 0; i < 30; ++i)
+  {
+    EXPECT_NEAR(residuals[i], solved[i], 1e-9 * solved.magnitude()) << "K^-1 r";
+  }
+  // A correlation of -1 and 1 at once is none.
+  std::vector<double> wrong{ 1.0, 2.0, 2.0, 1.0 };
+  EXPECT_FALSE(itk::ContourNoiseModel::Factor(wrong.data(), 2));
+}
+
+TEST(CorrelatedNoiseModel, BasicObjectMethodsAndDefaults)
+{
+  EXPECT_EQ(ExerciseBasicObjectMethods(), EXIT_SUCCESS);
+  const auto model = itk::CorrelatedNoiseModel::New();
+  EXPECT_EQ(model->GetCorrelationLength(), 14.0);
+  model->SetCorrelationLength(-3.0);
+  EXPECT_EQ(model->GetCorrelationLength(), 0.0);
+}
+
+TEST(CorrelatedNoiseModel, IsTheCorrelationOfTheFlatFormula)
+{
+  const auto                model = itk::CorrelatedNoiseModel::New();
+  const std::vector<double> arc{ 0.0, 3.0, 11.0, 40.0, 95.0 };
+  const std::vector<double> ones(5, 1.0), zeros(5, 0.0);
+  std::vector<double>       g(25);
+  for (const double length : { 14.0, 5.0, 0.0 })
+  {
+    model->SetCorrelationLength(length);
+    itk::ContourNoiseModel::ComputeCorrelation(arc.data(), ones.data(), zeros.data(), 5, length, g.data());
+    for (std::size_t i = 0; i < 5; ++i)
+    {
+      for (std::size_t j = 0; j < 5; ++j)
+      {
+        EXPECT_NEAR(model->GetCorrelation(arc[i] - arc[j]), g[5 * i + j], 1e-15) << length;
+      }
+    }
+    EXPECT_EQ(model->GetCorrelation(0.0), 1.0);
+  }
 }

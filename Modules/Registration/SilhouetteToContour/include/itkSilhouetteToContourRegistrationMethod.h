@@ -155,8 +155,8 @@ public:
   /** One level with the broad bounds and 80 iterations, no exploration: the paper's "w/o coarse-to-fine". */
   void
   SetPresetToSingleStage();
-  /** For a start that is far off: scale 50 %, rotation 45 degrees, shift 15 mm; the first level ranks candidates all over
-   * these bounds on the field of distances and refines the best, a second finishes the winner. */
+  /** For a start that is far off: scale 50 %, rotation 45 degrees, shift 15 mm; the first level ranks candidates all
+   * over these bounds on the field of distances and refines the best, a second finishes the winner. */
   void
   SetPresetToGlobal();
 
@@ -183,6 +183,18 @@ public:
   ComputeBoundingBoxTransform(const ContourType * fixed, const ContourType * moving);
 
   // RegistrationIterationInformation
+  /** Which start of the level. */
+  unsigned int
+  GetCurrentCandidate() const override
+  {
+    return m_CurrentCandidate;
+  }
+  /** From the position that was reported before, pixels (root mean square over the moving points). */
+  double
+  GetStepLength() const override
+  {
+    return m_StepLength;
+  }
   unsigned int
   GetCurrentLevel() const override
   {
@@ -241,6 +253,8 @@ private:
   std::vector<LevelResultType> m_LevelResults;
   ParametersType               m_InitialParameters;
   unsigned int                 m_CurrentLevel{ 0 };
+  unsigned int                 m_CurrentCandidate{ 0 };
+  double                       m_StepLength{ 0.0 };
   std::size_t                  m_OptimizerIteration{ 0 };
   double                       m_MetricValue{ 0.0 };
   ParametersType               m_OptimizerPosition;

@@ -241,6 +241,8 @@ public:
     std::copy_n(initialParameters.begin(), 4, result.initialParameters.begin());
 
     m_Method->m_CurrentLevel = index;
+    m_Method->m_CurrentCandidate = 0;
+    m_Method->m_StepLength = 0.0;
     m_Method->m_OptimizerIteration = 0;
     m_Method->m_MetricValue = result.initialValue;
     m_Method->m_OptimizerPosition = initialParameters;
@@ -259,6 +261,8 @@ public:
       m_StartFraction = 0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(starts.size());
       m_StartShare = 0.7 / static_cast<double>(starts.size());
       m_IterationsOfStart = 0;
+      m_Method->m_CurrentCandidate = static_cast<unsigned int>(i);
+      m_LastPosition = starts[i];
       m_Metric->ResetBest();
       const std::string stop = this->RunOptimizer(starts[i]);
       evaluations += m_Metric->GetNumberOfEvaluations();
@@ -510,6 +514,10 @@ private:
       ++m_IterationsOfStart;
       ++m_Method->m_OptimizerIteration;
       m_Method->m_OptimizerPosition = MakeParameters(m_Metric->GetCurrentSimilarity());
+      // The metric's own parameters are pixels.
+      const ParametersType position = m_Metric->GetOptimizerParameters(m_Metric->GetCurrentSimilarity());
+      m_Method->m_StepLength = (position - m_LastPosition).two_norm();
+      m_LastPosition = position;
       m_Method->m_MetricValue = m_Metric->GetCurrentValue();
       m_Method->InvokeEvent(IterationEvent());
       const double done = static_cast<double>(m_IterationsOfStart);
@@ -559,6 +567,7 @@ private:
   double                          m_StartFraction{ 0.0 };
   double                          m_StartShare{ 0.0 };
   std::size_t                     m_IterationsOfStart{ 0 };
+  ParametersType                  m_LastPosition;
 };
 
 SilhouetteToContourRegistrationMethod::SilhouetteToContourRegistrationMethod()
@@ -904,6 +913,8 @@ SilhouetteToContourRegistrationMethod::PrintSelf(std::ostream & os, Indent inden
   os << indent << "InitialParameters: " << m_InitialParameters << std::endl;
   os << indent << "LevelResults: " << m_LevelResults.size() << std::endl;
   os << indent << "CurrentLevel: " << m_CurrentLevel << std::endl;
+  os << indent << "CurrentCandidate: " << m_CurrentCandidate << std::endl;
+  os << indent << "StepLength: " << m_StepLength << std::endl;
   os << indent << "OptimizerIteration: " << m_OptimizerIteration << std::endl;
   os << indent << "MetricValue: " << m_MetricValue << std::endl;
   os << indent << "OptimizerPosition: " << m_OptimizerPosition << std::endl;

@@ -18,6 +18,8 @@
 #include "itkRegistrationIterationCommand.h"
 
 #include "itkContourChamferMetricv4.h"
+#include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkPartialContourMetricv4.h"
 #include "itkSilhouetteToContourRegistrationMethod.h"
 #include "itkSyntheticContours.h"
 
@@ -25,10 +27,13 @@
 
 #include "itkGTest.h"
 
+#include <algorithm>
 #include <sstream>
+#include <string>
 
 namespace
 {
+// What RegistrationCommon's tests of it cannot show: that this registration tells all of it.
 using namespace SyntheticContours;
 using CommandType = itk::RegistrationIterationCommand;
 using KindEnum = CommandType::KindEnum;
@@ -143,4 +148,64 @@ TEST(RegistrationIterationCommand, CountsIterationsOfABareOptimizerNotEvaluation
   EXPECT_EQ(iterations, 5u);
   EXPECT_EQ(command->GetRecords().back().kind, KindEnum::End);
   EXPECT_FALSE(command->GetRecords().back().stopReason.empty());
+}
+
+TEST(RegistrationIterationCommand, WritesARowForEachIterationWithItsCandidateAndStep)
+{
+  const auto method = MakeMethod();
+  const auto command = CommandType::New();
+  command->Observe(method);
+  method->Update();
+  std::ostringstream text;
+  command->WriteTable(text);
+  std::istringstream table(text.str());
+  std::string        line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "level,candidate,iteration,value,step_length,accepted,p0,p1,p2,p3");
+  std::size_t  rows = 0;
+  unsigned int candidates = 0;
+  for (const auto & record : command->GetRecords())
+  {
+    if (record.kind != KindEnum::Iteration)
+    {
+      continue;
+    }
+    ++rows;
+    candidates = std::max(candidates, record.candidate);
+    EXPECT_TRUE(record.accepted);
+    EXPECT_GT(record.stepLength, 0.0);
+    ASSERT_TRUE(std::getline(table, line));
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 9);
+    EXPECT_EQ(line.substr(0, 2), std::to_string(record.level) + ",");
+  }
+  EXPECT_GT(rows, 5u);
+  // The coarse level has several starts.
+  EXPECT_GT(candidates, 0u);
+  EXPECT_FALSE(std::getline(table, line));
+}
+
+TEST(RegistrationIterationCommand, TellsStepsThatLevenbergMarquardtRefused)
+{
+  const auto metric = itk::PartialContourMetricv4::New();
+  metric->SetFixedContour(MakeTracing(MakeTransform(1.1, 0.1, 410.0, 490.0)));
+  metric->SetMovingContour(MakeSilhouette());
+  metric->SetMovingTransform(MakeTransform(1.05, 0.05, 405.0, 495.0));
+  metric->Initialize();
+  const auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
+  optimizer->SetMetric(metric);
+  const auto command = CommandType::New();
+  command->Observe(optimizer);
+  std::ostringstream text;
+  command->SetStream(&text);
+  optimizer->StartOptimization();
+  std::size_t tried = 0;
+  std::size_t accepted = 0;
+  for (const auto & record : command->GetRecords())
+  {
+    tried += static_cast<std::size_t>(record.kind == KindEnum::Iteration);
+    accepted += static_cast<std::size_t>(record.kind == KindEnum::Iteration && record.accepted);
+  }
+  EXPECT_EQ(tried, optimizer->GetNumberOfEvaluations());
+  EXPECT_EQ(accepted, optimizer->GetCurrentIteration());
+  EXPECT_EQ(text.str().find("refused a step") != std::string::npos, accepted < tried);
 }

@@ -1,0 +1,87 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkCaseResultFolderWriter_h
+#define itkCaseResultFolderWriter_h
+
+#include "itkCaseResultObject.h"
+
+#include "itkProcessObject.h"
+
+#include <string>
+
+namespace itk
+{
+/** \class CaseResultFolderWriter
+ * \brief Writes everything that a case's result is made of into a folder, whole or not at all.
+ *
+ * Input: what CaseRegistration gives. Documentation/FileFormats.md lists the files. Errors: DentalInputError where the
+ * folder cannot be written.
+ *
+ * \ingroup CaseRegistration
+ */
+class CaseRegistration_EXPORT CaseResultFolderWriter : public ProcessObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(CaseResultFolderWriter);
+
+  using Self = CaseResultFolderWriter;
+  using Superclass = ProcessObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(CaseResultFolderWriter, ProcessObject);
+
+  using InputType = CaseResultObject;
+
+  using Superclass::SetInput;
+  void
+  SetInput(const InputType * input);
+  const InputType *
+  GetInput() const;
+
+  /** Made where it is not there; files of an earlier result in it are replaced. */
+  itkSetStringMacro(FolderName);
+  itkGetStringMacro(FolderName);
+
+  /** Write what is for people as well: overlays, scans in the cephalostat frame. Default on. */
+  itkSetMacro(WriteReport, bool);
+  itkGetConstMacro(WriteReport, bool);
+  itkBooleanMacro(WriteReport);
+
+  /** A writer has no output: this brings its input up to date and writes, each time. */
+  void
+  Update() override;
+
+protected:
+  CaseResultFolderWriter();
+  ~CaseResultFolderWriter() override = default;
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+  void
+  GenerateData() override;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  std::string m_FolderName;
+  bool        m_WriteReport{ true };
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,122 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCaseRegistrationTestCase.h"
+#include "itkCaseResultFolderWriter.h"
+#include "itkDentalCaseReader.h"
+#include "itkDentalPhantomCaseWriter.h"
+#include "itkTestFile.h"
+
+#include "itkCommand.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+// Reader, registration and writer as one pipeline.
+namespace
+{
+/** Counts the executions of a process object. */
+class ExecutionCounter
+{
+public:
+  explicit ExecutionCounter(itk::ProcessObject * process)
+  {
+    auto command = itk::FunctionCommand::New();
+    command->SetCallback([this](const itk::EventObject &) { ++m_Count; });
+    process->AddObserver(itk::StartEvent(), command);
+  }
+  unsigned int
+  Get() const
+  {
+    return m_Count;
+  }
+
+private:
+  unsigned int m_Count{ 0 };
+};
+
+std::string
+WriteCase()
+{
+  auto source = itk::DentalPhantomCaseSource::New();
+  source->SetSeed(15);
+  source->SetNumberOfTriangles(12000);
+  source->MakeRadiographOff();
+  source->Update();
+  auto writer = itk::DentalPhantomCaseWriter::New();
+  writer->SetCaseSource(source);
+  writer->SetDirectoryName(itk::TestFolder() + "/case");
+  writer->Update();
+  return itk::TestFolder() + "/case/case.json";
+}
+} // namespace
+
+TEST(CasePipeline, OneUpdateOfTheWriterRunsAllAndAChangeRunsWhatLiesBelow)
+{
+  auto reader = itk::DentalCaseReader::New();
+  reader->SetFileName(WriteCase());
+  auto registration = itk::CaseRegistration::New();
+  registration->SetInput(reader->GetOutput());
+  auto writer = itk::CaseResultFolderWriter::New();
+  writer->SetInput(registration->GetOutput());
+  writer->SetFolderName(itk::TestFolder() + "/result");
+  writer->WriteReportOff();
+  const ExecutionCounter readings(reader);
+  const ExecutionCounter registrations(registration);
+  writer->Update();
+  EXPECT_EQ(readings.Get(), 1u);
+  EXPECT_EQ(registrations.Get(), 1u);
+  EXPECT_TRUE(std::filesystem::exists(itk::TestFolder() + "/result/result.json"));
+  EXPECT_EQ(registration->GetResult().GetStatus(), itk::CaseStatusEnum::Ok);
+
+  writer->Update();
+  EXPECT_EQ(readings.Get(), 1u);
+  EXPECT_EQ(registrations.Get(), 1u);
+
+  registration->SetOption("maximumEvaluations=10");
+  writer->Update();
+  EXPECT_EQ(readings.Get(), 1u);
+  EXPECT_EQ(registrations.Get(), 2u);
+
+  reader->Modified();
+  writer->Update();
+  EXPECT_EQ(readings.Get(), 2u);
+  EXPECT_EQ(registrations.Get(), 3u);
+}
+
+TEST(CasePipeline, SaysWhatToCallWhereAnInputIsMissing)
+{
+  const auto messageOf = [](itk::ProcessObject * process) -> std::string {
+    try
+    {
+      process->Update();
+    }
+    catch (const itk::ExceptionObject & error)
+    {
+      return error.GetDescription();
+    }
+    return "";
+  };
+  EXPECT_NE(messageOf(itk::DentalCaseReader::New()).find("SetFileName()"), std::string::npos);
+  EXPECT_NE(messageOf(itk::CaseRegistration::New()).find("SetInput()"), std::string::npos);
+  EXPECT_NE(messageOf(itk::CaseResultFolderWriter::New()).find("SetInput()"), std::string::npos);
+  auto registration = itk::CaseRegistration::New();
+  registration->SetInput(itk::DentalCaseObject::New());
+  EXPECT_NE(messageOf(registration).find("holds no case"), std::string::npos);
+}

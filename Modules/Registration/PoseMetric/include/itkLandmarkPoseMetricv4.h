@@ -1,0 +1,179 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkLandmarkPoseMetricv4_h
+#define itkLandmarkPoseMetricv4_h
+
+#include "PoseMetricExport.h"
+#include "itkDentalLandmarkSet.h"
+#include "itkPoseMetricv4.h"
+
+#include "itkMatrix.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \class LandmarkPoseMetricv4
+ * \brief Landmarks of a scan against landmarks of the radiograph: a term of a registration of the scan's pose.
+ *
+ * Landmarks of the same name belong together; a name that only one of the sets has is left out. With the difference d
+ * between the marked and the projected position, pixels, and the covariance C of the mark, the value is
+ *
+ *   sum_i w_i d_i' C_i^-1 d_i + c^2 charge(w_i)
+ *
+ * with the weights w of the robust kernel at the distance sqrt(d' C^-1 d), which has no unit; its width c is
+ * KernelWidthInSigmas. What SetKernelWidth() of a sum anneals, in pixels, is not this one: the errors of marks are
+ * known.
+ *
+ * Inputs: SetTransform() (its geometry; its parameters are where the state begins), SetMovingLandmarks() in the scan's
+ * dental frame (mm), SetFixedLandmarks() (continuous pixel indices), and their errors: Sigma for all, or a covariance
+ * each. Blocks read: "pose" and "scale", or as named (PoseStateBlocks).
+ *
+ * Clone() shares the landmarks. Errors (ExceptionObject): a missing input, with the call to make; sets without a common
+ * name, with both lists; a covariance that is not positive definite.
+ *
+ * \ingroup PoseMetric
+ */
+class PoseMetric_EXPORT LandmarkPoseMetricv4 : public PoseMetricv4
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(LandmarkPoseMetricv4);
+
+  using Self = LandmarkPoseMetricv4;
+  using Superclass = PoseMetricv4;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(LandmarkPoseMetricv4, PoseMetricv4);
+
+  using MovingLandmarksType = DentalLandmarkSet<3>;
+  using FixedLandmarksType = DentalLandmarkSet<2>;
+  using CovarianceType = Matrix<double, 2, 2>;
+
+  /** Landmarks of the scan, dental frame, mm. Same as SetMovingObject(). */
+  void
+  SetMovingLandmarks(const MovingLandmarksType * landmarks)
+  {
+    this->SetMovingObject(landmarks);
+  }
+  const MovingLandmarksType *
+  GetMovingLandmarks() const
+  {
+    return dynamic_cast<const MovingLandmarksType *>(this->GetMovingObject());
+  }
+
+  /** Landmarks of the radiograph, continuous pixel indices. Same as SetFixedObject(). */
+  void
+  SetFixedLandmarks(const FixedLandmarksType * landmarks)
+  {
+    this->SetFixedObject(landmarks);
+  }
+  const FixedLandmarksType *
+  GetFixedLandmarks() const
+  {
+    return dynamic_cast<const FixedLandmarksType *>(this->GetFixedObject());
+  }
+
+  /** Standard deviation an axis of marks without a covariance of their own, pixels of the radiograph; 4 by default:
+   * 1 mm at 0.25 mm a pixel, what two observers differ by. */
+  itkSetMacro(Sigma, double);
+  itkGetConstMacro(Sigma, double);
+
+  /** Covariance of a mark, square pixels; of one landmark by its name. */
+  void
+  SetCovariance(const std::string & name, const CovarianceType & covariance);
+  void
+  ClearCovariances();
+
+  /** Least squares by default. */
+  void
+  SetRobustKernel(const RobustKernel * kernel) override;
+  itkGetConstObjectMacro(RobustKernel, RobustKernel);
+  /** Width of the kernel in standard deviations, 4 by default. */
+  itkSetMacro(KernelWidthInSigmas, double);
+  itkGetConstMacro(KernelWidthInSigmas, double);
+
+  /** Names of the landmarks that are matched, in the order of the residuals (u and v each); valid after Initialize().
+   */
+  std::vector<std::string>
+  GetMatchedNames() const;
+
+  SizeValueType
+  GetNumberOfResiduals() const override;
+  void
+  ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const override;
+  double
+  ComputeValue(const PositionType & x) const override;
+  void
+  ComputeGradient(const PositionType & x, VectorType & gradient) const override;
+  void
+  AddSquaredMotion(const PositionType & from, const PositionType & to, double & sum, double & count) const override;
+  void
+  AddFit(const PositionType & x, RegistrationFit & fit) const override;
+  void
+  Hold(HoldEnum what) override;
+
+protected:
+  LandmarkPoseMetricv4();
+  ~LandmarkPoseMetricv4() override = default;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+  void
+  InitializeTerm() override;
+  LightObject::Pointer
+  InternalClone() const override;
+
+private:
+  /** Landmarks of one name in both sets. */
+  struct PairType
+  {
+    std::string                    name;
+    TransformType::InputPointType  moving;
+    TransformType::OutputPointType fixed;
+    /** Inverse of the covariance's Cholesky factor, lower triangle: (0,0), (1,0), (1,1). */
+    double whitening[3];
+  };
+  using PairsType = std::vector<PairType>;
+
+  TransformType::Pointer
+  MakeTransformAt(const PositionType & x) const;
+  /** Whitened difference of a pair, and its derivative: 2 x 7, row-major. */
+  void
+  ComputeDifference(const TransformType & transform,
+                    const PairType &      pair,
+                    double                difference[2],
+                    double *              jacobian) const;
+  const PairsType &
+  GetPairs() const;
+
+  double                                m_Sigma{ 4.0 };
+  std::map<std::string, CovarianceType> m_Covariances;
+  RobustKernel::ConstPointer            m_RobustKernel;
+  double                                m_KernelWidthInSigmas{ 4.0 };
+  /** Constant and shared by clones. */
+  std::shared_ptr<const PairsType> m_Pairs;
+  /** Weights that are held, one a pair, or empty. */
+  std::vector<double> m_HeldWeights;
+};
+} // namespace itk
+
+#endif

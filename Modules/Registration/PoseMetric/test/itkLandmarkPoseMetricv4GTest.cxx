@@ -1,0 +1,288 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkLandmarkPoseMetricv4.h"
+
+#include "itkCorrelatedNoiseModel.h"
+#include "itkGemanMcClureKernel.h"
+#include "itkLeastSquaresSumMetricv4.h"
+#include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkParameterPriorMetricv4.h"
+#include "itkPoseStateBlocks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace
+{
+using MetricType = itk::LandmarkPoseMetricv4;
+using TransformType = itk::CephalometricPoseTransform;
+
+const double Truth[7] = { 0.12, -0.03, 0.05, 55.0, 1.5, -40.0, 0.01 };
+
+TransformType::Pointer
+MakeTransform(const double * parameters)
+{
+  auto                                         geometry = itk::CephalometricGeometry::New();
+  itk::CephalometricGeometry::PixelSpacingType spacing;
+  spacing[0] = 0.2;
+  spacing[1] = 0.3;
+  geometry->SetPixelSpacing(spacing);
+  geometry->SetFacing(itk::CephalometricGeometry::FacingEnum::Left);
+  auto transform = TransformType::New();
+  transform->SetGeometry(geometry);
+  TransformType::ParametersType values(7);
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    values[k] = parameters[k];
+  }
+  transform->SetParameters(values);
+  return transform;
+}
+
+itk::DentalLandmarkSet<3>::Pointer
+MakeScanLandmarks()
+{
+  auto         landmarks = itk::DentalLandmarkSet<3>::New();
+  const double places[6][3] = { { 24.0, -4.0, 1.0 },   { 18.0, -14.0, 0.0 }, { 2.0, -20.0, -1.0 },
+                                { -18.0, -25.0, 2.0 }, { 24.5, 4.0, 1.0 },   { -17.0, 25.0, 1.5 } };
+  const char * names[6] = { "UR1_tip", "UR3_cusp", "UR5_B", "UR6_MB", "UL1_tip", "UL6_MB" };
+  for (unsigned int i = 0; i < 6; ++i)
+  {
+    landmarks->AddLandmark(names[i], itk::Point<double, 3>(places[i]));
+  }
+  return landmarks;
+}
+
+/** Where the truth puts them, moved by some pixels; one name that the scan has not. */
+itk::DentalLandmarkSet<2>::Pointer
+MakeMarks(double error)
+{
+  auto       marks = itk::DentalLandmarkSet<2>::New();
+  const auto transform = MakeTransform(Truth);
+  double     sign = 1.0;
+  const auto scan = MakeScanLandmarks();
+  for (const auto & landmark : scan->GetLandmarks())
+  {
+    auto pixel = transform->TransformPoint(landmark.point);
+    pixel[0] += sign * error;
+    pixel[1] -= 0.6 * sign * error;
+    sign = -1.3 * sign;
+    marks->AddLandmark(landmark.name, pixel);
+  }
+  marks->AddLandmark("LR1_tip", itk::Point<double, 2>(1.0));
+  return marks;
+}
+
+MetricType::Pointer
+MakeMetric(const double * start, double error)
+{
+  auto metric = MetricType::New();
+  metric->SetTransform(MakeTransform(start));
+  metric->SetMovingLandmarks(MakeScanLandmarks());
+  metric->SetFixedLandmarks(MakeMarks(error));
+  MetricType::CovarianceType covariance;
+  covariance(0, 0) = 9.0;
+  covariance(0, 1) = covariance(1, 0) = 2.5;
+  covariance(1, 1) = 4.0;
+  metric->SetCovariance("UR6_MB", covariance);
+  return metric;
+}
+
+std::string
+MessageOfInitialize(MetricType * metric)
+{
+  try
+  {
+    metric->Initialize();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    return error.GetDescription();
+  }
+  return "";
+}
+} // namespace
+
+TEST(LandmarkPoseMetricv4, MatchesByNameAndWeighsByTheCovarianceOfEachMark)
+{
+  const auto metric = MakeMetric(Truth, 3.0);
+  metric->Initialize();
+  EXPECT_EQ(metric->GetMatchedNames().size(), 6u);
+  EXPECT_EQ(metric->GetNumberOfResiduals(), 12u);
+  // d' C^-1 d by hand: the errors are (1, -0.6) 3 px times 1, -1.3, 1.3^2, ...; UR6_MB is the fourth.
+  double expected = 0.0;
+  double size = 3.0;
+  for (unsigned int i = 0; i < 6; ++i, size *= -1.3)
+  {
+    const double u = size;
+    const double v = -0.6 * size;
+    const double determinant = 9.0 * 4.0 - 2.5 * 2.5;
+    expected += i == 3 ? (4.0 * u * u - 2.0 * 2.5 * u * v + 9.0 * v * v) / determinant : (u * u + v * v) / 16.0;
+  }
+  EXPECT_NEAR(metric->GetValue(), expected, 1e-9 * expected);
+}
+
+TEST(LandmarkPoseMetricv4, DerivativesMatchDifferences)
+{
+  double start[7];
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    start[k] = Truth[k] + (k < 3 || k == 6 ? 0.004 : 0.4);
+  }
+  for (const bool robust : { false, true })
+  {
+    const auto metric = MakeMetric(start, 6.0);
+    if (robust)
+    {
+      metric->SetRobustKernel(itk::GemanMcClureKernel::New());
+      metric->SetKernelWidthInSigmas(2.0);
+    }
+    metric->Initialize();
+    MetricType::DerivativeType derivative;
+    MetricType::MeasureType    value;
+    metric->GetValueAndDerivative(value, derivative);
+    vnl_vector<double> residuals;
+    vnl_matrix<double> jacobian;
+    metric->GetResiduals(residuals, &jacobian);
+    const MetricType::ParametersType x = metric->GetParameters();
+    for (unsigned int k = 0; k < 7; ++k)
+    {
+      const double               step = 1e-4;
+      MetricType::ParametersType a = x;
+      MetricType::ParametersType b = x;
+      a[k] -= step;
+      b[k] += step;
+      metric->SetParameters(a);
+      const double before = metric->GetValue();
+      metric->SetParameters(b);
+      const double after = metric->GetValue();
+      // A v4 metric returns minus the gradient; differences of second order leave the step squared.
+      EXPECT_NEAR(-derivative[k], (after - before) / (2.0 * step), 1e-5 * (1.0 + std::abs(derivative[k]))) << k;
+
+      auto moving = x;
+      metric->SetParameters(moving);
+      metric->Hold(MetricType::HoldEnum::Matches);
+      vnl_vector<double> low, high;
+      metric->SetParameters(a);
+      metric->GetResiduals(low, nullptr);
+      metric->SetParameters(b);
+      metric->GetResiduals(high, nullptr);
+      metric->Hold(MetricType::HoldEnum::Nothing);
+      for (unsigned int i = 0; i < residuals.size(); ++i)
+      {
+        EXPECT_NEAR(jacobian(i, k), (high[i] - low[i]) / (2.0 * step), 1e-6) << i << ", " << k;
+      }
+    }
+  }
+}
+
+TEST(LandmarkPoseMetricv4, WithPriorsFindsThePoseThatMadeTheMarks)
+{
+  const double start[7] = { 0.0, 0.0, 0.0, 45.0, 0.0, -30.0, 0.0 };
+  const auto   metric = MakeMetric(start, 0.0);
+  auto         prior = itk::ParameterPriorMetricv4::New();
+  prior->SetBlock(itk::PoseStateBlocks::MakePose());
+  std::vector<itk::ParameterPriorMetricv4::PriorType> priors(6);
+  for (auto & p : priors)
+  {
+    p.sigma = std::numeric_limits<double>::infinity();
+  }
+  // Depth and scale are one unknown: ty is what the truth says.
+  priors[4] = { 1.5, 0.01, 0.0 };
+  prior->SetPriors(priors);
+  auto sum = itk::LeastSquaresSumMetricv4::New();
+  sum->AddMetric(metric);
+  sum->AddMetric(prior);
+  sum->Initialize();
+  auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
+  optimizer->SetMetric(sum);
+  optimizer->StartOptimization();
+  EXPECT_TRUE(optimizer->HasConverged());
+  const auto pose = sum->GetBlockValues("pose");
+  for (unsigned int k = 0; k < 6; ++k)
+  {
+    EXPECT_NEAR(pose[k], Truth[k], k < 3 ? 1e-4 : 1e-2) << k;
+  }
+  EXPECT_NEAR(sum->GetBlockValues("scale")[0], Truth[6], 1e-3);
+}
+
+TEST(LandmarkPoseMetricv4, ARobustKernelLetsAGrossErrorGo)
+{
+  const double start[7] = { 0.12, -0.03, 0.05, 55.0, 1.5, -40.0, 0.01 };
+  auto         marks = MakeMarks(0.0);
+  auto         wrong = itk::DentalLandmarkSet<2>::New();
+  for (const auto & mark : marks->GetLandmarks())
+  {
+    auto point = mark.point;
+    point[0] += mark.name == "UR3_cusp" ? 90.0 : 0.0;
+    wrong->AddLandmark(mark.name, point);
+  }
+  const auto moved = [&](bool robust) {
+    const auto metric = MakeMetric(start, 0.0);
+    metric->SetFixedLandmarks(wrong);
+    if (robust)
+    {
+      metric->SetRobustKernel(itk::GemanMcClureKernel::New());
+    }
+    // Six landmarks do not determine all seven; the shift is what an error pulls.
+    metric->SetBlockFree("pose", { false, false, false, true, false, true });
+    metric->SetBlockFree("scale", false);
+    metric->Initialize();
+    auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
+    optimizer->SetMetric(metric);
+    optimizer->StartOptimization();
+    return std::abs(metric->GetBlockValues("pose")[3] - Truth[3]);
+  };
+  EXPECT_GT(moved(false), 1.0);
+  EXPECT_LT(moved(true), 0.05);
+}
+
+TEST(LandmarkPoseMetricv4, SaysWhatToCall)
+{
+  auto metric = MetricType::New();
+  EXPECT_NE(MessageOfInitialize(metric).find("SetTransform()"), std::string::npos);
+  metric->SetTransform(MakeTransform(Truth));
+  EXPECT_NE(MessageOfInitialize(metric).find("SetMovingLandmarks()"), std::string::npos);
+  metric->SetMovingLandmarks(MakeScanLandmarks());
+  EXPECT_NE(MessageOfInitialize(metric).find("SetFixedLandmarks()"), std::string::npos);
+  auto others = itk::DentalLandmarkSet<2>::New();
+  others->AddLandmark("LL7_DB", itk::Point<double, 2>(3.0));
+  metric->SetFixedLandmarks(others);
+  const std::string message = MessageOfInitialize(metric);
+  EXPECT_NE(message.find("LL7_DB"), std::string::npos);
+  EXPECT_NE(message.find("UR1_tip"), std::string::npos);
+  metric->SetFixedLandmarks(MakeMarks(0.0));
+  MetricType::CovarianceType flat;
+  flat.Fill(1.0);
+  metric->SetCovariance("UR1_tip", flat);
+  EXPECT_NE(MessageOfInitialize(metric).find("SetCovariance()"), std::string::npos);
+}
+
+TEST(LandmarkPoseMetricv4, ACloneHasTheSameBitsAndAStateOfItsOwn)
+{
+  const auto metric = MakeMetric(Truth, 2.0);
+  metric->Initialize();
+  const MetricType::Pointer clone = metric->Clone();
+  EXPECT_EQ(clone->GetValue(), metric->GetValue());
+  clone->SetBlockValues("scale", { 0.1 });
+  EXPECT_NE(clone->GetValue(), metric->GetValue());
+  EXPECT_EQ(metric->GetBlockValues("scale")[0], Truth[6]);
+}

@@ -1,0 +1,165 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseSolutionTestCase.h"
+
+#include "itkTestingMacros.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace
+{
+using namespace PoseSolutionTestCase;
+
+SolutionType::PointType
+MakePoint(double x, double y, double z)
+{
+  SolutionType::PointType point;
+  point[0] = x;
+  point[1] = y;
+  point[2] = z;
+  return point;
+}
+
+int
+ExerciseBasicObjectMethods()
+{
+  const auto solution = MakeSolution(MakeResult());
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(solution, PoseSolution, DataObject);
+  return EXIT_SUCCESS;
+}
+} // namespace
+
+TEST(PoseSolution, BasicObjectMethodsAndWhatIsPrinted)
+{
+  EXPECT_EQ(ExerciseBasicObjectMethods(), EXIT_SUCCESS);
+  const auto empty = SolutionType::New();
+  EXPECT_TRUE(empty->GetResult().jaws.empty());
+  EXPECT_EQ(empty->GetIndex(JawEnum::Upper), -1);
+  EXPECT_FALSE(empty->IsRegistered(JawEnum::Lower));
+  auto result = MakeResult();
+  result.jaws[1].registered = false;
+  result.jaws[1].failure = "of no use";
+  std::ostringstream text;
+  MakeSolution(result)->Print(text);
+  for (const char * line : { "upper: registered", "lower: of no use", "Groups: 2", "score 0.1, candidates 0" })
+  {
+    EXPECT_TRUE(Contains(text.str(), line)) << line;
+  }
+}
+
+TEST(PoseSolution, ProjectionsTransformsAndGeometryAgree)
+{
+  for (const double facing : { 1.0, -1.0 })
+  {
+    for (const double source : { 1.0, -1.0 })
+    {
+      const auto result = MakeResult(facing, source);
+      const auto solution = MakeSolution(result);
+      for (const JawEnum jaw : Jaws)
+      {
+        const auto rigid = solution->MakeRigidTransform(jaw);
+        const auto pose = solution->MakePoseTransform(jaw);
+        auto       geometry = itk::CephalometricGeometry::New();
+        solution->CopyToGeometry(jaw, geometry);
+        auto bare = itk::CephalometricGeometry::New();
+        bare->CopyParameters(geometry);
+        bare->SetPoseToIdentity();
+        for (const auto & point : { MakePoint(20.0, -30.0, 5.0), MakePoint(-25.0, 12.0, -18.0) })
+        {
+          const auto                                      expected = solution->ProjectPoint(jaw, point);
+          const auto                                      byGeometry = geometry->ProjectPoint(point);
+          const auto                                      byRigid = bare->ProjectPoint(rigid->TransformPoint(point));
+          const auto &                                    frame = solution->GetJaw(jaw).frame;
+          itk::CephalometricPoseTransform::InputPointType dental;
+          for (unsigned int k = 0; k < 3; ++k)
+          {
+            dental[k] = 0.0;
+            for (unsigned int c = 0; c < 3; ++c)
+            {
+              dental[k] += frame.rotation[3 * k + c] * (point[c] - frame.origin[c]);
+            }
+          }
+          const auto   byPose = pose->TransformPoint(dental);
+          const auto   p = solution->GetProjectionMatrix(jaw);
+          const double w = p(2, 0) * point[0] + p(2, 1) * point[1] + p(2, 2) * point[2] + p(2, 3);
+          for (unsigned int d = 0; d < 2; ++d)
+          {
+            // Rounding of some 500 px.
+            EXPECT_NEAR(
+              expected[d], (p(d, 0) * point[0] + p(d, 1) * point[1] + p(d, 2) * point[2] + p(d, 3)) / w, 1e-9);
+            EXPECT_NEAR(byGeometry[d], expected[d], 1e-9);
+            EXPECT_NEAR(byRigid[d], expected[d], 1e-9);
+            EXPECT_NEAR(byPose[d], expected[d], 1e-9);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(PoseSolution, MovingContourHoldsAllThatCouldBeMatched)
+{
+  const auto contour = MakeSolution(MakeResult())->MakeMovingContour(JawEnum::Lower);
+  ASSERT_EQ(contour->GetNumberOfPoints(), 3u);
+  EXPECT_EQ(contour->GetPolylines()[0].points[2][0], 3.5);
+  EXPECT_FALSE(contour->GetPolylines()[0].closed);
+}
+
+TEST(PoseSolution, GraftCopiesAndInitializeForgets)
+{
+  const auto solution = MakeSolution(MakeResult());
+  auto       options = itk::PoseRegistrationOptions();
+  options.kappaSigma = 0.5;
+  solution->SetResult(MakeResult(), options);
+  auto copy = SolutionType::New();
+  copy->Graft(solution);
+  EXPECT_EQ(copy->GetResult().jaws.size(), 2u);
+  EXPECT_EQ(copy->GetOptions().kappaSigma, 0.5);
+  EXPECT_EQ(copy->GetGroup(JawEnum::Lower).parameters, solution->GetGroup(JawEnum::Lower).parameters);
+  copy->Initialize();
+  EXPECT_TRUE(copy->GetResult().jaws.empty());
+  EXPECT_EQ(copy->GetOptions().kappaSigma, itk::PoseRegistrationOptions().kappaSigma);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { copy->Graft(itk::CephalometricGeometry::New()); }), "takes a PoseSolution"));
+}
+
+TEST(PoseSolution, AJawOfNoUseIsAnErrorThatSaysWhy)
+{
+  auto result = MakeResult();
+  result.jaws[1].registered = false;
+  result.jaws[1].failure = "the tracing has 4 different points";
+  const auto solution = MakeSolution(result);
+  EXPECT_EQ(solution->GetIndex(JawEnum::Lower), 1);
+  EXPECT_TRUE(solution->IsRegistered(JawEnum::Upper));
+  EXPECT_FALSE(solution->IsRegistered(JawEnum::Lower));
+  EXPECT_FALSE(solution->IsRegistered(JawEnum::Unknown));
+  const SolutionType::PointType point = MakePoint(0.0, 0.0, 0.0);
+  for (const std::string & message : { MessageOfCall([&] { solution->ProjectPoint(JawEnum::Lower, point); }),
+                                       MessageOfCall([&] { solution->ComputeCovariance(JawEnum::Lower, point); }),
+                                       MessageOfCall([&] { solution->MakeRigidTransform(JawEnum::Lower); }),
+                                       MessageOfCall([&] { solution->MakePoseTransform(JawEnum::Lower); }) })
+  {
+    EXPECT_TRUE(Contains(message, "The lower jaw was not registered: the tracing has 4 different points"));
+    EXPECT_TRUE(Contains(message, "IsRegistered()")) << message;
+  }
+  result.jaws.resize(1);
+  result.groupOfJaw.resize(1);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { MakeSolution(result)->GetJaw(JawEnum::Lower); }),
+                       "The lower jaw had no input: give the registration its mesh and its contour."));
+}

@@ -1,0 +1,37 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkScalePrior.h"
+
+namespace itk
+{
+double
+ScalePrior::GetSigma(SpacingSource source)
+{
+  switch (source)
+  {
+    case SpacingSource::Given:
+      return 0.016;
+    case SpacingSource::Dicom:
+      return 0.05;
+    case SpacingSource::Default:
+    case SpacingSource::Estimated:
+      break;
+  }
+  return 0.25;
+}
+} // namespace itk

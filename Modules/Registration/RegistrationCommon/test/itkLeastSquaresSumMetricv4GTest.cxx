@@ -1,0 +1,305 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkLeastSquaresSumMetricv4.h"
+
+#include "itkCurveFitMetric.h"
+#include "itkLeastSquaresMetricChecker.h"
+#include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkParameterPriorMetricv4.h"
+
+#include "itkTestingMacros.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+using SumType = itk::LeastSquaresSumMetricv4;
+using PriorMetricType = itk::ParameterPriorMetricv4;
+using PositionType = SumType::PositionType;
+
+PriorMetricType::Pointer
+MakePrior(const std::string & block, const std::vector<PriorMetricType::PriorType> & priors)
+{
+  auto                       metric = PriorMetricType::New();
+  PriorMetricType::BlockType declared{ block, {} };
+  for (std::size_t k = 0; k < priors.size(); ++k)
+  {
+    declared.parameters.push_back({ std::string(1, static_cast<char>('a' + k)), 0.7 + k, 3.0 + k, 0.0, true });
+  }
+  metric->SetBlock(declared);
+  metric->SetPriors(priors);
+  return metric;
+}
+
+/** A curve; a prior on the same block; a sum within the sum, of a prior on a block of its own and one on the curve's.
+ */
+SumType::Pointer
+MakeNestedSum()
+{
+  auto inner = SumType::New();
+  inner->AddMetric(MakePrior("other", { { 0.2, 0.4, 4.0 }, { 1.0, 2.0, 0.0 }, { -1.0, 0.7, 0.0 } }));
+  inner->AddMetric(MakePrior("curve", { { 2.0, 0.3, 0.0 }, { 0.1, 0.2, 0.0 } }));
+  auto sum = SumType::New();
+  sum->AddMetric(CurveFitMetric::New());
+  sum->AddMetric(MakePrior("curve", { { 1.5, 0.8, 5.0 }, { 0.3, 0.5, 0.0 } }));
+  sum->AddMetric(inner);
+  sum->Initialize();
+  return sum;
+}
+
+/** A metric that needs no InternalClone(): it has no members. */
+class PlainTerm : public itk::LeastSquaresMetricv4
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(PlainTerm);
+  using Self = PlainTerm;
+  using Superclass = itk::LeastSquaresMetricv4;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  itkNewMacro(Self);
+  itkTypeMacro(PlainTerm, LeastSquaresMetricv4);
+
+  BlocksType
+  DeclareBlocks() const override
+  {
+    return { { "plain", { { "p", 1.0, 2.0, 0.0, true } } } };
+  }
+  itk::SizeValueType
+  GetNumberOfResiduals() const override
+  {
+    return 1;
+  }
+  void
+  ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const override
+  {
+    residuals.set_size(1);
+    residuals[0] = x[0] * x[0] - 2.0;
+    if (jacobian != nullptr)
+    {
+      jacobian->set_size(1, 1);
+      (*jacobian)(0, 0) = 2.0 * x[0];
+    }
+  }
+
+protected:
+  PlainTerm() = default;
+  ~PlainTerm() override = default;
+};
+
+int
+ExerciseBasicObjectMethods()
+{
+  const auto sum = MakeNestedSum();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(sum, LeastSquaresSumMetricv4, LeastSquaresMetricv4);
+  return EXIT_SUCCESS;
+}
+
+bool
+Contains(const std::string & text, const std::string & part)
+{
+  return text.find(part) != std::string::npos;
+}
+} // namespace
+
+TEST(LeastSquaresSumMetricv4, BasicObjectMethodsAndTermsArePrinted)
+{
+  EXPECT_EQ(ExerciseBasicObjectMethods(), EXIT_SUCCESS);
+  EXPECT_EQ(SumType::New()->GetNumberOfMetrics(), 0u);
+  std::ostringstream text;
+  MakeNestedSum()->Print(text);
+  EXPECT_TRUE(Contains(text.str(), "Metric 2:"));
+  EXPECT_TRUE(Contains(text.str(), "Block: other"));
+}
+
+TEST(LeastSquaresSumMetricv4, KeepsWhatEveryMetricPromisesWithSharedAndSeparateBlocksAndNested)
+{
+  const auto sum = MakeNestedSum();
+  ASSERT_EQ(sum->GetNumberOfParameters(), 5u);
+  ASSERT_EQ(sum->GetNumberOfResiduals(), 12u);
+  LeastSquaresMetricChecker::Check(*sum);
+  sum->SetBlockFree("other", { true, false, true });
+  sum->SetBlockFree("curve", { false, true });
+  LeastSquaresMetricChecker::Check(*sum);
+}
+
+TEST(LeastSquaresSumMetricv4, IsTheSumOfItsTermsOverTheUnionOfTheirBlocks)
+{
+  const auto         sum = MakeNestedSum();
+  const PositionType x{ 2.9, 0.15, 0.4, 1.1, -0.6 };
+  double             value = 0.0;
+  EXPECT_EQ(sum->GetState().GetOffset("curve"), 0u) << "in the order in which terms were added";
+  EXPECT_EQ(sum->GetState().GetOffset("other"), 2u);
+  EXPECT_EQ(sum->GetTermPosition(0, x), (PositionType{ 2.9, 0.15 }));
+  EXPECT_EQ(sum->GetTermPosition(1, x), (PositionType{ 2.9, 0.15 }));
+  // The inner sum has its blocks in an order of its own.
+  EXPECT_EQ(sum->GetTermPosition(2, x), (PositionType{ 0.4, 1.1, -0.6, 2.9, 0.15 }));
+  SumType::VectorType gradient(5, 0.0);
+  for (unsigned int t = 0; t < 3; ++t)
+  {
+    value += sum->GetMetric(t)->ComputeValue(sum->GetTermPosition(t, x));
+  }
+  EXPECT_EQ(sum->ComputeValue(x), value);
+  // Terms' own information adds up to that of all residuals.
+  SumType::VectorType residuals;
+  SumType::MatrixType jacobian;
+  sum->ComputeResiduals(x, residuals, &jacobian);
+  SumType::MatrixType information(5, 5, 0.0);
+  double              squares = 0.0;
+  sum->AddFixedInformation(x, information, gradient, squares);
+  EXPECT_NEAR(squares, residuals.squared_magnitude(), 1e-12 * squares);
+  EXPECT_LT((information - jacobian.transpose() * jacobian).frobenius_norm(), 1e-12 * information.frobenius_norm());
+  EXPECT_LT((gradient - jacobian.transpose() * residuals).magnitude(), 1e-12 * gradient.magnitude());
+  // What a term does not read does not move it.
+  for (unsigned int i = 0; i < 7; ++i)
+  {
+    for (unsigned int k = 2; k < 5; ++k)
+    {
+      EXPECT_EQ(jacobian(i, k), 0.0);
+    }
+  }
+}
+
+TEST(LeastSquaresSumMetricv4, TakesOverATermsValuesAndMasksUnlessItHasTheBlockAlready)
+{
+  const auto curve = CurveFitMetric::New();
+  curve->SetBlockValues("curve", { 7.0, 0.4 });
+  curve->SetBlockFree("curve", { true, false });
+  const auto prior = MakePrior("curve", { { 1.5, 0.8, 5.0 }, { 0.3, 0.5, 0.0 } });
+  prior->SetBlockValues("curve", { 8.0, 0.5 });
+  const auto sum = SumType::New();
+  sum->AddMetric(curve);
+  sum->AddMetric(prior);
+  EXPECT_EQ(sum->GetBlockValues("curve"), (std::vector<double>{ 7.0, 0.4 }));
+  sum->Initialize();
+  EXPECT_EQ(sum->GetNumberOfParameters(), 1u);
+  // From then on the sum's are what counts.
+  curve->SetBlockValues("curve", { 9.0, 0.6 });
+  EXPECT_EQ(sum->GetBlockValues("curve"), (std::vector<double>{ 7.0, 0.4 }));
+}
+
+TEST(LeastSquaresSumMetricv4, RemovedTermTakesItsOwnBlocksWithItAndLeavesTheOthersValues)
+{
+  const auto sum = SumType::New();
+  const auto curve = CurveFitMetric::New();
+  const auto other = MakePrior("other", { { 0.2, 0.4, 4.0 } });
+  sum->AddMetric(other);
+  sum->AddMetric(curve);
+  sum->SetBlockValues("curve", { 3.0, 0.1 });
+  sum->SetBlockFree("curve", { false, true });
+  sum->RemoveMetric(other);
+  EXPECT_EQ(sum->GetNumberOfMetrics(), 1u);
+  EXPECT_FALSE(sum->GetState().HasBlock("other"));
+  EXPECT_EQ(sum->GetBlockValues("curve"), (std::vector<double>{ 3.0, 0.1 }));
+  sum->Initialize();
+  EXPECT_EQ(sum->GetNumberOfParameters(), 1u);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { sum->RemoveMetric(other); }), "no term of this sum"));
+}
+
+TEST(LeastSquaresSumMetricv4, FollowsATermThatReadsAnotherBlock)
+{
+  const auto curve = CurveFitMetric::New();
+  const auto sum = SumType::New();
+  sum->AddMetric(curve);
+  sum->AddMetric(MakePrior("other", { { 0.2, 0.4, 4.0 } }));
+  sum->SetBlockValues("other", { 0.9 });
+  sum->Initialize();
+  curve->block = "second";
+  curve->SetBlockValues("second", { 5.0, 0.3 });
+  sum->Initialize();
+  EXPECT_EQ(sum->GetState().GetNumberOfParameters(), 3u);
+  EXPECT_FALSE(sum->GetState().HasBlock("curve"));
+  EXPECT_EQ(sum->GetBlockValues("second"), (std::vector<double>{ 5.0, 0.3 }));
+  EXPECT_EQ(sum->GetBlockValues("other"), std::vector<double>{ 0.9 });
+  LeastSquaresMetricChecker::Check(*sum);
+}
+
+TEST(LeastSquaresSumMetricv4, ClonesItsTerms)
+{
+  const auto             sum = MakeNestedSum();
+  const SumType::Pointer clone = sum->Clone();
+  ASSERT_EQ(clone->GetNumberOfMetrics(), 3u);
+  for (unsigned int t = 0; t < 3; ++t)
+  {
+    EXPECT_NE(clone->GetMetric(t), sum->GetMetric(t));
+  }
+  const double value = sum->GetValue();
+  dynamic_cast<PriorMetricType *>(clone->GetMetric(1))->SetPriors({ { 0.0, 0.1, 0.0 }, { 0.0, 0.1, 0.0 } });
+  EXPECT_NE(clone->GetValue(), value);
+  EXPECT_EQ(sum->GetValue(), value);
+}
+
+TEST(LeastSquaresSumMetricv4, TermsWithoutACloneOfTheirOwnKeepTheirState)
+{
+  const auto plain = PlainTerm::New();
+  plain->SetBlockValues("plain", { 4.0 });
+  const auto sum = SumType::New();
+  sum->AddMetric(plain);
+  sum->AddMetric(CurveFitMetric::New());
+  sum->Initialize();
+  LeastSquaresMetricChecker::Check(*sum);
+  const SumType::Pointer clone = sum->Clone();
+  EXPECT_EQ(clone->GetMetric(0)->GetBlockValues("plain"), std::vector<double>{ 4.0 });
+  clone->Hold(SumType::HoldEnum::Contours);
+  EXPECT_EQ(clone->GetValue(), sum->GetValue());
+}
+
+TEST(LeastSquaresSumMetricv4, PriorPullsTheFitByItsShareOfTheInformation)
+{
+  // Linear in both: the mean of what two terms say, weighted by their precisions.
+  const auto sum = SumType::New();
+  sum->AddMetric(MakePrior("x", { { 1.0, 0.5, 0.0 } }));
+  sum->AddMetric(MakePrior("x", { { 4.0, 1.0, 0.0 } }));
+  sum->Initialize();
+  const auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
+  optimizer->SetMetric(sum);
+  optimizer->StartOptimization();
+  EXPECT_NEAR(sum->GetBlockValues("x")[0], (4.0 * 1.0 + 1.0 * 4.0) / 5.0, 1e-7);
+}
+
+TEST(LeastSquaresSumMetricv4, ATermThatChangesChangesTheSumsTime)
+{
+  const auto sum = MakeNestedSum();
+  const auto time = sum->GetMTime();
+  dynamic_cast<PriorMetricType *>(sum->GetMetric(1))->SetPriors({ { 0.0, 0.1, 0.0 }, { 0.0, 0.1, 0.0 } });
+  EXPECT_GT(sum->GetMTime(), time);
+}
+
+TEST(LeastSquaresSumMetricv4, ErrorsSayWhatIsWrong)
+{
+  const auto sum = SumType::New();
+  const auto nothing = MessageOfCall([&] { sum->Initialize(); });
+  EXPECT_TRUE(Contains(nothing, "A sum of nothing: call AddMetric()")) << nothing;
+  EXPECT_TRUE(Contains(MessageOfCall([&] { sum->AddMetric(nullptr); }), "it was given none"));
+  EXPECT_TRUE(Contains(MessageOfCall([&] { sum->AddMetric(sum); }), "a sum is none of its own"));
+  sum->AddMetric(CurveFitMetric::New());
+  EXPECT_TRUE(Contains(MessageOfCall([&] { sum->GetMetric(1); }), "The sum has 1 terms; there is no term 1"));
+  const auto sizes = MessageOfCall([&] { sum->AddMetric(MakePrior("curve", { { 1.5, 0.8, 5.0 } })); });
+  EXPECT_TRUE(Contains(sizes, "The block \"curve\" has 2 parameters in one metric and 1 in another")) << sizes;
+  EXPECT_EQ(sum->GetNumberOfMetrics(), 1u) << "what was refused is no term";
+  sum->Initialize();
+  sum->SetBlockFree("curve", false);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { sum->Initialize(); }), "All parameters are held"));
+  // A term that lacks something says so.
+  const auto prior = PriorMetricType::New();
+  sum->SetBlockFree("curve", true);
+  sum->AddMetric(prior);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { sum->Initialize(); }), "call SetBlock()"));
+}
