@@ -339,8 +339,7 @@ LeastSquaresSumMetricv4::Hold(HoldEnum what)
   for (std::size_t t = 0; t < m_Metrics.size(); ++t)
   {
     MetricType & metric = *m_Metrics[t].metric;
-    metric.m_State.SetValues(this->GetTermPosition(t, m_State.GetValues()));
-    metric.StateChanged();
+    metric.SetValues(this->GetTermPosition(t, m_State.GetValues()));
     metric.Hold(what);
   }
 }
@@ -358,6 +357,8 @@ LeastSquaresSumMetricv4::InternalClone() const
       itkExceptionMacro("The metric " << term.metric->GetNameOfClass()
                                       << " cannot be cloned: implement InternalClone().");
     }
+    // One without members of its own has not copied it.
+    clone->m_Metrics.back().metric->CopyState(*term.metric);
   }
   clone->CopyState(*this);
   return clone.GetPointer();

@@ -65,6 +65,45 @@ MakeNestedSum()
   return sum;
 }
 
+/** A metric that needs no InternalClone(): it has no members. */
+class PlainTerm : public itk::LeastSquaresMetricv4
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(PlainTerm);
+  using Self = PlainTerm;
+  using Superclass = itk::LeastSquaresMetricv4;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  itkNewMacro(Self);
+  itkTypeMacro(PlainTerm, LeastSquaresMetricv4);
+
+  BlocksType
+  DeclareBlocks() const override
+  {
+    return { { "plain", { { "p", 1.0, 2.0, 0.0, true } } } };
+  }
+  itk::SizeValueType
+  GetNumberOfResiduals() const override
+  {
+    return 1;
+  }
+  void
+  ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const override
+  {
+    residuals.set_size(1);
+    residuals[0] = x[0] * x[0] - 2.0;
+    if (jacobian != nullptr)
+    {
+      jacobian->set_size(1, 1);
+      (*jacobian)(0, 0) = 2.0 * x[0];
+    }
+  }
+
+protected:
+  PlainTerm() = default;
+  ~PlainTerm() override = default;
+};
+
 int
 ExerciseBasicObjectMethods()
 {
@@ -205,6 +244,21 @@ TEST(LeastSquaresSumMetricv4, ClonesItsTerms)
   dynamic_cast<PriorMetricType *>(clone->GetMetric(1))->SetPriors({ { 0.0, 0.1, 0.0 }, { 0.0, 0.1, 0.0 } });
   EXPECT_NE(clone->GetValue(), value);
   EXPECT_EQ(sum->GetValue(), value);
+}
+
+TEST(LeastSquaresSumMetricv4, TermsWithoutACloneOfTheirOwnKeepTheirState)
+{
+  const auto plain = PlainTerm::New();
+  plain->SetBlockValues("plain", { 4.0 });
+  const auto sum = SumType::New();
+  sum->AddMetric(plain);
+  sum->AddMetric(CurveFitMetric::New());
+  sum->Initialize();
+  LeastSquaresMetricChecker::Check(*sum);
+  const SumType::Pointer clone = sum->Clone();
+  EXPECT_EQ(clone->GetMetric(0)->GetBlockValues("plain"), std::vector<double>{ 4.0 });
+  clone->Hold(SumType::HoldEnum::Contours);
+  EXPECT_EQ(clone->GetValue(), sum->GetValue());
 }
 
 TEST(LeastSquaresSumMetricv4, PriorPullsTheFitByItsShareOfTheInformation)
