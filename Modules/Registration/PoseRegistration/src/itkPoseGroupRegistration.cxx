@@ -59,6 +59,20 @@ WithPose(const LeastSquaresMetricv4 & metric, std::vector<double> x, const PoseP
   return x;
 }
 
+/** Takes an observer away again. */
+struct ObserverGuard
+{
+  ITK_DISALLOW_COPY_AND_MOVE(ObserverGuard);
+  ObserverGuard(Object * observed, unsigned long tagOfObserver)
+    : object(observed)
+    , tag(tagOfObserver)
+  {}
+  ~ObserverGuard() { object->RemoveObserver(tag); }
+
+  Object *      object;
+  unsigned long tag;
+};
+
 ResidualNoiseModel::ConstPointer
 MakeNoiseModel(double correlationLength)
 {
@@ -165,8 +179,10 @@ PoseGroupRegistration::Refine(MetricType &         metric,
                               unsigned int         index,
                               CandidateType &      candidate) const
 {
+  const auto * prototype = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer());
   metric.SetValues(candidate.x);
-  PosePriors::SetFree(metric, m_Priors.GetFitSigmas(schedule.similarityOnly));
+  // One that is not ours has the same parameters in every run: its scales and bounds are of so many.
+  PosePriors::SetFree(metric, m_Priors.GetFitSigmas(schedule.similarityOnly && prototype != nullptr));
   metric.SetNoiseModel(schedule.correlated ? m_CorrelatedNoise : m_WhiteNoise);
   metric.SetNoiseLevels(candidate.noise);
   candidate.evaluations = 1;
@@ -179,7 +195,6 @@ PoseGroupRegistration::Refine(MetricType &         metric,
   metric.Initialize();
 
   // A clone has no observers: this one's steps go to the monitor, which knows what thread observers are called in.
-  const auto * prototype = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer());
   LevenbergMarquardtOptimizerv4::Pointer own;
   if (prototype != nullptr)
   {
@@ -212,7 +227,8 @@ PoseGroupRegistration::Refine(MetricType &         metric,
   };
   auto command = FunctionCommand::New();
   command->SetCallback(post);
-  const unsigned long observer = optimizer->AddObserver(IterationEvent(), command);
+  // Also where an observer throws: an optimizer that is the user's lives on.
+  const ObserverGuard observer{ optimizer, optimizer->AddObserver(IterationEvent(), command) };
 
   const bool   estimate = schedule.estimateNoise && m_Options.estimateNoise;
   double       damping = 0.0;
@@ -278,7 +294,6 @@ PoseGroupRegistration::Refine(MetricType &         metric,
       break;
     }
   }
-  optimizer->RemoveObserver(observer);
   candidate.stopCondition = optimizer->GetStopConditionDescription();
   candidate.x = metric.GetState().GetValues();
   metric.GetNoiseLevels(candidate.noise);
