@@ -1,0 +1,640 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseRegistrationTestCase.h"
+#include "itkPoseSolutionTestCase.h"
+
+#include "itkExchangedJawsHypothesis.h"
+#include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkOtherFacingHypothesis.h"
+#include "itkOtherSideHypothesis.h"
+#include "itkParameterPriorMetricv4.h"
+#include "itkPosePriors.h"
+#include "itkPoseStartSearch.h"
+#include "itkPoseStateBlocks.h"
+
+#include "itkAmoebaOptimizerv4.h"
+#include "itkLBFGSBOptimizerv4.h"
+#include "itkTestingMacros.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <typeinfo>
+#include <vector>
+
+// The parts of a registration that a user may exchange or add.
+namespace
+{
+using PoseSolutionTestCase::Contains;
+using PoseSolutionTestCase::MessageOfCall;
+using Source = itk::DentalPhantomCaseSource;
+using MethodType = PoseRegistrationTestCase::MethodType;
+using JawEnum = MethodType::JawEnum;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+const PoseRegistrationTestCase &
+Typical()
+{
+  static const PoseRegistrationTestCase typical(71, Source::CohortEnum::Typical, Source::TracedSideEnum::Right);
+  return typical;
+}
+
+MethodType::Pointer
+MakeMethod(const itk::PoseRegistrationOptions & options = itk::PoseRegistrationOptions())
+{
+  return PoseRegistrationTestCase::MakeMethod(Typical().jaws, Typical().geometry, options);
+}
+
+/** The result without anything exchanged or added. */
+const itk::PoseRegistrationResult &
+Plain()
+{
+  static const itk::PoseRegistrationResult plain = [] {
+    const auto method = MakeMethod();
+    method->Update();
+    return method->GetOutput()->GetResult();
+  }();
+  return plain;
+}
+
+/** A prior on one of the pose's parameters. */
+itk::ParameterPriorMetricv4::Pointer
+MakePosePrior(unsigned int parameter, double mean, double sigma)
+{
+  auto prior = itk::ParameterPriorMetricv4::New();
+  prior->SetBlock(itk::PoseStateBlocks::MakePose());
+  std::vector<itk::ParameterPriorMetricv4::PriorType> priors(6, { 0.0, Infinity, 0.0 });
+  priors[parameter] = { mean, sigma, 0.0 };
+  prior->SetPriors(priors);
+  return prior;
+}
+
+/** A user's own metric with an unknown of its own: the height plus an offset that nobody knows is three. */
+class OffsetMetric : public itk::LeastSquaresMetricv4
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(OffsetMetric);
+  using Self = OffsetMetric;
+  using Superclass = itk::LeastSquaresMetricv4;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  itkNewMacro(Self);
+  itkTypeMacro(OffsetMetric, LeastSquaresMetricv4);
+
+  BlocksType
+  DeclareBlocks() const override
+  {
+    return { itk::PoseStateBlocks::MakePose(), { "offset", { { "height", 0.0, 1.0, 0.0, true } } } };
+  }
+  itk::SizeValueType
+  GetNumberOfResiduals() const override
+  {
+    return 1;
+  }
+  void
+  ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const override
+  {
+    residuals.set_size(1);
+    residuals[0] = (x[itk::PoseTz] + x[6] - 3.0) / 100.0;
+    if (jacobian != nullptr)
+    {
+      this->ComputeJacobianByDifferences(x, *jacobian);
+    }
+  }
+
+protected:
+  OffsetMetric() = default;
+  ~OffsetMetric() override = default;
+};
+
+/** One start, given; counts what it is asked. */
+class GivenStart : public itk::PoseStart
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(GivenStart);
+  using Self = GivenStart;
+  using Superclass = itk::PoseStart;
+  using Pointer = itk::SmartPointer<Self>;
+  itkNewMacro(Self);
+  itkTypeMacro(GivenStart, PoseStart);
+
+  std::vector<StartType>            starts;
+  mutable std::atomic<unsigned int> calls{ 0 };
+  mutable std::atomic<bool>         searchesScale{ false };
+  mutable std::atomic<bool>         holdsRotation{ false };
+  mutable std::atomic<unsigned int> maximum{ 0 };
+
+  std::vector<StartType>
+  Search(const itk::LeastSquaresMetricv4 &, const RequestType & request) const override
+  {
+    ++calls;
+    searchesScale = request.searchScale;
+    holdsRotation = request.holdRotation;
+    maximum = request.maximumNumberOfStarts;
+    return starts;
+  }
+
+protected:
+  GivenStart() = default;
+  ~GivenStart() override = default;
+};
+
+/** Asks the same again, and records what came of it. */
+class SameAgain : public itk::PoseHypothesis
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(SameAgain);
+  using Self = SameAgain;
+  using Superclass = itk::PoseHypothesis;
+  using Pointer = itk::SmartPointer<Self>;
+  itkNewMacro(Self);
+  itkTypeMacro(SameAgain, PoseHypothesis);
+
+  bool                 isWorthTrying{ true };
+  mutable std::size_t  jaws{ 0 };
+  mutable OutcomeType  outcome;
+  mutable unsigned int recorded{ 0 };
+
+  std::string
+  GetCode() const override
+  {
+    return "same-again";
+  }
+  bool
+  IsWorthTrying(const itk::PoseProblem & problem, const itk::PoseGroupResult &) const override
+  {
+    jaws = problem.jaws.size();
+    return isWorthTrying;
+  }
+  itk::PoseProblem
+  Apply(const itk::PoseProblem & problem) const override
+  {
+    itk::PoseProblem same = problem;
+    same.options = MakeQuickOptions(problem.options, 14);
+    return same;
+  }
+  bool
+  GetComparesDeviance() const override
+  {
+    return true;
+  }
+  void
+  Record(const OutcomeType & what, itk::PoseGroupResult & result) const override
+  {
+    ++recorded;
+    outcome = what;
+    result.exchangedScore = what.score;
+  }
+
+protected:
+  SameAgain() = default;
+  ~SameAgain() override = default;
+};
+
+int
+ExerciseBasicObjectMethods()
+{
+  const auto start = itk::PoseStartSearch::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(start, PoseStartSearch, PoseStart);
+  const auto side = itk::OtherSideHypothesis::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(side, OtherSideHypothesis, PoseHypothesis);
+  const auto facing = itk::OtherFacingHypothesis::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(facing, OtherFacingHypothesis, PoseHypothesis);
+  const auto jaws = itk::ExchangedJawsHypothesis::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(jaws, ExchangedJawsHypothesis, PoseHypothesis);
+  return EXIT_SUCCESS;
+}
+} // namespace
+
+TEST(PoseRegistrationParts, BasicObjectMethods)
+{
+  EXPECT_EQ(ExerciseBasicObjectMethods(), EXIT_SUCCESS);
+}
+
+TEST(PoseRegistrationParts, DefaultsAreThoseOfThePreset)
+{
+  const auto method = MethodType::New();
+  EXPECT_STREQ(method->GetOptimizer()->GetNameOfClass(), "LevenbergMarquardtOptimizerv4");
+  EXPECT_STREQ(method->GetStart()->GetNameOfClass(), "PoseStartSearch");
+  EXPECT_TRUE(method->GetMetrics().empty());
+  EXPECT_TRUE(method->GetPrincipalPointKnown());
+  EXPECT_EQ(method->GetTracedSide(), itk::PoseTracedSideEnum::Right);
+  EXPECT_EQ(method->GetMetric(), nullptr);
+  EXPECT_EQ(method->GetNumberOfLevels(), 4u);
+  EXPECT_EQ(method->GetCurrentLevel(), 0u);
+  std::ostringstream text;
+  method->Print(text);
+  EXPECT_TRUE(Contains(text.str(), "Hypotheses: other-side facing jaws-exchanged"));
+  const auto search = itk::PoseStartSearch::New();
+  EXPECT_NEAR(search->GetRotationRange(), 32.0 * 0.017453292519943295, 1e-15);
+  EXPECT_NEAR(search->GetRotationStep(), 4.0 * 0.017453292519943295, 1e-15);
+  EXPECT_EQ(search->GetHorizontalRange(), 64.0);
+  EXPECT_EQ(search->GetVerticalRange(), 40.0);
+  EXPECT_EQ(search->GetShiftStep(), 8.0);
+  EXPECT_EQ(search->GetKappas().size(), 11u);
+  EXPECT_EQ(search->GetKappas().front(), 0.0) << "the nominal scale is tried first";
+}
+
+TEST(PoseRegistrationParts, AUsersPriorMovesTheAnswerAndCountsInTheCovariance)
+{
+  // Held to 0.02 mm where the tracing knows the depth to a millimetre: the prior has its way.
+  const auto method = MakeMethod();
+  method->AddMetric(MakePosePrior(itk::PoseTy, 1.5, 0.02));
+  method->Update();
+  const auto & group = method->GetOutput()->GetResult().groups[0];
+  EXPECT_GT(std::abs(Plain().groups[0].parameters[itk::PoseTy] - 1.5), 0.2) << "the case tells them apart";
+  EXPECT_NEAR(group.parameters[itk::PoseTy], 1.5, 0.05);
+  const unsigned int variance = 8 * itk::PoseTy;
+  EXPECT_GT(std::sqrt(Plain().groups[0].covariance[variance]), 0.5);
+  EXPECT_LT(std::sqrt(group.covariance[variance]), 0.0201);
+  EXPECT_GT(std::sqrt(group.covariance[variance]), 0.019);
+  // The rest goes on as well as before.
+  EXPECT_LT(Typical().Error(method->GetOutput()->GetResult(), 0, 'R'), 2.5);
+}
+
+TEST(PoseRegistrationParts, AUsersPriorPullsByItsShareOfTheInformation)
+{
+  // As wide as the registration's own uncertainty of the height, and as far away: half of the way, but for what moves
+  // along, and half of the variance.
+  const auto         plain = Plain().groups[0];
+  const unsigned int variance = 8 * itk::PoseTz;
+  const double       sigma = std::sqrt(plain.covariance[variance]);
+  const auto         method = MakeMethod();
+  method->AddMetric(MakePosePrior(itk::PoseTz, plain.parameters[itk::PoseTz] + 2.0 * sigma, sigma));
+  method->Update();
+  const auto & group = method->GetOutput()->GetResult().groups[0];
+  // The fit's noise is estimated lower than the covariance's (a shorter correlation, nothing absorbed): the tracing
+  // weighs up to three times as much there.
+  const double moved = (group.parameters[itk::PoseTz] - plain.parameters[itk::PoseTz]) / sigma;
+  EXPECT_GT(moved, 0.2);
+  EXPECT_LT(moved, 1.3);
+  EXPECT_NEAR(group.covariance[variance] / plain.covariance[variance], 0.5, 0.1);
+}
+
+TEST(PoseRegistrationParts, AnUnknownOfAUsersOwnIsEstimatedAndTellsNothingOfThePose)
+{
+  const auto method = MakeMethod();
+  const auto own = OffsetMetric::New();
+  // Near where it belongs, so that it is not the steps' length that is tried here.
+  own->SetBlockValues("offset", { 3.0 - Plain().groups[0].parameters[itk::PoseTz] });
+  method->AddMetric(own);
+  method->Update();
+  const auto & group = method->GetOutput()->GetResult().groups[0];
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    // One residual and one unknown more, the same minimum. A loose one: a stiff coupling damps steps along the height
+    // more, and another way over the rough criterion may end in another of its valleys.
+    const double sigma = std::sqrt(Plain().groups[0].covariance[8 * k]);
+    EXPECT_NEAR(group.parameters[k], Plain().groups[0].parameters[k], 0.1 * sigma) << k;
+    EXPECT_NEAR(std::sqrt(group.covariance[8 * k]), sigma, 0.02 * sigma) << k;
+  }
+  ASSERT_NE(method->GetMetric(), nullptr);
+  EXPECT_TRUE(method->GetMetric()->GetState().HasBlock("offset"));
+}
+
+TEST(PoseRegistrationParts, ATermsErrorsComeThrough)
+{
+  const auto method = MakeMethod();
+  auto       wrong = itk::ParameterPriorMetricv4::New();
+  wrong->SetBlock({ "pose", { { "height", 0.0, 1.0, 0.0, true } } });
+  wrong->SetPriors({ { 0.0, 1.0, 0.0 } });
+  method->AddMetric(wrong);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { method->Update(); }),
+                       "The block \"pose\" has 6 parameters in one metric and 1 in another"));
+  method->ClearMetrics();
+  method->AddMetric(itk::ParameterPriorMetricv4::New());
+  EXPECT_TRUE(Contains(MessageOfCall([&] { method->Update(); }), "call SetBlock()"));
+  method->ClearMetrics();
+  method->Update();
+  EXPECT_EQ(method->GetOutput()->GetResult().groups[0].parameters, Plain().groups[0].parameters);
+}
+
+TEST(PoseRegistrationParts, UpdateExecutesWhereSomethingHasChangedAndNotElse)
+{
+  const auto method = MakeMethod();
+  const auto prior = MakePosePrior(itk::PoseTy, 1.5, 0.5);
+  const auto start = itk::PoseStartSearch::New();
+  method->AddMetric(prior);
+  method->SetStart(start);
+  method->ClearHypotheses();
+  unsigned int runs = 0;
+  method->AddObserver(itk::StartEvent(), [&](const itk::EventObject &) { ++runs; });
+  method->Update();
+  EXPECT_EQ(runs, 1u);
+  const auto before = method->GetOutput()->GetResult().groups[0].parameters;
+  method->Update();
+  EXPECT_EQ(runs, 1u) << "nothing changed";
+  auto priors = prior->GetPriors();
+  priors[itk::PoseTy].mean = -1.5;
+  prior->SetPriors(priors);
+  method->Update();
+  EXPECT_EQ(runs, 2u) << "a term changed";
+  EXPECT_NE(method->GetOutput()->GetResult().groups[0].parameters, before);
+  start->SetShiftStep(7.0);
+  method->Update();
+  EXPECT_EQ(runs, 3u) << "the start changed";
+  method->AddHypothesis(SameAgain::New());
+  method->Update();
+  EXPECT_EQ(runs, 4u) << "a hypothesis came";
+  auto options = method->GetOptions();
+  options.maximumEvaluations = 10;
+  method->SetOptions(options);
+  method->Update();
+  EXPECT_EQ(runs, 5u) << "an option changed";
+  method->SetTracedSide(method->GetTracedSide());
+  method->Update();
+  EXPECT_EQ(runs, 5u) << "the same side as before";
+}
+
+TEST(PoseRegistrationParts, AStartOfAUsersOwnIsWhereItBegins)
+{
+  const auto method = MakeMethod();
+  const auto start = GivenStart::New();
+  auto       given = Plain().groups[0].parameters;
+  given[itk::PosePitch] += 0.02;
+  given[itk::PoseTx] += 1.0;
+  start->starts = { { given, 0.5 } };
+  method->SetStart(start);
+  method->ClearHypotheses();
+  method->Update();
+  // Once a yaw.
+  EXPECT_EQ(start->calls, 3u);
+  EXPECT_EQ(start->maximum, method->GetOptions().startsPerYaw + 2);
+  EXPECT_FALSE(start->searchesScale);
+  EXPECT_FALSE(start->holdsRotation);
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    // The same minimum within a fraction of what is not known anyway: the criterion is rough where contours are made
+    // anew.
+    EXPECT_NEAR(method->GetOutput()->GetResult().groups[0].parameters[k],
+                Plain().groups[0].parameters[k],
+                0.5 * std::sqrt(Plain().groups[0].covariance[8 * k]))
+      << k;
+  }
+}
+
+TEST(PoseRegistrationParts, AStartIsToldWhatIsNotKnownAndWhatIsHeld)
+{
+  auto geometry = Typical().geometry;
+  geometry.pixelSpacingKnown = false;
+  itk::PoseRegistrationOptions options;
+  options.fixRotation = true;
+  const auto method = PoseRegistrationTestCase::MakeMethod(Typical().jaws, geometry, options);
+  const auto start = GivenStart::New();
+  method->SetStart(start);
+  method->Update();
+  EXPECT_TRUE(start->searchesScale);
+  EXPECT_TRUE(start->holdsRotation);
+  EXPECT_EQ(start->calls, 1u) << "a rotation that is held is not searched over yaws";
+  EXPECT_EQ(start->maximum, 2 * (options.startsPerYaw + 2));
+  // It found nothing: no jaw is registered, and the solution says why.
+  EXPECT_FALSE(method->GetOutput()->IsRegistered(JawEnum::Upper));
+  EXPECT_TRUE(Contains(method->GetOutput()->GetJaw(JawEnum::Upper).failure, "no start was found"));
+}
+
+TEST(PoseRegistrationParts, AGivenTransformReplacesTheSearch)
+{
+  const auto plain = MakeMethod();
+  plain->Update();
+  const auto method = MakeMethod();
+  const auto start = GivenStart::New();
+  method->SetStart(start);
+  method->SetInitialTransform(
+    JawEnum::Upper, plain->GetTransform(JawEnum::Upper), std::exp(Plain().groups[0].parameters[itk::PoseKappa]));
+  method->Update();
+  EXPECT_EQ(start->calls, 0u);
+  EXPECT_TRUE(method->GetOutput()->GetOptions().useInitialPose);
+  EXPECT_FALSE(method->GetOptions().useInitialPose) << "the method's own options stay";
+  EXPECT_LT(Typical().Error(method->GetOutput()->GetResult(), 0, 'R'), 2.5);
+  EXPECT_EQ(method->GetOutput()->GetResult().groups[0].otherSideDeviance, 0.0) << "no hypotheses beside a given start";
+  method->ClearInitialTransforms();
+  method->Update();
+  EXPECT_EQ(start->calls, 3u);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { method->SetInitialTransform(JawEnum::Upper, nullptr, 0.0); }),
+                       "The scale factor 0 of SetInitialTransform() must be positive"));
+}
+
+TEST(PoseRegistrationParts, HypothesesAreTriedWhereTheyAreThereAndWorthIt)
+{
+  EXPECT_NE(Plain().groups[0].otherSideDeviance, 0.0);
+  EXPECT_EQ(Plain().groups[0].exchangedScore, Infinity) << "a good fit needs no other facing or jaws";
+  const auto method = MakeMethod();
+  const auto own = SameAgain::New();
+  method->ClearHypotheses();
+  method->AddHypothesis(own);
+  method->Update();
+  const auto & group = method->GetOutput()->GetResult().groups[0];
+  EXPECT_EQ(group.otherSideDeviance, 0.0) << "cleared";
+  EXPECT_EQ(own->jaws, 2u);
+  EXPECT_EQ(own->recorded, 1u);
+  EXPECT_EQ(group.exchangedScore, own->outcome.score);
+  // The same question, more quickly: about as good, and no evidence for either.
+  EXPECT_NEAR(own->outcome.score, group.score, 0.05);
+  EXPECT_LT(std::abs(own->outcome.deviance), 5.0);
+  EXPECT_EQ(group.parameters, Plain().groups[0].parameters) << "hypotheses change nothing else";
+  own->isWorthTrying = false;
+  own->Modified();
+  method->Update();
+  EXPECT_EQ(own->recorded, 1u);
+}
+
+TEST(PoseRegistrationParts, HypothesesTurnTheQuestionIntoAnother)
+{
+  itk::PoseProblem problem;
+  problem.jaws.resize(2);
+  problem.jaws[1].upper = false;
+  problem.jaws[0].tracing = Typical().contours[0];
+  problem.jaws[1].tracing = Typical().contours[1];
+  problem.completed = problem.nominal;
+  problem.options.useInitialPose = true;
+  itk::PoseGroupResult result;
+  result.score = 0.1;
+
+  const auto side = itk::OtherSideHypothesis::New();
+  EXPECT_EQ(side->GetCode(), "other-side");
+  EXPECT_TRUE(side->GetComparesDeviance());
+  EXPECT_TRUE(side->IsWorthTrying(problem, result)) << "whatever the fit";
+  const auto otherSide = side->Apply(problem);
+  EXPECT_EQ(otherSide.options.tracedSide, itk::PoseTracedSideEnum::Left);
+  EXPECT_EQ(side->Apply(otherSide).options.tracedSide, itk::PoseTracedSideEnum::Right);
+  EXPECT_FALSE(otherSide.options.checkHypotheses);
+  EXPECT_FALSE(otherSide.options.useInitialPose);
+  EXPECT_EQ(otherSide.options.yawStarts, std::vector<double>{ 0.0 });
+  auto both = problem;
+  both.options.tracedSide = itk::PoseTracedSideEnum::Both;
+  EXPECT_FALSE(side->IsWorthTrying(both, result));
+
+  const auto facing = itk::OtherFacingHypothesis::New();
+  EXPECT_EQ(facing->GetCode(), "facing");
+  EXPECT_FALSE(facing->GetComparesDeviance());
+  EXPECT_FALSE(facing->IsWorthTrying(problem, result)) << "a good fit";
+  result.score = 0.3;
+  EXPECT_TRUE(facing->IsWorthTrying(problem, result));
+  EXPECT_EQ(facing->Apply(problem).nominal.facingSign, -problem.nominal.facingSign);
+  EXPECT_FALSE(facing->Apply(problem).completed.has_value()) << "what was estimated is estimated anew";
+
+  const auto exchanged = itk::ExchangedJawsHypothesis::New();
+  EXPECT_EQ(exchanged->GetCode(), "jaws-exchanged");
+  EXPECT_TRUE(exchanged->IsWorthTrying(problem, result));
+  const auto other = exchanged->Apply(problem);
+  EXPECT_FALSE(other.jaws[0].upper);
+  EXPECT_TRUE(other.jaws[1].upper);
+  EXPECT_EQ(other.jaws[0].tracing.GetPointer(), problem.jaws[1].tracing.GetPointer());
+  EXPECT_EQ(other.jaws[0].frame.rotation[8], -1.0) << "it stands on its head";
+  problem.jaws.resize(1);
+  EXPECT_FALSE(exchanged->IsWorthTrying(problem, result)) << "there is nothing to exchange it with";
+
+  side->Record({ 0.2, -7.0 }, result);
+  facing->Record({ 0.3, 0.0 }, result);
+  exchanged->Record({ 0.4, 0.0 }, result);
+  EXPECT_EQ(result.otherSideDeviance, -7.0);
+  EXPECT_EQ(result.otherFacingScore, 0.3);
+  EXPECT_EQ(result.exchangedScore, 0.4);
+}
+
+TEST(PoseRegistrationParts, AnotherOptimizerOfITKRegistersToo)
+{
+  itk::PoseRegistrationOptions options;
+  // A quarter of the work: each runs to its own end once a width of the kernel.
+  options.yawStarts = { 0.0 };
+  options.startsPerYaw = 2;
+  options.checkHypotheses = false;
+  const auto amoeba = itk::AmoebaOptimizerv4::New();
+  amoeba->SetNumberOfIterations(150);
+  const auto                                 lbfgsb = itk::LBFGSBOptimizerv4::New();
+  itk::LBFGSBOptimizerv4::BoundSelectionType unbounded(7);
+  unbounded.Fill(itk::LBFGSBOptimizerv4::UNBOUNDED);
+  lbfgsb->SetBoundSelection(unbounded);
+  lbfgsb->SetNumberOfIterations(30);
+  for (MethodType::OptimizerType * optimizer :
+       { static_cast<MethodType::OptimizerType *>(amoeba), static_cast<MethodType::OptimizerType *>(lbfgsb) })
+  {
+    const auto method = MakeMethod(options);
+    method->SetOptimizer(optimizer);
+    std::size_t steps = 0;
+    std::size_t ofOptimizer = 0;
+    const auto  count = [](std::size_t & counter) {
+      return [&counter](const itk::EventObject & event) {
+        counter += typeid(event) == typeid(itk::MultiResolutionIterationEvent) ? 0 : 1;
+      };
+    };
+    method->AddObserver(itk::IterationEvent(), count(steps));
+    const auto tag = optimizer->AddObserver(itk::IterationEvent(), count(ofOptimizer));
+    method->Update();
+    // They know nothing of damping and steps of some pixels; the place is the same.
+    EXPECT_LT(Typical().Error(method->GetOutput()->GetResult(), 0, 'R'), 3.0) << optimizer->GetNameOfClass();
+    EXPECT_LT(Typical().Error(method->GetOutput()->GetResult(), 1, 'R'), 3.0) << optimizer->GetNameOfClass();
+    EXPECT_TRUE(Contains(method->GetOutput()->GetResult().groups[0].stopCondition, optimizer->GetNameOfClass()));
+    EXPECT_GT(steps, 10u) << optimizer->GetNameOfClass();
+    EXPECT_EQ(steps, ofOptimizer) << optimizer->GetNameOfClass();
+    // The method leaves nothing behind, also where an observer throws.
+    optimizer->RemoveObserver(tag);
+    EXPECT_FALSE(optimizer->HasObserver(itk::IterationEvent()));
+    method->AddObserver(itk::IterationEvent(), [](const itk::EventObject & event) {
+      if (typeid(event) != typeid(itk::MultiResolutionIterationEvent))
+      {
+        throw std::domain_error("an observer's own");
+      }
+    });
+    method->Modified();
+    EXPECT_THROW(method->Update(), std::domain_error);
+    EXPECT_FALSE(optimizer->HasObserver(itk::IterationEvent()));
+  }
+}
+
+TEST(PoseRegistrationParts, JawsWithPosesOfTheirOwnAreGroupsOfTheirOwn)
+{
+  itk::PoseRegistrationOptions options;
+  options.useJointPose = false;
+  const auto method = MakeMethod(options);
+  method->AddMetric(MakePosePrior(itk::PoseTy, 0.0, 5.0));
+  method->Update();
+  const auto & result = method->GetOutput()->GetResult();
+  ASSERT_EQ(result.groups.size(), 2u);
+  EXPECT_EQ(result.groupOfJaw, (std::vector<std::size_t>{ 0, 1 }));
+  EXPECT_NE(result.groups[0].parameters, result.groups[1].parameters);
+  for (unsigned int jaw : { 0u, 1u })
+  {
+    EXPECT_EQ(result.groups[jaw].jaws, std::vector<std::size_t>{ jaw });
+    EXPECT_LT(Typical().Error(result, jaw, 'R'), 2.5);
+    EXPECT_TRUE(result.jaws[jaw].registered);
+  }
+  EXPECT_EQ(&method->GetOutput()->GetGroup(JawEnum::Lower), &result.groups[1]);
+  EXPECT_TRUE(method->GetJawsShareFrame()) << "one frame, two poses";
+}
+
+TEST(PoseRegistrationParts, PriorsFollowTheOptions)
+{
+  itk::PoseRegistrationOptions options;
+  const itk::PosePriors        known(options, true);
+  const itk::PosePriors        unknown(options, false);
+  const auto                   fit = known.GetFitSigmas(false);
+  EXPECT_EQ(fit[itk::PosePitch], Infinity);
+  EXPECT_EQ(fit[itk::PoseRoll], options.rollSigma);
+  EXPECT_EQ(fit[itk::PoseTy], options.tySigma);
+  EXPECT_EQ(fit[itk::PoseKappa], options.kappaSigma);
+  EXPECT_EQ(unknown.GetFitSigmas(false)[itk::PoseKappa], options.kappaSigmaWithoutSpacing);
+  const auto similarity = known.GetFitSigmas(true);
+  EXPECT_EQ(similarity[itk::PoseRoll], 0.0);
+  EXPECT_EQ(similarity[itk::PoseYaw], 0.0);
+  EXPECT_EQ(similarity[itk::PoseTy], 0.0);
+  EXPECT_EQ(similarity[itk::PoseTz], Infinity);
+  for (const double sigma : known.GetHeldSigmas())
+  {
+    EXPECT_EQ(sigma, 0.0);
+  }
+  // A user's prior on the same block stays as it is.
+  auto       sum = itk::LeastSquaresSumMetricv4::New();
+  const auto own = MakePosePrior(itk::PoseTy, 1.5, 0.5);
+  known.AddTo(*sum);
+  sum->AddMetric(own);
+  known.SetPriors(*sum, known.GetCovarianceSigmas(), true);
+  EXPECT_EQ(own->GetPriors()[itk::PoseTy].sigma, 0.5);
+  EXPECT_FALSE(own->GetUseVariancePrecision());
+  const auto * first = dynamic_cast<const itk::ParameterPriorMetricv4 *>(sum->GetMetric(0));
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(first->GetPriors()[itk::PoseYaw].degreesOfFreedom, options.rotationPriorFreedom);
+  EXPECT_TRUE(first->GetUseVariancePrecision());
+  itk::PosePriors::SetFree(*sum, similarity);
+  EXPECT_EQ(sum->GetNumberOfParameters(), 4u);
+}
+
+TEST(PoseRegistrationParts, ErrorsSayWhatToCall)
+{
+  const auto method = MakeMethod();
+  method->SetOptimizer(nullptr);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { method->Update(); }), "No optimizer: call SetOptimizer()"));
+  method->SetOptimizer(itk::LevenbergMarquardtOptimizerv4::New());
+  method->SetStart(nullptr);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { method->Update(); }), "No start: call SetStart()"));
+  EXPECT_TRUE(Contains(MessageOfCall([&] { method->AddMetric(nullptr); }), "AddMetric() was given no metric"));
+  EXPECT_TRUE(
+    Contains(MessageOfCall([&] { method->AddHypothesis(nullptr); }), "AddHypothesis() was given no hypothesis"));
+  auto geometry = Typical().geometry;
+  geometry.sourceToDetector = 1000.0;
+  const auto inconsistent =
+    PoseRegistrationTestCase::MakeMethod(Typical().jaws, geometry, itk::PoseRegistrationOptions());
+  const auto message = MessageOfCall([&] { inconsistent->Update(); });
+  EXPECT_TRUE(Contains(message, "must be positive and smaller than the source-to-detector distance")) << message;
+  EXPECT_TRUE(Contains(message, "SetGeometry()")) << message;
+}
