@@ -22,6 +22,7 @@
 #include "itkCommand.h"
 #include "itkDentalPhantomMeshSource.h"
 #include "itkTestingMacros.h"
+#include "itkTriangleCell.h"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,10 @@ ExerciseBasicObjectMethods()
   ITK_EXERCISE_BASIC_OBJECT_METHODS(filter, UMidlineDentalAxisFilter, MeshSource);
   ITK_TEST_SET_GET_BOOLEAN(filter, RefineMidline, true);
   ITK_TEST_SET_GET_BOOLEAN(filter, EmbedAxes, false);
+  EXPECT_TRUE(filter->GetTransformMeshes());
+  EXPECT_TRUE(filter->GetRequireArches());
+  ITK_TEST_SET_GET_BOOLEAN(filter, TransformMeshes, false);
+  ITK_TEST_SET_GET_BOOLEAN(filter, RequireArches, false);
   return EXIT_SUCCESS;
 }
 } // namespace
@@ -137,6 +142,124 @@ TEST(UMidlineDentalAxisFilter, OneJawAloneLeavesTheOtherOutputsEmpty)
   EXPECT_EQ(filter->GetLowerOutput()->GetNumberOfPoints(), 0u);
   EXPECT_EQ(filter->GetLowerTransformOutput()->Get(), nullptr);
   EXPECT_FALSE(filter->GetJawsAreInOneFrame());
+}
+
+TEST(UMidlineDentalAxisFilter, JointTransformIsThatOfTheFrameThatBothJawsShare)
+{
+  auto source = MakeSource(6);
+  auto filter = FilterType::New();
+  filter->SetUpperMesh(source->GetUpperOutput());
+  filter->SetLowerMesh(source->GetLowerOutput());
+  filter->RefineMidlineOn();
+  filter->Update();
+  ASSERT_TRUE(filter->GetJawsAreInOneFrame());
+  const auto & frame = filter->GetFrame().joint;
+  ASSERT_TRUE(frame.valid);
+  const FilterType::TransformType * joint = filter->GetJointTransformOutput()->Get();
+  ASSERT_NE(joint, nullptr);
+  // q = R (p - o), as the jaws' own transforms.
+  FilterType::PointType p;
+  p[0] = 11.0;
+  p[1] = -7.0;
+  p[2] = 5.0;
+  const auto q = joint->TransformPoint(p);
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    double expected = 0.0;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      expected += frame.axes[row][d] * (p[d] - frame.origin[d]);
+    }
+    EXPECT_NEAR(q[row], expected, 1e-9);
+  }
+  // In it the crowns of the upper jaw are above those of the lower one, and both arches face forward.
+  const auto upper = joint->TransformPoint(filter->GetBaselineMidpoint(JawEnum::Upper));
+  const auto lower = joint->TransformPoint(filter->GetBaselineMidpoint(JawEnum::Lower));
+  EXPECT_GT(upper[2], lower[2]);
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    EXPECT_GT(joint->TransformPoint(filter->GetIncisalEdge(jaw))[0],
+              joint->TransformPoint(filter->GetBaselineMidpoint(jaw))[0] + 10.0);
+  }
+  // Jaws apart, or one alone, share none.
+  filter->SetJawsShareFrame(FilterType::JawsShareFrameEnum::Off);
+  filter->Update();
+  EXPECT_EQ(filter->GetJointTransformOutput()->Get(), nullptr);
+  auto alone = FilterType::New();
+  alone->SetUpperMesh(source->GetUpperOutput());
+  alone->Update();
+  EXPECT_EQ(alone->GetJointTransformOutput()->Get(), nullptr);
+}
+
+TEST(UMidlineDentalAxisFilter, WithoutTransformedMeshesTheFramesAreTheSame)
+{
+  auto source = MakeSource(4);
+  auto filter = FilterType::New();
+  filter->SetUpperMesh(source->GetUpperOutput());
+  filter->SetLowerMesh(source->GetLowerOutput());
+  filter->Update();
+  const auto upper = filter->GetUpperTransformOutput()->Get()->GetMatrix();
+  const auto lower = filter->GetLowerTransformOutput()->Get()->GetOffset();
+  const auto joint = filter->GetJointTransformOutput()->Get()->GetMatrix();
+  filter->TransformMeshesOff();
+  filter->EmbedAxesOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetUpperOutput()->GetNumberOfPoints(), 0u);
+  EXPECT_EQ(filter->GetLowerOutput()->GetNumberOfPoints(), 0u);
+  EXPECT_EQ(filter->GetUpperTransformOutput()->Get()->GetMatrix(), upper);
+  EXPECT_EQ(filter->GetLowerTransformOutput()->Get()->GetOffset(), lower);
+  EXPECT_EQ(filter->GetJointTransformOutput()->Get()->GetMatrix(), joint);
+  filter->TransformMeshesOn();
+  filter->Update();
+  EXPECT_GT(filter->GetUpperOutput()->GetNumberOfPoints(), 0u) << "back again";
+}
+
+TEST(UMidlineDentalAxisFilter, AMeshWithoutAnArchIsAnErrorOnlyWhereArchesAreRequired)
+{
+  auto source = MakeSource(4);
+  source->Update();
+  // A triangle without an area has no arch.
+  auto                speck = MeshType::New();
+  MeshType::PointType point;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    point.Fill(0.0f);
+    point[0] = static_cast<float>(i);
+    speck->SetPoint(i, point);
+  }
+  MeshType::CellAutoPointer cell;
+  cell.TakeOwnership(new itk::TriangleCell<MeshType::CellType>);
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    cell->SetPointId(static_cast<int>(i), i);
+  }
+  speck->SetCell(0, cell);
+  auto filter = FilterType::New();
+  filter->SetUpperMesh(source->GetUpperOutput());
+  filter->SetLowerMesh(speck);
+  try
+  {
+    filter->Update();
+    FAIL() << "no exception";
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    EXPECT_NE(std::string(error.GetDescription()).find("No dental arch was found in the lower mesh"),
+              std::string::npos);
+  }
+  filter->RequireArchesOff();
+  filter->Update();
+  EXPECT_FALSE(filter->GetJawFrame(JawEnum::Lower).valid);
+  EXPECT_EQ(filter->GetLowerTransformOutput()->Get(), nullptr);
+  EXPECT_EQ(filter->GetLowerOutput()->GetNumberOfPoints(), 0u);
+  EXPECT_EQ(filter->GetJointTransformOutput()->Get(), nullptr);
+  // The other jaw is none the worse for it.
+  auto alone = FilterType::New();
+  alone->SetUpperMesh(source->GetUpperOutput());
+  alone->Update();
+  ASSERT_NE(filter->GetUpperTransformOutput()->Get(), nullptr);
+  EXPECT_EQ(filter->GetUpperTransformOutput()->Get()->GetMatrix(),
+            alone->GetUpperTransformOutput()->Get()->GetMatrix());
 }
 
 TEST(UMidlineDentalAxisFilter, JawsShareFrameOffGivesEachJawTheFrameThatItHasAlone)

@@ -95,10 +95,10 @@ Optimize(const std::function<void(SumType &)> & prepare)
   amoeba->SetParametersConvergenceTolerance(1e-5);
   amoeba->SetFunctionConvergenceTolerance(1e-8);
   itk::AmoebaOptimizerv4::ParametersType delta(4);
-  // Wider than the valleys of the criterion.
+  // Wider than the valleys of the criterion. No restarts: ITK draws their directions from a generator that the whole
+  // process shares.
   delta.Fill(2.0);
   amoeba->SetInitialSimplexDelta(delta);
-  amoeba->OptimizeWithRestartsOn();
 
   const std::array<OptimizerType *, 3> optimizers{
     { levenbergMarquardt.GetPointer(), lbfgsb.GetPointer(), amoeba.GetPointer() }
@@ -144,7 +144,7 @@ TEST(SilhouettePoseOptimizers, ReachTheSamePlaceOfTheCriterionItself)
   // the criterion has valleys of that width. Methods that follow slopes step over most of them, a simplex that has
   // shrunk sits in one. The noise of the tracing is three times as wide.
   const auto   metrics = Optimize([](SumType &) {});
-  const double limits[3] = { 1.03, 1.03, 1.1 };
+  const double limits[3] = { 1.03, 1.03, 1.2 };
   double       least = metrics[0]->GetValue();
   for (const auto & metric : metrics)
   {
@@ -153,6 +153,6 @@ TEST(SilhouettePoseOptimizers, ReachTheSamePlaceOfTheCriterionItself)
   for (unsigned int i = 0; i < 3; ++i)
   {
     EXPECT_LT(metrics[i]->GetValue(), limits[i] * least);
-    EXPECT_LT(metrics[0]->GetStepLength(metrics[0]->GetParameters(), metrics[i]->GetParameters()), 1.0);
+    EXPECT_LT(metrics[0]->GetStepLength(metrics[0]->GetParameters(), metrics[i]->GetParameters()), i < 2 ? 0.7 : 1.5);
   }
 }

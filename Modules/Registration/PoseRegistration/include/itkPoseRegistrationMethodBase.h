@@ -130,7 +130,8 @@ public:
   // Parts -------------------------------------------------------------------------------------------------------
 
   /** LevenbergMarquardtOptimizerv4 by default, of which candidates take clones. Any other v4 optimizer runs as it is,
-   * in one thread, by its own stop rules. */
+   * in one thread, by its own stop rules, each time over all parameters that are free: its scales and bounds are of so
+   * many. */
   itkSetObjectMacro(Optimizer, OptimizerType);
   itkGetModifiableObjectMacro(Optimizer, OptimizerType);
 
