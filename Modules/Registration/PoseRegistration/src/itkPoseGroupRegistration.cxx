@@ -222,7 +222,8 @@ PoseGroupRegistration::Refine(MetricType &         metric,
 {
   const auto * prototype = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer());
   metric.SetValues(candidate.x);
-  PosePriors::SetFree(metric, m_Priors.GetFitSigmas(schedule.similarityOnly));
+  // One that is not ours has the same parameters in every run: what a user sets of it is of so many.
+  PosePriors::SetFree(metric, m_Priors.GetFitSigmas(schedule.similarityOnly && prototype != nullptr));
   metric.SetNoiseModel(schedule.correlated ? m_CorrelatedNoise : m_WhiteNoise);
   metric.SetNoiseLevels(candidate.noise);
   candidate.evaluations = 1;
