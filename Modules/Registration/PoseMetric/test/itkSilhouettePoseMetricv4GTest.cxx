@@ -105,7 +105,7 @@ int
 ExerciseBasicObjectMethods()
 {
   const auto metric = MakeMetric();
-  ITK_EXERCISE_BASIC_OBJECT_METHODS(metric, SilhouettePoseMetricv4, LeastSquaresMetricv4);
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(metric, SilhouettePoseMetricv4, PoseMetricv4);
   ITK_TEST_SET_GET_BOOLEAN(metric, UseSideSelection, false);
   ITK_TEST_SET_GET_BOOLEAN(metric, UseFacingFilter, false);
   ITK_TEST_SET_GET_BOOLEAN(metric, UseOrientation, false);
