@@ -21,7 +21,8 @@ def main(upper, lower, contours, landmarks, image, spacing, u, v, picture):
     geometry = ds.CephalometricGeometry(pixelSpacing=float(spacing), principalPoint=(float(u), float(v)))
     tracing, solution, verdict, placed = robust_by_hand(upper, lower, contours, landmarks, geometry)
     overlay = ds.RegistrationOverlay(
-        image, tracing.upper, solution.GetMovingContour("upper"), placed.positions, status=verdict.upper.status
+        image, tracing.upper, {"outline of the upper scan": solution.GetMovingContour("upper")}, placed.positions,
+        status=verdict.upper.status, pixelSpacing=geometry.GetPixelSpacing(),
     )
     pathlib.Path(picture).write_bytes(overlay._repr_png_())
     for jaw in ("upper", "lower"):

@@ -10,7 +10,7 @@ text = open(sys.argv[1]).read()
 ENUMERATIONS = re.findall(r"^(?: {4})?class (\w+):(?:(?!^(?: {4})?class ).)*?__members__", text, re.M | re.S)
 DATA = (
     "Mesh", "Image", "Contour", "CephalometricGeometry", "Similarity2DTransform", "VersorRigid3DTransform",
-    "ContourToContourMetricv4",
+    "ContourToContourMetricv4", "RobustKernelBase", "ResidualNoiseModel",
 )
 # Outputs that need not be there.
 OPTIONAL_OUTPUTS = ("_GetMesh", "_GetContour", "_GetImage", "_GetRadiograph", "_GetTransform")
@@ -24,13 +24,15 @@ def parameter(function: str, kind: str) -> str:
     kind = re.sub(r"\bdict\[", "typing.Mapping[", kind)
     if kind.split(".")[-1] in ENUMERATIONS:
         return f"{kind} | str"
-    takes_none = re.match(r"_Set|SetMetric$|_Case\.__init__|CephalometricPoseTransform\.__init__", function)
+    takes_none = re.match(
+        r"_Set|SetMetric$|_Case\.__init__|CephalometricPoseTransform\.__init__|PoseRegistrationMethod\._?Set", function
+    )
     return f"{kind} | None" if takes_none and kind in DATA else kind
 
 
 def finish(match: re.Match) -> str:
     indent, name, arguments, result = match.groups()
-    function = f"{owner}.{name}" if name == "__init__" else name
+    function = f"{owner}.{name}" if name == "__init__" or owner == "PoseRegistrationMethod" else name
     parts, depth, start = [], 0, 0
     for i, character in enumerate(arguments + ","):
         depth += (character in "[(") - (character in "])")

@@ -42,6 +42,7 @@ from ._core import (
     Polyline,
     PoseCandidate,
     PoseIteration,
+    PoseMetricv4,
     PoseRegistrationOptions,
     PoseSolution,
     PoseStage,
@@ -73,7 +74,17 @@ from ._core import (
     tooth_fdi,
     tooth_name,
 )
-from ._case import Case, CaseRegistration, CaseResult, JawResult, ReadCase, register
+from ._case import (
+    Case,
+    CaseRegistration,
+    CaseResult,
+    CaseResultFolderWriter,
+    DentalCaseReader,
+    JawResult,
+    ReadCase,
+    WriteCaseResult,
+    register,
+)
 from ._convert import (
     GetArrayFromImage,
     GetArrayViewFromImage,
@@ -172,6 +183,7 @@ from ._phantom import (
 )
 from ._pose import (
     JawVerdict,
+    LandmarkPoseMetricv4,
     LandmarkProjection,
     LandmarkProjectionFilter,
     LandmarkProjections,
@@ -210,6 +222,7 @@ __all__ = [
     "Case",
     "CaseRegistration",
     "CaseResult",
+    "CaseResultFolderWriter",
     "CephalogramFileReader",
     "CephalometricGeometry",
     "CephalometricPoseTransform",
@@ -236,6 +249,7 @@ __all__ = [
     "CrownRegionMesh",
     "CrownRegionMeshFilter",
     "DentalAxes",
+    "DentalCaseReader",
     "DentalContourFileReader",
     "DentalContourFileWriter",
     "DentalLandmarkFileReader2D",
@@ -270,6 +284,7 @@ __all__ = [
     "LandmarkError",
     "LandmarkErrorFilter",
     "LandmarkErrors",
+    "LandmarkPoseMetricv4",
     "LandmarkProjection",
     "LandmarkProjectionFilter",
     "LandmarkProjections",
@@ -309,6 +324,7 @@ __all__ = [
     "Polyline",
     "PoseCandidate",
     "PoseIteration",
+    "PoseMetricv4",
     "PoseRegistration",
     "PoseRegistrationMethod",
     "PoseRegistrationOptions",
@@ -366,6 +382,7 @@ __all__ = [
     "UMidlineDentalAxisFilter",
     "VerdictReason",
     "VersorRigid3DTransform",
+    "WriteCaseResult",
     "WriteContours",
     "WriteLandmarks",
     "WriteMesh",

@@ -363,6 +363,46 @@ class CaseResult:
         self.__dict__.update(state)
 
 
+class DentalCaseReader(ProcessObject, _core.DentalCaseReader):
+    """Reads a case file and every file that it names but its 2-D landmarks."""
+
+    def Execute(self, fileName: Optional[PathLike] = None) -> Case:
+        """Reads the file."""
+        if fileName is not None:
+            self.SetFileName(as_path(fileName))
+        self._Update()
+        return Case._of(self._TakeOutput())
+
+
+class CaseResultFolderWriter(ProcessObject, _core.CaseResultFolderWriter):
+    """Writes everything that a case's result is made of into a folder, whole or not at all."""
+
+    def Execute(self, result: CaseResult, folderName: Optional[PathLike] = None) -> None:
+        """Writes a result; ``WriteReportOff`` leaves out what is for people."""
+        if folderName is not None:
+            self.SetFolderName(as_path(folderName))
+        if result._native is None:
+            raise ArgumentError("a result that was pickled has no scans to write; write it where it was made")
+        self._SetInput(result._native)
+        self._Update()
+
+
+def WriteCaseResult(result: CaseResult, folderName: PathLike, writeReport: bool = True) -> None:
+    """Writes result.json, overlays, scans in the cephalostat frame and transforms, all or nothing.
+
+    Parameters
+    ----------
+    result : CaseResult
+        Of :func:`register`.
+    folderName : path
+    writeReport : bool, optional
+        With what is for people: overlays, scans in the cephalostat frame.
+    """
+    process = CaseResultFolderWriter()
+    process.SetWriteReport(writeReport)
+    process.Execute(result, folderName)
+
+
 class CaseRegistration(ProcessObject, _core.CaseRegistration):
     """A case through the chain of a preset: axis, projection, contour, registration, landmarks, verdict."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseIteration', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'RobustKernelBase', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'RobustKernelBase', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -3226,7 +3226,57 @@ class ParameterPriorMetricv4(LeastSquaresMetricv4):
         ...
     def __init__(self) -> None:
         ...
-class SilhouettePoseMetricv4(LeastSquaresMetricv4):
+class PoseMetricv4(LeastSquaresMetricv4):
+    """
+    Base of the terms whose residuals are those of a scan's pose on a radiograph.
+    """
+    def GetPoseBlock(self) -> str:
+        ...
+    def GetScaleBlock(self) -> str:
+        ...
+    def GetTransform(self) -> CephalometricPoseTransform:
+        ...
+    def SetPoseBlock(self, name: str) -> None:
+        """
+        Another body has another one.
+        """
+    def SetScaleBlock(self, name: str) -> None:
+        """
+        Another view has another one.
+        """
+    def SetTransform(self, transform: CephalometricPoseTransform) -> None:
+        """
+        Its geometry is the radiograph's; its parameters are where pose and scale begin.
+        """
+class LandmarkPoseMetricv4(PoseMetricv4):
+    """
+    Landmarks of a scan against landmarks of the radiograph: a term of its pose.
+    """
+    def ClearCovariances(self) -> None:
+        ...
+    def GetKernelWidthInSigmas(self) -> float:
+        ...
+    def GetMatchedNames(self) -> list[str]:
+        """
+        In the order of the residuals, u and v each.
+        """
+    def GetSigma(self) -> float:
+        ...
+    def SetCovariance(self, name: str, covariance: numpy.typing.ArrayLike) -> None:
+        """
+        Of one mark, square pixels, instead of Sigma.
+        """
+    def SetKernelWidthInSigmas(self, value: float) -> None:
+        ...
+    def SetSigma(self, value: float) -> None:
+        ...
+    def _SetFixedLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
+        ...
+    def _SetMovingLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class SilhouettePoseMetricv4(PoseMetricv4):
     """
     A scan's silhouette against a tracing of it: the term of a jaw in a registration of its pose.
 
@@ -3252,13 +3302,7 @@ class SilhouettePoseMetricv4(LeastSquaresMetricv4):
         ...
     def GetOrientationWeight(self) -> float:
         ...
-    def GetPoseBlock(self) -> str:
-        ...
-    def GetScaleBlock(self) -> str:
-        ...
     def GetTracedSide(self) -> TracedSide:
-        ...
-    def GetTransform(self) -> CephalometricPoseTransform:
         ...
     def GetUseFacingFilter(self) -> bool:
         ...
@@ -3278,16 +3322,8 @@ class SilhouettePoseMetricv4(LeastSquaresMetricv4):
         ...
     def SetOrientationWeight(self, value: float) -> None:
         ...
-    def SetPoseBlock(self, name: str) -> None:
-        ...
-    def SetScaleBlock(self, name: str) -> None:
-        ...
     def SetTracedSide(self, side: TracedSide | str) -> None:
         ...
-    def SetTransform(self, transform: CephalometricPoseTransform) -> None:
-        """
-        Its geometry is the radiograph's; its parameters are where pose and scale begin.
-        """
     def SetUseFacingFilter(self, value: bool) -> None:
         ...
     def SetUseOrientation(self, value: bool) -> None:
@@ -4008,7 +4044,7 @@ class PoseIteration:
     @property
     def evaluations(self) -> int:
         """
-        Steps tried in this run of the optimizer.
+        Steps tried so far, of this candidate in this stage.
         """
     @property
     def group(self) -> int:
@@ -4023,7 +4059,7 @@ class PoseIteration:
     @property
     def iteration(self) -> int:
         """
-        Steps accepted in this run of the optimizer.
+        Steps accepted so far, of this candidate in this stage.
         """
     @property
     def kernelWidth(self) -> float:
@@ -4294,6 +4330,14 @@ class PoseRegistrationMethod(ProcessObject):
         """
     def ClearMetrics(self) -> None:
         ...
+    def ClearSpacingSource(self) -> None:
+        """
+        Back to the option.
+        """
+    def GetCurrentCandidate(self) -> int:
+        """
+        Of the stage; candidates are refined at the same time and their steps may alternate.
+        """
     def GetCurrentIteration(self) -> PoseIteration:
         """
         The step that the last IterationEvent was about; a copy.
@@ -4311,7 +4355,9 @@ class PoseRegistrationMethod(ProcessObject):
         The sum of the group that runs, at the position of the last IterationEvent; None before the first group.
         """
     def GetMetricValue(self) -> float:
-        ...
+        """
+        With the kernel width and the noise of GetCurrentIteration(): comparable as long as these stay.
+        """
     def GetMetrics(self) -> list[LeastSquaresMetricv4]:
         """
         What was added.
@@ -4321,7 +4367,9 @@ class PoseRegistrationMethod(ProcessObject):
     def GetOptimizer(self) -> ObjectToObjectOptimizerBase:
         ...
     def GetOptimizerIteration(self) -> int:
-        ...
+        """
+        Steps that were accepted in this stage, of this candidate.
+        """
     def GetOptimizerPosition(self) -> tuple[typing.Any, ...]:
         """
         pitch, roll, yaw (rad), tx, ty, tz (mm), kappa.
@@ -4334,12 +4382,26 @@ class PoseRegistrationMethod(ProcessObject):
         """
     def GetPrincipalPointKnown(self) -> bool:
         ...
+    def GetStepAccepted(self) -> bool:
+        ...
+    def GetStepLength(self) -> float:
+        """
+        Root mean square, px of 0.25 mm.
+        """
     def GetTracedSide(self) -> TracedSide:
         ...
     def PrincipalPointKnownOff(self) -> None:
         ...
     def PrincipalPointKnownOn(self) -> None:
         ...
+    def SetCovarianceNoiseModel(self, model: ResidualNoiseModel | None) -> None:
+        """
+        Of the silhouettes in the covariance; None: the options'.
+        """
+    def SetNoiseModel(self, model: ResidualNoiseModel | None) -> None:
+        """
+        Of the silhouettes; None: the options'.
+        """
     def SetOptimizer(self, optimizer: ObjectToObjectOptimizerBase) -> None:
         """
         A LevenbergMarquardtOptimizerv4, of which candidates take clones, also in other threads.
@@ -4347,10 +4409,22 @@ class PoseRegistrationMethod(ProcessObject):
         Its own tolerances and numbers of iterations are set by the options; its events are sent in the thread that runs
         Execute(), and StopOptimization() in a command of it ends the registration.
         """
+    def SetOptimizerAsLBFGS2(self, solutionAccuracy: float = 1e-05, numberOfIterations: int = 100, hessianApproximateAccuracy: int = 6, deltaConvergenceDistance: int = 0, deltaConvergenceTolerance: float = 1e-05, lineSearchMaximumEvaluations: int = 40) -> None:
+        ...
+    def SetOptimizerAsLBFGSB(self, gradientConvergenceTolerance: float = 1e-05, numberOfIterations: int = 500, maximumNumberOfCorrections: int = 5, maximumNumberOfFunctionEvaluations: int = 2000, costFunctionConvergenceFactor: float = 10000000.0) -> None:
+        ...
     def SetOptions(self, options: PoseRegistrationOptions) -> None:
         ...
     def SetPrincipalPointKnown(self, value: bool) -> None:
         ...
+    def SetRobustKernel(self, kernel: RobustKernelBase | None) -> None:
+        """
+        Of the silhouettes; None: the options'.
+        """
+    def SetSpacingSource(self, source: SpacingSource | str) -> None:
+        """
+        Where the pixel spacing comes from: its prior of the scale takes the place of the option kappaSigma.
+        """
     def SetStart(self, start: PoseStart) -> None:
         ...
     def SetTracedSide(self, side: TracedSide | str) -> None:
@@ -5194,6 +5268,38 @@ class CaseRegistration(ProcessObject):
     def _SetData(self, case: _Case) -> None:
         ...
     def _TakeResult(self, case: _Case) -> _CaseResult:
+        ...
+    def __init__(self) -> None:
+        ...
+class DentalCaseReader(ProcessObject):
+    """
+    Reads a case; see ReadCase().
+    """
+    def GetFileName(self) -> str:
+        ...
+    def SetFileName(self, fileName: str) -> None:
+        ...
+    def _TakeOutput(self) -> _Case:
+        ...
+    def __init__(self) -> None:
+        ...
+class CaseResultFolderWriter(ProcessObject):
+    """
+    Writes a result into a folder; see WriteCaseResult().
+    """
+    def GetFolderName(self) -> str:
+        ...
+    def GetWriteReport(self) -> bool:
+        ...
+    def SetFolderName(self, folderName: str) -> None:
+        ...
+    def SetWriteReport(self, value: bool) -> None:
+        ...
+    def WriteReportOff(self) -> None:
+        ...
+    def WriteReportOn(self) -> None:
+        ...
+    def _SetInput(self, result: _CaseResult) -> None:
         ...
     def __init__(self) -> None:
         ...

@@ -49,6 +49,22 @@ class SilhouettePoseMetricv4(_core.SilhouettePoseMetricv4):
         self._SetFixedContour(as_contour(contour))
 
 
+class LandmarkPoseMetricv4(_core.LandmarkPoseMetricv4):
+    """Landmarks of a scan against landmarks of the radiograph: a term of a registration of the scan's pose.
+
+    Landmarks of the same name belong together. The errors of the marks are ``SetSigma``, for all of them, or
+    ``SetCovariance``. Landmarks are never used unless you add this term.
+    """
+
+    def SetMovingLandmarks(self, landmarks: LandmarksLike) -> None:
+        """Of the scan in its dental frame, mm: ``{"UR1_tip": (x, y, z)}`` or a file."""
+        self._SetMovingLandmarks(as_landmarks(landmarks, 3))
+
+    def SetFixedLandmarks(self, landmarks: LandmarksLike) -> None:
+        """Of the radiograph, continuous pixel indices: ``{"UR1_tip": (u, v)}`` or a file."""
+        self._SetFixedLandmarks(as_landmarks(landmarks, 2))
+
+
 class LeastSquaresMetric(_core._LeastSquaresMetric):
     """A metric of your own: derive from it and say which parameters it reads and what its residuals are.
 
@@ -144,7 +160,7 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
     def SetOptimizer(self, optimizer: _core.ObjectToObjectOptimizerBase) -> None:
         """A ``LevenbergMarquardtOptimizerv4``, of which candidates take clones, also in other threads.
 
-        Tolerances and numbers of iterations are those of the options. Commands of the optimizer are called in the
+        ``SetOptimizerAsLBFGSB`` and ``SetOptimizerAsLBFGS2`` choose another, which runs in one thread. Tolerances and numbers of iterations are those of the options. Commands of the optimizer are called in the
         thread that runs ``Execute``; ``StopOptimization()`` in one ends the registration.
         """
         super().SetOptimizer(optimizer)

@@ -19,9 +19,11 @@
 
 #include "itkCaseOverlay.h"
 #include "itkCaseRegistration.h"
+#include "itkCaseResultFolderWriter.h"
 #include "itkCaseResultWriter.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
+#include "itkDentalCaseReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
 
@@ -330,5 +332,38 @@ WrapCase(py::module_ & module)
     .def(
       "_SetData", [](CaseRegistration & self, const Case & input) { self.SetData(input.data); }, py::arg("case"))
     .def("_TakeResult", &TakeResult, py::arg("case"));
+
+  using ReaderType = itk::DentalCaseReader;
+  ProcessClass<ReaderType>(module, "DentalCaseReader", "Reads a case; see ReadCase().")
+    .def(New<ReaderType>())
+    .def(
+      "SetFileName",
+      [](ReaderType & self, const std::string & fileName) { self.SetFileName(fileName); },
+      py::arg("fileName"))
+    .def("GetFileName", [](const ReaderType & self) { return std::string(self.GetFileName()); })
+    .def("_TakeOutput", [](ReaderType & self) {
+      auto result = std::make_shared<Case>();
+      // Nobody changes it: Python has no setters of it.
+      result->data = std::const_pointer_cast<DentalCaseData>(self.GetOutput()->Get());
+      return result;
+    });
+
+  using WriterType = itk::CaseResultFolderWriter;
+  ProcessClass<WriterType>(module, "CaseResultFolderWriter", "Writes a result into a folder; see WriteCaseResult().")
+    .def(New<WriterType>())
+    .def(
+      "_SetInput",
+      [](WriterType & self, const CaseResult & result) {
+        auto input = itk::CaseResultObject::New();
+        input->Set(result);
+        self.SetInput(input);
+      },
+      py::arg("result"))
+    .def(
+      "SetFolderName",
+      [](WriterType & self, const std::string & folderName) { self.SetFolderName(folderName); },
+      py::arg("folderName"))
+    .def("GetFolderName", [](const WriterType & self) { return std::string(self.GetFolderName()); })
+    .dentalscrBoolean(WriterType, WriteReport);
 }
 } // namespace dentalscr

@@ -15,10 +15,12 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "dentalscrLandmarks.h"
 #include "dentalscrPythonLeastSquaresMetric.h"
 
 #include "itkCorrelatedNoiseModel.h"
 #include "itkGemanMcClureKernel.h"
+#include "itkLandmarkPoseMetricv4.h"
 #include "itkLeastSquaresSumMetricv4.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkParameterPriorMetricv4.h"
@@ -423,23 +425,65 @@ from the moment it is added.)")
     .def("GetPriors", [](const PriorMetricType & self) { return self.GetPriors(); })
     .dentalscrBoolean(PriorMetricType, UseVariancePrecision);
 
+  using PoseMetricType = itk::PoseMetricv4;
+  MetricClass<PoseMetricType>(
+    module, "PoseMetricv4", "Base of the terms whose residuals are those of a scan's pose on a radiograph.")
+    .def("SetTransform",
+         &PoseMetricType::SetTransform,
+         py::arg("transform"),
+         "Its geometry is the radiograph's; its parameters are where pose and scale begin.")
+    .def("GetTransform",
+         [](const PoseMetricType & self) {
+           return PoseMetricType::TransformType::Pointer(
+             const_cast<PoseMetricType::TransformType *>(self.GetTransform()));
+         })
+    .def("SetPoseBlock", &PoseMetricType::SetPoseBlock, py::arg("name"), "Another body has another one.")
+    .def("GetPoseBlock", [](const PoseMetricType & self) { return std::string(self.GetPoseBlock()); })
+    .def("SetScaleBlock", &PoseMetricType::SetScaleBlock, py::arg("name"), "Another view has another one.")
+    .def("GetScaleBlock", [](const PoseMetricType & self) { return std::string(self.GetScaleBlock()); });
+
+  using LandmarkType = itk::LandmarkPoseMetricv4;
+  py::class_<LandmarkType, PoseMetricType, itk::SmartPointer<LandmarkType>>(
+    module, "LandmarkPoseMetricv4", "Landmarks of a scan against landmarks of the radiograph: a term of its pose.")
+    .def(New<LandmarkType>())
+    .def(
+      "_SetMovingLandmarks",
+      [](LandmarkType & self, const py::dict & landmarks) { self.SetMovingLandmarks(FromDict<3>(landmarks)); },
+      py::arg("landmarks"))
+    .def(
+      "_SetFixedLandmarks",
+      [](LandmarkType & self, const py::dict & landmarks) { self.SetFixedLandmarks(FromDict<2>(landmarks)); },
+      py::arg("landmarks"))
+    .dentalscrProperty(LandmarkType, Sigma)
+    .dentalscrProperty(LandmarkType, KernelWidthInSigmas)
+    .def(
+      "SetCovariance",
+      [](LandmarkType & self, const std::string & name, const DoubleArray & covariance) {
+        if (covariance.ndim() != 2 || covariance.shape(0) != 2 || covariance.shape(1) != 2)
+        {
+          throw std::invalid_argument("the covariance of a mark is a 2 x 2 matrix, square pixels");
+        }
+        LandmarkType::CovarianceType matrix;
+        for (unsigned int i = 0; i < 4; ++i)
+        {
+          matrix(i / 2, i % 2) = covariance.at(i / 2, i % 2);
+        }
+        self.SetCovariance(name, matrix);
+      },
+      py::arg("name"),
+      py::arg("covariance"),
+      "Of one mark, square pixels, instead of Sigma.")
+    .def("ClearCovariances", &LandmarkType::ClearCovariances)
+    .def("GetMatchedNames", &LandmarkType::GetMatchedNames, "In the order of the residuals, u and v each.");
+
   using SilhouetteType = itk::SilhouettePoseMetricv4;
-  MetricClass<SilhouetteType>(
+  py::class_<SilhouetteType, PoseMetricType, itk::SmartPointer<SilhouetteType>>(
     module,
     "SilhouettePoseMetricv4",
     R"(A scan's silhouette against a tracing of it: the term of a jaw in a registration of its pose.
 
 Reads the blocks "pose" and "scale", or as named. The mesh is in its dental frame, as UMidlineDentalAxis() returns it.)")
     .def(New<SilhouetteType>())
-    .def("SetTransform",
-         &SilhouetteType::SetTransform,
-         py::arg("transform"),
-         "Its geometry is the radiograph's; its parameters are where pose and scale begin.")
-    .def("GetTransform",
-         [](const SilhouetteType & self) {
-           return SilhouetteType::TransformType::Pointer(
-             const_cast<SilhouetteType::TransformType *>(self.GetTransform()));
-         })
     .def(
       "_SetMovingMesh", [](SilhouetteType & self, const MeshType * mesh) { self.SetMovingMesh(mesh); }, py::arg("mesh"))
     .def(
@@ -461,14 +505,6 @@ Reads the blocks "pose" and "scale", or as named. The mesh is in its dental fram
          [](const SilhouetteType & self) {
            return std::vector<int>(self.GetExcludedTeeth().begin(), self.GetExcludedTeeth().end());
          })
-    .def(
-      "SetPoseBlock", [](SilhouetteType & self, const std::string & name) { self.SetPoseBlock(name); }, py::arg("name"))
-    .def("GetPoseBlock", [](const SilhouetteType & self) { return std::string(self.GetPoseBlock()); })
-    .def(
-      "SetScaleBlock",
-      [](SilhouetteType & self, const std::string & name) { self.SetScaleBlock(name); },
-      py::arg("name"))
-    .def("GetScaleBlock", [](const SilhouetteType & self) { return std::string(self.GetScaleBlock()); })
     .def("GetKernelWidth", &SilhouetteType::GetKernelWidth)
     .def("GetFailure", &SilhouetteType::GetFailure, "Why the tracing can't be matched; empty where it can.")
     .def(

@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "dentalscrOptimizers.h"
 #include "dentalscrPoseRegistration.h"
 
 #include "itkExchangedJawsHypothesis.h"
@@ -358,11 +359,11 @@ WrapIteration(py::module_ & module)
     .def_property_readonly(
       "iteration",
       [](const IterationType & self) { return self.step.iteration; },
-      "Steps accepted in this run of the optimizer.")
+      "Steps accepted so far, of this candidate in this stage.")
     .def_property_readonly(
       "evaluations",
       [](const IterationType & self) { return self.step.evaluations; },
-      "Steps tried in this run of the optimizer.")
+      "Steps tried so far, of this candidate in this stage.")
     .def_readonly("kernelWidth", &IterationType::kernelWidth, "px of 0.25 mm.")
     .def_property_readonly(
       "smoothNoise",
@@ -647,8 +648,10 @@ WrapParts(py::module_ & module)
 void
 WrapPoseMethod(py::module_ & module)
 {
-  ProcessClass<MethodType>(module, "PoseRegistrationMethod", "The robust registration.")
-    .def(New<MethodType>())
+  ProcessClass<MethodType> type(module, "PoseRegistrationMethod", "The robust registration.");
+  DefineQuasiNewton(type);
+  using SourceEnum = itk::ScalePrior::SpacingSource;
+  type.def(New<MethodType>())
     .def("_SetUpperMesh", &MethodType::SetUpperMesh, py::arg("mesh"))
     .def("_SetLowerMesh", &MethodType::SetLowerMesh, py::arg("mesh"))
     .def("_SetUpperContour", &MethodType::SetUpperContour, py::arg("contour"))
@@ -692,6 +695,18 @@ Execute(), and StopOptimization() in a command of it ends the registration.)")
     .def("GetOptimizer", [](MethodType & self) { return OptimizerBaseType::Pointer(self.GetModifiableOptimizer()); })
     .def("SetStart", &MethodType::SetStart, py::arg("start"))
     .def(
+      "SetSpacingSource",
+      [](MethodType & self, SourceEnum source) { self.SetSpacingSource(source); },
+      py::arg("source"),
+      "Where the pixel spacing comes from: its prior of the scale takes the place of the option kappaSigma.")
+    .def("ClearSpacingSource", &MethodType::ClearSpacingSource, "Back to the option.")
+    .def("SetRobustKernel", &MethodType::SetRobustKernel, py::arg("kernel"), "Of the silhouettes; None: the options'.")
+    .def("SetNoiseModel", &MethodType::SetNoiseModel, py::arg("model"), "Of the silhouettes; None: the options'.")
+    .def("SetCovarianceNoiseModel",
+         &MethodType::SetCovarianceNoiseModel,
+         py::arg("model"),
+         "Of the silhouettes in the covariance; None: the options'.")
+    .def(
       "AddMetric",
       [](MethodType & self, MetricBaseType * metric) { self.AddMetric(metric); },
       py::arg("metric"),
@@ -719,8 +734,17 @@ registration works on clones of it.)")
       "GetCurrentIteration",
       [](const MethodType & self) { return self.GetCurrentIteration(); },
       "The step that the last IterationEvent was about; a copy.")
-    .def("GetOptimizerIteration", &MethodType::GetOptimizerIteration)
-    .def("GetMetricValue", &MethodType::GetMetricValue)
+    .def("GetCurrentCandidate",
+         &MethodType::GetCurrentCandidate,
+         "Of the stage; candidates are refined at the same time and their steps may alternate.")
+    .def("GetOptimizerIteration",
+         &MethodType::GetOptimizerIteration,
+         "Steps that were accepted in this stage, of this candidate.")
+    .def("GetMetricValue",
+         &MethodType::GetMetricValue,
+         "With the kernel width and the noise of GetCurrentIteration(): comparable as long as these stay.")
+    .def("GetStepLength", &MethodType::GetStepLength, "Root mean square, px of 0.25 mm.")
+    .def("GetStepAccepted", &MethodType::GetStepAccepted)
     .def(
       "GetOptimizerPosition",
       [](const MethodType & self) {

@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "dentalscrOptimizers.h"
 #include "dentalscrPythonContourMetric.h"
 
 #include "itkCoherentPointDriftContourRegistrationMethod.h"
@@ -31,8 +32,6 @@
 #include "itkExhaustiveOptimizerv4.h"
 #include "itkGradientDescentLineSearchOptimizerv4.h"
 #include "itkGradientDescentOptimizerv4.h"
-#include "itkLBFGS2Optimizerv4.h"
-#include "itkLBFGSBOptimizerv4.h"
 #include "itkOnePlusOneEvolutionaryOptimizerv4.h"
 #include "itkPowellOptimizerv4.h"
 #include "itkRegularStepGradientDescentOptimizerv4.h"
@@ -398,52 +397,8 @@ numberOfIterations : int
 void
 WrapOptimizers(ProcessClass<MethodType> & type)
 {
+  DefineQuasiNewton(type);
   type
-    .def(
-      "SetOptimizerAsLBFGSB",
-      [](MethodType & self,
-         double       gradientConvergenceTolerance,
-         unsigned int numberOfIterations,
-         unsigned int maximumNumberOfCorrections,
-         unsigned int maximumNumberOfFunctionEvaluations,
-         double       costFunctionConvergenceFactor) {
-        auto optimizer = itk::LBFGSBOptimizerv4::New();
-        optimizer->SetGradientConvergenceTolerance(gradientConvergenceTolerance);
-        optimizer->SetNumberOfIterations(numberOfIterations);
-        optimizer->SetMaximumNumberOfCorrections(maximumNumberOfCorrections);
-        optimizer->SetMaximumNumberOfFunctionEvaluations(maximumNumberOfFunctionEvaluations);
-        optimizer->SetCostFunctionConvergenceFactor(costFunctionConvergenceFactor);
-        self.SetOptimizer(optimizer);
-      },
-      py::arg("gradientConvergenceTolerance") = 1e-5,
-      py::arg("numberOfIterations") = 500,
-      py::arg("maximumNumberOfCorrections") = 5,
-      py::arg("maximumNumberOfFunctionEvaluations") = 2000,
-      py::arg("costFunctionConvergenceFactor") = 1e7)
-    .def(
-      "SetOptimizerAsLBFGS2",
-      [](MethodType & self,
-         double       solutionAccuracy,
-         int          numberOfIterations,
-         int          hessianApproximateAccuracy,
-         int          deltaConvergenceDistance,
-         double       deltaConvergenceTolerance,
-         int          lineSearchMaximumEvaluations) {
-        auto optimizer = itk::LBFGS2Optimizerv4::New();
-        optimizer->SetSolutionAccuracy(solutionAccuracy);
-        optimizer->SetMaximumIterations(numberOfIterations);
-        optimizer->SetHessianApproximationAccuracy(hessianApproximateAccuracy);
-        optimizer->SetDeltaConvergenceDistance(deltaConvergenceDistance);
-        optimizer->SetDeltaConvergenceTolerance(deltaConvergenceTolerance);
-        optimizer->SetMaximumLineSearchEvaluations(lineSearchMaximumEvaluations);
-        self.SetOptimizer(optimizer);
-      },
-      py::arg("solutionAccuracy") = 1e-5,
-      py::arg("numberOfIterations") = 100,
-      py::arg("hessianApproximateAccuracy") = 6,
-      py::arg("deltaConvergenceDistance") = 0,
-      py::arg("deltaConvergenceTolerance") = 1e-5,
-      py::arg("lineSearchMaximumEvaluations") = 40)
     .def(
       "SetOptimizerAsGradientDescent",
       [](MethodType & self,

@@ -106,3 +106,14 @@ def test_unusable_case_names_file_field_and_remedy(ds, sample, tmp_path):
         ds.register(tmp_path / "case.json")
     assert isinstance(error.value, RuntimeError)
     assert error.value.file.endswith("case.json") and error.value.field and error.value.problem
+
+
+def test_reader_and_writer_of_a_case(ds, sample, result, tmp_path):
+    case = ds.DentalCaseReader().Execute(sample / "case.json")
+    assert case.upper.points.shape == ds.ReadMesh(sample / "upper.stl").points.shape and "case.json" in repr(case)
+    ds.WriteCaseResult(result, tmp_path / "lean", writeReport=False)
+    result.Write(tmp_path / "full")
+    names = [{path.name for path in (tmp_path / folder).iterdir()} for folder in ("lean", "full")]
+    assert "result.json" in names[0] and names[0] < names[1]
+    with pytest.raises(ds.ArgumentError, match="pickled"):
+        ds.WriteCaseResult(pickle.loads(pickle.dumps(result)), tmp_path / "none")

@@ -76,7 +76,8 @@ def test_every_process_object_is_wrapped(ds):
 
 def test_every_process_object_has_its_procedural_twin(ds):
     others = {
-        "CaseRegistration": "register", "CephalogramFileReader": "ReadCephalogram",
+        "CaseRegistration": "register", "CaseResultFolderWriter": "WriteCaseResult", "DentalCaseReader": "ReadCase",
+        "CephalogramFileReader": "ReadCephalogram",
         "CohortExperiment": "RunCohortExperiment", "DentalContourFileReader": "ReadContours",
         "DentalContourFileWriter": "WriteContours", "DentalLandmarkFileReader": "ReadLandmarks",
         "DentalLandmarkFileWriter": "WriteLandmarks", "ToothLabelFileReader": "ReadToothLabels",

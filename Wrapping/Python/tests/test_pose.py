@@ -251,6 +251,50 @@ def test_start_search_can_be_set(ds, phantom, axes, solution):
     assert np.allclose(method.Execute(*inputs(phantom)).GetPose("upper"), solution.GetPose("upper"), atol=0.05)
 
 
+def test_spacing_source_is_the_prior_of_the_scale(ds, phantom, axes):
+    kappas = []
+    for source in ("given", "estimated"):
+        method = ds.PoseRegistrationMethod()
+        method.SetFrames(axes)
+        method.SetSpacingSource(source)
+        kappas.append(method.Execute(*inputs(phantom)).GetPriorTension("upper")[6])
+    method.ClearSpacingSource()
+    kappas.append(method.Execute(*inputs(phantom)).GetPriorTension("upper")[6])
+    assert kappas[0] == kappas[2] != kappas[1]
+
+
+def test_kernel_and_noise_model_are_objects(ds, phantom, axes, solution):
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    method.SetRobustKernel(ds.SquaresKernel())
+    options = ds.PoseRegistrationOptions()
+    options.useRobustKernel = False
+    squares = method.Execute(*inputs(phantom)).GetPose("upper")
+    assert squares == ds.PoseRegistration(*inputs(phantom), frames=axes, options=options).GetPose("upper")
+    method.SetRobustKernel(None)
+    white = ds.CorrelatedNoiseModel()
+    white.SetCorrelationLength(0.0)
+    method.SetCovarianceNoiseModel(white)
+    other = method.Execute(*inputs(phantom))
+    assert other.GetPose("upper") == solution.GetPose("upper")
+    assert not np.array_equal(other.GetPoseCovariance("upper"), solution.GetPoseCovariance("upper"))
+    method.SetNoiseModel(white)
+    assert method.Execute(*inputs(phantom)).GetPose("upper") != solution.GetPose("upper")
+
+
+@pytest.mark.parametrize("name", ["LBFGSB", "LBFGS2"])
+def test_another_optimizer_ends_in_the_same_place(ds, phantom, axes, solution, name):
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    method.SetOptions(make_quick_options(ds))
+    getattr(method, f"SetOptimizerAs{name}")()
+    assert name in method.GetOptimizer().GetName()
+    found = method.Execute(*inputs(phantom))
+    points = list(phantom.upper.landmarks3D.values())
+    difference = found.ProjectPoints("upper", points) - solution.ProjectPoints("upper", points)
+    assert np.linalg.norm(difference, axis=1).mean() < 2.0
+
+
 # While it runs --------------------------------------------------------------------------------------------------------
 
 
@@ -280,6 +324,7 @@ def test_commands_see_every_step_in_the_calling_thread(ds, phantom, axes):
     assert step.level == 2 and len(step.pose) == 7 and step.value == step.trialValue > 0.0
     assert step.kernelWidth > 0.0 and step.smoothNoise > 0.0 and step.whiteNoise > 0.0 and step.stepLength > 0.0
     assert len(step.position) == 7 and step.iteration >= 1 and step.evaluations >= 1
+    assert method.GetStepAccepted() in (True, False) and method.GetCurrentCandidate() >= 0
     assert {s.candidate for s in steps} > {0} and any(s.hypothesis for s in steps)
     assert len(values) == len(steps) - len(levels)
     assert "accepted" in repr(step)
@@ -712,6 +757,30 @@ def test_sum_by_hand_ends_where_the_registration_does(ds, phantom, axes, silhoue
     assert errors[0].mean() > 10.0 and errors[1].max() < 2.0
     # The tracing of an ideal phantom has no noise to speak of.
     assert np.isfinite(deviance) and 0.0 < max(total.GetNoiseLevels()) < options.initialSmoothSigma
+
+
+def test_landmarks_alone_determine_a_pose(ds, phantom, axes):
+    frame = axes.jointTransform
+    moving = {name: frame.TransformPoint(point) for name, point in phantom.upper.landmarks3D.items()}
+    true = ds.CephalometricPoseTransform(phantom.geometry, (0.2, 0.02, 0.04, -1.0, 0.0, 0.5, 0.0))
+    metric = ds.LandmarkPoseMetricv4()
+    metric.SetTransform(ds.CephalometricPoseTransform(phantom.geometry))
+    metric.SetMovingLandmarks(moving)
+    metric.SetFixedLandmarks({name: true.TransformPoint(point) for name, point in moving.items()} | {"LR1_tip": (0, 0)})
+    metric.SetSigma(0.5)
+    metric.SetCovariance("UR1_tip", np.eye(2))
+    metric.SetBlockFree("scale", False)
+    metric.Initialize()
+    assert sorted(metric.GetMatchedNames()) == sorted(moving)
+    assert metric.GetNumberOfResiduals() == 2 * len(moving) and metric.GetPoseBlock() == "pose"
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    optimizer.SetMetric(metric)
+    optimizer.StartOptimization()
+    assert metric.GetValue() < 1e-6
+    places = ds.CephalometricPoseTransform(phantom.geometry, metric.GetValues()).TransformPoints(list(moving.values()))
+    assert np.allclose(places, true.TransformPoints(list(moving.values())), atol=1e-3)
+    with pytest.raises(ValueError, match="2 x 2"):
+        metric.SetCovariance("UR1_tip", [1.0, 1.0])
 
 
 def test_gradient_of_a_silhouette_is_that_of_its_differences(silhouettes, solution):
