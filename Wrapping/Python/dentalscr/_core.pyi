@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PartialContourMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'RobustKernelBase', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -2076,12 +2076,6 @@ class ContourOverlapFilter(ProcessObject):
     """
     How much of an open tracing and of a contour lies together.
     """
-    def GateByToothOff(self) -> None:
-        ...
-    def GateByToothOn(self) -> None:
-        ...
-    def GetCorrelationLength(self) -> float:
-        ...
     def GetFixedDistances(self) -> numpy.typing.NDArray[typing.Any]:
         """
         One a point, px; NaN for points that are ignored.
@@ -2091,8 +2085,6 @@ class ContourOverlapFilter(ProcessObject):
         Of the tracing, 0 to 1.
         """
     def GetGapLength(self) -> float:
-        ...
-    def GetGateByTooth(self) -> bool:
         ...
     def GetLargestDistance(self) -> float:
         """
@@ -2112,19 +2104,7 @@ class ContourOverlapFilter(ProcessObject):
         """
         px.
         """
-    def GetSmoothNoise(self) -> float:
-        """
-        px.
-        """
-    def GetWhiteNoise(self) -> float:
-        """
-        px.
-        """
-    def SetCorrelationLength(self, value: float) -> None:
-        ...
     def SetGapLength(self, value: float) -> None:
-        ...
-    def SetGateByTooth(self, value: bool) -> None:
         ...
     def SetMaximumDistance(self, value: float) -> None:
         ...
@@ -2135,52 +2115,6 @@ class ContourOverlapFilter(ProcessObject):
     def _SetTransform(self, transform: Similarity2DTransform | None) -> None:
         ...
     def __init__(self) -> None:
-        ...
-class RobustKernel:
-    """
-    What a residual counts.
-
-    Members:
-
-      GemanMcClure
-
-      Huber
-
-      Squares
-    """
-    GemanMcClure: typing.ClassVar[RobustKernel]
-    Huber: typing.ClassVar[RobustKernel]
-    Squares: typing.ClassVar[RobustKernel]
-    __members__: typing.ClassVar[dict[str, RobustKernel]]
-    def __eq__(self, other: typing.Any) -> bool:
-        ...
-    def __getstate__(self) -> int:
-        ...
-    def __hash__(self) -> int:
-        ...
-    def __index__(self) -> int:
-        ...
-    @typing.overload
-    def __init__(self, value: int) -> None:
-        ...
-    @typing.overload
-    def __init__(self, name: str) -> None:
-        ...
-    def __int__(self) -> int:
-        ...
-    def __ne__(self, other: typing.Any) -> bool:
-        ...
-    def __repr__(self) -> str:
-        ...
-    def __setstate__(self, state: int) -> None:
-        ...
-    def __str__(self) -> str:
-        ...
-    @property
-    def name(self) -> str:
-        ...
-    @property
-    def value(self) -> int:
         ...
 class SpacingSource:
     """
@@ -2263,137 +2197,6 @@ class ContourChamferMetricv4(ContourToContourMetricv4):
         ...
     def SetTruncation(self, value: float) -> None:
         ...
-    def __init__(self) -> None:
-        ...
-class PartialContourMetricv4(ContourToContourMetricv4):
-    """
-    Distance between an open tracing and a contour that it covers in part: robust, with options; px^2.
-
-    Every point of the tracing counts through a robust kernel; the moving contour's points only where the tracing could have
-    had a point. Documentation/Metric.md has the formulas. Serves SetOptimizerAsLevenbergMarquardt and any other.
-    """
-    @staticmethod
-    def GetScaleSigma(source: SpacingSource | str) -> float:
-        """
-        relativeSigma for SetScalePrior() by where the spacing comes from.
-        """
-    def AnnealingOff(self) -> None:
-        ...
-    def AnnealingOn(self) -> None:
-        ...
-    def ComputeCovariance(self) -> numpy.typing.NDArray[typing.Any]:
-        """
-        (4, 4), px^2: of the optimizer's parameters at the solution, after a registration.
-
-        For a moving point q and r = scale * rotation * (q - GetPivot()) / GetReferenceLength(), its registered place has the
-        derivatives (r_u, -r_v, 1, 0) in u and (r_v, r_u, 0, 1) in v. Honest only after UpdateNoiseModel().
-        """
-    def CorrelatedNoiseOff(self) -> None:
-        ...
-    def CorrelatedNoiseOn(self) -> None:
-        ...
-    def EstimateNoiseOff(self) -> None:
-        ...
-    def EstimateNoiseOn(self) -> None:
-        ...
-    def ForgetNoiseModel(self) -> None:
-        """
-        Back to the robust kernel with independent points.
-        """
-    def GateByToothOff(self) -> None:
-        ...
-    def GateByToothOn(self) -> None:
-        ...
-    def GetAnnealing(self) -> bool:
-        ...
-    def GetCorrelatedNoise(self) -> bool:
-        ...
-    def GetCorrelationLength(self) -> float:
-        ...
-    def GetDirectionSmoothing(self) -> float:
-        ...
-    def GetDirectionWeight(self) -> float:
-        ...
-    def GetEstimateNoise(self) -> bool:
-        ...
-    def GetFinalKernelWidth(self) -> float:
-        ...
-    def GetGapLength(self) -> float:
-        ...
-    def GetGateByTooth(self) -> bool:
-        ...
-    def GetInitialKernelWidth(self) -> float:
-        ...
-    def GetKernelWidth(self) -> float:
-        ...
-    def GetNoiseLevels(self) -> tuple[float, float]:
-        """
-        Standard deviations (drift, each point's own), px: estimated, or as set.
-        """
-    def GetNumberOfCorrelatedLevels(self) -> int:
-        ...
-    def GetReverseWeight(self) -> float:
-        ...
-    def GetRobustKernel(self) -> RobustKernel:
-        ...
-    def GetSmoothNoise(self) -> float:
-        ...
-    def GetTaperLength(self) -> float:
-        ...
-    def GetToothRange(self) -> int:
-        ...
-    def GetWhiteNoise(self) -> float:
-        ...
-    def HasNoiseModel(self) -> bool:
-        ...
-    def SetAnnealing(self, value: bool) -> None:
-        ...
-    def SetCorrelatedNoise(self, value: bool) -> None:
-        ...
-    def SetCorrelationLength(self, value: float) -> None:
-        ...
-    def SetDirectionSmoothing(self, value: float) -> None:
-        ...
-    def SetDirectionWeight(self, value: float) -> None:
-        ...
-    def SetEstimateNoise(self, value: bool) -> None:
-        ...
-    def SetFinalKernelWidth(self, value: float) -> None:
-        ...
-    def SetGapLength(self, value: float) -> None:
-        ...
-    def SetGateByTooth(self, value: bool) -> None:
-        ...
-    def SetInitialKernelWidth(self, value: float) -> None:
-        ...
-    def SetKernelWidth(self, value: float) -> None:
-        ...
-    def SetNumberOfCorrelatedLevels(self, value: int) -> None:
-        ...
-    def SetReverseWeight(self, value: float) -> None:
-        ...
-    def SetRobustKernel(self, kernel: RobustKernel | str) -> None:
-        ...
-    def SetRotationPrior(self, angle: float, sigma: float) -> None:
-        ...
-    def SetScalePrior(self, scale: float, relativeSigma: float) -> None:
-        ...
-    def SetSmoothNoise(self, value: float) -> None:
-        ...
-    def SetTaperLength(self, value: float) -> None:
-        ...
-    def SetToothRange(self, value: int) -> None:
-        ...
-    def SetTranslationPrior(self, at: typing.Sequence[float], position: typing.Sequence[float], sigma: float) -> None:
-        """
-        The moving point `at` lands on `position`, sigma px in each coordinate.
-        """
-    def SetWhiteNoise(self, value: float) -> None:
-        ...
-    def UpdateNoiseModel(self) -> bool:
-        """
-        After a registration: noise and weights from what is left. False where no point of the tracing counts.
-        """
     def __init__(self) -> None:
         ...
 class RegistrationLevel:
@@ -2542,10 +2345,6 @@ class SilhouetteToContourRegistrationMethod(ProcessObject):
             tried; returns the value, or the value and its derivatives by ``moved``. Without derivatives they are found by
             central differences.
         """
-    def SetMetricAsPartialContour(self, kernelWidth: float = 3.0, directionWeight: float = 0.0, reverseWeight: float = 0.0, correlatedNoise: bool = False) -> None:
-        """
-        Robust, for tracings that cover the moving contour in part; px. See PartialContourMetricv4 for more.
-        """
     def SetMetricAsSymmetricChamfer(self, truncation: float = ...) -> None:
         ...
     def SetNumberOfLevels(self, number: int) -> None:
@@ -2566,10 +2365,6 @@ class SilhouetteToContourRegistrationMethod(ProcessObject):
         ...
     def SetOptimizerAsLBFGSB(self, gradientConvergenceTolerance: float = 1e-05, numberOfIterations: int = 500, maximumNumberOfCorrections: int = 5, maximumNumberOfFunctionEvaluations: int = 2000, costFunctionConvergenceFactor: float = 10000000.0) -> None:
         ...
-    def SetOptimizerAsLevenbergMarquardt(self, numberOfIterations: int = 100, valueTolerance: float = 1e-08, stepTolerance: float = 1e-06, maximumNumberOfEvaluations: int = 1000, initialDamping: float = 0.0) -> None:
-        """
-        For metrics that are sums of squares: SetMetricAsPartialContour. stepTolerance in px, valueTolerance relative.
-        """
     def SetOptimizerAsOnePlusOneEvolutionary(self, numberOfIterations: int = 100, epsilon: float = 0.00015, initialRadius: float = 1.01, growthFactor: float = 0.0, shrinkFactor: float = 0.0, seed: int = 0) -> None:
         """
         The seed is recorded: the same seed, the same result.
@@ -2917,7 +2712,7 @@ class PoseStateBlocks:
         """
         kappa, the logarithm of the factor on the geometry's magnification.
         """
-class RobustKernelBase:
+class RobustKernel:
     """
     How much a residual counts by its size.
     """
@@ -2931,13 +2726,13 @@ class RobustKernelBase:
         """
         Between 1 at distance 0 and 0 far away.
         """
-class GemanMcClureKernel(RobustKernelBase):
+class GemanMcClureKernel(RobustKernel):
     """
     Robust: far residuals hardly count.
     """
     def __init__(self) -> None:
         ...
-class SquaresKernel(RobustKernelBase):
+class SquaresKernel(RobustKernel):
     """
     Least squares: all residuals count alike.
     """
@@ -3100,7 +2895,7 @@ class LeastSquaresMetricv4:
         ...
     def SetParameters(self, parameters: typing.Sequence[float]) -> None:
         ...
-    def SetRobustKernel(self, kernel: RobustKernelBase) -> None:
+    def SetRobustKernel(self, kernel: RobustKernel) -> None:
         ...
     def SetValues(self, values: typing.Sequence[float]) -> None:
         ...
@@ -3282,6 +3077,10 @@ class SilhouettePoseMetricv4(PoseMetricv4):
 
     Reads the blocks "pose" and "scale", or as named. The mesh is in its dental frame, as UMidlineDentalAxis() returns it.
     """
+    def GateByToothOff(self) -> None:
+        ...
+    def GateByToothOn(self) -> None:
+        ...
     def GetExcludedTeeth(self) -> list[int]:
         ...
     def GetFailure(self) -> str:
@@ -3292,6 +3091,10 @@ class SilhouettePoseMetricv4(PoseMetricv4):
         """
         How well each strand of the tracing is explained, px of 0.25 mm.
         """
+    def GetGapLength(self) -> float:
+        ...
+    def GetGateByTooth(self) -> bool:
+        ...
     def GetJaw(self) -> Jaw:
         ...
     def GetKernelWidth(self) -> float:
@@ -3301,6 +3104,12 @@ class SilhouettePoseMetricv4(PoseMetricv4):
     def GetMidlineMargin(self) -> float:
         ...
     def GetOrientationWeight(self) -> float:
+        ...
+    def GetReverseWeight(self) -> float:
+        ...
+    def GetTaperLength(self) -> float:
+        ...
+    def GetToothRange(self) -> int:
         ...
     def GetTracedSide(self) -> TracedSide:
         ...
@@ -3314,6 +3123,10 @@ class SilhouettePoseMetricv4(PoseMetricv4):
         """
         FDI numbers.
         """
+    def SetGapLength(self, value: float) -> None:
+        ...
+    def SetGateByTooth(self, value: bool) -> None:
+        ...
     def SetJaw(self, jaw: Jaw | str) -> None:
         ...
     def SetMaximumTracingPoints(self, value: int) -> None:
@@ -3321,6 +3134,12 @@ class SilhouettePoseMetricv4(PoseMetricv4):
     def SetMidlineMargin(self, value: float) -> None:
         ...
     def SetOrientationWeight(self, value: float) -> None:
+        ...
+    def SetReverseWeight(self, value: float) -> None:
+        ...
+    def SetTaperLength(self, value: float) -> None:
+        ...
+    def SetToothRange(self, value: int) -> None:
         ...
     def SetTracedSide(self, side: TracedSide | str) -> None:
         ...
@@ -3343,6 +3162,8 @@ class SilhouettePoseMetricv4(PoseMetricv4):
     def UseSideSelectionOn(self) -> None:
         ...
     def _SetFixedContour(self, contour: Contour | None) -> None:
+        ...
+    def _SetMovingContour(self, contour: Contour | None) -> None:
         ...
     def _SetMovingMesh(self, mesh: Mesh | None) -> None:
         ...
@@ -3670,6 +3491,22 @@ class PoseRegistrationOptions:
     def fixTranslation(self, arg0: bool) -> None:
         ...
     @property
+    def gapLength(self) -> float:
+        """
+        gaps of the tracing shorter than this have no ends, px
+        """
+    @gapLength.setter
+    def gapLength(self, arg1: float) -> None:
+        ...
+    @property
+    def gateByTooth(self) -> bool:
+        """
+        match a tooth's points with it or its neighbours alone
+        """
+    @gateByTooth.setter
+    def gateByTooth(self, arg1: bool) -> None:
+        ...
+    @property
     def heldPitchSigma(self) -> float:
         """
         of a held pitch, in the covariance, rad
@@ -3798,6 +3635,14 @@ class PoseRegistrationOptions:
     def regenerateOutline(self, arg1: bool) -> None:
         ...
     @property
+    def reverseWeight(self) -> float:
+        """
+        weight of the direction from outline to tracing; 0: off
+        """
+    @reverseWeight.setter
+    def reverseWeight(self, arg1: float) -> None:
+        ...
+    @property
     def rollSigma(self) -> float:
         """
         prior, rad; 0: fixed
@@ -3868,6 +3713,22 @@ class PoseRegistrationOptions:
         """
     @startsPerYaw.setter
     def startsPerYaw(self, arg1: int) -> None:
+        ...
+    @property
+    def taperLength(self) -> float:
+        """
+        over which it fades in from the tracing's ends, px
+        """
+    @taperLength.setter
+    def taperLength(self, arg1: float) -> None:
+        ...
+    @property
+    def toothRange(self) -> int:
+        """
+        how many positions away a neighbour may be
+        """
+    @toothRange.setter
+    def toothRange(self, arg1: int) -> None:
         ...
     @property
     def tracedSide(self) -> TracedSide:
@@ -4417,7 +4278,7 @@ class PoseRegistrationMethod(ProcessObject):
         ...
     def SetPrincipalPointKnown(self, value: bool) -> None:
         ...
-    def SetRobustKernel(self, kernel: RobustKernelBase | None) -> None:
+    def SetRobustKernel(self, kernel: RobustKernel | None) -> None:
         """
         Of the silhouettes; None: the options'.
         """

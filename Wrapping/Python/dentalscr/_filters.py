@@ -454,20 +454,18 @@ def ContourDistance(
 
 
 class ContourOverlaps(NamedTuple):
-    """How much of two contours lies together, and how noisy the tracing is."""
+    """How much of two contours lies together, and how closely."""
 
     #: Share of the tracing, by weight, and of the outline, by length.
     fixedShare: float
     movingShare: float
-    #: Of the tracing's share, px.
+    #: Root mean square and largest distance of the tracing's share, px.
     rootMeanSquare: float
-    #: Standard deviations of the tracer's drift and of the points' own errors, px.
-    smoothNoise: float
-    whiteNoise: float
+    largestDistance: float
 
 
 class ContourOverlapFilter(ProcessObject, _core.ContourOverlapFilter):
-    """How much of an open tracing and of a contour lies together, how closely, and how noisy the tracing is."""
+    """How much of an open tracing and of a contour lies together, and how closely."""
 
     def Execute(
         self, fixed: ContourLike, moving: ContourLike, transform: Optional[TransformLike] = None
@@ -491,8 +489,7 @@ class ContourOverlapFilter(ProcessObject, _core.ContourOverlapFilter):
             self.GetFixedShare(),
             self.GetMovingShare(),
             self.GetRootMeanSquare(),
-            self.GetSmoothNoise(),
-            self.GetWhiteNoise(),
+            self.GetLargestDistance(),
         )
 
 

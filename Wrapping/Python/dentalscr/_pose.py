@@ -44,6 +44,14 @@ class SilhouettePoseMetricv4(_core.SilhouettePoseMetricv4):
         """The scan in its dental frame, mm: ``UMidlineDentalAxis(...).upper``."""
         self._SetMovingMesh(as_mesh(mesh))
 
+    def SetMovingContour(self, contour: Optional[ContourLike]) -> None:
+        """In place of a scan: an outline as it is seen with the transform as it stands, continuous pixel indices.
+
+        It moves as a drawing on the midsagittal plane does: by a similarity, where ``SetBlockFree("pose", [True, False,
+        False, True, False, True])`` holds roll, yaw and ty.
+        """
+        self._SetMovingContour(None if contour is None else as_contour(contour))
+
     def SetFixedContour(self, contour: ContourLike) -> None:
         """The tracing of this jaw, continuous pixel indices."""
         self._SetFixedContour(as_contour(contour))

@@ -141,10 +141,9 @@ isFree : bool, optional
 void
 WrapModels(py::module_ & module)
 {
-  // "RobustKernel" is the enumeration of PartialContourMetricv4.
   using KernelType = itk::RobustKernel;
   py::class_<KernelType, itk::SmartPointer<KernelType>>(
-    module, "RobustKernelBase", "How much a residual counts by its size.")
+    module, "RobustKernel", "How much a residual counts by its size.")
     .def("GetName", [](const KernelType & self) { return std::string(self.GetNameOfClass()); })
     .def("GetWeight",
          &KernelType::GetWeight,
@@ -490,6 +489,10 @@ Reads the blocks "pose" and "scale", or as named. The mesh is in its dental fram
       "_SetFixedContour",
       [](SilhouetteType & self, const itk::DentalContour * contour) { self.SetFixedContour(contour); },
       py::arg("contour"))
+    .def(
+      "_SetMovingContour",
+      [](SilhouetteType & self, const itk::DentalContour * contour) { self.SetMovingContour(contour); },
+      py::arg("contour"))
     .def("SetJaw", &SilhouetteType::SetJaw, py::arg("jaw"))
     .def("GetJaw", &SilhouetteType::GetJaw)
     .def("SetTracedSide", &SilhouetteType::SetTracedSide, py::arg("side"))
@@ -500,6 +503,11 @@ Reads the blocks "pose" and "scale", or as named. The mesh is in its dental fram
     .dentalscrBoolean(SilhouetteType, UseOrientation)
     .dentalscrProperty(SilhouetteType, OrientationWeight)
     .dentalscrProperty(SilhouetteType, MaximumTracingPoints)
+    .dentalscrBoolean(SilhouetteType, GateByTooth)
+    .dentalscrProperty(SilhouetteType, ToothRange)
+    .dentalscrProperty(SilhouetteType, ReverseWeight)
+    .dentalscrProperty(SilhouetteType, TaperLength)
+    .dentalscrProperty(SilhouetteType, GapLength)
     .def("SetExcludedTeeth", &SilhouetteType::SetExcludedTeeth, py::arg("teeth"), "FDI numbers.")
     .def("GetExcludedTeeth",
          [](const SilhouetteType & self) {

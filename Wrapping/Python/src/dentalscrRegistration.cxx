@@ -24,8 +24,7 @@
 #include "itkContourOverlapFilter.h"
 #include "itkIntensityRegistrationMethod.h"
 #include "itkIterativeClosestPointContourRegistrationMethod.h"
-#include "itkLevenbergMarquardtOptimizerv4.h"
-#include "itkPartialContourMetricv4.h"
+#include "itkScalePrior.h"
 #include "itkSilhouetteToContourRegistrationMethod.h"
 
 #include "itkAmoebaOptimizerv4.h"
@@ -187,8 +186,6 @@ WrapMetrics(py::module_ & module)
       py::arg("transform"))
     .dentalscrProperty(OverlapFilterType, MaximumDistance)
     .dentalscrProperty(OverlapFilterType, GapLength)
-    .dentalscrBoolean(OverlapFilterType, GateByTooth)
-    .dentalscrProperty(OverlapFilterType, CorrelationLength)
     .def(
       "GetFixedShare", [](const OverlapFilterType & self) { return self.GetFixedShare(); }, "Of the tracing, 0 to 1.")
     .def(
@@ -197,10 +194,6 @@ WrapMetrics(py::module_ & module)
       "GetRootMeanSquare", [](const OverlapFilterType & self) { return self.GetRootMeanSquare(); }, "px.")
     .def(
       "GetLargestDistance", [](const OverlapFilterType & self) { return self.GetLargestDistance(); }, "px.")
-    .def(
-      "GetSmoothNoise", [](const OverlapFilterType & self) { return self.GetSmoothNoise(); }, "px.")
-    .def(
-      "GetWhiteNoise", [](const OverlapFilterType & self) { return self.GetWhiteNoise(); }, "px.")
     .def(
       "GetFixedDistances",
       [](const OverlapFilterType & self) { return MakeArray(self.GetFixedDistances()); },
@@ -213,20 +206,12 @@ WrapMetrics(py::module_ & module)
 
 using MetricType = itk::ContourToContourMetricv4;
 using ChamferType = itk::ContourChamferMetricv4;
-using PartialType = itk::PartialContourMetricv4;
-using KernelEnum = itk::ContourMetricEnums::RobustKernel;
 
 /** Metrics as objects: what SetMetric() takes. */
 void
 WrapMetricObjects(py::module_ & module)
 {
-  BindEnum<KernelEnum>(module,
-                       "RobustKernel",
-                       { { "GemanMcClure", KernelEnum::GemanMcClure },
-                         { "Huber", KernelEnum::Huber },
-                         { "Squares", KernelEnum::Squares } },
-                       "What a residual counts.");
-  using SpacingSourceEnum = itk::ContourMetricEnums::SpacingSource;
+  using SpacingSourceEnum = itk::ScalePrior::SpacingSource;
   BindEnum<SpacingSourceEnum>(module,
                               "SpacingSource",
                               { { "Given", SpacingSourceEnum::Given },
@@ -255,71 +240,6 @@ WrapMetricObjects(py::module_ & module)
     .def("SetDistance", &ChamferType::SetDistance, py::arg("distance"))
     .def("GetDistance", &ChamferType::GetDistance)
     .dentalscrProperty(ChamferType, Truncation);
-  py::class_<PartialType, MetricType, itk::SmartPointer<PartialType>>(
-    module,
-    "PartialContourMetricv4",
-    R"(Distance between an open tracing and a contour that it covers in part: robust, with options; px^2.
-
-Every point of the tracing counts through a robust kernel; the moving contour's points only where the tracing could have
-had a point. Documentation/Metric.md has the formulas. Serves SetOptimizerAsLevenbergMarquardt and any other.)")
-    .def(New<PartialType>())
-    .def("SetRobustKernel", &PartialType::SetRobustKernel, py::arg("kernel"))
-    .def("GetRobustKernel", &PartialType::GetRobustKernel)
-    .dentalscrProperty(PartialType, KernelWidth)
-    .dentalscrBoolean(PartialType, Annealing)
-    .dentalscrProperty(PartialType, InitialKernelWidth)
-    .dentalscrProperty(PartialType, FinalKernelWidth)
-    .dentalscrProperty(PartialType, DirectionWeight)
-    .dentalscrProperty(PartialType, DirectionSmoothing)
-    .dentalscrProperty(PartialType, ReverseWeight)
-    .dentalscrProperty(PartialType, TaperLength)
-    .dentalscrProperty(PartialType, GapLength)
-    .dentalscrBoolean(PartialType, GateByTooth)
-    .dentalscrProperty(PartialType, ToothRange)
-    .dentalscrBoolean(PartialType, CorrelatedNoise)
-    .dentalscrProperty(PartialType, NumberOfCorrelatedLevels)
-    .dentalscrProperty(PartialType, CorrelationLength)
-    .dentalscrProperty(PartialType, SmoothNoise)
-    .dentalscrProperty(PartialType, WhiteNoise)
-    .dentalscrBoolean(PartialType, EstimateNoise)
-    .def("SetScalePrior", &PartialType::SetScalePrior, py::arg("scale"), py::arg("relativeSigma"))
-    .def("SetRotationPrior", &PartialType::SetRotationPrior, py::arg("angle"), py::arg("sigma"))
-    .def("SetTranslationPrior",
-         &PartialType::SetTranslationPrior,
-         py::arg("at"),
-         py::arg("position"),
-         py::arg("sigma"),
-         "The moving point `at` lands on `position`, sigma px in each coordinate.")
-    .def_static("GetScaleSigma",
-                &PartialType::GetScaleSigma,
-                py::arg("source"),
-                "relativeSigma for SetScalePrior() by where the spacing comes from.")
-    .def("UpdateNoiseModel",
-         &PartialType::UpdateNoiseModel,
-         "After a registration: noise and weights from what is left. False where no point of the tracing counts.")
-    .def("ForgetNoiseModel", &PartialType::ForgetNoiseModel, "Back to the robust kernel with independent points.")
-    .def("HasNoiseModel", &PartialType::HasNoiseModel)
-    .def(
-      "GetNoiseLevels",
-      [](const PartialType & self) {
-        return std::make_pair(self.GetNoiseLevels().smooth, self.GetNoiseLevels().white);
-      },
-      "Standard deviations (drift, each point's own), px: estimated, or as set.")
-    .def(
-      "ComputeCovariance",
-      [](const PartialType & self) {
-        const auto          covariance = self.ComputeCovariance();
-        std::vector<double> values;
-        for (unsigned int a = 0; a < 4; ++a)
-        {
-          values.insert(values.end(), covariance[a], covariance[a] + 4);
-        }
-        return MakeArray(values, { 4, 4 });
-      },
-      R"((4, 4), px^2: of the optimizer's parameters at the solution, after a registration.
-
-For a moving point q and r = scale * rotation * (q - GetPivot()) / GetReferenceLength(), its registered place has the
-derivatives (r_u, -r_v, 1, 0) in u and (r_v, r_u, 0, 1) in v. Honest only after UpdateNoiseModel().)");
 }
 
 void
@@ -551,28 +471,6 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       py::arg("seed") = 0,
       "The seed is recorded: the same seed, the same result.")
     .def(
-      "SetOptimizerAsLevenbergMarquardt",
-      [](MethodType & self,
-         unsigned int numberOfIterations,
-         double       valueTolerance,
-         double       stepTolerance,
-         unsigned int maximumNumberOfEvaluations,
-         double       initialDamping) {
-        auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
-        optimizer->SetNumberOfIterations(numberOfIterations);
-        optimizer->SetValueTolerance(valueTolerance);
-        optimizer->SetStepTolerance(stepTolerance);
-        optimizer->SetMaximumNumberOfEvaluations(maximumNumberOfEvaluations);
-        optimizer->SetInitialDamping(initialDamping);
-        self.SetOptimizer(optimizer);
-      },
-      py::arg("numberOfIterations") = 100,
-      py::arg("valueTolerance") = 1e-8,
-      py::arg("stepTolerance") = 1e-6,
-      py::arg("maximumNumberOfEvaluations") = 1000,
-      py::arg("initialDamping") = 0.0,
-      "For metrics that are sums of squares: SetMetricAsPartialContour. stepTolerance in px, valueTolerance relative.")
-    .def(
       "SetOptimizerAsExhaustive",
       [](MethodType & self, const std::array<unsigned int, 4> & numberOfSteps, double stepLength) {
         auto                      optimizer = ExhaustiveType::New();
@@ -617,22 +515,6 @@ WrapMethod(py::module_ & module)
         self.SetMetric(metric);
       },
       py::arg_v("truncation", std::numeric_limits<double>::infinity(), "float('inf')"))
-    .def(
-      "SetMetricAsPartialContour",
-      [](MethodType & self, double kernelWidth, double directionWeight, double reverseWeight, bool correlatedNoise) {
-        auto metric = PartialType::New();
-        metric->SetFinalKernelWidth(kernelWidth);
-        metric->SetInitialKernelWidth(4.0 * kernelWidth);
-        metric->SetDirectionWeight(directionWeight);
-        metric->SetReverseWeight(reverseWeight);
-        metric->SetCorrelatedNoise(correlatedNoise);
-        self.SetMetric(metric);
-      },
-      py::arg("kernelWidth") = 3.0,
-      py::arg("directionWeight") = 0.0,
-      py::arg("reverseWeight") = 0.0,
-      py::arg("correlatedNoise") = false,
-      "Robust, for tracings that cover the moving contour in part; px. See PartialContourMetricv4 for more.")
     .def(
       "SetMetric",
       [](MethodType & self, MetricType * metric) { self.SetMetric(metric); },

@@ -198,7 +198,10 @@ def in_new_process(code, **keywords):
 
 def test_ctrl_c_ends_a_long_run(ds):
     """Half a minute of work, interrupted: KeyboardInterrupt, and the object is usable after."""
+    # A shell that started the tests in the background had them ignore the signal, and their children inherit that.
     code = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
 import dentalscr as ds, numpy as np
 t = np.linspace(0, 6.28, 400, endpoint=False)
 curve = ds.Contour([ds.Polyline(np.c_[50 * np.cos(t) + 9 * np.cos(3 * t), 30 * np.sin(t)], closed=True)])
@@ -219,7 +222,10 @@ except KeyboardInterrupt:
     process = in_new_process(code)
     assert process.stdout.readline().strip() == "running"
     process.send_signal(signal.SIGINT)
-    out, errors = process.communicate(timeout=60)
+    try:
+        out, errors = process.communicate(timeout=60)
+    finally:
+        process.kill()
     assert out.strip() == "interrupted True", out + errors
 
 

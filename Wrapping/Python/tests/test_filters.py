@@ -138,6 +138,7 @@ def test_overlap_of_two_lines(ds):
     assert figures.fixedShare == pytest.approx(76 / 101)
     assert figures.movingShare == pytest.approx(75 / 225, abs=0.01)
     assert figures.rootMeanSquare == pytest.approx(2.0)
+    assert figures.largestDistance == pytest.approx(2.0)
     away = ds.ContourOverlap(tracing, outline, ds.Similarity2DTransform(translation=(0.0, 50.0)))
     assert away.fixedShare == 0.0
 

@@ -948,3 +948,33 @@ def test_robust_by_hand_has_the_bits_of_register(ds, sample, result, by_hand):
         assert np.array_equal(solution.GetProjectionMatrix(jaw), registered.P_pixel_from_mesh)
         assert getattr(verdict, jaw).status == registered.status
         assert [reason.text for reason in getattr(verdict, jaw).reasons] == list(registered.reasons)
+
+
+def test_outline_in_place_of_a_scan_registers_by_a_similarity(ds):
+    center = np.array([400.0, 300.0])
+    geometry = ds.CephalometricGeometry(pixelSpacing=(0.25, 0.25), principalPoint=tuple(center))
+    transform = ds.CephalometricPoseTransform(geometry)
+    part = np.linspace(0.0, 1.0, 250)
+    outline = center + np.c_[160.0 - 320.0 * part, 45.0 * np.cos(2.8 * part) + 9.0 * np.abs(np.sin(7.0 * np.pi * part))]
+    angle, scale, shift = 0.04, 1.03, (9.0, -6.0)
+    turn = scale * np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    # Half of the outline was traced.
+    tracing = center + (outline[60:190:3] - center) @ turn.T + shift
+    metric = ds.SilhouettePoseMetricv4()
+    metric.SetTransform(transform)
+    metric.SetMovingContour(outline)
+    metric.SetFixedContour(tracing)
+    metric.SetReverseWeight(0.3)
+    metric.GateByToothOn()
+    assert metric.GetReverseWeight() == 0.3 and metric.GetGateByTooth()
+    metric.SetBlockFree("pose", [True, False, False, True, False, True])
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    optimizer.SetMetric(metric)
+    for width in (20.0, 12.0, 8.0, 5.0, 3.0):
+        metric.SetKernelWidth(width)
+        metric.Initialize()
+        optimizer.StartOptimization()
+    assert abs(metric.GetBlockValues("pose")[0]) == pytest.approx(angle, abs=2e-3)
+    assert metric.GetBlockValues("scale")[0] == pytest.approx(np.log(scale), abs=2e-3)
+    with pytest.raises(ds.Error, match="-1"):
+        metric.SetReverseWeight(-1.0)

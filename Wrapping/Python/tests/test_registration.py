@@ -64,16 +64,6 @@ def test_every_optimizer_lowers_the_metric(ds, curves, name):
     assert method.GetOptimizerStopConditionDescription()
 
 
-def test_robust_metric_finds_a_partial_tracing(ds, curves):
-    fixed, moving, truth = curves
-    part = ds.Contour([ds.Polyline(fixed.points[50:350])])
-    method = ds.SilhouetteToContourRegistrationMethod()
-    method.SetMetricAsPartialContour()
-    method.SetOptimizerAsLevenbergMarquardt()
-    method.SetInitialTransform(ds.Similarity2DTransform(1.0, 0.0, (303.0, 415.0)))
-    assert worst_shift(method.Execute(part, moving), truth, moving) < 0.5
-
-
 def test_metric_object_with_settings(ds, curves):
     fixed, moving, truth = curves
     metric = ds.ContourChamferMetricv4()
@@ -227,15 +217,3 @@ def test_metric_that_gives_no_number_is_told_so(ds, curves, value, error):
     method.SetMetricAsFunction(lambda fixed, moved: value)
     with pytest.raises(error, match="a metric return"):
         method.Execute(curves[0], curves[1])
-
-
-def test_partial_metric_gives_a_covariance_after_a_registration(ds, curves):
-    metric = ds.PartialContourMetricv4()
-    with pytest.raises(ds.Error):
-        metric.ComputeCovariance()
-    method = ds.SilhouetteToContourRegistrationMethod()
-    method.SetMetric(metric)
-    method.Execute(curves[0], curves[1])
-    assert metric.UpdateNoiseModel() and metric.HasNoiseModel()
-    assert np.linalg.eigvalsh(metric.ComputeCovariance()).min() > 0
-    assert metric.GetScaleSigma("Given") < metric.GetScaleSigma("Estimated")

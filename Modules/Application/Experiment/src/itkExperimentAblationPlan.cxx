@@ -29,7 +29,7 @@ namespace
 using CohortEnum = DentalPhantomCaseSource::CohortEnum;
 constexpr CohortEnum Levels[] = { CohortEnum::Typical, CohortEnum::Hard };
 
-/** Preset robust and what remains of it when one ingredient is taken away. */
+/** Preset robust, what remains of it when one ingredient is taken away, and what two more would bring. */
 std::vector<ExperimentMethod>
 MakeVariants()
 {
@@ -58,6 +58,9 @@ MakeVariants()
   add("fixed-outline", "outline of the start kept", { "regenerateOutline=off" });
   add("gaussian-priors", "Gaussian priors of roll and yaw", { "rotationPriorFreedom=0" });
   add("no-priors", "priors 20 times as wide", { "rollSigma=1.4", "yawSigma=1.4", "tySigma=40", "kappaSigma=0.32" });
+  // Two ingredients that preset robust does without.
+  add("tooth-gate", "a tooth's points matched with it or its neighbours alone", { "gateByTooth=on" });
+  add("both-directions", "from outline to tracing as well", { "reverseWeight=1" });
   return variants;
 }
 

@@ -19,7 +19,6 @@
 #define itkContourMetricEnums_h
 
 #include "ContourMetricExport.h"
-#include "itkScalePrior.h"
 
 #include <cstdint>
 #include <iosfwd>
@@ -27,7 +26,7 @@
 namespace itk
 {
 /** \class ContourMetricEnums
- * \brief Which way distances between two contours are taken, to what, and how large ones count.
+ * \brief Which way distances between two contours are taken, and to what.
  * \ingroup ContourMetric
  */
 class ContourMetricEnums
@@ -48,29 +47,12 @@ public:
     PointToPoint,
     PointToSegment
   };
-
-  /** How a distance d counts, with the width c: Squares d^2; Huber d^2 up to c, then 2 c d - c^2; GemanMcClure
-   * c^2 d^2 / (c^2 + d^2), at most c^2. */
-  enum class RobustKernel : std::uint8_t
-  {
-    Squares,
-    Huber,
-    GemanMcClure
-  };
-
-  /** Where the pixel spacing of the radiograph comes from: said by the user, read from a DICOM file, assumed, or
-   * estimated by the registration. */
-  using SpacingSource = ScalePrior::SpacingSource;
 };
 
 extern ContourMetric_EXPORT std::ostream &
                             operator<<(std::ostream & os, ContourMetricEnums::Direction value);
 extern ContourMetric_EXPORT std::ostream &
                             operator<<(std::ostream & os, ContourMetricEnums::Distance value);
-extern ContourMetric_EXPORT std::ostream &
-                            operator<<(std::ostream & os, ContourMetricEnums::RobustKernel value);
-extern ContourMetric_EXPORT std::ostream &
-                            operator<<(std::ostream & os, ContourMetricEnums::SpacingSource value);
 } // namespace itk
 
 #endif

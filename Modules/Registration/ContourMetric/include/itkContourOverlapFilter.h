@@ -31,24 +31,21 @@
 namespace itk
 {
 /** \class ContourOverlapFilter
- * \brief How much of an open tracing and of a contour lies together, how closely, and how noisy the tracing is.
+ * \brief How much of an open tracing and of a contour lies together, and how closely.
  *
- * The figures of PartialContourMetricv4 in a pipeline. Inputs: the fixed contour (tracing), the moving contour
- * (outline), and optionally the transform that maps the moving contour into the fixed one's frame, as
- * SilhouetteToContourRegistrationMethod puts it out. Outputs, decorated:
+ * Inputs: the fixed contour (tracing), the moving contour (outline), and optionally the transform that maps the moving
+ * contour into the fixed one's frame, as SilhouetteToContourRegistrationMethod puts it out. Outputs, decorated:
  *
  *  - FixedShare: share of the tracing, by weight, with the outline (not its end) within MaximumDistance;
  *  - MovingShare: share of the outline, by length, with the tracing (no end, no gap) within MaximumDistance;
- *  - RootMeanSquare, LargestDistance: of the tracing's share, px;
- *  - SmoothNoise, WhiteNoise: standard deviations of the drift of the tracer's hand and of the points' own errors, px,
- *    by restricted maximum likelihood from the points within MaximumDistance (ContourNoiseModel).
+ *  - RootMeanSquare, LargestDistance: of the tracing's share, px.
  *
- * Distances are to segments. Points that carry tooth codes are matched with the same tooth or its neighbours unless
- * GateByTooth is off. Per-point distances are plain vectors in the order of the points; NaN for points that are
- * ignored, have no tooth to match, or, of the outline, are censored.
+ * Distances are to segments. Per-point distances are plain vectors in the order of the points; NaN for points of weight
+ * 0, and for points of the outline that lie nearest to an end of the tracing: beyond it nothing was drawn that they
+ * could be compared with.
  *
- * Errors (ExceptionObject): a contour missing or without a point of positive weight, a scale that is not positive, a
- * distance or correlation length that is not positive.
+ * Errors (ExceptionObject): a contour missing or without a point of positive weight, a scale or distance that is not
+ * positive.
  *
  * \ingroup ContourMetric
  */
@@ -85,21 +82,10 @@ public:
   itkSetMacro(GapLength, double);
   itkGetConstMacro(GapLength, double);
 
-  /** On by default. */
-  itkSetMacro(GateByTooth, bool);
-  itkGetConstMacro(GateByTooth, bool);
-  itkBooleanMacro(GateByTooth);
-
-  /** Length over which the drift is correlated, px; 12 by default. */
-  itkSetMacro(CorrelationLength, double);
-  itkGetConstMacro(CorrelationLength, double);
-
   itkGetDecoratedOutputMacro(FixedShare, double);
   itkGetDecoratedOutputMacro(MovingShare, double);
   itkGetDecoratedOutputMacro(RootMeanSquare, double);
   itkGetDecoratedOutputMacro(LargestDistance, double);
-  itkGetDecoratedOutputMacro(SmoothNoise, double);
-  itkGetDecoratedOutputMacro(WhiteNoise, double);
 
   const std::vector<double> &
   GetFixedDistances() const
@@ -131,14 +117,10 @@ protected:
   itkSetDecoratedOutputMacro(MovingShare, double);
   itkSetDecoratedOutputMacro(RootMeanSquare, double);
   itkSetDecoratedOutputMacro(LargestDistance, double);
-  itkSetDecoratedOutputMacro(SmoothNoise, double);
-  itkSetDecoratedOutputMacro(WhiteNoise, double);
 
 private:
   double              m_MaximumDistance{ 5.0 };
   double              m_GapLength{ 8.0 };
-  bool                m_GateByTooth{ true };
-  double              m_CorrelationLength{ 12.0 };
   std::vector<double> m_FixedDistances;
   std::vector<double> m_MovingDistances;
 };

@@ -45,9 +45,9 @@ namespace itk
  * convert.
  *
  * Bounds in x, when set, make any optimizer a bounded one: a position beyond them has the value at the nearest position
- * within plus ten times the excess (or what ComputePenalty() of a derived class says), and an optimizer that adds
- * updates (gradient descent) is held at them. The position of the smallest value since the last ResetBest() is kept,
- * for optimizers that end elsewhere (Exhaustive, OnePlusOneEvolutionary).
+ * within plus ten times the excess, and an optimizer that adds updates (gradient descent) is held at them. The position
+ * of the smallest value since the last ResetBest() is kept, for optimizers that end elsewhere (Exhaustive,
+ * OnePlusOneEvolutionary).
  *
  * As all v4 metrics do, GetDerivative() returns MINUS the gradient. A metric is evaluated by one thread at a time.
  *
@@ -157,11 +157,6 @@ public:
   /** Number of evaluations since ResetBest(). */
   itkGetConstMacro(NumberOfEvaluations, SizeValueType);
 
-  /** What a registration method calls at the start of each of its levels, with its estimate there, before it sets
-   * reference and bounds. Here nothing; a metric with a schedule follows it. */
-  virtual void
-  StartLevel(unsigned int level, unsigned int numberOfLevels, const ContourSimilarity & estimate);
-
   // What optimizers call
   MeasureType
   GetValue() const override;
@@ -216,14 +211,6 @@ protected:
   /** Derivatives by scale, angle, tx, ty at a similarity, to those by the optimizer's parameters. */
   void
   MapDerivatives(const ContourSimilarity & similarity, const double * bySimilarity, double * byParameters) const;
-
-  /** By how much the current position lies beyond the bounds, signed; 0 within. */
-  double
-  GetExcess(unsigned int parameter) const;
-
-  /** What the value grows by beyond a bound, and its derivative by the excess, which is not 0. */
-  virtual double
-  ComputePenalty(double excess, double & slope) const;
 
   /** Counts an evaluation at the current position and keeps it where it is the best. */
   void

@@ -48,36 +48,4 @@ operator<<(std::ostream & os, ContourMetricEnums::Distance value)
   }
   return os << "INVALID VALUE FOR itk::ContourMetricEnums::Distance";
 }
-
-std::ostream &
-operator<<(std::ostream & os, ContourMetricEnums::RobustKernel value)
-{
-  switch (value)
-  {
-    case ContourMetricEnums::RobustKernel::Squares:
-      return os << "itk::ContourMetricEnums::RobustKernel::Squares";
-    case ContourMetricEnums::RobustKernel::Huber:
-      return os << "itk::ContourMetricEnums::RobustKernel::Huber";
-    case ContourMetricEnums::RobustKernel::GemanMcClure:
-      return os << "itk::ContourMetricEnums::RobustKernel::GemanMcClure";
-  }
-  return os << "INVALID VALUE FOR itk::ContourMetricEnums::RobustKernel";
-}
-
-std::ostream &
-operator<<(std::ostream & os, ContourMetricEnums::SpacingSource value)
-{
-  switch (value)
-  {
-    case ContourMetricEnums::SpacingSource::Given:
-      return os << "itk::ContourMetricEnums::SpacingSource::Given";
-    case ContourMetricEnums::SpacingSource::Dicom:
-      return os << "itk::ContourMetricEnums::SpacingSource::Dicom";
-    case ContourMetricEnums::SpacingSource::Default:
-      return os << "itk::ContourMetricEnums::SpacingSource::Default";
-    case ContourMetricEnums::SpacingSource::Estimated:
-      return os << "itk::ContourMetricEnums::SpacingSource::Estimated";
-  }
-  return os << "INVALID VALUE FOR itk::ContourMetricEnums::SpacingSource";
-}
 } // namespace itk

@@ -321,11 +321,10 @@ ContourToContourMetricv4::Compute(const ParametersType & parameters, DerivativeT
     const double excess = parameters[i] - inside[i];
     if (excess != 0.0)
     {
-      double slope = 0.0;
-      value += this->ComputePenalty(excess, slope);
+      value += ExcessSlope * std::abs(excess);
       if (derivative != nullptr)
       {
-        (*derivative)[i] = -slope;
+        (*derivative)[i] = excess > 0.0 ? -ExcessSlope : ExcessSlope;
       }
     }
   }
@@ -349,19 +348,6 @@ ContourToContourMetricv4::MapDerivatives(const ContourSimilarity & similarity,
   byParameters[3] = bySimilarity[3];
 }
 
-double
-ContourToContourMetricv4::ComputePenalty(double excess, double & slope) const
-{
-  slope = excess > 0.0 ? ExcessSlope : -ExcessSlope;
-  return ExcessSlope * std::abs(excess);
-}
-
-double
-ContourToContourMetricv4::GetExcess(unsigned int parameter) const
-{
-  return m_Parameters[parameter] - this->Clip(m_Parameters)[parameter];
-}
-
 void
 ContourToContourMetricv4::Remember(MeasureType value) const
 {
@@ -373,10 +359,6 @@ ContourToContourMetricv4::Remember(MeasureType value) const
     std::copy_n(m_Parameters.begin(), NumberOfParameters, m_BestParameters.begin());
   }
 }
-
-void
-ContourToContourMetricv4::StartLevel(unsigned int, unsigned int, const ContourSimilarity &)
-{}
 
 auto
 ContourToContourMetricv4::ComputeAndRemember(DerivativeType * derivative) const -> MeasureType

@@ -17,18 +17,19 @@
  *=========================================================================*/
 #include "itkContourOverlapFilter.h"
 
-#include "itkPartialContourTestCase.h"
-
 #include "itkGTest.h"
 #include "itkTestingMacros.h"
 
+#include <cmath>
+#include <limits>
 #include <sstream>
-
-using namespace PartialContourTestCase;
+#include <vector>
 
 namespace
 {
 using FilterType = itk::ContourOverlapFilter;
+using ContourType = itk::DentalContour;
+using PointType = ContourType::PointType;
 
 int
 ExerciseBasicObjectMethods()
@@ -78,25 +79,97 @@ TEST(ContourOverlapFilter, SharesAndDistancesAreThoseOfHand)
   filter->Update();
   EXPECT_EQ(filter->GetFixedShare(), 0.0);
   EXPECT_EQ(filter->GetMovingShare(), 0.0);
-  EXPECT_EQ(filter->GetWhiteNoise(), 0.0);
+  EXPECT_EQ(filter->GetRootMeanSquare(), 0.0);
 }
 
-TEST(ContourOverlapFilter, TellsTheNoiseOfATracingAndItsShareUnderTheTransform)
+TEST(ContourOverlapFilter, SharesAndDistancesAreThoseUnderTheTransform)
 {
+  // The outline is turned by 0.3 rad, scaled by 1.25 and shifted before it lies 3 px beside the tracing.
+  const auto transform = FilterType::TransformType::New();
+  transform->SetScale(1.25);
+  transform->SetAngle(0.3);
+  FilterType::TransformType::OutputVectorType shift;
+  shift[0] = 40.0;
+  shift[1] = -20.0;
+  transform->SetTranslation(shift);
+  const auto inverse = FilterType::TransformType::New();
+  ASSERT_TRUE(transform->GetInverse(inverse));
+  const auto outline = ContourType::New();
+  const auto straight = MakeLine(0.0, 200.0, 3.0);
+  auto       polyline = straight->GetPolylines().front();
+  for (PointType & point : polyline.points)
+  {
+    point = inverse->TransformPoint(point);
+  }
+  outline->AddPolyline(polyline);
   const auto filter = FilterType::New();
-  filter->SetFixedContour(MakeFixed(0.2, 0.8, 0.5, 0.2));
-  filter->SetMovingContour(MakeMoving());
-  filter->SetTransform(MakeTruth());
+  filter->SetFixedContour(MakeLine(50.0, 150.0, 0.0));
+  filter->SetMovingContour(outline);
+  filter->SetTransform(transform);
   filter->Update();
-  EXPECT_NEAR(filter->GetFixedShare(), 0.8, 0.03);
-  EXPECT_NEAR(filter->GetMovingShare(), 0.6 * 0.8, 0.08);
-  // White noise of 0.5 px along the normal, told by 50 points within a tenth or so; no drift, but the points beside the
-  // outliers' steps have wrong normals.
-  EXPECT_NEAR(filter->GetWhiteNoise(), 0.5, 0.12);
-  EXPECT_LT(filter->GetSmoothNoise(), 0.8);
+  EXPECT_EQ(filter->GetFixedShare(), 1.0);
+  EXPECT_NEAR(filter->GetRootMeanSquare(), 3.0, 1e-9);
+  // 49 of the outline's points, 2 px apart, lie beside the tracing and not beside its ends.
+  EXPECT_NEAR(filter->GetMovingShare(), 49.0 * 2.0 / 200.0, 1e-9);
   std::ostringstream text;
   filter->Print(text);
   EXPECT_NE(text.str().find("MovingShare: 0."), std::string::npos);
+}
+
+TEST(ContourOverlapFilter, AGapOfTheTracingIsAnEndWhereItIsWide)
+{
+  // Two stretches of tracing, 6 px apart; 3 of the outline's points, 2 px apart, lie beside the gap or its ends.
+  const auto tracing = ContourType::New();
+  tracing->AddPolyline(MakeLine(0.0, 100.0, 0.0)->GetPolylines().front());
+  tracing->AddPolyline(MakeLine(106.0, 200.0, 0.0)->GetPolylines().front());
+  const auto filter = FilterType::New();
+  filter->SetFixedContour(tracing);
+  filter->SetMovingContour(MakeLine(0.0, 200.0, 1.0));
+  const auto censored = [&] {
+    std::size_t count = 0;
+    for (const double distance : filter->GetMovingDistances())
+    {
+      count += std::isnan(distance) ? 1 : 0;
+    }
+    return count;
+  };
+  filter->Update();
+  EXPECT_EQ(filter->GetGapLength(), 8.0);
+  // The outermost two alone.
+  EXPECT_EQ(censored(), 2u);
+  filter->SetGapLength(5.0);
+  filter->Update();
+  // 100, 102, 104 and 106 px as well.
+  EXPECT_EQ(censored(), 6u);
+}
+
+TEST(ContourOverlapFilter, AClosedTracingHasNoEndAndPointsOfWeightZeroAreNotThere)
+{
+  ContourType::PolylineType square;
+  for (const auto & corner :
+       { std::pair(0.0, 0.0), std::pair(100.0, 0.0), std::pair(100.0, 100.0), std::pair(0.0, 100.0) })
+  {
+    PointType point;
+    point[0] = corner.first;
+    point[1] = corner.second;
+    square.points.push_back(point);
+  }
+  square.closed = true;
+  const auto closed = ContourType::New();
+  closed->AddPolyline(square);
+  const auto filter = FilterType::New();
+  filter->SetFixedContour(closed);
+  filter->SetMovingContour(MakeLine(0.0, 100.0, -2.0));
+  filter->Update();
+  EXPECT_EQ(filter->GetMovingShare(), 1.0);
+  // Without its first corner the square is an open line of three: nothing is drawn above it any longer.
+  square.weights = { 0.0, 1.0, 1.0, 1.0 };
+  const auto open = ContourType::New();
+  open->AddPolyline(square);
+  filter->SetFixedContour(open);
+  filter->Update();
+  EXPECT_TRUE(std::isnan(filter->GetFixedDistances()[0]));
+  EXPECT_EQ(filter->GetMovingShare(), 0.0);
 }
 
 TEST(ContourOverlapFilter, SaysWhatIsMissing)

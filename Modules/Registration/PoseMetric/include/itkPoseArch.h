@@ -60,6 +60,11 @@ public:
   static double
   ExpectedArc(std::uint8_t tooth);
 
+  /** Position in its quadrant, 1 (central incisor) to 8, of the tooth that stands at this distance from the midline by
+   * the same widths; the sign of the arc does not matter. */
+  static std::uint8_t
+  ExpectedPosition(double arc, bool upper);
+
 private:
   std::vector<std::array<double, 2>> m_Curve;
   std::vector<double>                m_Arc;

@@ -18,7 +18,7 @@
 #ifndef itkPoseContourIndex_h
 #define itkPoseContourIndex_h
 
-#include "itkPoseContourModel.h"
+#include "itkPoseContour.h"
 
 #include <algorithm>
 #include <array>
@@ -62,8 +62,9 @@ public:
     m_Sample.resize(n);
     for (std::size_t i = 0; i < n; ++i)
     {
-      const std::size_t k = next[bucket[i]]++;
-      m_Sample[k] = { contour.u[i], contour.v[i], m_Direction[i][0], m_Direction[i][1], i };
+      const std::size_t   k = next[bucket[i]]++;
+      const std::uint32_t position = contour.position.empty() ? 1u : 1u << contour.position[i];
+      m_Sample[k] = { contour.u[i], contour.v[i], m_Direction[i][0], m_Direction[i][1], i, position };
     }
   }
 
@@ -80,19 +81,41 @@ public:
     return m_Sample.empty();
   }
 
+  /** The sample with the smallest du^2 + dv^2 + normalWeight2 |difference of the directions|^2. */
   std::size_t
   Nearest(double u, double v, double nu, double nv, double normalWeight2) const
   {
+    return this->Search<false>(u, v, nu, nv, normalWeight2, 0);
+  }
+
+  /** The same among the samples whose tooth's position (PoseContour) has its bit set in `allowed`; None without one. */
+  std::size_t
+  NearestAllowed(double u, double v, double nu, double nv, double normalWeight2, std::uint32_t allowed) const
+  {
+    return this->Search<true>(u, v, nu, nv, normalWeight2, allowed);
+  }
+
+  static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+
+private:
+  template <bool VGated>
+  std::size_t
+  Search(double u, double v, double nu, double nv, double normalWeight2, std::uint32_t allowed) const
+  {
     const int   centre = std::min(m_Buckets - 1, std::max(0, static_cast<int>((u - m_Low) / Width)));
     double      best = std::numeric_limits<double>::infinity();
-    std::size_t index = 0;
+    std::size_t index = None;
     const auto  scan = [&](int b) {
       for (std::size_t k = m_Start[b]; k < m_Start[b + 1]; ++k)
       {
         const Sample & s = m_Sample[k];
-        const double   du = s.u - u;
-        const double   dv = s.v - v;
-        const double   d = du * du + dv * dv + normalWeight2 * (2.0 - 2.0 * (s.nu * nu + s.nv * nv));
+        if (VGated && (s.position & allowed) == 0)
+        {
+          continue;
+        }
+        const double du = s.u - u;
+        const double dv = s.v - v;
+        const double d = du * du + dv * dv + normalWeight2 * (2.0 - 2.0 * (s.nu * nu + s.nv * nv));
         if (d < best || (d == best && s.index < index))
         {
           best = d;
@@ -126,7 +149,6 @@ public:
     return index;
   }
 
-private:
   /** Tangents between the means of the samples behind and before, by running sums; the ends of a run have what is
    * there. */
   void
@@ -175,6 +197,8 @@ private:
   {
     double      u, v, nu, nv;
     std::size_t index;
+    /** One bit. */
+    std::uint32_t position;
   };
   double                   m_Low{ 0.0 };
   int                      m_Buckets{ 0 };

@@ -19,33 +19,16 @@
 #define itkPoseContourModel_h
 
 #include "PoseMetricExport.h"
-#include "itkOpenSilhouette.h"
+#include "itkPoseContour.h"
 #include "itkPoseModel.h"
-#include "itkPosePolyline.h"
-
-#include <array>
-#include <memory>
-#include <vector>
 
 namespace itk
 {
-class MeshSilhouette;
-
-/** \struct PoseContour
- * \brief The moving contour at one pose: an open silhouette on the working plane, rim points in the dental frame.
- * \ingroup PoseMetric
- */
-struct PoseContour : OpenSilhouette
-{
-  /** Where the contour is the middle of two (bisected tracing): the other side's points, else empty. */
-  std::vector<std::array<double, 3>> rimOther;
-};
-
 /** \class PoseContourModel
- * \brief Makes the moving contour of one jaw and side: the exact outer boundary of the selected triangles, resampled,
- * of which the occlusally and anteriorly facing part is kept.
+ * \brief What is matched with a tracing: makes the moving contour at a pose.
  *
- * Facing is judged in the dental frame's own plane, so that the head's pitch does not change which part that is.
+ * The residuals, weights and noise of SilhouettePoseMetricv4 are the same whatever moves: a scan, whose outline is made
+ * anew at each pose (PoseMeshContourModel), or an outline that was drawn or projected once (PosePlanarContourModel).
  *
  * \ingroup PoseMetric
  */
@@ -55,31 +38,19 @@ public:
   /** Distance between samples, px. */
   static constexpr double Spacing = 0.5;
 
-  /** \param surface selected triangles in the dental frame, mm. */
-  PoseContourModel(const TriangleSurface & surface, bool upper, bool useFacingFilter);
-  /** The middle of two contours, for a bisected tracing. The other surface is the other side. */
-  PoseContourModel(const TriangleSurface & surface, const TriangleSurface & other, bool upper, bool useFacingFilter);
-  ~PoseContourModel();
-  PoseContourModel(PoseContourModel &&) noexcept;
+  PoseContourModel() = default;
+  virtual ~PoseContourModel();
+  PoseContourModel(const PoseContourModel &) = delete;
   PoseContourModel &
-  operator=(PoseContourModel &&) noexcept;
+  operator=(const PoseContourModel &) = delete;
 
-  /** Empty where there is nothing to project. */
-  PoseContour
-  Compute(const PoseModel & model) const;
+  /** Empty where there is nothing to project. May be called from several threads. */
+  virtual PoseContour
+  Compute(const PoseModel & model) const = 0;
 
   /** Moves a contour's samples to another pose without making it anew. */
   static void
   Reproject(PoseContour & contour, const PoseModel & from, const PoseModel & to);
-
-private:
-  OpenSilhouette
-  ComputeOpen(const MeshSilhouette & silhouette, const PoseModel & model) const;
-
-  std::unique_ptr<MeshSilhouette> m_Silhouette;
-  std::unique_ptr<MeshSilhouette> m_Other;
-  bool                            m_Upper;
-  bool                            m_UseFacingFilter;
 };
 } // namespace itk
 

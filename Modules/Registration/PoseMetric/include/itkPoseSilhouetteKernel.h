@@ -23,10 +23,12 @@
 #include "itkPoseContourModel.h"
 #include "itkPoseFitStatistics.h"
 #include "itkPosePolyline.h"
+#include "itkPoseReverseDirection.h"
 #include "itkPoseTracing.h"
 #include "itkTriangleSurface.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -56,11 +58,23 @@ struct PoseSilhouetteSettings
   std::vector<std::uint8_t> excludedTeeth;
   /** Points a jaw above which a tracing is thinned. */
   unsigned int maximumTracingPoints{ 200 };
+  /** Match coded points with the same tooth or one up to toothRange positions away. A scan's teeth are told by their
+   * place along the arch. */
+  bool         gateByTooth{ false };
+  unsigned int toothRange{ 1 };
+  /** What the reverse direction, from the moving contour to the tracing, counts beside the forward one; 0: nothing. */
+  double reverseWeight{ 0.0 };
+  /** It fades in over this length from an end of the tracing. */
+  double taperLength{ 6.0 };
+  /** Polylines of a tracing with a shorter gap between them are one. */
+  double gapLength{ 8.0 };
 };
 
 /** \class PoseSilhouetteKernel
  * \brief Residuals of a tracing against the moving contour of one jaw, on flat arrays: the engine of
  * SilhouettePoseMetricv4. Free of ITK headers.
+ *
+ * What moves is a PoseContourModel: the outline of a scan, or an outline that was drawn once.
  *
  * Residual of tracing point x with the oriented nearest contour point q and its normal n: r = n.(x - q(theta)). The
  * silhouette moves along its normal as its surface points do, so that -n.dq/dtheta of the matched surface point is the
@@ -82,6 +96,8 @@ public:
   {
     PoseTracing                           tracing;
     std::vector<const PoseContourModel *> models;
+    /** Counts nothing unless it is asked for. */
+    PoseReverseDirection reverse;
   };
 
   /** Residuals of one strand, their derivatives and what weights are made of. */
@@ -100,13 +116,20 @@ public:
     std::vector<double> distanceJacobian;
     /** 1 where contour and tracing face the same way, 0 where they do not. */
     std::vector<double> facing;
-    /** Index of the matched sample in the strand's contour. */
+    /** Index of the matched sample in the strand's contour; NoMatch where there is none. */
     std::vector<std::size_t> match;
   };
+  static constexpr std::size_t NoMatch = std::numeric_limits<std::size_t>::max();
 
   /** \param surface  all triangles of the jaw, dental frame, mm. Not kept.
    *  \param polylines  the tracing, continuous pixel indices. */
   PoseSilhouetteKernel(const TriangleSurface &           surface,
+                       const std::vector<PosePolyline> & polylines,
+                       const PoseSilhouetteSettings &    settings);
+  /** The moving contour is an outline as it is seen at a pose (PosePlanarContourModel), continuous pixel indices. Which
+   * side was traced, and the cut at the midline, do not matter. */
+  PoseSilhouetteKernel(const std::vector<PosePolyline> & outline,
+                       const PoseParameters &            pose,
                        const std::vector<PosePolyline> & polylines,
                        const PoseSilhouetteSettings &    settings);
   ~PoseSilhouetteKernel();
@@ -155,6 +178,13 @@ public:
                 const Linearization &  held,
                 bool                   withJacobian) const;
 
+  /** From the contour to the tracing of a strand; with the matches of `held` where it is given. */
+  PoseReverseDirection::Linearization
+  LinearizeReverse(std::size_t                                 strand,
+                   const PoseParameters &                      parameters,
+                   const PoseContour &                         contour,
+                   const PoseReverseDirection::Linearization * held = nullptr) const;
+
   /** How well a strand is explained, with a kernel width of 4 px. */
   PoseFitStatistics
   ComputeStatistics(std::size_t strand, const PoseContour & contour) const;
@@ -172,6 +202,9 @@ public:
                    double &                         count) const;
 
 private:
+  /** The polylines that are used; empty, with the failure set, where they are too few. */
+  std::vector<PosePolyline>
+  SelectPolylines(const std::vector<PosePolyline> & polylines);
   void
   AddStrand(const std::vector<PosePolyline> & polylines, std::vector<const PoseContourModel *> models);
   void

@@ -56,6 +56,8 @@ public:
   std::vector<double>       arc;
   std::vector<double>       weight;
   std::vector<std::uint8_t> tooth;
+  /** Starts of the polylines in the arrays above. */
+  std::vector<std::size_t> runs;
   /** Sum of the polylines' lengths, gaps left out. */
   double length{ 0.0 };
   double centroid[2]{ 0.0, 0.0 };

@@ -48,7 +48,15 @@ namespace itk
  *
  * Inputs: SetTransform() (its geometry; its parameters are where the state begins), SetMovingMesh() or
  * SetMovingSurface() (dental frame, mm, triangles wound outward), SetFixedContour() (continuous pixel indices),
- * SetJaw(). Blocks read: "pose" (pitch, roll, yaw, tx, ty, tz) and "scale" (kappa), or as named.
+ * SetJaw(). Blocks read: "pose" (pitch, roll, yaw, tx, ty, tz) and "scale" (kappa), or as named. In place of a scan
+ * SetMovingContour() takes an outline, which then moves as a drawing on the midsagittal plane does.
+ *
+ * Options that are off by default, since they gain nothing on simulated cases (Documentation/Robust.md): GateByTooth;
+ * ReverseWeight g' > 0 adds the direction from the moving contour to the tracing, censored where nothing was drawn:
+ *
+ *   g'/(smooth^2 + white^2) sum_j taper_j [w_j r_j^2 + c^2 charge(w_j)]
+ *
+ * It steers the fit alone: noise levels and covariance are of the forward direction, since it is the same drawing.
  *
  * Clone() shares meshes, tracing and everything prepared. Errors (ExceptionObject): a missing input, with the call to
  * make; a tracing that cannot be matched, with the reason.
@@ -86,6 +94,20 @@ public:
   GetMovingSurface() const
   {
     return m_Surface;
+  }
+
+  /** Instead of a scan: an outline as it is seen with the transform as it stands, continuous pixel indices; of a DRR, a
+   * segmentation, another radiograph. Its points move as if they lay in the midsagittal plane of the dental frame:
+   * where roll, yaw and ty are held at 0 (SetBlockFree()), by a similarity. Same as SetMovingObject(). */
+  void
+  SetMovingContour(const ContourType * contour)
+  {
+    this->SetMovingObject(contour);
+  }
+  const ContourType *
+  GetMovingContour() const
+  {
+    return dynamic_cast<const ContourType *>(this->GetMovingObject());
   }
 
   /** The tracing of this jaw. Same as SetFixedObject(). */
@@ -130,6 +152,27 @@ public:
   /** Points above which a tracing is thinned; 200. */
   itkSetMacro(MaximumTracingPoints, unsigned int);
   itkGetConstMacro(MaximumTracingPoints, unsigned int);
+
+  /** Match points that carry tooth codes with the same tooth or one up to ToothRange positions away; off by default,
+   * range 1. Teeth of a scan are told by their place along the arch, of a moving contour by its codes. Sides are not
+   * told apart; points without code match everything. */
+  itkSetMacro(GateByTooth, bool);
+  itkGetConstMacro(GateByTooth, bool);
+  itkBooleanMacro(GateByTooth);
+  itkSetMacro(ToothRange, unsigned int);
+  itkGetConstMacro(ToothRange, unsigned int);
+
+  /** Weight of the direction from the moving contour to the tracing beside the forward one; 0 (default) leaves it out.
+   * Not negative. */
+  void
+  SetReverseWeight(double weight);
+  itkGetConstMacro(ReverseWeight, double);
+  /** The reverse direction fades in over this length from an end of the tracing, px; 6 by default. */
+  itkSetMacro(TaperLength, double);
+  itkGetConstMacro(TaperLength, double);
+  /** Polylines of the tracing with a shorter gap between them have no end there, px; 8 by default. */
+  itkSetMacro(GapLength, double);
+  itkGetConstMacro(GapLength, double);
 
   /** FDI numbers of teeth to leave out. */
   void
@@ -218,6 +261,8 @@ private:
     PositionType                                     x;
     std::vector<PoseContour>                         contours;
     std::vector<PoseSilhouetteKernel::Linearization> strands;
+    /** Empty without a reverse direction. */
+    std::vector<PoseReverseDirection::Linearization> reverse;
     std::vector<std::vector<double>>                 weights;
     /** Cholesky factors of the covariances and whitened residuals with the settings that they are of. */
     std::vector<std::vector<double>> factors;
@@ -238,6 +283,14 @@ private:
   UpdateFactors(EvaluationType & evaluation) const;
   void
   FillCorrelation(const EvaluationType & evaluation, std::size_t strand, double * correlation) const;
+  /** What the robust kernel and the facing leave of a residual. */
+  double
+  GetRobustWeight(double squaredDistance, double facing) const;
+  double
+  GetVariance() const
+  {
+    return m_NoiseLevels.smooth * m_NoiseLevels.smooth + m_NoiseLevels.white * m_NoiseLevels.white;
+  }
   void
   TakeNormals(const EvaluationType & evaluation) const;
 
@@ -250,6 +303,11 @@ private:
   bool                             m_UseOrientation{ true };
   double                           m_OrientationWeight{ 8.0 };
   unsigned int                     m_MaximumTracingPoints{ 200 };
+  bool                             m_GateByTooth{ false };
+  unsigned int                     m_ToothRange{ 1 };
+  double                           m_ReverseWeight{ 0.0 };
+  double                           m_TaperLength{ 6.0 };
+  double                           m_GapLength{ 8.0 };
   std::vector<std::uint8_t>        m_ExcludedTeeth;
   RobustKernel::ConstPointer       m_RobustKernel;
   double                           m_KernelWidth{ 3.0 };

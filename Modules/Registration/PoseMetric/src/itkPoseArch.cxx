@@ -25,7 +25,11 @@ namespace itk
 namespace
 {
 constexpr int Sectors = 48;
-}
+
+/** Textbook mesio-distal widths, mm, of the first seven teeth of a quadrant. */
+constexpr double UpperWidths[7] = { 8.5, 6.6, 7.6, 7.0, 6.7, 10.3, 9.7 };
+constexpr double LowerWidths[7] = { 5.3, 5.9, 6.9, 7.0, 7.1, 11.2, 10.6 };
+} // namespace
 
 PoseArch::PoseArch(const TriangleSurface & surface, bool upper)
 {
@@ -185,20 +189,34 @@ PoseArch::Width() const
 double
 PoseArch::ExpectedArc(std::uint8_t tooth)
 {
-  static const double upperWidths[7] = { 8.5, 6.6, 7.6, 7.0, 6.7, 10.3, 9.7 };
-  static const double lowerWidths[7] = { 5.3, 5.9, 6.9, 7.0, 7.1, 11.2, 10.6 };
-  const int           position = tooth % 10;
-  const int           quadrant = tooth / 10;
+  const int position = tooth % 10;
+  const int quadrant = tooth / 10;
   if (quadrant < 1 || quadrant > 4 || position < 1 || position > 7)
   {
     return 0.0;
   }
-  const double * widths = quadrant <= 2 ? upperWidths : lowerWidths;
+  const double * widths = quadrant <= 2 ? UpperWidths : LowerWidths;
   double         arc = 0.0;
   for (int k = 0; k + 1 < position; ++k)
   {
     arc += widths[k];
   }
   return arc + 0.5 * widths[position - 1];
+}
+
+std::uint8_t
+PoseArch::ExpectedPosition(double arc, bool upper)
+{
+  const double * widths = upper ? UpperWidths : LowerWidths;
+  double         end = 0.0;
+  for (std::uint8_t position = 1; position <= 7; ++position)
+  {
+    end += widths[position - 1];
+    if (std::abs(arc) < end)
+    {
+      return position;
+    }
+  }
+  return 8;
 }
 } // namespace itk

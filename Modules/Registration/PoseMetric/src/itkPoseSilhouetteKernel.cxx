@@ -20,6 +20,9 @@
 #include "itkKeepTriangles.h"
 #include "itkMidlineSide.h"
 #include "itkPoseContourIndex.h"
+#include "itkPoseMatching.h"
+#include "itkPoseMeshContourModel.h"
+#include "itkPosePlanarContourModel.h"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +31,8 @@
 
 namespace itk
 {
+using namespace PoseMatching;
+
 namespace
 {
 double
@@ -35,22 +40,6 @@ GemanMcClure(double squaredDistance, double width)
 {
   const double a = width * width / (width * width + squaredDistance);
   return a * a;
-}
-
-/** What the kernel sees of a match beyond its residual: past the end of the contour the distance along it. Continuous,
- * as is FacingWeight(): a switch would let a step of a thousandth of a pixel change the criterion. */
-double
-BeyondEnd(double tangential)
-{
-  return std::max(0.0, std::abs(tangential) - 1.0);
-}
-
-/** 1 where contour and tracing face the same way, 0 where their normals differ by more than some 65 degrees. */
-double
-FacingWeight(double cosine)
-{
-  const double t = std::min(1.0, std::max(0.0, (cosine - 0.4) / 0.2));
-  return t * t * (3.0 - 2.0 * t);
 }
 
 bool
@@ -89,10 +78,33 @@ Append(PoseContour & all, PoseContour && more)
   all.nv.insert(all.nv.end(), more.nv.begin(), more.nv.end());
   all.rim.insert(all.rim.end(), more.rim.begin(), more.rim.end());
   all.rimOther.insert(all.rimOther.end(), more.rimOther.begin(), more.rimOther.end());
+  all.position.insert(all.position.end(), more.position.begin(), more.position.end());
 }
+
 } // namespace
 
 PoseSilhouetteKernel::~PoseSilhouetteKernel() = default;
+
+std::vector<PosePolyline>
+PoseSilhouetteKernel::SelectPolylines(const std::vector<PosePolyline> & polylines)
+{
+  std::vector<PosePolyline> selected;
+  for (const PosePolyline & polyline : polylines)
+  {
+    const auto & excluded = m_Settings.excludedTeeth;
+    if (polyline.tooth == 0 || std::find(excluded.begin(), excluded.end(), polyline.tooth) == excluded.end())
+    {
+      selected.push_back(polyline);
+    }
+  }
+  const std::size_t points = CountDifferentPoints(selected);
+  if (points < 5)
+  {
+    m_Failure = "the tracing has " + std::to_string(points) + " different points, at least 5 are needed";
+    selected.clear();
+  }
+  return selected;
+}
 
 PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           surface,
                                            const std::vector<PosePolyline> & polylines,
@@ -104,19 +116,9 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           sur
     m_Failure = "there is no surface";
     return;
   }
-  std::vector<PosePolyline> selected;
-  for (const PosePolyline & polyline : polylines)
+  const std::vector<PosePolyline> selected = this->SelectPolylines(polylines);
+  if (selected.empty())
   {
-    const auto & excluded = settings.excludedTeeth;
-    if (polyline.tooth == 0 || std::find(excluded.begin(), excluded.end(), polyline.tooth) == excluded.end())
-    {
-      selected.push_back(polyline);
-    }
-  }
-  const std::size_t points = CountDifferentPoints(selected);
-  if (points < 5)
-  {
-    m_Failure = "the tracing has " + std::to_string(points) + " different points, at least 5 are needed";
     return;
   }
   m_Arch = PoseArch(surface, settings.upper);
@@ -129,13 +131,13 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           sur
   };
   const bool filter = settings.useFacingFilter;
   const auto addModel = [&](double sign) {
-    m_Models.push_back(std::make_unique<PoseContourModel>(side(sign), settings.upper, filter));
+    m_Models.push_back(std::make_unique<PoseMeshContourModel>(side(sign), settings.upper, filter));
     return m_Models.back().get();
   };
   switch (settings.tracedSide)
   {
     case PoseTracedSideEnum::Mean:
-      m_Models.push_back(std::make_unique<PoseContourModel>(side(1.0), side(-1.0), settings.upper, filter));
+      m_Models.push_back(std::make_unique<PoseMeshContourModel>(side(1.0), side(-1.0), settings.upper, filter));
       this->AddStrand(selected, { m_Models.back().get() });
       break;
     case PoseTracedSideEnum::Both: {
@@ -160,6 +162,31 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           sur
   }
 }
 
+PoseSilhouetteKernel::PoseSilhouetteKernel(const std::vector<PosePolyline> & outline,
+                                           const PoseParameters &            pose,
+                                           const std::vector<PosePolyline> & polylines,
+                                           const PoseSilhouetteSettings &    settings)
+  : m_Settings(settings)
+{
+  if (CountDifferentPoints(outline) < 2)
+  {
+    m_Failure = "the moving contour has fewer than 2 different points";
+    return;
+  }
+  const std::vector<PosePolyline> selected = this->SelectPolylines(polylines);
+  if (selected.empty())
+  {
+    return;
+  }
+  m_Models.push_back(std::make_unique<PosePlanarContourModel>(
+    settings.geometry, outline, pose, settings.upper, settings.useFacingFilter));
+  this->AddStrand(selected, { m_Models.back().get() });
+  if (m_Strands.empty())
+  {
+    m_Failure = "no part of the tracing can lie on the occlusal or anterior outline";
+  }
+}
+
 void
 PoseSilhouetteKernel::AddStrand(const std::vector<PosePolyline> &     polylines,
                                 std::vector<const PoseContourModel *> models)
@@ -169,6 +196,17 @@ PoseSilhouetteKernel::AddStrand(const std::vector<PosePolyline> &     polylines,
   strand.models = std::move(models);
   if (strand.tracing.Size() > 0)
   {
+    if (m_Settings.reverseWeight > 0.0)
+    {
+      PoseReverseDirection::Settings reverse;
+      reverse.weight = m_Settings.reverseWeight;
+      reverse.taperLength = m_Settings.taperLength;
+      reverse.gapLength = m_Settings.gapLength;
+      reverse.orientationWeight = m_Settings.useOrientation ? m_Settings.orientationWeight : 0.0;
+      reverse.gateByTooth = m_Settings.gateByTooth;
+      reverse.toothRange = m_Settings.toothRange;
+      strand.reverse = PoseReverseDirection(strand.tracing, reverse);
+    }
     m_Strands.push_back(std::move(strand));
   }
 }
@@ -183,6 +221,13 @@ PoseSilhouetteKernel::ComputeContours(const PoseParameters & parameters) const
     for (const PoseContourModel * contourModel : m_Strands[s].models)
     {
       Append(contours[s], contourModel->Compute(model));
+    }
+    if (m_Settings.gateByTooth && contours[s].position.empty() && m_Arch.IsValid())
+    {
+      for (const auto & rim : contours[s].rim)
+      {
+        contours[s].position.push_back(PoseArch::ExpectedPosition(m_Arch.Arc(rim[0], rim[1]), m_Settings.upper));
+      }
     }
   }
   return contours;
@@ -226,17 +271,8 @@ PoseSilhouetteKernel::Fill(const PoseModel &   model,
   {
     return;
   }
-  double w[2], jacobian[14];
-  model.ProjectWithJacobian(contour.rim[j].data(), w, jacobian);
-  if (!contour.rimOther.empty())
-  {
-    double other[14];
-    model.ProjectWithJacobian(contour.rimOther[j].data(), w, other);
-    for (int a = 0; a < 14; ++a)
-    {
-      jacobian[a] = 0.5 * (jacobian[a] + other[a]);
-    }
-  }
+  double jacobian[14];
+  ComputeSampleJacobian(model, contour, j, jacobian);
   const double along = 2.0 * std::copysign(beyond, t);
   for (int a = 0; a < 7; ++a)
   {
@@ -261,7 +297,7 @@ PoseSilhouetteKernel::Linearize(std::size_t            s,
   lin.nu.resize(n);
   lin.nv.resize(n);
   lin.facing.resize(n);
-  lin.match.resize(n);
+  lin.match.assign(n, NoMatch);
   lin.jacobian.assign(withJacobian ? 7 * n : 0, 0.0);
   lin.distanceJacobian.assign(withJacobian ? 7 * n : 0, 0.0);
   const double normalWeight2 =
@@ -269,7 +305,19 @@ PoseSilhouetteKernel::Linearize(std::size_t            s,
   const PoseContourIndex index(contour);
   for (std::size_t i = 0; i < n; ++i)
   {
-    if (index.Empty())
+    std::size_t j = PoseContourIndex::None;
+    if (!index.Empty())
+    {
+      j = m_Settings.gateByTooth
+            ? index.NearestAllowed(tracing.u[i],
+                                   tracing.v[i],
+                                   tracing.nu[i],
+                                   tracing.nv[i],
+                                   normalWeight2,
+                                   GetAllowedPositions(tracing.tooth[i], m_Settings.toothRange))
+            : index.Nearest(tracing.u[i], tracing.v[i], tracing.nu[i], tracing.nv[i], normalWeight2);
+    }
+    if (j == PoseContourIndex::None)
     {
       // Nothing to match: a residual that no pose can change, without weight.
       lin.residual[i] = 1e3;
@@ -278,7 +326,6 @@ PoseSilhouetteKernel::Linearize(std::size_t            s,
       lin.facing[i] = 0.0;
       continue;
     }
-    const std::size_t j = index.Nearest(tracing.u[i], tracing.v[i], tracing.nu[i], tracing.nv[i], normalWeight2);
     lin.match[i] = j;
     lin.nu[i] = contour.nu[j];
     lin.nv[i] = contour.nv[j];
@@ -302,11 +349,24 @@ PoseSilhouetteKernel::LinearizeHeld(std::size_t            s,
   Linearization     lin = held;
   lin.jacobian.assign(withJacobian ? 7 * n : 0, 0.0);
   lin.distanceJacobian.assign(withJacobian ? 7 * n : 0, 0.0);
-  for (std::size_t i = 0; i < n && contour.Size() > 0; ++i)
+  for (std::size_t i = 0; i < n; ++i)
   {
-    this->Fill(model, contour, s, i, held.match[i], lin, withJacobian);
+    if (held.match[i] != NoMatch)
+    {
+      this->Fill(model, contour, s, i, held.match[i], lin, withJacobian);
+    }
   }
   return lin;
+}
+
+PoseReverseDirection::Linearization
+PoseSilhouetteKernel::LinearizeReverse(std::size_t                                 s,
+                                       const PoseParameters &                      parameters,
+                                       const PoseContour &                         contour,
+                                       const PoseReverseDirection::Linearization * held) const
+{
+  const Strand & strand = m_Strands[s];
+  return strand.reverse.Linearize(strand.tracing, PoseModel(m_Settings.geometry, parameters), contour, held);
 }
 
 PoseFitStatistics
@@ -337,7 +397,7 @@ PoseSilhouetteKernel::ComputeStatistics(std::size_t s, const PoseContour & conto
     squares += lin.squaredDistance[i];
     distances.push_back(d);
     const double expected = PoseArch::ExpectedArc(tracing.tooth[i]);
-    if (expected > 0.0 && m_Arch.IsValid())
+    if (expected > 0.0 && m_Arch.IsValid() && lin.match[i] != NoMatch)
     {
       const int    position = tracing.tooth[i] % 10;
       const auto & rim = contour.rim[lin.match[i]];

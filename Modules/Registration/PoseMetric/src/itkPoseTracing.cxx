@@ -223,6 +223,7 @@ PoseTracing::PoseTracing(const PoseGeometry &              geometry,
 
   for (const Strand & strand : strands)
   {
+    runs.push_back(u.size());
     for (std::size_t i = 0; i < strand.points.size(); ++i)
     {
       const Point2 & p = strand.points[i];

@@ -61,6 +61,20 @@ SilhouettePoseMetricv4::SetExcludedTeeth(const std::vector<std::uint8_t> & teeth
 }
 
 void
+SilhouettePoseMetricv4::SetReverseWeight(double weight)
+{
+  if (!(weight >= 0.0) || !std::isfinite(weight))
+  {
+    itkExceptionMacro("The reverse weight " << weight << " must be 0 or more: see SetReverseWeight().");
+  }
+  if (m_ReverseWeight != weight)
+  {
+    m_ReverseWeight = weight;
+    this->Modified();
+  }
+}
+
+void
 SilhouettePoseMetricv4::SetRobustKernel(const RobustKernel * kernel)
 {
   if (kernel == nullptr)
@@ -124,17 +138,26 @@ void
 SilhouettePoseMetricv4::Prepare()
 {
   Superclass::InitializeTerm();
-  if (!m_Surface)
+  const ContourType * const outline = this->GetMovingContour();
+  if (!m_Surface && outline == nullptr)
   {
-    itkExceptionMacro("No scan: call SetMovingMesh() or SetMovingSurface() with the jaw in its dental frame.");
+    itkExceptionMacro("No scan: call SetMovingMesh() or SetMovingSurface() with the jaw in its dental frame, or "
+                      "SetMovingContour() with an outline of it.");
+  }
+  if (m_Surface && outline != nullptr)
+  {
+    itkExceptionMacro("A scan and an outline: take one back, with SetMovingSurface(nullptr) or "
+                      "SetMovingContour(nullptr).");
   }
   if (this->GetFixedContour() == nullptr)
   {
     itkExceptionMacro("No tracing: call SetFixedContour() with this jaw's tracing (a DentalContour).");
   }
   // Not the state's time: what is free and where it stands changes nothing here.
-  const ModifiedTimeType time =
-    std::max({ this->Object::GetMTime(), this->GetTransform()->GetMTime(), this->GetFixedContour()->GetMTime() });
+  const ModifiedTimeType time = std::max({ this->Object::GetMTime(),
+                                           this->GetTransform()->GetMTime(),
+                                           this->GetFixedContour()->GetMTime(),
+                                           outline == nullptr ? ModifiedTimeType(0) : outline->GetMTime() });
   if (m_Kernel && m_KernelTime >= time)
   {
     return;
@@ -150,8 +173,21 @@ SilhouettePoseMetricv4::Prepare()
   settings.orientationWeight = m_OrientationWeight;
   settings.excludedTeeth = m_ExcludedTeeth;
   settings.maximumTracingPoints = m_MaximumTracingPoints;
-  m_Kernel =
-    std::make_shared<const PoseSilhouetteKernel>(*m_Surface, MakePosePolylines(*this->GetFixedContour()), settings);
+  settings.gateByTooth = m_GateByTooth;
+  settings.toothRange = m_ToothRange;
+  settings.reverseWeight = m_ReverseWeight;
+  settings.taperLength = m_TaperLength;
+  settings.gapLength = m_GapLength;
+  const std::vector<PosePolyline> tracing = MakePosePolylines(*this->GetFixedContour());
+  if (m_Surface)
+  {
+    m_Kernel = std::make_shared<const PoseSilhouetteKernel>(*m_Surface, tracing, settings);
+  }
+  else
+  {
+    m_Kernel = std::make_shared<const PoseSilhouetteKernel>(
+      MakePosePolylines(*outline), this->GetTransform()->GetPoseParameters(), tracing, settings);
+  }
   m_KernelTime = time;
   m_Correlations.reset();
   m_Held.reset();
@@ -225,7 +261,7 @@ SilhouettePoseMetricv4::GetNumberOfResiduals() const
   {
     count += strand.tracing.Size();
   }
-  return count;
+  return m_Kernel->GetSettings().reverseWeight > 0.0 ? 2 * count : count;
 }
 
 SilhouettePoseMetricv4::EvaluationType &
@@ -257,9 +293,20 @@ SilhouettePoseMetricv4::Evaluate(const PositionType & x) const
     evaluation.strands.push_back(m_Hold == HoldEnum::Matches
                                    ? kernel.LinearizeHeld(s, pose, evaluation.contours[s], m_Held->strands[s], true)
                                    : kernel.Linearize(s, pose, evaluation.contours[s], true));
+    if (kernel.GetSettings().reverseWeight > 0.0)
+    {
+      evaluation.reverse.push_back(kernel.LinearizeReverse(
+        s, pose, evaluation.contours[s], m_Hold == HoldEnum::Matches ? &m_Held->reverse[s] : nullptr));
+    }
   }
   m_Last = std::move(evaluation);
   return m_Last;
+}
+
+double
+SilhouettePoseMetricv4::GetRobustWeight(double squaredDistance, double facing) const
+{
+  return facing * m_RobustKernel->GetWeight(squaredDistance, m_KernelWidth);
 }
 
 void
@@ -273,7 +320,7 @@ SilhouettePoseMetricv4::UpdateWeights(EvaluationType & evaluation) const
     evaluation.weights[s].resize(lin.residual.size());
     for (std::size_t i = 0; i < lin.residual.size(); ++i)
     {
-      evaluation.weights[s][i] = lin.facing[i] * m_RobustKernel->GetWeight(lin.squaredDistance[i], m_KernelWidth);
+      evaluation.weights[s][i] = this->GetRobustWeight(lin.squaredDistance[i], lin.facing[i]);
     }
   }
 }
@@ -423,6 +470,22 @@ SilhouettePoseMetricv4::ComputeResiduals(const PositionType & x, VectorType & re
     }
     row += static_cast<unsigned int>(n);
   }
+  for (std::size_t s = 0; s < at.reverse.size(); ++s)
+  {
+    const auto & lin = at.reverse[s];
+    const auto & weighing = m_Hold == HoldEnum::Matches ? m_Held->reverse[s] : lin;
+    for (std::size_t i = 0; i < lin.residual.size(); ++i, ++row)
+    {
+      const double root =
+        std::sqrt(m_Kernel->GetStrands()[s].reverse.GetWeight() * weighing.taper[i] *
+                  this->GetRobustWeight(weighing.squaredDistance[i], weighing.facing[i]) / this->GetVariance());
+      residuals[row] = root * lin.residual[i];
+      for (unsigned int a = 0; jacobian != nullptr && a < 7; ++a)
+      {
+        (*jacobian)(row, a) = root * lin.jacobian[7 * i + a];
+      }
+    }
+  }
   if (jacobian != nullptr && &at == &m_Last)
   {
     // An optimizer comes back here.
@@ -445,6 +508,17 @@ SilhouettePoseMetricv4::ComputeValue(const PositionType & x) const
     {
       value += at.whitened[s][i] * at.whitened[s][i] +
                unit * strands[s].tracing.weight[i] * m_RobustKernel->GetCharge(at.weights[s][i]);
+    }
+  }
+  const double width2 = m_KernelWidth * m_KernelWidth;
+  for (std::size_t s = 0; s < at.reverse.size(); ++s)
+  {
+    const auto & lin = at.reverse[s];
+    for (std::size_t i = 0; i < lin.residual.size(); ++i)
+    {
+      const double weight = this->GetRobustWeight(lin.squaredDistance[i], lin.facing[i]);
+      value += strands[s].reverse.GetWeight() * lin.taper[i] / this->GetVariance() *
+               (weight * lin.residual[i] * lin.residual[i] + width2 * m_RobustKernel->GetCharge(weight));
     }
   }
   return value;
@@ -481,6 +555,28 @@ SilhouettePoseMetricv4::ComputeGradient(const PositionType & x, VectorType & gra
       for (unsigned int a = 0; a < 7; ++a)
       {
         gradient[a] += 2.0 * z[i] * lin.jacobian[7 * i + a] + byDistance * lin.distanceJacobian[7 * i + a];
+      }
+    }
+  }
+  const double width2 = m_KernelWidth * m_KernelWidth;
+  for (std::size_t s = 0; s < at.reverse.size(); ++s)
+  {
+    const auto & lin = at.reverse[s];
+    for (std::size_t i = 0; i < lin.residual.size(); ++i)
+    {
+      const double given = strands[s].reverse.GetWeight() / this->GetVariance();
+      const double r = lin.residual[i];
+      const double weight = this->GetRobustWeight(lin.squaredDistance[i], lin.facing[i]);
+      const double byWeight = r * r + width2 * m_RobustKernel->GetChargeDerivative(weight);
+      const double byDistance =
+        byWeight * lin.facing[i] * m_RobustKernel->GetWeightDerivative(lin.squaredDistance[i], m_KernelWidth);
+      const double ofTaper = weight * r * r + width2 * m_RobustKernel->GetCharge(weight);
+      for (unsigned int a = 0; a < 7; ++a)
+      {
+        gradient[a] +=
+          given *
+          (lin.taper[i] * (2.0 * weight * r * lin.jacobian[7 * i + a] + byDistance * lin.distanceJacobian[7 * i + a]) +
+           ofTaper * lin.taperJacobian[7 * i + a]);
       }
     }
   }
@@ -619,17 +715,22 @@ SilhouettePoseMetricv4::PredictSigma(std::size_t                    s,
     }
     return sum;
   };
-  double sum = 0.0;
+  double      sum = 0.0;
+  std::size_t count = 0;
   for (const std::size_t sample : match)
   {
-    sum += variance(sample);
+    if (sample != PoseSilhouetteKernel::NoMatch)
+    {
+      sum += variance(sample);
+      ++count;
+    }
   }
   double largest = 0.0;
   for (std::size_t j = 0; j < contour.Size(); j += 10)
   {
     largest = std::max(largest, variance(j));
   }
-  return { { std::sqrt(sum / static_cast<double>(match.size())), std::sqrt(largest) } };
+  return { { count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0, std::sqrt(largest) } };
 }
 
 LightObject::Pointer
@@ -637,6 +738,7 @@ SilhouettePoseMetricv4::InternalClone() const
 {
   auto clone = Self::New();
   clone->SetFixedObject(this->GetFixedObject());
+  clone->SetMovingObject(this->GetMovingObject());
   clone->m_Surface = m_Surface;
   clone->m_Jaw = m_Jaw;
   clone->m_TracedSide = m_TracedSide;
@@ -646,6 +748,11 @@ SilhouettePoseMetricv4::InternalClone() const
   clone->m_UseOrientation = m_UseOrientation;
   clone->m_OrientationWeight = m_OrientationWeight;
   clone->m_MaximumTracingPoints = m_MaximumTracingPoints;
+  clone->m_GateByTooth = m_GateByTooth;
+  clone->m_ToothRange = m_ToothRange;
+  clone->m_ReverseWeight = m_ReverseWeight;
+  clone->m_TaperLength = m_TaperLength;
+  clone->m_GapLength = m_GapLength;
   clone->m_ExcludedTeeth = m_ExcludedTeeth;
   clone->m_RobustKernel = m_RobustKernel;
   clone->m_KernelWidth = m_KernelWidth;
@@ -684,6 +791,11 @@ SilhouettePoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "UseOrientation: " << (m_UseOrientation ? "On" : "Off") << std::endl;
   os << indent << "OrientationWeight: " << m_OrientationWeight << std::endl;
   os << indent << "MaximumTracingPoints: " << m_MaximumTracingPoints << std::endl;
+  os << indent << "GateByTooth: " << (m_GateByTooth ? "On" : "Off") << std::endl;
+  os << indent << "ToothRange: " << m_ToothRange << std::endl;
+  os << indent << "ReverseWeight: " << m_ReverseWeight << std::endl;
+  os << indent << "TaperLength: " << m_TaperLength << std::endl;
+  os << indent << "GapLength: " << m_GapLength << std::endl;
   os << indent << "ExcludedTeeth:";
   for (const unsigned int tooth : m_ExcludedTeeth)
   {

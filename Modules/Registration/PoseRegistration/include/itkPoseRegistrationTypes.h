@@ -69,6 +69,14 @@ struct PoseRegistrationOptions
   /** Match position and normal, or position only. Weight of a unit normal, px. */
   bool   useOrientation{ true };
   double orientationWeight{ 8.0 };
+  /** Match coded points with the same tooth or one up to toothRange positions away. */
+  bool         gateByTooth{ false };
+  unsigned int toothRange{ 1 };
+  /** Weight of the direction from the outline to the tracing beside the forward one; 0: off. It fades in over
+   * taperLength px from the tracing's ends; gaps shorter than gapLength px are none. */
+  double reverseWeight{ 0.0 };
+  double taperLength{ 6.0 };
+  double gapLength{ 8.0 };
   /** Correlation along the tracing (generalised least squares), or independent points. */
   bool   useCorrelatedNoise{ true };
   double correlationLength{ 14.0 };

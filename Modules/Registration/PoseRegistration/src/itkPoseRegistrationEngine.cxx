@@ -287,6 +287,11 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     jaws[j].metric->SetUseFacingFilter(options.useFacingFilter);
     jaws[j].metric->SetUseOrientation(options.useOrientation);
     jaws[j].metric->SetOrientationWeight(options.orientationWeight);
+    jaws[j].metric->SetGateByTooth(options.gateByTooth);
+    jaws[j].metric->SetToothRange(options.toothRange);
+    jaws[j].metric->SetReverseWeight(options.reverseWeight);
+    jaws[j].metric->SetTaperLength(options.taperLength);
+    jaws[j].metric->SetGapLength(options.gapLength);
     jaws[j].metric->SetMaximumTracingPoints(options.maximumTracingPoints);
     jaws[j].metric->SetExcludedTeeth(options.excludedTeeth);
   }

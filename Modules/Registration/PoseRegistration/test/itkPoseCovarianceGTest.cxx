@@ -19,6 +19,7 @@
 
 #include "itkFindSilhouettes.h"
 #include "itkPoseCovarianceReference.h"
+#include "itkPoseMeshContourModel.h"
 #include "itkPosePriors.h"
 #include "itkPoseSolution.h"
 #include "itkSilhouettePoseMetricv4.h"
@@ -191,7 +192,7 @@ private:
   {
     itk::ReproducibleRandom random(19 + j);
     const itk::PoseContour  contour =
-      itk::PoseContourModel(*surfaces[j], j == 0, true).Compute(itk::PoseModel(geometry, Pose));
+      itk::PoseMeshContourModel(*surfaces[j], j == 0, true).Compute(itk::PoseModel(geometry, Pose));
     itk::DentalContour::PolylineType polyline;
     auto                             tracing = itk::DentalContour::New();
     double                           drift = 0.0;

@@ -60,7 +60,7 @@ extern RegistrationCommon_EXPORT std::ostream &
 /** \class LevenbergMarquardtOptimizerv4
  * \brief Levenberg-Marquardt for v4 metrics that are, or are majorised by, sums of squares.
  *
- * The metric must be a LeastSquaresMetric, as PartialContourMetricv4. A run starts at the metric's position and leaves
+ * The metric must be a LeastSquaresMetric, as SilhouettePoseMetricv4. A run starts at the metric's position and leaves
  * the metric at the best one found. With r and J from GetResiduals(), H = J'J and g = J'r, the step solves
  * (H + damping diag(H) + 1e-9 I) step = -g; the constant keeps a parameter that nothing observes where it is. The step
  * is shortened by a common factor to the metric's GetMaximumSteps(). It is accepted where it lowers the metric's

@@ -21,6 +21,7 @@
 #include "RegistrationCommonExport.h"
 
 #include <cstdint>
+#include <iosfwd>
 
 namespace itk
 {
@@ -47,6 +48,9 @@ public:
   static double
   GetSigma(SpacingSource source);
 };
+
+extern RegistrationCommon_EXPORT std::ostream &
+                                 operator<<(std::ostream & os, ScalePrior::SpacingSource value);
 } // namespace itk
 
 #endif

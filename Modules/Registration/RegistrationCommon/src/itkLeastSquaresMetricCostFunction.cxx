@@ -27,7 +27,7 @@ LeastSquaresMetricCostFunction::SetMetric(MetricType * metric)
   if (metric != nullptr && dynamic_cast<LeastSquaresMetric *>(metric) == nullptr)
   {
     itkExceptionMacro("The metric " << metric->GetNameOfClass()
-                                    << " has no residuals; give one that does, as PartialContourMetricv4.");
+                                    << " has no residuals; give one that does, as SilhouettePoseMetricv4.");
   }
   if (m_Metric != metric)
   {

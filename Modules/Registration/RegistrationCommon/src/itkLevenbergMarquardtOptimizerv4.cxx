@@ -104,7 +104,7 @@ LevenbergMarquardtOptimizerv4::CheckMetric() const
   if (residuals == nullptr)
   {
     itkExceptionMacro("The metric " << this->m_Metric->GetNameOfClass()
-                                    << " has no residuals; give one that does, as PartialContourMetricv4, or take "
+                                    << " has no residuals; give one that does, as SilhouettePoseMetricv4, or take "
                                        "another optimizer, as LBFGSBOptimizerv4.");
   }
   if (this->m_Metric->GetNumberOfParameters() == 0)

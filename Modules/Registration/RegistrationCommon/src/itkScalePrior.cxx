@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkScalePrior.h"
 
+#include <ostream>
+
 namespace itk
 {
 double
@@ -33,5 +35,22 @@ ScalePrior::GetSigma(SpacingSource source)
       break;
   }
   return 0.25;
+}
+
+std::ostream &
+operator<<(std::ostream & os, ScalePrior::SpacingSource value)
+{
+  switch (value)
+  {
+    case ScalePrior::SpacingSource::Given:
+      return os << "itk::ScalePrior::SpacingSource::Given";
+    case ScalePrior::SpacingSource::Dicom:
+      return os << "itk::ScalePrior::SpacingSource::Dicom";
+    case ScalePrior::SpacingSource::Default:
+      return os << "itk::ScalePrior::SpacingSource::Default";
+    case ScalePrior::SpacingSource::Estimated:
+      return os << "itk::ScalePrior::SpacingSource::Estimated";
+  }
+  return os << "INVALID VALUE FOR itk::ScalePrior::SpacingSource";
 }
 } // namespace itk

@@ -43,15 +43,13 @@ namespace itk
  * around the current estimate (where it has one), runs the optimizer from the best of them, and hands on the best
  * position that was evaluated. The first level of the paper's schedule explores, the others refine.
  *
- * Metric: ContourChamferMetricv4 (symmetric, point to point) unless set; its StartLevel() is called at the start of
- * each level, so that one with a schedule (PartialContourMetricv4) follows the levels. Optimizer: LBFGSBOptimizerv4
- * unless set; any v4 optimizer serves. The method sets on it: the metric; on LBFGSB the bounds and the initial
- * position; on Amoeba with automatic simplex a simplex of a quarter of the bounds; on OnePlusOneEvolutionary a
- * generator seeded with RandomSeed; on Exhaustive without scales those that make its grid of +-NumberOfSteps *
- * StepLength = +-1 reach the bounds; the number of iterations where the level gives one. Other optimizers are kept
- * within the bounds by the metric. What ITK's own optimizers do is deterministic, hence so is this, for any number of
- * threads; methods may run at the same time in several threads (those with LBFGSB, which is not reentrant, take turns
- * within a level).
+ * Metric: ContourChamferMetricv4 (symmetric, point to point) unless set. Optimizer: LBFGSBOptimizerv4 unless set; any
+ * v4 optimizer serves. The method sets on it: the metric; on LBFGSB the bounds and the initial position; on Amoeba with
+ * automatic simplex a simplex of a quarter of the bounds; on OnePlusOneEvolutionary a generator seeded with RandomSeed;
+ * on Exhaustive without scales those that make its grid of +-NumberOfSteps * StepLength = +-1 reach the bounds; the
+ * number of iterations where the level gives one. Other optimizers are kept within the bounds by the metric. What ITK's
+ * own optimizers do is deterministic, hence so is this, for any number of threads; methods may run at the same time in
+ * several threads (those with LBFGSB, which is not reentrant, take turns within a level).
  *
  * Events: StartEvent, MultiResolutionIterationEvent at the start of each level, IterationEvent at each iteration of the
  * optimizer (each evaluation of Amoeba, which has no other event), ProgressEvent, EndEvent. The getters of

@@ -229,7 +229,6 @@ public:
   RunLevel(unsigned int index, const ContourSimilarity & initial)
   {
     m_Level = &m_Method->m_Levels[index];
-    m_Metric->StartLevel(index, m_Method->GetNumberOfLevels(), initial);
     m_Metric->SetReference(initial);
     this->SetBounds();
 

@@ -18,8 +18,6 @@
 #include "itkRegistrationIterationCommand.h"
 
 #include "itkContourChamferMetricv4.h"
-#include "itkLevenbergMarquardtOptimizerv4.h"
-#include "itkPartialContourMetricv4.h"
 #include "itkSilhouetteToContourRegistrationMethod.h"
 #include "itkSyntheticContours.h"
 
@@ -182,30 +180,4 @@ TEST(RegistrationIterationCommand, WritesARowForEachIterationWithItsCandidateAnd
   // The coarse level has several starts.
   EXPECT_GT(candidates, 0u);
   EXPECT_FALSE(std::getline(table, line));
-}
-
-TEST(RegistrationIterationCommand, TellsStepsThatLevenbergMarquardtRefused)
-{
-  const auto metric = itk::PartialContourMetricv4::New();
-  metric->SetFixedContour(MakeTracing(MakeTransform(1.1, 0.1, 410.0, 490.0)));
-  metric->SetMovingContour(MakeSilhouette());
-  metric->SetMovingTransform(MakeTransform(1.05, 0.05, 405.0, 495.0));
-  metric->Initialize();
-  const auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
-  optimizer->SetMetric(metric);
-  const auto command = CommandType::New();
-  command->Observe(optimizer);
-  std::ostringstream text;
-  command->SetStream(&text);
-  optimizer->StartOptimization();
-  std::size_t tried = 0;
-  std::size_t accepted = 0;
-  for (const auto & record : command->GetRecords())
-  {
-    tried += static_cast<std::size_t>(record.kind == KindEnum::Iteration);
-    accepted += static_cast<std::size_t>(record.kind == KindEnum::Iteration && record.accepted);
-  }
-  EXPECT_EQ(tried, optimizer->GetNumberOfEvaluations());
-  EXPECT_EQ(accepted, optimizer->GetCurrentIteration());
-  EXPECT_EQ(text.str().find("refused a step") != std::string::npos, accepted < tried);
 }

@@ -1,0 +1,156 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkPoseMeshContourModel.h"
+
+#include "itkMeshSilhouette.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+PoseMeshContourModel::PoseMeshContourModel(const TriangleSurface & surface, bool upper, bool useFacingFilter)
+  : m_Silhouette(std::make_unique<MeshSilhouette>(surface))
+  , m_Upper(upper)
+  , m_UseFacingFilter(useFacingFilter)
+{}
+
+PoseMeshContourModel::PoseMeshContourModel(const TriangleSurface & surface,
+                                           const TriangleSurface & other,
+                                           bool                    upper,
+                                           bool                    useFacingFilter)
+  : m_Silhouette(std::make_unique<MeshSilhouette>(surface))
+  , m_Other(std::make_unique<MeshSilhouette>(other))
+  , m_Upper(upper)
+  , m_UseFacingFilter(useFacingFilter)
+{}
+
+PoseMeshContourModel::~PoseMeshContourModel() = default;
+
+OpenSilhouette
+PoseMeshContourModel::ComputeOpen(const MeshSilhouette & silhouette, const PoseModel & model) const
+{
+  OpenSilhouetteOptions options;
+  options.upper = m_Upper;
+  options.pitch = model.GetParameters()[PosePitch];
+  options.spacing = Spacing;
+  options.facingOnly = m_UseFacingFilter;
+  return ComputeOpenSilhouette(silhouette, model.GetProjection(), options);
+}
+
+PoseContour
+PoseMeshContourModel::Compute(const PoseModel & model) const
+{
+  PoseContour contour;
+  static_cast<OpenSilhouette &>(contour) = this->ComputeOpen(*m_Silhouette, model);
+  if (!m_Other)
+  {
+    return contour;
+  }
+  const OpenSilhouette other = this->ComputeOpen(*m_Other, model);
+  // Pair each point with the nearest of the other side in (x, |y|, z / 2, 2 mm normal); z is where the sides differ
+  // most.
+  const std::size_t        n = contour.Size();
+  std::vector<double>      du(n), dv(n);
+  std::vector<long>        partner(n, -1);
+  std::vector<std::size_t> order(other.Size());
+  for (std::size_t j = 0; j < order.size(); ++j)
+  {
+    order[j] = j;
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return other.rim[a][0] != other.rim[b][0] ? other.rim[a][0] < other.rim[b][0] : a < b;
+  });
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const auto & p = contour.rim[i];
+    double       best = 16.0;
+    auto         it = std::lower_bound(
+      order.begin(), order.end(), p[0] - 4.0, [&](std::size_t j, double x) { return other.rim[j][0] < x; });
+    for (; it != order.end() && other.rim[*it][0] < p[0] + 4.0; ++it)
+    {
+      const auto & q = other.rim[*it];
+      const double dx = p[0] - q[0];
+      const double dy = std::abs(p[1]) - std::abs(q[1]);
+      const double dz = 0.5 * (p[2] - q[2]);
+      const double dn = contour.nu[i] * other.nu[*it] + contour.nv[i] * other.nv[*it];
+      const double d = dx * dx + dy * dy + dz * dz + 4.0 * (2.0 - 2.0 * dn);
+      if (d < best)
+      {
+        best = d;
+        partner[i] = static_cast<long>(*it);
+      }
+    }
+    if (partner[i] >= 0)
+    {
+      du[i] = other.u[partner[i]] - contour.u[i];
+      dv[i] = other.v[partner[i]] - contour.v[i];
+    }
+  }
+  PoseContour mean;
+  for (std::size_t r = 0; r < contour.runs.size(); ++r)
+  {
+    const std::size_t begin = contour.runs[r];
+    const std::size_t end = r + 1 < contour.runs.size() ? contour.runs[r + 1] : n;
+    bool              open = false;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      if (partner[i] < 0)
+      {
+        open = false;
+        continue;
+      }
+      // The differences smoothed along the run, sigma 3 px: the pairing jumps, the anatomy does not.
+      double            sw = 0.0, su = 0.0, sv = 0.0;
+      const std::size_t reach = 18;
+      for (std::size_t j = i > begin + reach ? i - reach : begin; j < std::min(end, i + reach + 1); ++j)
+      {
+        if (partner[j] >= 0)
+        {
+          const double d = Spacing * (static_cast<double>(j) - static_cast<double>(i));
+          const double w = std::exp(-d * d / 18.0);
+          sw += w;
+          su += w * du[j];
+          sv += w * dv[j];
+        }
+      }
+      const std::size_t j = static_cast<std::size_t>(partner[i]);
+      double            nu = contour.nu[i] + other.nu[j];
+      double            nv = contour.nv[i] + other.nv[j];
+      const double      length = std::hypot(nu, nv);
+      if (length < 1e-9)
+      {
+        open = false;
+        continue;
+      }
+      if (!open)
+      {
+        mean.runs.push_back(mean.u.size());
+        open = true;
+      }
+      mean.u.push_back(contour.u[i] + 0.5 * su / sw);
+      mean.v.push_back(contour.v[i] + 0.5 * sv / sw);
+      mean.nu.push_back(nu / length);
+      mean.nv.push_back(nv / length);
+      mean.rim.push_back(contour.rim[i]);
+      mean.rimOther.push_back(other.rim[j]);
+    }
+  }
+  return mean;
+}
+} // namespace itk
