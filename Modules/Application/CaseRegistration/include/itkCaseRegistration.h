@@ -31,7 +31,6 @@
 
 namespace itk
 {
-struct DentalFrameResult;
 template <typename TMesh>
 class UMidlineDentalAxisFilter;
 
@@ -39,7 +38,8 @@ class UMidlineDentalAxisFilter;
  * \brief Takes a case through the chain of a preset: dental axis, projection, contour, registration, landmarks,
  * verdict.
  *
- * One class for the program and for Python: a composite that wires the process objects of the chain. Input: a case,
+ * One class for the program and for Python: a composite that wires the process objects of the chain, each of which
+ * stands for itself in its module, and computes nothing of its own. Input: a case,
  * from DentalCaseReader; output: its result, for CaseResultFolderWriter. A jaw that can't be registered does not stop
  * the other: its status and reasons say why.
  *
@@ -172,7 +172,7 @@ private:
   void
   SkipWhatIsIncomplete();
   void
-  RegisterBySimilarity(const DentalFrameResult & frames);
+  RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis);
   void
   RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis);
   /** Updates a process object between two values of this one's progress. */

@@ -20,6 +20,7 @@
 
 #include "ExperimentExport.h"
 #include "itkCaseResult.h"
+#include "itkCaseSimilarityRegistration.h"
 #include "itkExperimentCase.h"
 
 #include "itkImage.h"
@@ -127,7 +128,7 @@ private:
     CephalometricGeometry::Pointer centred;
     DentalContour::Pointer         silhouette;
     ImageType::Pointer             radiograph;
-    DentalJawFrame                 frame;
+    CaseFrameType::Pointer         frame;
     JawResult                      result;
   };
 
