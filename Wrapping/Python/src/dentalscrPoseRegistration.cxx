@@ -166,9 +166,17 @@ VisitFields(itk::PoseGroupResult & group, TField && field)
   field(group.converged);
   field(group.stopCondition);
   field(group.bisected);
-  field(group.otherSideDeviance);
-  field(group.exchangedScore);
-  field(group.otherFacingScore);
+  std::map<std::string, std::pair<double, double>> outcomes;
+  for (const auto & outcome : group.outcomes)
+  {
+    outcomes[outcome.first] = { outcome.second.score, outcome.second.deviance };
+  }
+  field(outcomes);
+  group.outcomes.clear();
+  for (const auto & outcome : outcomes)
+  {
+    group.outcomes[outcome.first] = { outcome.second.first, outcome.second.second };
+  }
 }
 template <typename TField>
 void
@@ -397,6 +405,18 @@ WrapSolution(py::module_ & module)
              " px from the best>";
     });
 
+  using OutcomeType = itk::PoseHypothesisOutcome;
+  py::class_<OutcomeType>(module, "PoseHypothesisOutcome", "What came of another reading of the same input.")
+    .def_readonly("score", &OutcomeType::score, "Of its best candidate; 1 where there is none.")
+    .def_readonly("deviance",
+                  &OutcomeType::deviance,
+                  "Minus twice the log likelihood under it minus that of the result: clearly negative where it explains "
+                  "the evidence better. 0 where it was not asked for.")
+    .def("__repr__", [](const OutcomeType & self) {
+      return "<dentalscr.PoseHypothesisOutcome score " + std::to_string(self.score) + ", deviance " +
+             std::to_string(self.deviance) + '>';
+    });
+
   py::class_<SolutionType, itk::DataObject, itk::SmartPointer<SolutionType>>(
     module,
     "PoseSolution",
@@ -554,6 +574,12 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).margin; },
       py::arg("jaw"),
       "Score of the best candidate that lies elsewhere, minus the best's; 1 where there is none.")
+    .def(
+      "GetOutcomes",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).outcomes; },
+      py::arg("jaw"),
+      "{code: PoseHypothesisOutcome} of the hypotheses that were tried beside the result: other-side, and where the fit "
+      "is poor facing and jaws-exchanged.")
     .def(
       "GetNoiseLevels",
       [](const SolutionType & self, JawEnum jaw) {

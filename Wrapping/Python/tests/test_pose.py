@@ -234,8 +234,15 @@ def test_hypotheses_are_what_was_added(ds, phantom, axes):
     method.Execute(*inputs(phantom))
     assert seen and not any(seen)
     method.AddHypothesis(ds.OtherSideHypothesis())
-    method.Execute(*inputs(phantom))
+    solution = method.Execute(*inputs(phantom))
     assert any(seen)
+    outcomes = solution.GetOutcomes("upper")
+    assert list(outcomes) == ["other-side"] and outcomes["other-side"].deviance != 0.0
+    assert 0.0 < outcomes["other-side"].score <= 1.0
+    again = pickle.loads(pickle.dumps(solution)).GetOutcomes("upper")
+    assert again["other-side"].deviance == outcomes["other-side"].deviance
+    with pytest.raises(RuntimeError, match="ClearHypotheses"):
+        method.AddHypothesis(ds.OtherSideHypothesis())
     assert ds.OtherFacingHypothesis().GetCode() == "facing"
     assert ds.ExchangedJawsHypothesis().GetCode() == "jaws-exchanged"
 

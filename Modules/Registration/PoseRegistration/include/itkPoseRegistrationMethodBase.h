@@ -161,7 +161,8 @@ public:
     return m_Terms;
   }
 
-  /** OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis by default. */
+  /** OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis by default. What came of one stands in the
+   * solution's PoseGroupResult::outcomes under its code; codes therefore differ. */
   void
   AddHypothesis(const PoseHypothesis * hypothesis);
   void

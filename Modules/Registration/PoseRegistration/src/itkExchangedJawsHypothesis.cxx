@@ -24,7 +24,7 @@ namespace itk
 std::string
 ExchangedJawsHypothesis::GetCode() const
 {
-  return "jaws-exchanged";
+  return Code;
 }
 
 bool
@@ -52,11 +52,5 @@ ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
     }
   }
   return other;
-}
-
-void
-ExchangedJawsHypothesis::Record(const OutcomeType & outcome, PoseGroupResult & result) const
-{
-  result.exchangedScore = outcome.score;
 }
 } // namespace itk

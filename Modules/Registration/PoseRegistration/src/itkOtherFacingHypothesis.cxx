@@ -22,7 +22,7 @@ namespace itk
 std::string
 OtherFacingHypothesis::GetCode() const
 {
-  return "facing";
+  return Code;
 }
 
 bool
@@ -44,11 +44,5 @@ OtherFacingHypothesis::Apply(const PoseProblem & problem) const
     jaw.initialPose.reset();
   }
   return other;
-}
-
-void
-OtherFacingHypothesis::Record(const OutcomeType & outcome, PoseGroupResult & result) const
-{
-  result.otherFacingScore = outcome.score;
 }
 } // namespace itk

@@ -22,7 +22,7 @@ namespace itk
 std::string
 OtherSideHypothesis::GetCode() const
 {
-  return "other-side";
+  return Code;
 }
 
 bool
@@ -47,11 +47,5 @@ OtherSideHypothesis::Apply(const PoseProblem & problem) const
     jaw.initialPose.reset();
   }
   return other;
-}
-
-void
-OtherSideHypothesis::Record(const OutcomeType & outcome, PoseGroupResult & result) const
-{
-  result.otherSideDeviance = outcome.deviance;
 }
 } // namespace itk

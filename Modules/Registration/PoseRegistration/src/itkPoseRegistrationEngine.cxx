@@ -505,7 +505,7 @@ PoseRegistrationEngine::TryHypotheses(const PoseProblem &           problem,
         }
       }
     }
-    hypothesis->Record(outcome, result);
+    result.outcomes[hypothesis->GetCode()] = outcome;
   }
 }
 } // namespace itk

@@ -218,6 +218,14 @@ PoseRegistrationMethodBase::AddHypothesis(const PoseHypothesis * hypothesis)
   {
     itkExceptionMacro("AddHypothesis() was given no hypothesis.");
   }
+  const std::string code = hypothesis->GetCode();
+  if (std::any_of(
+        m_Hypotheses.begin(), m_Hypotheses.end(), [&](const auto & other) { return other->GetCode() == code; }))
+  {
+    itkExceptionMacro("There is a hypothesis with the code \""
+                      << code << "\" already, and the outcome stands under it: call ClearHypotheses() first, or give "
+                      << hypothesis->GetNameOfClass() << " another code.");
+  }
   m_Hypotheses.emplace_back(hypothesis);
   this->Modified();
 }
