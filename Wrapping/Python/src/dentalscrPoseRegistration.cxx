@@ -734,11 +734,13 @@ Execute(), and StopOptimization() in a command of it ends the registration.)")
          "Of the silhouettes in the covariance; None: the options'.")
     .def(
       "AddMetric",
-      [](MethodType & self, MetricBaseType * metric) { self.AddMetric(metric); },
+      [](MethodType & self, MetricBaseType * metric, JawEnum jaw) { self.AddMetric(metric, jaw); },
       py::arg("metric"),
+      py::arg("jaw") = JawEnum::Unknown,
       R"(A further term of the sum that is minimized: a LeastSquaresMetric of your own, a prior, another sum.
 
-It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. The
+It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. Jaws that
+stand apart have a sum each: with a jaw it is a term of that jaw's alone. Its robust kernel and noise stay its own. The
 registration works on clones of it.)")
     .def("ClearMetrics", &MethodType::ClearMetrics)
     .def(

@@ -150,15 +150,25 @@ public:
   itkGetConstObjectMacro(CovarianceNoiseModel, ResidualNoiseModel);
 
   /** A further term of the sum that is minimized, as a metric of one's own. It may read the blocks "pose" and "scale"
-   * or have blocks of its own. */
+   * or have blocks of its own. What it has of a robust kernel and of noise stays as it is set: the method configures
+   * the terms that it makes itself, and no others.
+   *
+   * Jaws that stand apart have a pose each, and a sum each. Where a jaw is given the term is one of that jaw's sum;
+   * with Unknown, the default, of every sum. Throws in Update() where that jaw has no mesh or contour. */
   void
-  AddMetric(TermType * term);
+  AddMetric(TermType * term, JawEnum jaw = JawEnum::Unknown);
   void
   ClearMetrics();
   const std::vector<TermType::Pointer> &
   GetMetrics() const
   {
     return m_Terms;
+  }
+  /** The jaw that each of them was given with. */
+  const std::vector<JawEnum> &
+  GetMetricJaws() const
+  {
+    return m_TermJaws;
   }
 
   /** OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis by default. What came of one stands in the
@@ -281,6 +291,7 @@ private:
   ResidualNoiseModel::ConstPointer          m_NoiseModel;
   ResidualNoiseModel::ConstPointer          m_CovarianceNoiseModel;
   std::vector<TermType::Pointer>            m_Terms;
+  std::vector<JawEnum>                      m_TermJaws;
   std::vector<PoseHypothesis::ConstPointer> m_Hypotheses;
   unsigned int                              m_CurrentLevel{ 0 };
   unsigned int                              m_NumberOfLevels{ 4 };

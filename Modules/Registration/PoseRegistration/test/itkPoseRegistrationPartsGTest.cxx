@@ -18,6 +18,7 @@
 #include "itkPoseRegistrationTestCase.h"
 #include "itkPoseSolutionTestCase.h"
 
+#include "itkCorrelatedNoiseModel.h"
 #include "itkExchangedJawsHypothesis.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkOtherFacingHypothesis.h"
@@ -26,6 +27,8 @@
 #include "itkPosePriors.h"
 #include "itkPoseStartSearch.h"
 #include "itkPoseStateBlocks.h"
+#include "itkSilhouettePoseMetricv4.h"
+#include "itkSquaresKernel.h"
 
 #include "itkAmoebaOptimizerv4.h"
 #include "itkLBFGSBOptimizerv4.h"
@@ -566,6 +569,86 @@ TEST(PoseRegistrationParts, JawsWithPosesOfTheirOwnAreGroupsOfTheirOwn)
   }
   EXPECT_EQ(&method->GetOutput()->GetGroup(JawEnum::Lower), &result.groups[1]);
   EXPECT_TRUE(method->GetJawsShareFrame()) << "one frame, two poses";
+}
+
+TEST(PoseRegistrationParts, ATermOfOneJawLeavesTheOthersPoseAlone)
+{
+  itk::PoseRegistrationOptions options;
+  options.useJointPose = false;
+  options.checkHypotheses = false;
+  const auto plain = MakeMethod(options);
+  plain->Update();
+  const auto method = MakeMethod(options);
+  method->AddMetric(MakePosePrior(itk::PoseTy, 1.5, 0.02), JawEnum::Lower);
+  EXPECT_EQ(method->GetMetricJaws(), std::vector<JawEnum>{ JawEnum::Lower });
+  method->Update();
+  const auto & without = plain->GetOutput()->GetResult().groups;
+  const auto & with = method->GetOutput()->GetResult().groups;
+  ASSERT_EQ(with.size(), 2u);
+  EXPECT_EQ(with[0].parameters, without[0].parameters) << "to the bit";
+  EXPECT_GT(std::abs(without[1].parameters[itk::PoseTy] - 1.5), 0.2) << "the case tells them apart";
+  EXPECT_NEAR(with[1].parameters[itk::PoseTy], 1.5, 0.05);
+  // One pose is that of both jaws.
+  const auto joint = MakeMethod();
+  joint->AddMetric(MakePosePrior(itk::PoseTy, 1.5, 0.02), JawEnum::Lower);
+  joint->Update();
+  EXPECT_NEAR(joint->GetOutput()->GetResult().groups[0].parameters[itk::PoseTy], 1.5, 0.05);
+  joint->SetLowerContour(nullptr);
+  EXPECT_TRUE(
+    Contains(MessageOfCall([&] { joint->Update(); }), "a term of the lower jaw, which lacks its mesh or contour"));
+}
+
+TEST(PoseRegistrationParts, AUsersSilhouetteKeepsItsKernelAndItsNoise)
+{
+  // The user's is the upper jaw's silhouette once more, with settings of its own.
+  itk::PoseRegistrationOptions options;
+  options.checkHypotheses = false;
+  options.yawStarts = { 0.0 };
+  const auto first = MakeMethod(options);
+  itk::SilhouettePoseMetricv4::Pointer own;
+  first->AddObserver(itk::MultiResolutionIterationEvent(), [&](const itk::EventObject &) {
+    if (own.IsNull())
+    {
+      own = dynamic_cast<const itk::SilhouettePoseMetricv4 *>(first->GetMetric()->GetMetric(0))->Clone();
+    }
+  });
+  first->Update();
+  ASSERT_TRUE(own.IsNotNull());
+  auto model = itk::CorrelatedNoiseModel::New();
+  model->SetCorrelationLength(5.0);
+  const auto kernel = itk::SquaresKernel::New();
+  own->SetRobustKernel(kernel);
+  own->SetKernelWidth(7.0);
+  own->SetNoiseModel(model);
+  own->SetNoiseLevels({ 3.0, 2.0 });
+  const auto method = MakeMethod(options);
+  method->AddMetric(own);
+  method->Update();
+  const auto check = [&](const itk::SilhouettePoseMetricv4 * silhouette) {
+    ASSERT_NE(silhouette, nullptr);
+    EXPECT_EQ(silhouette->GetRobustKernel(), kernel.GetPointer());
+    EXPECT_EQ(silhouette->GetKernelWidth(), 7.0);
+    EXPECT_EQ(silhouette->GetNoiseModel(), model.GetPointer());
+    itk::ContourNoiseLevels levels;
+    EXPECT_TRUE(silhouette->GetNoiseLevels(levels));
+    EXPECT_EQ(levels.smooth, 3.0);
+    EXPECT_EQ(levels.white, 2.0);
+  };
+  check(own);
+  const auto * sum = method->GetMetric();
+  const auto   last = sum->GetNumberOfMetrics() - 1;
+  EXPECT_EQ(sum->GetMetricSettings(last), itk::LeastSquaresSumMetricv4::SettingsEnum::Own);
+  EXPECT_EQ(sum->GetMetricSettings(0), itk::LeastSquaresSumMetricv4::SettingsEnum::OfTheSum);
+  check(dynamic_cast<const itk::SilhouettePoseMetricv4 *>(sum->GetMetric(last)));
+  // Those of the method's own are annealed and estimated all the same.
+  const auto * ofMethod = dynamic_cast<const itk::SilhouettePoseMetricv4 *>(sum->GetMetric(0));
+  EXPECT_NE(ofMethod->GetKernelWidth(), 7.0);
+  EXPECT_GT(method->GetOutput()->GetResult().groups[0].whiteSigma, 0.0);
+  EXPECT_NE(method->GetOutput()->GetResult().groups[0].smoothSigma, 3.0);
+  unsigned int runs = 0;
+  method->AddObserver(itk::StartEvent(), [&](const itk::EventObject &) { ++runs; });
+  method->Update();
+  EXPECT_EQ(runs, 0u) << "a run changes nothing of the user's metric";
 }
 
 TEST(PoseRegistrationParts, PriorsFollowTheOptions)
