@@ -219,8 +219,8 @@ public:
   std::string
   GetOptimizerStopConditionDescription() const override;
 
-  /** The sum of the group that runs, at the position of the last IterationEvent; null before the first group. It sends
-   * IterationEvents too. */
+  /** The sum of the group that runs, at the position of the last step that is no hypothesis's; null before the first
+   * group. It sends IterationEvents at these steps. */
   itkGetModifiableObjectMacro(Metric, MetricType);
 
   // Outputs -----------------------------------------------------------------------------------------------------
