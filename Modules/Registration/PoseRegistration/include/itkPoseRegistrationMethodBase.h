@@ -131,7 +131,8 @@ public:
 
   /** LevenbergMarquardtOptimizerv4 by default, of which candidates take clones. Any other v4 optimizer runs as it is,
    * in one thread, by its own stop rules, each time over all parameters that are free: its scales and bounds are of so
-   * many. */
+   * many. An abort ends it at its next evaluation. Its evaluations are IterationEvents of a step that was not accepted,
+   * its own IterationEvents those of one that was. Documentation/Pipeline.md says what ITK's optimizers need. */
   itkSetObjectMacro(Optimizer, OptimizerType);
   itkGetModifiableObjectMacro(Optimizer, OptimizerType);
 

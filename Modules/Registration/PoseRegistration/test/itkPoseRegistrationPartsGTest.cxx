@@ -30,8 +30,6 @@
 #include "itkSilhouettePoseMetricv4.h"
 #include "itkSquaresKernel.h"
 
-#include "itkAmoebaOptimizerv4.h"
-#include "itkLBFGSBOptimizerv4.h"
 #include "itkTestingMacros.h"
 
 #include <gtest/gtest.h>
@@ -40,8 +38,6 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
-#include <typeinfo>
 #include <vector>
 
 // The parts of a registration that a user may exchange or add.
@@ -498,56 +494,6 @@ TEST(PoseRegistrationParts, HypothesesTurnTheQuestionIntoAnother)
   EXPECT_EQ(other.jaws[0].frame.rotation[8], -1.0) << "it stands on its head";
   problem.jaws.resize(1);
   EXPECT_FALSE(exchanged->IsWorthTrying(problem, result)) << "there is nothing to exchange it with";
-}
-
-TEST(PoseRegistrationParts, AnotherOptimizerOfITKRegistersToo)
-{
-  itk::PoseRegistrationOptions options;
-  // A quarter of the work: each runs to its own end once a width of the kernel.
-  options.yawStarts = { 0.0 };
-  options.startsPerYaw = 2;
-  options.checkHypotheses = false;
-  const auto amoeba = itk::AmoebaOptimizerv4::New();
-  amoeba->SetNumberOfIterations(150);
-  const auto                                 lbfgsb = itk::LBFGSBOptimizerv4::New();
-  itk::LBFGSBOptimizerv4::BoundSelectionType unbounded(7);
-  unbounded.Fill(itk::LBFGSBOptimizerv4::UNBOUNDED);
-  lbfgsb->SetBoundSelection(unbounded);
-  lbfgsb->SetNumberOfIterations(30);
-  for (MethodType::OptimizerType * optimizer :
-       { static_cast<MethodType::OptimizerType *>(amoeba), static_cast<MethodType::OptimizerType *>(lbfgsb) })
-  {
-    const auto method = MakeMethod(options);
-    method->SetOptimizer(optimizer);
-    std::size_t steps = 0;
-    std::size_t ofOptimizer = 0;
-    const auto  count = [](std::size_t & counter) {
-      return [&counter](const itk::EventObject & event) {
-        counter += typeid(event) == typeid(itk::MultiResolutionIterationEvent) ? 0 : 1;
-      };
-    };
-    method->AddObserver(itk::IterationEvent(), count(steps));
-    const auto tag = optimizer->AddObserver(itk::IterationEvent(), count(ofOptimizer));
-    method->Update();
-    // They know nothing of damping and steps of some pixels; the place is the same.
-    EXPECT_LT(Typical().Error(method->GetOutput()->GetResult(), 0, 'R'), 3.0) << optimizer->GetNameOfClass();
-    EXPECT_LT(Typical().Error(method->GetOutput()->GetResult(), 1, 'R'), 3.0) << optimizer->GetNameOfClass();
-    EXPECT_TRUE(Contains(method->GetOutput()->GetResult().groups[0].stopCondition, optimizer->GetNameOfClass()));
-    EXPECT_GT(steps, 10u) << optimizer->GetNameOfClass();
-    EXPECT_EQ(steps, ofOptimizer) << optimizer->GetNameOfClass();
-    // The method leaves nothing behind, also where an observer throws.
-    optimizer->RemoveObserver(tag);
-    EXPECT_FALSE(optimizer->HasObserver(itk::IterationEvent()));
-    method->AddObserver(itk::IterationEvent(), [](const itk::EventObject & event) {
-      if (typeid(event) != typeid(itk::MultiResolutionIterationEvent))
-      {
-        throw std::domain_error("an observer's own");
-      }
-    });
-    method->Modified();
-    EXPECT_THROW(method->Update(), std::domain_error);
-    EXPECT_FALSE(optimizer->HasObserver(itk::IterationEvent()));
-  }
 }
 
 TEST(PoseRegistrationParts, JawsWithPosesOfTheirOwnAreGroupsOfTheirOwn)

@@ -27,6 +27,7 @@
 
 #include "itkObjectToObjectMetricBase.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -215,6 +216,13 @@ public:
   void
   UpdateTransformParameters(const DerivativeType & derivative, ParametersValueType factor) override;
 
+  /** Called before each evaluation that an optimizer asks for (GetValue(), GetDerivative(), both, or GetResiduals()), in
+   * its thread. What it throws ends the optimizer's run: most of ITK's optimizers ask nobody else whether to go on. Not
+   * cloned. */
+  using EvaluationCallbackType = std::function<void()>;
+  void
+  SetEvaluationCallback(EvaluationCallbackType callback);
+
   // LeastSquaresMetric ------------------------------------------------------------------------------------------------
 
   void
@@ -250,12 +258,19 @@ private:
   UpdateBlocks() const;
   void
   StateChanged();
+  void
+  AnnounceEvaluation() const;
+  MeasureType
+  EvaluateValue() const;
+  void
+  EvaluateDerivative(DerivativeType & derivative) const;
 
   /** Changes with values and what is free, which are no settings: what was prepared of these stays valid. */
   TimeStamp m_StateTime;
 
   mutable RegistrationState m_State;
   mutable ParametersType    m_Parameters;
+  EvaluationCallbackType    m_EvaluationCallback;
 
   friend class LeastSquaresSumMetricv4;
 };
