@@ -256,6 +256,16 @@ TEST_P(PoseRegistrationOptimizers, AnAbortEndsItAtTheNextEvaluation)
   EXPECT_EQ(afterwards, 0u);
 }
 
+TEST(PoseRegistrationOptimizers, ALearningRateThatIsFarTooLargeIsAnErrorThatSaysSo)
+{
+  // ITK's default, on a criterion whose slope is some thousand a millimetre.
+  const auto method = MakeMethod();
+  method->SetOptimizer(MakeGradientDescent(1.0));
+  const auto message = PoseSolutionTestCase::MessageOfCall([&] { method->Update(); });
+  EXPECT_TRUE(Contains(message, "none that a scan may have")) << message;
+  EXPECT_TRUE(Contains(message, "smaller step, learning rate or bounds")) << message;
+}
+
 INSTANTIATE_TEST_SUITE_P(
   ITK,
   PoseRegistrationOptimizers,
