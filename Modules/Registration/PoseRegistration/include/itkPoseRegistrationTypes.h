@@ -159,8 +159,9 @@ struct PoseRegistrationOptions
   double       secondWayDistance{ 1.0 };
   /** Candidates behind the best by more than this score do not go on. */
   double scoreMargin{ 0.12 };
-  /** The same of the last refinement: kernel width before the noise is known, and the factor on its standard deviation
-   * afterwards, never below the width for covariances. */
+  /** The same of the last refinement: kernel width, px, before the noise is known; afterwards the width is the factor
+   * times the noise's standard deviation, however small. In the covariance, which is no step of a descent and must not
+   * trust a lucky estimate, it is never below fineKernelWidth. */
   double fineKernelWidth{ 3.0 };
   double adaptiveKernelFactor{ 2.5 };
   double fineTolerance{ 0.005 };

@@ -36,6 +36,7 @@ ExchangedJawsHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGr
 PoseProblem
 ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
 {
+  // Enough to tell a fit from none: where this is tried nothing fits, and the verdict asks for a clear gain.
   constexpr unsigned int evaluations = 6;
   PoseProblem            other = problem;
   other.options = MakeQuickOptions(problem.options, evaluations);

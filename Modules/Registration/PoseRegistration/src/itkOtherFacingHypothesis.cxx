@@ -34,6 +34,7 @@ OtherFacingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGrou
 PoseProblem
 OtherFacingHypothesis::Apply(const PoseProblem & problem) const
 {
+  // Enough to tell a fit from none: where this is tried nothing fits, and the verdict asks for a clear gain.
   constexpr unsigned int evaluations = 6;
   PoseProblem            other = problem;
   other.options = MakeQuickOptions(problem.options, evaluations);

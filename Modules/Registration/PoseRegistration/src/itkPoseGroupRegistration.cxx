@@ -470,11 +470,13 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
   }
   PoseStart::RequestType request;
   request.pose = pose;
+  // Two more than are kept: refined, some of them fall together.
   request.maximumNumberOfStarts = m_Options.startsPerYaw + 2;
   request.holdRotation = m_Options.fixRotation;
   if (!m_PixelSpacingKnown && !m_Options.fixScale)
   {
     request.searchScale = true;
+    // One place may be found at two scales.
     request.maximumNumberOfStarts *= 2;
   }
   ScheduleType schedule;
@@ -657,6 +659,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
 double
 PoseGroupRegistration::ComputeDeviance() const
 {
+  // So small that a point which fits somewhat counts as before, so large that one which fits nowhere costs 3 log 10.
   constexpr double          smallestWeight = 1e-3;
   const MetricType::Pointer metric = this->CloneAt(m_Solution);
   metric->Hold(MetricType::HoldEnum::Nothing);

@@ -211,6 +211,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
           "inward-winding",
           "the triangles face inward: the scan may be mirrored, or its triangles are wound the wrong way");
     }
+    // The majority of the traced teeth.
     if (jaw.otherSideCodes > 0.5)
     {
       Add(verdict,
@@ -233,6 +234,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
       double distance = 0.0;
       for (const PoseCandidate & candidate : group.candidates)
       {
+        // Elsewhere, as the margin means it: the default of placeDistance, which the result does not carry.
         if (candidate.distance > 4.0)
         {
           distance = candidate.distance;
