@@ -25,12 +25,14 @@
 
 #include "itkProcessObject.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace itk
 {
+class PoseRegistrationMethodBase;
 template <typename TMesh>
 class UMidlineDentalAxisFilter;
 
@@ -128,6 +130,13 @@ public:
   void
   SetOption(const std::string & assignment);
 
+  /** Preset Robust: called with the method of the chain when its inputs and options are set, before it runs. It may
+   * exchange the method's parts, as a kernel with SetRobustKernel() or hypotheses with ClearHypotheses(): whatever
+   * PoseRegistrationMethodBase takes. Other presets do not call it. */
+  using PoseMethodCallbackType = std::function<void(PoseRegistrationMethodBase &)>;
+  void
+  SetPoseMethodCallback(PoseMethodCallbackType callback);
+
   /** Preset Robust: move the midline plane of the dental axis to the scan's mirror plane. Default on. */
   itkSetMacro(RefineMidline, bool);
   itkGetConstMacro(RefineMidline, bool);
@@ -185,6 +194,7 @@ private:
   unsigned int            m_NumberOfLowerContourPoints{ 439 };
   bool                    m_UseSurfaceDRR{ true };
   PoseRegistrationOptions m_PoseOptions;
+  PoseMethodCallbackType  m_PoseMethodCallback;
   bool                    m_KappaSigmaIsGiven{ false };
   bool                    m_RefineMidline{ true };
   CaseResult              m_Result;

@@ -308,6 +308,10 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     method->SetSpacingSource(SpacingSourceOf(data));
   }
   SetInitialTransforms(data, jaws, axis, method, result);
+  if (settings.configure)
+  {
+    settings.configure(*method);
+  }
 
   auto verdict = RegistrationVerdictFilter::New();
   verdict->SetSolution(method->GetOutput());

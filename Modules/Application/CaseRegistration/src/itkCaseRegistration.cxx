@@ -152,6 +152,13 @@ CaseRegistration::SetPoseOptions(const PoseRegistrationOptions & options)
 }
 
 void
+CaseRegistration::SetPoseMethodCallback(PoseMethodCallbackType callback)
+{
+  m_PoseMethodCallback = std::move(callback);
+  this->Modified();
+}
+
+void
 CaseRegistration::SetOption(const std::string & assignment)
 {
   const std::size_t sign = assignment.find('=');
@@ -359,6 +366,7 @@ CaseRegistration::RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshTy
   this->EnterStage("registration", 0.35F);
   CasePoseSettings settings;
   settings.options = m_PoseOptions;
+  settings.configure = m_PoseMethodCallback;
   settings.kappaSigmaIsGiven = m_KappaSigmaIsGiven;
   m_Result.options = PoseRegistrationOptionTable::GetChanges(m_PoseOptions);
   if (!m_RefineMidline)
@@ -473,6 +481,7 @@ CaseRegistration::PrintSelf(std::ostream & os, Indent indent) const
   }
   os << std::endl;
   os << indent << "KappaSigmaIsGiven: " << (m_KappaSigmaIsGiven ? "On" : "Off") << std::endl;
+  os << indent << "PoseMethodCallback: " << (m_PoseMethodCallback ? "set" : "(none)") << std::endl;
   os << indent << "RefineMidline: " << (m_RefineMidline ? "On" : "Off") << std::endl;
   os << indent << "CurrentStage: " << m_CurrentStage << std::endl;
   os << indent << "Running: " << (m_Running != nullptr ? m_Running->GetNameOfClass() : "(none)") << std::endl;

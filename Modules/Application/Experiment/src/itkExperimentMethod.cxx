@@ -377,6 +377,7 @@ ExperimentRunner::Run(const ExperimentMethod & method)
     {
       registration->SetOption(option);
     }
+    registration->SetPoseMethodCallback(method.exchange);
     registration->SetNumberOfWorkUnits(1);
     registration->SetData(m_Case.data);
     if (m_Abort)

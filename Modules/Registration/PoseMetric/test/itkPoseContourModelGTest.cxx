@@ -89,8 +89,8 @@ TEST(PoseContourModel, TakesEveryPoseOfAScanBeforeTheSource)
 TEST(PoseContourModel, ASampleIsNotMovedToAnAbsurdPoseEither)
 {
   const itk::PoseMeshContourModel model(MakeRoof(), true, false);
-  const itk::PoseModel        from(MakeGeometry(), itk::PoseParameters{ {} });
-  const itk::PoseContour      contour = model.Compute(from);
+  const itk::PoseModel            from(MakeGeometry(), itk::PoseParameters{ {} });
+  const itk::PoseContour          contour = model.Compute(from);
   for (const auto & move : { std::make_pair(itk::PoseTy, -2000.0), std::make_pair(itk::PoseKappa, 10.0) })
   {
     itk::PoseParameters pose{ {} };
