@@ -40,7 +40,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         "arch-width": [f"not {t['minimumArchWidth']:g}–{t['maximumArchWidth']:g} mm"],
         "undetermined": [f"> {t['failedPredictedSigma']:g} "],
         "code-offset": [f"> {t['suspectCodeOffset']:g} mm along the arch"],
-        "search-limit": [f"pitch > {math.degrees(t['suspectPitch']):.0f}°"],
+        "search-limit": [f"pitch > {t['suspectPitch']:g} rad ({math.degrees(t['suspectPitch']):.1f}°)"],
         "jaws-exchanged": [f"scores better by {t['hypothesisGain']:g}"],
     }
     for rule, parts in written.items():

@@ -146,7 +146,7 @@ def test_robust_is_right_and_says_how_sure_it_is(registered):
             assert sigma == pytest.approx(math.sqrt((a + d) / 2)) and b == pytest.approx(c)
         errors = jaw["error"]["landmarks"]
         # The landmarks of a case err together, so one case says little about 95 %: that is tested on a cohort
-        # (PoseRegistrationKernel.RegionsContainTheTruthAsOftenAsTheySay). Here all lie in the circle of 99.9 %.
+        # (PoseRegistration.RegionsContainTheTruthAsOftenAsTheySay). Here all lie in the circle of 99.9 %.
         assert all(error < 3.717 * jaw["landmark_sigma_px"][name] for name, error in errors.items())
 
 

@@ -2,6 +2,7 @@ itk_module(CaseRegistration
   DEPENDS
     DentalCommon
     CephalometricGeometry
+    CephalometricPose
     DentalContour
     MeshOpenMesh
     MeshVTK

@@ -3,10 +3,13 @@ itk_module(Experiment
     Annotation
     Baselines
     CaseRegistration
+    CephalometricPose
     ContourMetric
     DentalCommon
     DentalContour
     DentalPhantom
+    PoseRegistration
+    RegistrationCommon
     RegistrationEvaluation
     RegistrationReport
     SilhouetteToContour

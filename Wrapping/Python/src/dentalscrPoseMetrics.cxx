@@ -25,6 +25,7 @@
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkParameterPriorMetricv4.h"
 #include "itkPoseStateBlocks.h"
+#include "itkRegistrationIterationCommand.h"
 #include "itkSilhouettePoseMetricv4.h"
 #include "itkSquaresKernel.h"
 
@@ -623,6 +624,126 @@ WrapOptimizer(py::module_ & module)
     .def(
       "_RemoveCommand", [](OptimizerType & self, unsigned long tag) { self.RemoveObserver(tag); }, py::arg("tag"));
 }
+/** Writes to a Python stream what the command says, in the thread in which events come, with the interpreter taken. */
+class PythonIterationCommand : public itk::RegistrationIterationCommand
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(PythonIterationCommand);
+  using Self = PythonIterationCommand;
+  using Superclass = itk::RegistrationIterationCommand;
+  using Pointer = itk::SmartPointer<Self>;
+  itkNewMacro(Self);
+
+  void
+  SetPythonStream(const py::object & stream)
+  {
+    m_PythonStream = stream;
+    this->SetStream(stream.is_none() ? nullptr : &m_Lines);
+  }
+
+  void
+  Execute(itk::Object * caller, const itk::EventObject & event) override
+  {
+    this->Execute(const_cast<const itk::Object *>(caller), event);
+  }
+
+  void
+  Execute(const itk::Object * caller, const itk::EventObject & event) override
+  {
+    Superclass::Execute(caller, event);
+    const std::string lines = m_Lines.str();
+    if (lines.empty() || !Py_IsInitialized())
+    {
+      return;
+    }
+    m_Lines.str(std::string());
+    const py::gil_scoped_acquire interpreter;
+    m_PythonStream.attr("write")(lines);
+  }
+
+protected:
+  PythonIterationCommand() = default;
+  ~PythonIterationCommand() override
+  {
+    if (Py_IsInitialized())
+    {
+      const py::gil_scoped_acquire interpreter;
+      m_PythonStream = py::object();
+    }
+    else
+    {
+      m_PythonStream.release();
+    }
+  }
+
+private:
+  std::ostringstream m_Lines;
+  py::object         m_PythonStream;
+};
+
+void
+WrapIterationCommand(py::module_ & module)
+{
+  using RecordType = itk::RegistrationIterationCommand::RecordType;
+  using KindEnum = itk::RegistrationIterationCommand::KindEnum;
+  BindEnum<KindEnum>(module,
+                     "RegistrationEventKind",
+                     { { "Start", KindEnum::Start },
+                       { "Level", KindEnum::Level },
+                       { "Iteration", KindEnum::Iteration },
+                       { "Abort", KindEnum::Abort },
+                       { "End", KindEnum::End } },
+                     "What a record of RegistrationIterationCommand is of.");
+  py::class_<RecordType>(module, "RegistrationIterationRecord", "One event of a registration.")
+    .def_readonly("kind", &RecordType::kind)
+    .def_readonly("level", &RecordType::level)
+    .def_readonly("candidate", &RecordType::candidate)
+    .def_readonly("iteration", &RecordType::iteration)
+    .def_readonly("value", &RecordType::value, "Of the metric, at parameters.")
+    .def_property_readonly("parameters", [](const RecordType & self) { return ToArray(self.parameters); })
+    .def_readonly("stepLength", &RecordType::stepLength, "In the method's own unit of length.")
+    .def_readonly("accepted", &RecordType::accepted, "Whether the step was taken.")
+    .def_readonly("stopReason", &RecordType::stopReason, "At a level's start that of the level before; at the end.")
+    .def("__repr__", [](const RecordType & self) {
+      std::ostringstream text;
+      text << "<dentalscr.RegistrationIterationRecord level " << self.level << ", iteration " << self.iteration
+           << ", value " << self.value << '>';
+      return text.str();
+    });
+  py::class_<PythonIterationCommand, itk::SmartPointer<PythonIterationCommand>>(
+    module,
+    "RegistrationIterationCommand",
+    R"(Ready observer of any registration: level, candidate, iteration, value, step, parameters, stop reason.
+
+Records every step, not the mere evaluations, and is cleared at each start, so that one serves many runs.)")
+    .def(New<PythonIterationCommand>())
+    .def(
+      "Observe",
+      [](PythonIterationCommand & self, itk::ProcessObject * method) { self.Observe(method); },
+      py::arg("method").none(false),
+      "Adds itself to a registration method; which keeps it.")
+    .def(
+      "Observe",
+      [](PythonIterationCommand & self, OptimizerBaseType * optimizer) { self.Observe(optimizer); },
+      py::arg("optimizer").none(false),
+      "Adds itself to an optimizer that runs alone.")
+    .def("SetStream",
+         &PythonIterationCommand::SetPythonStream,
+         py::arg("stream"),
+         "What has a write(text), as sys.stdout, to write one line an event to; None writes nothing.")
+    .def("SetWriteEvery", &PythonIterationCommand::SetWriteEvery, py::arg("iterations"), "Records all of them.")
+    .def("GetWriteEvery", [](const PythonIterationCommand & self) { return self.GetWriteEvery(); })
+    .def(
+      "GetRecords", [](const PythonIterationCommand & self) { return self.GetRecords(); }, "A copy.")
+    .def(
+      "GetTable",
+      [](const PythonIterationCommand & self) {
+        std::ostringstream table;
+        self.WriteTable(table);
+        return table.str();
+      },
+      "All iterations as comma-separated values: level, candidate, iteration, value, step_length, accepted, p0 ...");
+}
 } // namespace
 
 void
@@ -633,5 +754,6 @@ WrapPoseMetrics(py::module_ & module)
   WrapMetricBase(module);
   WrapTerms(module);
   WrapOptimizer(module);
+  WrapIterationCommand(module);
 }
 } // namespace dentalscr

@@ -18,7 +18,10 @@
 #include "dentalscrOptimizers.h"
 #include "dentalscrPoseRegistration.h"
 
+#include "itkContourTransformFilter.h"
 #include "itkExchangedJawsHypothesis.h"
+#include "itkGeometryPlacementFilter.h"
+#include "itkLandmarkMatrixProjectionFilter.h"
 #include "itkLandmarkProjectionFilter.h"
 #include "itkMatchedContourFilter.h"
 #include "itkOtherFacingHypothesis.h"
@@ -28,6 +31,9 @@
 #include "itkPoseStartSearch.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
+#include "itkSimilarityPlacementFilter.h"
+#include "itkSurfaceSplatWidthCalculator.h"
+#include "itkTracingPixelSpacingFilter.h"
 
 #include "dentalscrLandmarks.h"
 
@@ -166,9 +172,17 @@ VisitFields(itk::PoseGroupResult & group, TField && field)
   field(group.converged);
   field(group.stopCondition);
   field(group.bisected);
-  field(group.otherSideDeviance);
-  field(group.exchangedScore);
-  field(group.otherFacingScore);
+  std::map<std::string, std::pair<double, double>> outcomes;
+  for (const auto & outcome : group.outcomes)
+  {
+    outcomes[outcome.first] = { outcome.second.score, outcome.second.deviance };
+  }
+  field(outcomes);
+  group.outcomes.clear();
+  for (const auto & outcome : outcomes)
+  {
+    group.outcomes[outcome.first] = { outcome.second.first, outcome.second.second };
+  }
 }
 template <typename TField>
 void
@@ -397,6 +411,18 @@ WrapSolution(py::module_ & module)
              " px from the best>";
     });
 
+  using OutcomeType = itk::PoseHypothesisOutcome;
+  py::class_<OutcomeType>(module, "PoseHypothesisOutcome", "What came of another reading of the same input.")
+    .def_readonly("score", &OutcomeType::score, "Of its best candidate; 1 where there is none.")
+    .def_readonly("deviance",
+                  &OutcomeType::deviance,
+                  "Minus twice the log likelihood under it minus that of the result: clearly negative where it explains "
+                  "the evidence better. 0 where it was not asked for.")
+    .def("__repr__", [](const OutcomeType & self) {
+      return "<dentalscr.PoseHypothesisOutcome score " + std::to_string(self.score) + ", deviance " +
+             std::to_string(self.deviance) + '>';
+    });
+
   py::class_<SolutionType, itk::DataObject, itk::SmartPointer<SolutionType>>(
     module,
     "PoseSolution",
@@ -555,6 +581,12 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       py::arg("jaw"),
       "Score of the best candidate that lies elsewhere, minus the best's; 1 where there is none.")
     .def(
+      "GetOutcomes",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).outcomes; },
+      py::arg("jaw"),
+      "{code: PoseHypothesisOutcome} of the hypotheses that were tried beside the result: other-side, and where the fit "
+      "is poor facing and jaws-exchanged.")
+    .def(
       "GetNoiseLevels",
       [](const SolutionType & self, JawEnum jaw) {
         const auto & group = self.GetGroup(Checked(jaw));
@@ -708,11 +740,13 @@ Execute(), and StopOptimization() in a command of it ends the registration.)")
          "Of the silhouettes in the covariance; None: the options'.")
     .def(
       "AddMetric",
-      [](MethodType & self, MetricBaseType * metric) { self.AddMetric(metric); },
+      [](MethodType & self, MetricBaseType * metric, JawEnum jaw) { self.AddMetric(metric, jaw); },
       py::arg("metric"),
+      py::arg("jaw") = JawEnum::Unknown,
       R"(A further term of the sum that is minimized: a LeastSquaresMetric of your own, a prior, another sum.
 
-It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. The
+It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. Jaws that
+stand apart have a sum each: with a jaw it is a term of that jaw's alone. Its robust kernel and noise stay its own. The
 registration works on clones of it.)")
     .def("ClearMetrics", &MethodType::ClearMetrics)
     .def(
@@ -875,6 +909,122 @@ WrapDownstream(py::module_ & module)
       return itk::Similarity2DTransform<double>::Pointer(self.GetTransformOutput()->GetModifiable());
     });
 }
+/** What lies between the filters of the paper's chain, where a pose is not known. */
+void
+WrapSimilarityChain(py::module_ & module)
+{
+  using PlacementType = itk::GeometryPlacementFilter;
+  ProcessClass<PlacementType>(module, "GeometryPlacementFilter", "A radiograph's geometry with an object in it.")
+    .def(New<PlacementType>())
+    .def("_SetGeometry", &PlacementType::SetGeometry, py::arg("geometry"))
+    .def(
+      "_SetFrame",
+      [](PlacementType & self, const RigidType & transform) { self.SetFrame(ToFrame(&transform)); },
+      py::arg("transform"))
+    .dentalscrBoolean(PlacementType, CentralRayThroughOrigin)
+    .def("_TakeOutput", [](PlacementType & self) {
+      itk::CephalometricGeometry::Pointer geometry = self.GetOutput();
+      geometry->DisconnectPipeline();
+      return geometry;
+    });
+
+  using WidthType = itk::SurfaceSplatWidthCalculator;
+  ProcessClass<WidthType>(module, "SurfaceSplatWidthCalculator", "The width of a DRR's splats that closes a surface.")
+    .def(New<WidthType>())
+    .def("_SetMesh", &WidthType::SetMesh, py::arg("mesh"))
+    .def("_SetGeometry", &WidthType::SetGeometry, py::arg("geometry"))
+    .dentalscrProperty(WidthType, WidthFactor)
+    .def("GetSigma", &WidthType::GetSigma, "mm in the detector plane.");
+
+  using SpacingType = itk::TracingPixelSpacingFilter;
+  ProcessClass<SpacingType>(
+    module, "TracingPixelSpacingFilter", "A geometry with a rough pixel spacing where none is known.")
+    .def(New<SpacingType>())
+    .def("_SetGeometry", &SpacingType::SetGeometry, py::arg("geometry"))
+    .def(
+      "_SetJaw",
+      [](SpacingType &             self,
+         JawEnum                   jaw,
+         const MeshType *          mesh,
+         const itk::DentalContour * contour,
+         const RigidType *         frame) { self.SetJaw(Checked(jaw), mesh, contour, ToFrame(frame)); },
+      py::arg("jaw"),
+      py::arg("mesh"),
+      py::arg("contour"),
+      py::arg("frame"))
+    .dentalscrProperty(SpacingType, DefaultPixelSpacing)
+    .def("_TakeOutput", [](SpacingType & self) {
+      itk::CephalometricGeometry::Pointer geometry = self.GetOutput();
+      geometry->DisconnectPipeline();
+      return geometry;
+    });
+
+  using SimilarityType = itk::SimilarityPlacementFilter;
+  ProcessClass<SimilarityType>(module, "SimilarityPlacementFilter", "Where a similarity puts the scan.")
+    .def(New<SimilarityType>())
+    .def(
+      "_SetSimilarity",
+      [](SimilarityType & self, const itk::Similarity2DTransform<double> & transform) {
+        self.SetSimilarity(&transform);
+      },
+      py::arg("transform"))
+    .def(
+      "_SetFrame",
+      [](SimilarityType & self, const RigidType & transform) { self.SetFrame(ToFrame(&transform)); },
+      py::arg("transform"))
+    .def("_SetGeometry", &SimilarityType::SetGeometry, py::arg("geometry"))
+    .dentalscrProperty(SimilarityType, MillimetresPerUnit)
+    .def(
+      "GetProjectionMatrix",
+      [](SimilarityType & self) { return ToArray(self.GetProjectionMatrix()); },
+      "(3, 4): mesh, in the unit of its file, to homogeneous pixel index.")
+    .def("_GetTransform", [](SimilarityType & self) {
+      return RigidType::Pointer(self.GetTransformOutput()->GetModifiable());
+    });
+
+  using ContourType = itk::ContourTransformFilter;
+  ProcessClass<ContourType>(module, "ContourTransformFilter", "A contour that a similarity has moved.")
+    .def(New<ContourType>())
+    .def(
+      "_SetInput",
+      [](ContourType & self, const itk::DentalContour * contour) { self.SetInput(contour); },
+      py::arg("contour"))
+    .def(
+      "_SetTransform",
+      [](ContourType & self, const itk::Similarity2DTransform<double> & transform) { self.SetTransform(&transform); },
+      py::arg("transform"))
+    .def("_TakeOutput", [](ContourType & self) {
+      itk::DentalContour::Pointer contour = self.GetOutput();
+      contour->DisconnectPipeline();
+      return contour;
+    });
+
+  using MatrixType = itk::LandmarkMatrixProjectionFilter;
+  ProcessClass<MatrixType>(module, "LandmarkMatrixProjectionFilter", "Landmarks by a projection matrix alone.")
+    .def(New<MatrixType>())
+    .def(
+      "_SetLandmarks",
+      [](MatrixType & self, const py::dict & landmarks) { self.SetLandmarks(FromDict<3>(landmarks)); },
+      py::arg("landmarks"))
+    .def(
+      "_SetProjectionMatrix",
+      [](MatrixType & self, const DoubleArray & values) {
+        if (values.ndim() != 2 || values.shape(0) != 3 || values.shape(1) != 4)
+        {
+          throw std::invalid_argument("a projection matrix has the wrong shape; (3, 4) is needed");
+        }
+        MatrixType::ProjectionMatrixType matrix;
+        for (unsigned int i = 0; i < 12; ++i)
+        {
+          matrix(i / 4, i % 4) = values.at(i / 4, i % 4);
+        }
+        self.SetProjectionMatrix(matrix);
+      },
+      py::arg("matrix"))
+    .def("SetJaw", &MatrixType::SetJaw, py::arg("jaw"))
+    .def("GetJaw", &MatrixType::GetJaw)
+    .def("_GetOutput", [](MatrixType & self) { return ToDict<2>(self.GetOutput()); });
+}
 } // namespace
 
 void
@@ -886,5 +1036,6 @@ WrapPoseRegistration(py::module_ & module)
   WrapParts(module);
   WrapPoseMethod(module);
   WrapDownstream(module);
+  WrapSimilarityChain(module);
 }
 } // namespace dentalscr

@@ -79,6 +79,7 @@ def test_every_process_object_has_its_procedural_twin(ds):
         "CaseRegistration": "register", "CaseResultFolderWriter": "WriteCaseResult", "DentalCaseReader": "ReadCase",
         "CephalogramFileReader": "ReadCephalogram",
         "CohortExperiment": "RunCohortExperiment", "DentalContourFileReader": "ReadContours",
+        "SurfaceSplatWidthCalculator": "SurfaceSplatWidth",
         "DentalContourFileWriter": "WriteContours", "DentalLandmarkFileReader": "ReadLandmarks",
         "DentalLandmarkFileWriter": "WriteLandmarks", "ToothLabelFileReader": "ReadToothLabels",
     }

@@ -2,6 +2,7 @@
 import copy
 import gc
 import importlib.util
+import io
 import json
 import pathlib
 import pickle
@@ -234,10 +235,79 @@ def test_hypotheses_are_what_was_added(ds, phantom, axes):
     method.Execute(*inputs(phantom))
     assert seen and not any(seen)
     method.AddHypothesis(ds.OtherSideHypothesis())
-    method.Execute(*inputs(phantom))
+    solution = method.Execute(*inputs(phantom))
     assert any(seen)
+    outcomes = solution.GetOutcomes("upper")
+    assert list(outcomes) == ["other-side"] and outcomes["other-side"].deviance != 0.0
+    assert 0.0 < outcomes["other-side"].score <= 1.0
+    again = pickle.loads(pickle.dumps(solution)).GetOutcomes("upper")
+    assert again["other-side"].deviance == outcomes["other-side"].deviance
+    with pytest.raises(RuntimeError, match="ClearHypotheses"):
+        method.AddHypothesis(ds.OtherSideHypothesis())
     assert ds.OtherFacingHypothesis().GetCode() == "facing"
     assert ds.ExchangedJawsHypothesis().GetCode() == "jaws-exchanged"
+
+
+def test_ready_command_logs_any_registration(ds, phantom, axes):
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    method.ClearHypotheses()
+    command = ds.RegistrationIterationCommand()
+    command.Observe(method)
+    steps = []
+    method.AddCommand(ds.sitkIterationEvent, lambda: steps.append(method.GetCurrentIteration()))
+    text = io.StringIO()
+    command.SetStream(text)
+    command.SetWriteEvery(1000)
+    method.Execute(*inputs(phantom))
+    kind = ds.RegistrationEventKind
+    records = command.GetRecords()
+    assert records[0].kind == kind.Start and records[-1].kind == kind.End and records[-1].stopReason
+    assert sum(record.kind == kind.Level for record in records) == 4
+    # A command of sitkIterationEvent hears of levels too.
+    iterations = [record for record in records if record.kind == kind.Iteration]
+    assert len(iterations) == len(steps) - 4
+    assert {record.accepted for record in iterations} == {True, False}
+    assert len(iterations[-1].parameters) == 7
+    lines = text.getvalue().splitlines()
+    assert lines[0] == "start" and lines[-1].startswith("end level 3") and len(lines) < len(iterations)
+    table = command.GetTable().splitlines()
+    assert table[0].startswith("level,candidate,iteration,value,step_length,accepted,p0")
+    assert len(table) == len(iterations) + 1
+    command.SetStream(None)
+    with pytest.raises(TypeError):
+        command.Observe(None)
+
+
+def test_what_a_stream_raises_ends_the_run(ds, phantom, axes):
+    class Full:
+        def write(self, text):
+            raise OSError("no space left")
+
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    command = ds.RegistrationIterationCommand()
+    command.SetStream(Full())
+    command.Observe(method)
+    with pytest.raises(OSError, match="no space left"):
+        method.Execute(*inputs(phantom))
+
+
+def test_a_term_may_be_of_one_jaw(ds, phantom, axes):
+    options = ds.PoseRegistrationOptions()
+    options.useJointPose = False
+    options.checkHypotheses = False
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    method.SetOptions(options)
+    plain = method.Execute(*inputs(phantom))
+    prior = ds.ParameterPriorMetricv4()
+    prior.SetBlock(ds.PoseStateBlocks.MakePose())
+    prior.SetPriors([ds.ParameterPrior(0.0, np.inf)] * 4 + [ds.ParameterPrior(1.5, 0.02), ds.ParameterPrior(0.0, np.inf)])
+    method.AddMetric(prior, "lower")
+    solution = method.Execute(*inputs(phantom))
+    assert solution.GetPose("upper") == plain.GetPose("upper")
+    assert abs(solution.GetPose("lower")[4] - 1.5) < 0.05
 
 
 def test_start_search_can_be_set(ds, phantom, axes, solution):

@@ -25,13 +25,14 @@
 
 #include "itkProcessObject.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace itk
 {
-struct DentalFrameResult;
+class PoseRegistrationMethodBase;
 template <typename TMesh>
 class UMidlineDentalAxisFilter;
 
@@ -39,7 +40,8 @@ class UMidlineDentalAxisFilter;
  * \brief Takes a case through the chain of a preset: dental axis, projection, contour, registration, landmarks,
  * verdict.
  *
- * One class for the program and for Python: a composite that wires the process objects of the chain. Input: a case,
+ * One class for the program and for Python: a composite that wires the process objects of the chain, each of which
+ * stands for itself in its module, and computes nothing of its own. Input: a case,
  * from DentalCaseReader; output: its result, for CaseResultFolderWriter. A jaw that can't be registered does not stop
  * the other: its status and reasons say why.
  *
@@ -128,6 +130,13 @@ public:
   void
   SetOption(const std::string & assignment);
 
+  /** Preset Robust: called with the method of the chain when its inputs and options are set, before it runs. It may
+   * exchange the method's parts, as a kernel with SetRobustKernel() or hypotheses with ClearHypotheses(): whatever
+   * PoseRegistrationMethodBase takes. Other presets do not call it. */
+  using PoseMethodCallbackType = std::function<void(PoseRegistrationMethodBase &)>;
+  void
+  SetPoseMethodCallback(PoseMethodCallbackType callback);
+
   /** Preset Robust: move the midline plane of the dental axis to the scan's mirror plane. Default on. */
   itkSetMacro(RefineMidline, bool);
   itkGetConstMacro(RefineMidline, bool);
@@ -172,7 +181,7 @@ private:
   void
   SkipWhatIsIncomplete();
   void
-  RegisterBySimilarity(const DentalFrameResult & frames);
+  RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis);
   void
   RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis);
   /** Updates a process object between two values of this one's progress. */
@@ -185,6 +194,7 @@ private:
   unsigned int            m_NumberOfLowerContourPoints{ 439 };
   bool                    m_UseSurfaceDRR{ true };
   PoseRegistrationOptions m_PoseOptions;
+  PoseMethodCallbackType  m_PoseMethodCallback;
   bool                    m_KappaSigmaIsGiven{ false };
   bool                    m_RefineMidline{ true };
   CaseResult              m_Result;

@@ -20,10 +20,11 @@
 
 #include "CaseRegistrationExport.h"
 #include "itkCaseResult.h"
-#include "itkDentalFrameEstimator.h"
 
+#include "itkDataObjectDecorator.h"
 #include "itkProcessObject.h"
 #include "itkSimilarity2DTransform.h"
+#include "itkVersorRigid3DTransform.h"
 
 namespace itk
 {
@@ -39,56 +40,54 @@ struct CaseSimilaritySettings
 };
 
 /** \name The parts of the paper's chain
- * For whoever puts another registration in the middle: geometry about the jaw's centroid, whose projection is q; the
- * silhouette in q (its seconds are added to the result); and, with the similarity that was found between silhouette and
- * tracing, everything of the result that follows from it but the landmarks.
+ * For whoever puts another registration in the middle: each wires process objects and writes what they say into the
+ * result. The geometry has a pixel spacing; the frame is the jaw's own, mesh (mm) to dental frame.
  *
  * \ingroup CaseRegistration
  * @{ */
-CaseRegistration_EXPORT CephalometricGeometry::Pointer
-                        MakeCentredGeometry(const CephalometricGeometry * geometry, const DentalJawFrame & frame);
+
+/** The frame as an output of UMidlineDentalAxisFilter. */
+using CaseFrameType = DataObjectDecorator<VersorRigid3DTransform<double>>;
+
+/** The whole scan's silhouette, central ray through the frame's origin; its seconds are added to the result. */
 CaseRegistration_EXPORT DentalContour::Pointer
                         MakeWholeSilhouette(const DentalCaseData::MeshType * mesh,
-                                            CephalometricGeometry *          centred,
+                                            const CaseFrameType *            frame,
+                                            const CephalometricGeometry *    geometry,
                                             const CaseSimilaritySettings &   settings,
                                             JawResult &                      result);
+
+/** Everything of the result that follows from the similarity that was found between silhouette and tracing, but the
+ * landmarks. */
 CaseRegistration_EXPORT void
 SetSimilarityOfJaw(const DentalCaseData &                data,
                    ToothCode::JawEnum                    jaw,
-                   const DentalJawFrame &                frame,
+                   const CaseFrameType *                 frame,
                    const CephalometricGeometry *         geometry,
-                   const CephalometricGeometry *         centred,
                    DentalContour *                       silhouette,
                    const Similarity2DTransform<double> * transform,
                    JawResult &                           result);
 /** @} */
 
 /** The paper's chain from the dental frame on, for one jaw: projection with the central ray through the centroid,
- * silhouette, similarity. `geometry` has a pixel spacing; its principal point is not used but to say where the jaw is
- * in the cephalostat. */
+ * silhouette, similarity. The geometry's principal point is not used but to say where the jaw is in the cephalostat. */
 CaseRegistration_EXPORT void
 RegisterJawBySimilarity(const DentalCaseData &         data,
                         ToothCode::JawEnum             jaw,
-                        const DentalJawFrame &         frame,
+                        const CaseFrameType *          frame,
                         const CephalometricGeometry *  geometry,
                         const CaseSimilaritySettings & settings,
                         JawResult &                    result);
 
-/** A pixel spacing that makes silhouette and tracing equally wide: what is left where none is known. */
-CaseRegistration_EXPORT double
-EstimatePixelSpacing(const DentalCaseData & data, ToothCode::JawEnum jaw, const DentalJawFrame & frame);
+/** Where the similarity of a case puts the jaw in the cephalostat. */
+CaseRegistration_EXPORT VersorRigid3DTransform<double>::ConstPointer
+                        PlaceInCephalostat(const CaseFrameType *         frame,
+                                           const SimilarityParameters &  similarity,
+                                           const CephalometricGeometry * geometry);
 
-/** Where a similarity puts the jaw in the cephalostat: the in-plane rotation is one about y, the translation one in the
- * midsagittal plane; its scale is no rigid motion, but a factor on the magnification, which says how many mm a pixel
- * is. */
+/** The result's way of writing a rigid transform: row-major 3x4. */
 CaseRegistration_EXPORT std::array<double, 12>
-                        PlaceInCephalostat(const std::array<double, 12> & meshToFrame,
-                                           const SimilarityParameters &   similarity,
-                                           const CephalometricGeometry *  geometry);
-
-/** The rigid map of a frame, mesh (mm) to frame, row-major 3x4. */
-CaseRegistration_EXPORT std::array<double, 12>
-                        MeshToFrame(const DentalJawFrame & frame);
+                        ToRows(const VersorRigid3DTransform<double> * transform);
 
 class ContourDistanceFilter;
 

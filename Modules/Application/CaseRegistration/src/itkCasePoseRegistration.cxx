@@ -124,21 +124,6 @@ MakeTransform(const std::array<double, 12> & rows)
   return transform;
 }
 
-std::array<double, 12>
-MakeRows(const MethodType::RigidTransformType * transform)
-{
-  std::array<double, 12> rows{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rows[4 * row + column] = transform->GetMatrix()(row, column);
-    }
-    rows[4 * row + 3] = transform->GetOffset()[row];
-  }
-  return rows;
-}
-
 /** What the case says to start from, a jaw each. */
 void
 SetInitialTransforms(const DentalCaseData &               data,
@@ -168,9 +153,9 @@ SetInitialTransforms(const DentalCaseData &               data,
     if (similarity != description.initialSimilarity.end() && FrameOf(axis, entry.first)->Get() != nullptr)
     {
       // It acts on the projection of the jaw's own frame: the place that it amounts to, its scale apart.
-      const auto placed =
-        PlaceInCephalostat(MakeRows(FrameOf(axis, entry.first)->Get()), similarity->second, data.geometry);
-      method->SetInitialTransform(entry.first, MakeTransform(placed), similarity->second.scale);
+      method->SetInitialTransform(entry.first,
+                                  PlaceInCephalostat(FrameOf(axis, entry.first), similarity->second, data.geometry),
+                                  similarity->second.scale);
     }
   }
 }
@@ -323,6 +308,10 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     method->SetSpacingSource(SpacingSourceOf(data));
   }
   SetInitialTransforms(data, jaws, axis, method, result);
+  if (settings.configure)
+  {
+    settings.configure(*method);
+  }
 
   auto verdict = RegistrationVerdictFilter::New();
   verdict->SetSolution(method->GetOutput());
@@ -392,8 +381,8 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       }
     }
     jaw.projection = FromFileUnit(poseJaw.projection, unit);
-    jaw.meshToCephalostat = MakeRows(method->GetTransform(entry.first));
-    jaw.meshToUMDA = MakeRows(FrameOf(axis, entry.first)->Get());
+    jaw.meshToCephalostat = ToRows(method->GetTransform(entry.first));
+    jaw.meshToUMDA = ToRows(FrameOf(axis, entry.first)->Get());
 
     auto similarity = ProjectionSimilarityFilter::New();
     similarity->SetSolution(solution);

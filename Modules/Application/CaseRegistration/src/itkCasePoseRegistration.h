@@ -27,6 +27,8 @@
 
 namespace itk
 {
+class PoseRegistrationMethodBase;
+
 /** \struct CasePoseSettings
  * \brief What the robust chain needs beside the data. */
 struct CasePoseSettings
@@ -38,6 +40,8 @@ struct CasePoseSettings
   unsigned int numberOfThreads{ 0 };
   /** Points of the resampled whole silhouette, upper and lower, for the figures that presets are compared on. */
   std::array<unsigned int, 2> numberOfContourPoints{ { 441, 439 } };
+  /** Called with the method before it runs, where it is set. */
+  std::function<void(PoseRegistrationMethodBase &)> configure;
   /** Updates a process object with the caller's progress and abort. */
   std::function<void(ProcessObject *)> run;
 };

@@ -25,6 +25,7 @@
 #include "itkPoseRegistrationOptionTable.h"
 #include "itkCommand.h"
 #include "itkTimeProbe.h"
+#include "itkTracingPixelSpacingFilter.h"
 #include "itkUMidlineDentalAxisFilter.h"
 
 #include <algorithm>
@@ -147,6 +148,13 @@ CaseRegistration::SetPoseOptions(const PoseRegistrationOptions & options)
 {
   m_PoseOptions = options;
   m_KappaSigmaIsGiven = options.kappaSigma != PoseRegistrationOptions().kappaSigma;
+  this->Modified();
+}
+
+void
+CaseRegistration::SetPoseMethodCallback(PoseMethodCallbackType callback)
+{
+  m_PoseMethodCallback = std::move(callback);
   this->Modified();
 }
 
@@ -344,7 +352,7 @@ CaseRegistration::GenerateData()
   }
   else
   {
-    this->RegisterBySimilarity(frames);
+    this->RegisterBySimilarity(axis);
   }
   total.Stop();
   m_Result.totalSeconds = total.GetTotal() + m_Data->readSeconds;
@@ -358,6 +366,7 @@ CaseRegistration::RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshTy
   this->EnterStage("registration", 0.35F);
   CasePoseSettings settings;
   settings.options = m_PoseOptions;
+  settings.configure = m_PoseMethodCallback;
   settings.kappaSigmaIsGiven = m_KappaSigmaIsGiven;
   m_Result.options = PoseRegistrationOptionTable::GetChanges(m_PoseOptions);
   if (!m_RefineMidline)
@@ -371,8 +380,11 @@ CaseRegistration::RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshTy
 }
 
 void
-CaseRegistration::RegisterBySimilarity(const DentalFrameResult & frames)
+CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis)
 {
+  const auto frameOf = [axis](JawEnum jaw) {
+    return jaw == JawEnum::Upper ? axis->GetUpperTransformOutput() : axis->GetLowerTransformOutput();
+  };
   if (m_Data->description.initialPose)
   {
     m_Result.warnings.push_back(std::string("\"init.pose\" is not used by preset ") + ToString(m_Preset) +
@@ -381,17 +393,18 @@ CaseRegistration::RegisterBySimilarity(const DentalFrameResult & frames)
   // A spacing that nobody knows is estimated once for both jaws: they lie in one image.
   if (!m_Data->HasPixelSpacing())
   {
-    double       sum = 0.0;
-    unsigned int count = 0;
+    auto spacing = TracingPixelSpacingFilter::New();
+    spacing->SetGeometry(m_Data->geometry);
     for (const auto & entry : m_Result.jaws)
     {
       if (entry.second.status != CaseStatusEnum::Failed)
       {
-        sum += EstimatePixelSpacing(*m_Data, entry.first, entry.first == JawEnum::Upper ? frames.upper : frames.lower);
-        ++count;
+        const auto & input = m_Data->GetJaw(entry.first);
+        spacing->SetJaw(entry.first, input.mesh, input.contour, frameOf(entry.first));
       }
     }
-    m_Result.geometry->SetPixelSpacing(CephalometricGeometry::PixelSpacingType(count > 0 ? sum / count : 0.25));
+    spacing->Update();
+    m_Result.geometry->SetPixelSpacing(spacing->GetOutput()->GetPixelSpacing());
   }
 
   bool                   havePrincipalPoint = false;
@@ -415,7 +428,7 @@ CaseRegistration::RegisterBySimilarity(const DentalFrameResult & frames)
     {
       RegisterJawBySimilarity(*m_Data,
                               entry.first,
-                              entry.first == JawEnum::Upper ? frames.upper : frames.lower,
+                              frameOf(entry.first),
                               m_Result.geometry,
                               settings,
                               result);
@@ -441,7 +454,8 @@ CaseRegistration::RegisterBySimilarity(const DentalFrameResult & frames)
     }
     if (havePrincipalPoint)
     {
-      result.meshToCephalostat = PlaceInCephalostat(result.meshToUMDA, result.similarity, m_Result.geometry);
+      result.meshToCephalostat =
+        ToRows(PlaceInCephalostat(frameOf(entry.first), result.similarity, m_Result.geometry));
     }
     PredictLandmarks(*m_Data, entry.first, result);
     // The paper's recipe can fit the wrong place well (Documentation/Registration.md): it never vouches for itself.
@@ -467,6 +481,7 @@ CaseRegistration::PrintSelf(std::ostream & os, Indent indent) const
   }
   os << std::endl;
   os << indent << "KappaSigmaIsGiven: " << (m_KappaSigmaIsGiven ? "On" : "Off") << std::endl;
+  os << indent << "PoseMethodCallback: " << (m_PoseMethodCallback ? "set" : "(none)") << std::endl;
   os << indent << "RefineMidline: " << (m_RefineMidline ? "On" : "Off") << std::endl;
   os << indent << "CurrentStage: " << m_CurrentStage << std::endl;
   os << indent << "Running: " << (m_Running != nullptr ? m_Running->GetNameOfClass() : "(none)") << std::endl;

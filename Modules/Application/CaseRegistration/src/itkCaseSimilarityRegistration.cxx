@@ -19,16 +19,19 @@
 
 #include "itkContourDistanceFilter.h"
 #include "itkContourResampleFilter.h"
-#include "itkMakeTriangleSurface.h"
+#include "itkContourTransformFilter.h"
+#include "itkGeometryPlacementFilter.h"
+#include "itkLandmarkMatrixProjectionFilter.h"
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkSilhouetteContourFilter.h"
 #include "itkSilhouetteToContourRegistrationMethod.h"
+#include "itkSimilarityPlacementFilter.h"
 #include "itkSurfaceDRRImageSource.h"
+#include "itkSurfaceSplatWidthCalculator.h"
 
 #include "itkCommand.h"
 #include "itkTimeProbe.h"
 
-#include <cmath>
 #include <sstream>
 
 namespace itk
@@ -39,17 +42,17 @@ using MeshType = DentalCaseData::MeshType;
 using ImageType = DentalCaseData::ImageType;
 using MethodType = SilhouetteToContourRegistrationMethod;
 
-/** Wide enough to close the gaps between the vertices, no wider: the border moves outward with it. mm in the detector
- * plane. */
-double
-ChooseSplatWidth(const MeshType * mesh, const CephalometricGeometry * geometry)
+Similarity2DTransform<double>::Pointer
+MakeSimilarity(const SimilarityParameters & similarity)
 {
-  const TriangleSurface surface = MakeTriangleSurface(mesh);
-  const double          area = surface.Area();
-  const double magnification = geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
-  const double distance = magnification * std::sqrt(area / static_cast<double>(surface.points.size()));
-  // A pixel is the finest that the image can show.
-  return std::max(0.5 * (geometry->GetPixelSpacing()[0] + geometry->GetPixelSpacing()[1]), 0.7 * distance);
+  auto                                          transform = Similarity2DTransform<double>::New();
+  Similarity2DTransform<double>::ParametersType parameters(4);
+  parameters[0] = similarity.scale;
+  parameters[1] = similarity.rotation;
+  parameters[2] = similarity.translation[0];
+  parameters[3] = similarity.translation[1];
+  transform->SetParameters(parameters);
+  return transform;
 }
 
 void
@@ -76,47 +79,35 @@ ReportBoundsHit(const MethodType * method, JawResult & result)
 }
 } // namespace
 
-CephalometricGeometry::Pointer
-MakeCentredGeometry(const CephalometricGeometry * geometry, const DentalJawFrame & frame)
-{
-  auto centred = CephalometricGeometry::New();
-  centred->CopyParameters(geometry);
-  CephalometricGeometry::PixelIndexType origin;
-  origin.Fill(0.0);
-  centred->SetPrincipalPoint(origin);
-  CephalometricGeometry::RotationType rotation;
-  CephalometricGeometry::VectorType   translation;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    translation[row] = 0.0;
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation(row, column) = frame.axes[row][column];
-      translation[row] -= frame.axes[row][column] * frame.origin[column];
-    }
-  }
-  centred->SetPose(rotation, translation);
-  return centred;
-}
-
 DentalContour::Pointer
 MakeWholeSilhouette(const MeshType *               mesh,
-                    CephalometricGeometry *        geometry,
+                    const CaseFrameType *          frame,
+                    const CephalometricGeometry *  geometry,
                     const CaseSimilaritySettings & settings,
                     JawResult &                    result)
 {
-  TimeProbe projectionProbe;
-  TimeProbe contourProbe;
-  auto      resample = ContourResampleFilter::New();
+  auto placement = GeometryPlacementFilter::New();
+  placement->SetGeometry(geometry);
+  placement->SetFrame(frame);
+  placement->CentralRayThroughOriginOn();
+  placement->Update();
+  CephalometricGeometry * centred = placement->GetOutput();
+  TimeProbe               projectionProbe;
+  TimeProbe               contourProbe;
+  auto                    resample = ContourResampleFilter::New();
   resample->SetNumberOfPoints(settings.numberOfContourPoints);
   if (settings.useSurfaceDRR)
   {
     projectionProbe.Start();
+    auto width = SurfaceSplatWidthCalculator::New();
+    width->SetMesh(mesh);
+    width->SetGeometry(centred);
+    width->Update();
     using SourceType = SurfaceDRRImageSource<MeshType, ImageType>;
     auto source = SourceType::New();
     source->SetInput(mesh);
-    source->SetGeometry(geometry);
-    source->SetSigma(ChooseSplatWidth(mesh, geometry));
+    source->SetGeometry(centred);
+    source->SetSigma(width->GetSigma());
     // Four widths of the splats: the iso-contour must not touch the image's border.
     source->SetSizeToCoverMeshes(4.0 * source->GetSigma());
     source->Update();
@@ -139,7 +130,7 @@ MakeWholeSilhouette(const MeshType *               mesh,
     contourProbe.Start();
     auto source = MeshSilhouetteContourSource<MeshType>::New();
     source->SetInput(mesh);
-    source->SetGeometry(geometry);
+    source->SetGeometry(centred);
     resample->SetInput(source->GetOutput());
     resample->Update();
     contourProbe.Stop();
@@ -151,52 +142,32 @@ MakeWholeSilhouette(const MeshType *               mesh,
   return silhouette;
 }
 
-std::array<double, 12>
-PlaceInCephalostat(const std::array<double, 12> & meshToFrame,
-                   const SimilarityParameters &   similarity,
-                   const CephalometricGeometry *  geometry)
+VersorRigid3DTransform<double>::ConstPointer
+PlaceInCephalostat(const CaseFrameType *         frame,
+                   const SimilarityParameters &  similarity,
+                   const CephalometricGeometry * geometry)
 {
-  const double f = geometry->GetFacingSign();
-  const double c = std::cos(similarity.rotation);
-  const double s = f * std::sin(similarity.rotation);
-  // The scale is a factor on the magnification, as the pose registration's is: a pixel is so many mm fewer or more.
-  const double m =
-    similarity.scale * geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
-  const double shift[3] = {
-    f * (similarity.translation[0] - geometry->GetPrincipalPoint()[0]) * geometry->GetPixelSpacing()[0] / m,
-    0.0,
-    -(similarity.translation[1] - geometry->GetPrincipalPoint()[1]) * geometry->GetPixelSpacing()[1] / m
-  };
-  const double           rotation[3][3] = { { c, 0.0, s }, { 0.0, 1.0, 0.0 }, { -s, 0.0, c } };
-  std::array<double, 12> placed{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 4; ++column)
-    {
-      double sum = column == 3 ? shift[row] : 0.0;
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        sum += rotation[row][d] * meshToFrame[4 * d + column];
-      }
-      placed[4 * row + column] = sum;
-    }
-  }
-  return placed;
+  auto placement = SimilarityPlacementFilter::New();
+  placement->SetSimilarity(MakeSimilarity(similarity));
+  placement->SetFrame(frame);
+  placement->SetGeometry(geometry);
+  placement->Update();
+  return placement->GetTransform();
 }
 
 std::array<double, 12>
-MeshToFrame(const DentalJawFrame & frame)
+ToRows(const VersorRigid3DTransform<double> * transform)
 {
-  std::array<double, 12> matrix{};
+  std::array<double, 12> rows{};
   for (unsigned int row = 0; row < 3; ++row)
   {
     for (unsigned int column = 0; column < 3; ++column)
     {
-      matrix[4 * row + column] = frame.axes[row][column];
-      matrix[4 * row + 3] -= frame.axes[row][column] * frame.origin[column];
+      rows[4 * row + column] = transform->GetMatrix()(row, column);
     }
+    rows[4 * row + 3] = transform->GetOffset()[row];
   }
-  return matrix;
+  return rows;
 }
 
 ContourFigures
@@ -215,63 +186,35 @@ PredictLandmarks(const DentalCaseData & data, ToothCode::JawEnum jaw, JawResult 
   {
     return;
   }
-  const auto & m = result.projection;
-  for (const auto & landmark : data.landmarks3D->GetLandmarks())
+  LandmarkMatrixProjectionFilter::ProjectionMatrixType matrix;
+  for (unsigned int i = 0; i < 12; ++i)
   {
-    if (landmark.tooth.GetJaw() != jaw)
-    {
-      continue;
-    }
-    double sums[3];
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      sums[row] = m[4 * row] * landmark.point[0] + m[4 * row + 1] * landmark.point[1] +
-                  m[4 * row + 2] * landmark.point[2] + m[4 * row + 3];
-    }
+    matrix(i / 4, i % 4) = result.projection[i];
+  }
+  auto projection = LandmarkMatrixProjectionFilter::New();
+  projection->SetLandmarks(data.landmarks3D);
+  projection->SetProjectionMatrix(matrix);
+  projection->SetJaw(jaw);
+  projection->Update();
+  for (const auto & landmark : projection->GetOutput()->GetLandmarks())
+  {
     LandmarkPrediction prediction;
     prediction.name = landmark.name;
-    prediction.position = { { sums[0] / sums[2], sums[1] / sums[2] } };
+    prediction.position = { { landmark.point[0], landmark.point[1] } };
     result.landmarks.push_back(prediction);
   }
-}
-
-double
-EstimatePixelSpacing(const DentalCaseData & data, ToothCode::JawEnum jaw, const DentalJawFrame & frame)
-{
-  // Unit spacing makes the projection come out in mm of the detector plane.
-  auto geometry = CephalometricGeometry::New();
-  geometry->CopyParameters(data.geometry);
-  geometry->SetPixelSpacing(CephalometricGeometry::PixelSpacingType(1.0));
-  const auto   centred = MakeCentredGeometry(geometry, frame);
-  const auto   projection = centred->GetProjection();
-  double       low = NumericTraits<double>::max();
-  double       high = NumericTraits<double>::NonpositiveMin();
-  const auto * points = data.GetJaw(jaw).mesh->GetPoints();
-  for (auto it = points->Begin(); it != points->End(); ++it)
-  {
-    const double point[3] = { it.Value()[0], it.Value()[1], it.Value()[2] };
-    double       u = 0.0;
-    double       v = 0.0;
-    projection.Project(point, u, v);
-    low = std::min(low, u);
-    high = std::max(high, u);
-  }
-  const auto * box = data.GetJaw(jaw).contour->GetBoundingBox();
-  const double width = box->GetMaximum()[0] - box->GetMinimum()[0];
-  return width > 0.0 ? (high - low) / width : 0.25;
 }
 
 void
 RegisterJawBySimilarity(const DentalCaseData &         data,
                         ToothCode::JawEnum             jaw,
-                        const DentalJawFrame &         frame,
+                        const CaseFrameType *          frame,
                         const CephalometricGeometry *  geometry,
                         const CaseSimilaritySettings & settings,
                         JawResult &                    result)
 {
-  const auto      centred = MakeCentredGeometry(geometry, frame);
   DentalContour * tracing = data.GetJaw(jaw).contour;
-  const auto      silhouette = MakeWholeSilhouette(data.GetJaw(jaw).mesh, centred, settings, result);
+  const auto      silhouette = MakeWholeSilhouette(data.GetJaw(jaw).mesh, frame, geometry, settings, result);
 
   TimeProbe probe;
   probe.Start();
@@ -297,14 +240,7 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
   const auto initial = data.description.initialSimilarity.find(jaw);
   if (initial != data.description.initialSimilarity.end())
   {
-    auto                                      transform = MethodType::TransformType::New();
-    MethodType::TransformType::ParametersType parameters(4);
-    parameters[0] = initial->second.scale;
-    parameters[1] = initial->second.rotation;
-    parameters[2] = initial->second.translation[0];
-    parameters[3] = initial->second.translation[1];
-    transform->SetParameters(parameters);
-    method->SetInitialTransform(transform);
+    method->SetInitialTransform(MakeSimilarity(initial->second));
   }
   if (settings.caller != nullptr)
   {
@@ -319,16 +255,15 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
   probe.Stop();
   result.seconds.emplace_back("registration", probe.GetTotal());
 
-  SetSimilarityOfJaw(data, jaw, frame, geometry, centred, silhouette, method->GetTransform(), result);
+  SetSimilarityOfJaw(data, jaw, frame, geometry, silhouette, method->GetTransform(), result);
   ReportBoundsHit(method, result);
 }
 
 void
 SetSimilarityOfJaw(const DentalCaseData &                data,
                    ToothCode::JawEnum                    jaw,
-                   const DentalJawFrame &                frame,
+                   const CaseFrameType *                 frame,
                    const CephalometricGeometry *         geometry,
-                   const CephalometricGeometry *         centred,
                    DentalContour *                       silhouette,
                    const Similarity2DTransform<double> * transform,
                    JawResult &                           result)
@@ -337,27 +272,18 @@ SetSimilarityOfJaw(const DentalCaseData &                data,
   result.similarity = { parameters[0], parameters[1], { { parameters[2], parameters[3] } } };
   result.registered = true;
 
-  // Similarity x projection x unit, as one matrix.
-  const double c = result.similarity.scale * std::cos(result.similarity.rotation);
-  const double s = result.similarity.scale * std::sin(result.similarity.rotation);
-  const double rows[3][3] = { { c, -s, result.similarity.translation[0] },
-                              { s, c, result.similarity.translation[1] },
-                              { 0.0, 0.0, 1.0 } };
-  const auto   projection = centred->GetProjectionMatrix();
-  for (unsigned int row = 0; row < 3; ++row)
+  auto placement = SimilarityPlacementFilter::New();
+  placement->SetSimilarity(transform);
+  placement->SetFrame(frame);
+  placement->SetGeometry(geometry);
+  placement->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  placement->Update();
+  for (unsigned int i = 0; i < 12; ++i)
   {
-    for (unsigned int column = 0; column < 4; ++column)
-    {
-      double sum = 0.0;
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        sum += rows[row][d] * projection(d, column);
-      }
-      result.projection[4 * row + column] = column < 3 ? sum * data.description.millimetresPerUnit : sum;
-    }
+    result.projection[i] = placement->GetProjectionMatrix()(i / 4, i % 4);
   }
-  result.meshToUMDA = MeshToFrame(frame);
-  result.meshToCephalostat = PlaceInCephalostat(result.meshToUMDA, result.similarity, geometry);
+  result.meshToUMDA = ToRows(frame->Get());
+  result.meshToCephalostat = ToRows(placement->GetTransform());
 
   auto distances = ContourDistanceFilter::New();
   distances->SetFixedContour(data.GetJaw(jaw).contour);
@@ -366,15 +292,12 @@ SetSimilarityOfJaw(const DentalCaseData &                data,
   distances->Update();
   result.metrics.emplace_back("whole", ToContourFigures(distances));
 
-  auto aligned = DentalContour::New();
-  for (auto polyline : silhouette->GetPolylines())
-  {
-    for (auto & point : polyline.points)
-    {
-      point = transform->TransformPoint(point);
-    }
-    aligned->AddPolyline(polyline);
-  }
-  result.contours.emplace_back("whole", aligned);
+  auto aligned = ContourTransformFilter::New();
+  aligned->SetInput(silhouette);
+  aligned->SetTransform(transform);
+  aligned->Update();
+  DentalContour::Pointer contour = aligned->GetOutput();
+  contour->DisconnectPipeline();
+  result.contours.emplace_back("whole", contour);
 }
 } // namespace itk

@@ -22,6 +22,10 @@
 
 #include "itkCommand.h"
 
+#include "itkCorrelatedNoiseModel.h"
+#include "itkPoseRegistrationMethodBase.h"
+#include "itkSquaresKernel.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -356,4 +360,42 @@ TEST(CaseRegistration, WithoutAJointFrameNoJointPoseIsAskedFor)
   axis->GetJointTransformOutput()->Set(nullptr);
   const auto apart = pitches();
   EXPECT_NE(apart[0], apart[1]);
+}
+
+TEST(CaseRegistration, AnExchangedPartIsTheOptionThatStandsForIt)
+{
+  const PhantomCase phantom(5, PhantomCase::SideEnum::Right, 8000);
+  const auto        run = [&](const std::string & option, const itk::CaseRegistration::PoseMethodCallbackType & exchange) {
+    auto registration = itk::CaseRegistration::New();
+    registration->SetData(phantom.data);
+    if (!option.empty())
+    {
+      registration->SetOption(option);
+    }
+    registration->SetPoseMethodCallback(exchange);
+    registration->Update();
+    return registration->GetResult();
+  };
+  const auto expectSame = [](const itk::CaseResult & one, const itk::CaseResult & other) {
+    for (const auto & jaw : one.jaws)
+    {
+      ASSERT_TRUE(jaw.second.registered);
+      EXPECT_EQ(jaw.second.projection, other.jaws.at(jaw.first).projection) << "to the bit";
+      ASSERT_FALSE(jaw.second.landmarks.empty());
+      EXPECT_EQ(jaw.second.landmarks[0].covariance, other.jaws.at(jaw.first).landmarks[0].covariance);
+    }
+  };
+  const auto plain = run("", nullptr);
+  const auto squares = run("", [](itk::PoseRegistrationMethodBase & method) {
+    method.SetRobustKernel(itk::SquaresKernel::New());
+  });
+  expectSame(squares, run("useRobustKernel=off", nullptr));
+  EXPECT_NE(squares.jaws.begin()->second.projection, plain.jaws.begin()->second.projection);
+  const auto independent = run("", [](itk::PoseRegistrationMethodBase & method) {
+    auto model = itk::CorrelatedNoiseModel::New();
+    model->SetCorrelationLength(0.0);
+    method.SetNoiseModel(model);
+    method.SetCovarianceNoiseModel(model);
+  });
+  expectSame(independent, run("useCorrelatedNoise=off", nullptr));
 }

@@ -20,6 +20,7 @@
 
 #include "ExperimentExport.h"
 #include "itkCaseResult.h"
+#include "itkCaseSimilarityRegistration.h"
 #include "itkExperimentCase.h"
 
 #include "itkImage.h"
@@ -32,6 +33,8 @@
 
 namespace itk
 {
+class PoseRegistrationMethodBase;
+
 /** \struct ExperimentMethod
  * \brief A method that an experiment compares.
  *
@@ -62,6 +65,10 @@ struct ExperimentMethod
   ChainEnum   chain{ ChainEnum::Paper };
   /** Of kind Pose: NAME=VALUE, see CaseRegistration::SetOption(). */
   std::vector<std::string> options{};
+  /** Of kind Pose: exchanges parts of the method, see CaseRegistration::SetPoseMethodCallback(); and what it does, in
+   * words of the table. */
+  std::function<void(PoseRegistrationMethodBase &)> exchange{};
+  std::string                                       exchanged{};
 };
 
 /** All methods in the order of the tables. */
@@ -127,7 +134,7 @@ private:
     CephalometricGeometry::Pointer centred;
     DentalContour::Pointer         silhouette;
     ImageType::Pointer             radiograph;
-    DentalJawFrame                 frame;
+    CaseFrameType::Pointer         frame;
     JawResult                      result;
   };
 

@@ -19,6 +19,10 @@
 #include "itkExperimentRecordPlan.h"
 #include "itkExperimentTable.h"
 
+#include "itkCorrelatedNoiseModel.h"
+#include "itkPoseRegistrationMethodBase.h"
+#include "itkSquaresKernel.h"
+
 #include <cmath>
 #include <sstream>
 
@@ -29,7 +33,8 @@ namespace
 using CohortEnum = DentalPhantomCaseSource::CohortEnum;
 constexpr CohortEnum Levels[] = { CohortEnum::Typical, CohortEnum::Hard };
 
-/** Preset robust, what remains of it when one ingredient is taken away, and what two more would bring. */
+/** Preset robust, what remains of it when one ingredient is taken away, and what two more would bring: an object of the
+ * method is exchanged where the ingredient is one, an option is set where it is a number or a way to go. */
 std::vector<ExperimentMethod>
 MakeVariants()
 {
@@ -43,13 +48,30 @@ MakeVariants()
     variants.push_back(variant);
   };
   add("robust", "robust, all of it", {});
+  const auto exchange =
+    [&](const char * name, const char * title, const char * exchanged, const decltype(ExperimentMethod::exchange) & by) {
+      add(name, title, {});
+      variants.back().exchanged = exchanged;
+      variants.back().exchange = by;
+    };
   add("no-midline-refinement", "midline plane of the UMDA alone", { "refineMidline=off" });
   add("no-side-selection", "outline of the whole scan", { "useSideSelection=off" });
   add("no-facing-filter", "whole outline of the side, not the occlusal part", { "useFacingFilter=off" });
   add("no-orientation", "positions without normals", { "useOrientation=off" });
-  add("independent-noise", "noise independent from point to point", { "useCorrelatedNoise=off" });
+  exchange("independent-noise",
+           "noise independent from point to point",
+           "SetNoiseModel(), SetCovarianceNoiseModel(): CorrelatedNoiseModel of length 0",
+           [](PoseRegistrationMethodBase & method) {
+             auto independent = CorrelatedNoiseModel::New();
+             independent->SetCorrelationLength(0.0);
+             method.SetNoiseModel(independent);
+             method.SetCovarianceNoiseModel(independent);
+           });
   add("fixed-noise", "noise levels not estimated", { "estimateNoise=off" });
-  add("least-squares", "no robust kernel", { "useRobustKernel=off" });
+  exchange("least-squares",
+           "no robust kernel",
+           "SetRobustKernel(): SquaresKernel",
+           [](PoseRegistrationMethodBase & method) { method.SetRobustKernel(SquaresKernel::New()); });
   add("similarity", "similarity instead of six degrees of freedom", { "useFullPose=off" });
   add("own-pose", "a pose for each jaw", { "useJointPose=off" });
   add("one-yaw-start", "global start from yaw 0 alone", { "yawStarts=0" });
@@ -126,7 +148,7 @@ public:
         for (const char * jaw : { "upper", "lower" })
         {
           const ExperimentFigures f = PoolExperiment(this->GetRecords(), KeyOf(variant, level), jaw);
-          std::string             options;
+          std::string             options = variant.exchanged;
           for (const std::string & option : variant.options)
           {
             options += (options.empty() ? "" : " ") + option;
@@ -154,8 +176,8 @@ public:
     text
       << "# Ablation of preset robust\n\n"
       << this->GetCohort().Describe()
-      << ", each at the levels typical and hard. One ingredient at a time is switched off (options of `dentalscr "
-         "register --option` in ablation.csv). Landmark error in px: mean over the landmarks / worst case (mean over "
+      << ", each at the levels typical and hard. One ingredient at a time is taken away (in ablation.csv the part "
+         "that is exchanged, or the options of `dentalscr register --option`). Landmark error in px: mean over the landmarks / worst case (mean over "
          "one jaw).\n"
       << DescribeFailures(this->GetRecords()) << '\n'
       << markdown.ToMarkdown();

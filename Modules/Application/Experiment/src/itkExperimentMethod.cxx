@@ -23,10 +23,12 @@
 #include "itkCaseSimilarityRegistration.h"
 #include "itkCoherentPointDriftContourRegistrationMethod.h"
 #include "itkContourChamferMetricv4.h"
+#include "itkGeometryPlacementFilter.h"
 #include "itkIntensityRegistrationMethod.h"
 #include "itkIterativeClosestPointContourRegistrationMethod.h"
 #include "itkSilhouetteToContourRegistrationMethod.h"
 #include "itkSurfaceDRRImageSource.h"
+#include "itkTracingPixelSpacingFilter.h"
 
 #include "itkTimeProbe.h"
 
@@ -49,6 +51,29 @@ const DentalJawFrame &
 FrameOf(const DentalFrameResult & frames, JawEnum jaw)
 {
   return jaw == JawEnum::Upper ? frames.upper : frames.lower;
+}
+
+CaseFrameType::Pointer
+MakeFrame(const std::array<std::array<double, 3>, 3> & axes, const std::array<double, 3> & origin)
+{
+  VersorRigid3DTransform<double>::MatrixType       matrix;
+  VersorRigid3DTransform<double>::OutputVectorType translation;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    translation[row] = 0.0;
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      matrix(row, column) = axes[row][column];
+      translation[row] -= axes[row][column] * origin[column];
+    }
+  }
+  auto transform = VersorRigid3DTransform<double>::New();
+  // As far as a file's axes are orthogonal.
+  transform->SetMatrix(matrix, 1e-6);
+  transform->SetTranslation(translation);
+  auto frame = CaseFrameType::New();
+  frame->Set(transform);
+  return frame;
 }
 
 double
@@ -190,36 +215,32 @@ ExperimentRunner::Prepare(JawEnum jaw, ChainEnum chain) -> PreparedType &
     return found->second;
   }
   PreparedType prepared;
-  prepared.frame = FrameOf(m_Case.frames, jaw);
-  if (!prepared.frame.valid)
+  const DentalJawFrame & own = FrameOf(m_Case.frames, jaw);
+  if (!own.valid)
   {
     itkGenericExceptionMacro("the scan has no recognisable dental arch");
   }
-  if (chain == ChainEnum::FileAxes)
-  {
-    const auto & axes = m_Case.fileAxes[jaw == JawEnum::Upper ? 0 : 1];
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      prepared.frame.axes[row] = axes[row];
-    }
-    prepared.frame.origin = prepared.frame.centroid;
-  }
+  prepared.frame = chain == ChainEnum::FileAxes
+                     ? MakeFrame(m_Case.fileAxes[jaw == JawEnum::Upper ? 0 : 1], own.centroid)
+                     : MakeFrame(own.axes, own.origin);
   prepared.geometry = CephalometricGeometry::New();
   prepared.geometry->CopyParameters(m_Case.data->geometry);
   if (!prepared.geometry->HasPixelSpacing())
   {
     // One for both jaws, as CaseRegistration does.
-    double       sum = 0.0;
-    unsigned int count = 0;
+    auto spacing = TracingPixelSpacingFilter::New();
+    spacing->SetGeometry(m_Case.data->geometry);
     for (const JawEnum each : Jaws)
     {
-      if (this->HasJaw(each) && FrameOf(m_Case.frames, each).valid)
+      const DentalJawFrame & frame = FrameOf(m_Case.frames, each);
+      if (this->HasJaw(each) && frame.valid)
       {
-        sum += EstimatePixelSpacing(*m_Case.data, each, FrameOf(m_Case.frames, each));
-        ++count;
+        const auto & input = m_Case.data->GetJaw(each);
+        spacing->SetJaw(each, input.mesh, input.contour, MakeFrame(frame.axes, frame.origin));
       }
     }
-    prepared.geometry->SetPixelSpacing(CephalometricGeometry::PixelSpacingType(sum / count));
+    spacing->Update();
+    prepared.geometry->SetPixelSpacing(spacing->GetOutput()->GetPixelSpacing());
   }
   if (chain == ChainEnum::ParallelProjection)
   {
@@ -228,10 +249,17 @@ ExperimentRunner::Prepare(JawEnum jaw, ChainEnum chain) -> PreparedType &
     prepared.geometry->SetSourceToMidsagittalDistance(ParallelDistance);
     prepared.geometry->SetSourceToDetectorDistance(ParallelDistance * magnification);
   }
-  prepared.centred = MakeCentredGeometry(prepared.geometry, prepared.frame);
+  auto placement = GeometryPlacementFilter::New();
+  placement->SetGeometry(prepared.geometry);
+  placement->SetFrame(prepared.frame);
+  placement->CentralRayThroughOriginOn();
+  placement->Update();
+  prepared.centred = placement->GetOutput();
+  prepared.centred->DisconnectPipeline();
   CaseSimilaritySettings settings;
   settings.numberOfContourPoints = jaw == JawEnum::Upper ? 441 : 439;
-  prepared.silhouette = MakeWholeSilhouette(m_Case.data->GetJaw(jaw).mesh, prepared.centred, settings, prepared.result);
+  prepared.silhouette = MakeWholeSilhouette(
+    m_Case.data->GetJaw(jaw).mesh, prepared.frame, prepared.geometry, settings, prepared.result);
   return m_Prepared.emplace(key, std::move(prepared)).first->second;
 }
 
@@ -321,7 +349,7 @@ ExperimentRunner::RunJaw(const ExperimentMethod & method, JawEnum jaw, const Tra
     probe.Stop();
     result.seconds.emplace_back("registration", probe.GetTotal());
     SetSimilarityOfJaw(
-      *m_Case.data, jaw, prepared.frame, prepared.geometry, prepared.centred, prepared.silhouette, transform, result);
+      *m_Case.data, jaw, prepared.frame, prepared.geometry, prepared.silhouette, transform, result);
     PredictLandmarks(*m_Case.data, jaw, result);
     result.AddReason(CaseStatusEnum::Suspect, "this method does not check its own accuracy");
   }
@@ -349,6 +377,7 @@ ExperimentRunner::Run(const ExperimentMethod & method)
     {
       registration->SetOption(option);
     }
+    registration->SetPoseMethodCallback(method.exchange);
     registration->SetNumberOfWorkUnits(1);
     registration->SetData(m_Case.data);
     if (m_Abort)

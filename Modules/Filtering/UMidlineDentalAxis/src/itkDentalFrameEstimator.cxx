@@ -30,6 +30,12 @@ namespace itk
 {
 namespace
 {
+/** An arch of fewer triangles has no crowns: the coarsest scan in use has some thousand. The samples are drawn from the
+ * area and would be as many of a single triangle, on whose flat face a U can be found as well as anywhere. */
+constexpr std::size_t MinimumTriangles = 100;
+/** Specks and degenerate triangles give none. */
+constexpr std::size_t MinimumSamples = 100;
+
 using namespace DentalFrameMath;
 
 constexpr std::size_t ArchTerms = 5;
@@ -1127,7 +1133,7 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
       return;
     }
     jaw.samples = TakeSamples(*jaw.surface, options.samples);
-    if (jaw.samples.points.size() >= 100 && !aborted())
+    if (jaw.surface->triangles.size() >= MinimumTriangles && jaw.samples.points.size() >= MinimumSamples && !aborted())
     {
       jaw.vertical = ChooseVertical(jaw.samples, Vector3{ 0.0, 0.0, 0.0 }, 0.0, options, jaw.margin);
       FindArch(jaw, options);

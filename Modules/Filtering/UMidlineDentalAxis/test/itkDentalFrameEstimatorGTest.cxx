@@ -519,3 +519,17 @@ TEST(DentalFrameEstimator, HalfAnArchAndABallAreNotTrusted)
   const itk::TriangleSurface empty;
   EXPECT_FALSE(itk::EstimateDentalFrame(&empty, nullptr, {}).upper.valid);
 }
+
+TEST(DentalFrameEstimator, AFewTrianglesAreNoArch)
+{
+  // One triangle of a third of a millimetre, and as large as an arch: five thousand samples of it make a U as any cloud
+  // of points does.
+  for (const float size : { 0.3F, 60.0F })
+  {
+    itk::TriangleSurface surface;
+    surface.points = { { { 0.0F, 0.0F, 0.0F } }, { { size, 0.0F, 0.0F } }, { { 0.0F, size, 0.0F } } };
+    surface.triangles = { { { 0, 1, 2 } } };
+    EXPECT_FALSE(itk::EstimateDentalFrame(&surface, nullptr, itk::DentalFrameOptions()).upper.valid) << size;
+    EXPECT_FALSE(itk::EstimateDentalFrame(nullptr, &surface, itk::DentalFrameOptions()).lower.valid) << size;
+  }
+}

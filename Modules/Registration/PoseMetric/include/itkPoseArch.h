@@ -30,8 +30,9 @@ namespace itk
 /** \class PoseArch
  * \brief The dental arch as a curve in the occlusal plane, to tell how far along it a point is from the midline.
  *
- * Built from the crown band: points within 6 mm of the 99th height percentile of their polar sector. In the dental
- * frame, mm.
+ * Built from the crown band: points within 4 mm of the 99th height percentile of their polar sector, where
+ * that is at most 8 mm below the others'. In the dental frame, mm. Not valid for a surface of fewer than 100 points, or
+ * one that fills too few sectors.
  *
  * \ingroup PoseMetric
  */

@@ -21,7 +21,9 @@
 #include "itkPoseContourModel.h"
 #include "itkTriangleSurface.h"
 
+#include <array>
 #include <memory>
+#include <vector>
 
 namespace itk
 {
@@ -56,8 +58,10 @@ private:
 
   std::unique_ptr<MeshSilhouette> m_Silhouette;
   std::unique_ptr<MeshSilhouette> m_Other;
-  bool                            m_Upper;
-  bool                            m_UseFacingFilter;
+  /** Corners of the box around the surfaces: where they may be seen the surfaces may. */
+  std::vector<std::array<double, 3>> m_Corners;
+  bool                               m_Upper;
+  bool                               m_UseFacingFilter;
 };
 } // namespace itk
 

@@ -24,8 +24,43 @@
 
 namespace itk
 {
+namespace
+{
+/** Of the box around both; none of surfaces without a point. */
+std::vector<std::array<double, 3>>
+MakeCorners(const TriangleSurface & surface, const TriangleSurface * other)
+{
+  std::array<std::array<double, 3>, 2> box{};
+  bool                                 isEmpty = true;
+  for (const TriangleSurface * each : { &surface, other })
+  {
+    if (each == nullptr)
+    {
+      continue;
+    }
+    for (const auto & point : each->points)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        const double x = point[d];
+        box[0][d] = isEmpty ? x : std::min(box[0][d], x);
+        box[1][d] = isEmpty ? x : std::max(box[1][d], x);
+      }
+      isEmpty = false;
+    }
+  }
+  std::vector<std::array<double, 3>> corners;
+  for (unsigned int corner = 0; !isEmpty && corner < 8; ++corner)
+  {
+    corners.push_back({ { box[corner & 1][0], box[(corner >> 1) & 1][1], box[(corner >> 2) & 1][2] } });
+  }
+  return corners;
+}
+} // namespace
+
 PoseMeshContourModel::PoseMeshContourModel(const TriangleSurface & surface, bool upper, bool useFacingFilter)
   : m_Silhouette(std::make_unique<MeshSilhouette>(surface))
+  , m_Corners(MakeCorners(surface, nullptr))
   , m_Upper(upper)
   , m_UseFacingFilter(useFacingFilter)
 {}
@@ -36,6 +71,7 @@ PoseMeshContourModel::PoseMeshContourModel(const TriangleSurface & surface,
                                            bool                    useFacingFilter)
   : m_Silhouette(std::make_unique<MeshSilhouette>(surface))
   , m_Other(std::make_unique<MeshSilhouette>(other))
+  , m_Corners(MakeCorners(surface, &other))
   , m_Upper(upper)
   , m_UseFacingFilter(useFacingFilter)
 {}
@@ -56,6 +92,7 @@ PoseMeshContourModel::ComputeOpen(const MeshSilhouette & silhouette, const PoseM
 PoseContour
 PoseMeshContourModel::Compute(const PoseModel & model) const
 {
+  VerifyPlaces(model, m_Corners);
   PoseContour contour;
   static_cast<OpenSilhouette &>(contour) = this->ComputeOpen(*m_Silhouette, model);
   if (!m_Other)

@@ -40,6 +40,8 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(OtherFacingHypothesis, PoseHypothesis);
 
+  static constexpr const char * Code = "facing";
+
   /** "facing" */
   std::string
   GetCode() const override;
@@ -47,8 +49,6 @@ public:
   IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const override;
   PoseProblem
   Apply(const PoseProblem & problem) const override;
-  void
-  Record(const OutcomeType & outcome, PoseGroupResult & result) const override;
 
 protected:
   OtherFacingHypothesis() = default;

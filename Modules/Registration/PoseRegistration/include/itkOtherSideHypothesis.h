@@ -40,6 +40,8 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(OtherSideHypothesis, PoseHypothesis);
 
+  static constexpr const char * Code = "other-side";
+
   /** "other-side" */
   std::string
   GetCode() const override;
@@ -52,8 +54,6 @@ public:
   {
     return true;
   }
-  void
-  Record(const OutcomeType & outcome, PoseGroupResult & result) const override;
 
 protected:
   OtherSideHypothesis() = default;

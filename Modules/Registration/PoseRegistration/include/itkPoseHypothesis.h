@@ -30,9 +30,10 @@ namespace itk
 /** \class PoseHypothesis
  * \brief Another reading of the same input, tried beside the result to name a likely mistake.
  *
- * A hypothesis turns the question into another one, which PoseRegistrationMethod answers quickly and compares with the
- * result. RegistrationVerdict names those that explain the evidence better. To run one alone, give Apply()'s answer to
- * a method of one's own.
+ * A hypothesis turns the question into another one, which PoseRegistrationMethod answers quickly. What came of it
+ * stands in the result under the hypothesis' code, whoever wrote it: PoseGroupResult::FindOutcome(). RegistrationVerdict
+ * names those of the toolkit that explain the evidence better; what a user's own means is for the user to say, by
+ * comparing its score with the group's or by its deviance.
  *
  * \ingroup PoseRegistration
  */
@@ -49,16 +50,9 @@ public:
   itkTypeMacro(PoseHypothesis, Object);
 
   /** What came of it. */
-  struct OutcomeType
-  {
-    /** Score of its best candidate; 1 where there is none. */
-    double score{ 1.0 };
-    /** Minus twice the log likelihood of the evidence under the hypothesis minus that of the result; 0 where there is
-     * no candidate. */
-    double deviance{ 0.0 };
-  };
+  using OutcomeType = PoseHypothesisOutcome;
 
-  /** Short and stable, as the verdict's codes: "facing". */
+  /** Short and stable, as the verdict's codes: "facing". The key of its outcome: those of one method differ. */
   virtual std::string
   GetCode() const = 0;
 
@@ -76,10 +70,6 @@ public:
   {
     return false;
   }
-
-  /** Writes what came of it into the result. */
-  virtual void
-  Record(const OutcomeType & outcome, PoseGroupResult & result) const = 0;
 
 protected:
   PoseHypothesis() = default;

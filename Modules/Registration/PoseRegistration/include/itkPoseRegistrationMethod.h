@@ -44,8 +44,12 @@ namespace itk
  * hypotheses name likely mistakes. Documentation/Robust.md has formulas and figures.
  *
  * Events, all in the thread that calls Update(): MultiResolutionIterationEvent where a level begins
- * (GetCurrentLevel()), IterationEvent at every step that is tried, of this object (GetCurrentIteration()), of the
- * optimizer and of the metric; ProgressEvent; AbortEvent. AbortGenerateDataOn() in an observer ends it within a step.
+ * (GetCurrentLevel()); IterationEvent at every step that is tried, of this object (GetCurrentIteration()) and of the
+ * optimizer, and of the metric (GetMetric()) at those steps that are no hypothesis's, whose criterion is another one;
+ * ProgressEvent; AbortEvent. AbortGenerateDataOn() in an observer ends it within a step.
+ *
+ * In ITK a MultiResolutionIterationEvent is an IterationEvent: an observer of IterationEvent is called at the start of a
+ * level too. typeid(event) == typeid(IterationEvent) is true of steps alone, as in RegistrationIterationCommand.
  *
  * Errors: no jaw with mesh and contour, no geometry, cells that are not triangles, inconsistent distances.
  *

@@ -131,7 +131,8 @@ public:
 
   /** LevenbergMarquardtOptimizerv4 by default, of which candidates take clones. Any other v4 optimizer runs as it is,
    * in one thread, by its own stop rules, each time over all parameters that are free: its scales and bounds are of so
-   * many. */
+   * many. An abort ends it at its next evaluation. Its evaluations are IterationEvents of a step that was not accepted,
+   * its own IterationEvents those of one that was. Documentation/Pipeline.md says what ITK's optimizers need. */
   itkSetObjectMacro(Optimizer, OptimizerType);
   itkGetModifiableObjectMacro(Optimizer, OptimizerType);
 
@@ -150,9 +151,13 @@ public:
   itkGetConstObjectMacro(CovarianceNoiseModel, ResidualNoiseModel);
 
   /** A further term of the sum that is minimized, as a metric of one's own. It may read the blocks "pose" and "scale"
-   * or have blocks of its own. */
+   * or have blocks of its own. What it has of a robust kernel and of noise stays as it is set: the method configures
+   * the terms that it makes itself, and no others.
+   *
+   * Jaws that stand apart have a pose each, and a sum each. Where a jaw is given the term is one of that jaw's sum;
+   * with Unknown, the default, of every sum. Throws in Update() where that jaw has no mesh or contour. */
   void
-  AddMetric(TermType * term);
+  AddMetric(TermType * term, JawEnum jaw = JawEnum::Unknown);
   void
   ClearMetrics();
   const std::vector<TermType::Pointer> &
@@ -160,8 +165,15 @@ public:
   {
     return m_Terms;
   }
+  /** The jaw that each of them was given with. */
+  const std::vector<JawEnum> &
+  GetMetricJaws() const
+  {
+    return m_TermJaws;
+  }
 
-  /** OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis by default. */
+  /** OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis by default. What came of one stands in the
+   * solution's PoseGroupResult::outcomes under its code; codes therefore differ. */
   void
   AddHypothesis(const PoseHypothesis * hypothesis);
   void
@@ -208,8 +220,8 @@ public:
   std::string
   GetOptimizerStopConditionDescription() const override;
 
-  /** The sum of the group that runs, at the position of the last IterationEvent; null before the first group. It sends
-   * IterationEvents too. */
+  /** The sum of the group that runs, at the position of the last step that is no hypothesis's; null before the first
+   * group. It sends IterationEvents at these steps. */
   itkGetModifiableObjectMacro(Metric, MetricType);
 
   // Outputs -----------------------------------------------------------------------------------------------------
@@ -280,6 +292,7 @@ private:
   ResidualNoiseModel::ConstPointer          m_NoiseModel;
   ResidualNoiseModel::ConstPointer          m_CovarianceNoiseModel;
   std::vector<TermType::Pointer>            m_Terms;
+  std::vector<JawEnum>                      m_TermJaws;
   std::vector<PoseHypothesis::ConstPointer> m_Hypotheses;
   unsigned int                              m_CurrentLevel{ 0 };
   unsigned int                              m_NumberOfLevels{ 4 };

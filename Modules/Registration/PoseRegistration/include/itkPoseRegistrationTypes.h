@@ -27,7 +27,7 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -159,8 +159,9 @@ struct PoseRegistrationOptions
   double       secondWayDistance{ 1.0 };
   /** Candidates behind the best by more than this score do not go on. */
   double scoreMargin{ 0.12 };
-  /** The same of the last refinement: kernel width before the noise is known, and the factor on its standard deviation
-   * afterwards, never below the width for covariances. */
+  /** The same of the last refinement: kernel width, px, before the noise is known; afterwards the width is the factor
+   * times the noise's standard deviation, however small. In the covariance, which is no step of a descent and must not
+   * trust a lucky estimate, it is never below fineKernelWidth. */
   double fineKernelWidth{ 3.0 };
   double adaptiveKernelFactor{ 2.5 };
   double fineTolerance{ 0.005 };
@@ -210,6 +211,17 @@ struct PoseJawResult
   std::vector<std::array<double, 3>> contourPoints;
 };
 
+/** What came of a hypothesis: another reading of the same input, tried beside the result (PoseHypothesis). */
+struct PoseHypothesisOutcome
+{
+  /** Score of its best candidate; 1 where there is none. */
+  double score{ 1.0 };
+  /** Minus twice the log likelihood of the evidence under the hypothesis minus that of the result: clearly negative
+   * where the hypothesis explains it better. 0 where it was not asked for (PoseHypothesis::GetComparesDeviance()), or
+   * where there is no candidate. */
+  double deviance{ 0.0 };
+};
+
 /** Result for a group of jaws that share one pose. */
 struct PoseGroupResult
 {
@@ -231,14 +243,19 @@ struct PoseGroupResult
   std::string stopCondition;
   /** The middle of both sides was fitted. */
   bool bisected{ false };
-  /** Minus twice the log likelihood of the tracing on the other side's contour (registered anew) minus that
-   * on the traced side's: clearly negative where the other side was traced. 0 where it was not tried. */
-  double otherSideDeviance{ 0.0 };
-  /** Where the fit is poor: the scores when the jaws' tracings are exchanged, and when the patient faces the other way;
-   * infinite where not tried. */
-  double exchangedScore{ std::numeric_limits<double>::infinity() };
-  double otherFacingScore{ std::numeric_limits<double>::infinity() };
+  /** By the code of the hypothesis ("other-side"): of each that was tried, the method's own and a user's alike. What is
+   * not there was not tried. */
+  std::map<std::string, PoseHypothesisOutcome> outcomes;
+
+  /** Null where that hypothesis was not tried. */
+  const PoseHypothesisOutcome *
+  FindOutcome(const std::string & code) const
+  {
+    const auto found = outcomes.find(code);
+    return found == outcomes.end() ? nullptr : &found->second;
+  }
 };
+
 /** Everything that a pose registration found. */
 struct PoseRegistrationResult
 {

@@ -96,7 +96,8 @@ public:
     /** mm along the arch: a tooth is some 7 mm wide, and the textbook's place is missed by up to 4 mm. */
     double suspectCodeOffset{ 5.5 };
     double suspectMargin{ 0.03 };
-    /** Rotations up to 32 degrees (0.56) are searched. */
+    /** rad, 30.9 degrees, either way. Rotations up to 32 degrees (0.56) are searched: beyond this one a pose stands at
+     * the edge. */
     double suspectPitch{ 0.54 };
     double suspectPriorTension{ 4.5 };
     /** Of roll and yaw, whose prior has long tails: 17.5 degrees. A scanner's frame may be off by as much as a head. */

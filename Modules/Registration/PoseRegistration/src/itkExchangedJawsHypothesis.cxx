@@ -24,7 +24,7 @@ namespace itk
 std::string
 ExchangedJawsHypothesis::GetCode() const
 {
-  return "jaws-exchanged";
+  return Code;
 }
 
 bool
@@ -36,6 +36,7 @@ ExchangedJawsHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGr
 PoseProblem
 ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
 {
+  // Enough to tell a fit from none: where this is tried nothing fits, and the verdict asks for a clear gain.
   constexpr unsigned int evaluations = 6;
   PoseProblem            other = problem;
   other.options = MakeQuickOptions(problem.options, evaluations);
@@ -52,11 +53,5 @@ ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
     }
   }
   return other;
-}
-
-void
-ExchangedJawsHypothesis::Record(const OutcomeType & outcome, PoseGroupResult & result) const
-{
-  result.exchangedScore = outcome.score;
 }
 } // namespace itk

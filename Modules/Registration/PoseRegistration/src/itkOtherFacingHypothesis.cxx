@@ -22,7 +22,7 @@ namespace itk
 std::string
 OtherFacingHypothesis::GetCode() const
 {
-  return "facing";
+  return Code;
 }
 
 bool
@@ -34,6 +34,7 @@ OtherFacingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGrou
 PoseProblem
 OtherFacingHypothesis::Apply(const PoseProblem & problem) const
 {
+  // Enough to tell a fit from none: where this is tried nothing fits, and the verdict asks for a clear gain.
   constexpr unsigned int evaluations = 6;
   PoseProblem            other = problem;
   other.options = MakeQuickOptions(problem.options, evaluations);
@@ -44,11 +45,5 @@ OtherFacingHypothesis::Apply(const PoseProblem & problem) const
     jaw.initialPose.reset();
   }
   return other;
-}
-
-void
-OtherFacingHypothesis::Record(const OutcomeType & outcome, PoseGroupResult & result) const
-{
-  result.otherFacingScore = outcome.score;
 }
 } // namespace itk

@@ -22,7 +22,7 @@ namespace itk
 std::string
 OtherSideHypothesis::GetCode() const
 {
-  return "other-side";
+  return Code;
 }
 
 bool
@@ -36,6 +36,8 @@ OtherSideHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupR
 PoseProblem
 OtherSideHypothesis::Apply(const PoseProblem & problem) const
 {
+  // More than for a fit that is clear: likelihoods of two good fits are compared. Sides differ by a shift and little
+  // yaw, so that three starts from yaw 0 find the place.
   constexpr unsigned int evaluations = 8;
   PoseProblem            other = problem;
   other.options = MakeQuickOptions(problem.options, evaluations);
@@ -47,11 +49,5 @@ OtherSideHypothesis::Apply(const PoseProblem & problem) const
     jaw.initialPose.reset();
   }
   return other;
-}
-
-void
-OtherSideHypothesis::Record(const OutcomeType & outcome, PoseGroupResult & result) const
-{
-  result.otherSideDeviance = outcome.deviance;
 }
 } // namespace itk

@@ -24,12 +24,14 @@
 #include "itkCommand.h"
 #include "itkCorrelatedNoiseModel.h"
 #include "itkGemanMcClureKernel.h"
+#include "itkLBFGS2Optimizerv4.h"
 #include "itkLBFGSBOptimizerv4.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkSquaresKernel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <typeinfo>
 #include <utility>
 
 namespace itk
@@ -67,10 +69,14 @@ WithPose(const LeastSquaresMetricv4 & metric, std::vector<double> x, const PoseP
 void
 PrepareToRun(ObjectToObjectOptimizerBaseTemplate<double> & optimizer, const LeastSquaresMetricv4 & metric)
 {
-  const auto                                              count = metric.GetNumberOfParameters();
-  ObjectToObjectOptimizerBaseTemplate<double>::ScalesType scales(count);
-  scales.Fill(1.0);
-  optimizer.SetScales(scales);
+  const auto count = metric.GetNumberOfParameters();
+  // LBFGS2 has no scales, and warns on the standard output where it is given some.
+  if (dynamic_cast<LBFGS2Optimizerv4 *>(&optimizer) == nullptr)
+  {
+    ObjectToObjectOptimizerBaseTemplate<double>::ScalesType scales(count);
+    scales.Fill(1.0);
+    optimizer.SetScales(scales);
+  }
   if (auto * lbfgsb = dynamic_cast<LBFGSBOptimizerv4 *>(&optimizer))
   {
     const LeastSquaresMetricv4::ParametersType start = metric.GetParameters();
@@ -89,6 +95,20 @@ PrepareToRun(ObjectToObjectOptimizerBaseTemplate<double> & optimizer, const Leas
     lbfgsb->SetInitialPosition(start);
   }
 }
+
+/** Takes a metric's callback away again: the optimizer that is the user's keeps the metric. */
+struct EvaluationGuard
+{
+  ITK_DISALLOW_COPY_AND_MOVE(EvaluationGuard);
+  EvaluationGuard(LeastSquaresMetricv4 & guarded, LeastSquaresMetricv4::EvaluationCallbackType callback)
+    : metric(guarded)
+  {
+    metric.SetEvaluationCallback(std::move(callback));
+  }
+  ~EvaluationGuard() { metric.SetEvaluationCallback(nullptr); }
+
+  LeastSquaresMetricv4 & metric;
+};
 
 /** Takes an observer away again. */
 struct ObserverGuard
@@ -252,7 +272,11 @@ PoseGroupRegistration::Refine(MetricType &         metric,
   // The optimizer runs once a step, kernel and noise following between: steps are counted over all of its runs.
   unsigned int stepsAccepted = 0;
   unsigned int stepsTried = 0;
-  const auto   post = [&](const EventObject &) {
+  // Of the run of another's optimizer: the best that it has evaluated, and how often it has evaluated.
+  MetricType::ParametersType best;
+  double                     bestValue = NumericTraits<double>::max();
+  unsigned int               evaluations = 0;
+  const auto                 post = [&](const EventObject & event) {
     report.step = own.IsNotNull() ? own->GetLastIteration() : LeastSquaresIteration();
     if (own.IsNotNull())
     {
@@ -263,10 +287,19 @@ PoseGroupRegistration::Refine(MetricType &         metric,
     }
     if (own.IsNull())
     {
-      report.step.position = metric.GetParameters();
-      report.step.value = report.step.trialValue = optimizer->GetCurrentMetricValue();
+      // Optimizers send subclasses of IterationEvent for mere evaluations: these are no steps that were taken.
+      report.step.accepted = typeid(event) == typeid(IterationEvent);
+      const double value = report.step.accepted ? optimizer->GetCurrentMetricValue() : metric.GetCurrentValue();
+      if (report.step.accepted || value < bestValue)
+      {
+        bestValue = value;
+        best = metric.GetParameters();
+      }
+      report.step.position = best;
+      report.step.value = bestValue;
+      report.step.trialValue = value;
       report.step.iteration = optimizer->GetCurrentIteration();
-      report.step.accepted = true;
+      report.step.evaluations = evaluations;
     }
     report.pose = ToPose(metric, metric.GetState().Expand(report.step.position));
     metric.GetNoiseLevels(report.noise);
@@ -307,10 +340,32 @@ PoseGroupRegistration::Refine(MetricType &         metric,
     {
       // An optimizer that knows neither our damping nor our step length: it ends by its own rules, once a width.
       PrepareToRun(*optimizer, metric);
-      optimizer->StartOptimization();
+      best = metric.GetParameters();
+      bestValue = NumericTraits<double>::max();
+      const EvaluationGuard guard{ metric, [&]() {
+                                    ++evaluations;
+                                    if (m_Monitor.IsAborted())
+                                    {
+                                      throw ProcessAborted(__FILE__, __LINE__);
+                                    }
+                                  } };
+      try
+      {
+        optimizer->StartOptimization();
+      }
+      catch (const ExceptionObject &)
+      {
+        // Some optimizers rethrow what they catch as its base class: whether it was the abort, the monitor knows.
+        if (m_Monitor.IsAborted())
+        {
+          break;
+        }
+        throw;
+      }
+      candidate.evaluations = evaluations;
       // The metric stands where it was evaluated last.
-      OptimizerType::ParametersType best = optimizer->GetCurrentPosition();
-      metric.SetParameters(best);
+      OptimizerType::ParametersType end = optimizer->GetCurrentPosition();
+      metric.SetParameters(end);
       ++accepted;
       candidate.converged = accepted > schedule.widths.size();
       if (candidate.converged)
@@ -415,11 +470,13 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
   }
   PoseStart::RequestType request;
   request.pose = pose;
+  // Two more than are kept: refined, some of them fall together.
   request.maximumNumberOfStarts = m_Options.startsPerYaw + 2;
   request.holdRotation = m_Options.fixRotation;
   if (!m_PixelSpacingKnown && !m_Options.fixScale)
   {
     request.searchScale = true;
+    // One place may be found at two scales.
     request.maximumNumberOfStarts *= 2;
   }
   ScheduleType schedule;
@@ -602,6 +659,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
 double
 PoseGroupRegistration::ComputeDeviance() const
 {
+  // So small that a point which fits somewhat counts as before, so large that one which fits nowhere costs 3 log 10.
   constexpr double          smallestWeight = 1e-3;
   const MetricType::Pointer metric = this->CloneAt(m_Solution);
   metric->Hold(MetricType::HoldEnum::Nothing);

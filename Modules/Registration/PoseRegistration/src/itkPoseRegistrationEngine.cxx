@@ -320,9 +320,17 @@ PoseRegistrationEngine::MakeMetric(const PoseProblem &              problem,
     sum->AddMetric(jaws[j].metric);
   }
   PosePriors(problem.options, geometry.pixelSpacingKnown).AddTo(*sum);
-  for (const auto & term : terms)
+  for (const TermType & term : terms)
   {
-    sum->AddMetric(term);
+    const bool belongs =
+      term.jaw == ToothCode::JawEnum::Unknown || std::any_of(members.begin(), members.end(), [&](std::size_t j) {
+        return problem.jaws[j].upper == (term.jaw == ToothCode::JawEnum::Upper);
+      });
+    if (belongs)
+    {
+      // What a user has set of kernel and noise is the user's.
+      sum->AddMetric(term.metric, MetricType::SettingsEnum::Own);
+    }
   }
   sum->Initialize();
   return sum;
@@ -505,7 +513,7 @@ PoseRegistrationEngine::TryHypotheses(const PoseProblem &           problem,
         }
       }
     }
-    hypothesis->Record(outcome, result);
+    result.outcomes[hypothesis->GetCode()] = outcome;
   }
 }
 } // namespace itk

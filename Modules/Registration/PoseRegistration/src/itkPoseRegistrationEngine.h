@@ -44,11 +44,16 @@ public:
   PoseGroupRegistration::OptimizerType::Pointer optimizer;
   PoseStart::ConstPointer                       start;
   std::vector<PoseHypothesis::ConstPointer>     hypotheses;
-  /** Further terms of every group's sum. */
-  std::vector<LeastSquaresMetricv4::Pointer> terms;
-  PoseIterationMonitor *                     monitor{ nullptr };
-  GroupObserverType                          groupObserver;
-  StageObserverType                          stageObserver;
+  /** A further term: of the sum of the group that has the jaw, of every group's where it is Unknown. */
+  struct TermType
+  {
+    LeastSquaresMetricv4::Pointer metric;
+    ToothCode::JawEnum            jaw{ ToothCode::JawEnum::Unknown };
+  };
+  std::vector<TermType>  terms;
+  PoseIterationMonitor * monitor{ nullptr };
+  GroupObserverType      groupObserver;
+  StageObserverType      stageObserver;
 
   /** Throws std::invalid_argument for a geometry that cannot be. */
   PoseRegistrationResult

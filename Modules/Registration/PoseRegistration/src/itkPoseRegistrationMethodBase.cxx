@@ -194,13 +194,14 @@ PoseRegistrationMethodBase::ClearInitialTransforms()
 }
 
 void
-PoseRegistrationMethodBase::AddMetric(TermType * term)
+PoseRegistrationMethodBase::AddMetric(TermType * term, JawEnum jaw)
 {
   if (term == nullptr)
   {
     itkExceptionMacro("AddMetric() was given no metric.");
   }
   m_Terms.emplace_back(term);
+  m_TermJaws.push_back(jaw);
   this->Modified();
 }
 
@@ -208,6 +209,7 @@ void
 PoseRegistrationMethodBase::ClearMetrics()
 {
   m_Terms.clear();
+  m_TermJaws.clear();
   this->Modified();
 }
 
@@ -217,6 +219,14 @@ PoseRegistrationMethodBase::AddHypothesis(const PoseHypothesis * hypothesis)
   if (hypothesis == nullptr)
   {
     itkExceptionMacro("AddHypothesis() was given no hypothesis.");
+  }
+  const std::string code = hypothesis->GetCode();
+  if (std::any_of(
+        m_Hypotheses.begin(), m_Hypotheses.end(), [&](const auto & other) { return other->GetCode() == code; }))
+  {
+    itkExceptionMacro("There is a hypothesis with the code \""
+                      << code << "\" already, and the outcome stands under it: call ClearHypotheses() first, or give "
+                      << hypothesis->GetNameOfClass() << " another code.");
   }
   m_Hypotheses.emplace_back(hypothesis);
   this->Modified();
@@ -336,6 +346,15 @@ PoseRegistrationMethodBase::VerifyPreconditions() ITKv5_CONST
   {
     itkExceptionMacro("No jaw has both a mesh and a contour: call SetUpperMesh() and SetUpperContour(), "
                       "SetLowerMesh() and SetLowerContour(), or both pairs.");
+  }
+  for (const JawEnum jaw : m_TermJaws)
+  {
+    if (jaw != JawEnum::Unknown && (!this->HasMesh(jaw) || this->GetContour(jaw) == nullptr))
+    {
+      itkExceptionMacro("AddMetric() was given a term of the " << (jaw == JawEnum::Upper ? "upper" : "lower")
+                                                               << " jaw, which lacks its mesh or contour: set them, or "
+                                                                  "call ClearMetrics().");
+    }
   }
   if (m_Optimizer.IsNull())
   {
@@ -491,7 +510,10 @@ PoseRegistrationMethodBase::GenerateData()
   engine.optimizer = m_Optimizer;
   engine.start = m_Start;
   engine.hypotheses = m_Hypotheses;
-  engine.terms = m_Terms;
+  for (std::size_t t = 0; t < m_Terms.size(); ++t)
+  {
+    engine.terms.push_back({ m_Terms[t], m_TermJaws[t] });
+  }
   engine.monitor = &monitor;
   engine.groupObserver = [this](unsigned int, unsigned int numberOfGroups, MetricType * metric) {
     m_NumberOfLevels = 4 * numberOfGroups;

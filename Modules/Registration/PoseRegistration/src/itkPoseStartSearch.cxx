@@ -26,10 +26,26 @@ namespace itk
 {
 namespace
 {
+// These say how finely the search sees, not what it looks for; each is a trade of its accuracy, which the refinement
+// makes good, for its time.
+/** px: beyond it a point has no match. One and a half steps of the shifts, so that the best step sees the contour. */
 constexpr double Truncation = 12.0;
+/** px of the field of distances: a quarter of a step of the shifts. */
 constexpr double Cell = 2.0;
-constexpr int    Directions = 16;
+/** Normals are told apart to 22.5 degrees, at most 1.6 px with NormalWeight. */
+constexpr int Directions = 16;
+/** A byte holds the distance: up to 240, the rest is for rounding. */
 constexpr double Quantum = Truncation / 240.0;
+/** px a unit normal, as orientationWeight is by default. The search always matches normals, which tell the sides of a
+ * cusp apart from far away; useOrientation is about the refinement. */
+constexpr double NormalWeight = 8.0;
+/** Every third point of a tracing is compared: points are some px apart, fields of distances smooth over 2 px. */
+constexpr std::size_t ProbeStride = 3;
+/** Starts that are nearer to a better one than all of these are the same: a step of the rotation (5 degrees), and of
+ * the shift (10 px), and of the scale (8 %). */
+constexpr double SameRotation = 0.0873;
+constexpr double SameShift = 10.0;
+constexpr double SameKappa = 0.08;
 
 /** Truncated distance in (u, v, weight * normal) to the contour, a byte a cell. */
 class OrientedField
@@ -184,7 +200,7 @@ PoseStartSearch::Search(const LeastSquaresMetricv4 & metric, const RequestType &
         rimCentre[k] += contour.rim[i][k];
       }
     }
-    fields.emplace_back(contour, 8.0);
+    fields.emplace_back(contour, NormalWeight);
   }
   std::vector<StartType> starts;
   if (points == 0 || samples == 0)
@@ -212,7 +228,7 @@ PoseStartSearch::Search(const LeastSquaresMetricv4 & metric, const RequestType &
   for (std::size_t s = 0; s < strands.size(); ++s)
   {
     const PoseTracing & tracing = strands[s].tracing;
-    for (std::size_t i = 1 % std::max<std::size_t>(1, tracing.Size()); i < tracing.Size(); i += 3)
+    for (std::size_t i = 1 % std::max<std::size_t>(1, tracing.Size()); i < tracing.Size(); i += ProbeStride)
     {
       probes.push_back({ tracing.u[i] - tracingCentre[0],
                          tracing.v[i] - tracingCentre[1],
@@ -265,9 +281,9 @@ PoseStartSearch::Search(const LeastSquaresMetricv4 & metric, const RequestType &
   for (const GridPoint & point : grid)
   {
     const bool near = std::any_of(kept.begin(), kept.end(), [&](const GridPoint & other) {
-      return std::abs(point.rotation - other.rotation) * m_RotationStep < 0.0873 &&
-             std::hypot(point.u - other.u, point.v - other.v) * m_ShiftStep < 10.0 &&
-             std::abs(kappas[point.kappa] - kappas[other.kappa]) < 0.08;
+      return std::abs(point.rotation - other.rotation) * m_RotationStep < SameRotation &&
+             std::hypot(point.u - other.u, point.v - other.v) * m_ShiftStep < SameShift &&
+             std::abs(kappas[point.kappa] - kappas[other.kappa]) < SameKappa;
     });
     if (near)
     {

@@ -17,6 +17,10 @@
  *=========================================================================*/
 #include "itkRegistrationVerdict.h"
 
+#include "itkExchangedJawsHypothesis.h"
+#include "itkOtherFacingHypothesis.h"
+#include "itkOtherSideHypothesis.h"
+
 #include <algorithm>
 #include <cmath>
 #include <locale>
@@ -207,6 +211,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
           "inward-winding",
           "the triangles face inward: the scan may be mirrored, or its triangles are wound the wrong way");
     }
+    // The majority of the traced teeth.
     if (jaw.otherSideCodes > 0.5)
     {
       Add(verdict,
@@ -214,7 +219,8 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
           "side-codes",
           "the tooth codes are of the side that is not said to be traced: check traced_side and the numbering");
     }
-    if (group.otherSideDeviance < thresholds.suspectOtherSideDeviance)
+    const PoseHypothesisOutcome * otherSide = group.FindOutcome(OtherSideHypothesis::Code);
+    if (otherSide != nullptr && otherSide->deviance < thresholds.suspectOtherSideDeviance)
     {
       Add(
         verdict,
@@ -228,6 +234,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
       double distance = 0.0;
       for (const PoseCandidate & candidate : group.candidates)
       {
+        // Elsewhere, as the margin means it: the default of placeDistance, which the result does not carry.
         if (candidate.distance > 4.0)
         {
           distance = candidate.distance;
@@ -253,11 +260,15 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
     {
       continue;
     }
-    if (group.exchangedScore < group.score - thresholds.hypothesisGain)
+    const auto fitsBetter = [&](const char * code) {
+      const PoseHypothesisOutcome * outcome = group.FindOutcome(code);
+      return outcome != nullptr && outcome->score < group.score - thresholds.hypothesisGain;
+    };
+    if (fitsBetter(ExchangedJawsHypothesis::Code))
     {
       Add(verdict, StatusEnum::Failed, "jaws-exchanged", "upper and lower scan seem to be exchanged");
     }
-    if (group.otherFacingScore < group.score - thresholds.hypothesisGain)
+    if (fitsBetter(OtherFacingHypothesis::Code))
     {
       Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`");
     }

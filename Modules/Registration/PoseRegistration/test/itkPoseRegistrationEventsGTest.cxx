@@ -422,9 +422,14 @@ TEST(PoseRegistrationEvents, TheSameBitsAndTheSameStepsForAnyNumberOfThreads)
     EXPECT_EQ(steps[i], steps[0]);
     EXPECT_EQ(results[i].groups[0].parameters, results[0].groups[0].parameters);
     EXPECT_EQ(results[i].groups[0].covariance, results[0].groups[0].covariance);
-    EXPECT_EQ(results[i].groups[0].otherSideDeviance, results[0].groups[0].otherSideDeviance);
-    EXPECT_EQ(results[i].groups[0].exchangedScore, results[0].groups[0].exchangedScore);
-    EXPECT_EQ(results[i].groups[0].otherFacingScore, results[0].groups[0].otherFacingScore);
+    ASSERT_EQ(results[i].groups[0].outcomes.size(), results[0].groups[0].outcomes.size());
+    for (const auto & outcome : results[0].groups[0].outcomes)
+    {
+      const auto * same = results[i].groups[0].FindOutcome(outcome.first);
+      ASSERT_NE(same, nullptr) << outcome.first;
+      EXPECT_EQ(same->score, outcome.second.score) << outcome.first;
+      EXPECT_EQ(same->deviance, outcome.second.deviance) << outcome.first;
+    }
     EXPECT_EQ(results[i].groups[0].evaluations, results[0].groups[0].evaluations);
     for (unsigned int j : { 0u, 1u })
     {

@@ -141,7 +141,7 @@ TEST(PoseRegistration, GivesTheSameBitsForAnyNumberOfThreads)
   EXPECT_EQ(one.groups[0].parameters, three.groups[0].parameters);
   EXPECT_EQ(one.groups[0].covariance, three.groups[0].covariance);
   EXPECT_EQ(one.jaws[1].projection, three.jaws[1].projection);
-  EXPECT_EQ(one.groups[0].otherSideDeviance, three.groups[0].otherSideDeviance);
+  EXPECT_EQ(one.groups[0].outcomes.at("other-side").deviance, three.groups[0].outcomes.at("other-side").deviance);
 }
 
 TEST(PoseRegistration, DirectionAndOrderOfThePolylinesDoNotMatter)

@@ -282,7 +282,7 @@ MakeLimits()
       &Thresholds::suspectOtherSideDeviance,
       -5.0,
       false,
-      [](Result & r, double x) { r.groups[0].otherSideDeviance = x; },
+      [](Result & r, double x) { r.groups[0].outcomes["other-side"].deviance = x; },
       {},
       { { "other-side", Suspect } } },
     { "SuspectWinding",
@@ -310,14 +310,14 @@ MakeLimits()
       &Thresholds::hypothesisGain,
       0.03,
       true,
-      [](Result & r, double x) { r.groups[0].exchangedScore = r.groups[0].score - x; },
+      [](Result & r, double x) { r.groups[0].outcomes["jaws-exchanged"].score = r.groups[0].score - x; },
       {},
       { { "jaws-exchanged", Failed } } },
     { "HypothesisGainOfTheOtherFacing",
       &Thresholds::hypothesisGain,
       0.03,
       true,
-      [](Result & r, double x) { r.groups[0].otherFacingScore = r.groups[0].score - x; },
+      [](Result & r, double x) { r.groups[0].outcomes["facing"].score = r.groups[0].score - x; },
       {},
       { { "facing", Failed } } },
   };
@@ -482,8 +482,8 @@ TEST(RegistrationVerdict, ArchOfAnotherUnitIsNamedWithTheUnitThatFitsAndSilences
   {
     Result result = MakeGoodResult();
     result.jaws[0].archWidth = width.first;
-    result.groups[0].exchangedScore = 0.0;
-    result.groups[0].otherFacingScore = 0.0;
+    result.groups[0].outcomes["jaws-exchanged"].score = 0.0;
+    result.groups[0].outcomes["facing"].score = 0.0;
     const Verdict::Reason reason = OnlyReason(Verdict::Evaluate(result));
     EXPECT_EQ(reason.code, "arch-width");
     EXPECT_TRUE(Contains(reason.text, width.second)) << reason.text;
@@ -496,6 +496,13 @@ TEST(RegistrationVerdict, ArchOfAnotherUnitIsNamedWithTheUnitThatFitsAndSilences
   }
 }
 
+TEST(RegistrationVerdict, AUsersOwnHypothesisIsForTheUserToJudge)
+{
+  Result result = MakeGoodResult();
+  result.groups[0].outcomes["same-again"] = { 0.0, -100.0 };
+  EXPECT_TRUE(Verdict::Evaluate(result)[0].reasons.empty());
+}
+
 TEST(RegistrationVerdict, HypothesesAreNamedByWhatToCheck)
 {
   const auto evaluate = [](const std::function<void(itk::PoseGroupResult &)> & change) {
@@ -503,13 +510,13 @@ TEST(RegistrationVerdict, HypothesesAreNamedByWhatToCheck)
     change(result.groups[0]);
     return OnlyReason(Verdict::Evaluate(result));
   };
-  Verdict::Reason reason = evaluate([](itk::PoseGroupResult & g) { g.otherSideDeviance = -6.0; });
+  Verdict::Reason reason = evaluate([](itk::PoseGroupResult & g) { g.outcomes["other-side"].deviance = -6.0; });
   EXPECT_EQ(reason.code, "other-side");
   EXPECT_TRUE(Contains(reason.text, "other side") && Contains(reason.text, "mirrored")) << reason.text;
-  reason = evaluate([](itk::PoseGroupResult & g) { g.exchangedScore = 0.2; });
+  reason = evaluate([](itk::PoseGroupResult & g) { g.outcomes["jaws-exchanged"].score = 0.2; });
   EXPECT_EQ(reason.code, "jaws-exchanged");
   EXPECT_TRUE(Contains(reason.text, "upper and lower scan")) << reason.text;
-  reason = evaluate([](itk::PoseGroupResult & g) { g.otherFacingScore = 0.2; });
+  reason = evaluate([](itk::PoseGroupResult & g) { g.outcomes["facing"].score = 0.2; });
   EXPECT_EQ(reason.code, "facing");
   EXPECT_TRUE(Contains(reason.text, "`facing`")) << reason.text;
   // The place of the minimum that is elsewhere, not that of a neighbour of the best.

@@ -29,7 +29,8 @@ namespace itk
  *
  * The sum's state is the union of its terms' blocks, in the order in which the terms were added; a term's own values
  * and what is free there are the sum's from the moment it is added. A term that is to count more or less says so in its
- * residuals' standard deviations. A sum is a metric and may be a term.
+ * residuals' standard deviations. A sum is a metric and may be a term. Kernel and noise that are set on the sum are
+ * set on all terms but those that were added with settings of their own.
  *
  * (ObjectToObjectMultiMetricv4 of ITK cannot serve: its metrics share one transform object, and there is none here.)
  *
@@ -53,9 +54,18 @@ public:
 
   using MetricType = LeastSquaresMetricv4;
 
+  /** Whose a term's robust kernel and noise are. */
+  enum class SettingsEnum : uint8_t
+  {
+    /** The sum's: SetRobustKernel(), SetKernelWidth(), SetNoiseModel(), SetNoiseLevels() and EstimateNoise() reach it. */
+    OfTheSum,
+    /** Its own: they stay as the term has them, and its residuals count in EstimateNoise() as what is known. */
+    Own
+  };
+
   /** Appends a term. The values of its blocks are taken over where the sum has not had such a block before. */
   void
-  AddMetric(MetricType * metric);
+  AddMetric(MetricType * metric, SettingsEnum settings = SettingsEnum::OfTheSum);
   void
   RemoveMetric(const MetricType * metric);
   SizeValueType
@@ -65,6 +75,8 @@ public:
   }
   MetricType *
   GetMetric(SizeValueType index) const;
+  SettingsEnum
+  GetMetricSettings(SizeValueType index) const;
 
   /** Of the terms as well. */
   ModifiedTimeType
@@ -124,6 +136,7 @@ private:
   struct TermType
   {
     MetricType::Pointer metric;
+    SettingsEnum        settings{ SettingsEnum::OfTheSum };
     /** Place among the sum's parameters of each of the term's. */
     std::vector<std::size_t> places;
   };

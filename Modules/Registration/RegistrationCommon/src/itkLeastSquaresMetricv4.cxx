@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace itk
 {
@@ -317,15 +318,30 @@ LeastSquaresMetricv4::Initialize()
   this->StateChanged();
 }
 
+void
+LeastSquaresMetricv4::SetEvaluationCallback(EvaluationCallbackType callback)
+{
+  m_EvaluationCallback = std::move(callback);
+}
+
+void
+LeastSquaresMetricv4::AnnounceEvaluation() const
+{
+  if (m_EvaluationCallback)
+  {
+    m_EvaluationCallback();
+  }
+}
+
 LeastSquaresMetricv4::MeasureType
-LeastSquaresMetricv4::GetValue() const
+LeastSquaresMetricv4::EvaluateValue() const
 {
   this->m_Value = this->ComputeValue(m_State.GetValues());
   return this->m_Value;
 }
 
 void
-LeastSquaresMetricv4::GetDerivative(DerivativeType & derivative) const
+LeastSquaresMetricv4::EvaluateDerivative(DerivativeType & derivative) const
 {
   VectorType gradient;
   this->ComputeGradient(m_State.GetValues(), gradient);
@@ -338,11 +354,26 @@ LeastSquaresMetricv4::GetDerivative(DerivativeType & derivative) const
   }
 }
 
+LeastSquaresMetricv4::MeasureType
+LeastSquaresMetricv4::GetValue() const
+{
+  this->AnnounceEvaluation();
+  return this->EvaluateValue();
+}
+
+void
+LeastSquaresMetricv4::GetDerivative(DerivativeType & derivative) const
+{
+  this->AnnounceEvaluation();
+  this->EvaluateDerivative(derivative);
+}
+
 void
 LeastSquaresMetricv4::GetValueAndDerivative(MeasureType & value, DerivativeType & derivative) const
 {
-  value = this->GetValue();
-  this->GetDerivative(derivative);
+  this->AnnounceEvaluation();
+  value = this->EvaluateValue();
+  this->EvaluateDerivative(derivative);
 }
 
 LeastSquaresMetricv4::NumberOfParametersType
@@ -389,6 +420,7 @@ LeastSquaresMetricv4::UpdateTransformParameters(const DerivativeType & derivativ
 void
 LeastSquaresMetricv4::GetResiduals(VectorType & residuals, MatrixType * jacobian) const
 {
+  this->AnnounceEvaluation();
   if (jacobian == nullptr)
   {
     this->ComputeResiduals(m_State.GetValues(), residuals, nullptr);
@@ -470,5 +502,6 @@ LeastSquaresMetricv4::PrintSelf(std::ostream & os, Indent indent) const
   text << indent.GetNextIndent();
   m_State.Print(os, text.str());
   os << indent << "Parameters: " << m_Parameters << std::endl;
+  os << indent << "EvaluationCallback: " << (m_EvaluationCallback ? "set" : "(none)") << std::endl;
 }
 } // namespace itk

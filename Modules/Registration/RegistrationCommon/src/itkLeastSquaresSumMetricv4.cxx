@@ -22,7 +22,7 @@
 namespace itk
 {
 void
-LeastSquaresSumMetricv4::AddMetric(MetricType * metric)
+LeastSquaresSumMetricv4::AddMetric(MetricType * metric, SettingsEnum settings)
 {
   if (metric == nullptr || metric == this)
   {
@@ -35,7 +35,7 @@ LeastSquaresSumMetricv4::AddMetric(MetricType * metric)
   {
     m_State.AddBlock(block);
   }
-  m_Metrics.push_back({ metric, {} });
+  m_Metrics.push_back({ metric, settings, {} });
   this->UpdatePlaces();
   this->StateChanged();
   this->Modified();
@@ -71,6 +71,13 @@ LeastSquaresSumMetricv4::GetMetric(SizeValueType index) const
     itkExceptionMacro("The sum has " << m_Metrics.size() << " terms; there is no term " << index << '.');
   }
   return m_Metrics[index].metric;
+}
+
+LeastSquaresSumMetricv4::SettingsEnum
+LeastSquaresSumMetricv4::GetMetricSettings(SizeValueType index) const
+{
+  this->GetMetric(index);
+  return m_Metrics[index].settings;
 }
 
 ModifiedTimeType
@@ -239,7 +246,10 @@ LeastSquaresSumMetricv4::SetKernelWidth(double width)
 {
   for (const TermType & term : m_Metrics)
   {
-    term.metric->SetKernelWidth(width);
+    if (term.settings == SettingsEnum::OfTheSum)
+    {
+      term.metric->SetKernelWidth(width);
+    }
   }
 }
 
@@ -248,7 +258,10 @@ LeastSquaresSumMetricv4::SetRobustKernel(const RobustKernel * kernel)
 {
   for (const TermType & term : m_Metrics)
   {
-    term.metric->SetRobustKernel(kernel);
+    if (term.settings == SettingsEnum::OfTheSum)
+    {
+      term.metric->SetRobustKernel(kernel);
+    }
   }
 }
 
@@ -257,7 +270,10 @@ LeastSquaresSumMetricv4::SetNoiseModel(const ResidualNoiseModel * model)
 {
   for (const TermType & term : m_Metrics)
   {
-    term.metric->SetNoiseModel(model);
+    if (term.settings == SettingsEnum::OfTheSum)
+    {
+      term.metric->SetNoiseModel(model);
+    }
   }
 }
 
@@ -266,7 +282,10 @@ LeastSquaresSumMetricv4::SetNoiseLevels(const ContourNoiseLevels & levels, const
 {
   for (const TermType & term : m_Metrics)
   {
-    term.metric->SetNoiseLevels(levels, model);
+    if (term.settings == SettingsEnum::OfTheSum)
+    {
+      term.metric->SetNoiseLevels(levels, model);
+    }
   }
 }
 
@@ -274,7 +293,7 @@ bool
 LeastSquaresSumMetricv4::GetNoiseLevels(ContourNoiseLevels & levels, const ResidualNoiseModel * model) const
 {
   return std::any_of(m_Metrics.begin(), m_Metrics.end(), [&](const TermType & term) {
-    return term.metric->GetNoiseLevels(levels, model);
+    return term.settings == SettingsEnum::OfTheSum && term.metric->GetNoiseLevels(levels, model);
   });
 }
 
@@ -292,6 +311,10 @@ LeastSquaresSumMetricv4::AppendNoiseBlocks(const PositionType & x, std::vector<R
 {
   for (std::size_t t = 0; t < m_Metrics.size(); ++t)
   {
+    if (m_Metrics[t].settings == SettingsEnum::Own)
+    {
+      continue;
+    }
     std::vector<ResidualNoiseBlock> own;
     m_Metrics[t].metric->AppendNoiseBlocks(this->GetTermPosition(t, x), own);
     for (ResidualNoiseBlock & block : own)
@@ -321,7 +344,16 @@ LeastSquaresSumMetricv4::AddFixedInformation(const PositionType & x,
     const auto   count = static_cast<unsigned int>(places.size());
     MatrixType   ownInformation(count, count, 0.0);
     VectorType   ownGradient(count, 0.0);
-    m_Metrics[t].metric->AddFixedInformation(this->GetTermPosition(t, x), ownInformation, ownGradient, value);
+    if (m_Metrics[t].settings == SettingsEnum::Own)
+    {
+      // All of its residuals, with the noise that it has: none of it is estimated here.
+      m_Metrics[t].metric->LeastSquaresMetricv4::AddFixedInformation(
+        this->GetTermPosition(t, x), ownInformation, ownGradient, value);
+    }
+    else
+    {
+      m_Metrics[t].metric->AddFixedInformation(this->GetTermPosition(t, x), ownInformation, ownGradient, value);
+    }
     for (unsigned int a = 0; a < count; ++a)
     {
       gradient[static_cast<unsigned int>(places[a])] += ownGradient[a];
@@ -351,7 +383,7 @@ LeastSquaresSumMetricv4::InternalClone() const
   for (const TermType & term : m_Metrics)
   {
     const LightObject::Pointer copy = term.metric->Clone().GetPointer();
-    clone->m_Metrics.push_back({ dynamic_cast<MetricType *>(copy.GetPointer()), term.places });
+    clone->m_Metrics.push_back({ dynamic_cast<MetricType *>(copy.GetPointer()), term.settings, term.places });
     if (clone->m_Metrics.back().metric.IsNull())
     {
       itkExceptionMacro("The metric " << term.metric->GetNameOfClass()
@@ -370,7 +402,8 @@ LeastSquaresSumMetricv4::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   for (std::size_t t = 0; t < m_Metrics.size(); ++t)
   {
-    os << indent << "Metric " << t << ": " << std::endl;
+    os << indent << "Metric " << t
+       << (m_Metrics[t].settings == SettingsEnum::Own ? ", kernel and noise its own: " : ": ") << std::endl;
     m_Metrics[t].metric->Print(os, indent.GetNextIndent());
   }
 }

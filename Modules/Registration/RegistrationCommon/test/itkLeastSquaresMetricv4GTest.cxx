@@ -230,3 +230,30 @@ TEST(LeastSquaresMetricv4, ErrorsSayWhatIsMissing)
   EXPECT_TRUE(
     Contains(MessageOfCall([&] { metric->UpdateTransformParameters(three, 1.0); }), "3 parameters for 2 free ones"));
 }
+
+TEST(LeastSquaresMetricv4, AnEvaluationIsAnnouncedOnceAndMayBeRefused)
+{
+  const auto metric = CurveFitMetric::New();
+  metric->Initialize();
+  unsigned int announced = 0;
+  metric->SetEvaluationCallback([&]() { ++announced; });
+  double                               value = 0.0;
+  itk::LeastSquaresMetricv4::DerivativeType derivative;
+  metric->GetValue();
+  EXPECT_EQ(announced, 1u);
+  metric->GetDerivative(derivative);
+  EXPECT_EQ(announced, 2u);
+  metric->GetValueAndDerivative(value, derivative);
+  EXPECT_EQ(announced, 3u);
+  itk::LeastSquaresMetricv4::VectorType residuals;
+  metric->GetResiduals(residuals, nullptr);
+  EXPECT_EQ(announced, 4u);
+  // Those of the metric's own making are not announced.
+  metric->ComputeValue(metric->GetState().GetValues());
+  metric->Clone()->GetValue();
+  EXPECT_EQ(announced, 4u);
+  metric->SetEvaluationCallback([]() { throw itk::ProcessAborted(__FILE__, __LINE__); });
+  EXPECT_THROW(metric->GetValue(), itk::ProcessAborted);
+  metric->SetEvaluationCallback(nullptr);
+  EXPECT_EQ(metric->GetValue(), value);
+}

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkLeastSquaresSumMetricv4.h"
 
+#include "itkCorrelatedNoiseModel.h"
 #include "itkCurveFitMetric.h"
 #include "itkLeastSquaresMetricChecker.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
@@ -102,6 +103,98 @@ public:
 protected:
   PlainTerm() = default;
   ~PlainTerm() override = default;
+};
+
+/** Eight points of a level that nobody knows, with noise. */
+class NoisyTerm : public itk::LeastSquaresMetricv4
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(NoisyTerm);
+  using Self = NoisyTerm;
+  using Superclass = itk::LeastSquaresMetricv4;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  itkNewMacro(Self);
+  itkTypeMacro(NoisyTerm, LeastSquaresMetricv4);
+
+  double width{ 1.0 };
+  double level{ 1.0 };
+
+  BlocksType
+  DeclareBlocks() const override
+  {
+    return { { "height", { { "h", 0.0, 1.0, 0.0, true } } } };
+  }
+  itk::SizeValueType
+  GetNumberOfResiduals() const override
+  {
+    return 8;
+  }
+  void
+  ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const override
+  {
+    residuals.set_size(8);
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      residuals[i] = (x[0] - (i % 2 == 0 ? 0.0 : 1.0)) / level;
+    }
+    if (jacobian != nullptr)
+    {
+      jacobian->set_size(8, 1);
+      jacobian->fill(1.0 / level);
+    }
+  }
+  void
+  SetKernelWidth(double value) override
+  {
+    width = value;
+  }
+  void
+  SetNoiseLevels(const itk::ContourNoiseLevels & levels, const itk::ResidualNoiseModel *) override
+  {
+    level = levels.white;
+  }
+  bool
+  GetNoiseLevels(itk::ContourNoiseLevels & levels, const itk::ResidualNoiseModel *) const override
+  {
+    levels = { 0.1, level };
+    return true;
+  }
+  void
+  AppendNoiseBlocks(const PositionType & x, std::vector<itk::ResidualNoiseBlock> & blocks) const override
+  {
+    itk::ResidualNoiseBlock block;
+    block.model = m_Model;
+    block.count = 8;
+    block.weights.assign(8, 1.0);
+    block.jacobian.assign(8, 1.0);
+    block.correlation.assign(64, 0.0);
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      block.residuals.push_back(x[0] - (i % 2 == 0 ? 0.0 : 1.0));
+      block.correlation[9 * i] = 1.0;
+    }
+    blocks.push_back(block);
+  }
+  void
+  AddFixedInformation(const PositionType &, MatrixType &, VectorType &, double &) const override
+  {}
+
+protected:
+  NoisyTerm() = default;
+  ~NoisyTerm() override = default;
+  itk::LightObject::Pointer
+  InternalClone() const override
+  {
+    auto clone = Self::New();
+    clone->width = width;
+    clone->level = level;
+    clone->CopyState(*this);
+    return clone.GetPointer();
+  }
+
+private:
+  itk::ResidualNoiseModel::ConstPointer m_Model{ itk::CorrelatedNoiseModel::New().GetPointer() };
 };
 
 int
@@ -280,6 +373,38 @@ TEST(LeastSquaresSumMetricv4, ATermThatChangesChangesTheSumsTime)
   const auto time = sum->GetMTime();
   dynamic_cast<PriorMetricType *>(sum->GetMetric(1))->SetPriors({ { 0.0, 0.1, 0.0 }, { 0.0, 0.1, 0.0 } });
   EXPECT_GT(sum->GetMTime(), time);
+}
+
+TEST(LeastSquaresSumMetricv4, ATermWithSettingsOfItsOwnIsNotConfigured)
+{
+  const auto sum = SumType::New();
+  const auto ofTheSum = NoisyTerm::New();
+  const auto own = NoisyTerm::New();
+  sum->AddMetric(ofTheSum);
+  sum->AddMetric(own, SumType::SettingsEnum::Own);
+  sum->Initialize();
+  EXPECT_EQ(sum->GetMetricSettings(0), SumType::SettingsEnum::OfTheSum);
+  EXPECT_EQ(sum->GetMetricSettings(1), SumType::SettingsEnum::Own);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { sum->GetMetricSettings(2); }), "there is no term 2"));
+  sum->SetKernelWidth(5.0);
+  sum->SetNoiseLevels({ 0.0, 3.0 });
+  EXPECT_EQ(ofTheSum->width, 5.0);
+  EXPECT_EQ(ofTheSum->level, 3.0);
+  EXPECT_EQ(own->width, 1.0);
+  EXPECT_EQ(own->level, 1.0);
+  // Only the sum's are estimated; a clone knows the difference.
+  const SumType::Pointer clone = sum->Clone();
+  EXPECT_EQ(clone->GetMetricSettings(1), SumType::SettingsEnum::Own);
+  clone->EstimateNoise();
+  EXPECT_NE(dynamic_cast<NoisyTerm *>(clone->GetMetric(0))->level, 3.0);
+  EXPECT_EQ(dynamic_cast<NoisyTerm *>(clone->GetMetric(1))->level, 1.0);
+  // What is known of the own one counts: all of its residuals.
+  SumType::MatrixType information(1, 1, 0.0);
+  SumType::VectorType gradient(1, 0.0);
+  double              value = 0.0;
+  sum->AddFixedInformation({ 0.5 }, information, gradient, value);
+  EXPECT_EQ(information(0, 0), 8.0);
+  EXPECT_EQ(gradient[0], -4.0 + 0.5 * 8.0);
 }
 
 TEST(LeastSquaresSumMetricv4, ErrorsSayWhatIsWrong)

@@ -1,0 +1,62 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkContourTransformFilter.h"
+
+namespace itk
+{
+ContourTransformFilter::ContourTransformFilter()
+{
+  this->AddRequiredInputName("Transform");
+}
+
+void
+ContourTransformFilter::VerifyPreconditions() ITKv5_CONST
+{
+  if (this->GetInput() == nullptr)
+  {
+    itkExceptionMacro("No contour to move: call SetInput() with a DentalContour.");
+  }
+  if (this->GetTransformInput() == nullptr)
+  {
+    itkExceptionMacro("No transform: call SetTransform() with that of a registration.");
+  }
+  Superclass::VerifyPreconditions();
+}
+
+void
+ContourTransformFilter::GenerateData()
+{
+  const TransformType * transform = this->GetTransform();
+  if (transform == nullptr)
+  {
+    itkExceptionMacro("The transform is empty: update the registration that finds it.");
+  }
+  DentalContour * const output = this->GetOutput();
+  output->Initialize();
+  // Without it every Update() would execute again.
+  output->SetBufferedRegion(output->GetRequestedRegion());
+  for (auto polyline : this->GetInput()->GetPolylines())
+  {
+    for (auto & point : polyline.points)
+    {
+      point = transform->TransformPoint(point);
+    }
+    output->AddPolyline(polyline);
+  }
+}
+} // namespace itk
