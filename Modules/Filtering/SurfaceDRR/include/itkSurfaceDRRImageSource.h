@@ -269,9 +269,12 @@ private:
   MakeProjector() const;
   /** Fills the layer with the splats of a surface; throws for a point behind the source. */
   void
-  Project(unsigned int number, const SurfaceSplatProjector & projector, SurfaceSplatLayer & layer) const;
+  Project(unsigned int number, const SurfaceSplatProjector & projector, SurfaceSplatLayer & layer);
   void
   CheckAbort();
+  /** As many as the user allows and ITK has. */
+  unsigned int
+  ChooseNumberOfThreads();
 
   double                 m_Sigma{ 0.5 };
   std::vector<WidthType> m_Widths;

@@ -24,10 +24,12 @@
 #include "itkMath.h"
 #include "itkMultiThreaderBase.h"
 #include "itkNumericTraits.h"
+#include "itkParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <type_traits>
 
@@ -348,7 +350,7 @@ template <typename TInputMesh, typename TOutputImage>
 void
 SurfaceDRRImageSource<TInputMesh, TOutputImage>::Project(unsigned int                  number,
                                                          const SurfaceSplatProjector & projector,
-                                                         SurfaceSplatLayer &           layer) const
+                                                         SurfaceSplatLayer &           layer)
 {
   const SurfaceType & surface = m_Surfaces[number];
   const std::size_t   count = surface.points.size();
@@ -356,8 +358,17 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::Project(unsigned int           
   layer.v.resize(count);
   layer.weight.resize(count);
   static_assert(sizeof(std::array<double, 3>) == sizeof(double[3]), "Points are flat.");
-  const auto *      points = reinterpret_cast<const double(*)[3]>(surface.points.data());
-  const std::size_t good = projector.Project(points, surface.areas.data(), 0, count, 1.0, layer);
+  const auto * points = reinterpret_cast<const double(*)[3]>(surface.points.data());
+  // The first point that is wrong is that of the first part that has one.
+  const std::size_t        parts = 1 + count / 4096;
+  std::vector<std::size_t> goods(parts);
+  ParallelFor(parts, this->ChooseNumberOfThreads(), [&](std::size_t part) {
+    const std::size_t end = count * (part + 1) / parts;
+    const std::size_t good =
+      projector.Project(points, surface.areas.data(), count * part / parts, end, 1.0, layer);
+    goods[part] = good < end ? good : count;
+  });
+  const std::size_t good = *std::min_element(goods.begin(), goods.end());
   if (good < count)
   {
     const auto & p = surface.points[good];
@@ -431,7 +442,8 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::MakeKernels()
     }
     try
     {
-      m_Kernels[number].Prepare(layer, grid, m_Tolerance);
+      m_Kernels[number].Prepare(
+        layer, grid, m_Tolerance, SurfaceSplatKernel::MethodEnum::Automatic, this->ChooseNumberOfThreads());
     }
     catch (const std::invalid_argument & error)
     {
@@ -457,6 +469,14 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::CheckAbort()
 }
 
 template <typename TInputMesh, typename TOutputImage>
+unsigned int
+SurfaceDRRImageSource<TInputMesh, TOutputImage>::ChooseNumberOfThreads()
+{
+  return std::max<unsigned int>(
+    1, std::min(this->GetNumberOfWorkUnits(), this->GetMultiThreader()->GetMaximumNumberOfThreads()));
+}
+
+template <typename TInputMesh, typename TOutputImage>
 void
 SurfaceDRRImageSource<TInputMesh, TOutputImage>::GenerateData()
 {
@@ -479,31 +499,39 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::GenerateData()
   const SizeValueType height = buffered.GetSize(1);
   PixelType * const   pixels = image->GetBufferPointer();
 
-  std::vector<float> scratch;
-  float *            thickness = nullptr;
+  std::unique_ptr<float[]> scratch;
+  float *                  thickness = nullptr;
   if constexpr (std::is_same<PixelType, float>::value)
   {
     thickness = pixels;
-    std::fill_n(pixels, width * height, 0.0f);
   }
   else
   {
-    scratch.assign(width * height, 0.0f);
-    thickness = scratch.data();
+    scratch.reset(new float[width * height]);
+    thickness = scratch.get();
   }
 
-  MultiThreaderBase * threader = this->GetMultiThreader();
-  threader->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  // By the threads of ParallelFor() throughout: they are awake between one step and the next, where those of an ITK
+  // threader would have to be woken for each.
+  const unsigned int      threads = this->ChooseNumberOfThreads();
+  constexpr SizeValueType rowsOfJob = 16;
+  const auto              forEachRow = [threads, height](const auto & visit) {
+    ParallelFor((height + rowsOfJob - 1) / rowsOfJob, threads, [&](std::size_t job) {
+      for (SizeValueType row = job * rowsOfJob; row < std::min<SizeValueType>(height, (job + 1) * rowsOfJob); ++row)
+      {
+        visit(row);
+      }
+    });
+  };
+  forEachRow([thickness, width](SizeValueType row) { std::fill_n(thickness + row * width, width, 0.0f); });
   for (std::size_t layer = 0; layer < m_Kernels.size(); ++layer)
   {
     SurfaceSplatKernel::Rendering rendering(m_Kernels[layer], region, thickness, width);
     for (std::size_t phase = 0; phase < rendering.GetNumberOfPhases(); ++phase)
     {
-      threader->ParallelizeArray(
-        0,
-        rendering.GetNumberOfJobs(phase),
-        [&rendering, phase](SizeValueType job) { rendering.Run(phase, job); },
-        nullptr);
+      ParallelFor(rendering.GetNumberOfJobs(phase), threads, [&rendering, phase](std::size_t job) {
+        rendering.Run(phase, job);
+      });
       this->CheckAbort();
     }
     this->UpdateProgress(0.5f + 0.4f * static_cast<float>(layer + 1) / static_cast<float>(m_Kernels.size()));
@@ -552,7 +580,7 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::GenerateData()
       }
     }
   };
-  threader->ParallelizeArray(0, height, finishRow, nullptr);
+  forEachRow(finishRow);
   this->UpdateProgress(1.0f);
 }
 
