@@ -3,6 +3,14 @@ include(CMakePackageConfigHelpers)
 set(_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/DentalSCR")
 get_property(DENTALSCR_MODULES GLOBAL PROPERTY DENTALSCR_TARGETS)
 
+# All modules in one target, but for the program's verbs, which are no library for others.
+add_library(DentalSCR INTERFACE)
+add_library(DentalSCR::DentalSCR ALIAS DentalSCR)
+set(_umbrella ${DENTALSCR_MODULES})
+list(REMOVE_ITEM _umbrella CommandLine)
+target_link_libraries(DentalSCR INTERFACE ${_umbrella})
+install(TARGETS DentalSCR EXPORT DentalSCRTargets)
+
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/DentalSCRConfig.cmake.in"
   "${PROJECT_BINARY_DIR}/DentalSCRConfig.cmake" INSTALL_DESTINATION "${_config_dir}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/DentalSCRConfigVersion.cmake" COMPATIBILITY SameMinorVersion)

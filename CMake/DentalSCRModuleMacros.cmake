@@ -45,10 +45,43 @@ macro(itk_module_impl)
   else()
     dentalscr_add_header_library(${PROJECT_NAME})
   endif()
-  if(DENTALSCR_BUILD_TESTING AND EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/test/CMakeLists.txt")
-    add_subdirectory(test)
+  if(DENTALSCR_BUILD_TESTING)
+    _dentalscr_compile_headers_alone(${PROJECT_NAME} "${_dentalscr_module_dir}")
+    if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/test/CMakeLists.txt")
+      add_subdirectory(test)
+    endif()
   endif()
 endmacro()
+
+# Every public header compiles alone: it includes what it uses, in whatever order others include it. That is shown where a
+# source file of the module or of its tests includes it first, as the house's order of includes wants; a header that is
+# nobody's first gets a source file of its own. The build is the test.
+function(_dentalscr_compile_headers_alone _name _dir)
+  file(GLOB headers CONFIGURE_DEPENDS "${_dir}/include/*.h")
+  file(GLOB sources "${_dir}/src/*.cxx" "${_dir}/test/*.cxx")
+  set(first)
+  foreach(source IN LISTS sources)
+    file(STRINGS "${source}" line REGEX "^#include" LIMIT_COUNT 1)
+    if(line MATCHES "\"(.+)\"")
+      list(APPEND first "${CMAKE_MATCH_1}")
+    endif()
+  endforeach()
+  set(alone)
+  foreach(header IN LISTS headers)
+    get_filename_component(header "${header}" NAME)
+    if(NOT header IN_LIST first)
+      set(source "${CMAKE_CURRENT_BINARY_DIR}/headers/${header}.cxx")
+      file(CONFIGURE OUTPUT "${source}" CONTENT "#include \"${header}\"\n" @ONLY)
+      list(APPEND alone "${source}")
+    endif()
+  endforeach()
+  if(alone)
+    add_library(${_name}Headers OBJECT ${alone})
+    dentalscr_target_settings(${_name}Headers)
+    target_compile_options(${_name}Headers PRIVATE -O0)
+    target_link_libraries(${_name}Headers PRIVATE ${_name})
+  endif()
+endfunction()
 
 # What a library and a header-only module have in common: scope is PUBLIC or INTERFACE.
 function(_dentalscr_configure_module _name _scope)
@@ -81,6 +114,11 @@ function(itk_module_add_library _name)
     OUTPUT_NAME "DentalSCR${_name}"
     VERSION ${DentalSCR_VERSION}
     SOVERSION ${DentalSCR_VERSION_MAJOR}.${DentalSCR_VERSION_MINOR})
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND UNIX AND NOT APPLE)
+    # A library's own functions are found when it is linked, not by name each time that it is loaded; data, hence types and
+    # singletons, are still one for all libraries.
+    target_link_options(${_name} PRIVATE "LINKER:-Bsymbolic-functions")
+  endif()
   set(header_target ${_name})
   if(NOT BUILD_SHARED_LIBS)
     # The compile commands and the header of a shared library, so that the wheel's objects come from ccache.

@@ -60,7 +60,6 @@ main(int argc, char * argv[])
     axis->SetUpperMesh(reader->GetOutput());
     drr->SetInput(axis->GetUpperOutput());
     drr->SetGeometry(geometry);
-    drr->SetSizeToCoverMeshes(2.0); // mm of border
     silhouette->SetInput(drr->GetOutput());
     silhouette->SetLevel(itk::SilhouetteContourFilterEnums::Level::Absolute);
     silhouette->SetLevelValue(0.5); // half a shell

@@ -8,7 +8,7 @@ def main(upper, contours, spacing):
     geometry = ds.CephalometricGeometry()
     geometry.SetPixelSpacing((spacing, spacing))
     axes = ds.UMidlineDentalAxis(upper=ds.ReadMesh(upper))
-    drr = ds.SurfaceDRR(axes.upper, geometry, margin=2.0)
+    drr = ds.SurfaceDRR(axes.upper, geometry)
     silhouette = ds.SilhouetteContour(drr, level="Absolute", levelValue=0.5)  # half a shell
     moving = ds.ContourResample(silhouette, numberOfPoints=441)
     tracing = ds.ReadContours(contours).upper

@@ -47,7 +47,7 @@ WriteRadiograph(const MeshType * mesh, const itk::CephalometricGeometry * geomet
   drr->SetGeometry(geometry);
   drr->SetOutputMode(itk::SurfaceDRRImageSourceEnums::Output::InvertedIntensity);
   drr->SetSourceIntensity(255.0);
-  drr->SetSizeToCoverMeshes(5.0);
+  drr->SetCoverMargin(5.0);
   auto writer = itk::ImageFileWriter<PictureType>::New();
   writer->SetInput(drr->GetOutput());
   writer->SetImageIO(itk::PNGImageIO::New());
@@ -116,7 +116,6 @@ main(int argc, char * argv[])
     auto drr = itk::SurfaceDRRImageSource<MeshType, ImageType>::New();
     drr->SetInput(axis->GetUpperOutput());
     drr->SetGeometry(nominal);
-    drr->SetSizeToCoverMeshes(2.0);
     auto silhouette = itk::SilhouetteContourFilter<ImageType>::New();
     silhouette->SetInput(drr->GetOutput());
     silhouette->SetLevel(itk::SilhouetteContourFilterEnums::Level::Absolute);

@@ -43,7 +43,7 @@ def main(case_file, folder):
     # 3. The contour: from the thickness at half a shell as the paper does, and exactly from the mesh.
     nominal = copy.deepcopy(case.geometry)
     nominal.SetPrincipalPoint((0, 0))
-    drr = ds.SurfaceDRR(upper, nominal, margin=2.0)
+    drr = ds.SurfaceDRR(upper, nominal)
     moving = ds.ContourResample(ds.SilhouetteContour(drr, level="Absolute", levelValue=0.5), numberOfPoints=441)
     exact = ds.MeshSilhouetteContour(upper, nominal)
     label = "at half a shell of the radiograph"

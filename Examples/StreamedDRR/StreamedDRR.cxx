@@ -43,7 +43,6 @@ MakeSource(const MeshType * mesh, double pixelSpacing)
   drr->SetGeometry(geometry);
   drr->SetOutputMode(itk::SurfaceDRRImageSourceEnums::Output::InvertedIntensity);
   drr->SetSourceIntensity(255.0);
-  drr->SetSizeToCoverMeshes(2.0);
   return drr;
 }
 } // namespace

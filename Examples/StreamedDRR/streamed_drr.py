@@ -10,7 +10,6 @@ def make_source():
     source = ds.SurfaceDRRImageSource()
     source.SetOutputMode("InvertedIntensity")
     source.SetSourceIntensity(255.0)
-    source.SetSizeToCoverMeshes(2.0)
     return source
 
 

@@ -139,7 +139,8 @@ struct Renderer
   Render(const Scene & scene, double sigma, double tolerance, unsigned int threads)
   {
     const SurfaceSplatRegion region{ 0, 0, Width, Height };
-    image.assign(Width * Height, 0.0f);
+    image.resize(Width * Height);
+    ParallelFor(Height, threads, [this](std::size_t row) { std::fill_n(image.data() + row * Width, Width, 0.0f); });
     ProjectScene(scene, sigma, layer, threads);
     kernel.Prepare(layer, region, tolerance, SurfaceSplatKernel::MethodEnum::Automatic, threads);
     kernel.Render(region, image.data(), Width, threads);

@@ -41,7 +41,7 @@ def test_every_module_is_exported(prefix):
     text = next(prefix.rglob("DentalSCRTargets.cmake")).read_text()
     exported = set(re.findall(r"add_library\(DentalSCR::(\w+)", text))
     modules = {path.parent.name for path in (HERE.parent.parent / "Modules").glob("*/*/itk-module.cmake")}
-    assert modules == exported
+    assert modules | {"DentalSCR"} == exported
 
 
 def test_example_builds_against_it_and_finds_the_known_answer(prefix, tmp_path):
@@ -51,6 +51,55 @@ def test_example_builds_against_it_and_finds_the_known_answer(prefix, tmp_path):
     )
     call("cmake", "--build", tmp_path / "build")
     assert "shift" in call(tmp_path / "build" / "InstalledPackage").stdout
+
+
+def configure_consumer(prefix, folder, *options):
+    return subprocess.run(
+        ["cmake", "-S", HERE / "Consumer", "-B", folder, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
+         "-DCMAKE_BUILD_TYPE=Release", *options],
+        capture_output=True, text=True, timeout=300,
+    )
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("-DITK_FIRST=ON",),
+        ("-DITK_FIRST=OFF", "-DCOMPONENTS=SurfaceDRR;RegistrationReport", "-DLINK=DentalSCR::DentalSCR"),
+    ],
+    ids=["itk-first", "umbrella"],
+)
+def test_consumer_with_itk_modules_of_its_own_reads_and_writes_by_itk(prefix, tmp_path, options):
+    """The consumer's CMakeLists.txt checks that no ITK_ variable of its own changes."""
+    done = configure_consumer(prefix, tmp_path / "build", *options)
+    assert done.returncode == 0, done.stderr
+    call("cmake", "--build", tmp_path / "build")
+    # Sides of 10 mm and four sigma of 2 mm around: 10 * 1674 / 1524 / 0.25 + 2 * 32 pixels, and whole pixels around them.
+    assert "size 109 109" in call(tmp_path / "build" / "Consumer", tmp_path / "a.png", tmp_path / "a.mha").stdout
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_missing_component_is_named_and_so_are_those_that_are_there(prefix, tmp_path):
+    done = configure_consumer(prefix, tmp_path / "build", "-DCOMPONENTS=SurfaceDRR;Orthodontics")
+    assert done.returncode != 0
+    text = " ".join(done.stderr.split())
+    assert 'no component "Orthodontics"' in text and "SilhouetteContour" in text
+
+
+def test_tests_include_public_headers_only():
+    """A test is the first user of a header; one that reaches into src/ tests what no user can reach."""
+    root = HERE.parent.parent
+    private = {path.name for path in root.glob("Modules/*/*/src/*.h")}
+    found = {
+        (path.name, name)
+        for folder in ("Modules/*/*/test/*", "Testing/*/*")
+        for path in root.glob(folder)
+        if path.suffix in (".h", ".cxx")
+        for name in re.findall(r'^#include ".*?([^"/]+)"', path.read_text(), re.MULTILINE)
+        if name in private
+    }
+    # Kernels behind an object that offers no way to see them.
+    assert found <= {("itkCaseRegistrationGTest.cxx", "itkCasePoseRegistration.h")}
 
 
 def test_program_of_the_readme_compiles_as_shown_and_runs(prefix, run, tmp_path):

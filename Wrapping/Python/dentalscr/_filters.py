@@ -131,19 +131,13 @@ def MidsagittalPlane(upper: Optional[MeshLike] = None, lower: Optional[MeshLike]
 class SurfaceDRRImageSource(ProcessObject, _core.SurfaceDRRImageSource):
     """Digitally reconstructed radiograph of scans as hollow shells.
 
-    The picture's indices are those of the cephalogram. Give its size by ``SetSize``, by a reference image, or let it
-    cover the scans: ``SetSizeToCoverMeshes(margin)``.
+    The picture's indices are those of the cephalogram. It covers the scans and ``SetCoverMargin`` mm around them, with a
+    first index that may be negative, unless it has a size of its own by ``SetSize`` or a reference image.
     """
 
     def SetReferenceImage(self, image: Optional[ImageLike]) -> None:
         """The picture gets the pixels of this one; None for none."""
         self._SetReferenceImage(None if image is None else as_image(image))
-        self.__dict__["_cover"] = None
-
-    def SetSizeToCoverMeshes(self, margin: float = 2.0) -> None:
-        """The picture holds every projected vertex and so many mm around it; its first index may be negative."""
-        self._SetReferenceImage(None)
-        self.__dict__["_cover"] = float(margin)
 
     def _SetInputs(self, mesh: Union[MeshLike, Sequence[MeshLike]], geometry: Any) -> None:
         meshes = mesh if isinstance(mesh, list) else [mesh]
@@ -152,9 +146,6 @@ class SurfaceDRRImageSource(ProcessObject, _core.SurfaceDRRImageSource):
         for number, item in enumerate(meshes):
             self._SetInput(number, as_mesh(item))
         self._SetGeometry(as_geometry(geometry))
-        cover = self.__dict__.get("_cover")
-        if cover is not None:
-            self._SetSizeToCoverMeshes(cover)
 
     def Execute(self, mesh: Union[MeshLike, Sequence[MeshLike]], geometry: Any) -> _core.Image:
         """Renders.
@@ -191,7 +182,7 @@ def SurfaceDRR(
     geometry: Any,
     sigma: float = 0.5,
     size: Optional[Tuple[int, int]] = None,
-    margin: float = 2.0,
+    margin: Optional[float] = None,
     **settings: Any,
 ) -> _core.Image:
     """A DRR of scans; see :class:`SurfaceDRRImageSource`.
@@ -203,7 +194,9 @@ def SurfaceDRR(
     sigma : float, optional
         Width of the splats, mm in the detector plane.
     size : (width, height), optional
-        Of the picture; without it, it covers the scans and ``margin`` mm around them.
+        Of the picture; without it, it covers the scans and ``margin`` around them.
+    margin : float, optional
+        mm; four times ``sigma`` where it is not given.
     **settings
         ``outputMode``, ``normalization``, ``referenceImage``, ...
     """
@@ -211,8 +204,8 @@ def SurfaceDRR(
     process.SetSigma(sigma)
     if size is not None:
         process.SetSize(size)
-    elif settings.get("referenceImage") is None:
-        process.SetSizeToCoverMeshes(margin)
+    if margin is not None:
+        process.SetCoverMargin(margin)
     apply_settings(process, settings)
     return process.Execute(mesh, geometry)
 

@@ -230,10 +230,9 @@ WrapDRR(py::module_ & module)
         self.SetUseReferenceImage(image != nullptr);
       },
       py::arg("image"))
-    .def(
-      "_SetSizeToCoverMeshes",
-      [](DRRType & self, double margin) { Run(&self, [&]() { self.SetSizeToCoverMeshes(margin); }); },
-      py::arg("margin"))
+    .dentalscrBoolean(DRRType, CoverMeshes)
+    .dentalscrProperty(DRRType, CoverMargin)
+    .def("SetSizeToCoverMeshes", &DRRType::SetSizeToCoverMeshes, py::arg("margin"))
     .def(
       "_UpdateRegion",
       [](DRRType & self, const itk::Index<2> & index, const itk::Size<2> & size) {

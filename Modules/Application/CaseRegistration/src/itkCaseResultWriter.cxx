@@ -24,10 +24,9 @@
 #include "itkLandmarkErrorFilter.h"
 #include "itkReadDentalMesh.h"
 #include "itkTextFile.h"
+#include "itkTransformFile.h"
 
 #include "itkSimilarity2DTransform.h"
-#include "itkTransformFileWriter.h"
-#include "itkTxtTransformIO.h"
 #include "itkVersorRigid3DTransform.h"
 
 #include <nlohmann/json.hpp>
@@ -216,12 +215,7 @@ MoveMesh(const MeshType * mesh, const std::array<double, 12> & matrix)
 void
 WriteTransform(const TransformBaseTemplate<double> * transform, const std::string & comment, const fs::path & path)
 {
-  auto writer = TransformFileWriterTemplate<double>::New();
-  auto io = TxtTransformIOTemplate<double>::New();
-  writer->SetTransformIO(io);
-  writer->SetInput(transform);
-  writer->SetFileName(path.string());
-  writer->Update();
+  WriteTransformFile(transform, path.string());
   std::string       text = ReadTextFile(path.string(), "a transform");
   const std::size_t end = text.find('\n');
   WriteFileAtomically(path.string(), text.substr(0, end + 1) + "# " + comment + '\n' + text.substr(end + 1));

@@ -51,7 +51,6 @@ protected:
     m_Axis->SetUpperMesh(m_Phantom->GetUpperOutput());
     m_DRR->SetInput(m_Axis->GetUpperOutput());
     m_DRR->SetGeometry(m_Geometry);
-    m_DRR->SetSizeToCoverMeshes(3.0);
     m_Silhouette->SetInput(m_DRR->GetOutput());
     m_Silhouette->SetLevel(itk::SilhouetteContourFilterEnums::Level::Absolute);
     m_Silhouette->SetLevelValue(0.5);

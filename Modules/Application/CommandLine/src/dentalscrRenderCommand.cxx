@@ -124,7 +124,6 @@ Render(const RenderOptions & options, const CommonOptions & common)
     {
       if (source.IsNotNull())
       {
-        source->SetSizeToCoverMeshes(4.0 * source->GetSigma());
         source->UpdateOutputInformation();
         const auto own = source->GetOutput()->GetLargestPossibleRegion();
         if (first)

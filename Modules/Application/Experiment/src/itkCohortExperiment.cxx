@@ -22,6 +22,7 @@
 
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
+#include "itkParallelFor.h"
 #include "itkTextFile.h"
 
 #include <nlohmann/json.hpp>
@@ -340,10 +341,14 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
     std::min<std::size_t>(std::max<ThreadIdType>(1, this->GetNumberOfWorkUnits()), open.size());
   {
     std::unique_lock<std::mutex> lock(mutex);
-    running = static_cast<unsigned int>(wanted);
-    for (std::size_t t = 0; t < wanted; ++t)
+    running = static_cast<unsigned int>(StartThreads(wanted, work, threads));
+    if (running == 0)
     {
-      threads.emplace_back(work);
+      // On this one, then, which tells of no progress meanwhile.
+      running = 1;
+      lock.unlock();
+      work();
+      lock.lock();
     }
     while (running > 0)
     {

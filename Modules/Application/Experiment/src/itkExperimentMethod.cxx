@@ -288,7 +288,7 @@ ExperimentRunner::Register(const ExperimentMethod & method,
       source->SetSigma(0.5);
       source->SetOutputMode(SourceType::OutputEnum::InvertedIntensity);
       // Room for the region of interest around it.
-      source->SetSizeToCoverMeshes(25.0);
+      source->SetCoverMargin(25.0);
       source->SetNumberOfWorkUnits(1);
       source->Update();
       prepared.radiograph = source->GetOutput();

@@ -18,28 +18,36 @@
 #ifndef itkParallelFor_h
 #define itkParallelFor_h
 
-#include <atomic>
+#include "DentalCommonExport.h"
+
 #include <cstddef>
-#include <exception>
-#include <mutex>
+#include <functional>
+#include <memory>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace itk
 {
-/** Calls body(i) for i in [0, count) on up to the given number of threads (0: all of the machine's). Which thread takes
- * which i is not determined: a body that writes only its own slot gives the same bits for any number of threads. The
- * first exception of a body is rethrown here after all threads have ended. For kernels free of ITK headers; filters use
+/** ParallelFor() without its template. */
+DentalCommon_EXPORT void
+RunInParallel(std::size_t count, unsigned int threads, void (*call)(void * body, std::size_t i), void * body);
+
+/** Calls body(i) for i in [0, count) on up to the given number of threads (0: all of the machine's), of which the caller's
+ * is one. Which thread takes which i is not determined: a body that writes only its own slot gives the same bits for any
+ * number of threads. The first exception of a body is rethrown here after all threads have left; what was not begun by then
+ * is left out. Calls may be nested, and may come from several threads at once.
+ *
+ * The other threads are those of one pool of the process. They are started when they are first needed, stay alive, and go
+ * on looking for work for a moment before they sleep, so that one call soon after another costs about a microsecond. The
+ * caller never waits for a thread to begin: where threads are busy or cannot be started it does more of the work itself.
+ * That a thread cannot be started is said once, through itk::OutputWindow. For kernels; filters that split an image use
  * their MultiThreader. */
 template <typename TBody>
 void
 ParallelFor(std::size_t count, unsigned int threads, TBody && body)
 {
-  if (threads == 0)
-  {
-    threads = std::thread::hardware_concurrency();
-  }
-  if (threads <= 1 || count <= 1)
+  if (threads == 1 || count <= 1)
   {
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -47,44 +55,19 @@ ParallelFor(std::size_t count, unsigned int threads, TBody && body)
     }
     return;
   }
-  std::atomic<std::size_t> next{ 0 };
-  std::exception_ptr       failure;
-  std::mutex               failureMutex;
-  const auto               work = [&]() {
-    for (std::size_t i = next++; i < count; i = next++)
-    {
-      try
-      {
-        body(i);
-      }
-      catch (...)
-      {
-        const std::lock_guard<std::mutex> lock(failureMutex);
-        if (!failure)
-        {
-          failure = std::current_exception();
-        }
-        next = count;
-      }
-    }
-  };
-  std::vector<std::thread> pool;
-  const std::size_t        extra = (count < threads ? count : threads) - 1;
-  pool.reserve(extra);
-  for (std::size_t t = 0; t < extra; ++t)
-  {
-    pool.emplace_back(work);
-  }
-  work();
-  for (std::thread & thread : pool)
-  {
-    thread.join();
-  }
-  if (failure)
-  {
-    std::rethrow_exception(failure);
-  }
+  using BodyType = std::remove_reference_t<TBody>;
+  RunInParallel(
+    count,
+    threads,
+    [](void * erased, std::size_t i) { (*static_cast<BodyType *>(erased))(i); },
+    const_cast<void *>(static_cast<const void *>(std::addressof(body))));
 }
+
+/** Starts so many threads of their own, for work that lasts and waits for events; a pool's threads are for what does not.
+ * Where the system gives no more, there are fewer, which is said once, through itk::OutputWindow.
+ * \return how many were started, appended to threads */
+DentalCommon_EXPORT std::size_t
+                    StartThreads(std::size_t count, const std::function<void()> & work, std::vector<std::thread> & threads);
 } // namespace itk
 
 #endif

@@ -196,6 +196,8 @@ CrownRegionMeshFilter<TMesh>::GenerateData()
 
   MeshType * output = this->GetOutput();
   output->Initialize();
+  // All there is: without it every Update() would execute again.
+  output->SetBufferedRegion(0);
   SelectMeshTriangles(input, m_KeepWholeMesh ? MaskType(surface.triangles.size(), 1) : m_Region.triangles, output);
   if (m_KeepWholeMesh)
   {

@@ -84,6 +84,8 @@ MidlineSideMeshFilter<TMesh>::GenerateData()
   }
   MeshType * output = this->GetOutput();
   output->Initialize();
+  // All there is: without it every Update() would execute again.
+  output->SetBufferedRegion(0);
   SelectMeshTriangles(input, m_TriangleMask, output);
   this->UpdateProgress(1.0f);
 }

@@ -15,7 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "../src/itkMinimumCut.h"
+#include "itkMinimumCut.h"
 #include "itkReproducibleRandom.h"
 
 #include <gtest/gtest.h>

@@ -182,7 +182,7 @@ DentalPhantomMeshSource<TOutputMesh>::GenerateData()
       }
       mesh->SetCell(i, cell);
     }
-    mesh->SetBufferedRegion(mesh->GetRequestedRegion());
+    mesh->SetBufferedRegion(0);
 
     LandmarkSetType * landmarks = jaw == 0 ? this->GetUpperLandmarks() : this->GetLowerLandmarks();
     landmarks->Initialize();

@@ -70,6 +70,8 @@ void
 FillContour(DentalContour * contour, const std::vector<DentalPhantomTracer::Polyline> & lines)
 {
   contour->Initialize();
+  // All there is: without it every Update() would execute again.
+  contour->SetBufferedRegion(0);
   for (const auto & line : lines)
   {
     std::vector<DentalContour::PointType> points;

@@ -60,7 +60,7 @@ ContourMaskFilter<TMaskImage>::GenerateData()
   DentalContour * const output = this->GetOutput();
   output->Initialize();
   // Without it every Update() would execute again.
-  output->SetBufferedRegion(output->GetRequestedRegion());
+  output->SetBufferedRegion(0);
   const MaskImageType * const mask = this->GetMaskImage();
   const auto                  region = mask->GetBufferedRegion();
   for (const auto & polyline : this->GetInput()->GetPolylines())

@@ -46,18 +46,20 @@ public:
   using LoopType = std::vector<std::array<double, 2>>;
 
   /** \param width    samples a row
-   *  \param level    the iso-value
-   *  \param padding  value outside of the image; throws std::invalid_argument where it is above the level */
-  IsoContourTracer(std::size_t width, double level, double padding);
+   *  \param level    the iso-value */
+  IsoContourTracer(std::size_t width, double level);
 
   /** Takes the next row. */
   void
   AddRow(const double * values);
 
-  /** Ends the image. \return the outer boundaries, largest area first, (column, row) with (0, 0) the first sample's
-   * centre; closed, the first point not repeated, shoelace area positive. Call it once, after the last row. */
+  /** Ends the image. The padding comes last, so that an image whose smallest value is the padding needs to be seen only
+   * once.
+   * \param padding  value outside of the image; throws std::invalid_argument where it is above the level
+   * \return the outer boundaries, largest area first, (column, row) with (0, 0) the first sample's centre; closed, the
+   * first point not repeated, shoelace area positive. Call it once, after the last row. */
   std::vector<LoopType>
-  Finish();
+  Finish(double padding);
 
 private:
   struct Segment
@@ -67,16 +69,26 @@ private:
     std::array<double, 2> point;
   };
 
+  /** A crossing between the frame's sample at a place and the image's sample beside it, which the padding will tell. */
+  struct FrameCrossing
+  {
+    std::size_t           segment;
+    std::array<double, 2> frame;
+    std::array<double, 2> step;
+    double                value;
+  };
+
   void
   AddPaddedRow();
 
   std::size_t          m_Width;
   double               m_Level;
-  double               m_Padding;
   std::uint64_t        m_Row{ 0 };
-  std::vector<double>  m_Previous;
-  std::vector<double>  m_Current;
-  std::vector<Segment> m_Segments;
+  /** Framed by minus infinity: below every level. */
+  std::vector<double>        m_Previous;
+  std::vector<double>        m_Current;
+  std::vector<Segment>       m_Segments;
+  std::vector<FrameCrossing> m_FrameCrossings;
 };
 
 /** Signed area of a closed polygon; positive where v grows when u grows along it with the inside on that side, as in

@@ -67,7 +67,7 @@ MeshSilhouetteContourSource<TInputMesh>::GenerateData()
   DentalContour * const output = this->GetOutput();
   output->Initialize();
   // Without it every Update() would execute again.
-  output->SetBufferedRegion(output->GetRequestedRegion());
+  output->SetBufferedRegion(0);
   m_Samples.clear();
   m_Silhouette.loops.clear();
   this->GetGeometry()->VerifyComplete();

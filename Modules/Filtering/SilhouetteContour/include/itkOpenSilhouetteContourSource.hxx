@@ -74,7 +74,7 @@ OpenSilhouetteContourSource<TInputMesh>::GenerateData()
   DentalContour * const output = this->GetOutput();
   output->Initialize();
   // Without it every Update() would execute again.
-  output->SetBufferedRegion(output->GetRequestedRegion());
+  output->SetBufferedRegion(0);
   m_RimPoints.clear();
   m_Normals.clear();
   const GeometryType * const geometry = this->GetGeometry();

@@ -24,6 +24,7 @@
 #include "itkImageToMeshFilter.h"
 #include "itkIsoContourTracer.h"
 
+#include <limits>
 #include <ostream>
 #include <vector>
 
@@ -101,6 +102,11 @@ SilhouetteContour_EXPORT std::ostream &
  * and identity direction. For a DRR with an origin of its own. and OutputOffset is subtracted from all of them; with
  * the principal point as offset the contour is in the q coordinates of a similarity.
  *
+ * Streaming: with NumberOfStreamDivisions above 1 the image is pulled in so many strips of rows, one after the other, and
+ * only one strip is held: a DRR of any size becomes a contour in the memory of a strip. The strips are pulled once under
+ * Absolute, twice under Fraction and labels and three times under Automatic, which wants the range and the median first.
+ * The contour has the same bits for any number of strips. Of labels, masks as large as their bounding boxes are held.
+ *
  * Errors: no input, pixels that are not finite. An image of one value gives an empty contour.
  *
  * Source: the paper's contour of the DRR.
@@ -172,6 +178,16 @@ public:
   itkSetMacro(OutputOffset, OffsetType);
   itkGetConstReferenceMacro(OutputOffset, OffsetType);
 
+  /** Strips in which the image is pulled; no more than it has rows. Default 1: the whole image at once. */
+  itkSetClampMacro(NumberOfStreamDivisions, unsigned int, 1, std::numeric_limits<unsigned int>::max());
+  itkGetConstMacro(NumberOfStreamDivisions, unsigned int);
+
+  /** What lies upstream is asked for strips while this filter runs, so that nothing is asked for before. */
+  void
+  PropagateRequestedRegion(DataObject * output) override;
+  void
+  UpdateOutputData(DataObject * output) override;
+
   /** The level that was used, in grey values. Valid after Update(). */
   itkGetConstMacro(UsedLevel, double);
 
@@ -191,9 +207,26 @@ protected:
 private:
   using RegionType = typename TInputImage::RegionType;
 
-  /** The level, for values of the sign under which the object is bright. */
+  /** All of the image. */
+  RegionType
+  GetWholeRegion();
+
+  /** Brings one strip of rows after the other up to date and calls visit(region) for each, from the first row on.
+   * \param first  progress at the beginning
+   * \param share  progress that it makes */
+  template <typename TVisit>
+  void
+  ForEachStrip(float first, float share, TVisit && visit);
+
+  /** Calls visit(value, column, iterator) for every pixel in the order of rows; values have the sign under which the
+   * object is bright. */
+  template <typename TVisit>
+  void
+  ForEachValue(float first, float share, TVisit && visit);
+
+  /** Half the median of the object, by a histogram. */
   double
-  FindLevel(double background, double extreme);
+  FindAutomaticLevel(double background, double extreme);
 
   void
   AddLoops(const std::vector<IsoContourTracer::LoopType> & loops, const RegionType & region, ToothCode code);
@@ -213,6 +246,7 @@ private:
   double                m_LabelSmoothing{ 0.0 };
   OutputCoordinatesEnum m_OutputCoordinates{ OutputCoordinatesEnum::Index };
   OffsetType            m_OutputOffset;
+  unsigned int          m_NumberOfStreamDivisions{ 1 };
   double                m_UsedLevel{ 0.0 };
 };
 } // namespace itk

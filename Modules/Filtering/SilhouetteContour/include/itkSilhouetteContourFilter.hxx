@@ -18,9 +18,8 @@
 #ifndef itkSilhouetteContourFilter_hxx
 #define itkSilhouetteContourFilter_hxx
 
-#include "itkImageRegionConstIterator.h"
+#include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkImageScanlineConstIterator.h"
-#include "itkProgressReporter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,9 +65,9 @@ SilhouetteContourFilter<TInputImage>::GenerateData()
   DentalContour * const output = this->GetOutput();
   output->Initialize();
   // Without it every Update() would execute again.
-  output->SetBufferedRegion(output->GetRequestedRegion());
+  output->SetBufferedRegion(0);
   m_UsedLevel = 0.0;
-  if (this->GetInput()->GetBufferedRegion().GetNumberOfPixels() == 0)
+  if (this->GetWholeRegion().GetNumberOfPixels() == 0)
   {
     return;
   }
@@ -83,30 +82,134 @@ SilhouetteContourFilter<TInputImage>::GenerateData()
 }
 
 template <typename TInputImage>
-double
-SilhouetteContourFilter<TInputImage>::FindLevel(double background, double extreme)
+void
+SilhouetteContourFilter<TInputImage>::PropagateRequestedRegion(DataObject * output)
+{
+  if (m_NumberOfStreamDivisions <= 1)
+  {
+    Superclass::PropagateRequestedRegion(output);
+    return;
+  }
+  if (!this->m_Updating)
+  {
+    this->EnlargeOutputRequestedRegion(output);
+    this->GenerateOutputRequestedRegion(output);
+  }
+}
+
+template <typename TInputImage>
+void
+SilhouetteContourFilter<TInputImage>::UpdateOutputData(DataObject * output)
+{
+  if (m_NumberOfStreamDivisions <= 1)
+  {
+    Superclass::UpdateOutputData(output);
+    return;
+  }
+  if (this->m_Updating)
+  {
+    return;
+  }
+  // What ProcessObject does, but for its update of the inputs: as StreamingProcessObject, from which a filter to a mesh
+  // cannot be derived.
+  this->PrepareOutputs();
+  this->SetAbortGenerateData(false);
+  this->InvokeEvent(StartEvent());
+  this->UpdateProgress(0.0f);
+  this->m_Updating = true;
+  try
+  {
+    this->GenerateData();
+  }
+  catch (const ProcessAborted &)
+  {
+    this->InvokeEvent(AbortEvent());
+    this->ResetPipeline();
+    this->RestoreInputReleaseDataFlags();
+    throw;
+  }
+  catch (...)
+  {
+    this->ResetPipeline();
+    this->RestoreInputReleaseDataFlags();
+    throw;
+  }
+  this->UpdateProgress(1.0f);
+  this->InvokeEvent(EndEvent());
+  this->GetOutput()->DataHasBeenGenerated();
+  this->ReleaseInputs();
+  this->m_Updating = false;
+}
+
+template <typename TInputImage>
+auto
+SilhouetteContourFilter<TInputImage>::GetWholeRegion() -> RegionType
+{
+  const InputImageType * const image = this->GetInput();
+  return image->GetSource() != nullptr ? image->GetLargestPossibleRegion() : image->GetBufferedRegion();
+}
+
+template <typename TInputImage>
+template <typename TVisit>
+void
+SilhouetteContourFilter<TInputImage>::ForEachStrip(float first, float share, TVisit && visit)
+{
+  auto * const        image = const_cast<InputImageType *>(this->GetInput());
+  const RegionType    whole = this->GetWholeRegion();
+  const SizeValueType height = whole.GetSize(1);
+  // An image that is there is visited in pieces too, for progress and abort.
+  const bool          pull = m_NumberOfStreamDivisions > 1;
+  const SizeValueType strips = std::min<SizeValueType>(pull ? m_NumberOfStreamDivisions : 32u, height);
+  for (SizeValueType strip = 0; strip < strips; ++strip)
+  {
+    const SizeValueType begin = height * strip / strips;
+    const SizeValueType end = height * (strip + 1) / strips;
+    RegionType          region = whole;
+    region.SetIndex(1, whole.GetIndex(1) + static_cast<IndexValueType>(begin));
+    region.SetSize(1, end - begin);
+    if (pull)
+    {
+      image->SetRequestedRegion(region);
+      image->PropagateRequestedRegion();
+      image->UpdateOutputData();
+    }
+    visit(region);
+    this->UpdateProgress(first + share * static_cast<float>(end) / static_cast<float>(height));
+    if (this->GetAbortGenerateData())
+    {
+      throw ProcessAborted(__FILE__, __LINE__);
+    }
+  }
+}
+
+template <typename TInputImage>
+template <typename TVisit>
+void
+SilhouetteContourFilter<TInputImage>::ForEachValue(float first, float share, TVisit && visit)
 {
   const double sign = m_ObjectIsDark ? -1.0 : 1.0;
-  if (m_Level == LevelEnum::Absolute)
-  {
-    return sign * m_LevelValue;
-  }
-  if (m_Level == LevelEnum::Fraction)
-  {
-    return background + m_LevelFraction * (extreme - background);
-  }
-  // Half the median of the object by a histogram: of what is not background first, then of what is above that level,
-  // so that a blurred edge counts for less.
+  this->ForEachStrip(first, share, [this, sign, &visit](const RegionType & region) {
+    for (ImageScanlineConstIterator<InputImageType> it(this->GetInput(), region); !it.IsAtEnd(); it.NextLine())
+    {
+      for (SizeValueType column = 0; !it.IsAtEndOfLine(); ++it, ++column)
+      {
+        visit(sign * static_cast<double>(it.Get()), column, it);
+      }
+    }
+  });
+}
+
+template <typename TInputImage>
+double
+SilhouetteContourFilter<TInputImage>::FindAutomaticLevel(double background, double extreme)
+{
+  // Of what is not background first, then of what is above that level, so that a blurred edge counts for less.
   constexpr std::size_t    bins = 4096;
   const double             scale = static_cast<double>(bins) / (extreme - background);
   std::vector<std::size_t> histogram(bins, 0);
-  for (ImageRegionConstIterator<InputImageType> it(this->GetInput(), this->GetInput()->GetBufferedRegion());
-       !it.IsAtEnd();
-       ++it)
-  {
-    const double height = (sign * static_cast<double>(it.Get()) - background) * scale;
-    ++histogram[std::min(bins - 1, static_cast<std::size_t>(height))];
-  }
+  this->ForEachValue(0.3f, 0.3f, [&](double value, SizeValueType, const auto &) {
+    ++histogram[std::min(bins - 1, static_cast<std::size_t>((value - background) * scale))];
+  });
   double level = 0.01 * static_cast<double>(bins);
   for (unsigned int pass = 0; pass < 2; ++pass)
   {
@@ -175,14 +278,12 @@ template <typename TInputImage>
 void
 SilhouetteContourFilter<TInputImage>::TraceIntensity()
 {
-  const InputImageType * const image = this->GetInput();
-  const RegionType             region = image->GetBufferedRegion();
-  const double                 sign = m_ObjectIsDark ? -1.0 : 1.0;
-  double                       background = std::numeric_limits<double>::max();
-  double                       extreme = std::numeric_limits<double>::lowest();
-  for (ImageRegionConstIterator<InputImageType> it(image, region); !it.IsAtEnd(); ++it)
-  {
-    const auto value = sign * static_cast<double>(it.Get());
+  const RegionType    whole = this->GetWholeRegion();
+  const SizeValueType width = whole.GetSize(0);
+  const double        sign = m_ObjectIsDark ? -1.0 : 1.0;
+  double              background = std::numeric_limits<double>::max();
+  double              extreme = std::numeric_limits<double>::lowest();
+  const auto          see = [&](double value, const auto & it) {
     if (!std::isfinite(value))
     {
       itkExceptionMacro("The pixel " << it.GetIndex() << " is " << value
@@ -190,34 +291,46 @@ SilhouetteContourFilter<TInputImage>::TraceIntensity()
     }
     background = std::min(background, value);
     extreme = std::max(extreme, value);
+  };
+  // A level that does not depend on the image is traced on the first way through it.
+  const bool  known = m_Level == LevelEnum::Absolute;
+  double      level = sign * m_LevelValue;
+  const float seen = known ? 0.0f : (m_Level == LevelEnum::Fraction ? 0.5f : 0.6f);
+  if (!known)
+  {
+    this->ForEachValue(0.0f, m_Level == LevelEnum::Fraction ? 0.5f : 0.3f, [&](double value, SizeValueType, const auto & it) {
+      see(value, it);
+    });
+    if (!(extreme > background))
+    {
+      return;
+    }
+    level = m_Level == LevelEnum::Fraction ? background + m_LevelFraction * (extreme - background)
+                                           : this->FindAutomaticLevel(background, extreme);
   }
+  IsoContourTracer    tracer(static_cast<std::size_t>(width), level);
+  std::vector<double> row(static_cast<std::size_t>(width));
+  this->ForEachValue(seen, 1.0f - seen, [&](double value, SizeValueType column, const auto & it) {
+    if (known)
+    {
+      see(value, it);
+    }
+    row[column] = value;
+    if (column + 1 == width)
+    {
+      tracer.AddRow(row.data());
+    }
+  });
   if (!(extreme > background))
   {
     return;
   }
-  const double level = this->FindLevel(background, extreme);
   m_UsedLevel = sign * level;
-  if (level < background)
+  // Above the level everywhere there is no background that a contour could separate.
+  if (level >= background)
   {
-    // Everything is above: no background that a contour could separate.
-    return;
+    this->AddLoops(tracer.Finish(background), whole, ToothCode());
   }
-  IsoContourTracer                           tracer(static_cast<std::size_t>(region.GetSize(0)), level, background);
-  ProgressReporter                           progress(this, 0, region.GetSize(1));
-  std::vector<double>                        row(static_cast<std::size_t>(region.GetSize(0)));
-  ImageScanlineConstIterator<InputImageType> it(image, region);
-  while (!it.IsAtEnd())
-  {
-    for (double & value : row)
-    {
-      value = sign * static_cast<double>(it.Get());
-      ++it;
-    }
-    tracer.AddRow(row.data());
-    it.NextLine();
-    progress.CompletedPixel();
-  }
-  this->AddLoops(tracer.Finish(), region, ToothCode());
 }
 
 template <typename TInputImage>
@@ -225,66 +338,77 @@ void
 SilhouetteContourFilter<TInputImage>::TraceLabels()
 {
   using PixelType = typename InputImageType::PixelType;
-  const InputImageType * const image = this->GetInput();
-  const RegionType             whole = image->GetBufferedRegion();
-  const bool                   merged = m_Content == ContentEnum::MergedLabels;
+  const bool merged = m_Content == ContentEnum::MergedLabels;
   m_UsedLevel = 0.5;
 
-  // Where each label is.
-  struct BoxType
+  // Where each label is, and its mask there.
+  struct PartType
   {
-    IndexValueType low[2];
-    IndexValueType high[2];
+    IndexValueType             low[2];
+    IndexValueType             high[2];
+    ToothCode                  code;
+    RegionType                 region;
+    std::vector<unsigned char> mask;
   };
-  std::map<PixelType, BoxType> boxes;
-  for (ImageRegionConstIterator<InputImageType> it(image, whole); !it.IsAtEnd(); ++it)
-  {
-    const PixelType label = merged && it.Get() != PixelType{} ? PixelType{ 1 } : it.Get();
-    if (label != PixelType{})
-    {
-      const auto index = it.GetIndex();
-      const auto inserted = boxes.emplace(label, BoxType{ { index[0], index[1] }, { index[0], index[1] } });
-      BoxType &  box = inserted.first->second;
-      for (unsigned int d = 0; d < 2; ++d)
+  std::map<PixelType, PartType> parts;
+  const auto                    forEachLabelled = [this, merged](float first, float share, auto && visit) {
+    this->ForEachStrip(first, share, [this, merged, &visit](const RegionType & region) {
+      for (ImageRegionConstIteratorWithIndex<InputImageType> it(this->GetInput(), region); !it.IsAtEnd(); ++it)
       {
-        box.low[d] = std::min(box.low[d], index[d]);
-        box.high[d] = std::max(box.high[d], index[d]);
+        if (it.Get() != PixelType{})
+        {
+          visit(merged ? PixelType{ 1 } : it.Get(), it.GetIndex());
+        }
       }
+    });
+  };
+  forEachLabelled(0.0f, 0.3f, [&parts](PixelType label, const auto & index) {
+    const auto inserted = parts.emplace(label, PartType());
+    PartType & part = inserted.first->second;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      part.low[d] = inserted.second ? index[d] : std::min(part.low[d], index[d]);
+      part.high[d] = inserted.second ? index[d] : std::max(part.high[d], index[d]);
     }
-  }
-  ProgressReporter progress(this, 0, std::max<SizeValueType>(1, boxes.size()));
-  for (const auto & entry : boxes)
+  });
+  for (auto & entry : parts)
   {
-    ToothCode code;
+    PartType & part = entry.second;
     if (!merged)
     {
       const auto label = static_cast<double>(entry.first);
       const bool isWhole = label == std::floor(label) && label > 0.0 && label < 100.0;
       try
       {
-        code = ToothCode(isWhole ? static_cast<unsigned int>(label) : 99u);
+        part.code = ToothCode(isWhole ? static_cast<unsigned int>(label) : 99u);
       }
       catch (const std::invalid_argument &)
       {
-        itkExceptionMacro("The label " << label << " at index [" << entry.second.low[0] << ", " << entry.second.low[1]
+        itkExceptionMacro("The label " << label << " at index [" << part.low[0] << ", " << part.low[1]
                                        << "] onward is no FDI number of a permanent tooth. Map the labels to FDI, or "
                                           "call SetContent(MergedLabels).");
       }
     }
-    RegionType region;
     for (unsigned int d = 0; d < 2; ++d)
     {
-      region.SetIndex(d, entry.second.low[d]);
-      region.SetSize(d, static_cast<SizeValueType>(entry.second.high[d] - entry.second.low[d] + 1));
+      part.region.SetIndex(d, part.low[d]);
+      part.region.SetSize(d, static_cast<SizeValueType>(part.high[d] - part.low[d] + 1));
     }
-    std::vector<double> mask;
-    mask.reserve(region.GetNumberOfPixels());
-    for (ImageRegionConstIterator<InputImageType> it(image, region); !it.IsAtEnd(); ++it)
-    {
-      mask.push_back((merged ? it.Get() != PixelType{} : it.Get() == entry.first) ? 1.0 : 0.0);
-    }
-    this->AddLoops(TraceMask(mask, static_cast<std::size_t>(region.GetSize(0)), m_LabelSmoothing), region, code);
-    progress.CompletedPixel();
+    part.mask.assign(part.region.GetNumberOfPixels(), 0);
+  }
+  forEachLabelled(0.3f, 0.3f, [&parts](PixelType label, const auto & index) {
+    PartType & part = parts.find(label)->second;
+    part.mask[static_cast<std::size_t>(index[1] - part.low[1]) * part.region.GetSize(0) +
+              static_cast<std::size_t>(index[0] - part.low[0])] = 1;
+  });
+  SizeValueType done = 0;
+  for (const auto & entry : parts)
+  {
+    const PartType &          part = entry.second;
+    const std::vector<double> mask(part.mask.begin(), part.mask.end());
+    this->AddLoops(
+      TraceMask(mask, static_cast<std::size_t>(part.region.GetSize(0)), m_LabelSmoothing), part.region, part.code);
+    this->UpdateProgress(0.6f + 0.4f * static_cast<float>(++done) / static_cast<float>(parts.size()));
   }
 }
 
@@ -303,6 +427,7 @@ SilhouetteContourFilter<TInputImage>::PrintSelf(std::ostream & os, Indent indent
   os << indent << "LabelSmoothing: " << m_LabelSmoothing << std::endl;
   os << indent << "OutputCoordinates: " << m_OutputCoordinates << std::endl;
   os << indent << "OutputOffset: " << m_OutputOffset << std::endl;
+  os << indent << "NumberOfStreamDivisions: " << m_NumberOfStreamDivisions << std::endl;
   os << indent << "UsedLevel: " << m_UsedLevel << std::endl;
 }
 } // namespace itk

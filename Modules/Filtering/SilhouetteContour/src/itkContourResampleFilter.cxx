@@ -45,7 +45,7 @@ ContourResampleFilter::GenerateData()
   DentalContour * const output = this->GetOutput();
   output->Initialize();
   // Without it every Update() would execute again.
-  output->SetBufferedRegion(output->GetRequestedRegion());
+  output->SetBufferedRegion(0);
   const auto polylines = this->GetInput()->GetPolylines();
 
   std::vector<std::vector<std::array<double, 2>>> points;

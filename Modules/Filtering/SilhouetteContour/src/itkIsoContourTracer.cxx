@@ -19,22 +19,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace itk
 {
-IsoContourTracer::IsoContourTracer(std::size_t width, double level, double padding)
+namespace
+{
+/** Where a line from an outer sample to an inner one, a step away, has the level. */
+std::array<double, 2>
+Cross(const std::array<double, 2> & outer, const std::array<double, 2> & step, double level, double low, double high)
+{
+  const double share = (level - low) / (high - low);
+  return { { outer[0] + share * step[0], outer[1] + share * step[1] } };
+}
+} // namespace
+
+IsoContourTracer::IsoContourTracer(std::size_t width, double level)
   : m_Width(width)
   , m_Level(level)
-  , m_Padding(padding)
-  , m_Previous(width + 2, padding)
-  , m_Current(width + 2, padding)
-{
-  if (!(padding <= level))
-  {
-    throw std::invalid_argument("The padding of an iso-contour must not be above its level.");
-  }
-}
+  , m_Previous(width + 2, -std::numeric_limits<double>::infinity())
+  , m_Current(m_Previous)
+{}
 
 void
 IsoContourTracer::AddRow(const double * values)
@@ -84,14 +90,17 @@ IsoContourTracer::AddPaddedRow()
       {
         end = (end + (connected ? 1 : 3)) % 4;
       } while (in[end] || !in[(end + 1) % 4]);
-      // From the outer corner to the inner one, so that both squares at an edge compute the same bits.
-      const double share = (m_Level - value[n]) / (value[k] - value[n]);
-      const double cornerU[4] = { 0.0, 1.0, 1.0, 0.0 };
-      const double cornerV[4] = { 0.0, 0.0, 1.0, 1.0 };
-      m_Segments.push_back(
-        { edge[k],
-          edge[end],
-          { u + cornerU[n] + share * (cornerU[k] - cornerU[n]), v + cornerV[n] + share * (cornerV[k] - cornerV[n]) } });
+      // From the outer corner to the inner one, so that both squares at an edge compute the same bits. A square with a
+      // sample of the frame has two corners of the frame side by side, hence no saddle that the padding could decide.
+      const double                cornerU[4] = { 0.0, 1.0, 1.0, 0.0 };
+      const double                cornerV[4] = { 0.0, 0.0, 1.0, 1.0 };
+      const std::array<double, 2> outer{ { u + cornerU[n], v + cornerV[n] } };
+      const std::array<double, 2> step{ { cornerU[k] - cornerU[n], cornerV[k] - cornerV[n] } };
+      if (std::isinf(value[n]))
+      {
+        m_FrameCrossings.push_back({ m_Segments.size(), outer, step, value[k] });
+      }
+      m_Segments.push_back({ edge[k], edge[end], Cross(outer, step, m_Level, value[n], value[k]) });
     }
   }
   ++m_Row;
@@ -99,10 +108,19 @@ IsoContourTracer::AddPaddedRow()
 }
 
 auto
-IsoContourTracer::Finish() -> std::vector<LoopType>
+IsoContourTracer::Finish(double padding) -> std::vector<LoopType>
 {
-  std::fill(m_Current.begin(), m_Current.end(), m_Padding);
+  if (!(padding <= m_Level))
+  {
+    throw std::invalid_argument("The padding of an iso-contour must not be above its level.");
+  }
+  std::fill(m_Current.begin(), m_Current.end(), -std::numeric_limits<double>::infinity());
   this->AddPaddedRow();
+  for (const FrameCrossing & crossing : m_FrameCrossings)
+  {
+    m_Segments[crossing.segment].point = Cross(crossing.frame, crossing.step, m_Level, padding, crossing.value);
+  }
+  m_FrameCrossings.clear();
 
   std::sort(m_Segments.begin(), m_Segments.end(), [](const Segment & a, const Segment & b) { return a.from < b.from; });
   std::vector<bool>                        used(m_Segments.size(), false);
@@ -198,7 +216,7 @@ TraceMask(const std::vector<double> & mask, std::size_t width, double sigma)
       }
     }
   }
-  IsoContourTracer    tracer(paddedWidth, 0.5, 0.0);
+  IsoContourTracer    tracer(paddedWidth, 0.5);
   std::vector<double> row(paddedWidth);
   for (std::size_t y = 0; y < paddedHeight; ++y)
   {
@@ -214,7 +232,7 @@ TraceMask(const std::vector<double> & mask, std::size_t width, double sigma)
     }
     tracer.AddRow(row.data());
   }
-  auto loops = tracer.Finish();
+  auto loops = tracer.Finish(0.0);
   for (auto & loop : loops)
   {
     for (auto & point : loop)

@@ -435,3 +435,121 @@ TEST(SilhouetteContourFilter, IsTheSameBehindAStreamedImageAndOnEveryRun)
   EXPECT_EQ(once, run(7, 1));
   EXPECT_EQ(once, run(1, 5));
 }
+
+namespace
+{
+/** Passes an image on, and counts how often it is asked and the most rows it was asked for. */
+class CountingFilter : public itk::StreamingImageFilter<ImageType, ImageType>
+{
+public:
+  using Self = CountingFilter;
+  using Superclass = itk::StreamingImageFilter<ImageType, ImageType>;
+  using Pointer = itk::SmartPointer<Self>;
+  itkNewMacro(Self);
+
+  void
+  UpdateOutputData(itk::DataObject * output) override
+  {
+    ++executions;
+    rows = std::max(rows, this->GetOutput()->GetRequestedRegion().GetSize(1));
+    Superclass::UpdateOutputData(output);
+  }
+
+  unsigned int       executions{ 0 };
+  itk::SizeValueType rows{ 0 };
+};
+
+/** A jagged blob that touches three borders, a part of its own and one in its hole. */
+double
+Blobs(double x, double y)
+{
+  const double blob = 20.0 + 9.0 * std::sin(0.9 * x) - std::hypot(x - 20.0, 0.4 * (y - 15.0));
+  const double part = 4.5 - std::hypot(x - 52.0, y - 30.0);
+  return std::max({ blob, part, -3.0 });
+}
+} // namespace
+
+TEST(SilhouetteContourFilter, HasTheSameBitsForAnyNumberOfStrips)
+{
+  using LevelEnum = FilterType::LevelEnum;
+  using ContentEnum = FilterType::ContentEnum;
+  const auto image = MakeImage<ImageType>(61, 47, Blobs, -5);
+  const auto labels = MakeImage<ImageType>(
+    61, 47, [](double x, double y) { return Blobs(x, y) > 0.0 ? (x > 40.0 ? 31.0 : (y > 20.0 ? 36.0 : 37.0)) : 0.0; });
+  struct Setting
+  {
+    ContentEnum  content;
+    LevelEnum    level;
+    bool         dark;
+    unsigned int passes;
+  };
+  for (const Setting & setting : { Setting{ ContentEnum::Intensity, LevelEnum::Absolute, false, 1 },
+                                   Setting{ ContentEnum::Intensity, LevelEnum::Absolute, true, 1 },
+                                   Setting{ ContentEnum::Intensity, LevelEnum::Fraction, true, 2 },
+                                   Setting{ ContentEnum::Intensity, LevelEnum::Automatic, false, 3 },
+                                   Setting{ ContentEnum::ToothLabels, LevelEnum::Automatic, false, 2 },
+                                   Setting{ ContentEnum::MergedLabels, LevelEnum::Automatic, false, 2 } })
+  {
+    const auto run = [&](unsigned int strips, CountingFilter * source) {
+      const auto filter = FilterType::New();
+      source->SetInput(setting.content == ContentEnum::Intensity ? image : labels);
+      filter->SetInput(source->GetOutput());
+      filter->SetContent(setting.content);
+      filter->SetLevel(setting.level);
+      filter->SetObjectIsDark(setting.dark);
+      filter->SetLevelFraction(0.6);
+      filter->LargestPartOnlyOff();
+      filter->SetNumberOfStreamDivisions(strips);
+      filter->Update();
+      std::vector<decltype(PolylineType::points)> lines;
+      for (const auto & polyline : filter->GetOutput()->GetPolylines())
+      {
+        lines.push_back(polyline.points);
+      }
+      // Nothing changed: nothing runs.
+      const unsigned int executions = source->executions;
+      filter->Update();
+      EXPECT_EQ(source->executions, executions);
+      return std::make_pair(lines, filter->GetUsedLevel());
+    };
+    const auto once = CountingFilter::New();
+    const auto whole = run(1, once);
+    EXPECT_FALSE(whole.first.empty());
+    EXPECT_EQ(once->executions, 1u);
+    for (const unsigned int strips : { 2u, 7u, 47u, 1000u })
+    {
+      const auto source = CountingFilter::New();
+      EXPECT_EQ(run(strips, source), whole) << strips << " strips";
+      EXPECT_EQ(source->executions, setting.passes * std::min(strips, 47u));
+      EXPECT_EQ(source->rows, (46 + std::min(strips, 47u)) / std::min(strips, 47u));
+    }
+  }
+}
+
+TEST(SilhouetteContourFilter, StripsEndInAnErrorOrAnAbortAsTheWholeDoes)
+{
+  const auto source = CountingFilter::New();
+  source->SetInput(MakeImage<ImageType>(
+    9, 40, [](double x, double y) { return y > 30.0 ? std::numeric_limits<double>::quiet_NaN() : x; }));
+  const auto filter = FilterType::New();
+  filter->SetInput(source->GetOutput());
+  filter->SetNumberOfStreamDivisions(10);
+  EXPECT_THROW(filter->Update(), itk::ExceptionObject);
+  EXPECT_EQ(source->executions, 8u) << "the strip with the first such pixel";
+  source->SetInput(MakeImage<ImageType>(9, 40, [](double x, double) { return x; }));
+  EXPECT_NO_THROW(filter->Update());
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0u);
+
+  filter->Modified();
+  const auto tag = filter->AddObserver(itk::ProgressEvent(), [&filter](const itk::EventObject &) {
+    if (filter->GetProgress() > 0.0f)
+    {
+      filter->AbortGenerateDataOn();
+    }
+  });
+  source->executions = 0;
+  EXPECT_THROW(filter->Update(), itk::ProcessAborted);
+  EXPECT_EQ(source->executions, 1u);
+  filter->RemoveObserver(tag);
+  EXPECT_NO_THROW(filter->Update());
+}

@@ -78,11 +78,17 @@ SurfaceDRR_EXPORT std::ostream &
  *
  * Grid: the image's physical space is the detector plane in mm with its origin at the centre of the cephalogram's pixel
  * (0, 0): physical point = pixel index * pixel spacing. With the defaults (spacing from the geometry, origin 0) an
- * index of the image, continuous or not, is the cephalogram's: that of CephalometricGeometry::ProjectPoint(). The start
- * index may be negative; SetSizeToCoverMeshes() uses that. With UseReferenceImage the region is the reference's, and
- * its origin is taken in its own pixels, so that a radiograph from a file without a spacing serves as a reference. With
+ * index of the image, continuous or not, is the cephalogram's: that of CephalometricGeometry::ProjectPoint(). With
  * UseGeometrySpacingOff() spacing and origin are the user's or the reference's, in mm of the detector plane. The
  * direction must be the identity.
+ *
+ * Region, one of three:
+ *  - CoverMeshes, the default: every projected vertex and CoverMargin around it. It follows the meshes, the pose and the
+ *    widths, so that nothing is clipped when an input changes. The start index may be negative. To know the region, the
+ *    source brings its meshes and the geometry up to date in UpdateOutputInformation().
+ *  - SetSize(), which turns CoverMeshes off, and SetStartIndex().
+ *  - UseReferenceImage, before the other two: the reference's region. Its origin is taken in its own pixels, so that a
+ *    radiograph from a file without a spacing serves as a reference.
  *
  * Inputs: one or more meshes of triangles (mm, frame of the geometry's pose), each with a width of its own, per vertex
  * if wanted; the geometry. Output: one image, streamed by requested region. Same bits for any region, number of threads
@@ -94,8 +100,8 @@ SurfaceDRR_EXPORT std::ostream &
  * container alone needs mesh->Modified().
  *
  * Errors: no mesh or geometry, a mesh without triangles, cells that are not triangles, a point not in front of the
- * source, a width that is not positive or is above 1000 pixels, an incomplete geometry. Triangles without area are no
- * error and leave no trace.
+ * source, a width that is not positive or is above 1000 pixels, an incomplete geometry, no region (CoverMeshesOff()
+ * without a size, UseReferenceImageOn() without a reference). Triangles without area are no error and leave no trace.
  *
  * Source: the paper's sections on the surface-based DRR and on Gaussian splatting.
  *
@@ -121,6 +127,8 @@ public:
   using RegionType = typename TOutputImage::RegionType;
   using SpacingType = typename TOutputImage::SpacingType;
   using PointType = typename TOutputImage::PointType;
+  using IndexType = typename TOutputImage::IndexType;
+  using SizeType = typename TOutputImage::SizeType;
   using GeometryType = CephalometricGeometry;
   using NormalizationEnum = SurfaceDRRImageSourceEnums::Normalization;
   using OutputEnum = SurfaceDRRImageSourceEnums::Output;
@@ -189,11 +197,26 @@ public:
   itkGetConstMacro(UseGeometrySpacing, bool);
   itkBooleanMacro(UseGeometrySpacing);
 
-  /** Sets size and start index so that the image holds every projected vertex and a margin of so many mm in the
-   * detector plane (3 sigma or more shows the whole splats). Updates the inputs. The pixels stay those of the
-   * cephalogram, so that the start index may be negative. Throws for an image above 2^28 pixels. */
+  /** The region holds every projected vertex and a margin, whatever the inputs become. Default on; SetSize() turns it
+   * off. An image above 2^32 pixels is an error. */
+  itkSetMacro(CoverMeshes, bool);
+  itkGetConstMacro(CoverMeshes, bool);
+  itkBooleanMacro(CoverMeshes);
+
+  /** Margin of CoverMeshes, mm in the detector plane. Default -1: negative stands for four times the largest sigma, at
+   * which a splat has fallen to 3e-4 of its peak, so that an iso-contour does not touch the border. */
+  itkSetMacro(CoverMargin, double);
+  itkGetConstMacro(CoverMargin, double);
+
+  /** CoverMeshesOn(), UseReferenceImageOff() and SetCoverMargin() in one. Throws for a negative margin. */
   void
   SetSizeToCoverMeshes(double margin);
+
+  /** A region of one's own: turns CoverMeshes off. */
+  void
+  SetSize(SizeType size) override;
+  void
+  SetSize(SizeValueType size[]) override;
 
   /** The method that rendered a mesh last. */
   SurfaceSplatKernel::MethodEnum
@@ -235,6 +258,9 @@ private:
   MeshInputName(unsigned int number);
   WidthType &
   Width(unsigned int number);
+  /** The region of CoverMeshes, in the spacing and origin of the output. */
+  RegionType
+  ComputeCoveringRegion();
   void
   FlattenMeshes();
   void
@@ -243,9 +269,12 @@ private:
   MakeProjector() const;
   /** Fills the layer with the splats of a surface; throws for a point behind the source. */
   void
-  Project(unsigned int number, const SurfaceSplatProjector & projector, SurfaceSplatLayer & layer) const;
+  Project(unsigned int number, const SurfaceSplatProjector & projector, SurfaceSplatLayer & layer);
   void
   CheckAbort();
+  /** As many as the user allows and ITK has. */
+  unsigned int
+  ChooseNumberOfThreads();
 
   double                 m_Sigma{ 0.5 };
   std::vector<WidthType> m_Widths;
@@ -256,6 +285,9 @@ private:
   double                 m_Attenuation{ 0.08 };
   double                 m_Tolerance{ 1e-3 };
   bool                   m_UseGeometrySpacing{ true };
+  bool                   m_CoverMeshes{ true };
+  double                 m_CoverMargin{ -1.0 };
+  bool                   m_SizeIsSet{ false };
 
   std::vector<SurfaceType>        m_Surfaces;
   std::vector<SurfaceSplatKernel> m_Kernels;

@@ -24,10 +24,12 @@
 #include "itkMath.h"
 #include "itkMultiThreaderBase.h"
 #include "itkNumericTraits.h"
+#include "itkParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <type_traits>
 
@@ -199,6 +201,19 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::VerifyPreconditions() ITKv5_CON
                                  << " must be finite and not negative, the source intensity " << m_SourceIntensity
                                  << " finite.");
   }
+  if (this->GetUseReferenceImage() && this->GetReferenceImage() == nullptr)
+  {
+    itkExceptionMacro("UseReferenceImage is on but there is no reference image; call SetReferenceImage(), or "
+                      "UseReferenceImageOff().");
+  }
+  if (!this->GetUseReferenceImage() && !m_CoverMeshes && !m_SizeIsSet)
+  {
+    itkExceptionMacro("The image has no size: call SetSize(), or CoverMeshesOn() for one that holds the meshes.");
+  }
+  if (!std::isfinite(m_CoverMargin))
+  {
+    itkExceptionMacro("The margin is " << m_CoverMargin << " mm; call SetCoverMargin() with a finite one.");
+  }
   Superclass::VerifyPreconditions();
 }
 
@@ -206,31 +221,36 @@ template <typename TInputMesh, typename TOutputImage>
 void
 SurfaceDRRImageSource<TInputMesh, TOutputImage>::GenerateOutputInformation()
 {
-  Superclass::GenerateOutputInformation();
-  OutputImageType * image = this->GetOutput();
+  // Each value is set once: by way of the superclass's defaults the image would be modified at every call, and all that
+  // lies downstream would run again.
+  OutputImageType *               image = this->GetOutput();
+  const ImageBase<2> * const      reference = this->GetUseReferenceImage() ? this->GetReferenceImage() : nullptr;
+  const auto                      bringUpToDate = [](const DataObject * input) {
+    if (input->GetSource() != nullptr)
+    {
+      const_cast<DataObject *>(input)->Update();
+    }
+  };
   // The pixel grid is a value of the geometry's, not of its information: it has to be there by now.
-  auto * geometry = const_cast<GeometryType *>(this->GetGeometry());
-  if (geometry->GetSource() != nullptr)
-  {
-    geometry->Update();
-  }
+  const GeometryType * geometry = this->GetGeometry();
+  bringUpToDate(geometry);
   geometry->VerifyComplete();
+  SpacingType spacing = reference != nullptr ? reference->GetSpacing() : this->GetSpacing();
+  PointType   origin = reference != nullptr ? reference->GetOrigin() : this->GetOrigin();
   if (m_UseGeometrySpacing)
   {
-    SpacingType  spacing;
-    PointType    origin = image->GetOrigin();
-    const auto * reference = this->GetReferenceImage();
     for (unsigned int d = 0; d < 2; ++d)
     {
-      spacing[d] = geometry->GetPixelSpacing()[d];
-      if (this->GetUseReferenceImage() && reference != nullptr)
+      if (reference != nullptr)
       {
-        origin[d] *= spacing[d] / reference->GetSpacing()[d];
+        origin[d] *= geometry->GetPixelSpacing()[d] / spacing[d];
       }
+      spacing[d] = geometry->GetPixelSpacing()[d];
     }
-    image->SetSpacing(spacing);
-    image->SetOrigin(origin);
   }
+  image->SetSpacing(spacing);
+  image->SetOrigin(origin);
+  image->SetDirection(reference != nullptr ? reference->GetDirection() : this->GetDirection());
   for (unsigned int row = 0; row < 2; ++row)
   {
     for (unsigned int column = 0; column < 2; ++column)
@@ -243,6 +263,27 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::GenerateOutputInformation()
                              "geometry's SetFacing().");
       }
     }
+  }
+  RegionType region(this->GetStartIndex(), this->GetSize());
+  if (reference != nullptr)
+  {
+    region = reference->GetLargestPossibleRegion();
+  }
+  else if (m_CoverMeshes)
+  {
+    // Where the meshes project to is a value of theirs, too.
+    for (unsigned int number = 0; number < this->GetNumberOfMeshes(); ++number)
+    {
+      bringUpToDate(this->GetInput(number));
+    }
+    region = this->ComputeCoveringRegion();
+  }
+  // Who had asked for the whole image goes on asking for the whole image.
+  const bool whole = image->GetRequestedRegion() == image->GetLargestPossibleRegion();
+  image->SetLargestPossibleRegion(region);
+  if (whole)
+  {
+    image->SetRequestedRegionToLargestPossibleRegion();
   }
 }
 
@@ -281,7 +322,6 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::FlattenMeshes()
     surface.mesh = mesh;
     surface.time = time;
     ++m_NumberOfFlattenings;
-    this->CheckAbort();
   }
 }
 
@@ -310,7 +350,7 @@ template <typename TInputMesh, typename TOutputImage>
 void
 SurfaceDRRImageSource<TInputMesh, TOutputImage>::Project(unsigned int                  number,
                                                          const SurfaceSplatProjector & projector,
-                                                         SurfaceSplatLayer &           layer) const
+                                                         SurfaceSplatLayer &           layer)
 {
   const SurfaceType & surface = m_Surfaces[number];
   const std::size_t   count = surface.points.size();
@@ -318,8 +358,17 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::Project(unsigned int           
   layer.v.resize(count);
   layer.weight.resize(count);
   static_assert(sizeof(std::array<double, 3>) == sizeof(double[3]), "Points are flat.");
-  const auto *      points = reinterpret_cast<const double(*)[3]>(surface.points.data());
-  const std::size_t good = projector.Project(points, surface.areas.data(), 0, count, 1.0, layer);
+  const auto * points = reinterpret_cast<const double(*)[3]>(surface.points.data());
+  // The first point that is wrong is that of the first part that has one.
+  const std::size_t        parts = 1 + count / 4096;
+  std::vector<std::size_t> goods(parts);
+  ParallelFor(parts, this->ChooseNumberOfThreads(), [&](std::size_t part) {
+    const std::size_t end = count * (part + 1) / parts;
+    const std::size_t good =
+      projector.Project(points, surface.areas.data(), count * part / parts, end, 1.0, layer);
+    goods[part] = good < end ? good : count;
+  });
+  const std::size_t good = *std::min_element(goods.begin(), goods.end());
   if (good < count)
   {
     const auto & p = surface.points[good];
@@ -393,7 +442,8 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::MakeKernels()
     }
     try
     {
-      m_Kernels[number].Prepare(layer, grid, m_Tolerance);
+      m_Kernels[number].Prepare(
+        layer, grid, m_Tolerance, SurfaceSplatKernel::MethodEnum::Automatic, this->ChooseNumberOfThreads());
     }
     catch (const std::invalid_argument & error)
     {
@@ -419,11 +469,20 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::CheckAbort()
 }
 
 template <typename TInputMesh, typename TOutputImage>
+unsigned int
+SurfaceDRRImageSource<TInputMesh, TOutputImage>::ChooseNumberOfThreads()
+{
+  return std::max<unsigned int>(
+    1, std::min(this->GetNumberOfWorkUnits(), this->GetMultiThreader()->GetMaximumNumberOfThreads()));
+}
+
+template <typename TInputMesh, typename TOutputImage>
 void
 SurfaceDRRImageSource<TInputMesh, TOutputImage>::GenerateData()
 {
   this->UpdateProgress(0.0f);
   this->FlattenMeshes();
+  this->CheckAbort();
   this->UpdateProgress(0.3f);
   this->MakeKernels();
   this->UpdateProgress(0.5f);
@@ -440,31 +499,39 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::GenerateData()
   const SizeValueType height = buffered.GetSize(1);
   PixelType * const   pixels = image->GetBufferPointer();
 
-  std::vector<float> scratch;
-  float *            thickness = nullptr;
+  std::unique_ptr<float[]> scratch;
+  float *                  thickness = nullptr;
   if constexpr (std::is_same<PixelType, float>::value)
   {
     thickness = pixels;
-    std::fill_n(pixels, width * height, 0.0f);
   }
   else
   {
-    scratch.assign(width * height, 0.0f);
-    thickness = scratch.data();
+    scratch.reset(new float[width * height]);
+    thickness = scratch.get();
   }
 
-  MultiThreaderBase * threader = this->GetMultiThreader();
-  threader->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  // By the threads of ParallelFor() throughout: they are awake between one step and the next, where those of an ITK
+  // threader would have to be woken for each.
+  const unsigned int      threads = this->ChooseNumberOfThreads();
+  constexpr SizeValueType rowsOfJob = 16;
+  const auto              forEachRow = [threads, height](const auto & visit) {
+    ParallelFor((height + rowsOfJob - 1) / rowsOfJob, threads, [&](std::size_t job) {
+      for (SizeValueType row = job * rowsOfJob; row < std::min<SizeValueType>(height, (job + 1) * rowsOfJob); ++row)
+      {
+        visit(row);
+      }
+    });
+  };
+  forEachRow([thickness, width](SizeValueType row) { std::fill_n(thickness + row * width, width, 0.0f); });
   for (std::size_t layer = 0; layer < m_Kernels.size(); ++layer)
   {
     SurfaceSplatKernel::Rendering rendering(m_Kernels[layer], region, thickness, width);
     for (std::size_t phase = 0; phase < rendering.GetNumberOfPhases(); ++phase)
     {
-      threader->ParallelizeArray(
-        0,
-        rendering.GetNumberOfJobs(phase),
-        [&rendering, phase](SizeValueType job) { rendering.Run(phase, job); },
-        nullptr);
+      ParallelFor(rendering.GetNumberOfJobs(phase), threads, [&rendering, phase](std::size_t job) {
+        rendering.Run(phase, job);
+      });
       this->CheckAbort();
     }
     this->UpdateProgress(0.5f + 0.4f * static_cast<float>(layer + 1) / static_cast<float>(m_Kernels.size()));
@@ -513,7 +580,7 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::GenerateData()
       }
     }
   };
-  threader->ParallelizeArray(0, height, finishRow, nullptr);
+  forEachRow(finishRow);
   this->UpdateProgress(1.0f);
 }
 
@@ -526,16 +593,40 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::SetSizeToCoverMeshes(double mar
     itkExceptionMacro("The margin is " << margin << " mm; give one that is not negative.");
   }
   this->SetUseReferenceImage(false);
-  this->VerifyPreconditions();
-  for (unsigned int number = 0; number < this->GetNumberOfMeshes(); ++number)
+  this->SetCoverMeshes(true);
+  this->SetCoverMargin(margin);
+}
+
+template <typename TInputMesh, typename TOutputImage>
+void
+SurfaceDRRImageSource<TInputMesh, TOutputImage>::SetSize(SizeType size)
+{
+  Superclass::SetSize(size);
+  if (!m_SizeIsSet)
   {
-    const_cast<InputMeshType *>(this->GetInput(number))->Update();
+    // It may be the superclass's default, which is no size of anybody's.
+    m_SizeIsSet = true;
+    this->Modified();
   }
-  this->UpdateOutputInformation();
+  this->SetCoverMeshes(false);
+}
+
+template <typename TInputMesh, typename TOutputImage>
+void
+SurfaceDRRImageSource<TInputMesh, TOutputImage>::SetSize(SizeValueType size[])
+{
+  this->SetSize(SizeType{ { size[0], size[1] } });
+}
+
+template <typename TInputMesh, typename TOutputImage>
+auto
+SurfaceDRRImageSource<TInputMesh, TOutputImage>::ComputeCoveringRegion() -> RegionType
+{
   this->FlattenMeshes();
   const SurfaceSplatProjector projector = this->MakeProjector();
   double                      low[2] = { std::numeric_limits<double>::max(), std::numeric_limits<double>::max() };
   double                      high[2] = { -low[0], -low[1] };
+  double                      widest = 0.0;
   for (unsigned int number = 0; number < m_Surfaces.size(); ++number)
   {
     SurfaceSplatLayer layer;
@@ -547,27 +638,30 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::SetSizeToCoverMeshes(double mar
       low[d] = std::min(low[d], *range.first);
       high[d] = std::max(high[d], *range.second);
     }
+    const auto & sigmas = this->GetVertexSigmas(number);
+    widest =
+      std::max(widest, sigmas.empty() ? this->GetMeshSigma(number) : *std::max_element(sigmas.begin(), sigmas.end()));
   }
-  typename Superclass::IndexType start;
-  typename Superclass::SizeType  size;
-  double                         pixels = 1.0;
+  const double margin = m_CoverMargin < 0.0 ? 4.0 * widest : m_CoverMargin;
+  IndexType    start;
+  SizeType     size;
+  double       pixels = 1.0;
   for (unsigned int d = 0; d < 2; ++d)
   {
     const double width = margin / this->GetOutput()->GetSpacing()[d];
     const double first = std::floor(low[d] - width);
     const double last = std::ceil(high[d] + width);
     pixels *= last - first + 1.0;
-    if (!(pixels <= 268435456.0) || !(std::abs(first) < 1e9))
+    if (!(pixels <= 4294967296.0) || !(std::abs(first) < 1e9))
     {
       itkExceptionMacro("The projected meshes extend from pixel "
                         << low[d] << " to " << high[d] << " along axis " << d
-                        << ": too large an image. Check the mesh's unit (mm) and the geometry.");
+                        << ": too large an image. Check the mesh's unit (mm), the geometry and SetCoverMargin().");
     }
     start[d] = static_cast<IndexValueType>(first);
     size[d] = static_cast<SizeValueType>(last - first) + 1;
   }
-  this->SetStartIndex(start);
-  this->SetSize(size);
+  return RegionType(start, size);
 }
 
 template <typename TInputMesh, typename TOutputImage>
@@ -589,6 +683,8 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::PrintSelf(std::ostream & os, In
   os << indent << "Attenuation: " << m_Attenuation << std::endl;
   os << indent << "Tolerance: " << m_Tolerance << std::endl;
   os << indent << "UseGeometrySpacing: " << m_UseGeometrySpacing << std::endl;
+  os << indent << "CoverMeshes: " << m_CoverMeshes << std::endl;
+  os << indent << "CoverMargin: " << m_CoverMargin << std::endl;
   for (std::size_t number = 0; number < m_Kernels.size(); ++number)
   {
     os << indent << "Splat method of mesh " << number << ": " << m_Kernels[number].GetMethod() << std::endl;

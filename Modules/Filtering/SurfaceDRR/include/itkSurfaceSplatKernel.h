@@ -214,6 +214,7 @@ public:
     std::size_t                m_Stride;
     std::vector<std::size_t>   m_Jobs;
     std::size_t                m_FirstBand{ 0 };
+    std::vector<std::size_t>   m_BandsByWork;
     /** Pixels that are reached, and the splines' nodes: wider by the filter's radius. */
     SurfaceSplatRegion m_Reached;
     SurfaceSplatRegion m_Nodes;

@@ -29,6 +29,7 @@
 #include <stdexcept>
 #include <thread>
 #include <type_traits>
+#include <utility>
 
 namespace itk
 {
@@ -533,6 +534,16 @@ SurfaceSplatProjector::Project(const double (*points)[3],
   return last;
 }
 
+namespace
+{
+/** Some for each thread, so that one that is interrupted does not hold up the others. */
+std::size_t
+NumberOfChunks(std::size_t count, unsigned int threads)
+{
+  return threads <= 1 ? 1 : std::min<std::size_t>(4 * static_cast<std::size_t>(threads), 1 + count / 4096);
+}
+} // namespace
+
 SurfaceSplatKernel::SurfaceSplatKernel(const SurfaceSplatLayer &  layer,
                                        const SurfaceSplatRegion & image,
                                        double                     tolerance,
@@ -599,12 +610,34 @@ SurfaceSplatKernel::Prepare(const SurfaceSplatLayer &  layer,
       fail("The image is ", static_cast<double>(size), " pixels wide or high; give 0 to 2^28.");
     }
   }
-  double rangeU[2];
-  double rangeV[2];
-  bool   finite = FiniteRange(layer.u.data(), count, rangeU) && FiniteRange(layer.v.data(), count, rangeV);
-  for (std::size_t i = 0; i < count; ++i)
+  struct CheckType
   {
-    finite &= std::abs(layer.weight[i]) <= std::numeric_limits<float>::max();
+    double rangeU[2];
+    double rangeV[2];
+    bool   finite;
+  };
+  std::vector<CheckType> checks(NumberOfChunks(count, threads));
+  ParallelFor(checks.size(), threads, [&](std::size_t number) {
+    CheckType &       check = checks[number];
+    const std::size_t begin = count * number / checks.size();
+    const std::size_t size = count * (number + 1) / checks.size() - begin;
+    check.finite = FiniteRange(layer.u.data() + begin, size, check.rangeU);
+    check.finite &= FiniteRange(layer.v.data() + begin, size, check.rangeV);
+    for (std::size_t i = begin; i < begin + size; ++i)
+    {
+      check.finite &= std::abs(layer.weight[i]) <= std::numeric_limits<float>::max();
+    }
+  });
+  double rangeU[2] = { checks[0].rangeU[0], checks[0].rangeU[1] };
+  double rangeV[2] = { checks[0].rangeV[0], checks[0].rangeV[1] };
+  bool   finite = true;
+  for (const CheckType & check : checks)
+  {
+    finite &= check.finite;
+    rangeU[0] = std::min(rangeU[0], check.rangeU[0]);
+    rangeU[1] = std::max(rangeU[1], check.rangeU[1]);
+    rangeV[0] = std::min(rangeV[0], check.rangeV[0]);
+    rangeV[1] = std::max(rangeV[1], check.rangeV[1]);
   }
   for (std::size_t i = 0; !finite && i < count; ++i)
   {
@@ -765,7 +798,7 @@ SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer, unsigned int 
   m_WholeV.resize(count);
   m_FractionU.resize(count);
   m_FractionV.resize(count);
-  m_Weight = layer.weight;
+  m_Weight.resize(count);
   if (narrow)
   {
     m_SigmaU.assign(count, static_cast<float>(layer.sigmaU));
@@ -780,10 +813,22 @@ SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer, unsigned int 
   {
     std::vector<RunType>       runs;
     std::vector<std::uint64_t> bandsOfRuns;
+    /** Number of its runs in each band, then the place of the next. */
+    std::vector<std::size_t>   places;
     std::size_t                splats{ 0 };
     std::int32_t               bounds[4] = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
   };
-  const std::size_t      chunks = std::min<std::size_t>(threads, 1 + count / 4096);
+  const auto forEachRun = [](const ChunkType & chunk, auto && visit) {
+    for (std::size_t run = 0; run < chunk.runs.size(); ++run)
+    {
+      const auto last = static_cast<std::size_t>(chunk.bandsOfRuns[run] >> 32);
+      for (std::size_t band = chunk.bandsOfRuns[run] & 0xffffffffu; band <= last; ++band)
+      {
+        visit(band, chunk.runs[run]);
+      }
+    }
+  };
+  const std::size_t      chunks = NumberOfChunks(count, threads);
   std::vector<ChunkType> work(chunks);
   ParallelFor(chunks, threads, [&](std::size_t number) {
     ChunkType &       chunk = work[number];
@@ -795,7 +840,8 @@ SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer, unsigned int 
     std::uint64_t     bandsOfRun = none;
     for (std::size_t begin = count * number / chunks; begin < chunkEnd; begin += SplitBlock)
     {
-      const auto                 size = static_cast<int>(std::min<std::size_t>(SplitBlock, chunkEnd - begin));
+      const auto size = static_cast<int>(std::min<std::size_t>(SplitBlock, chunkEnd - begin));
+      std::copy_n(layer.weight.data() + begin, size, m_Weight.data() + begin);
       const std::int32_t * const us = m_WholeU.data() + begin;
       const std::int32_t * const vs = m_WholeV.data() + begin;
       std::int32_t               rangeU[2];
@@ -859,21 +905,10 @@ SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer, unsigned int 
         chunk.runs.back().end = splat + 1;
       }
     }
+    chunk.places.assign(bands, 0);
+    forEachRun(chunk, [&chunk](std::size_t band, const RunType &) { ++chunk.places[band]; });
   });
   std::int32_t bounds[4] = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
-  const auto   forEachRun = [&work](auto && visit) {
-    for (const ChunkType & chunk : work)
-    {
-      for (std::size_t run = 0; run < chunk.runs.size(); ++run)
-      {
-        const auto last = static_cast<std::size_t>(chunk.bandsOfRuns[run] >> 32);
-        for (std::size_t band = chunk.bandsOfRuns[run] & 0xffffffffu; band <= last; ++band)
-        {
-          visit(band, chunk.runs[run]);
-        }
-      }
-    }
-  };
   for (const ChunkType & chunk : work)
   {
     m_NumberOfSplats += chunk.splats;
@@ -882,14 +917,21 @@ SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer, unsigned int 
     bounds[2] = std::max(bounds[2], chunk.bounds[2]);
     bounds[3] = std::max(bounds[3], chunk.bounds[3]);
   }
-  forEachRun([this](std::size_t band, const RunType &) { ++m_BandBegin[band + 1]; });
+  // In the order of the chunks, hence of the splats' numbers.
+  std::size_t place = 0;
   for (std::size_t band = 0; band < bands; ++band)
   {
-    m_BandBegin[band + 1] += m_BandBegin[band];
+    for (ChunkType & chunk : work)
+    {
+      place += std::exchange(chunk.places[band], place);
+    }
+    m_BandBegin[band + 1] = place;
   }
-  m_Runs.resize(m_BandBegin[bands]);
-  std::vector<std::size_t> next(m_BandBegin.begin(), m_BandBegin.end());
-  forEachRun([this, &next](std::size_t band, const RunType & run) { m_Runs[next[band]++] = run; });
+  m_Runs.resize(place);
+  ParallelFor(chunks, threads, [&](std::size_t number) {
+    ChunkType & chunk = work[number];
+    forEachRun(chunk, [this, &chunk](std::size_t band, const RunType & run) { m_Runs[chunk.places[band]++] = run; });
+  });
   if (m_NumberOfSplats > 0)
   {
     m_SplatBounds.startU = m_Domain.startU + bounds[0];
@@ -937,6 +979,20 @@ SurfaceSplatKernel::Rendering::Rendering(const SurfaceSplatKernel & kernel,
   const auto lastBand =
     static_cast<std::size_t>((m_NodeRows.startV + m_NodeRows.sizeV - 1 - kernel.m_Domain.startV) / BandHeight);
   m_Jobs.push_back(lastBand - m_FirstBand + 1);
+  // The longest first, so that no thread is left alone with one at the end.
+  std::vector<std::size_t> splats(m_Jobs[0], 0);
+  for (std::size_t job = 0; job < m_Jobs[0]; ++job)
+  {
+    const std::size_t band = m_FirstBand + job;
+    for (std::size_t run = kernel.m_BandBegin[band]; run < kernel.m_BandBegin[band + 1]; ++run)
+    {
+      splats[job] += kernel.m_Runs[run].end - kernel.m_Runs[run].begin;
+    }
+    m_BandsByWork.push_back(band);
+  }
+  std::stable_sort(m_BandsByWork.begin(), m_BandsByWork.end(), [this, &splats](std::size_t a, std::size_t b) {
+    return splats[a - m_FirstBand] > splats[b - m_FirstBand];
+  });
   if (spline)
   {
     m_NodeValues.resize(static_cast<std::size_t>(m_Reached.sizeU * m_NodeRows.sizeV));
@@ -974,7 +1030,7 @@ SurfaceSplatKernel::Rendering::Run(std::size_t phase, std::size_t job)
     this->FilterColumns(job);
     return;
   }
-  const std::size_t band = m_FirstBand + job;
+  const std::size_t band = m_BandsByWork[job];
   if (m_Kernel.m_Method == MethodEnum::PerSplat)
   {
     this->SplatEach(band);

@@ -588,8 +588,8 @@ TEST(SurfaceDRRImageSource, MeshesAddUpEachWithItsOwnWidth)
     single->SetGeometry(geometry);
     single->SetSigma(number == 0 ? 0.4 : 0.9);
     single->SetTolerance(1e-5);
-    single->SetStartIndex(both->GetStartIndex());
-    single->SetSize(both->GetSize());
+    single->SetStartIndex(both->GetOutput()->GetLargestPossibleRegion().GetIndex());
+    single->SetSize(both->GetOutput()->GetLargestPossibleRegion().GetSize());
     single->Update();
     const auto pixels = Pixels(single->GetOutput());
     for (std::size_t i = 0; i < sum.size(); ++i)
@@ -652,8 +652,8 @@ TEST(SurfaceDRRImageSource, OutputsFollowBeerAndLambert)
   bytes->SetInput(mesh);
   bytes->SetGeometry(geometry);
   bytes->SetSigma(0.5);
-  bytes->SetStartIndex(source->GetStartIndex());
-  bytes->SetSize(source->GetSize());
+  bytes->SetStartIndex(source->GetOutput()->GetLargestPossibleRegion().GetIndex());
+  bytes->SetSize(source->GetOutput()->GetLargestPossibleRegion().GetSize());
   bytes->SetSourceIntensity(200.0);
   bytes->SetAttenuation(0.7);
   bytes->SetOutputMode(OutputEnum::InvertedIntensity);
@@ -686,7 +686,7 @@ TEST_P(SurfaceDRRStreaming, StripsAndThreadsGiveTheSameBitsAndMeshWorkIsDoneOnce
   source->Update();
   const auto whole = Pixels(source->GetOutput());
   ASSERT_GT(*std::max_element(whole.begin(), whole.end()), 0.0f);
-  EXPECT_EQ(source->GetNumberOfFlattenings(), 2u) << "shared with SetSizeToCoverMeshes()";
+  EXPECT_EQ(source->GetNumberOfFlattenings(), 2u) << "shared with the region that covers the meshes";
   for (const unsigned int units : { 2u, 5u })
   {
     source->SetNumberOfWorkUnits(units);
@@ -792,6 +792,92 @@ TEST(SurfaceDRRImageSource, CoveringImageHoldsTheMeshAndItsMargin)
   EXPECT_EQ(region.GetSize(1), 61u);
   EXPECT_EQ(source->GetOutput()->GetOrigin()[0], 0.0);
   EXPECT_GT(At(source->GetOutput(), -20, -20), 0.0f);
+}
+
+TEST(SurfaceDRRImageSource, CoversItsMeshesByItselfAndFollowsThem)
+{
+  auto       geometry = MakeGeometry();
+  const auto small = MakeTiltedPlate(0.0, 10.0, Position(0.0, 0.0, 0.0), 2);
+  auto       source = SourceType::New();
+  source->SetInput(small);
+  source->SetGeometry(geometry);
+  source->Update();
+  const auto * const image = source->GetOutput();
+  // Half a plate is 21.97 pixels; four sigma of 0.5 mm are 8 more.
+  EXPECT_EQ(image->GetLargestPossibleRegion().GetIndex(0), -30);
+  EXPECT_EQ(image->GetLargestPossibleRegion().GetSize(0), 61u);
+
+  // A larger mesh, on the second Update() of the same source, is not clipped: half of it is 43.9 pixels.
+  source->SetInput(MakeTiltedPlate(0.0, 20.0, Position(0.0, 0.0, 0.0), 4));
+  source->Update();
+  EXPECT_EQ(image->GetLargestPossibleRegion().GetIndex(0), -52);
+  EXPECT_EQ(image->GetLargestPossibleRegion().GetSize(0), 105u);
+  EXPECT_EQ(image->GetBufferedRegion(), image->GetLargestPossibleRegion());
+  EXPECT_GT(At(image, -43, -43), 0.0f);
+
+  // A wider splat, per vertex too, and a pose move the region.
+  source->SetVertexSigmas(0, std::vector<double>(25, 1.0));
+  source->UpdateOutputInformation();
+  EXPECT_EQ(image->GetLargestPossibleRegion().GetIndex(0), -60);
+  source->SetVertexSigmas(0, {});
+  GeometryType::RotationType identity;
+  identity.SetIdentity();
+  geometry->SetPose(identity, Position(20.0, 0.0, 0.0));
+  source->UpdateOutputInformation();
+  // 20 mm * 1674 / 1524 = 87.87 pixels to the right.
+  EXPECT_EQ(image->GetLargestPossibleRegion().GetIndex(0), 35);
+
+  // A size of one's own ends it, until it is wanted again.
+  SourceType::SizeType size;
+  size.Fill(64);
+  source->SetSize(size);
+  EXPECT_FALSE(source->GetCoverMeshes());
+  source->Update();
+  EXPECT_EQ(image->GetLargestPossibleRegion().GetIndex(0), 0);
+  EXPECT_EQ(image->GetLargestPossibleRegion().GetSize(), size);
+  source->CoverMeshesOn();
+  source->SetCoverMargin(0.0);
+  source->Update();
+  EXPECT_EQ(image->GetLargestPossibleRegion().GetIndex(0), 43);
+}
+
+TEST(SurfaceDRRImageSource, NoRegionIsAnError)
+{
+  auto       source = SourceType::New();
+  const auto message = [&source]() { return MessageOf([&source]() { source->UpdateOutputInformation(); }); };
+  source->SetGeometry(MakeGeometry());
+  EXPECT_NE(message().find("SetInput()"), std::string::npos) << message();
+  source->SetInput(MakeTiltedPlate(0.0, 10.0, Position(0.0, 0.0, 0.0), 2));
+  source->CoverMeshesOff();
+  EXPECT_NE(message().find("SetSize()"), std::string::npos) << message();
+  source->UseReferenceImageOn();
+  EXPECT_NE(message().find("SetReferenceImage()"), std::string::npos) << message();
+  source->UseReferenceImageOff();
+  // Also with the superclass's own 64 pixels, once they are somebody's wish.
+  SourceType::SizeType size;
+  size.Fill(64);
+  source->SetSize(size);
+  EXPECT_EQ(message(), "no exception");
+  source->CoverMeshesOn();
+  // 1e6 mm of margin are eight million pixels on a side.
+  source->SetCoverMargin(1e6);
+  EXPECT_NE(message().find("too large an image"), std::string::npos) << message();
+  source->SetCoverMargin(std::nan(""));
+  EXPECT_NE(message().find("SetCoverMargin()"), std::string::npos) << message();
+}
+
+TEST(SurfaceDRRImageSource, OutputInformationIsNotModifiedWhereNothingChanged)
+{
+  auto source = SourceType::New();
+  source->SetInput(MakeTiltedPlate(0.0, 10.0, Position(0.0, 0.0, 0.0), 2));
+  source->SetGeometry(MakeGeometry());
+  source->Update();
+  const auto time = source->GetOutput()->GetMTime();
+  // Something that leaves the grid alone has the information made again; what lies downstream looks at its time.
+  source->SetNumberOfWorkUnits(1);
+  source->Modified();
+  source->UpdateOutputInformation();
+  EXPECT_EQ(source->GetOutput()->GetMTime(), time);
 }
 
 TEST(SurfaceDRRImageSource, DegenerateTrianglesLeaveNoTrace)

@@ -170,6 +170,9 @@ UMidlineDentalAxisFilter<TMesh>::GenerateData()
     auto * decorator = static_cast<DecoratedTransformType *>(this->ProcessObject::GetOutput(2 + jaw));
     output->Initialize();
     decorator->Initialize();
+    // All there is, also where a transform was asked for: without it every Update() of what takes the mesh, and every
+    // strip of it, would execute again.
+    output->SetBufferedRegion(0);
     if (meshes[jaw] == nullptr)
     {
       decorator->Set(nullptr);

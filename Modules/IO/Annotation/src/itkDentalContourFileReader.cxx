@@ -280,7 +280,7 @@ DentalContourFileReader::GenerateData()
              std::to_string(MinimumNumberOfPoints) + " are needed)");
     }
     // Or the next Update() reads again.
-    contour->SetBufferedRegion(contour->GetRequestedRegion());
+    contour->SetBufferedRegion(0);
   }
   if (pointCount == 0)
   {

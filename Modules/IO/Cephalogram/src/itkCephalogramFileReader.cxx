@@ -18,18 +18,16 @@
 #include "itkCephalogramFileReader.h"
 
 #include "itkDentalInputError.h"
+#include "itkDicomImageIO.h"
 #include "itkRadiographFileFormat.h"
 
 #include "itkBMPImageIO.h"
-#include "itkGDCMImageIO.h"
 #include "itkJPEGImageIO.h"
 #include "itkMetaDataObject.h"
 #include "itkMetaImageIO.h"
 #include "itkNrrdImageIO.h"
 #include "itkPNGImageIO.h"
 #include "itkTIFFImageIO.h"
-
-#include <gdcmTrace.h>
 
 #include <charconv>
 #include <cmath>
@@ -62,12 +60,14 @@ class SilencedWarnings
 public:
   SilencedWarnings()
     : m_Before(Object::GetGlobalWarningDisplay())
-    , m_GDCMWarning(gdcm::Trace::GetWarningFlag())
-    , m_GDCMError(gdcm::Trace::GetErrorFlag())
+    , m_Dicom(GetLoadedDicomImageIO())
   {
     Object::SetGlobalWarningDisplay(false);
-    gdcm::Trace::WarningOff();
-    gdcm::Trace::ErrorOff();
+    if (m_Dicom != nullptr)
+    {
+      m_GDCMWarning = m_Dicom->setWarnings(false);
+      m_GDCMError = m_Dicom->setErrors(false);
+    }
     if (itk_TIFFSetWarningHandler != nullptr && itk_TIFFSetErrorHandler != nullptr)
     {
       m_TIFFWarning = itk_TIFFSetWarningHandler(nullptr);
@@ -77,13 +77,10 @@ public:
   ~SilencedWarnings()
   {
     Object::SetGlobalWarningDisplay(m_Before);
-    if (m_GDCMWarning)
+    if (m_Dicom != nullptr)
     {
-      gdcm::Trace::WarningOn();
-    }
-    if (m_GDCMError)
-    {
-      gdcm::Trace::ErrorOn();
+      m_Dicom->setWarnings(m_GDCMWarning);
+      m_Dicom->setErrors(m_GDCMError);
     }
     if (itk_TIFFSetWarningHandler != nullptr && itk_TIFFSetErrorHandler != nullptr)
     {
@@ -96,11 +93,12 @@ public:
   operator=(const SilencedWarnings &) = delete;
 
 private:
-  bool        m_Before;
-  bool        m_GDCMWarning;
-  bool        m_GDCMError;
-  TIFFHandler m_TIFFWarning{ nullptr };
-  TIFFHandler m_TIFFError{ nullptr };
+  bool                 m_Before;
+  const DicomImageIO * m_Dicom;
+  bool                 m_GDCMWarning{ false };
+  bool                 m_GDCMError{ false };
+  TIFFHandler          m_TIFFWarning{ nullptr };
+  TIFFHandler          m_TIFFError{ nullptr };
 };
 
 ImageIOBase::Pointer
@@ -121,7 +119,12 @@ MakeImageIO(Format format)
     case Format::MetaImage:
       return MetaImageIO::New().GetPointer();
     default:
-      return GDCMImageIO::New().GetPointer();
+    {
+      const ImageIOBase::Pointer io = LoadDicomImageIO().create();
+      // The pointer holds a reference too.
+      io->UnRegister();
+      return io;
+    }
   }
 }
 

@@ -46,6 +46,8 @@ MatchedContourFilter::GenerateData()
 {
   ContourType * output = this->GetOutput();
   output->Initialize();
+  // All there is: without it every Update() would execute again.
+  output->SetBufferedRegion(0);
   const auto * fixed = this->GetFixedContour()->GetPoints();
   if (fixed == nullptr)
   {

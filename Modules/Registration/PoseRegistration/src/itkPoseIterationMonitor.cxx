@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkPoseIterationMonitor.h"
 
+#include "itkParallelFor.h"
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -114,19 +116,21 @@ PoseIterationMonitor::ForEach(std::size_t count, unsigned int threads, const std
   };
   std::vector<std::thread> pool;
   const std::size_t        extra = std::min<std::size_t>(count, threads) - (count > 0 ? 1 : 0);
-  pool.reserve(extra);
-  running = extra;
-  for (std::size_t t = 0; t < extra; ++t)
   {
-    pool.emplace_back([&]() {
-      work();
-      const std::lock_guard<std::mutex> lock(m_Mutex);
-      --running;
-      m_Arrived.notify_one();
-    });
+    // None of them is done before all are counted.
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    running = StartThreads(
+      extra,
+      [&]() {
+        work();
+        const std::lock_guard<std::mutex> done(m_Mutex);
+        --running;
+        m_Arrived.notify_one();
+      },
+      pool);
   }
   work();
-  for (bool waiting = extra > 0; waiting;)
+  for (bool waiting = !pool.empty(); waiting;)
   {
     {
       std::unique_lock<std::mutex> lock(m_Mutex);

@@ -18,6 +18,8 @@
 #ifndef itkMinimumCut_h
 #define itkMinimumCut_h
 
+#include "CrownRegionExport.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,8 +31,10 @@ namespace CrownRegionParts
 /** \class MinimumCut
  * \brief Splits a graph into two sides so that the capacities of the edges between them, and of the nodes' ties to the
  * side that they are not on, are least in sum (Dinic's algorithm, whole numbers, hence exact and deterministic).
+ *
+ * \ingroup CrownRegion
  */
-class MinimumCut
+class CrownRegion_EXPORT MinimumCut
 {
 public:
   explicit MinimumCut(std::size_t nodes);

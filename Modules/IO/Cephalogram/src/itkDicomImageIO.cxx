@@ -1,0 +1,56 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDicomImageIO.h"
+
+#include "itkGDCMImageIO.h"
+
+#include <gdcmTrace.h>
+
+namespace
+{
+itk::ImageIOBase *
+Create()
+{
+  const auto io = itk::GDCMImageIO::New();
+  io->Register();
+  return io;
+}
+
+bool
+SetWarnings(bool on)
+{
+  const bool before = gdcm::Trace::GetWarningFlag();
+  gdcm::Trace::SetWarning(on);
+  return before;
+}
+
+bool
+SetErrors(bool on)
+{
+  const bool before = gdcm::Trace::GetErrorFlag();
+  gdcm::Trace::SetError(on);
+  return before;
+}
+} // namespace
+
+const itk::DicomImageIO *
+DentalSCRGetDicomImageIO()
+{
+  static const itk::DicomImageIO io{ Create, SetWarnings, SetErrors };
+  return &io;
+}
