@@ -54,15 +54,50 @@ struct DentalPhantomTooth
   double mesialGap{ 0.0 };
 };
 
-/** \struct DentalPhantomJaw
- * \brief One jaw: fourteen crowns, gingiva, trimming. Lengths in mm, angles in radians.
+/** \struct DentalPhantom_EXPORT DentalPhantomJaw
+ * \brief One jaw: fourteen crowns, third molars where there are some, gingiva, trimming. Lengths in mm, angles in
+ * radians.
  *
  * \ingroup DentalPhantom
  */
-struct DentalPhantomJaw
+struct DentalPhantom_EXPORT DentalPhantomJaw
 {
+  /** Indices of all teeth: 0..6 right, 7..13 left, 14 and 15 the right and the left third molar. */
+  static constexpr unsigned int NumberOfTeeth = 16;
+
+  DentalPhantomJaw();
+
+  static bool
+  IsLeft(unsigned int index)
+  {
+    return index >= 14 ? index == 15 : index >= 7;
+  }
+  /** 0 central incisor .. 7 third molar. */
+  static unsigned int
+  GetPosition(unsigned int index)
+  {
+    return index >= 14 ? 7 : index % 7;
+  }
+  static unsigned int
+  GetIndex(bool left, unsigned int position)
+  {
+    return position > 6 ? (left ? 15 : 14) : (left ? 7 : 0) + position;
+  }
+  DentalPhantomTooth &
+  GetTooth(unsigned int index)
+  {
+    return index < 14 ? teeth[index] : thirdMolars[index - 14];
+  }
+  const DentalPhantomTooth &
+  GetTooth(unsigned int index) const
+  {
+    return index < 14 ? teeth[index] : thirdMolars[index - 14];
+  }
+
   /** Right 1..7 (central incisor to second molar), then left 1..7. */
   std::array<DentalPhantomTooth, 14> teeth{};
+  /** Right, left; missing by default, and then without a place in the arch. */
+  std::array<DentalPhantomTooth, 2> thirdMolars{};
   /** What the scan shows behind the second molar, right and left. */
   std::array<double, 2> distalExtension{ { 3.0, 3.0 } };
   /** Height of the gingiva that the scan shows below the cervical line. */

@@ -60,6 +60,14 @@ Draw(ReproducibleRandom & random, double mean, double sigma)
 }
 } // namespace
 
+DentalPhantomJaw::DentalPhantomJaw()
+{
+  for (DentalPhantomTooth & tooth : thirdMolars)
+  {
+    tooth.missing = true;
+  }
+}
+
 DentalPhantomParameters::DentalPhantomParameters()
 {
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
