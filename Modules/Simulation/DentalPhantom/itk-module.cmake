@@ -10,6 +10,7 @@ itk_module(DentalPhantom
     ITKIOMeshBase
     ITKIOPNG
     ITKMesh
+    ITKPath
   TEST_DEPENDS
     ITKTestKernel
   DESCRIPTION

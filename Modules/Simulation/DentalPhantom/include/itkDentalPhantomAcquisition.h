@@ -19,9 +19,11 @@
 #define itkDentalPhantomAcquisition_h
 
 #include "DentalPhantomExport.h"
+#include "itkDentalPhantomLevel.h"
 
 #include <cstdint>
 #include <ostream>
+#include <string>
 
 namespace itk
 {
@@ -29,22 +31,33 @@ namespace itk
  * \brief How a phantom's radiograph is taken and traced: head, machine and hand, drawn for a seed. Lengths in mm,
  * angles in radians, noise in px.
  *
- * The figures of the cohorts are those of DentalPhantomCaseSource.
+ * The figures are those of a DentalPhantomLevel.
  *
  * \ingroup DentalPhantom
  */
 struct DentalPhantom_EXPORT DentalPhantomAcquisition
 {
+  /** The tables of DentalPhantomLevel that have names. */
   enum class CohortEnum : uint8_t
   {
     Ideal,
     Typical,
-    Hard
+    Hard,
+    Real,
+    RealHard,
+    Standard,
+    Practice
   };
 
-  /** The same for the same seed and cohort. */
+  /** The same for the same seed and level. */
+  static DentalPhantomAcquisition
+  Draw(std::uint64_t seed, const DentalPhantomLevel & level);
   static DentalPhantomAcquisition
   Draw(std::uint64_t seed, CohortEnum cohort);
+
+  /** "real-hard" and so on. */
+  static const std::string &
+  GetName(CohortEnum cohort);
 
   /** Turns of the head about the vertical, the anterior and the lateral axis. */
   double yaw{ 0.0 };

@@ -23,17 +23,25 @@
 #include "itkDentalContour.h"
 #include "itkDentalLandmarkSet.h"
 #include "itkDentalPhantomAcquisition.h"
+#include "itkDentalPhantomLevel.h"
 #include "itkDentalPhantomMeshSource.h"
 #include "itkDentalPhantomParameters.h"
+#include "itkDentalPhantomStandardTracing.h"
+#include "itkDentalPhantomTraits.h"
+#include "itkPerspectiveProjection.h"
 
 #include "itkImage.h"
 #include "itkProcessObject.h"
 
+#include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace itk
 {
+class DentalPhantomModel;
+
 /** \class DentalPhantomCaseSource
  * \brief A whole simulated case for a seed: two scans, a radiograph, a tracing on it, and the truth.
  *
@@ -45,6 +53,9 @@ namespace itk
  *     5 degrees (1 sd);
  *   - hard: yaw and roll 3 degrees, noise 2.2 and 1.0 px, tooth rotations 9 degrees, in half of the cases a tooth of
  * the side that is not traced is missing, in half of the jaws one of the traced side is not traced.
+ *
+ * Real, real-hard, standard and practice are the tables of DentalPhantomLevel, which can be given parameter by
+ * parameter; traits of real arches are DentalPhantomTraits, standard tracings DentalPhantomStandardTracing.
  *
  * The pitch is 8 degrees (5 sd) in all of them and the pixel spacing 0.24-0.26 mm, known. The tracing holds the labial
  * border of the central incisor and the incisal or occlusal border of the other crowns of the traced side, one polyline
@@ -87,15 +98,29 @@ public:
     Right,
     Left,
     Mean,
-    Both
+    Both,
+    /** Whole teeth U1, L1, U6, L6, as a cephalometric analysis draws them. */
+    Standard
   };
 
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** Default Typical. */
-  itkSetEnumMacro(Cohort, CohortEnum);
-  itkGetEnumMacro(Cohort, CohortEnum);
+  /** A level's table of parameters; default Typical. The same as SetLevel(DentalPhantomLevel::Named()). */
+  void
+  SetCohort(CohortEnum cohort);
+  CohortEnum
+  GetCohort() const;
+
+  /** Every parameter of how bad the case may be. Sets TracedSide, Frame and NumberOfTriangles as well; what is set by
+   * name later wins. Throws where a parameter is out of its range. */
+  void
+  SetLevel(const DentalPhantomLevel & level);
+  const DentalPhantomLevel &
+  GetLevel() const
+  {
+    return m_Level;
+  }
 
   /** Default Right. */
   itkSetEnumMacro(TracedSide, TracedSideEnum);
@@ -142,8 +167,9 @@ public:
   itkSetEnumMacro(SourceSide, GeometryType::SourceSideEnum);
   itkGetEnumMacro(SourceSide, GeometryType::SourceSideEnum);
 
-  /** The meshes' frame. Default SharedScanner. */
-  itkSetEnumMacro(Frame, FrameEnum);
+  /** The meshes' frame. Default SharedScanner; a level with mixed frames draws it. */
+  void
+  SetFrame(FrameEnum frame);
   itkGetEnumMacro(Frame, FrameEnum);
 
   /** Closed casts with bases instead of open shells. Default off. */
@@ -195,6 +221,42 @@ public:
   {
     return m_Acquisition;
   }
+  /** The traits of real arches that the dentition has; valid after Update(). */
+  const std::vector<DentalPhantomTrait> &
+  GetTraits() const
+  {
+    return m_Traits;
+  }
+  /** Outlines and landmarks of a standard tracing with their errors; null without. Valid after Update(). */
+  const DentalPhantomStandardTracing *
+  GetStandardTracing() const
+  {
+    return m_StandardTracing.get();
+  }
+  /** A postero-anterior radiograph of the same patient. */
+  struct FrontalView
+  {
+    ImageType::Pointer             image;
+    GeometryType::PixelIndexType   principalPoint;
+    GeometryType::PixelSpacingType spacing;
+    double                         sourceToMidcoronal{ 1524.0 };
+    double                         sourceToDetector{ 1674.0 };
+    bool                           sameHeadPosition{ true };
+    /** From each jaw's mesh frame to pixels, with the true distances. */
+    std::array<PerspectiveProjection, 2> projections;
+    /** Of both jaws: with the reader's error, and true. */
+    Landmarks2DType::Pointer landmarks;
+    Landmarks2DType::Pointer trueLandmarks;
+    /** Incisal edges and the molars' buccal contours, upper and lower. */
+    std::array<DentalContour::Pointer, 2> tracings;
+  };
+  /** Null where the level has none; valid after Update(). */
+  const FrontalView *
+  GetFrontalView() const
+  {
+    return m_FrontalView.get();
+  }
+
   /** The tracing's points before noise, in the order of GetTracing(). */
   const DentalContour *
   GetTrueTracing(unsigned int jaw);
@@ -214,8 +276,10 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  std::uint64_t                m_Seed{ 1 };
-  CohortEnum                   m_Cohort{ CohortEnum::Typical };
+  std::uint64_t      m_Seed{ 1 };
+  DentalPhantomLevel m_Level;
+  /** The level draws one of the scanner frames. */
+  bool                         m_DrawFrame{ false };
   TracedSideEnum               m_TracedSide{ TracedSideEnum::Right };
   bool                         m_BuccalOutline{ false };
   double                       m_ToothBias{ 0.0 };
@@ -233,8 +297,18 @@ private:
   ImageSizeType                m_ImageSize;
   bool                         m_MakeRadiograph{ true };
 
-  ParametersType  m_Parameters;
-  AcquisitionType m_Acquisition;
+  void
+  MakeFrontalView(const DentalPhantomModel &         model,
+                  const GeometryType::RotationType & headRotation,
+                  const GeometryType::VectorType &   headTranslation,
+                  const ParametersType::RigidMotion  frames[2],
+                  unsigned int                       threads);
+
+  ParametersType                                      m_Parameters;
+  AcquisitionType                                     m_Acquisition;
+  std::vector<DentalPhantomTrait>                     m_Traits;
+  std::shared_ptr<const DentalPhantomStandardTracing> m_StandardTracing;
+  std::shared_ptr<const FrontalView>                  m_FrontalView;
 };
 
 DentalPhantom_EXPORT std::ostream &

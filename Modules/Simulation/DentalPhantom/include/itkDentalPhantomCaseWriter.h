@@ -32,9 +32,11 @@ namespace itk
  * \brief Writes a phantom case as a folder that `dentalscr register` reads.
  *
  * case.json, contours.json, landmarks3d.json, landmarks2d.json, upper and lower mesh, ceph.png, and truth.json with the
- * true 3x4 matrices, which no registration reads. The files are written beside the folder and moved there when all are
- * complete, case.json last; files of an earlier case are replaced, others left alone. Throws a DentalInputError that
- * names what cannot be written; nothing is left then.
+ * true 3x4 matrices, which no registration reads. A standard tracing is outlines.json (whole teeth) and
+ * cephalometric.json (landmarks), with case-outlines.json and case-landmarks.json for either alone beside case.json; a
+ * frontal view is frontal.png, frontal.json and frontal-contours.json. The files are written beside the folder and
+ * moved there when all are complete, case.json last; files of an earlier case are replaced, others left alone. Throws a
+ * DentalInputError that names what cannot be written; nothing is left then.
  *
  * \ingroup DentalPhantom
  */
@@ -62,6 +64,10 @@ public:
   itkSetStringMacro(MeshExtension);
   itkGetStringMacro(MeshExtension);
 
+  /** Width of one of the four views of the jaws in preview.png, px; 0 (default): no such picture. */
+  itkSetClampMacro(PreviewSize, unsigned int, 0u, 2000u);
+  itkGetConstMacro(PreviewSize, unsigned int);
+
   /** Updates the case and writes it. */
   void
   Write();
@@ -85,6 +91,7 @@ private:
   DentalPhantomCaseSource::Pointer m_CaseSource;
   std::string                      m_DirectoryName;
   std::string                      m_MeshExtension{ "stl" };
+  unsigned int                     m_PreviewSize{ 0 };
 };
 } // namespace itk
 

@@ -97,7 +97,7 @@ public:
   GetLowerLandmarks();
 
   /** From the anatomical frame to that of a jaw's mesh, 0 upper, 1 lower: mesh point = rotation * p + translation.
-   * Valid without Update(). */
+   * Valid without Update(), but for a centred frame, whose origin is the centroid of the scan that Update() makes. */
   RotationType
   GetFrameRotation(unsigned int jaw) const;
   VectorType

@@ -131,13 +131,22 @@ DentalPhantomMeshSource<TOutputMesh>::GenerateData()
   m_Model = std::make_shared<const DentalPhantomModel>(m_Parameters, threads);
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
-    const auto made = m_Model->MakeJaw(jaw, threads, [this, jaw](double done) {
+    const auto            made = m_Model->MakeScan(jaw, threads, [this, jaw](double done) {
       this->UpdateProgress(static_cast<float>(0.3 + 0.35 * (jaw + done)));
       if (this->GetAbortGenerateData())
       {
         throw ProcessAborted(__FILE__, __LINE__);
       }
     });
+    std::array<double, 3> centre{};
+    for (const auto & p : made.surface.points)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        centre[d] += p[d] / static_cast<double>(made.surface.points.size());
+      }
+    }
+    m_Parameters.frameCentres[jaw] = centre;
     const auto motion = m_Parameters.ComputeFrame(jaw);
     const auto place = [&motion](const std::array<double, 3> & point) {
       auto p = motion.Apply(point);

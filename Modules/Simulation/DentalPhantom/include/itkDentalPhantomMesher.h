@@ -52,7 +52,8 @@ public:
     : m_Dentition(dentition)
   {}
 
-  /** A jaw (0 upper, 1 lower) of about that many triangles in the anatomical frame. `finish` adds the scanner's noise.
+  /** A jaw (0 upper, 1 lower) of about that many triangles in the anatomical frame. `finish` adds brackets and the
+   * scanner's noise.
    */
   JawSurface
   MakeJaw(unsigned int         jaw,
@@ -85,6 +86,7 @@ private:
   void
   ShootRays(unsigned int                jaw,
             const DentalPhantomGrid &   layout,
+            bool                        brackets,
             unsigned int                threads,
             const ProgressType &        progress,
             std::vector<PointType> &    rays,

@@ -54,6 +54,15 @@ public:
   JawSurface
   MakeJaw(unsigned int jaw, unsigned int threads = 0, const ProgressType & progress = {}) const;
 
+  /** The same as a scanner's software hands it over: decimated, with flaps, crumbs, specks and holes where the
+   * parameters ask for them; else MakeJaw(). */
+  JawSurface
+  MakeScan(unsigned int jaw, unsigned int threads = 0, const ProgressType & progress = {}) const;
+
+  /** The jaw itself: neither brackets nor noise nor anything of the scan, at a resolution of its own. */
+  JawSurface
+  MakeCleanJaw(unsigned int jaw, std::uint32_t numberOfTriangles, unsigned int threads = 0) const;
+
   const DentalPhantomParameters &
   GetParameters() const
   {

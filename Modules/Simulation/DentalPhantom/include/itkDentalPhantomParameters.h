@@ -29,7 +29,7 @@
 namespace itk
 {
 /** \struct DentalPhantomTooth
- * \brief Size and place of one crown. Lengths in mm, angles in radians.
+ * \brief Size, place and condition of one tooth. Lengths in mm, angles in radians.
  *
  * \ingroup DentalPhantom
  */
@@ -52,6 +52,14 @@ struct DentalPhantomTooth
   double occlusalOffset{ 0.0 };
   /** Gap to the mesial neighbour; negative is overlap (crowding). */
   double mesialGap{ 0.0 };
+  /** A retained milk molar in a premolar's place; it keeps the premolar's number, as public label sets do. */
+  bool primary{ false };
+  /** What wear has taken off the cusps or the edge. */
+  double wear{ 0.0 };
+  /** Whether it erupts until it meets its antagonist; an ankylosed or impacted tooth does not. */
+  bool settles{ true };
+  /** A bracket (a tube on a molar) is bonded to its buccal side. */
+  bool bracket{ false };
 };
 
 /** \struct DentalPhantom_EXPORT DentalPhantomJaw
@@ -114,6 +122,27 @@ struct DentalPhantom_EXPORT DentalPhantomJaw
   double palateDepth{ 13.0 };
 };
 
+/** \struct DentalPhantomScan
+ * \brief What a scanner and its software add to a jaw or take from it. The number of things of each kind in each jaw.
+ *
+ * \ingroup DentalPhantom
+ */
+struct DentalPhantomScan
+{
+  /** Sheets of cheek, lip or floor of the mouth that hang on the border, 5-14 mm wide. */
+  std::uint32_t flaps{ 0 };
+  /** Loose pieces of tongue or cheek, 3-8 mm in radius. */
+  std::uint32_t crumbs{ 0 };
+  /** Loose specks of a few triangles. */
+  std::uint32_t specks{ 0 };
+  std::uint32_t holes{ 0 };
+  /** Largest radius of a hole, mm. */
+  double holeRadius{ 1.5 };
+  /** Quadric decimation to that number of triangles before all that; 0 for none. */
+  std::uint32_t decimateTo{ 0 };
+  std::uint64_t seed{ 1 };
+};
+
 /** \struct DentalPhantomParameters
  * \brief Everything that shapes a pair of phantom jaws. Lengths in mm, angles in radians.
  *
@@ -138,7 +167,12 @@ struct DentalPhantom_EXPORT DentalPhantomParameters
     /** A random rigid motion of that, the same for both jaws, as a scanner exports them. */
     SharedScanner,
     /** A random rigid motion for each jaw. */
-    SeparateScanner
+    SeparateScanner,
+    /** Each jaw centred at its own centroid, both with the occlusal side toward the same axis, +y or +z, tilted by a
+     * few degrees: the upper one lies on its back, as some exports hold them. */
+    CentredScanner,
+    /** Each jaw centred at its own centroid and upright: superior is +y or +z, tilted by a few degrees. */
+    UprightScanner
   };
 
   /** How irregular Draw() makes a dentition; all are one standard deviation or a probability. */
@@ -174,7 +208,8 @@ struct DentalPhantom_EXPORT DentalPhantomParameters
     ApplyInverse(const std::array<double, 3> & point) const;
   };
 
-  /** From the anatomical frame to that of a jaw's mesh (0 upper, 1 lower), as frame and frameSeed say. */
+  /** From the anatomical frame to that of a jaw's mesh (0 upper, 1 lower), as frame, frameSeed and, where a frame is
+   * centred, frameCentres say. */
   RigidMotion
   ComputeFrame(unsigned int jaw) const;
 
@@ -220,11 +255,18 @@ struct DentalPhantom_EXPORT DentalPhantomParameters
 
   FrameEnum     frame{ FrameEnum::Anatomical };
   std::uint64_t frameSeed{ 1 };
+  /** What becomes the origin of a centred frame, in the anatomical frame; DentalPhantomMeshSource sets the centroid of
+   * each scan's points. */
+  std::array<std::array<double, 3>, 2> frameCentres{};
+
+  DentalPhantomScan scan;
 
   /** Approximate, each jaw (reached within 10 %). */
   std::uint32_t numberOfTriangles{ 60000 };
 
 private:
+  RigidMotion
+  ComputeCentredFrame(unsigned int jaw) const;
   void
   Write(std::ostream & os, const std::string & indent) const;
 };

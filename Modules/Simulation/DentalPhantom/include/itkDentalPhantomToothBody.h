@@ -68,6 +68,26 @@ struct DentalPhantom_EXPORT DentalPhantomToothBody
   double            cornerDistal{ 0.0 };
   double            cornerMesial{ 0.0 };
   std::vector<Cusp> cusps;
+  /** Taken off the cusps or the edge. */
+  double wear{ 0.0 };
+  /** The tooth may move to meet its antagonist. */
+  bool settles{ true };
+  /** Half widths (mesial, buccal, occlusal) of a bracket; no bracket where they are 0. */
+  double bracket[3]{};
+  /** From the cervix (z 0) down: a bent cone of elliptic sections. */
+  struct Root
+  {
+    double baseX;
+    double baseY;
+    double apexX;
+    double apexY;
+    double length;
+    double radiusX;
+    double radiusY;
+  };
+  std::vector<Root> roots;
+  /** Where several roots part, below the cervix. */
+  double trunk{ 0.0 };
   /** Columns mesial, buccal, occlusal in (x, y, o) of the jaw, o pointing occlusally. */
   double    axes[3][3]{};
   PointType cervix{};
@@ -82,16 +102,32 @@ struct DentalPhantom_EXPORT DentalPhantomToothBody
   void
   Shape(unsigned int jaw, unsigned int position, const DentalPhantomTooth & tooth);
 
+  /** Called by Shape(). */
+  void
+  ShapePrimaryMolar(unsigned int jaw, unsigned int position);
+  void
+  ShapeRoots(unsigned int jaw, unsigned int position, bool isPrimary);
+
   PointType
   ToLocal(const PointType & p) const;
   PointType
   ToJaw(const PointType & local) const;
+  /** The apex of the longest root, in local coordinates. */
+  PointType
+  GetApex() const;
   /** Of the occlusal surface over (mesial, buccal), mm from the cervix. */
   double
   OcclusalHeight(double x, double y) const;
   /** Negative inside. Local coordinates. Without its root a crown ends a little below the gingiva's margin. */
   double
   Evaluate(const PointType & local, bool root) const;
+  /** The whole tooth with roots of its kind: single, or two or three that part below a trunk. The crown is that of
+   * Evaluate(). */
+  double
+  EvaluateWhole(const PointType & local) const;
+  /** Negative in the bracket; a large number where there is none. */
+  double
+  EvaluateBracket(const PointType & local) const;
 };
 } // namespace itk
 

@@ -38,19 +38,30 @@ Round(double value, double stepsPerUnit)
 DentalPhantomAcquisition
 DentalPhantomAcquisition::Draw(std::uint64_t seed, CohortEnum cohort)
 {
+  return Draw(seed, DentalPhantomLevel::Named(GetName(cohort)));
+}
+
+const std::string &
+DentalPhantomAcquisition::GetName(CohortEnum cohort)
+{
+  return DentalPhantomLevel::GetNames()[static_cast<std::size_t>(cohort)];
+}
+
+DentalPhantomAcquisition
+DentalPhantomAcquisition::Draw(std::uint64_t seed, const DentalPhantomLevel & level)
+{
   // A stream a subject: a draw more in one does not move the others.
   ReproducibleRandom head(seed, 101);
   ReproducibleRandom machine(seed, 102);
   ReproducibleRandom teeth(seed, 103);
   ReproducibleRandom hand(seed, 104);
-  const bool         ideal = cohort == CohortEnum::Ideal;
-  const bool         hard = cohort == CohortEnum::Hard;
+  const bool         ideal = level.knownMachine;
 
   DentalPhantomAcquisition result;
-  const double             turn = ideal ? 0.0 : hard ? 3.0 : 1.5;
+  const double             turn = level.turnDegrees;
   result.yaw = turn * Degree * head.Normal();
   result.roll = turn * Degree * head.Normal();
-  result.pitch = head.Normal(8.0, 5.0) * Degree;
+  result.pitch = head.Normal(level.pitchDegrees, level.pitchSigmaDegrees) * Degree;
   const double anterior = head.Uniform(66.0, 80.0);
   const double down = head.Uniform(36.0, 50.0);
   result.anterior = ideal ? 0.0 : anterior;
@@ -72,24 +83,24 @@ DentalPhantomAcquisition::Draw(std::uint64_t seed, CohortEnum cohort)
   result.principalU = ideal ? teethU : earU;
   result.principalV = ideal ? teethV : earV;
 
-  result.toothRotationDegrees = hard ? 9.0 : 5.0;
-  const bool         lacks = teeth.Uniform() < 0.5;
+  result.toothRotationDegrees = level.toothRotationDegrees;
+  const bool         lacks = teeth.Uniform() < level.lostToothProbability;
   const unsigned int lackingJaw = teeth.Integer(2);
   const unsigned int lackingPosition = 2 + teeth.Integer(5);
-  if (hard && lacks)
+  if (lacks)
   {
     result.missingJaw = lackingJaw;
     result.missingPosition = lackingPosition;
   }
 
-  result.correlatedNoise = ideal ? 0.0 : hard ? 2.2 : 1.2;
-  result.whiteNoise = ideal ? 0.0 : hard ? 1.0 : 0.5;
+  result.correlatedNoise = level.correlatedNoise;
+  result.whiteNoise = level.whiteNoise;
   result.correlationLength = hand.Uniform(10.0, 20.0);
   for (unsigned int & position : result.untracedPosition)
   {
-    const bool         skips = hand.Uniform() < 0.5;
+    const bool         skips = hand.Uniform() < level.untracedProbability;
     const unsigned int skipped = 2 + hand.Integer(5);
-    position = hard && skips ? skipped : 0;
+    position = skips ? skipped : 0;
   }
   return result;
 }
@@ -97,14 +108,6 @@ DentalPhantomAcquisition::Draw(std::uint64_t seed, CohortEnum cohort)
 std::ostream &
 operator<<(std::ostream & os, DentalPhantomAcquisition::CohortEnum cohort)
 {
-  switch (cohort)
-  {
-    case DentalPhantomAcquisition::CohortEnum::Ideal:
-      return os << "ideal";
-    case DentalPhantomAcquisition::CohortEnum::Typical:
-      return os << "typical";
-    default:
-      return os << "hard";
-  }
+  return os << DentalPhantomAcquisition::GetName(cohort);
 }
 } // namespace itk

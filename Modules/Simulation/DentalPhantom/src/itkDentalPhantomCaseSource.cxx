@@ -17,7 +17,10 @@
  *=========================================================================*/
 #include "itkDentalPhantomCaseSource.h"
 
+#include "itkDentalPhantomFilm.h"
+#include "itkDentalPhantomHand.h"
 #include "itkDentalPhantomModel.h"
+#include "itkDentalPhantomOutline.h"
 #include "itkDentalPhantomRadiograph.h"
 #include "itkDentalPhantomTracer.h"
 #include "itkMakeTriangleSurface.h"
@@ -25,6 +28,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <stdexcept>
 
 namespace itk
 {
@@ -44,6 +49,18 @@ enum Output : unsigned int
   RadiographOutput = 13,
   NumberOfOutputs = 14
 };
+
+/** Random streams that only this class uses; those of the drawings are written where they are used. */
+enum Stream : std::uint64_t
+{
+  FrameStream = 318,
+  FrontalHeadStream = 501,
+  FrontalMachineStream = 502,
+  FrontalHandStream = 503
+};
+
+/** Triangles of the jaw that a tracing follows where the scan is not it: brackets, flaps and holes are not traced. */
+constexpr unsigned int CleanTriangles = 60000;
 
 using RotationType = CephalometricGeometry::RotationType;
 using VectorType = CephalometricGeometry::VectorType;
@@ -168,6 +185,71 @@ DentalPhantomCaseSource::GetRadiograph() -> ImageType *
 }
 
 void
+DentalPhantomCaseSource::SetCohort(CohortEnum cohort)
+{
+  if (cohort != this->GetCohort() || m_Level != DentalPhantomLevel::Named(AcquisitionType::GetName(cohort)))
+  {
+    this->SetLevel(DentalPhantomLevel::Named(AcquisitionType::GetName(cohort)));
+  }
+}
+
+auto
+DentalPhantomCaseSource::GetCohort() const -> CohortEnum
+{
+  const auto & names = DentalPhantomLevel::GetNames();
+  return static_cast<CohortEnum>(std::find(names.begin(), names.end(), m_Level.name) - names.begin());
+}
+
+void
+DentalPhantomCaseSource::SetLevel(const DentalPhantomLevel & level)
+{
+  try
+  {
+    level.Validate();
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkExceptionMacro(<< error.what() << " Correct it before SetLevel().");
+  }
+  // What other setters own changes only where the level says something else than the one before: a caller may have set
+  // it by name.
+  if (level.tracedSide != m_Level.tracedSide)
+  {
+    m_TracedSide = level.tracedSide == "right"  ? TracedSideEnum::Right
+                   : level.tracedSide == "left" ? TracedSideEnum::Left
+                   : level.tracedSide == "mean" ? TracedSideEnum::Mean
+                   : level.tracedSide == "both" ? TracedSideEnum::Both
+                                                : TracedSideEnum::Standard;
+  }
+  if (level.frame != m_Level.frame)
+  {
+    m_Frame = level.frame == "anatomical" ? FrameEnum::Anatomical
+              : level.frame == "separate" ? FrameEnum::SeparateScanner
+              : level.frame == "centred"  ? FrameEnum::CentredScanner
+              : level.frame == "upright"  ? FrameEnum::UprightScanner
+                                          : FrameEnum::SharedScanner;
+    m_DrawFrame = level.frame == "mixed";
+  }
+  if (level.numberOfTriangles != m_Level.numberOfTriangles)
+  {
+    m_NumberOfTriangles = level.numberOfTriangles;
+  }
+  m_Level = level;
+  this->Modified();
+}
+
+void
+DentalPhantomCaseSource::SetFrame(FrameEnum frame)
+{
+  if (frame != m_Frame || m_DrawFrame)
+  {
+    m_Frame = frame;
+    m_DrawFrame = false;
+    this->Modified();
+  }
+}
+
+void
 DentalPhantomCaseSource::SetMissingTeeth(const std::vector<unsigned int> & teeth)
 {
   for (const unsigned int fdi : teeth)
@@ -187,7 +269,7 @@ DentalPhantomCaseSource::SetMissingTeeth(const std::vector<unsigned int> & teeth
 void
 DentalPhantomCaseSource::GenerateData()
 {
-  m_Acquisition = DentalPhantomAcquisition::Draw(m_Seed, m_Cohort);
+  m_Acquisition = DentalPhantomAcquisition::Draw(m_Seed, m_Level);
   m_Acquisition.yaw += m_AdditionalYaw;
   m_Acquisition.roll += m_AdditionalRoll;
   const bool traceLeft = m_TracedSide == TracedSideEnum::Left;
@@ -195,8 +277,25 @@ DentalPhantomCaseSource::GenerateData()
   // The dentition.
   ParametersType::Variation variation;
   variation.rotationDegrees = m_Acquisition.toothRotationDegrees;
+  variation.tipDegrees = m_Level.toothTipDegrees;
+  variation.torqueDegrees = m_Level.toothTorqueDegrees;
+  variation.buccalOffset = m_Level.buccalOffset;
+  variation.occlusalOffset = m_Level.occlusalOffset;
+  variation.spacedArchProbability = m_Level.spacedProbability;
+  variation.palateProbability = m_Level.palateProbability;
   m_Parameters = ParametersType::Draw(m_Seed, variation);
+  m_Parameters.scannerNoise = m_Level.scannerNoise;
   m_Parameters.frame = m_Frame;
+  if (m_DrawFrame)
+  {
+    // As exports are: half of them in occlusion, the others each jaw on its own.
+    const double which = ReproducibleRandom(m_Seed, FrameStream).Uniform();
+    m_Parameters.frame = which < 0.5    ? FrameEnum::SharedScanner
+                         : which < 0.67 ? FrameEnum::SeparateScanner
+                         : which < 0.84 ? FrameEnum::CentredScanner
+                                        : FrameEnum::UprightScanner;
+  }
+  m_Traits = DentalPhantomTraits::Apply(m_Seed, m_Level, m_Parameters);
   m_Parameters.numberOfTriangles = m_NumberOfTriangles;
   m_Parameters.stoneBase = m_StoneBase;
   if (m_Acquisition.missingPosition != 0)
@@ -232,7 +331,7 @@ DentalPhantomCaseSource::GenerateData()
   {
     MeshType * mesh = jaw == 0 ? meshSource->GetUpperOutput() : meshSource->GetLowerOutput();
     surfaces[jaw] = MakeTriangleSurface<MeshType>(mesh);
-    frames[jaw] = m_Parameters.ComputeFrame(jaw);
+    frames[jaw] = meshSource->GetParameters().ComputeFrame(jaw);
     for (auto it = mesh->GetPointData()->Begin(); it != mesh->GetPointData()->End(); ++it)
     {
       labels[jaw].push_back(static_cast<std::uint8_t>(it.Value()));
@@ -261,6 +360,25 @@ DentalPhantomCaseSource::GenerateData()
   for (double & value : middle)
   {
     value /= std::max<double>(1.0, static_cast<double>(crownPoints));
+  }
+
+  m_Parameters = meshSource->GetParameters();
+  const DentalPhantomModel & model = *meshSource->GetModel();
+  const bool                 hasBrackets =
+    std::any_of(m_Traits.begin(), m_Traits.end(), [](const auto & trait) { return trait.name == "bracket"; });
+  const auto & scan = m_Parameters.scan;
+  if (hasBrackets || scan.flaps + scan.crumbs + scan.specks + scan.holes + scan.decimateTo > 0)
+  {
+    for (unsigned int jaw = 0; jaw < 2; ++jaw)
+    {
+      const auto clean = model.MakeCleanJaw(jaw, CleanTriangles, threads);
+      surfaces[jaw] = clean.surface;
+      labels[jaw] = clean.labels;
+      for (auto & p : surfaces[jaw].points)
+      {
+        p = frames[jaw].Apply(p);
+      }
+    }
   }
 
   // Head and machine.
@@ -319,8 +437,26 @@ DentalPhantomCaseSource::GenerateData()
   // The tracing.
   const double pixelSize = spacing[0] * m_Acquisition.trueSourceToMidsagittal / m_Acquisition.trueSourceToDetector;
   // Which end of a border is left out where a part is.
-  ReproducibleRandom         hand(m_Seed, 105);
-  const DentalPhantomModel & model = *meshSource->GetModel();
+  ReproducibleRandom hand(m_Seed, 105);
+  m_StandardTracing = nullptr;
+  if (m_TracedSide == TracedSideEnum::Standard || m_Level.giveLandmarks)
+  {
+    std::map<std::string, DentalPhantomStandardTracing::PixelType> tips;
+    for (unsigned int jaw = 0; jaw < 2; ++jaw)
+    {
+      for (const auto & landmark : this->GetLandmarks3D(jaw)->GetLandmarks())
+      {
+        const auto pixel = this->GetTrueGeometry(jaw)->ProjectPoint(landmark.point);
+        tips[landmark.name] = { { pixel[0], pixel[1] } };
+      }
+    }
+    m_StandardTracing = std::make_shared<const DentalPhantomStandardTracing>(
+      model, anatomical->GetProjection(), tips, facingSign > 0.0 ? 1 : -1, spacing[0], m_Level, m_Seed, threads);
+  }
+  const DentalPhantomHand reader(
+    m_Level, m_Seed, DentalPhantomStandardTracing::ComputeAlong(anatomical->GetProjection()), spacing[0]);
+  const bool slips = m_Level.toothAlong > 0.0 || m_Level.toothAcross > 0.0 || m_Level.toothTurnDegrees > 0.0 ||
+                     m_Level.toothScale > 0.0 || m_Level.readerBias > 0.0 || m_Level.grossProbability > 0.0;
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
     const GeometryType * geometry = this->GetTrueGeometry(jaw);
@@ -362,6 +498,8 @@ DentalPhantomCaseSource::GenerateData()
       case TracedSideEnum::Left:
         drawn = { trace(left) };
         break;
+      case TracedSideEnum::Standard:
+        break;
       case TracedSideEnum::Mean:
         drawn = { DentalPhantomTracer::Bisect(trace(right), trace(left)) };
         break;
@@ -398,6 +536,13 @@ DentalPhantomCaseSource::GenerateData()
         }
       }
       exact.insert(exact.end(), lines.begin(), lines.end());
+      if (slips)
+      {
+        for (auto & line : lines)
+        {
+          DentalPhantomHand::Apply(reader.DrawOutline(line.fdi), line.points);
+        }
+      }
       DentalPhantomTracer::Noise noise;
       noise.correlated = m_Acquisition.correlatedNoise;
       noise.white = m_Acquisition.whiteNoise;
@@ -410,10 +555,27 @@ DentalPhantomCaseSource::GenerateData()
     }
     FillContour(static_cast<DentalContour *>(this->GetOutput(TrueTracingOutput + jaw)), exact);
     FillContour(this->GetTracing(jaw), noisy);
+    if (m_TracedSide == TracedSideEnum::Standard)
+    {
+      for (const auto & outline : m_StandardTracing->GetOutlines(jaw))
+      {
+        const auto add = [&outline](DentalContour * contour, const auto & from) {
+          std::vector<DentalContour::PointType> points;
+          for (const auto & p : from)
+          {
+            points.emplace_back(p.data());
+          }
+          contour->AddPolyline(points, ToothCode(outline.fdi), true);
+        };
+        add(static_cast<DentalContour *>(this->GetOutput(TrueTracingOutput + jaw)), outline.exact);
+        add(this->GetTracing(jaw), outline.drawn);
+      }
+    }
 
     Landmarks2DType * projected = this->GetLandmarks2D(jaw);
     projected->Initialize();
-    const bool both = m_TracedSide == TracedSideEnum::Mean || m_TracedSide == TracedSideEnum::Both;
+    const bool both = m_TracedSide == TracedSideEnum::Mean || m_TracedSide == TracedSideEnum::Both ||
+                      m_TracedSide == TracedSideEnum::Standard;
     for (const auto & landmark : this->GetLandmarks3D(jaw)->GetLandmarks())
     {
       if (both || landmark.tooth.IsLeft() == traceLeft)
@@ -429,15 +591,32 @@ DentalPhantomCaseSource::GenerateData()
   image->Initialize();
   if (m_MakeRadiograph)
   {
-    const auto grey = DentalPhantomRadiograph::Render(
-      model,
-      anatomical->GetProjection(),
-      facingSign > 0.0 ? 1 : -1,
-      { { principal[0], principal[1] } },
-      pixelSize,
-      { { static_cast<unsigned int>(m_ImageSize[0]), static_cast<unsigned int>(m_ImageSize[1]) } },
-      m_Seed,
-      threads);
+    std::vector<std::uint8_t> grey;
+    if (m_Level.radiographStyle == "realistic")
+    {
+      DentalPhantomFilm film;
+      film.projection = anatomical->GetProjection();
+      film.facing = facingSign > 0.0 ? 1 : -1;
+      film.earRod = { { principal[0], principal[1] } };
+      film.pixelSize = pixelSize;
+      film.size = { { static_cast<unsigned int>(m_ImageSize[0]), static_cast<unsigned int>(m_ImageSize[1]) } };
+      film.seed = m_Seed;
+      film.noise = m_Level.radiographNoise;
+      film.blur = m_Level.radiographBlur;
+      grey = film.Render(model, threads);
+    }
+    else
+    {
+      grey = DentalPhantomRadiograph::Render(
+        model,
+        anatomical->GetProjection(),
+        facingSign > 0.0 ? 1 : -1,
+        { { principal[0], principal[1] } },
+        pixelSize,
+        { { static_cast<unsigned int>(m_ImageSize[0]), static_cast<unsigned int>(m_ImageSize[1]) } },
+        m_Seed,
+        threads);
+    }
     image->SetRegions(m_ImageSize);
     ImageType::SpacingType imageSpacing;
     imageSpacing[0] = spacing[0];
@@ -446,6 +625,197 @@ DentalPhantomCaseSource::GenerateData()
     image->Allocate();
     std::copy(grey.begin(), grey.end(), image->GetBufferPointer());
   }
+  m_FrontalView = nullptr;
+  if (m_Level.frontalView)
+  {
+    this->MakeFrontalView(model, rotation, place - rotation * middleVector, frames, threads);
+  }
+}
+
+void
+DentalPhantomCaseSource::MakeFrontalView(const DentalPhantomModel &         model,
+                                         const GeometryType::RotationType & headRotation,
+                                         const GeometryType::VectorType &   headTranslation,
+                                         const ParametersType::RigidMotion  frames[2],
+                                         unsigned int                       threads)
+{
+  auto               view = std::make_shared<FrontalView>();
+  ReproducibleRandom turn(m_Seed, FrontalHeadStream);
+  ReproducibleRandom machine(m_Seed, FrontalMachineStream);
+  ReproducibleRandom hand(m_Seed, FrontalHandStream);
+
+  // The head: as in the lateral view, or turned a little in the same ear rods.
+  const double pitch = m_Level.frontalPitchDegrees * Degree * turn.Normal();
+  const double roll = m_Level.frontalTurnDegrees * Degree * turn.Normal();
+  const double yaw = m_Level.frontalTurnDegrees * Degree * turn.Normal();
+  VectorType   shift;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    shift[d] = m_Level.frontalShift * turn.Normal();
+  }
+  view->sameHeadPosition = m_Level.sameHeadPosition;
+  RotationType rotation = headRotation;
+  VectorType   translation = headTranslation;
+  if (!view->sameHeadPosition)
+  {
+    const RotationType more = HeadRotation(yaw, roll, pitch);
+    rotation = more * rotation;
+    translation = more * translation + shift;
+  }
+
+  const double distance = m_Acquisition.trueSourceToMidsagittal;
+  const double gap = std::nearbyint(100.0 * machine.Uniform(110.0, 190.0)) / 100.0;
+  view->spacing.Fill(std::nearbyint(1e4 * machine.Uniform(0.24, 0.26)) / 1e4);
+  // The ear rods stand in the picture's middle.
+  view->principalPoint[0] =
+    std::nearbyint(100.0 * static_cast<double>(m_ImageSize[0]) * machine.Uniform(0.48, 0.52)) / 100.0;
+  view->principalPoint[1] =
+    std::nearbyint(100.0 * static_cast<double>(m_ImageSize[1]) * machine.Uniform(0.43, 0.47)) / 100.0;
+  view->sourceToMidcoronal = m_Acquisition.givenSourceToMidsagittal;
+  view->sourceToDetector = m_Level.knownMachine ? distance + gap : 1674.0;
+
+  // depth = S + x, u = pp + m y / sp, v = pp - m z / sp, m = D / depth (the source behind the patient).
+  const auto project = [&](const RotationType & r, const VectorType & t) {
+    PerspectiveProjection projection;
+    const double          k = (distance + gap) / view->spacing[0];
+    for (unsigned int column = 0; column < 4; ++column)
+    {
+      const double x = column < 3 ? r(0, column) : t[0];
+      const double y = column < 3 ? r(1, column) : t[1];
+      const double z = column < 3 ? r(2, column) : t[2];
+      const double depth = x + (column == 3 ? distance : 0.0);
+      projection.matrix[column] = k * y + view->principalPoint[0] * depth;
+      projection.matrix[4 + column] = -k * z + view->principalPoint[1] * depth;
+      projection.matrix[8 + column] = depth;
+    }
+    // The source in the object's frame: R^T (s - t), s = (-S, 0, 0).
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      projection.source[column] = r(0, column) * (-distance - t[0]) - r(1, column) * t[1] - r(2, column) * t[2];
+    }
+    return projection;
+  };
+  const PerspectiveProjection anatomical = project(rotation, translation);
+  view->landmarks = Landmarks2DType::New();
+  view->trueLandmarks = Landmarks2DType::New();
+  const double error = m_Level.frontalNoise / view->spacing[0];
+  for (unsigned int jaw = 0; jaw < 2; ++jaw)
+  {
+    RotationType frame;
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      for (unsigned int column = 0; column < 3; ++column)
+      {
+        frame(row, column) = frames[jaw].rotation[3 * row + column];
+      }
+    }
+    const RotationType toHead = rotation * RotationType(frame.GetTranspose());
+    view->projections[jaw] = project(toHead, translation - toHead * VectorType(frames[jaw].translation.data()));
+    for (const auto & landmark : this->GetLandmarks3D(jaw)->GetLandmarks())
+    {
+      Landmarks2DType::PointType pixel;
+      view->projections[jaw].Project(landmark.point.GetDataPointer(), pixel[0], pixel[1]);
+      view->trueLandmarks->AddLandmark(landmark.name, pixel);
+      // What a reader marks from the front: central incisors, canines, first molars.
+      const unsigned int position = landmark.tooth.GetPosition();
+      const bool         mesial = landmark.name.find("DB") == std::string::npos;
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        pixel[d] = std::nearbyint(1e3 * (pixel[d] + error * hand.Normal())) / 1e3;
+      }
+      if (mesial && (position == 1 || position == 3 || position == 6))
+      {
+        view->landmarks->AddLandmark(landmark.name, pixel);
+      }
+    }
+    // The outer outline: incisal edges of incisors and canines, buccal contours of first molars.
+    view->tracings[jaw] = DentalContour::New();
+    for (const unsigned int position : { 0u, 1u, 2u, 5u })
+    {
+      for (const bool left : { false, true })
+      {
+        const unsigned int tooth = DentalPhantomJaw::GetIndex(left, position);
+        const auto         crown = DentalPhantomOutline::Resample(
+          DentalPhantomOutline::Trace(model, jaw, tooth, anatomical, false, 0.8, threads), 120);
+        if (crown.empty())
+        {
+          continue;
+        }
+        // The part whose outward normal looks occlusally (laterally for molars): the longest run.
+        double area = 0.0;
+        for (std::size_t i = 0; i < crown.size(); ++i)
+        {
+          const auto & a = crown[i];
+          const auto & b = crown[(i + 1) % crown.size()];
+          area += a[0] * b[1] - b[0] * a[1];
+        }
+        std::vector<bool> looks;
+        for (std::size_t i = 0; i < crown.size(); ++i)
+        {
+          const auto & a = crown[(i + crown.size() - 2) % crown.size()];
+          const auto & b = crown[(i + 2) % crown.size()];
+          const double turned = area > 0.0 ? 1.0 : -1.0;
+          const double l = std::max(std::hypot(b[0] - a[0], b[1] - a[1]), 1e-9);
+          const double normal[2] = { turned * (b[1] - a[1]) / l, -turned * (b[0] - a[0]) / l };
+          looks.push_back(position < 3 ? (jaw == 0 ? normal[1] : -normal[1]) > 0.5
+                                       : (left ? normal[0] : -normal[0]) > 0.5);
+        }
+        std::size_t best = 0;
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < crown.size(); ++i)
+        {
+          std::size_t n = 0;
+          while (n < crown.size() && looks[(i + n) % crown.size()])
+          {
+            ++n;
+          }
+          if (n > length)
+          {
+            best = i;
+            length = n;
+          }
+        }
+        std::vector<DentalPhantomTracer::Polyline> lines(1);
+        for (std::size_t n = 0; n < length; ++n)
+        {
+          lines[0].points.push_back(crown[(best + n) % crown.size()]);
+        }
+        if (length < 4)
+        {
+          continue;
+        }
+        lines[0].fdi = DentalPhantomDentition::ToothFDI(jaw, tooth);
+        DentalPhantomTracer::Noise noise;
+        noise.correlated = m_Level.correlatedNoise;
+        noise.white = m_Level.whiteNoise;
+        DentalPhantomTracer::AddNoise(lines, noise, m_Seed, 600 + lines[0].fdi);
+        std::vector<DentalContour::PointType> points;
+        for (const auto & p : lines[0].points)
+        {
+          points.emplace_back(p.data());
+        }
+        view->tracings[jaw]->AddPolyline(points, ToothCode(lines[0].fdi));
+      }
+    }
+  }
+  if (m_MakeRadiograph)
+  {
+    DentalPhantomFilm film;
+    film.view = DentalPhantomFilm::ViewEnum::Frontal;
+    film.projection = anatomical;
+    film.earRod = { { view->principalPoint[0], view->principalPoint[1] } };
+    film.pixelSize = view->spacing[0] * distance / (distance + gap);
+    film.size = { { static_cast<unsigned int>(m_ImageSize[0]), static_cast<unsigned int>(m_ImageSize[1]) } };
+    film.seed = m_Seed ^ 0x5bd1e995u;
+    film.noise = m_Level.radiographNoise;
+    film.blur = m_Level.radiographBlur;
+    const auto grey = film.Render(model, threads);
+    view->image = ImageType::New();
+    view->image->SetRegions(m_ImageSize);
+    view->image->Allocate();
+    std::copy(grey.begin(), grey.end(), view->image->GetBufferPointer());
+  }
+  m_FrontalView = view;
 }
 
 void
@@ -453,7 +823,7 @@ DentalPhantomCaseSource::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "Seed: " << m_Seed << std::endl;
-  os << indent << "Cohort: " << m_Cohort << std::endl;
+  os << indent << "Level: " << m_Level.name << std::endl;
   os << indent << "TracedSide: " << m_TracedSide << std::endl;
   os << indent << "BuccalOutline: " << m_BuccalOutline << std::endl;
   os << indent << "ToothBias: " << m_ToothBias << std::endl;
@@ -475,6 +845,15 @@ DentalPhantomCaseSource::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "NumberOfTriangles: " << m_NumberOfTriangles << std::endl;
   os << indent << "ImageSize: " << m_ImageSize << std::endl;
   os << indent << "MakeRadiograph: " << m_MakeRadiograph << std::endl;
+  os << indent << "DrawFrame: " << m_DrawFrame << std::endl;
+  os << indent << "Traits:";
+  for (const DentalPhantomTrait & trait : m_Traits)
+  {
+    os << ' ' << trait.name;
+  }
+  os << std::endl;
+  os << indent << "StandardTracing: " << (m_StandardTracing ? "made" : "(null)") << std::endl;
+  os << indent << "FrontalView: " << (m_FrontalView ? "made" : "(null)") << std::endl;
   os << indent << "Yaw: " << m_Acquisition.yaw << std::endl;
   os << indent << "Roll: " << m_Acquisition.roll << std::endl;
   os << indent << "Pitch: " << m_Acquisition.pitch << std::endl;
@@ -496,6 +875,8 @@ operator<<(std::ostream & os, DentalPhantomCaseSource::TracedSideEnum side)
       return os << "left";
     case DentalPhantomCaseSource::TracedSideEnum::Mean:
       return os << "mean";
+    case DentalPhantomCaseSource::TracedSideEnum::Standard:
+      return os << "standard";
     default:
       return os << "both";
   }

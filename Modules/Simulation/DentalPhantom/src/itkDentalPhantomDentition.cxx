@@ -66,7 +66,8 @@ DentalPhantomDentition::PlaceTeeth(unsigned int jaw)
     const double               W = tooth.mesiodistal;
     const double               B = tooth.buccolingual;
     const double               H = tooth.height;
-    body.space = k < 7 || !tooth.missing;
+    // A closed gap is no place; neither is that of a third molar that is not there.
+    body.space = !tooth.missing || (k < 7 && tooth.mesiodistal > 0.5);
     if (!body.space)
     {
       continue;

@@ -214,6 +214,7 @@ DentalPhantomMesher::MakeLayout(unsigned int jaw, std::uint32_t numberOfTriangle
 void
 DentalPhantomMesher::ShootRays(unsigned int                jaw,
                                const DentalPhantomGrid &   layout,
+                               bool                        brackets,
                                unsigned int                threads,
                                const ProgressType &        progress,
                                std::vector<PointType> &    rays,
@@ -236,7 +237,16 @@ DentalPhantomMesher::ShootRays(unsigned int                jaw,
         const double                   dy = p[1] - body.centre[1];
         const double                   dz = p[2] - body.centre[2];
         const double                   far = std::sqrt(dx * dx + dy * dy + dz * dz) - body.radius;
-        const double                   f = far > 0.5 ? far : body.Evaluate(body.ToLocal(p), false);
+        double                         f = far;
+        if (far <= 0.5)
+        {
+          const PointType local = body.ToLocal(p);
+          f = body.Evaluate(local, false);
+          if (brackets && body.bracket[0] > 0.0)
+          {
+            f = std::min(f, body.EvaluateBracket(local));
+          }
+        }
         if (label && f < teeth)
         {
           *label = station.near[k];
@@ -356,7 +366,7 @@ DentalPhantomMesher::MakeJaw(unsigned int         jaw,
   DentalPhantomGrid         layout = this->MakeLayout(jaw, numberOfTriangles);
   std::vector<PointType>    rays;
   std::vector<std::uint8_t> rayLabels;
-  this->ShootRays(jaw, layout, threads, progress, rays, rayLabels);
+  this->ShootRays(jaw, layout, finish, threads, progress, rays, rayLabels);
 
   // Points in the jaw's frame (o occlusal), ids of the grid.
   JawSurface               result;

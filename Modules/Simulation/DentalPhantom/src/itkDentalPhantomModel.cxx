@@ -19,6 +19,7 @@
 
 #include "itkDentalPhantomMath.h"
 #include "itkDentalPhantomOcclusion.h"
+#include "itkDentalPhantomScanDefects.h"
 
 #include <cmath>
 
@@ -47,6 +48,21 @@ DentalPhantomModel::MakeJaw(unsigned int jaw, unsigned int threads, const Progre
 {
   return DentalPhantomMesher(m_Dentition)
     .MakeJaw(jaw, m_Dentition.GetParameters().numberOfTriangles, true, threads, progress);
+}
+
+auto
+DentalPhantomModel::MakeScan(unsigned int jaw, unsigned int threads, const ProgressType & progress) const -> JawSurface
+{
+  JawSurface result = this->MakeJaw(jaw, threads, progress);
+  ApplyDentalPhantomScanDefects(jaw, m_Dentition.GetParameters().scan, result);
+  return result;
+}
+
+auto
+DentalPhantomModel::MakeCleanJaw(unsigned int jaw, std::uint32_t numberOfTriangles, unsigned int threads) const
+  -> JawSurface
+{
+  return DentalPhantomMesher(m_Dentition).MakeJaw(jaw, numberOfTriangles, false, threads, {});
 }
 
 std::array<double, 2>

@@ -105,7 +105,8 @@ SettleDentalPhantom(DentalPhantomDentition &            dentition,
     // Back teeth erupt until they touch; front teeth keep their overbite unless they would meet.
     const unsigned int k = DentalPhantomJaw::GetPosition(i);
     const double       highest = k < 2 ? 0.0 : k == 2 ? 0.3 : 1.2;
-    const double       shift = std::min(clearance[i] - 0.04, highest);
+    const double       reach = dentition.GetBody(1, i).settles ? highest : 0.0;
+    const double       shift = std::min(clearance[i] - 0.04, reach);
     settlement[i] = dentition.GetBody(1, i).present ? Quantise(shift) : 0.0;
     dentition.Move(1, i, settlement[i]);
   }

@@ -46,10 +46,30 @@ constexpr double MeanTeeth[2][7][4] = { { { 8.5, 7.0, 10.5, 20.0 },
                                           { 11.2, 10.4, 7.7, -10.0 },
                                           { 10.6, 10.2, 7.2, -12.0 } } };
 
+constexpr double MeanThirdMolars[2][4] = { { 8.5, 10.0, 6.5, 8.0 }, { 10.0, 9.5, 7.0, -12.0 } };
+
 double
 Clamp(double value, double low, double high)
 {
   return std::min(std::max(value, low), high);
+}
+
+std::array<double, 9>
+RotationFromQuaternion(const std::array<double, 4> & q)
+{
+  const double w = q[0];
+  const double x = q[1];
+  const double y = q[2];
+  const double z = q[3];
+  return { { 1.0 - 2.0 * (y * y + z * z),
+             2.0 * (x * y - w * z),
+             2.0 * (x * z + w * y),
+             2.0 * (x * y + w * z),
+             1.0 - 2.0 * (x * x + z * z),
+             2.0 * (y * z - w * x),
+             2.0 * (x * z - w * y),
+             2.0 * (y * z + w * x),
+             1.0 - 2.0 * (x * x + y * y) } };
 }
 
 /** A normal draw without its tails: an arch with a tooth 4 sigma off is no test of anything. */
@@ -76,6 +96,14 @@ DentalPhantomParameters::DentalPhantomParameters()
     {
       DentalPhantomTooth & tooth = jaws[jaw].teeth[i];
       const double *       mean = MeanTeeth[jaw][i % 7];
+      tooth.mesiodistal = mean[0];
+      tooth.buccolingual = mean[1];
+      tooth.height = mean[2];
+      tooth.torque = mean[3] * Degree;
+    }
+    for (DentalPhantomTooth & tooth : jaws[jaw].thirdMolars)
+    {
+      const double * mean = MeanThirdMolars[jaw];
       tooth.mesiodistal = mean[0];
       tooth.buccolingual = mean[1];
       tooth.height = mean[2];
@@ -184,6 +212,10 @@ DentalPhantomParameters::ComputeFrame(unsigned int jaw) const -> RigidMotion
   {
     return motion;
   }
+  if (frame == FrameEnum::CentredScanner || frame == FrameEnum::UprightScanner)
+  {
+    return this->ComputeCentredFrame(jaw);
+  }
   ReproducibleRandom random(frameSeed, frame == FrameEnum::SeparateScanner ? 1 + jaw : 0);
   // A uniform rotation is a uniform unit quaternion.
   double q[4];
@@ -198,22 +230,62 @@ DentalPhantomParameters::ComputeFrame(unsigned int jaw) const -> RigidMotion
   {
     value /= norm;
   }
-  const double w = q[0];
-  const double x = q[1];
-  const double y = q[2];
-  const double z = q[3];
-  motion.rotation = { { 1.0 - 2.0 * (y * y + z * z),
-                        2.0 * (x * y - w * z),
-                        2.0 * (x * z + w * y),
-                        2.0 * (x * y + w * z),
-                        1.0 - 2.0 * (x * x + z * z),
-                        2.0 * (y * z - w * x),
-                        2.0 * (x * z - w * y),
-                        2.0 * (y * z + w * x),
-                        1.0 - 2.0 * (x * x + y * y) } };
+  motion.rotation = RotationFromQuaternion({ { q[0], q[1], q[2], q[3] } });
   for (double & value : motion.translation)
   {
     value = random.Uniform(-40.0, 40.0);
+  }
+  return motion;
+}
+
+auto
+DentalPhantomParameters::ComputeCentredFrame(unsigned int jaw) const -> RigidMotion
+{
+  // Which axis is up is the program's habit, the same for both jaws; the tilt is the operator's, each jaw's own.
+  ReproducibleRandom habit(frameSeed, 10);
+  ReproducibleRandom tilt(frameSeed, 11 + jaw);
+  const bool         yIsUp = habit.Uniform() < 0.5;
+  // Up is the occlusal side (centred) or the cranial one (upright); the other two axes keep the hand.
+  const double          up = frame == FrameEnum::CentredScanner && jaw == 0 ? -1.0 : 1.0;
+  std::array<double, 9> base{};
+  if (yIsUp)
+  {
+    // Rows: the patient's left (right for a jaw on its back), up, anterior.
+    base = { { 0.0, up, 0.0, 0.0, 0.0, up, 1.0, 0.0, 0.0 } };
+  }
+  else
+  {
+    // Rows: the patient's right (left on its back), anterior, up, so that the picture faces away from the viewer.
+    base = { { 0.0, -up, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, up } };
+  }
+  double q[4] = { 1.0, 0.0, 0.0, 0.0 };
+  double norm = 1.0;
+  for (unsigned int i = 1; i < 4; ++i)
+  {
+    // Half of 4 degrees (1 sd) about each axis.
+    q[i] = 0.5 * 4.0 * Degree * Clamp(tilt.Normal(), -2.5, 2.5);
+    norm += q[i] * q[i];
+  }
+  const auto tilted = RotationFromQuaternion(
+    { { q[0] / std::sqrt(norm), q[1] / std::sqrt(norm), q[2] / std::sqrt(norm), q[3] / std::sqrt(norm) } });
+  RigidMotion motion;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      double sum = 0.0;
+      for (unsigned int k = 0; k < 3; ++k)
+      {
+        sum += tilted[3 * row + k] * base[3 * k + column];
+      }
+      motion.rotation[3 * row + column] = sum;
+    }
+  }
+  motion.translation = {};
+  const auto centre = motion.Apply(frameCentres[jaw]);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    motion.translation[d] = -centre[d];
   }
   return motion;
 }
@@ -267,18 +339,33 @@ DentalPhantomParameters::Validate() const
   check("baseHeight", baseHeight, 1.0, 60.0);
   check("scannerNoise", scannerNoise, 0.0, 0.5);
   check("numberOfTriangles", numberOfTriangles, 2000.0, 4e6);
+  check("scan.holeRadius", scan.holeRadius, 0.1, 10.0);
+  check("scan.flaps", scan.flaps, 0.0, 20.0);
+  check("scan.crumbs", scan.crumbs, 0.0, 50.0);
+  check("scan.specks", scan.specks, 0.0, 1000.0);
+  check("scan.holes", scan.holes, 0.0, 200.0);
+  check("scan.decimateTo", scan.decimateTo, 0.0, 4e6);
   for (const DentalPhantomJaw & jaw : jaws)
   {
-    for (const DentalPhantomTooth & tooth : jaw.teeth)
+    for (unsigned int i = 0; i < DentalPhantomJaw::NumberOfTeeth; ++i)
     {
+      const DentalPhantomTooth & tooth = jaw.GetTooth(i);
+      if (tooth.missing)
+      {
+        // What is left of its place: nothing where the gap is closed.
+        check("mesiodistal", tooth.mesiodistal, 0.0, 18.0);
+        check("mesialGap", tooth.mesialGap, -2.0, 8.0);
+        continue;
+      }
+      check("wear", tooth.wear, 0.0, 2.5);
       check("mesiodistal", tooth.mesiodistal, 3.0, 18.0);
       check("buccolingual", tooth.buccolingual, 3.0, 18.0);
       check("height", tooth.height, 4.0, 16.0);
       check("rotation", tooth.rotation, -1.6, 1.6);
       check("tip", tooth.tip, -0.7, 0.7);
       check("torque", tooth.torque, -0.9, 0.9);
-      check("buccalOffset", tooth.buccalOffset, -4.0, 4.0);
-      check("occlusalOffset", tooth.occlusalOffset, -4.0, 4.0);
+      check("buccalOffset", tooth.buccalOffset, -6.0, 6.0);
+      check("occlusalOffset", tooth.occlusalOffset, -8.0, 4.0);
       check("mesialGap", tooth.mesialGap, -2.0, 8.0);
     }
     check("distalExtension", std::min(jaw.distalExtension[0], jaw.distalExtension[1]), -12.0, 15.0);
@@ -310,6 +397,9 @@ DentalPhantomParameters::Write(std::ostream & os, const std::string & indent) co
   os << indent << "Frame: " << frame << '\n';
   os << indent << "FrameSeed: " << frameSeed << '\n';
   os << indent << "NumberOfTriangles: " << numberOfTriangles << '\n';
+  os << indent << "Scan: flaps " << scan.flaps << ", crumbs " << scan.crumbs << ", specks " << scan.specks << ", holes "
+     << scan.holes << " up to " << scan.holeRadius << ", decimated to " << scan.decimateTo << ", seed " << scan.seed
+     << '\n';
   for (unsigned int j = 0; j < 2; ++j)
   {
     const DentalPhantomJaw & jaw = jaws[j];
@@ -317,12 +407,14 @@ DentalPhantomParameters::Write(std::ostream & os, const std::string & indent) co
        << jaw.distalExtension[1] << ", flanges " << jaw.buccalFlange << " " << jaw.lingualFlange << ", trimming "
        << jaw.trimSlopeAnterior << " " << jaw.trimSlopeLeft << " " << jaw.trimWave << " " << jaw.trimPhase
        << ", palate " << jaw.palate << " " << jaw.palateDepth << '\n';
-    for (const DentalPhantomTooth & tooth : jaw.teeth)
+    for (unsigned int i = 0; i < DentalPhantomJaw::NumberOfTeeth; ++i)
     {
+      const DentalPhantomTooth & tooth = jaw.GetTooth(i);
       os << indent << "  " << (tooth.missing ? "missing" : "tooth") << ": size " << tooth.mesiodistal << " "
          << tooth.buccolingual << " " << tooth.height << ", rotation " << tooth.rotation << ", tip " << tooth.tip
          << ", torque " << tooth.torque << ", offset " << tooth.buccalOffset << " " << tooth.occlusalOffset
-         << ", mesial gap " << tooth.mesialGap << '\n';
+         << ", mesial gap " << tooth.mesialGap << (tooth.primary ? ", milk molar" : "") << ", wear " << tooth.wear
+         << (tooth.settles ? "" : ", does not settle") << (tooth.bracket ? ", bracket" : "") << '\n';
     }
   }
 }
@@ -350,6 +442,10 @@ operator<<(std::ostream & os, DentalPhantomParameters::FrameEnum frame)
       return os << "Anatomical";
     case DentalPhantomParameters::FrameEnum::SharedScanner:
       return os << "SharedScanner";
+    case DentalPhantomParameters::FrameEnum::CentredScanner:
+      return os << "CentredScanner";
+    case DentalPhantomParameters::FrameEnum::UprightScanner:
+      return os << "UprightScanner";
     default:
       return os << "SeparateScanner";
   }
