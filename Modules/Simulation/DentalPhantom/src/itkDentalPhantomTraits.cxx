@@ -371,7 +371,15 @@ public:
       m_Parameters.overbite = overlap;
       m_Parameters.speeDepth = spee;
       // The lower edges must find place behind the upper crowns, which are thicker further up.
-      m_Parameters.overjet = 4.0 + 0.45 * (overlap - 4.5) + room;
+      m_Parameters.overjet = 4.4 + 0.5 * (overlap - 4.5) + room;
+      for (const bool left : { false, true })
+      {
+        for (unsigned int position = 0; position < 2; ++position)
+        {
+          // Steep upper incisors, as deep bites have them.
+          this->Tooth(0, left, position).torque -= 8.0 * Degree;
+        }
+      }
       this->Note({ "deep_bite", {}, overlap }, true);
     }
   }
@@ -400,7 +408,9 @@ public:
         this->Tooth(1, side, position).buccalOffset += lower;
         trait.teeth.push_back(this->FDI(0, side, position));
       }
+      // The teeth before them stand between.
       this->Tooth(0, side, first - 1).buccalOffset -= 0.4 * upper;
+      this->Tooth(1, side, first - 1).buccalOffset += 0.4 * lower;
     }
     this->Note(trait);
   }

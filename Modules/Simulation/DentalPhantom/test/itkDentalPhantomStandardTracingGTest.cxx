@@ -284,13 +284,12 @@ TEST(DentalPhantomFilm, ShowsTeethAndIsTheSameForAnyNumberOfThreads)
 {
   itk::DentalPhantomModel model(itk::DentalPhantomParameters::Draw(2));
   itk::DentalPhantomFilm  film;
-  // Parallel enough: a source far away on the right, x to the right, z up, 4 px a mm.
-  film.projection.matrix = { { 4.0, 0.24, 0.0, 480.0, 0.0, 0.24, -4.0, 480.0, 0.0, 0.001, 0.0, 1.5 } };
-  film.projection.matrix = { { 6000.0, 300.0, 0.0, 450000.0, 0.0, 400.0, -6000.0, 600000.0, 0.0, 1.0, 0.0, 1500.0 } };
+  // The source 1.5 m to the right, 4 px a mm: u = 4 x + 200, v = 400 - 4 z in the median plane.
+  film.projection.matrix = { { 6000.0, 200.0, 0.0, 300000.0, 0.0, 400.0, -6000.0, 600000.0, 0.0, 1.0, 0.0, 1500.0 } };
   film.projection.source = { { 0.0, -1500.0, 0.0 } };
-  film.projection.source[0] = -(300.0 * -1500.0 + 450000.0) / 6000.0;
+  film.projection.source[0] = -(200.0 * -1500.0 + 300000.0) / 6000.0;
   film.projection.source[2] = (400.0 * -1500.0 + 600000.0) / 6000.0;
-  film.earRod = { { 100.0, 220.0 } };
+  film.earRod = { { -4.0, 256.0 } };
   film.pixelSize = 0.25;
   film.size = { { 500, 600 } };
   const auto one = film.Render(model, 1);
@@ -315,8 +314,9 @@ TEST(DentalPhantomFilm, ShowsTeethAndIsTheSameForAnyNumberOfThreads)
   const auto   crown = molar.ToJaw({ { 0.0, 0.0, 4.0 } });
   const auto   root = molar.ToJaw({ { 0.2 * molar.width, 0.0, -6.0 } });
   const auto & incisor = model.GetDentition().GetBody(0, 0);
-  auto         air = incisor.ToJaw({ { 0.0, 60.0, 5.0 } });
-  air[2] = -air[2];
+  // Before the lips, which stand 14 mm in front of the edge.
+  auto air = incisor.ToJaw({ { 0.0, 0.0, incisor.height } });
+  air = { { air[0] + 26.0, 0.0, -air[2] } };
   // Enamel over dentine over air: the grain of 2.5 is 0.5 in a mean of 25.
   EXPECT_GT(grey(crown), grey(root) + 5.0);
   EXPECT_GT(grey(root), grey(air) + 60.0);

@@ -190,8 +190,9 @@ TEST(DentalPhantomTraits, ClosedExtractionGapsAreContactsAndTheNeighboursLeanInt
     for (const unsigned int fdi : trait->teeth)
     {
       EXPECT_EQ(Teeth(source, fdi / 10 > 2 ? 1 : 0).count(fdi), 0u);
-      // What is left of a 7 mm place: the residual, and what the tips of two inclined crowns open.
-      EXPECT_LT(Gap(source, fdi - 1, fdi + 1), trait->amount + 0.9) << seed << " " << fdi;
+      // What is left of a 7 mm place: the residual, what the tips of two inclined crowns open, and the distance of the
+      // nearest vertices (0.6 mm apart on either side).
+      EXPECT_LT(Gap(source, fdi - 1, fdi + 1), trait->amount + 1.6) << seed << " " << fdi;
       EXPECT_GT(Tooth(source, fdi + 1).tip, Tooth(plain, fdi + 1).tip);
       EXPECT_LT(Tooth(source, fdi - 1).tip, Tooth(plain, fdi - 1).tip);
     }
@@ -211,8 +212,10 @@ TEST(DentalPhantomTraits, OpenExtractionGapsKeepTheStatedWidth)
     EXPECT_EQ(Teeth(source, fdi / 10 > 2 ? 1 : 0).count(fdi), 0u);
     const double whole = Tooth(Make(seed, "{}", 2000), fdi).mesiodistal;
     const double gap = Gap(source, fdi - 1, fdi + 1);
-    // Tilted and turned crowns come up to 1.2 mm nearer than the places on the arch, or stay that much apart.
-    EXPECT_NEAR(gap, trait->amount, 1.5) << seed << " " << fdi;
+    // A place is as wide as the gap at the contacts' height. Crowns that tip into it pivot at their occlusal surface:
+    // up to a centimetre of crown leans by 20 degrees, and turned ones show their narrow side.
+    EXPECT_GT(gap, trait->amount - 0.8) << seed << " " << fdi;
+    EXPECT_LT(gap, trait->amount + 3.2) << seed << " " << fdi;
     EXPECT_LT(trait->amount, whole);
     EXPECT_GT(gap, 0.3) << seed;
   }
