@@ -598,6 +598,7 @@ DentalPhantomLevel::ToJson() const
 void
 DentalPhantomLevel::Validate() const
 {
+  Named(name);
   for (const EntryType & entry : GetEntries())
   {
     const std::string field = std::string(entry.section) + "." + entry.key;

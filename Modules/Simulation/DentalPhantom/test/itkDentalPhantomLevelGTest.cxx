@@ -144,4 +144,7 @@ TEST(DentalPhantomLevel, ErrorsNameFileFieldAndRemedy)
   LevelType level;
   level.wearDepth = 9.0;
   EXPECT_THROW(level.Validate(), std::invalid_argument);
+  level = LevelType();
+  level.name = "mine";
+  EXPECT_THROW(level.Validate(), std::invalid_argument);
 }
