@@ -23,6 +23,7 @@
 #include "itkDentalContour.h"
 #include "itkDentalLandmarkSet.h"
 #include "itkDentalPhantomAcquisition.h"
+#include "itkDentalPhantomFrontalView.h"
 #include "itkDentalPhantomLevel.h"
 #include "itkDentalPhantomMeshSource.h"
 #include "itkDentalPhantomParameters.h"
@@ -40,8 +41,6 @@
 
 namespace itk
 {
-class DentalPhantomModel;
-
 /** \class DentalPhantomCaseSource
  * \brief A whole simulated case for a seed: two scans, a radiograph, a tracing on it, and the truth.
  *
@@ -233,23 +232,7 @@ public:
   {
     return m_StandardTracing.get();
   }
-  /** A postero-anterior radiograph of the same patient. */
-  struct FrontalView
-  {
-    ImageType::Pointer             image;
-    GeometryType::PixelIndexType   principalPoint;
-    GeometryType::PixelSpacingType spacing;
-    double                         sourceToMidcoronal{ 1524.0 };
-    double                         sourceToDetector{ 1674.0 };
-    bool                           sameHeadPosition{ true };
-    /** From each jaw's mesh frame to pixels, with the true distances. */
-    std::array<PerspectiveProjection, 2> projections;
-    /** Of both jaws: with the reader's error, and true. */
-    Landmarks2DType::Pointer landmarks;
-    Landmarks2DType::Pointer trueLandmarks;
-    /** Incisal edges and the molars' buccal contours, upper and lower. */
-    std::array<DentalContour::Pointer, 2> tracings;
-  };
+  using FrontalView = DentalPhantomFrontalView;
   /** Null where the level has none; valid after Update(). */
   const FrontalView *
   GetFrontalView() const
@@ -296,13 +279,6 @@ private:
   unsigned int                 m_NumberOfTriangles{ 60000 };
   ImageSizeType                m_ImageSize;
   bool                         m_MakeRadiograph{ true };
-
-  void
-  MakeFrontalView(const DentalPhantomModel &         model,
-                  const GeometryType::RotationType & headRotation,
-                  const GeometryType::VectorType &   headTranslation,
-                  const ParametersType::RigidMotion  frames[2],
-                  unsigned int                       threads);
 
   ParametersType                                      m_Parameters;
   AcquisitionType                                     m_Acquisition;

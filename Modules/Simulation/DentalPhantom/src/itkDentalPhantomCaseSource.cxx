@@ -19,8 +19,8 @@
 
 #include "itkDentalPhantomFilm.h"
 #include "itkDentalPhantomHand.h"
+#include "itkDentalPhantomHead.h"
 #include "itkDentalPhantomModel.h"
-#include "itkDentalPhantomOutline.h"
 #include "itkDentalPhantomRadiograph.h"
 #include "itkDentalPhantomTracer.h"
 #include "itkMakeTriangleSurface.h"
@@ -53,10 +53,7 @@ enum Output : unsigned int
 /** Random streams that only this class uses; those of the drawings are written where they are used. */
 enum Stream : std::uint64_t
 {
-  FrameStream = 318,
-  FrontalHeadStream = 501,
-  FrontalMachineStream = 502,
-  FrontalHandStream = 503
+  FrameStream = 318
 };
 
 /** Triangles of the jaw that a tracing follows where the scan is not it: brackets, flaps and holes are not traced. */
@@ -64,24 +61,6 @@ constexpr unsigned int CleanTriangles = 60000;
 
 using RotationType = CephalometricGeometry::RotationType;
 using VectorType = CephalometricGeometry::VectorType;
-
-/** yaw about z after roll about x after pitch about y. */
-RotationType
-HeadRotation(double yaw, double roll, double pitch)
-{
-  const auto about = [](unsigned int axis, double angle) {
-    RotationType rotation;
-    rotation.SetIdentity();
-    const unsigned int i = (axis + 1) % 3;
-    const unsigned int j = (axis + 2) % 3;
-    rotation(i, i) = std::cos(angle);
-    rotation(i, j) = -std::sin(angle);
-    rotation(j, i) = std::sin(angle);
-    rotation(j, j) = std::cos(angle);
-    return rotation;
-  };
-  return about(2, yaw) * about(0, roll) * about(1, pitch);
-}
 
 void
 FillContour(DentalContour * contour, const std::vector<DentalPhantomTracer::Polyline> & lines)
@@ -395,12 +374,12 @@ DentalPhantomCaseSource::GenerateData()
   }
 
   // The head turns about the ear rods; pitch about the teeth keeps them in the picture.
-  const RotationType rotation = HeadRotation(m_Acquisition.yaw, m_Acquisition.roll, m_Acquisition.pitch);
+  const RotationType rotation = DentalPhantomHeadRotation(m_Acquisition.yaw, m_Acquisition.roll, m_Acquisition.pitch);
   VectorType         place;
   place[0] = m_Acquisition.anterior;
   place[1] = 0.0;
   place[2] = -m_Acquisition.down;
-  place = HeadRotation(m_Acquisition.yaw, m_Acquisition.roll, 0.0) * place;
+  place = DentalPhantomHeadRotation(m_Acquisition.yaw, m_Acquisition.roll, 0.0) * place;
 
   const auto setMachine = [&](GeometryType * geometry, double source, double detector) {
     geometry->SetSourceToMidsagittalDistance(source);
@@ -628,194 +607,19 @@ DentalPhantomCaseSource::GenerateData()
   m_FrontalView = nullptr;
   if (m_Level.frontalView)
   {
-    this->MakeFrontalView(model, rotation, place - rotation * middleVector, frames, threads);
+    const DentalLandmarkSet<3> * landmarks[2] = { this->GetLandmarks3D(0), this->GetLandmarks3D(1) };
+    m_FrontalView = DentalPhantomFrontalView::Make(model,
+                                                   m_Level,
+                                                   m_Acquisition,
+                                                   m_Seed,
+                                                   rotation,
+                                                   place - rotation * middleVector,
+                                                   frames,
+                                                   landmarks,
+                                                   m_ImageSize,
+                                                   m_MakeRadiograph,
+                                                   threads);
   }
-}
-
-void
-DentalPhantomCaseSource::MakeFrontalView(const DentalPhantomModel &         model,
-                                         const GeometryType::RotationType & headRotation,
-                                         const GeometryType::VectorType &   headTranslation,
-                                         const ParametersType::RigidMotion  frames[2],
-                                         unsigned int                       threads)
-{
-  auto               view = std::make_shared<FrontalView>();
-  ReproducibleRandom turn(m_Seed, FrontalHeadStream);
-  ReproducibleRandom machine(m_Seed, FrontalMachineStream);
-  ReproducibleRandom hand(m_Seed, FrontalHandStream);
-
-  // The head: as in the lateral view, or turned a little in the same ear rods.
-  const double pitch = m_Level.frontalPitchDegrees * Degree * turn.Normal();
-  const double roll = m_Level.frontalTurnDegrees * Degree * turn.Normal();
-  const double yaw = m_Level.frontalTurnDegrees * Degree * turn.Normal();
-  VectorType   shift;
-  for (unsigned int d = 0; d < 3; ++d)
-  {
-    shift[d] = m_Level.frontalShift * turn.Normal();
-  }
-  view->sameHeadPosition = m_Level.sameHeadPosition;
-  RotationType rotation = headRotation;
-  VectorType   translation = headTranslation;
-  if (!view->sameHeadPosition)
-  {
-    const RotationType more = HeadRotation(yaw, roll, pitch);
-    rotation = more * rotation;
-    translation = more * translation + shift;
-  }
-
-  const double distance = m_Acquisition.trueSourceToMidsagittal;
-  const double gap = std::nearbyint(100.0 * machine.Uniform(110.0, 190.0)) / 100.0;
-  view->spacing.Fill(std::nearbyint(1e4 * machine.Uniform(0.24, 0.26)) / 1e4);
-  // The ear rods stand in the picture's middle.
-  view->principalPoint[0] =
-    std::nearbyint(100.0 * static_cast<double>(m_ImageSize[0]) * machine.Uniform(0.48, 0.52)) / 100.0;
-  view->principalPoint[1] =
-    std::nearbyint(100.0 * static_cast<double>(m_ImageSize[1]) * machine.Uniform(0.43, 0.47)) / 100.0;
-  view->sourceToMidcoronal = m_Acquisition.givenSourceToMidsagittal;
-  view->sourceToDetector = m_Level.knownMachine ? distance + gap : 1674.0;
-
-  // depth = S + x, u = pp + m y / sp, v = pp - m z / sp, m = D / depth (the source behind the patient).
-  const auto project = [&](const RotationType & r, const VectorType & t) {
-    PerspectiveProjection projection;
-    const double          k = (distance + gap) / view->spacing[0];
-    for (unsigned int column = 0; column < 4; ++column)
-    {
-      const double x = column < 3 ? r(0, column) : t[0];
-      const double y = column < 3 ? r(1, column) : t[1];
-      const double z = column < 3 ? r(2, column) : t[2];
-      const double depth = x + (column == 3 ? distance : 0.0);
-      projection.matrix[column] = k * y + view->principalPoint[0] * depth;
-      projection.matrix[4 + column] = -k * z + view->principalPoint[1] * depth;
-      projection.matrix[8 + column] = depth;
-    }
-    // The source in the object's frame: R^T (s - t), s = (-S, 0, 0).
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      projection.source[column] = r(0, column) * (-distance - t[0]) - r(1, column) * t[1] - r(2, column) * t[2];
-    }
-    return projection;
-  };
-  const PerspectiveProjection anatomical = project(rotation, translation);
-  view->landmarks = Landmarks2DType::New();
-  view->trueLandmarks = Landmarks2DType::New();
-  const double error = m_Level.frontalNoise / view->spacing[0];
-  for (unsigned int jaw = 0; jaw < 2; ++jaw)
-  {
-    RotationType frame;
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      for (unsigned int column = 0; column < 3; ++column)
-      {
-        frame(row, column) = frames[jaw].rotation[3 * row + column];
-      }
-    }
-    const RotationType toHead = rotation * RotationType(frame.GetTranspose());
-    view->projections[jaw] = project(toHead, translation - toHead * VectorType(frames[jaw].translation.data()));
-    for (const auto & landmark : this->GetLandmarks3D(jaw)->GetLandmarks())
-    {
-      Landmarks2DType::PointType pixel;
-      view->projections[jaw].Project(landmark.point.GetDataPointer(), pixel[0], pixel[1]);
-      view->trueLandmarks->AddLandmark(landmark.name, pixel);
-      // What a reader marks from the front: central incisors, canines, first molars.
-      const unsigned int position = landmark.tooth.GetPosition();
-      const bool         mesial = landmark.name.find("DB") == std::string::npos;
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        pixel[d] = std::nearbyint(1e3 * (pixel[d] + error * hand.Normal())) / 1e3;
-      }
-      if (mesial && (position == 1 || position == 3 || position == 6))
-      {
-        view->landmarks->AddLandmark(landmark.name, pixel);
-      }
-    }
-    // The outer outline: incisal edges of incisors and canines, buccal contours of first molars.
-    view->tracings[jaw] = DentalContour::New();
-    for (const unsigned int position : { 0u, 1u, 2u, 5u })
-    {
-      for (const bool left : { false, true })
-      {
-        const unsigned int tooth = DentalPhantomJaw::GetIndex(left, position);
-        const auto         crown = DentalPhantomOutline::Resample(
-          DentalPhantomOutline::Trace(model, jaw, tooth, anatomical, false, 0.8, threads), 120);
-        if (crown.empty())
-        {
-          continue;
-        }
-        // The part whose outward normal looks occlusally (laterally for molars): the longest run.
-        double area = 0.0;
-        for (std::size_t i = 0; i < crown.size(); ++i)
-        {
-          const auto & a = crown[i];
-          const auto & b = crown[(i + 1) % crown.size()];
-          area += a[0] * b[1] - b[0] * a[1];
-        }
-        std::vector<bool> looks;
-        for (std::size_t i = 0; i < crown.size(); ++i)
-        {
-          const auto & a = crown[(i + crown.size() - 2) % crown.size()];
-          const auto & b = crown[(i + 2) % crown.size()];
-          const double turned = area > 0.0 ? 1.0 : -1.0;
-          const double l = std::max(std::hypot(b[0] - a[0], b[1] - a[1]), 1e-9);
-          const double normal[2] = { turned * (b[1] - a[1]) / l, -turned * (b[0] - a[0]) / l };
-          looks.push_back(position < 3 ? (jaw == 0 ? normal[1] : -normal[1]) > 0.5
-                                       : (left ? normal[0] : -normal[0]) > 0.5);
-        }
-        std::size_t best = 0;
-        std::size_t length = 0;
-        for (std::size_t i = 0; i < crown.size(); ++i)
-        {
-          std::size_t n = 0;
-          while (n < crown.size() && looks[(i + n) % crown.size()])
-          {
-            ++n;
-          }
-          if (n > length)
-          {
-            best = i;
-            length = n;
-          }
-        }
-        std::vector<DentalPhantomTracer::Polyline> lines(1);
-        for (std::size_t n = 0; n < length; ++n)
-        {
-          lines[0].points.push_back(crown[(best + n) % crown.size()]);
-        }
-        if (length < 4)
-        {
-          continue;
-        }
-        lines[0].fdi = DentalPhantomDentition::ToothFDI(jaw, tooth);
-        DentalPhantomTracer::Noise noise;
-        noise.correlated = m_Level.correlatedNoise;
-        noise.white = m_Level.whiteNoise;
-        DentalPhantomTracer::AddNoise(lines, noise, m_Seed, 600 + lines[0].fdi);
-        std::vector<DentalContour::PointType> points;
-        for (const auto & p : lines[0].points)
-        {
-          points.emplace_back(p.data());
-        }
-        view->tracings[jaw]->AddPolyline(points, ToothCode(lines[0].fdi));
-      }
-    }
-  }
-  if (m_MakeRadiograph)
-  {
-    DentalPhantomFilm film;
-    film.view = DentalPhantomFilm::ViewEnum::Frontal;
-    film.projection = anatomical;
-    film.earRod = { { view->principalPoint[0], view->principalPoint[1] } };
-    film.pixelSize = view->spacing[0] * distance / (distance + gap);
-    film.size = { { static_cast<unsigned int>(m_ImageSize[0]), static_cast<unsigned int>(m_ImageSize[1]) } };
-    film.seed = m_Seed ^ 0x5bd1e995u;
-    film.noise = m_Level.radiographNoise;
-    film.blur = m_Level.radiographBlur;
-    const auto grey = film.Render(model, threads);
-    view->image = ImageType::New();
-    view->image->SetRegions(m_ImageSize);
-    view->image->Allocate();
-    std::copy(grey.begin(), grey.end(), view->image->GetBufferPointer());
-  }
-  m_FrontalView = view;
 }
 
 void
