@@ -93,3 +93,35 @@ def test_links_of_the_documentation_lead_somewhere():
         for target in re.findall(r"\]\(([^)#\s]+)", page.read_text()):
             if "://" not in target:
                 assert (page.parent / target).exists(), (page.name, target)
+
+
+def test_phantoms_page_has_every_parameter_with_its_default():
+    """The table of Phantom.md against that of the code."""
+    source = (ROOT / "Modules/Simulation/DentalPhantom/src/itkDentalPhantomLevel.cxx").read_text()
+    header = (ROOT / "Modules/Simulation/DentalPhantom/include/itkDentalPhantomLevel.h").read_text()
+    defaults = dict(re.findall(r"^  (?:double|bool|unsigned int|std::string)\s+(\w+)\{ (.*?) \};", header, re.M))
+    table = source.split("DentalPhantomLevel::GetEntries() ->")[1].split("return entries")[0]
+    sections = "head|machine|arch|traits|scan|tracing|landmarks|frontal|radiograph"
+    rows = re.findall(rf'\{{\s*"({sections})",\s*"(\w+)",\s*"[^{{]*?&L::(\w+),', table)
+    assert len(rows) > 70
+    page = (ROOT / "Documentation/Phantom.md").read_text()
+    for section, key, member in rows:
+        found = re.search(rf"^\| `{section}\.{key}` \| (.*?) \|", page, re.M)
+        assert found, f"{section}.{key}"
+        default = defaults[member].strip('"')
+        if default in ("true", "false") or not re.fullmatch(r"[-\d.e]+", default):
+            assert found.group(1) == default, key
+        else:
+            assert float(found.group(1)) == float(default), key
+
+
+def test_phantoms_page_shows_every_trait():
+    source = (ROOT / "Modules/Simulation/DentalPhantom/src/itkDentalPhantomTraits.cxx").read_text()
+    traits = set(re.findall(r'Note\(\{ "(\w+)"', source)) | set(re.findall(r'trait\{ "(\w+)"', source))
+    traits |= set(re.findall(r'\{ "(\w+)", scan\.', source))
+    assert len(traits) >= 15
+    rows = (ROOT / "Documentation/Phantom.md").read_text().split("## Traits")[1].split("\n## ")[0]
+    for trait in traits:
+        row = re.search(rf"^\|[^|]*`{trait}`[^|]*\| !\[\]\((.*?)\)", rows, re.M)
+        assert row, trait
+        assert (ROOT / "Documentation" / row.group(1)).is_file(), trait

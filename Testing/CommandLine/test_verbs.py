@@ -1,5 +1,6 @@
 """The verbs beside register, on files that they can use."""
 import json
+import math
 import struct
 import zlib
 
@@ -189,3 +190,89 @@ def test_every_traced_side(run, tmp_path, side):
     for jaw in json.loads((tmp_path / "out" / "result.json").read_text())["jaws"].values():
         # Twice the limit of method.md for the worst case of a bisected tracing: a coarse mesh.
         assert jaw["error"]["mean_px"] < 2.6
+
+
+def test_real_phantom_registers_and_tells_its_traits(run, tmp_path):
+    parameters = tmp_path / "mine.json"
+    parameters.write_text('{"level": "real", "traits": {"open_bite_probability": 1}, "scan": {"frame": "shared"}}')
+    done = run("phantom", "--parameters", parameters, "--seed", 2, "--no-radiograph", "--output", tmp_path / "case")
+    assert done.returncode == 0, done.stderr
+    truth = json.loads((tmp_path / "case" / "truth.json").read_text())
+    assert truth["cohort"] == "real"
+    assert "open_bite" in [trait["name"] for trait in truth["traits"]]
+    assert truth["parameters"]["traits"]["open_bite_probability"] == 1
+    done = run("register", tmp_path / "case" / "case.json", "--output", tmp_path / "out")
+    # The reader takes it; how well it registers is a matter of studies.
+    assert done.returncode in (0, 1), done.stderr
+    assert set(json.loads((tmp_path / "out" / "result.json").read_text())["jaws"]) == {"upper", "lower"}
+
+
+def test_parameters_of_a_phantom_are_printed_and_read_back(run, tmp_path):
+    shown = run("phantom", "--level", "practice", "--show-parameters")
+    assert shown.returncode == 0, shown.stderr
+    (tmp_path / "practice.json").write_text(shown.stdout)
+    again = run("phantom", "--parameters", tmp_path / "practice.json", "--show-parameters")
+    assert again.stdout == shown.stdout
+
+
+@pytest.mark.parametrize(
+    "text, words",
+    [
+        ('{"traits": {"open_bite": 1}}', ["traits.open_bite", "open_bite_probability"]),
+        ('{"scan": {"triangles": 5}}', ["scan.triangles"]),
+        ('{"tracing": {"side": "up"}}', ["tracing.side", "standard"]),
+        ('{"level": "awful"}', ["level", "practice"]),
+        ('{"traits": ', ["line 1"]),
+    ],
+)
+def test_wrong_parameters_of_a_phantom_are_named(run, tmp_path, text, words):
+    (tmp_path / "mine.json").write_text(text)
+    done = run("phantom", "--parameters", tmp_path / "mine.json", "--output", tmp_path / "case")
+    assert done.returncode == 2
+    assert "mine.json" in done.stderr
+    for word in words:
+        assert word in done.stderr
+    assert not (tmp_path / "case").exists()
+
+
+def test_practice_phantom_has_outlines_landmarks_and_a_frontal_view(run, tmp_path):
+    parameters = tmp_path / "mine.json"
+    parameters.write_text(
+        '{"level": "practice", "frontal": {"given": true}, "tracing": {"confidence": "informative"},'
+        ' "landmarks": {"form": "sigma", "apices": true}}'
+    )
+    done = run("phantom", "--parameters", parameters, "--seed", 8, "--no-radiograph", "--output", tmp_path / "case")
+    assert done.returncode == 0, done.stderr
+    files = {path.name: json.loads(path.read_text()) for path in (tmp_path / "case").glob("*.json")}
+    case = files["case.json"]
+    assert case["traced_side"] == "standard"
+    outlines = files[case["contours"]]["contours"]
+    assert [outline["code"] for outline in outlines["upper"] + outlines["lower"]] == ["UR1", "UR6", "LR1", "LR6"]
+    for outline in outlines["upper"] + outlines["lower"]:
+        assert outline["closed"] and outline["outline"] == "tooth" and outline["sigma_px"] > 0
+    landmarks = files[case["cephalometric_landmarks"]]
+    assert set(landmarks) == {"U1_tip", "U1A", "U6_MB", "L1_tip", "L1A", "L6_MB"}
+    for name, landmark in landmarks.items():
+        # 0.45 and 0.6 mm at 0.25 mm a pixel, a spread of lognormal 0.4; one in a hundred is grossly off.
+        exact = files["truth.json"]["cephalometric_landmarks"][name]
+        if not exact["gross"]:
+            error = math.dist(landmark["position"], exact["exact"])
+            assert error < 5 * exact["sigma_px"] + 3
+    assert "contours" not in files["case-landmarks.json"]
+    assert "cephalometric_landmarks" not in files["case-outlines.json"]
+    view = case["views"][0]
+    assert view["direction"] == "frontal" and view["cephalogram"]["patient_left"] == "right"
+    matrices = files["truth.json"]["views"]["frontal"]["projection_3x4"]
+    for name, (u, v) in files[view["cephalometric_landmarks"]].items():
+        point = files["landmarks3d.json"][name] + [1]
+        h = [sum(a * b for a, b in zip(row, point)) for row in matrices["upper" if name[0] == "U" else "lower"]]
+        # 0.5 mm an axis.
+        assert math.dist((h[0] / h[2], h[1] / h[2]), (u, v)) < 4 * 0.5 / 0.24 * 1.5
+
+
+def test_experiment_draws_the_phantoms_levels(run, tmp_path):
+    done = run(
+        "experiment", "--level", "practice", "--cases", 1, "--methods", "robust", "--no-figures", "--output", tmp_path
+    )
+    assert done.returncode == 0, done.stderr
+    assert "practice-0001" in (tmp_path / "cases.csv").read_text()

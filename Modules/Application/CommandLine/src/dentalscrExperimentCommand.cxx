@@ -24,6 +24,7 @@
 
 #include "dentalscrPlotScript.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -91,9 +92,9 @@ Experiment(const ExperimentOptions & options, const CommonOptions & common)
   auto experiment = ExperimentType::New();
   experiment->SetNumberOfCases(options.cases);
   experiment->SetSeed(options.seed);
-  experiment->SetLevel(options.level == "ideal"     ? ExperimentType::CohortEnum::Ideal
-                       : options.level == "typical" ? ExperimentType::CohortEnum::Typical
-                                                    : ExperimentType::CohortEnum::Hard);
+  const auto & names = itk::DentalPhantomLevel::GetNames();
+  experiment->SetLevel(
+    static_cast<ExperimentType::CohortEnum>(std::find(names.begin(), names.end(), options.level) - names.begin()));
   experiment->SetOutputDirectory(options.output);
   experiment->SetMethods(options.methods);
   experiment->SetCaseDirectory(options.from);
@@ -158,8 +159,8 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Of the first case; the same seed gives the same bits")
     ->capture_default_str();
-  auto * level = command->add_option("--level", options->level, "ideal, typical or hard")
-                   ->check(CLI::IsMember({ "ideal", "typical", "hard" }))
+  auto * level = command->add_option("--level", options->level, "of the phantom: typical, real, practice, ...")
+                   ->check(CLI::IsMember(itk::DentalPhantomLevel::GetNames()))
                    ->capture_default_str();
   command
     ->add_option("--methods",

@@ -37,10 +37,13 @@ struct PhantomOptions
 {
   std::string   output;
   std::string   level{ "typical" };
-  std::string   tracedSide{ "right" };
+  std::string   parameters;
+  bool          showParameters{ false };
+  unsigned int  preview{ 0 };
+  std::string   tracedSide;
   std::uint64_t seed{ 1 };
   unsigned int  count{ 1 };
-  unsigned int  triangles{ 60000 };
+  unsigned int  triangles{ 0 };
   bool          buccal{ false };
   bool          stoneBase{ false };
   bool          noRadiograph{ false };
@@ -48,19 +51,53 @@ struct PhantomOptions
   double        dropOut{ 0.0 };
   std::string   facing{ "right" };
   std::string   sourceSide{ "right" };
-  std::string   frame{ "shared" };
+  std::string   frame;
 };
+
+/** The level's table, a file on top of it, options on top of that. */
+itk::DentalPhantomLevel
+MakeLevel(const PhantomOptions & options)
+{
+  auto level = itk::DentalPhantomLevel::Named(options.level);
+  if (!options.parameters.empty())
+  {
+    level.ReadJson(options.parameters);
+  }
+  if (!options.tracedSide.empty())
+  {
+    level.tracedSide = options.tracedSide;
+  }
+  if (!options.frame.empty())
+  {
+    level.frame = options.frame;
+  }
+  if (options.triangles > 0)
+  {
+    level.numberOfTriangles = options.triangles;
+  }
+  return level;
+}
 
 int
 Phantom(const PhantomOptions & options, const CommonOptions & common)
 {
+  const auto level = MakeLevel(options);
+  if (options.showParameters)
+  {
+    std::cout << level.ToJson() << std::flush;
+    return AllRegistered;
+  }
+  if (options.output.empty())
+  {
+    itkDentalInputErrorMacro("--output", "", "missing", "name the folder of the case, or of the cases");
+  }
   for (unsigned int i = 0; i < options.count; ++i)
   {
     std::string folder = options.output;
     if (options.count > 1)
     {
       std::ostringstream name;
-      name << options.level << '-' << std::setw(4) << std::setfill('0') << options.seed + i;
+      name << level.name << '-' << std::setw(4) << std::setfill('0') << options.seed + i;
       folder = (std::filesystem::path(options.output) / name.str()).string();
     }
     if (std::filesystem::exists(folder) &&
@@ -70,14 +107,7 @@ Phantom(const PhantomOptions & options, const CommonOptions & common)
     }
     auto source = SourceType::New();
     source->SetSeed(options.seed + i);
-    source->SetCohort(options.level == "ideal"     ? SourceType::CohortEnum::Ideal
-                      : options.level == "typical" ? SourceType::CohortEnum::Typical
-                                                   : SourceType::CohortEnum::Hard);
-    source->SetTracedSide(options.tracedSide == "right"  ? SourceType::TracedSideEnum::Right
-                          : options.tracedSide == "left" ? SourceType::TracedSideEnum::Left
-                          : options.tracedSide == "mean" ? SourceType::TracedSideEnum::Mean
-                                                         : SourceType::TracedSideEnum::Both);
-    source->SetNumberOfTriangles(options.triangles);
+    source->SetLevel(level);
     source->SetBuccalOutline(options.buccal);
     source->SetStoneBase(options.stoneBase);
     source->SetMakeRadiograph(!options.noRadiograph);
@@ -87,8 +117,6 @@ Phantom(const PhantomOptions & options, const CommonOptions & common)
                                                : itk::CephalometricGeometry::FacingEnum::Right);
     source->SetSourceSide(options.sourceSide == "left" ? itk::CephalometricGeometry::SourceSideEnum::Left
                                                        : itk::CephalometricGeometry::SourceSideEnum::Right);
-    source->SetFrame(options.frame == "separate" ? SourceType::FrameEnum::SeparateScanner
-                                                 : SourceType::FrameEnum::SharedScanner);
     std::error_code error;
     std::filesystem::create_directories(std::filesystem::absolute(folder).parent_path(), error);
     if (error)
@@ -98,6 +126,7 @@ Phantom(const PhantomOptions & options, const CommonOptions & common)
     auto writer = itk::DentalPhantomCaseWriter::New();
     writer->SetCaseSource(source);
     writer->SetDirectoryName(folder);
+    writer->SetPreviewSize(options.preview);
     writer->Update();
     if (!common.quiet)
     {
@@ -113,21 +142,34 @@ AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction 
 {
   auto   options = std::make_shared<PhantomOptions>();
   auto * command = program.add_subcommand("phantom", "Makes simulated cases with a known answer");
-  command->add_option("-o,--output", options->output, "Folder of the case, or of the cases")->required();
-  command->add_option("--level", options->level, "ideal, typical or hard")
-    ->check(CLI::IsMember({ "ideal", "typical", "hard" }))
+  command->add_option("-o,--output", options->output, "Folder of the case, or of the cases");
+  command
+    ->add_option("--level",
+                 options->level,
+                 "How bad: ideal, typical, hard; real, real-hard (traits of real arches); standard, practice (whole "
+                 "teeth and landmarks, as a cephalometric analysis draws them)")
+    ->check(CLI::IsMember(itk::DentalPhantomLevel::GetNames()))
     ->capture_default_str();
-  command->add_option("--traced-side", options->tracedSide, "right, left, mean (bisected) or both")
-    ->check(CLI::IsMember({ "right", "left", "mean", "both" }))
-    ->capture_default_str();
+  command->add_option("--parameters", options->parameters, "JSON file with parameters on top of the level's")
+    ->check(CLI::ExistingFile);
+  command->add_flag(
+    "--show-parameters", options->showParameters, "Print every parameter as such a file and make nothing");
+  command
+    ->add_option("--traced-side",
+                 options->tracedSide,
+                 "right, left, mean (bisected), both or standard (whole teeth) instead of the level's")
+    ->check(CLI::IsMember({ "right", "left", "mean", "both", "standard" }));
+  command
+    ->add_option(
+      "--preview", options->preview, "Also preview.png, four shaded views of the jaws, each so many pixels wide")
+    ->check(CLI::Range(50u, 2000u));
   command->add_option("--seed", options->seed, "Of the first case; the same seed gives the same bits")
     ->capture_default_str();
   command->add_option("--count", options->count, "Number of cases, a folder each")
     ->check(CLI::Range(1u, 100000u))
     ->capture_default_str();
-  command->add_option("--triangles", options->triangles, "Of each scan")
-    ->check(CLI::Range(2000u, 4000000u))
-    ->capture_default_str();
+  command->add_option("--triangles", options->triangles, "Of each scan as made (60000)")
+    ->check(CLI::Range(2000u, 4000000u));
   command->add_flag("--buccal", options->buccal, "Trace the buccal cusps, inside the silhouette");
   command->add_flag("--stone-base", options->stoneBase, "Closed casts with bases instead of open shells");
   command->add_flag(
@@ -141,11 +183,18 @@ AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction 
   command->add_option("--facing", options->facing, "Where the face looks")->check(CLI::IsMember({ "right", "left" }));
   command->add_option("--source-side", options->sourceSide, "The patient's side at which the source is")
     ->check(CLI::IsMember({ "right", "left" }));
-  command->add_option("--frame", options->frame, "Scans in one frame or each in its own")
-    ->check(CLI::IsMember({ "shared", "separate" }));
+  command
+    ->add_option(
+      "--frame",
+      options->frame,
+      "Scans in one frame or each in its own: shared, separate, centred (both occlusal sides alike), upright, "
+      "anatomical, mixed (drawn)")
+    ->check(CLI::IsMember({ "shared", "separate", "centred", "upright", "anatomical", "mixed" }));
   command->footer("Examples:\n"
                   "  dentalscr phantom --level hard --seed 3 --output sample\n"
-                  "  dentalscr phantom --count 34 --output cohort\n");
+                  "  dentalscr phantom --count 34 --output cohort\n"
+                  "  dentalscr phantom --level practice --show-parameters > mine.json\n"
+                  "  dentalscr phantom --parameters mine.json --output sample\n");
   command->callback([options, &common, &run]() { run = [options, &common]() { return Phantom(*options, common); }; });
 }
 } // namespace dentalscr

@@ -243,6 +243,10 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
   source->SetTracedSide(mistake == MistakeEnum::OtherSideTraced || mistake == MistakeEnum::OtherSideTracedAndCoded
                           ? ExperimentVariation::TracedSideEnum::Left
                           : variation.tracedSide);
+  if (source->GetLevel().tracedSide == "standard" && mistake == MistakeEnum::None)
+  {
+    source->SetTracedSide(ExperimentVariation::TracedSideEnum::Standard);
+  }
   source->SetBuccalOutline(variation.buccalOutline);
   source->SetToothBias(variation.toothBias);
   if (variation.facesLeft)
@@ -269,10 +273,7 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
 
   ExperimentCase     experimentCase;
   std::ostringstream id;
-  id << (cohort == DentalPhantomCaseSource::CohortEnum::Ideal     ? "ideal"
-         : cohort == DentalPhantomCaseSource::CohortEnum::Typical ? "typical"
-                                                                  : "hard")
-     << '-' << std::setw(4) << std::setfill('0') << seed;
+  id << DentalPhantomAcquisition::GetName(cohort) << '-' << std::setw(4) << std::setfill('0') << seed;
   experimentCase.id = id.str();
   experimentCase.seed = seed;
 
@@ -299,7 +300,10 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
   data->sources.principalPoint = ValueSourceEnum::Given;
   data->spacingVerdict = "UserGiven";
   data->spacingProvenance = "simulated";
-  data->description.tracedSide = ToDescription(variation.tracedSide);
+  // A standard tracing's molars stand in the middle of the two sides, which a bisected tracing's do, too.
+  data->description.tracedSide = ToDescription(source->GetTracedSide() == ExperimentVariation::TracedSideEnum::Standard
+                                                 ? ExperimentVariation::TracedSideEnum::Mean
+                                                 : variation.tracedSide);
   data->landmarks3D = DentalLandmarkSet<3>::New();
   auto marked = DentalLandmarkSet<2>::New();
   for (unsigned int jaw = 0; jaw < 2; ++jaw)

@@ -32,9 +32,7 @@ namespace itk
 const char *
 NameOf(DentalPhantomCaseSource::CohortEnum level)
 {
-  return level == DentalPhantomCaseSource::CohortEnum::Ideal     ? "ideal"
-         : level == DentalPhantomCaseSource::CohortEnum::Typical ? "typical"
-                                                                 : "hard";
+  return DentalPhantomAcquisition::GetName(level).c_str();
 }
 
 std::string
