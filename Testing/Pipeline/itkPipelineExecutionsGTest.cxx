@@ -15,8 +15,9 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-// Executions of whole chains: each object once, nothing on a second Update(), after a change what lies downstream of it.
-// The chains are those of Documentation/Pipeline.md: the objects of preset paper and of preset robust, from files on.
+// Executions of whole chains: each object once, nothing on a second Update(), after a change what lies downstream of
+// it. The chains are those of Documentation/Pipeline.md: the objects of preset paper and of preset robust, from files
+// on.
 #include "itkCephalogramFileReader.h"
 #include "itkContourDistanceFilter.h"
 #include "itkContourMaskFilter.h"
@@ -145,10 +146,9 @@ protected:
   itk::SilhouetteContourFilter<ImageType>::Pointer    m_Silhouette{ Make<itk::SilhouetteContourFilter<ImageType>>(
     "silhouette") };
   itk::ContourResampleFilter::Pointer                 m_Resample{ Make<itk::ContourResampleFilter>("resample") };
-  itk::SilhouetteToContourRegistrationMethod::Pointer m_Registration{
-    Make<itk::SilhouetteToContourRegistrationMethod>("registration")
-  };
-  itk::ContourDistanceFilter::Pointer m_Distances{ Make<itk::ContourDistanceFilter>("distances") };
+  itk::SilhouetteToContourRegistrationMethod::Pointer m_Registration{ Make<itk::SilhouetteToContourRegistrationMethod>(
+    "registration") };
+  itk::ContourDistanceFilter::Pointer                 m_Distances{ Make<itk::ContourDistanceFilter>("distances") };
 };
 
 /** Preset robust's: pose, verdict, landmarks, outline where it lies, picture. */
@@ -216,20 +216,20 @@ protected:
     return { m_Picture, m_Verdict, m_Errors, m_Similarity };
   }
 
-  itk::CephalogramFileReader::Pointer          m_Radiograph{ Make<itk::CephalogramFileReader>("radiograph") };
-  itk::DentalLandmarkFileReader<3>::Pointer    m_Scan3D{ Make<itk::DentalLandmarkFileReader<3>>("landmarks") };
-  itk::DentalLandmarkFileReader<2>::Pointer    m_Marked{ Make<itk::DentalLandmarkFileReader<2>>("marked") };
-  MethodType::Pointer                          m_Method{ Make<MethodType>("registration") };
-  itk::RegistrationVerdictFilter::Pointer      m_Verdict{ Make<itk::RegistrationVerdictFilter>("verdict") };
-  itk::LandmarkProjectionFilter::Pointer       m_Projection{ Make<itk::LandmarkProjectionFilter>("projection") };
-  itk::LandmarkErrorFilter::Pointer            m_Errors{ Make<itk::LandmarkErrorFilter>("errors") };
-  itk::ProjectionSimilarityFilter::Pointer     m_Similarity{ Make<itk::ProjectionSimilarityFilter>("similarity") };
+  itk::CephalogramFileReader::Pointer           m_Radiograph{ Make<itk::CephalogramFileReader>("radiograph") };
+  itk::DentalLandmarkFileReader<3>::Pointer     m_Scan3D{ Make<itk::DentalLandmarkFileReader<3>>("landmarks") };
+  itk::DentalLandmarkFileReader<2>::Pointer     m_Marked{ Make<itk::DentalLandmarkFileReader<2>>("marked") };
+  MethodType::Pointer                           m_Method{ Make<MethodType>("registration") };
+  itk::RegistrationVerdictFilter::Pointer       m_Verdict{ Make<itk::RegistrationVerdictFilter>("verdict") };
+  itk::LandmarkProjectionFilter::Pointer        m_Projection{ Make<itk::LandmarkProjectionFilter>("projection") };
+  itk::LandmarkErrorFilter::Pointer             m_Errors{ Make<itk::LandmarkErrorFilter>("errors") };
+  itk::ProjectionSimilarityFilter::Pointer      m_Similarity{ Make<itk::ProjectionSimilarityFilter>("similarity") };
   itk::MidlineSideMeshFilter<MeshType>::Pointer m_Half{ Make<itk::MidlineSideMeshFilter<MeshType>>("half") };
-  OutlineType::Pointer                         m_Outline{ Make<OutlineType>("outline") };
+  OutlineType::Pointer                          m_Outline{ Make<OutlineType>("outline") };
   itk::MeshSilhouetteContourSource<MeshType>::Pointer m_Whole{ Make<itk::MeshSilhouetteContourSource<MeshType>>(
     "whole") };
-  itk::MatchedContourFilter::Pointer      m_Matched{ Make<itk::MatchedContourFilter>("matched") };
-  itk::RegistrationOverlayFilter::Pointer m_Overlay{ Make<itk::RegistrationOverlayFilter>("overlay") };
+  itk::MatchedContourFilter::Pointer                  m_Matched{ Make<itk::MatchedContourFilter>("matched") };
+  itk::RegistrationOverlayFilter::Pointer             m_Overlay{ Make<itk::RegistrationOverlayFilter>("overlay") };
   itk::StreamingImageFilter<PictureType, PictureType>::Pointer m_Picture{
     Make<itk::StreamingImageFilter<PictureType, PictureType>>("picture")
   };
@@ -282,7 +282,7 @@ TEST_F(PaperPipeline, OneUpdateRunsAllOnceASecondNothingAndAChangeWhatLiesBelow)
 {
   Executions  executions({ m_Distances });
   const auto  update = [this]() { m_Distances->Update(); };
-  const Names all{ "axis",  "crowns", "distances",    "drr",        "lower",
+  const Names all{ "axis",         "crowns",   "distances",  "drr",     "lower",
                    "registration", "resample", "silhouette", "tracing", "upper" };
   EXPECT_EQ(executions.GetNames(), all);
   EXPECT_EQ(executions.During(update), all);
@@ -344,10 +344,10 @@ TEST_F(RobustPipeline, ATransformThatIsAskedForFirstDoesNotCostTheMeshesAnExecut
   EXPECT_EQ(executions.During([this]() { m_Axis->GetLowerTransformOutput()->Update(); }),
             (Names{ "axis", "lower", "upper" }));
   EXPECT_EQ(executions.During([this]() {
-              m_Axis->GetUpperOutput()->Update();
-              m_Axis->GetLowerOutput()->Update();
-              m_Axis->GetJointTransformOutput()->Update();
-            }),
+    m_Axis->GetUpperOutput()->Update();
+    m_Axis->GetLowerOutput()->Update();
+    m_Axis->GetJointTransformOutput()->Update();
+  }),
             Names{});
 
   const auto phantom = itk::DentalPhantomMeshSource<MeshType>::New();
@@ -355,20 +355,19 @@ TEST_F(RobustPipeline, ATransformThatIsAskedForFirstDoesNotCostTheMeshesAnExecut
   EXPECT_EQ(ofPhantom.During([&phantom]() { phantom->GetUpperLandmarks()->Update(); }),
             (Names{ "DentalPhantomMeshSource" }));
   EXPECT_EQ(ofPhantom.During([&phantom]() {
-              phantom->GetUpperOutput()->Update();
-              phantom->GetLowerOutput()->Update();
-            }),
+    phantom->GetUpperOutput()->Update();
+    phantom->GetLowerOutput()->Update();
+  }),
             Names{});
   const auto source = itk::DentalPhantomCaseSource::New();
   source->SetNumberOfTriangles(8000);
   source->MakeRadiographOff();
   Executions ofCase({ source });
-  EXPECT_EQ(ofCase.During([&source]() { source->GetTrueGeometry(0)->Update(); }),
-            (Names{ "DentalPhantomCaseSource" }));
+  EXPECT_EQ(ofCase.During([&source]() { source->GetTrueGeometry(0)->Update(); }), (Names{ "DentalPhantomCaseSource" }));
   EXPECT_EQ(ofCase.During([&source]() {
-              source->GetMesh(1)->Update();
-              source->GetTracing(0)->Update();
-              source->GetLandmarks3D(1)->Update();
-            }),
+    source->GetMesh(1)->Update();
+    source->GetTracing(0)->Update();
+    source->GetLandmarks3D(1)->Update();
+  }),
             Names{});
 }

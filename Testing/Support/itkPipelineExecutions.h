@@ -97,8 +97,7 @@ private:
     {
       itkGenericExceptionMacro("Two objects are called " << name << "; call SetObjectName().");
     }
-    m_Tags[process] =
-      process->AddObserver(StartEvent(), [this, name](const EventObject &) { ++m_Counts[name]; });
+    m_Tags[process] = process->AddObserver(StartEvent(), [this, name](const EventObject &) { ++m_Counts[name]; });
     for (const DataObject::Pointer & input : process->GetInputs())
     {
       if (input.IsNotNull() && input->GetSource() != nullptr)

@@ -45,8 +45,8 @@ main(int argc, char * argv[])
     {
       mesh->SetPoint(i, MeshType::PointType(corners[i]));
     }
-    MeshType::CellAutoPointer             cell;
-    const MeshType::PointIdentifier       ids[3] = { 0, 1, 2 };
+    MeshType::CellAutoPointer       cell;
+    const MeshType::PointIdentifier ids[3] = { 0, 1, 2 };
     cell.TakeOwnership(new itk::TriangleCell<MeshType::CellType>);
     cell->SetPointIds(ids);
     mesh->SetCell(0, cell);

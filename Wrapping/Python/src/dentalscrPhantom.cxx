@@ -32,7 +32,6 @@ using SourceType = itk::DentalPhantomCaseSource;
 using MeshSourceType = itk::DentalPhantomMeshSource<MeshType>;
 using ParametersType = itk::DentalPhantomParameters;
 using CohortEnum = SourceType::CohortEnum;
-using SideEnum = SourceType::TracedSideEnum;
 using FrameEnum = SourceType::FrameEnum;
 using FamilyEnum = ParametersType::ArchFamilyEnum;
 using GeometryType = itk::CephalometricGeometry;
@@ -128,13 +127,6 @@ WrapPhantom(py::module_ & module)
     "PhantomCohort",
     { { "Ideal", CohortEnum::Ideal }, { "Typical", CohortEnum::Typical }, { "Hard", CohortEnum::Hard } },
     "How well a simulated case is taken and traced.");
-  BindEnum<SideEnum>(module,
-                     "PhantomTracedSide",
-                     { { "Right", SideEnum::Right },
-                       { "Left", SideEnum::Left },
-                       { "Mean", SideEnum::Mean },
-                       { "Both", SideEnum::Both } },
-                     "What a simulated tracing follows.");
   BindEnum<FrameEnum>(module,
                       "PhantomFrame",
                       { { "Anatomical", FrameEnum::Anatomical },

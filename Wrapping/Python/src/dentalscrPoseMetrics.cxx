@@ -366,14 +366,15 @@ A metric that was not told takes it from the first place that is evaluated: call
 void
 WrapTerms(py::module_ & module)
 {
-  using SideEnum = itk::PoseTracedSideEnum;
+  using SideEnum = itk::TracedSideEnum;
   BindEnum<SideEnum>(module,
                      "TracedSide",
                      { { "Right", SideEnum::Right },
                        { "Left", SideEnum::Left },
                        { "Mean", SideEnum::Mean },
-                       { "Both", SideEnum::Both } },
-                     "Which side's outline was traced.");
+                       { "Both", SideEnum::Both },
+                       { "Standard", SideEnum::Standard } },
+                     "Which side's outline was traced, or is to be; registrations refuse Standard.");
   using PythonType = PythonLeastSquaresMetric;
   py::class_<PythonType, MetricBaseType, itk::SmartPointer<PythonType>>(
     module, "_LeastSquaresMetric", py::custom_type_setup(&PythonType::SetupType))

@@ -125,7 +125,9 @@ template <typename TField>
 void
 VisitFields(itk::PoseJawResult & jaw, TField && field)
 {
-  field(jaw.upper);
+  bool isUpper = jaw.jaw == itk::ToothCode::JawEnum::Upper;
+  field(isUpper);
+  jaw.jaw = isUpper ? itk::ToothCode::JawEnum::Upper : itk::ToothCode::JawEnum::Lower;
   field(jaw.registered);
   VisitFields(jaw.frame, field);
   field(jaw.failure);
@@ -219,7 +221,7 @@ VisitFields(OptionsType & options, TField && field)
 {
   int side = static_cast<int>(options.tracedSide);
   field(side);
-  options.tracedSide = static_cast<itk::PoseTracedSideEnum>(side);
+  options.tracedSide = static_cast<itk::TracedSideEnum>(side);
   field(options.fixScale);
   field(options.fixRotation);
   field(options.fixTranslation);
@@ -414,10 +416,11 @@ WrapSolution(py::module_ & module)
   using OutcomeType = itk::PoseHypothesisOutcome;
   py::class_<OutcomeType>(module, "PoseHypothesisOutcome", "What came of another reading of the same input.")
     .def_readonly("score", &OutcomeType::score, "Of its best candidate; 1 where there is none.")
-    .def_readonly("deviance",
-                  &OutcomeType::deviance,
-                  "Minus twice the log likelihood under it minus that of the result: clearly negative where it explains "
-                  "the evidence better. 0 where it was not asked for.")
+    .def_readonly(
+      "deviance",
+      &OutcomeType::deviance,
+      "Minus twice the log likelihood under it minus that of the result: clearly negative where it explains "
+      "the evidence better. 0 where it was not asked for.")
     .def("__repr__", [](const OutcomeType & self) {
       return "<dentalscr.PoseHypothesisOutcome score " + std::to_string(self.score) + ", deviance " +
              std::to_string(self.deviance) + '>';
@@ -584,7 +587,8 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       "GetOutcomes",
       [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).outcomes; },
       py::arg("jaw"),
-      "{code: PoseHypothesisOutcome} of the hypotheses that were tried beside the result: other-side, and where the fit "
+      "{code: PoseHypothesisOutcome} of the hypotheses that were tried beside the result: other-side, and where the "
+      "fit "
       "is poor facing and jaws-exchanged.")
     .def(
       "GetNoiseLevels",
@@ -631,7 +635,8 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       std::string text = "<dentalscr.PoseSolution";
       for (const auto & jaw : self.GetResult().jaws)
       {
-        text += std::string(jaw.upper ? " upper " : " lower ") + (jaw.registered ? "registered" : "not registered");
+        text += std::string(jaw.jaw == itk::ToothCode::JawEnum::Upper ? " upper " : " lower ") +
+                (jaw.registered ? "registered" : "not registered");
       }
       return text + '>';
     });
@@ -943,11 +948,11 @@ WrapSimilarityChain(py::module_ & module)
     .def("_SetGeometry", &SpacingType::SetGeometry, py::arg("geometry"))
     .def(
       "_SetJaw",
-      [](SpacingType &             self,
-         JawEnum                   jaw,
-         const MeshType *          mesh,
+      [](SpacingType &              self,
+         JawEnum                    jaw,
+         const MeshType *           mesh,
          const itk::DentalContour * contour,
-         const RigidType *         frame) { self.SetJaw(Checked(jaw), mesh, contour, ToFrame(frame)); },
+         const RigidType *          frame) { self.SetJaw(Checked(jaw), mesh, contour, ToFrame(frame)); },
       py::arg("jaw"),
       py::arg("mesh"),
       py::arg("contour"),
@@ -978,9 +983,8 @@ WrapSimilarityChain(py::module_ & module)
       "GetProjectionMatrix",
       [](SimilarityType & self) { return ToArray(self.GetProjectionMatrix()); },
       "(3, 4): mesh, in the unit of its file, to homogeneous pixel index.")
-    .def("_GetTransform", [](SimilarityType & self) {
-      return RigidType::Pointer(self.GetTransformOutput()->GetModifiable());
-    });
+    .def("_GetTransform",
+         [](SimilarityType & self) { return RigidType::Pointer(self.GetTransformOutput()->GetModifiable()); });
 
   using ContourType = itk::ContourTransformFilter;
   ProcessClass<ContourType>(module, "ContourTransformFilter", "A contour that a similarity has moved.")

@@ -20,6 +20,7 @@
 
 #include "itkCephalometricGeometry.h"
 #include "itkToothCode.h"
+#include "itkTracedSide.h"
 
 #include <array>
 #include <map>
@@ -29,16 +30,6 @@
 
 namespace itk
 {
-/** Which side's contours the tracing shows. */
-enum class TracedSideEnum : uint8_t
-{
-  Right,
-  Left,
-  /** Double contours bisected. */
-  Mean,
-  Both
-};
-
 /** Whether upper and lower mesh share one frame in occlusion. */
 enum class OcclusionEnum : uint8_t
 {

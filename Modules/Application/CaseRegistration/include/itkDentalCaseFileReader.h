@@ -39,8 +39,6 @@ ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase);
  * @{ */
 CaseRegistration_EXPORT double
 MillimetresPerUnitFromString(const std::string & unit);
-CaseRegistration_EXPORT TracedSideEnum
-TracedSideFromString(const std::string & text);
 CaseRegistration_EXPORT OcclusionEnum
 OcclusionFromString(const std::string & text);
 CaseRegistration_EXPORT CrownsEnum
@@ -50,8 +48,6 @@ CaseRegistration_EXPORT void
 FixParameter(DentalCase & dentalCase, const std::string & text);
 /** @} */
 
-CaseRegistration_EXPORT const char *
-ToString(TracedSideEnum side);
 CaseRegistration_EXPORT const char *
 ToString(OcclusionEnum occlusion);
 CaseRegistration_EXPORT const char *

@@ -62,22 +62,6 @@ FrameOf(AxisType * axis, JawEnum jaw)
   return jaw == JawEnum::Upper ? axis->GetUpperTransformOutput() : axis->GetLowerTransformOutput();
 }
 
-PoseTracedSideEnum
-ToPoseSide(TracedSideEnum side)
-{
-  switch (side)
-  {
-    case TracedSideEnum::Left:
-      return PoseTracedSideEnum::Left;
-    case TracedSideEnum::Mean:
-      return PoseTracedSideEnum::Mean;
-    case TracedSideEnum::Both:
-      return PoseTracedSideEnum::Both;
-    default:
-      return PoseTracedSideEnum::Right;
-  }
-}
-
 CaseStatusEnum
 ToCaseStatus(RegistrationVerdict::StatusEnum status)
 {
@@ -298,7 +282,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     }
   }
   PoseRegistrationOptions options = settings.options;
-  options.tracedSide = ToPoseSide(data.description.tracedSide);
+  options.tracedSide = data.description.tracedSide;
   options.fixScale = data.description.fixScale;
   options.fixRotation = data.description.fixRotation;
   options.fixTranslation = data.description.fixTranslation;

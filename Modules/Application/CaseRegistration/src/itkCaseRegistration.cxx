@@ -426,12 +426,7 @@ CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::
       entry.first == JawEnum::Upper ? m_NumberOfUpperContourPoints : m_NumberOfLowerContourPoints;
     try
     {
-      RegisterJawBySimilarity(*m_Data,
-                              entry.first,
-                              frameOf(entry.first),
-                              m_Result.geometry,
-                              settings,
-                              result);
+      RegisterJawBySimilarity(*m_Data, entry.first, frameOf(entry.first), m_Result.geometry, settings, result);
     }
     catch (const ProcessAborted &)
     {
@@ -454,8 +449,7 @@ CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::
     }
     if (havePrincipalPoint)
     {
-      result.meshToCephalostat =
-        ToRows(PlaceInCephalostat(frameOf(entry.first), result.similarity, m_Result.geometry));
+      result.meshToCephalostat = ToRows(PlaceInCephalostat(frameOf(entry.first), result.similarity, m_Result.geometry));
     }
     PredictLandmarks(*m_Data, entry.first, result);
     // The paper's recipe can fit the wrong place well (Documentation/Registration.md): it never vouches for itself.

@@ -284,20 +284,6 @@ MillimetresPerUnitFromString(const std::string & unit)
   throw std::invalid_argument("\"" + unit + "\" is no mesh unit (\"mm\", \"cm\", \"m\" or \"um\")");
 }
 
-TracedSideEnum
-TracedSideFromString(const std::string & text)
-{
-  for (const TracedSideEnum side :
-       { TracedSideEnum::Right, TracedSideEnum::Left, TracedSideEnum::Mean, TracedSideEnum::Both })
-  {
-    if (text == ToString(side))
-    {
-      return side;
-    }
-  }
-  throw std::invalid_argument("\"" + text + "\" is no traced side (\"right\", \"left\", \"mean\" or \"both\")");
-}
-
 CrownsEnum
 CrownsFromString(const std::string & text)
 {
@@ -357,22 +343,6 @@ ToString(CrownsEnum crowns)
       return "shape";
     default:
       return "off";
-  }
-}
-
-const char *
-ToString(TracedSideEnum side)
-{
-  switch (side)
-  {
-    case TracedSideEnum::Right:
-      return "right";
-    case TracedSideEnum::Left:
-      return "left";
-    case TracedSideEnum::Mean:
-      return "mean";
-    default:
-      return "both";
   }
 }
 

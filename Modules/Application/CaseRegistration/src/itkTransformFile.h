@@ -24,10 +24,10 @@
 
 namespace itk
 {
-/** Not installed. Writes a transform as an Insight legacy text file by ITK's own writer, which is in a library of its own
- * and loaded with the first file: it makes a factory for every transform that ITK has, some 35 000 symbols, of which the
- * program would otherwise look up every one before its main() begins. Throws what ITK throws, or an ExceptionObject where
- * the library is missing. */
+/** Not installed. Writes a transform as an Insight legacy text file by ITK's own writer, which is in a library of its
+ * own and loaded with the first file: it makes a factory for every transform that ITK has, some 35 000 symbols, of
+ * which the program would otherwise look up every one before its main() begins. Throws what ITK throws, or an
+ * ExceptionObject where the library is missing. */
 void
 WriteTransformFile(const TransformBaseTemplate<double> * transform, const std::string & fileName);
 } // namespace itk

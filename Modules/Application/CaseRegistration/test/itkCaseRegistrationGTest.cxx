@@ -365,7 +365,7 @@ TEST(CaseRegistration, WithoutAJointFrameNoJointPoseIsAskedFor)
 TEST(CaseRegistration, AnExchangedPartIsTheOptionThatStandsForIt)
 {
   const PhantomCase phantom(5, PhantomCase::SideEnum::Right, 8000);
-  const auto        run = [&](const std::string & option, const itk::CaseRegistration::PoseMethodCallbackType & exchange) {
+  const auto run = [&](const std::string & option, const itk::CaseRegistration::PoseMethodCallbackType & exchange) {
     auto registration = itk::CaseRegistration::New();
     registration->SetData(phantom.data);
     if (!option.empty())
@@ -386,9 +386,8 @@ TEST(CaseRegistration, AnExchangedPartIsTheOptionThatStandsForIt)
     }
   };
   const auto plain = run("", nullptr);
-  const auto squares = run("", [](itk::PoseRegistrationMethodBase & method) {
-    method.SetRobustKernel(itk::SquaresKernel::New());
-  });
+  const auto squares =
+    run("", [](itk::PoseRegistrationMethodBase & method) { method.SetRobustKernel(itk::SquaresKernel::New()); });
   expectSame(squares, run("useRobustKernel=off", nullptr));
   EXPECT_NE(squares.jaws.begin()->second.projection, plain.jaws.begin()->second.projection);
   const auto independent = run("", [](itk::PoseRegistrationMethodBase & method) {

@@ -48,12 +48,14 @@ MakeVariants()
     variants.push_back(variant);
   };
   add("robust", "robust, all of it", {});
-  const auto exchange =
-    [&](const char * name, const char * title, const char * exchanged, const decltype(ExperimentMethod::exchange) & by) {
-      add(name, title, {});
-      variants.back().exchanged = exchanged;
-      variants.back().exchange = by;
-    };
+  const auto exchange = [&](const char *                                 name,
+                            const char *                                 title,
+                            const char *                                 exchanged,
+                            const decltype(ExperimentMethod::exchange) & by) {
+    add(name, title, {});
+    variants.back().exchanged = exchanged;
+    variants.back().exchange = by;
+  };
   add("no-midline-refinement", "midline plane of the UMDA alone", { "refineMidline=off" });
   add("no-side-selection", "outline of the whole scan", { "useSideSelection=off" });
   add("no-facing-filter", "whole outline of the side, not the occlusal part", { "useFacingFilter=off" });
@@ -173,14 +175,14 @@ public:
       markdown.AddRow(cells);
     }
     std::ostringstream text;
-    text
-      << "# Ablation of preset robust\n\n"
-      << this->GetCohort().Describe()
-      << ", each at the levels typical and hard. One ingredient at a time is taken away (in ablation.csv the part "
-         "that is exchanged, or the options of `dentalscr register --option`). Landmark error in px: mean over the landmarks / worst case (mean over "
-         "one jaw).\n"
-      << DescribeFailures(this->GetRecords()) << '\n'
-      << markdown.ToMarkdown();
+    text << "# Ablation of preset robust\n\n"
+         << this->GetCohort().Describe()
+         << ", each at the levels typical and hard. One ingredient at a time is taken away (in ablation.csv the part "
+            "that is exchanged, or the options of `dentalscr register --option`). Landmark error in px: mean over the "
+            "landmarks / worst case (mean over "
+            "one jaw).\n"
+         << DescribeFailures(this->GetRecords()) << '\n'
+         << markdown.ToMarkdown();
     return { { "ablation.csv", csv.ToCSV() }, { "ablation.md", text.str() } };
   }
 

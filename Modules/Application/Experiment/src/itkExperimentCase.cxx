@@ -180,22 +180,6 @@ TrimDistally(const MeshType * mesh, const DentalJawFrame & frame, double amount)
   return trimmed;
 }
 
-TracedSideEnum
-ToDescription(ExperimentVariation::TracedSideEnum side)
-{
-  switch (side)
-  {
-    case ExperimentVariation::TracedSideEnum::Left:
-      return TracedSideEnum::Left;
-    case ExperimentVariation::TracedSideEnum::Mean:
-      return TracedSideEnum::Mean;
-    case ExperimentVariation::TracedSideEnum::Both:
-      return TracedSideEnum::Both;
-    default:
-      return TracedSideEnum::Right;
-  }
-}
-
 void
 AddNoise(DentalContour::Pointer & contour, double sigma, ReproducibleRandom & random)
 {
@@ -301,9 +285,8 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
   data->spacingVerdict = "UserGiven";
   data->spacingProvenance = "simulated";
   // A standard tracing's molars stand in the middle of the two sides, which a bisected tracing's do, too.
-  data->description.tracedSide = ToDescription(source->GetTracedSide() == ExperimentVariation::TracedSideEnum::Standard
-                                                 ? ExperimentVariation::TracedSideEnum::Mean
-                                                 : variation.tracedSide);
+  data->description.tracedSide =
+    source->GetTracedSide() == TracedSideEnum::Standard ? TracedSideEnum::Mean : variation.tracedSide;
   data->landmarks3D = DentalLandmarkSet<3>::New();
   auto marked = DentalLandmarkSet<2>::New();
   for (unsigned int jaw = 0; jaw < 2; ++jaw)

@@ -214,7 +214,7 @@ ExperimentRunner::Prepare(JawEnum jaw, ChainEnum chain) -> PreparedType &
   {
     return found->second;
   }
-  PreparedType prepared;
+  PreparedType           prepared;
   const DentalJawFrame & own = FrameOf(m_Case.frames, jaw);
   if (!own.valid)
   {
@@ -258,8 +258,8 @@ ExperimentRunner::Prepare(JawEnum jaw, ChainEnum chain) -> PreparedType &
   prepared.centred->DisconnectPipeline();
   CaseSimilaritySettings settings;
   settings.numberOfContourPoints = jaw == JawEnum::Upper ? 441 : 439;
-  prepared.silhouette = MakeWholeSilhouette(
-    m_Case.data->GetJaw(jaw).mesh, prepared.frame, prepared.geometry, settings, prepared.result);
+  prepared.silhouette =
+    MakeWholeSilhouette(m_Case.data->GetJaw(jaw).mesh, prepared.frame, prepared.geometry, settings, prepared.result);
   return m_Prepared.emplace(key, std::move(prepared)).first->second;
 }
 
@@ -348,8 +348,7 @@ ExperimentRunner::RunJaw(const ExperimentMethod & method, JawEnum jaw, const Tra
     const auto transform = this->Register(method, jaw, prepared, start);
     probe.Stop();
     result.seconds.emplace_back("registration", probe.GetTotal());
-    SetSimilarityOfJaw(
-      *m_Case.data, jaw, prepared.frame, prepared.geometry, prepared.silhouette, transform, result);
+    SetSimilarityOfJaw(*m_Case.data, jaw, prepared.frame, prepared.geometry, prepared.silhouette, transform, result);
     PredictLandmarks(*m_Case.data, jaw, result);
     result.AddReason(CaseStatusEnum::Suspect, "this method does not check its own accuracy");
   }

@@ -47,8 +47,8 @@ MakeGeometry()
 FilterType::FrameType::Pointer
 MakeFrame()
 {
-  auto                           transform = TransformType::New();
-  TransformType::AxisType        axis;
+  auto                            transform = TransformType::New();
+  TransformType::AxisType         axis;
   TransformType::OutputVectorType offset;
   axis[0] = 0.0;
   axis[1] = 0.0;

@@ -33,16 +33,16 @@ namespace itk
 DentalCommon_EXPORT void
 RunInParallel(std::size_t count, unsigned int threads, void (*call)(void * body, std::size_t i), void * body);
 
-/** Calls body(i) for i in [0, count) on up to the given number of threads (0: all of the machine's), of which the caller's
- * is one. Which thread takes which i is not determined: a body that writes only its own slot gives the same bits for any
- * number of threads. The first exception of a body is rethrown here after all threads have left; what was not begun by then
- * is left out. Calls may be nested, and may come from several threads at once.
+/** Calls body(i) for i in [0, count) on up to the given number of threads (0: all of the machine's), of which the
+ * caller's is one. Which thread takes which i is not determined: a body that writes only its own slot gives the same
+ * bits for any number of threads. The first exception of a body is rethrown here after all threads have left; what was
+ * not begun by then is left out. Calls may be nested, and may come from several threads at once.
  *
- * The other threads are those of one pool of the process. They are started when they are first needed, stay alive, and go
- * on looking for work for a moment before they sleep, so that one call soon after another costs about a microsecond. The
- * caller never waits for a thread to begin: where threads are busy or cannot be started it does more of the work itself.
- * That a thread cannot be started is said once, through itk::OutputWindow. For kernels; filters that split an image use
- * their MultiThreader. */
+ * The other threads are those of one pool of the process. They are started when they are first needed, stay alive, and
+ * go on looking for work for a moment before they sleep, so that one call soon after another costs about a microsecond.
+ * The caller never waits for a thread to begin: where threads are busy or cannot be started it does more of the work
+ * itself. That a thread cannot be started is said once, through itk::OutputWindow. For kernels; filters that split an
+ * image use their MultiThreader. */
 template <typename TBody>
 void
 ParallelFor(std::size_t count, unsigned int threads, TBody && body)
@@ -63,11 +63,11 @@ ParallelFor(std::size_t count, unsigned int threads, TBody && body)
     const_cast<void *>(static_cast<const void *>(std::addressof(body))));
 }
 
-/** Starts so many threads of their own, for work that lasts and waits for events; a pool's threads are for what does not.
- * Where the system gives no more, there are fewer, which is said once, through itk::OutputWindow.
- * \return how many were started, appended to threads */
+/** Starts so many threads of their own, for work that lasts and waits for events; a pool's threads are for what does
+ * not. Where the system gives no more, there are fewer, which is said once, through itk::OutputWindow. \return how many
+ * were started, appended to threads */
 DentalCommon_EXPORT std::size_t
-                    StartThreads(std::size_t count, const std::function<void()> & work, std::vector<std::thread> & threads);
+StartThreads(std::size_t count, const std::function<void()> & work, std::vector<std::thread> & threads);
 } // namespace itk
 
 #endif

@@ -37,8 +37,8 @@ namespace itk
 {
 namespace
 {
-/** How long a thread looks for more before it sleeps: longer than what lies between the steps of one kernel, and shorter
- * than anybody could miss it. */
+/** How long a thread looks for more before it sleeps: longer than what lies between the steps of one kernel, and
+ * shorter than anybody could miss it. */
 constexpr std::chrono::microseconds Patience{ 100 };
 
 /** Waits politely for what another thread is about to do. \return whether it did */
@@ -119,7 +119,7 @@ ProcessNumber()
 /** One call of RunInParallel(), on the stack of its caller. */
 struct Job
 {
-  std::size_t              count;
+  std::size_t count;
   void (*call)(void *, std::size_t);
   void *                   body;
   std::atomic<std::size_t> next{ 0 };
@@ -180,7 +180,8 @@ public:
       const std::lock_guard<std::mutex> lock(m_Mutex);
       if (m_Threads.size() < helpers && !m_Exhausted)
       {
-        missing = TryToStartThreads(helpers - m_Threads.size(), [this]() { this->Serve(); }, m_Threads);
+        missing = TryToStartThreads(
+          helpers - m_Threads.size(), [this]() { this->Serve(); }, m_Threads);
         m_Exhausted = !missing.empty();
       }
       helpers = std::min(helpers, m_Threads.size());
@@ -245,7 +246,7 @@ private:
   std::list<Job *>         m_Jobs;
   std::vector<std::thread> m_Threads;
   /** The system gave none the last time. */
-  bool                     m_Exhausted{ false };
+  bool m_Exhausted{ false };
   /** Of all jobs; guarded, but readable. */
   std::atomic<std::size_t> m_Places{ 0 };
 };

@@ -102,8 +102,8 @@ TEST(ParallelFor, ThreadsStayAlive)
       known = true;
     });
   }
-  // The caller and the pool, which is as large as the largest call of these tests or of the machine has made it. Threads
-  // of each call's own would be up to 101.
+  // The caller and the pool, which is as large as the largest call of these tests or of the machine has made it.
+  // Threads of each call's own would be up to 101.
   EXPECT_LE(newcomers, 1 + std::max(6u, std::thread::hardware_concurrency()));
 }
 
@@ -203,7 +203,7 @@ TEST(ParallelFor, WhereThreadsCannotBeStartedFewerDoTheWorkAndItIsSaidOnce)
     std::ifstream pages("/proc/self/statm");
     rlim_t        size = 0;
     pages >> size;
-    const rlim_t   bytes = size * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (1u << 20);
+    const rlim_t bytes = size * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (1u << 20);
     const rlimit limit{ bytes, bytes };
     setrlimit(RLIMIT_AS, &limit);
     std::vector<int> visits(1000, 0);
@@ -212,7 +212,8 @@ TEST(ParallelFor, WhereThreadsCannotBeStartedFewerDoTheWorkAndItIsSaidOnce)
       itk::ParallelFor(visits.size(), 16, [&visits](std::size_t i) { ++visits[i]; });
     }
     std::vector<std::thread> threads;
-    const std::size_t        started = itk::StartThreads(16, []() {}, threads);
+    const std::size_t        started = itk::StartThreads(
+      16, []() {}, threads);
     for (std::thread & thread : threads)
     {
       thread.join();

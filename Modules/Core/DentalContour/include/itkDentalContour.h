@@ -67,6 +67,8 @@ public:
     std::vector<double> weights;
   };
 
+  using PolylinesType = std::vector<PolylineType>;
+
   /** Appends a polyline. Throws where a point is not finite, where weights are given but are not one a point in [0, 1],
    * or where a closed polyline has fewer than 3 points. An empty polyline adds nothing. */
   void
@@ -75,7 +77,7 @@ public:
   AddPolyline(const std::vector<PointType> & points, ToothCode code = ToothCode(), bool closed = false);
 
   /** The polylines in the order of their cells, then the lone points. */
-  std::vector<PolylineType>
+  PolylinesType
   GetPolylines() const;
 
   /** Sum of the segments' lengths, pixels. */

@@ -34,16 +34,19 @@ enum class TracedSideEnum : std::uint8_t
   /** Double contours bisected. */
   Mean,
   /** Both sides, each polyline with the code of its side. */
-  Both
+  Both,
+  /** Whole teeth U1, L1, U6, L6, as a cephalometric analysis draws them. */
+  Standard
 };
 
-/** "right", "left", "mean" or "both", as in a case file. */
+/** "right", "left", "mean", "both" or "standard", as in a case file. */
 DentalContour_EXPORT std::string
                      ToString(TracedSideEnum side);
 
-/** Throws std::invalid_argument that names the text and what was expected. */
+/** All but "standard", which nothing registers yet. Throws std::invalid_argument that names the text and what was
+ * expected. */
 DentalContour_EXPORT TracedSideEnum
-                     TracedSideFromString(const std::string & text);
+TracedSideFromString(const std::string & text);
 
 DentalContour_EXPORT std::ostream &
                      operator<<(std::ostream & os, TracedSideEnum side);

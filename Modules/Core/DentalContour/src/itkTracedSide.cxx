@@ -25,7 +25,7 @@ namespace itk
 {
 namespace
 {
-constexpr std::array<const char *, 4> Names{ { "right", "left", "mean", "both" } };
+constexpr std::array<const char *, 5> Names{ { "right", "left", "mean", "both", "standard" } };
 } // namespace
 
 std::string
@@ -37,14 +37,15 @@ ToString(TracedSideEnum side)
 TracedSideEnum
 TracedSideFromString(const std::string & text)
 {
-  for (std::size_t k = 0; k < Names.size(); ++k)
+  for (const TracedSideEnum side :
+       { TracedSideEnum::Right, TracedSideEnum::Left, TracedSideEnum::Mean, TracedSideEnum::Both })
   {
-    if (text == Names[k])
+    if (text == ToString(side))
     {
-      return static_cast<TracedSideEnum>(k);
+      return side;
     }
   }
-  throw std::invalid_argument("'" + text + "' is no traced side; expected right, left, mean or both");
+  throw std::invalid_argument("\"" + text + "\" is no traced side (\"right\", \"left\", \"mean\" or \"both\")");
 }
 
 std::ostream &

@@ -81,9 +81,9 @@ private:
   void
   AddPaddedRow();
 
-  std::size_t          m_Width;
-  double               m_Level;
-  std::uint64_t        m_Row{ 0 };
+  std::size_t   m_Width;
+  double        m_Level;
+  std::uint64_t m_Row{ 0 };
   /** Framed by minus infinity: below every level. */
   std::vector<double>        m_Previous;
   std::vector<double>        m_Current;

@@ -21,6 +21,7 @@
 #include "SilhouetteContourExport.h"
 #include "itkMeshSilhouette.h"
 #include "itkPerspectiveProjection.h"
+#include "itkToothCode.h"
 
 #include <array>
 #include <cstddef>
@@ -34,7 +35,7 @@ namespace itk
  */
 struct SilhouetteContour_EXPORT OpenSilhouetteOptions
 {
-  bool upper{ true };
+  ToothCode::JawEnum jaw{ ToothCode::JawEnum::Upper };
   /** Angle (rad) about the lateral axis from the dental frame to the picture: facing is judged in the dental frame, so
    * that the head's pitch does not change which part is kept. */
   double pitch{ 0.0 };
@@ -74,9 +75,9 @@ struct OpenSilhouette
  * traced of the crowns, and no palate, underside or distal end. In the dental frame's own plane, u anterior, v
  * inferior. */
 inline bool
-FacesOcclusallyOrAnteriorly(double nu, double nv, bool upper)
+FacesOcclusallyOrAnteriorly(double nu, double nv, ToothCode::JawEnum jaw)
 {
-  const double occlusal = upper ? nv : -nv;
+  const double occlusal = jaw == ToothCode::JawEnum::Upper ? nv : -nv;
   return occlusal > -0.5 && (occlusal > 0.2 || nu > 0.2);
 }
 

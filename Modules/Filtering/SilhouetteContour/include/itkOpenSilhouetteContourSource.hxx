@@ -114,7 +114,7 @@ OpenSilhouetteContourSource<TInputMesh>::GenerateData()
   vertical = geometry->GetPoseRotation() * vertical;
 
   OpenSilhouetteOptions options;
-  options.upper = m_Jaw == JawEnum::Upper;
+  options.jaw = m_Jaw;
   options.pitch = std::atan2(vertical[0], vertical[2]);
   options.spacing = m_Spacing / unit;
   OpenSilhouette contour;

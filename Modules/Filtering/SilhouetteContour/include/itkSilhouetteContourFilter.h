@@ -102,10 +102,11 @@ SilhouetteContour_EXPORT std::ostream &
  * and identity direction. For a DRR with an origin of its own. and OutputOffset is subtracted from all of them; with
  * the principal point as offset the contour is in the q coordinates of a similarity.
  *
- * Streaming: with NumberOfStreamDivisions above 1 the image is pulled in so many strips of rows, one after the other, and
- * only one strip is held: a DRR of any size becomes a contour in the memory of a strip. The strips are pulled once under
- * Absolute, twice under Fraction and labels and three times under Automatic, which wants the range and the median first.
- * The contour has the same bits for any number of strips. Of labels, masks as large as their bounding boxes are held.
+ * Streaming: with NumberOfStreamDivisions above 1 the image is pulled in so many strips of rows, one after the other,
+ * and only one strip is held: a DRR of any size becomes a contour in the memory of a strip. The strips are pulled once
+ * under Absolute, twice under Fraction and labels and three times under Automatic, which wants the range and the median
+ * first. The contour has the same bits for any number of strips. Of labels, masks as large as their bounding boxes are
+ * held.
  *
  * Errors: no input, pixels that are not finite. An image of one value gives an empty contour.
  *

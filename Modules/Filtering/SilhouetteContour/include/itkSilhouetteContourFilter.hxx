@@ -298,9 +298,9 @@ SilhouetteContourFilter<TInputImage>::TraceIntensity()
   const float seen = known ? 0.0f : (m_Level == LevelEnum::Fraction ? 0.5f : 0.6f);
   if (!known)
   {
-    this->ForEachValue(0.0f, m_Level == LevelEnum::Fraction ? 0.5f : 0.3f, [&](double value, SizeValueType, const auto & it) {
-      see(value, it);
-    });
+    this->ForEachValue(0.0f,
+                       m_Level == LevelEnum::Fraction ? 0.5f : 0.3f,
+                       [&](double value, SizeValueType, const auto & it) { see(value, it); });
     if (!(extreme > background))
     {
       return;

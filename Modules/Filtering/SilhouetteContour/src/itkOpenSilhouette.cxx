@@ -64,7 +64,7 @@ ComputeOpenSilhouette(const MeshSilhouette &        silhouette,
       nv[i] = length > 1e-9 ? -tu / length : samples[i].normal[1];
       keep[i] = !options.facingOnly || FacesOcclusallyOrAnteriorly(cosPitch * nu[i] + sinPitch * nv[i],
                                                                    -sinPitch * nu[i] + cosPitch * nv[i],
-                                                                   options.upper);
+                                                                   options.jaw);
     }
     // Begin behind a gap, so that no run is split at the loop's first point.
     std::size_t begin = 0;

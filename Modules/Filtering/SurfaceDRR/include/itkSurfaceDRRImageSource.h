@@ -83,9 +83,9 @@ SurfaceDRR_EXPORT std::ostream &
  * direction must be the identity.
  *
  * Region, one of three:
- *  - CoverMeshes, the default: every projected vertex and CoverMargin around it. It follows the meshes, the pose and the
- *    widths, so that nothing is clipped when an input changes. The start index may be negative. To know the region, the
- *    source brings its meshes and the geometry up to date in UpdateOutputInformation().
+ *  - CoverMeshes, the default: every projected vertex and CoverMargin around it. It follows the meshes, the pose and
+ * the widths, so that nothing is clipped when an input changes. The start index may be negative. To know the region,
+ * the source brings its meshes and the geometry up to date in UpdateOutputInformation().
  *  - SetSize(), which turns CoverMeshes off, and SetStartIndex().
  *  - UseReferenceImage, before the other two: the reference's region. Its origin is taken in its own pixels, so that a
  *    radiograph from a file without a spacing serves as a reference.

@@ -223,9 +223,9 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::GenerateOutputInformation()
 {
   // Each value is set once: by way of the superclass's defaults the image would be modified at every call, and all that
   // lies downstream would run again.
-  OutputImageType *               image = this->GetOutput();
-  const ImageBase<2> * const      reference = this->GetUseReferenceImage() ? this->GetReferenceImage() : nullptr;
-  const auto                      bringUpToDate = [](const DataObject * input) {
+  OutputImageType *          image = this->GetOutput();
+  const ImageBase<2> * const reference = this->GetUseReferenceImage() ? this->GetReferenceImage() : nullptr;
+  const auto                 bringUpToDate = [](const DataObject * input) {
     if (input->GetSource() != nullptr)
     {
       const_cast<DataObject *>(input)->Update();
@@ -364,8 +364,7 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::Project(unsigned int           
   std::vector<std::size_t> goods(parts);
   ParallelFor(parts, this->ChooseNumberOfThreads(), [&](std::size_t part) {
     const std::size_t end = count * (part + 1) / parts;
-    const std::size_t good =
-      projector.Project(points, surface.areas.data(), count * part / parts, end, 1.0, layer);
+    const std::size_t good = projector.Project(points, surface.areas.data(), count * part / parts, end, 1.0, layer);
     goods[part] = good < end ? good : count;
   });
   const std::size_t good = *std::min_element(goods.begin(), goods.end());
@@ -529,9 +528,8 @@ SurfaceDRRImageSource<TInputMesh, TOutputImage>::GenerateData()
     SurfaceSplatKernel::Rendering rendering(m_Kernels[layer], region, thickness, width);
     for (std::size_t phase = 0; phase < rendering.GetNumberOfPhases(); ++phase)
     {
-      ParallelFor(rendering.GetNumberOfJobs(phase), threads, [&rendering, phase](std::size_t job) {
-        rendering.Run(phase, job);
-      });
+      ParallelFor(
+        rendering.GetNumberOfJobs(phase), threads, [&rendering, phase](std::size_t job) { rendering.Run(phase, job); });
       this->CheckAbort();
     }
     this->UpdateProgress(0.5f + 0.4f * static_cast<float>(layer + 1) / static_cast<float>(m_Kernels.size()));

@@ -814,9 +814,9 @@ SurfaceSplatKernel::SortIntoBands(const SurfaceSplatLayer & layer, unsigned int 
     std::vector<RunType>       runs;
     std::vector<std::uint64_t> bandsOfRuns;
     /** Number of its runs in each band, then the place of the next. */
-    std::vector<std::size_t>   places;
-    std::size_t                splats{ 0 };
-    std::int32_t               bounds[4] = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
+    std::vector<std::size_t> places;
+    std::size_t              splats{ 0 };
+    std::int32_t             bounds[4] = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
   };
   const auto forEachRun = [](const ChunkType & chunk, auto && visit) {
     for (std::size_t run = 0; run < chunk.runs.size(); ++run)

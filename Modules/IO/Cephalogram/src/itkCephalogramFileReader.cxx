@@ -118,8 +118,7 @@ MakeImageIO(Format format)
       return NrrdImageIO::New().GetPointer();
     case Format::MetaImage:
       return MetaImageIO::New().GetPointer();
-    default:
-    {
+    default: {
       const ImageIOBase::Pointer io = LoadDicomImageIO().create();
       // The pointer holds a reference too.
       io->UnRegister();

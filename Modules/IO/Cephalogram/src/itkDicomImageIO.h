@@ -25,8 +25,8 @@ namespace itk
 /** \struct DicomImageIO
  * \brief Not installed. What is wanted of GDCM, in a library of its own.
  *
- * GDCM brings 20 further libraries, and its dictionaries are built when it is loaded: half of the time that a program with
- * it needs before its main() begins. Few radiographs are DICOM files, so that it is loaded with the first one.
+ * GDCM brings 20 further libraries, and its dictionaries are built when it is loaded: half of the time that a program
+ * with it needs before its main() begins. Few radiographs are DICOM files, so that it is loaded with the first one.
  */
 struct DicomImageIO
 {

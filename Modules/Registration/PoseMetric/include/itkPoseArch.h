@@ -19,6 +19,7 @@
 #define itkPoseArch_h
 
 #include "PoseMetricExport.h"
+#include "itkToothCode.h"
 #include "itkTriangleSurface.h"
 
 #include <array>
@@ -40,7 +41,7 @@ class PoseMetric_EXPORT PoseArch
 {
 public:
   PoseArch() = default;
-  PoseArch(const TriangleSurface & surface, bool upper);
+  PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw);
 
   bool
   IsValid() const
@@ -64,7 +65,7 @@ public:
   /** Position in its quadrant, 1 (central incisor) to 8, of the tooth that stands at this distance from the midline by
    * the same widths; the sign of the arc does not matter. */
   static std::uint8_t
-  ExpectedPosition(double arc, bool upper);
+  ExpectedPosition(double arc, ToothCode::JawEnum jaw);
 
 private:
   std::vector<std::array<double, 2>> m_Curve;

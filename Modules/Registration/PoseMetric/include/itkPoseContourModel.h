@@ -55,7 +55,8 @@ public:
   PoseContourModel &
   operator=(const PoseContourModel &) = delete;
 
-  /** Empty where there is nothing to project. Throws where the pose is none of a scan before the source. May be called from several threads. */
+  /** Empty where there is nothing to project. Throws where the pose is none of a scan before the source. May be called
+   * from several threads. */
   virtual PoseContour
   Compute(const PoseModel & model) const = 0;
 

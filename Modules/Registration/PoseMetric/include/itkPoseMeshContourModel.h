@@ -19,6 +19,7 @@
 #define itkPoseMeshContourModel_h
 
 #include "itkPoseContourModel.h"
+#include "itkToothCode.h"
 #include "itkTriangleSurface.h"
 
 #include <array>
@@ -41,11 +42,11 @@ class PoseMetric_EXPORT PoseMeshContourModel : public PoseContourModel
 {
 public:
   /** \param surface selected triangles in the dental frame, mm. */
-  PoseMeshContourModel(const TriangleSurface & surface, bool upper, bool useFacingFilter);
+  PoseMeshContourModel(const TriangleSurface & surface, ToothCode::JawEnum jaw, bool useFacingFilter);
   /** The middle of two contours, for a bisected tracing. The other surface is the other side. */
   PoseMeshContourModel(const TriangleSurface & surface,
                        const TriangleSurface & other,
-                       bool                    upper,
+                       ToothCode::JawEnum      jaw,
                        bool                    useFacingFilter);
   ~PoseMeshContourModel() override;
 
@@ -60,7 +61,7 @@ private:
   std::unique_ptr<MeshSilhouette> m_Other;
   /** Corners of the box around the surfaces: where they may be seen the surfaces may. */
   std::vector<std::array<double, 3>> m_Corners;
-  bool                               m_Upper;
+  ToothCode::JawEnum                 m_Jaw;
   bool                               m_UseFacingFilter;
 };
 } // namespace itk

@@ -19,7 +19,8 @@
 #define itkPosePlanarContourModel_h
 
 #include "itkPoseContourModel.h"
-#include "itkPosePolyline.h"
+#include "itkDentalContour.h"
+#include "itkPoseTypes.h"
 
 #include <vector>
 
@@ -43,11 +44,11 @@ class PoseMetric_EXPORT PosePlanarContourModel : public PoseContourModel
 public:
   /** \param outline  continuous pixel indices of the radiograph.
    *  \param pose  at which it is drawn. */
-  PosePlanarContourModel(const PoseGeometry &              geometry,
-                         const std::vector<PosePolyline> & outline,
-                         const PoseParameters &            pose,
-                         bool                              upper,
-                         bool                              useFacingFilter);
+  PosePlanarContourModel(const PoseGeometry &                 geometry,
+                         const DentalContour::PolylinesType & outline,
+                         const PoseParameters &               pose,
+                         ToothCode::JawEnum                   jaw,
+                         bool                                 useFacingFilter);
 
   PoseContour
   Compute(const PoseModel & model) const override;

@@ -22,9 +22,10 @@
 #include "itkPoseArch.h"
 #include "itkPoseContourModel.h"
 #include "itkPoseFitStatistics.h"
-#include "itkPosePolyline.h"
+#include "itkDentalContour.h"
 #include "itkPoseReverseDirection.h"
 #include "itkPoseTracing.h"
+#include "itkTracedSide.h"
 #include "itkTriangleSurface.h"
 
 #include <cstdint>
@@ -42,8 +43,8 @@ namespace itk
 struct PoseSilhouetteSettings
 {
   PoseGeometry       geometry;
-  bool               upper{ true };
-  PoseTracedSideEnum tracedSide{ PoseTracedSideEnum::Right };
+  ToothCode::JawEnum jaw{ ToothCode::JawEnum::Upper };
+  TracedSideEnum     tracedSide{ TracedSideEnum::Right };
   /** Cut at the midline plane, or take the whole mesh's outline. */
   bool useSideSelection{ true };
   /** Triangles of the right side: y < midlineMargin mm. Half a millimetre short of the plane, since the other side's
@@ -123,15 +124,15 @@ public:
 
   /** \param surface  all triangles of the jaw, dental frame, mm. Not kept.
    *  \param polylines  the tracing, continuous pixel indices. */
-  PoseSilhouetteKernel(const TriangleSurface &           surface,
-                       const std::vector<PosePolyline> & polylines,
-                       const PoseSilhouetteSettings &    settings);
+  PoseSilhouetteKernel(const TriangleSurface &              surface,
+                       const DentalContour::PolylinesType & polylines,
+                       const PoseSilhouetteSettings &       settings);
   /** The moving contour is an outline as it is seen at a pose (PosePlanarContourModel), continuous pixel indices. Which
    * side was traced, and the cut at the midline, do not matter. */
-  PoseSilhouetteKernel(const std::vector<PosePolyline> & outline,
-                       const PoseParameters &            pose,
-                       const std::vector<PosePolyline> & polylines,
-                       const PoseSilhouetteSettings &    settings);
+  PoseSilhouetteKernel(const DentalContour::PolylinesType & outline,
+                       const PoseParameters &               pose,
+                       const DentalContour::PolylinesType & polylines,
+                       const PoseSilhouetteSettings &       settings);
   ~PoseSilhouetteKernel();
   PoseSilhouetteKernel(const PoseSilhouetteKernel &) = delete;
   PoseSilhouetteKernel &
@@ -203,10 +204,10 @@ public:
 
 private:
   /** The polylines that are used; empty, with the failure set, where they are too few. */
-  std::vector<PosePolyline>
-  SelectPolylines(const std::vector<PosePolyline> & polylines);
+  DentalContour::PolylinesType
+  SelectPolylines(const DentalContour::PolylinesType & polylines);
   void
-  AddStrand(const std::vector<PosePolyline> & polylines, std::vector<const PoseContourModel *> models);
+  AddStrand(const DentalContour::PolylinesType & polylines, std::vector<const PoseContourModel *> models);
   void
   Fill(const PoseModel &   model,
        const PoseContour & contour,

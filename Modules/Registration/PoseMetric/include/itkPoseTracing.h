@@ -19,7 +19,8 @@
 #define itkPoseTracing_h
 
 #include "PoseMetricExport.h"
-#include "itkPosePolyline.h"
+#include "itkDentalContour.h"
+#include "itkPoseTypes.h"
 
 namespace itk
 {
@@ -37,10 +38,10 @@ class PoseMetric_EXPORT PoseTracing
 {
 public:
   PoseTracing() = default;
-  PoseTracing(const PoseGeometry &              geometry,
-              const std::vector<PosePolyline> & polylines,
-              bool                              upper,
-              unsigned int                      maximumPoints = 200);
+  PoseTracing(const PoseGeometry &                 geometry,
+              const DentalContour::PolylinesType & polylines,
+              ToothCode::JawEnum                   jaw,
+              unsigned int                         maximumPoints = 200);
 
   std::size_t
   Size() const

@@ -127,8 +127,8 @@ public:
   itkGetEnumMacro(Jaw, JawEnum);
 
   /** Which side's outline was traced. Default Right. */
-  itkSetEnumMacro(TracedSide, PoseTracedSideEnum);
-  itkGetEnumMacro(TracedSide, PoseTracedSideEnum);
+  itkSetEnumMacro(TracedSide, TracedSideEnum);
+  itkGetEnumMacro(TracedSide, TracedSideEnum);
 
   /** Cut the scan at the midline plane; on by default. MidlineMargin: how far beyond the plane, mm, -0.5. */
   itkSetMacro(UseSideSelection, bool);
@@ -296,7 +296,7 @@ private:
 
   SurfacePointer                   m_Surface;
   JawEnum                          m_Jaw{ JawEnum::Upper };
-  PoseTracedSideEnum               m_TracedSide{ PoseTracedSideEnum::Right };
+  TracedSideEnum                   m_TracedSide{ TracedSideEnum::Right };
   bool                             m_UseSideSelection{ true };
   double                           m_MidlineMargin{ -0.5 };
   bool                             m_UseFacingFilter{ true };

@@ -31,14 +31,14 @@ constexpr double UpperWidths[7] = { 8.5, 6.6, 7.6, 7.0, 6.7, 10.3, 9.7 };
 constexpr double LowerWidths[7] = { 5.3, 5.9, 6.9, 7.0, 7.1, 11.2, 10.6 };
 } // namespace
 
-PoseArch::PoseArch(const TriangleSurface & surface, bool upper)
+PoseArch::PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw)
 {
   const std::size_t n = surface.points.size();
   if (n < 100)
   {
     return;
   }
-  const double occlusal = upper ? -1.0 : 1.0;
+  const double occlusal = jaw == ToothCode::JawEnum::Upper ? -1.0 : 1.0;
   // About the middle of the ground plan, which lies inside the horseshoe whatever the density of the points.
   double low[2] = { surface.points[0][0], surface.points[0][1] };
   double high[2] = { low[0], low[1] };
@@ -205,9 +205,9 @@ PoseArch::ExpectedArc(std::uint8_t tooth)
 }
 
 std::uint8_t
-PoseArch::ExpectedPosition(double arc, bool upper)
+PoseArch::ExpectedPosition(double arc, ToothCode::JawEnum jaw)
 {
-  const double * widths = upper ? UpperWidths : LowerWidths;
+  const double * widths = jaw == ToothCode::JawEnum::Upper ? UpperWidths : LowerWidths;
   double         end = 0.0;
   for (std::uint8_t position = 1; position <= 7; ++position)
   {

@@ -58,21 +58,23 @@ MakeCorners(const TriangleSurface & surface, const TriangleSurface * other)
 }
 } // namespace
 
-PoseMeshContourModel::PoseMeshContourModel(const TriangleSurface & surface, bool upper, bool useFacingFilter)
+PoseMeshContourModel::PoseMeshContourModel(const TriangleSurface & surface,
+                                           ToothCode::JawEnum      jaw,
+                                           bool                    useFacingFilter)
   : m_Silhouette(std::make_unique<MeshSilhouette>(surface))
   , m_Corners(MakeCorners(surface, nullptr))
-  , m_Upper(upper)
+  , m_Jaw(jaw)
   , m_UseFacingFilter(useFacingFilter)
 {}
 
 PoseMeshContourModel::PoseMeshContourModel(const TriangleSurface & surface,
                                            const TriangleSurface & other,
-                                           bool                    upper,
+                                           ToothCode::JawEnum      jaw,
                                            bool                    useFacingFilter)
   : m_Silhouette(std::make_unique<MeshSilhouette>(surface))
   , m_Other(std::make_unique<MeshSilhouette>(other))
   , m_Corners(MakeCorners(surface, &other))
-  , m_Upper(upper)
+  , m_Jaw(jaw)
   , m_UseFacingFilter(useFacingFilter)
 {}
 
@@ -82,7 +84,7 @@ OpenSilhouette
 PoseMeshContourModel::ComputeOpen(const MeshSilhouette & silhouette, const PoseModel & model) const
 {
   OpenSilhouetteOptions options;
-  options.upper = m_Upper;
+  options.jaw = m_Jaw;
   options.pitch = model.GetParameters()[PosePitch];
   options.spacing = Spacing;
   options.facingOnly = m_UseFacingFilter;

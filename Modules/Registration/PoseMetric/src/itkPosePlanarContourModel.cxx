@@ -67,7 +67,7 @@ Resample(const std::vector<Point2> & points, bool closed)
 
 /** Unit normals (v, -u of the tangent), turned outward. */
 std::vector<Point2>
-MakeNormals(const std::vector<Point2> & samples, bool closed, bool upper)
+MakeNormals(const std::vector<Point2> & samples, bool closed, ToothCode::JawEnum jaw)
 {
   const std::size_t   n = samples.size();
   std::vector<Point2> normals(n, { { 0.0, 0.0 } });
@@ -83,7 +83,7 @@ MakeNormals(const std::vector<Point2> & samples, bool closed, bool upper)
     {
       normals[i] = { { (b[1] - a[1]) / length, -(b[0] - a[0]) / length } };
     }
-    outward += normals[i][0] + (upper ? normals[i][1] : -normals[i][1]);
+    outward += normals[i][0] + (jaw == ToothCode::JawEnum::Upper ? normals[i][1] : -normals[i][1]);
     const Point2 & next = samples[(i + 1) % n];
     area += samples[i][0] * next[1] - samples[i][1] * next[0];
   }
@@ -117,17 +117,17 @@ Lift(const PerspectiveProjection & projection, const Point2 & w)
 }
 } // namespace
 
-PosePlanarContourModel::PosePlanarContourModel(const PoseGeometry &              geometry,
-                                               const std::vector<PosePolyline> & outline,
-                                               const PoseParameters &            pose,
-                                               bool                              upper,
-                                               bool                              useFacingFilter)
+PosePlanarContourModel::PosePlanarContourModel(const PoseGeometry &                 geometry,
+                                               const DentalContour::PolylinesType & outline,
+                                               const PoseParameters &               pose,
+                                               ToothCode::JawEnum                   jaw,
+                                               bool                                 useFacingFilter)
   : m_Drawn(geometry, pose)
 {
   const PerspectiveProjection projection = m_Drawn.GetProjection();
   const double                c = std::cos(pose[PosePitch]);
   const double                s = std::sin(pose[PosePitch]);
-  for (const PosePolyline & polyline : outline)
+  for (const DentalContour::PolylineType & polyline : outline)
   {
     if (polyline.points.empty())
     {
@@ -136,11 +136,11 @@ PosePlanarContourModel::PosePlanarContourModel(const PoseGeometry &             
     std::vector<Point2> points;
     for (const auto & pixel : polyline.points)
     {
-      points.push_back(PoseModel::ToWorkingPlane(geometry, pixel));
+      points.push_back(PoseModel::ToWorkingPlane(geometry, { { pixel[0], pixel[1] } }));
     }
     const bool                closed = polyline.closed && points.size() > 2;
     const std::vector<Point2> samples = Resample(points, closed);
-    const std::vector<Point2> normals = MakeNormals(samples, closed, upper);
+    const std::vector<Point2> normals = MakeNormals(samples, closed, jaw);
     const std::size_t         n = samples.size();
     std::vector<char>         keep(n, 1);
     std::size_t               begin = 0;
@@ -150,7 +150,7 @@ PosePlanarContourModel::PosePlanarContourModel(const PoseGeometry &             
       {
         // Facing is judged in the dental frame's own plane.
         keep[i] = FacesOcclusallyOrAnteriorly(
-          c * normals[i][0] + s * normals[i][1], -s * normals[i][0] + c * normals[i][1], upper);
+          c * normals[i][0] + s * normals[i][1], -s * normals[i][0] + c * normals[i][1], jaw);
       }
       // Begin behind a gap, so that no run is split at the first point.
       while (begin < n && keep[begin])
@@ -177,7 +177,7 @@ PosePlanarContourModel::PosePlanarContourModel(const PoseGeometry &             
       m_Contour.nu.push_back(normals[i][0]);
       m_Contour.nv.push_back(normals[i][1]);
       m_Contour.rim.push_back(Lift(projection, samples[i]));
-      m_Contour.position.push_back(polyline.tooth % 10);
+      m_Contour.position.push_back(static_cast<std::uint8_t>(polyline.code.GetPosition()));
     }
   }
 }

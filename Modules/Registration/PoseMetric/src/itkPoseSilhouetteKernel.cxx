@@ -42,19 +42,16 @@ GemanMcClure(double squaredDistance, double width)
   return a * a;
 }
 
-bool
-IsLeft(std::uint8_t tooth)
-{
-  return tooth / 10 == 2 || tooth / 10 == 3;
-}
-
 std::size_t
-CountDifferentPoints(const std::vector<PosePolyline> & polylines)
+CountDifferentPoints(const DentalContour::PolylinesType & polylines)
 {
   std::set<std::array<double, 2>> points;
-  for (const PosePolyline & polyline : polylines)
+  for (const DentalContour::PolylineType & polyline : polylines)
   {
-    points.insert(polyline.points.begin(), polyline.points.end());
+    for (const auto & point : polyline.points)
+    {
+      points.insert({ { point[0], point[1] } });
+    }
   }
   return points.size();
 }
@@ -85,14 +82,15 @@ Append(PoseContour & all, PoseContour && more)
 
 PoseSilhouetteKernel::~PoseSilhouetteKernel() = default;
 
-std::vector<PosePolyline>
-PoseSilhouetteKernel::SelectPolylines(const std::vector<PosePolyline> & polylines)
+DentalContour::PolylinesType
+PoseSilhouetteKernel::SelectPolylines(const DentalContour::PolylinesType & polylines)
 {
-  std::vector<PosePolyline> selected;
-  for (const PosePolyline & polyline : polylines)
+  DentalContour::PolylinesType selected;
+  for (const DentalContour::PolylineType & polyline : polylines)
   {
     const auto & excluded = m_Settings.excludedTeeth;
-    if (polyline.tooth == 0 || std::find(excluded.begin(), excluded.end(), polyline.tooth) == excluded.end())
+    if (!polyline.code.IsKnown() ||
+        std::find(excluded.begin(), excluded.end(), polyline.code.GetFDI()) == excluded.end())
     {
       selected.push_back(polyline);
     }
@@ -106,9 +104,9 @@ PoseSilhouetteKernel::SelectPolylines(const std::vector<PosePolyline> & polyline
   return selected;
 }
 
-PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           surface,
-                                           const std::vector<PosePolyline> & polylines,
-                                           const PoseSilhouetteSettings &    settings)
+PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &              surface,
+                                           const DentalContour::PolylinesType & polylines,
+                                           const PoseSilhouetteSettings &       settings)
   : m_Settings(settings)
 {
   if (surface.triangles.empty())
@@ -116,12 +114,17 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           sur
     m_Failure = "there is no surface";
     return;
   }
-  const std::vector<PosePolyline> selected = this->SelectPolylines(polylines);
+  if (settings.tracedSide == TracedSideEnum::Standard)
+  {
+    m_Failure = "a standard tracing, of whole teeth, is none of the crowns' outlines";
+    return;
+  }
+  const DentalContour::PolylinesType selected = this->SelectPolylines(polylines);
   if (selected.empty())
   {
     return;
   }
-  m_Arch = PoseArch(surface, settings.upper);
+  m_Arch = PoseArch(surface, settings.jaw);
   const auto side = [&](double sign) {
     return settings.useSideSelection
              ? KeepTriangles(
@@ -131,20 +134,20 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           sur
   };
   const bool filter = settings.useFacingFilter;
   const auto addModel = [&](double sign) {
-    m_Models.push_back(std::make_unique<PoseMeshContourModel>(side(sign), settings.upper, filter));
+    m_Models.push_back(std::make_unique<PoseMeshContourModel>(side(sign), settings.jaw, filter));
     return m_Models.back().get();
   };
   switch (settings.tracedSide)
   {
-    case PoseTracedSideEnum::Mean:
-      m_Models.push_back(std::make_unique<PoseMeshContourModel>(side(1.0), side(-1.0), settings.upper, filter));
+    case TracedSideEnum::Mean:
+      m_Models.push_back(std::make_unique<PoseMeshContourModel>(side(1.0), side(-1.0), settings.jaw, filter));
       this->AddStrand(selected, { m_Models.back().get() });
       break;
-    case PoseTracedSideEnum::Both: {
-      std::vector<PosePolyline> right, left, unknown;
-      for (const PosePolyline & polyline : selected)
+    case TracedSideEnum::Both: {
+      DentalContour::PolylinesType right, left, unknown;
+      for (const DentalContour::PolylineType & polyline : selected)
       {
-        (polyline.tooth == 0 ? unknown : IsLeft(polyline.tooth) ? left : right).push_back(polyline);
+        (!polyline.code.IsKnown() ? unknown : polyline.code.IsLeft() ? left : right).push_back(polyline);
       }
       const PoseContourModel * rightModel = addModel(1.0);
       const PoseContourModel * leftModel = addModel(-1.0);
@@ -154,7 +157,7 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           sur
       break;
     }
     default:
-      this->AddStrand(selected, { addModel(settings.tracedSide == PoseTracedSideEnum::Right ? 1.0 : -1.0) });
+      this->AddStrand(selected, { addModel(settings.tracedSide == TracedSideEnum::Right ? 1.0 : -1.0) });
   }
   if (m_Strands.empty())
   {
@@ -162,10 +165,10 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &           sur
   }
 }
 
-PoseSilhouetteKernel::PoseSilhouetteKernel(const std::vector<PosePolyline> & outline,
-                                           const PoseParameters &            pose,
-                                           const std::vector<PosePolyline> & polylines,
-                                           const PoseSilhouetteSettings &    settings)
+PoseSilhouetteKernel::PoseSilhouetteKernel(const DentalContour::PolylinesType & outline,
+                                           const PoseParameters &               pose,
+                                           const DentalContour::PolylinesType & polylines,
+                                           const PoseSilhouetteSettings &       settings)
   : m_Settings(settings)
 {
   if (CountDifferentPoints(outline) < 2)
@@ -173,13 +176,13 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const std::vector<PosePolyline> & out
     m_Failure = "the moving contour has fewer than 2 different points";
     return;
   }
-  const std::vector<PosePolyline> selected = this->SelectPolylines(polylines);
+  const DentalContour::PolylinesType selected = this->SelectPolylines(polylines);
   if (selected.empty())
   {
     return;
   }
-  m_Models.push_back(std::make_unique<PosePlanarContourModel>(
-    settings.geometry, outline, pose, settings.upper, settings.useFacingFilter));
+  m_Models.push_back(
+    std::make_unique<PosePlanarContourModel>(settings.geometry, outline, pose, settings.jaw, settings.useFacingFilter));
   this->AddStrand(selected, { m_Models.back().get() });
   if (m_Strands.empty())
   {
@@ -188,11 +191,11 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const std::vector<PosePolyline> & out
 }
 
 void
-PoseSilhouetteKernel::AddStrand(const std::vector<PosePolyline> &     polylines,
+PoseSilhouetteKernel::AddStrand(const DentalContour::PolylinesType &  polylines,
                                 std::vector<const PoseContourModel *> models)
 {
   Strand strand;
-  strand.tracing = PoseTracing(m_Settings.geometry, polylines, m_Settings.upper, m_Settings.maximumTracingPoints);
+  strand.tracing = PoseTracing(m_Settings.geometry, polylines, m_Settings.jaw, m_Settings.maximumTracingPoints);
   strand.models = std::move(models);
   if (strand.tracing.Size() > 0)
   {
@@ -226,7 +229,7 @@ PoseSilhouetteKernel::ComputeContours(const PoseParameters & parameters) const
     {
       for (const auto & rim : contours[s].rim)
       {
-        contours[s].position.push_back(PoseArch::ExpectedPosition(m_Arch.Arc(rim[0], rim[1]), m_Settings.upper));
+        contours[s].position.push_back(PoseArch::ExpectedPosition(m_Arch.Arc(rim[0], rim[1]), m_Settings.jaw));
       }
     }
   }

@@ -46,7 +46,7 @@ Distance(const Point2 & a, const Point2 & b)
 
 /** The part of a closed polyline that can lie on the open moving contour, as one open polyline. */
 void
-OpenClosedPolyline(Strand & strand, bool upper)
+OpenClosedPolyline(Strand & strand, ToothCode::JawEnum jaw)
 {
   const std::size_t n = strand.points.size();
   if (n < 3)
@@ -67,7 +67,7 @@ OpenClosedPolyline(Strand & strand, bool upper)
     const Point2 & a = strand.points[(i + n - 1) % n];
     const Point2 & b = strand.points[(i + 1) % n];
     const double   length = std::max(Distance(a, b), 1e-12);
-    keep[i] = FacesOcclusallyOrAnteriorly(sign * (b[1] - a[1]) / length, -sign * (b[0] - a[0]) / length, upper);
+    keep[i] = FacesOcclusallyOrAnteriorly(sign * (b[1] - a[1]) / length, -sign * (b[0] - a[0]) / length, jaw);
   }
   // Cut behind the longest run of points that do not face the right way; twice around, so that a run over the first
   // point is one.
@@ -124,29 +124,29 @@ Thin(std::vector<Strand> & strands, unsigned int maximum)
 }
 } // namespace
 
-PoseTracing::PoseTracing(const PoseGeometry &              geometry,
-                         const std::vector<PosePolyline> & polylines,
-                         bool                              upper,
-                         unsigned int                      maximumPoints)
+PoseTracing::PoseTracing(const PoseGeometry &                 geometry,
+                         const DentalContour::PolylinesType & polylines,
+                         ToothCode::JawEnum                   jaw,
+                         unsigned int                         maximumPoints)
 {
   std::vector<Strand> strands;
-  for (const PosePolyline & polyline : polylines)
+  for (const DentalContour::PolylineType & polyline : polylines)
   {
     if (polyline.points.empty())
     {
       continue;
     }
     Strand strand;
-    strand.tooth = polyline.tooth;
+    strand.tooth = polyline.code.GetFDI();
     strand.weights = polyline.weights;
     strand.weights.resize(polyline.points.size(), 1.0);
     for (const auto & pixel : polyline.points)
     {
-      strand.points.push_back(PoseModel::ToWorkingPlane(geometry, pixel));
+      strand.points.push_back(PoseModel::ToWorkingPlane(geometry, { { pixel[0], pixel[1] } }));
     }
     if (polyline.closed)
     {
-      OpenClosedPolyline(strand, upper);
+      OpenClosedPolyline(strand, jaw);
     }
     if (!strand.points.empty())
     {
@@ -234,6 +234,7 @@ PoseTracing::PoseTracing(const PoseGeometry &              geometry,
       tooth.push_back(strand.tooth);
     }
   }
+  const bool        upper = jaw == ToothCode::JawEnum::Upper;
   const std::size_t n = u.size();
   nu.resize(n);
   nv.resize(n);

@@ -19,7 +19,6 @@
 
 #include "itkCorrelatedNoiseModel.h"
 #include "itkGemanMcClureKernel.h"
-#include "itkMakePosePolylines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,7 +163,7 @@ SilhouettePoseMetricv4::Prepare()
   }
   PoseSilhouetteSettings settings;
   settings.geometry = this->GetTransform()->GetPoseGeometry();
-  settings.upper = m_Jaw == JawEnum::Upper;
+  settings.jaw = m_Jaw;
   settings.tracedSide = m_TracedSide;
   settings.useSideSelection = m_UseSideSelection;
   settings.midlineMargin = m_MidlineMargin;
@@ -178,7 +177,7 @@ SilhouettePoseMetricv4::Prepare()
   settings.reverseWeight = m_ReverseWeight;
   settings.taperLength = m_TaperLength;
   settings.gapLength = m_GapLength;
-  const std::vector<PosePolyline> tracing = MakePosePolylines(*this->GetFixedContour());
+  const DentalContour::PolylinesType tracing = this->GetFixedContour()->GetPolylines();
   if (m_Surface)
   {
     m_Kernel = std::make_shared<const PoseSilhouetteKernel>(*m_Surface, tracing, settings);
@@ -186,7 +185,7 @@ SilhouettePoseMetricv4::Prepare()
   else
   {
     m_Kernel = std::make_shared<const PoseSilhouetteKernel>(
-      MakePosePolylines(*outline), this->GetTransform()->GetPoseParameters(), tracing, settings);
+      outline->GetPolylines(), this->GetTransform()->GetPoseParameters(), tracing, settings);
   }
   m_KernelTime = time;
   m_Correlations.reset();

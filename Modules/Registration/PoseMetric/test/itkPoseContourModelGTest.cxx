@@ -55,8 +55,8 @@ MakeGeometry()
 std::string
 MessageAt(unsigned int parameter, double value)
 {
-  const itk::PoseMeshContourModel model(MakeRoof(), true, false);
-  itk::PoseParameters         pose{ {} };
+  const itk::PoseMeshContourModel model(MakeRoof(), itk::ToothCode::JawEnum::Upper, false);
+  itk::PoseParameters             pose{ {} };
   pose[parameter] = value;
   try
   {
@@ -88,7 +88,7 @@ TEST(PoseContourModel, TakesEveryPoseOfAScanBeforeTheSource)
 
 TEST(PoseContourModel, ASampleIsNotMovedToAnAbsurdPoseEither)
 {
-  const itk::PoseMeshContourModel model(MakeRoof(), true, false);
+  const itk::PoseMeshContourModel model(MakeRoof(), itk::ToothCode::JawEnum::Upper, false);
   const itk::PoseModel            from(MakeGeometry(), itk::PoseParameters{ {} });
   const itk::PoseContour          contour = model.Compute(from);
   for (const auto & move : { std::make_pair(itk::PoseTy, -2000.0), std::make_pair(itk::PoseKappa, 10.0) })

@@ -21,20 +21,32 @@
 
 #include <cmath>
 
+namespace
+{
+itk::DentalContour::PointType
+MakePoint(double u, double v)
+{
+  itk::DentalContour::PointType point;
+  point[0] = u;
+  point[1] = v;
+  return point;
+}
+} // namespace
+
 TEST(PoseTracing, NormalsPointOcclusallyAndArcRunsOverGaps)
 {
   itk::PoseGeometry geometry;
   geometry.pixelSpacing = { { 0.25, 0.25 } };
-  std::vector<itk::PosePolyline> lines(2);
+  itk::DentalContour::PolylinesType lines(2);
   for (int i = 0; i <= 10; ++i)
   {
-    lines[0].points.push_back({ { 50.0 - i, 7.0 } });
+    lines[0].points.push_back(MakePoint(50.0 - i, 7.0));
     // The second tooth is drawn back to front.
-    lines[1].points.push_back({ { 20.0 + i, 7.0 } });
+    lines[1].points.push_back(MakePoint(20.0 + i, 7.0));
   }
-  lines[0].tooth = 13;
-  lines[1].tooth = 14;
-  const itk::PoseTracing upper(geometry, lines, true);
+  lines[0].code = itk::ToothCode(13);
+  lines[1].code = itk::ToothCode(14);
+  const itk::PoseTracing upper(geometry, lines, itk::ToothCode::JawEnum::Upper);
   ASSERT_EQ(upper.Size(), 22u);
   EXPECT_NEAR(upper.arc.back(), 30.0, 1e-12);
   EXPECT_NEAR(upper.length, 20.0, 1e-12);
@@ -43,7 +55,7 @@ TEST(PoseTracing, NormalsPointOcclusallyAndArcRunsOverGaps)
     EXPECT_NEAR(upper.nu[i], 0.0, 1e-9);
     EXPECT_NEAR(upper.nv[i], 1.0, 1e-9);
   }
-  const itk::PoseTracing lower(geometry, lines, false);
+  const itk::PoseTracing lower(geometry, lines, itk::ToothCode::JawEnum::Lower);
   EXPECT_NEAR(lower.nv[3], -1.0, 1e-9);
 }
 
@@ -52,14 +64,14 @@ TEST(PoseTracing, NormalsOfALabialBorderAloneFaceForward)
   itk::PoseGeometry geometry;
   geometry.pixelSpacing = { { 0.25, 0.25 } };
   // Incisors that lean forward: the labial border of the lower ones faces down as well, that of the upper ones up.
-  itk::PosePolyline lower, upper;
+  itk::DentalContour::PolylineType lower, upper;
   for (int i = 0; i <= 20; ++i)
   {
-    lower.points.push_back({ { 100.0 - 0.5 * i, 50.0 + i } });
-    upper.points.push_back({ { 100.0 - 0.5 * i, 50.0 - i } });
+    lower.points.push_back(MakePoint(100.0 - 0.5 * i, 50.0 + i));
+    upper.points.push_back(MakePoint(100.0 - 0.5 * i, 50.0 - i));
   }
-  const itk::PoseTracing lowerTracing(geometry, { lower }, false);
-  const itk::PoseTracing upperTracing(geometry, { upper }, true);
+  const itk::PoseTracing lowerTracing(geometry, { lower }, itk::ToothCode::JawEnum::Lower);
+  const itk::PoseTracing upperTracing(geometry, { upper }, itk::ToothCode::JawEnum::Upper);
   for (std::size_t i = 0; i < lowerTracing.Size(); ++i)
   {
     EXPECT_GT(lowerTracing.nu[i], 0.8);
@@ -71,13 +83,13 @@ TEST(PoseTracing, ClosedCrownKeepsItsOcclusalPart)
 {
   itk::PoseGeometry geometry;
   geometry.pixelSpacing = { { 0.25, 0.25 } };
-  itk::PosePolyline circle;
+  itk::DentalContour::PolylineType circle;
   circle.closed = true;
   for (int i = 0; i < 72; ++i)
   {
-    circle.points.push_back({ { 20.0 * std::cos(i * M_PI / 36.0), 20.0 * std::sin(i * M_PI / 36.0) } });
+    circle.points.push_back(MakePoint(20.0 * std::cos(i * M_PI / 36.0), 20.0 * std::sin(i * M_PI / 36.0)));
   }
-  const itk::PoseTracing tracing(geometry, { circle }, true);
+  const itk::PoseTracing tracing(geometry, { circle }, itk::ToothCode::JawEnum::Upper);
   EXPECT_GT(tracing.Size(), 30u);
   EXPECT_LT(tracing.Size(), 50u);
   for (std::size_t i = 0; i < tracing.Size(); ++i)

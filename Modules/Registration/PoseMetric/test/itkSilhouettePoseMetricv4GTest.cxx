@@ -40,7 +40,7 @@
 namespace
 {
 using MetricType = itk::SilhouettePoseMetricv4;
-using SideEnum = itk::PoseTracedSideEnum;
+using SideEnum = itk::TracedSideEnum;
 using Source = SilhouettePoseTestCase::Source;
 using HoldEnum = MetricType::HoldEnum;
 

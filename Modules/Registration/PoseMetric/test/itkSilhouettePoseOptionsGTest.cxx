@@ -43,6 +43,7 @@ namespace
 {
 using MetricType = itk::SilhouettePoseMetricv4;
 using Kernel = itk::PoseSilhouetteKernel;
+using JawEnum = itk::ToothCode::JawEnum;
 using Source = SilhouettePoseTestCase::Source;
 using ContourType = itk::DentalContour;
 using PointType = ContourType::PointType;
@@ -61,7 +62,7 @@ MetricType::Pointer
 MakeMetric(Source::TracedSideEnum side, unsigned int jaw)
 {
   const auto metric = Case(side).MakeMetric(jaw);
-  metric->SetTracedSide(static_cast<itk::PoseTracedSideEnum>(side));
+  metric->SetTracedSide(static_cast<itk::TracedSideEnum>(side));
   auto         pose = metric->GetBlockValues("pose");
   const double away[6] = { 0.01, -0.02, 0.015, 0.3, -0.8, 0.4 };
   for (unsigned int k = 0; k < 6; ++k)
@@ -403,27 +404,27 @@ TEST(SilhouettePoseOptions, TeethOfAScanAreToldByTheirPlaceAlongTheArch)
   const auto &        contour = metric->GetContours(x)[0];
   const auto &        tracing = metric->GetKernel().GetStrands()[0].tracing;
   const auto          lin = metric->GetKernel().Linearize(0, pose, contour, false);
-  const itk::PoseArch arch(phantom.surfaces[0], true);
+  const itk::PoseArch arch(phantom.surfaces[0], JawEnum::Upper);
   unsigned int        matched = 0;
   for (std::size_t i = 0; i < tracing.Size(); ++i)
   {
     if (lin.match[i] != Kernel::NoMatch)
     {
       const auto & rim = contour.rim[lin.match[i]];
-      EXPECT_EQ(itk::PoseArch::ExpectedPosition(arch.Arc(rim[0], rim[1]), true), tracing.tooth[i] % 10);
+      EXPECT_EQ(itk::PoseArch::ExpectedPosition(arch.Arc(rim[0], rim[1]), JawEnum::Upper), tracing.tooth[i] % 10);
       ++matched;
     }
   }
   EXPECT_GT(matched, tracing.Size() / 2);
   // Boundaries by the widths of ExpectedArc(): the upper central incisor ends at 8.5 mm, the lower one at 5.3 mm.
-  EXPECT_EQ(itk::PoseArch::ExpectedPosition(-8.4, true), 1);
-  EXPECT_EQ(itk::PoseArch::ExpectedPosition(8.6, true), 2);
-  EXPECT_EQ(itk::PoseArch::ExpectedPosition(5.4, false), 2);
-  EXPECT_EQ(itk::PoseArch::ExpectedPosition(80.0, false), 8);
+  EXPECT_EQ(itk::PoseArch::ExpectedPosition(-8.4, JawEnum::Upper), 1);
+  EXPECT_EQ(itk::PoseArch::ExpectedPosition(8.6, JawEnum::Upper), 2);
+  EXPECT_EQ(itk::PoseArch::ExpectedPosition(5.4, JawEnum::Lower), 2);
+  EXPECT_EQ(itk::PoseArch::ExpectedPosition(80.0, JawEnum::Lower), 8);
   for (std::uint8_t tooth = 11; tooth <= 17; ++tooth)
   {
-    EXPECT_EQ(itk::PoseArch::ExpectedPosition(itk::PoseArch::ExpectedArc(tooth), true), tooth % 10);
-    EXPECT_EQ(itk::PoseArch::ExpectedPosition(-itk::PoseArch::ExpectedArc(tooth + 20), false), tooth % 10);
+    EXPECT_EQ(itk::PoseArch::ExpectedPosition(itk::PoseArch::ExpectedArc(tooth), JawEnum::Upper), tooth % 10);
+    EXPECT_EQ(itk::PoseArch::ExpectedPosition(-itk::PoseArch::ExpectedArc(tooth + 20), JawEnum::Lower), tooth % 10);
   }
 }
 

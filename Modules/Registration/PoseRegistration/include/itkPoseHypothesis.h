@@ -31,9 +31,9 @@ namespace itk
  * \brief Another reading of the same input, tried beside the result to name a likely mistake.
  *
  * A hypothesis turns the question into another one, which PoseRegistrationMethod answers quickly. What came of it
- * stands in the result under the hypothesis' code, whoever wrote it: PoseGroupResult::FindOutcome(). RegistrationVerdict
- * names those of the toolkit that explain the evidence better; what a user's own means is for the user to say, by
- * comparing its score with the group's or by its deviance.
+ * stands in the result under the hypothesis' code, whoever wrote it: PoseGroupResult::FindOutcome().
+ * RegistrationVerdict names those of the toolkit that explain the evidence better; what a user's own means is for the
+ * user to say, by comparing its score with the group's or by its deviance.
  *
  * \ingroup PoseRegistration
  */

@@ -48,8 +48,8 @@ namespace itk
  * optimizer, and of the metric (GetMetric()) at those steps that are no hypothesis's, whose criterion is another one;
  * ProgressEvent; AbortEvent. AbortGenerateDataOn() in an observer ends it within a step.
  *
- * In ITK a MultiResolutionIterationEvent is an IterationEvent: an observer of IterationEvent is called at the start of a
- * level too. typeid(event) == typeid(IterationEvent) is true of steps alone, as in RegistrationIterationCommand.
+ * In ITK a MultiResolutionIterationEvent is an IterationEvent: an observer of IterationEvent is called at the start of
+ * a level too. typeid(event) == typeid(IterationEvent) is true of steps alone, as in RegistrationIterationCommand.
  *
  * Errors: no jaw with mesh and contour, no geometry, cells that are not triangles, inconsistent distances.
  *

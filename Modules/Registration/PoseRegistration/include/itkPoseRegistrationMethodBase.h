@@ -101,8 +101,8 @@ public:
 
   /** Which side was traced: the option that cases differ in. */
   void
-  SetTracedSide(PoseTracedSideEnum side);
-  PoseTracedSideEnum
+  SetTracedSide(TracedSideEnum side);
+  TracedSideEnum
   GetTracedSide() const
   {
     return m_Options.tracedSide;

@@ -19,11 +19,11 @@
 #define itkPoseRegistrationTypes_h
 
 #include "itkPoseFitStatistics.h"
-#include "itkPosePolyline.h"
+#include "itkDentalContour.h"
 #include "itkPoseTypes.h"
+#include "itkTracedSide.h"
 #include "itkTriangleSurface.h"
 
-#include "itkDentalContour.h"
 
 #include <array>
 #include <cstdint>
@@ -47,7 +47,7 @@ struct PoseJawInput
   /** Mesh frame, mm; must outlive the call. */
   const TriangleSurface *     surface{ nullptr };
   PoseFrame                   frame;
-  bool                        upper{ true };
+  ToothCode::JawEnum          jaw{ ToothCode::JawEnum::Upper };
   DentalContour::ConstPointer tracing;
   /** Start instead of the global search, of this jaw's frame; before PoseRegistrationOptions::initialPose. Of jaws that
    * share a pose the first that has one speaks. */
@@ -57,7 +57,7 @@ struct PoseJawInput
 /** Every ingredient of the method; the defaults are preset "robust". */
 struct PoseRegistrationOptions
 {
-  PoseTracedSideEnum tracedSide{ PoseTracedSideEnum::Right };
+  TracedSideEnum tracedSide{ TracedSideEnum::Right };
 
   /** Cut at the midline plane, or take the whole mesh's outline. */
   bool useSideSelection{ true };
@@ -187,8 +187,8 @@ struct PoseCandidate
 /** Result for one jaw. */
 struct PoseJawResult
 {
-  bool upper{ true };
-  bool registered{ false };
+  ToothCode::JawEnum jaw{ ToothCode::JawEnum::Upper };
+  bool               registered{ false };
   /** The dental frame that the pose is of. */
   PoseFrame frame;
   /** Why not, where not. */

@@ -30,7 +30,7 @@ OtherSideHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupR
 {
   const PoseRegistrationOptions & options = problem.options;
   return options.useSideSelection &&
-         (options.tracedSide == PoseTracedSideEnum::Right || options.tracedSide == PoseTracedSideEnum::Left);
+         (options.tracedSide == TracedSideEnum::Right || options.tracedSide == TracedSideEnum::Left);
 }
 
 PoseProblem
@@ -43,7 +43,7 @@ OtherSideHypothesis::Apply(const PoseProblem & problem) const
   other.options = MakeQuickOptions(problem.options, evaluations);
   other.options.startsPerYaw = 3;
   other.options.tracedSide =
-    problem.options.tracedSide == PoseTracedSideEnum::Right ? PoseTracedSideEnum::Left : PoseTracedSideEnum::Right;
+    problem.options.tracedSide == TracedSideEnum::Right ? TracedSideEnum::Left : TracedSideEnum::Right;
   for (PoseJawInput & jaw : other.jaws)
   {
     jaw.initialPose.reset();

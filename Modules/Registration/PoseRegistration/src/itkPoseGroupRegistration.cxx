@@ -525,7 +525,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   else
   {
     std::vector<double> yaws{ 0.0 };
-    if (m_Options.tracedSide != PoseTracedSideEnum::Mean && m_Options.useFullPose && !m_Options.fixRotation &&
+    if (m_Options.tracedSide != TracedSideEnum::Mean && m_Options.useFullPose && !m_Options.fixRotation &&
         !m_Options.yawStarts.empty())
     {
       yaws = m_Options.yawStarts;

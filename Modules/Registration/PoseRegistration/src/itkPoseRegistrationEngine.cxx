@@ -211,16 +211,16 @@ DescribeJaw(const PoseJawInput &            input,
     sum += normal[2];
     area += std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
   }
-  result.winding = area > 0.0 ? (input.upper ? -sum : sum) / area : 0.0;
+  result.winding = area > 0.0 ? (input.jaw == ToothCode::JawEnum::Upper ? -sum : sum) / area : 0.0;
   std::size_t other = 0, all = 0;
   for (const auto & polyline : input.tracing->GetPolylines())
   {
     const std::uint8_t tooth = polyline.code.GetFDI();
     all += polyline.points.size();
-    const bool wrong = tooth != 0 && IsLeft(tooth) == (options.tracedSide == PoseTracedSideEnum::Right);
+    const bool wrong = tooth != 0 && IsLeft(tooth) == (options.tracedSide == TracedSideEnum::Right);
     other += wrong ? polyline.points.size() : 0;
   }
-  if (all > 0 && (options.tracedSide == PoseTracedSideEnum::Right || options.tracedSide == PoseTracedSideEnum::Left))
+  if (all > 0 && (options.tracedSide == TracedSideEnum::Right || options.tracedSide == TracedSideEnum::Left))
   {
     result.otherSideCodes = static_cast<double>(other) / static_cast<double>(all);
   }
@@ -269,7 +269,7 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
   for (std::size_t j = 0; j < jaws.size(); ++j)
   {
     const PoseJawInput & input = problem.jaws[j];
-    result.jaws[j].upper = input.upper;
+    result.jaws[j].jaw = input.jaw;
     result.jaws[j].frame = input.frame;
     if (input.surface == nullptr || input.surface->triangles.empty())
     {
@@ -279,8 +279,7 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     jaws[j].metric = SilhouettePoseMetricv4::New();
     jaws[j].metric->SetTransform(transform);
     jaws[j].metric->SetFixedContour(input.tracing);
-    jaws[j].metric->SetJaw(input.upper ? SilhouettePoseMetricv4::JawEnum::Upper
-                                       : SilhouettePoseMetricv4::JawEnum::Lower);
+    jaws[j].metric->SetJaw(input.jaw);
     jaws[j].metric->SetTracedSide(options.tracedSide);
     jaws[j].metric->SetUseSideSelection(options.useSideSelection);
     jaws[j].metric->SetMidlineMargin(options.midlineMargin);
@@ -323,9 +322,8 @@ PoseRegistrationEngine::MakeMetric(const PoseProblem &              problem,
   for (const TermType & term : terms)
   {
     const bool belongs =
-      term.jaw == ToothCode::JawEnum::Unknown || std::any_of(members.begin(), members.end(), [&](std::size_t j) {
-        return problem.jaws[j].upper == (term.jaw == ToothCode::JawEnum::Upper);
-      });
+      term.jaw == ToothCode::JawEnum::Unknown ||
+      std::any_of(members.begin(), members.end(), [&](std::size_t j) { return problem.jaws[j].jaw == term.jaw; });
     if (belongs)
     {
       // What a user has set of kernel and noise is the user's.
@@ -384,7 +382,7 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
     }
     PoseGroupResult group;
     group.jaws = members;
-    group.bisected = options.tracedSide == PoseTracedSideEnum::Mean;
+    group.bisected = options.tracedSide == TracedSideEnum::Mean;
     const MetricType::Pointer metric = this->MakeMetric(problem, result.geometry, jaws, members);
     if (groupObserver)
     {

@@ -146,7 +146,7 @@ PoseRegistrationMethodBase::SetOptions(const PoseRegistrationOptions & options)
 }
 
 void
-PoseRegistrationMethodBase::SetTracedSide(PoseTracedSideEnum side)
+PoseRegistrationMethodBase::SetTracedSide(TracedSideEnum side)
 {
   if (m_Options.tracedSide != side)
   {
@@ -477,7 +477,7 @@ PoseRegistrationMethodBase::GenerateData()
     PoseJawInput input;
     input.surface = &surfaces[ToIndex(jaw)];
     input.frame = m_Frames[ToIndex(jaw)];
-    input.upper = jaw == JawEnum::Upper;
+    input.jaw = jaw;
     input.tracing = this->GetContour(jaw);
     const InitialType & initial = m_Initial[ToIndex(jaw)];
     if (initial.transform.IsNotNull())

@@ -56,7 +56,7 @@ PoseSolution::GetIndex(JawEnum jaw) const
 {
   for (std::size_t j = 0; j < m_Result.jaws.size(); ++j)
   {
-    if (m_Result.jaws[j].upper == (jaw == JawEnum::Upper))
+    if (m_Result.jaws[j].jaw == jaw)
     {
       return static_cast<int>(j);
     }
@@ -245,7 +245,7 @@ PoseSolution::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Jaws: " << m_Result.jaws.size() << std::endl;
   for (const PoseJawResult & jaw : m_Result.jaws)
   {
-    os << indent.GetNextIndent() << (jaw.upper ? "upper" : "lower") << ": "
+    os << indent.GetNextIndent() << (jaw.jaw == JawEnum::Upper ? "upper" : "lower") << ": "
        << (jaw.registered ? "registered" : jaw.failure) << std::endl;
   }
   os << indent << "Groups: " << m_Result.groups.size() << std::endl;

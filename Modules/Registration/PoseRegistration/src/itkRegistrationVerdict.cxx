@@ -319,7 +319,7 @@ RegistrationVerdict::GetNotCheckable(const PoseRegistrationResult & result, cons
     lines.emplace_back(
       "exchanged jaws, facing, other side, other minima: not searched beside a given start or held values");
   }
-  if (options.tracedSide == PoseTracedSideEnum::Mean)
+  if (options.tracedSide == TracedSideEnum::Mean)
   {
     lines.emplace_back("roll and yaw of the head: a bisected tracing does not carry them");
     lines.emplace_back("whether the tracing really is the middle of both sides");

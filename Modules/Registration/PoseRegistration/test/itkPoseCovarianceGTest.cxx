@@ -192,7 +192,9 @@ private:
   {
     itk::ReproducibleRandom random(19 + j);
     const itk::PoseContour  contour =
-      itk::PoseMeshContourModel(*surfaces[j], j == 0, true).Compute(itk::PoseModel(geometry, Pose));
+      itk::PoseMeshContourModel(
+        *surfaces[j], j == 0 ? itk::ToothCode::JawEnum::Upper : itk::ToothCode::JawEnum::Lower, true)
+        .Compute(itk::PoseModel(geometry, Pose));
     itk::DentalContour::PolylineType polyline;
     auto                             tracing = itk::DentalContour::New();
     double                           drift = 0.0;
@@ -583,7 +585,7 @@ TEST(PoseCovariance, HeldParametersHaveTheirOwnWidthAndTheOthersFollow)
 TEST(PoseCovariance, RotationsThatATracingDoesNotCarryEnterWithTheirOwnWidth)
 {
   Scene scene;
-  scene.options.tracedSide = itk::PoseTracedSideEnum::Mean;
+  scene.options.tracedSide = itk::TracedSideEnum::Mean;
   scene.options.unobservedRotationSigma = 2.5 * Degree;
   const itk::ContourNoiseLevels levels{ 1.1, 0.5 };
   const auto                    metric = scene.MakeMetric(levels);
@@ -655,7 +657,7 @@ TEST(PoseCovariance, LandmarksCovarianceIsThatOfTheProjectedPixelWhereNoTwoLengt
       result.groups[1].parameters = { { -0.1, 0.02, 0.11, -4.0, -1.0, 6.0, -0.03 } };
       result.groups[1].covariance = Flatten(3.0 * covariance.transpose());
       result.jaws.resize(2);
-      result.jaws[1].upper = false;
+      result.jaws[1].jaw = itk::ToothCode::JawEnum::Lower;
       result.groupOfJaw = { 1, 0 };
       // A frame that turns and shifts: rows are the axes.
       itk::PoseJawResult jaw;

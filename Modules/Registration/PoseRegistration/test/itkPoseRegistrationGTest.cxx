@@ -240,7 +240,7 @@ TEST(PoseRegistration, CodesOfTheNextToothAndARepeatedPointAreNamed)
   {
     for (auto & polyline : jaw.tracing)
     {
-      polyline.tooth = static_cast<std::uint8_t>(polyline.tooth + 1);
+      polyline.code = itk::ToothCode(polyline.code.GetFDI() + 1u);
     }
   }
   const itk::PoseRegistrationOptions options;

@@ -192,7 +192,8 @@ TEST(PoseRegistrationMethod, ItsMovingContourIsThatOfTheFilter)
   poseGeometry.pixelSpacing = { { 0.2, 0.3 } };
   poseGeometry.principalPoint = { { 100.0, 200.0 } };
   const itk::PoseModel   pose(poseGeometry, { { 0.15, 0.03, -0.05, 20.0, 1.0, -30.0, 0.0 } });
-  const itk::PoseContour expected = itk::PoseMeshContourModel(surface, false, true).Compute(pose);
+  const itk::PoseContour expected =
+    itk::PoseMeshContourModel(surface, itk::ToothCode::JawEnum::Lower, true).Compute(pose);
 
   auto geometry = itk::CephalometricGeometry::New();
   geometry->SetFacing(itk::CephalometricGeometry::FacingEnum::Left);

@@ -85,7 +85,7 @@ PrintTo(const Choice & choice, std::ostream * os)
 OptimizerType::Pointer
 MakeAmoeba()
 {
-  auto                                    optimizer = itk::AmoebaOptimizerv4::New();
+  auto                                   optimizer = itk::AmoebaOptimizerv4::New();
   itk::AmoebaOptimizerv4::ParametersType delta(Parameters);
   delta.Fill(1.0);
   optimizer->SetAutomaticInitialSimplex(false);
@@ -266,14 +266,14 @@ TEST(PoseRegistrationOptimizers, ALearningRateThatIsFarTooLargeIsAnErrorThatSays
   EXPECT_TRUE(Contains(message, "smaller step, learning rate or bounds")) << message;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  ITK,
-  PoseRegistrationOptimizers,
-  ::testing::Values(Choice{ "Amoeba", MakeAmoeba, 3.0, false },
-                    Choice{ "Powell", MakePowell, 3.0, true },
-                    Choice{ "LBFGSB", MakeLBFGSB, 3.0, true },
-                    Choice{ "LBFGS2", MakeLBFGS2, 3.0, true },
-                    Choice{ "RegularStep", MakeRegularStep, 3.0, true },
-                    Choice{ "GradientDescent", [] { return MakeGradientDescent(1e-4); }, 3.0, true },
-                    Choice{ "OnePlusOne", MakeOnePlusOne, 3.0, true }),
-  [](const ::testing::TestParamInfo<Choice> & info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(ITK,
+                         PoseRegistrationOptimizers,
+                         ::testing::Values(Choice{ "Amoeba", MakeAmoeba, 3.0, false },
+                                           Choice{ "Powell", MakePowell, 3.0, true },
+                                           Choice{ "LBFGSB", MakeLBFGSB, 3.0, true },
+                                           Choice{ "LBFGS2", MakeLBFGS2, 3.0, true },
+                                           Choice{ "RegularStep", MakeRegularStep, 3.0, true },
+                                           Choice{
+                                             "GradientDescent", [] { return MakeGradientDescent(1e-4); }, 3.0, true },
+                                           Choice{ "OnePlusOne", MakeOnePlusOne, 3.0, true }),
+                         [](const ::testing::TestParamInfo<Choice> & info) { return info.param.name; });

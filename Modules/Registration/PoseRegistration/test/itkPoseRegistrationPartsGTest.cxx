@@ -228,7 +228,7 @@ TEST(PoseRegistrationParts, DefaultsAreThoseOfThePreset)
   EXPECT_STREQ(method->GetStart()->GetNameOfClass(), "PoseStartSearch");
   EXPECT_TRUE(method->GetMetrics().empty());
   EXPECT_TRUE(method->GetPrincipalPointKnown());
-  EXPECT_EQ(method->GetTracedSide(), itk::PoseTracedSideEnum::Right);
+  EXPECT_EQ(method->GetTracedSide(), itk::TracedSideEnum::Right);
   EXPECT_EQ(method->GetMetric(), nullptr);
   EXPECT_EQ(method->GetNumberOfLevels(), 4u);
   EXPECT_EQ(method->GetCurrentLevel(), 0u);
@@ -453,7 +453,7 @@ TEST(PoseRegistrationParts, HypothesesTurnTheQuestionIntoAnother)
 {
   itk::PoseProblem problem;
   problem.jaws.resize(2);
-  problem.jaws[1].upper = false;
+  problem.jaws[1].jaw = itk::ToothCode::JawEnum::Lower;
   problem.jaws[0].tracing = Typical().contours[0];
   problem.jaws[1].tracing = Typical().contours[1];
   problem.completed = problem.nominal;
@@ -466,13 +466,13 @@ TEST(PoseRegistrationParts, HypothesesTurnTheQuestionIntoAnother)
   EXPECT_TRUE(side->GetComparesDeviance());
   EXPECT_TRUE(side->IsWorthTrying(problem, result)) << "whatever the fit";
   const auto otherSide = side->Apply(problem);
-  EXPECT_EQ(otherSide.options.tracedSide, itk::PoseTracedSideEnum::Left);
-  EXPECT_EQ(side->Apply(otherSide).options.tracedSide, itk::PoseTracedSideEnum::Right);
+  EXPECT_EQ(otherSide.options.tracedSide, itk::TracedSideEnum::Left);
+  EXPECT_EQ(side->Apply(otherSide).options.tracedSide, itk::TracedSideEnum::Right);
   EXPECT_FALSE(otherSide.options.checkHypotheses);
   EXPECT_FALSE(otherSide.options.useInitialPose);
   EXPECT_EQ(otherSide.options.yawStarts, std::vector<double>{ 0.0 });
   auto both = problem;
-  both.options.tracedSide = itk::PoseTracedSideEnum::Both;
+  both.options.tracedSide = itk::TracedSideEnum::Both;
   EXPECT_FALSE(side->IsWorthTrying(both, result));
 
   const auto facing = itk::OtherFacingHypothesis::New();
@@ -488,8 +488,8 @@ TEST(PoseRegistrationParts, HypothesesTurnTheQuestionIntoAnother)
   EXPECT_EQ(exchanged->GetCode(), "jaws-exchanged");
   EXPECT_TRUE(exchanged->IsWorthTrying(problem, result));
   const auto other = exchanged->Apply(problem);
-  EXPECT_FALSE(other.jaws[0].upper);
-  EXPECT_TRUE(other.jaws[1].upper);
+  EXPECT_EQ(other.jaws[0].jaw, itk::ToothCode::JawEnum::Lower);
+  EXPECT_EQ(other.jaws[1].jaw, itk::ToothCode::JawEnum::Upper);
   EXPECT_EQ(other.jaws[0].tracing.GetPointer(), problem.jaws[1].tracing.GetPointer());
   EXPECT_EQ(other.jaws[0].frame.rotation[8], -1.0) << "it stands on its head";
   problem.jaws.resize(1);
@@ -550,7 +550,7 @@ TEST(PoseRegistrationParts, AUsersSilhouetteKeepsItsKernelAndItsNoise)
   itk::PoseRegistrationOptions options;
   options.checkHypotheses = false;
   options.yawStarts = { 0.0 };
-  const auto first = MakeMethod(options);
+  const auto                           first = MakeMethod(options);
   itk::SilhouettePoseMetricv4::Pointer own;
   first->AddObserver(itk::MultiResolutionIterationEvent(), [&](const itk::EventObject &) {
     if (own.IsNull())

@@ -19,10 +19,9 @@
 #define itkPoseRegistrationTestCase_h
 
 #include "itkPosePhantom.h"
-#include "itkPosePolyline.h"
+#include "itkDentalContour.h"
 #include "itkPoseRegistrationMethod.h"
 
-#include "itkMakePosePolylines.h"
 #include "itkTriangleCell.h"
 
 #include <cmath>
@@ -33,9 +32,9 @@
 /** A jaw as flat arrays that a test may bend: the surface in its dental frame, and its tracing. */
 struct PoseTestJaw
 {
-  const itk::TriangleSurface *   surface{ nullptr };
-  bool                           upper{ true };
-  std::vector<itk::PosePolyline> tracing;
+  const itk::TriangleSurface *      surface{ nullptr };
+  bool                              upper{ true };
+  itk::DentalContour::PolylinesType tracing;
 };
 
 /** A phantom case in its anatomical frame, and the registration of it and of what tests make of it. */
@@ -57,7 +56,7 @@ struct PoseRegistrationTestCase : PosePhantom
   {
     for (unsigned int j = 0; j < 2; ++j)
     {
-      jaws.push_back({ &surfaces[j], j == 0, itk::MakePosePolylines(*contours[j]) });
+      jaws.push_back({ &surfaces[j], j == 0, contours[j]->GetPolylines() });
     }
   }
 
@@ -89,23 +88,12 @@ struct PoseRegistrationTestCase : PosePhantom
   }
 
   static itk::DentalContour::Pointer
-  MakeContour(const std::vector<itk::PosePolyline> & tracing)
+  MakeContour(const itk::DentalContour::PolylinesType & tracing)
   {
     auto contour = itk::DentalContour::New();
-    for (const itk::PosePolyline & polyline : tracing)
+    for (const auto & polyline : tracing)
     {
-      itk::DentalContour::PolylineType converted;
-      converted.code = itk::ToothCode(polyline.tooth);
-      converted.closed = polyline.closed;
-      converted.weights = polyline.weights;
-      for (const auto & p : polyline.points)
-      {
-        itk::DentalContour::PointType point;
-        point[0] = p[0];
-        point[1] = p[1];
-        converted.points.push_back(point);
-      }
-      contour->AddPolyline(converted);
+      contour->AddPolyline(polyline);
     }
     return contour;
   }

@@ -75,7 +75,7 @@ MakeResult(double facingSign = 1.0, double sourceSign = 1.0)
     group.stopCondition = "by hand";
 
     itk::PoseJawResult jaw;
-    jaw.upper = j == 0;
+    jaw.jaw = j == 0 ? itk::ToothCode::JawEnum::Upper : itk::ToothCode::JawEnum::Lower;
     jaw.registered = true;
     // A frame that turns and shifts: rows are the axes.
     jaw.frame.rotation = { { 0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6 } };

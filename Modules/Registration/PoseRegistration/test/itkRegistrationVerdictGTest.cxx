@@ -47,7 +47,7 @@ MakeGoodResult(std::size_t numberOfJaws = 1)
   for (std::size_t j = 0; j < numberOfJaws; ++j)
   {
     itk::PoseJawResult jaw;
-    jaw.upper = j == 0;
+    jaw.jaw = j == 0 ? itk::ToothCode::JawEnum::Upper : itk::ToothCode::JawEnum::Lower;
     jaw.registered = true;
     jaw.archWidth = 58.0;
     jaw.winding = 0.4;
@@ -588,15 +588,13 @@ TEST(RegistrationVerdict, NotCheckableIsWhatTheDataOfTheCaseLeavesOpen)
     options.*held = true;
     EXPECT_EQ(Verdict::GetNotCheckable(MakeGoodResult(), options), (Lines{ view, source, manual, mirrored, patient }));
   }
-  for (const auto side : { itk::PoseTracedSideEnum::Right,
-                           itk::PoseTracedSideEnum::Left,
-                           itk::PoseTracedSideEnum::Both,
-                           itk::PoseTracedSideEnum::Mean })
+  for (const auto side :
+       { itk::TracedSideEnum::Right, itk::TracedSideEnum::Left, itk::TracedSideEnum::Both, itk::TracedSideEnum::Mean })
   {
     itk::PoseRegistrationOptions options;
     options.tracedSide = side;
     EXPECT_EQ(Verdict::GetNotCheckable(MakeGoodResult(), options),
-              (side == itk::PoseTracedSideEnum::Mean ? Lines{ view, source, roll, middle, mirrored, patient }
-                                                     : Lines{ view, source, mirrored, patient }));
+              (side == itk::TracedSideEnum::Mean ? Lines{ view, source, roll, middle, mirrored, patient }
+                                                 : Lines{ view, source, mirrored, patient }));
   }
 }

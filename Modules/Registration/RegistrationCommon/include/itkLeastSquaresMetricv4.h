@@ -48,11 +48,11 @@ namespace itk
  * - the value is the criterion at the kernel width, noise levels and matching rule as they are set, a fixed function
  * for any optimizer. SetKernelWidth(), SetNoiseLevels(), UpdateNoiseCorrelation() and EstimateNoise() change it,
  * between runs of an optimizer;
- * - Hold(Matches) freezes matches at the current position, and in the residuals their weights, which makes residuals and
- *   value differentiable everywhere and equal in value and slope to the free ones there. In the value the weights stay
- *   those of the kernel at each position: the value with its charge is the robust criterion, whose slope is that of the
- *   residuals' only where the weights are of that position. Tests differentiate both. Hold(Contours) freezes only which
- *   samples are matched with: cheaper, for searches that begin far away.
+ * - Hold(Matches) freezes matches at the current position, and in the residuals their weights, which makes residuals
+ * and value differentiable everywhere and equal in value and slope to the free ones there. In the value the weights
+ * stay those of the kernel at each position: the value with its charge is the robust criterion, whose slope is that of
+ * the residuals' only where the weights are of that position. Tests differentiate both. Hold(Contours) freezes only
+ * which samples are matched with: cheaper, for searches that begin far away.
  *
  * Positions: x holds all parameters of this metric's blocks in the order of DeclareBlocks(), natural units. An
  * optimizer sees the free ones, scaled (RegistrationState). As all v4 metrics do, GetDerivative() returns MINUS the
@@ -216,9 +216,9 @@ public:
   void
   UpdateTransformParameters(const DerivativeType & derivative, ParametersValueType factor) override;
 
-  /** Called before each evaluation that an optimizer asks for (GetValue(), GetDerivative(), both, or GetResiduals()), in
-   * its thread. What it throws ends the optimizer's run: most of ITK's optimizers ask nobody else whether to go on. Not
-   * cloned. */
+  /** Called before each evaluation that an optimizer asks for (GetValue(), GetDerivative(), both, or GetResiduals()),
+   * in its thread. What it throws ends the optimizer's run: most of ITK's optimizers ask nobody else whether to go on.
+   * Not cloned. */
   using EvaluationCallbackType = std::function<void()>;
   void
   SetEvaluationCallback(EvaluationCallbackType callback);

@@ -57,7 +57,8 @@ public:
   /** Whose a term's robust kernel and noise are. */
   enum class SettingsEnum : uint8_t
   {
-    /** The sum's: SetRobustKernel(), SetKernelWidth(), SetNoiseModel(), SetNoiseLevels() and EstimateNoise() reach it. */
+    /** The sum's: SetRobustKernel(), SetKernelWidth(), SetNoiseModel(), SetNoiseLevels() and EstimateNoise() reach it.
+     */
     OfTheSum,
     /** Its own: they stay as the term has them, and its residuals count in EstimateNoise() as what is known. */
     Own

@@ -237,7 +237,7 @@ TEST(LeastSquaresMetricv4, AnEvaluationIsAnnouncedOnceAndMayBeRefused)
   metric->Initialize();
   unsigned int announced = 0;
   metric->SetEvaluationCallback([&]() { ++announced; });
-  double                               value = 0.0;
+  double                                    value = 0.0;
   itk::LeastSquaresMetricv4::DerivativeType derivative;
   metric->GetValue();
   EXPECT_EQ(announced, 1u);

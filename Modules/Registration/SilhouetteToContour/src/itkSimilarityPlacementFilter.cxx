@@ -132,14 +132,12 @@ SimilarityPlacementFilter::GenerateData()
   const double s = f * std::sin(angle);
   // The scale is a factor on the magnification, as the pose registration's is: a pixel is so many mm fewer or more.
   const double m = scale * geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
-  const double shift[3] = {
-    f * (parameters[2] - geometry->GetPrincipalPoint()[0]) * geometry->GetPixelSpacing()[0] / m,
-    0.0,
-    -(parameters[3] - geometry->GetPrincipalPoint()[1]) * geometry->GetPixelSpacing()[1] / m
-  };
-  const double                   turn[3][3] = { { c, 0.0, s }, { 0.0, 1.0, 0.0 }, { -s, 0.0, c } };
-  const auto &                   own = this->GetFrame()->Get()->GetMatrix();
-  const auto &                   offset = this->GetFrame()->Get()->GetOffset();
+  const double shift[3] = { f * (parameters[2] - geometry->GetPrincipalPoint()[0]) * geometry->GetPixelSpacing()[0] / m,
+                            0.0,
+                            -(parameters[3] - geometry->GetPrincipalPoint()[1]) * geometry->GetPixelSpacing()[1] / m };
+  const double turn[3][3] = { { c, 0.0, s }, { 0.0, 1.0, 0.0 }, { -s, 0.0, c } };
+  const auto & own = this->GetFrame()->Get()->GetMatrix();
+  const auto & offset = this->GetFrame()->Get()->GetOffset();
   RigidTransformType::MatrixType rotation;
   RigidTransformType::OffsetType translation;
   for (unsigned int row = 0; row < 3; ++row)

@@ -33,6 +33,7 @@
 
 #include "itkImage.h"
 #include "itkProcessObject.h"
+#include "itkTracedSide.h"
 
 #include <array>
 #include <memory>
@@ -91,16 +92,7 @@ public:
   using AcquisitionType = DentalPhantomAcquisition;
   using CohortEnum = AcquisitionType::CohortEnum;
 
-  /** What the tracing follows. Mean bisects the double contours of the two sides, Both holds each. */
-  enum class TracedSideEnum : uint8_t
-  {
-    Right,
-    Left,
-    Mean,
-    Both,
-    /** Whole teeth U1, L1, U6, L6, as a cephalometric analysis draws them. */
-    Standard
-  };
+  using TracedSideEnum = itk::TracedSideEnum;
 
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);

@@ -669,22 +669,4 @@ DentalPhantomCaseSource::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Parameters:" << std::endl;
   m_Parameters.Print(os, indent.GetNextIndent());
 }
-
-std::ostream &
-operator<<(std::ostream & os, DentalPhantomCaseSource::TracedSideEnum side)
-{
-  switch (side)
-  {
-    case DentalPhantomCaseSource::TracedSideEnum::Right:
-      return os << "right";
-    case DentalPhantomCaseSource::TracedSideEnum::Left:
-      return os << "left";
-    case DentalPhantomCaseSource::TracedSideEnum::Mean:
-      return os << "mean";
-    case DentalPhantomCaseSource::TracedSideEnum::Standard:
-      return os << "standard";
-    default:
-      return os << "both";
-  }
-}
 } // namespace itk
