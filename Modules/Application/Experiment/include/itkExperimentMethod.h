@@ -21,6 +21,7 @@
 #include "ExperimentExport.h"
 #include "itkCaseResult.h"
 #include "itkCaseSimilarityRegistration.h"
+#include "itkContourRegistrationMethodBase.h"
 #include "itkExperimentCase.h"
 
 #include "itkImage.h"
@@ -63,6 +64,16 @@ struct ExperimentMethod
   std::string title;
   KindEnum    kind{ KindEnum::Contour };
   ChainEnum   chain{ ChainEnum::Paper };
+
+  /** Of kinds Contour and Intensity: makes the registration of this row, all but its inputs, for a pixel spacing in mm;
+   * of kind Intensity an IntensityRegistrationMethod. */
+  std::function<ContourRegistrationMethodBase::Pointer(const ExperimentMethod &, double)> make{};
+  /** What the result is called, and the levels of our own registration. */
+  CasePresetEnum preset{ CasePresetEnum::Paper };
+  /** The motion is rigid. */
+  bool keepsScale{ false };
+  /** The share of points that a method with a say in it takes for outliers. */
+  double outliers{ 0.0 };
   /** Of kind Pose: NAME=VALUE, see CaseRegistration::SetOption(). */
   std::vector<std::string> options{};
   /** Of kind Pose: exchanges parts of the method, see CaseRegistration::SetPoseMethodCallback(); and what it does, in

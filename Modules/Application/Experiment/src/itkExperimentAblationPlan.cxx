@@ -93,31 +93,21 @@ class AblationPlan : public ExperimentRecordPlan
 public:
   using ExperimentRecordPlan::ExperimentRecordPlan;
 
-  std::string
-  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
+  void
+  FillRecord(std::size_t, ExperimentRecord & record, const ExperimentMonitor & monitor) const override
   {
-    ExperimentRecord record;
-    record.id = this->GetCohort().GetId(i);
-    record.seed = this->GetCohort().seed + i;
     std::size_t done = 0;
-    record.failure = Try([&]() {
-      for (const CohortEnum level : Levels)
-      {
-        const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, level, false);
-        for (const ExperimentMethod & variant : this->GetMethods())
-        {
-          monitor.Advance(static_cast<double>(done++) / static_cast<double>(2 * this->GetMethods().size()));
-          ExperimentRunner runner(experimentCase);
-          runner.SetAbort(monitor.GetAbort());
-          record.Add(KeyOf(variant, level), runner.Run(variant));
-        }
-      }
-    });
-    if (!record.failure.empty())
+    for (const CohortEnum level : Levels)
     {
-      record.methods.clear();
+      const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, level, false);
+      for (const ExperimentMethod & variant : this->GetMethods())
+      {
+        monitor.Advance(static_cast<double>(done++) / static_cast<double>(2 * this->GetMethods().size()));
+        ExperimentRunner runner(experimentCase);
+        runner.SetAbort(monitor.GetAbort());
+        record.Add(KeyOf(variant, level), runner.Run(variant));
+      }
     }
-    return record.ToJson(key);
   }
 
   std::map<std::string, std::string>

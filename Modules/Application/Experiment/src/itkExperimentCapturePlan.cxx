@@ -403,7 +403,7 @@ private:
   {
     const PairsType  pairs = runner.GetLandmarkPairs(jaw, method.chain);
     const double     spacing = runner.GetMeanPixelSpacing(jaw);
-    const bool       keepsScale = method.name.find("rigid") != std::string::npos;
+    const bool       keepsScale = method.keepsScale;
     const Similarity truth = FitToLandmarks(pairs);
     const auto       endOf = [&](const Similarity & start, Similarity & end) {
       const JawResult result = runner.RunJaw(method, jaw, start.ToTransform());

@@ -35,18 +35,10 @@ class CoveragePlan : public ExperimentRecordPlan
 public:
   using ExperimentRecordPlan::ExperimentRecordPlan;
 
-  std::string
-  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
+  void
+  FillRecord(std::size_t i, ExperimentRecord & record, const ExperimentMonitor & monitor) const override
   {
-    ExperimentRecord record;
-    record.id = this->GetCohort().GetId(i);
-    record.seed = this->GetCohort().seed + i;
-    record.failure = Try([&]() { RunStratum(GetExperimentStratum(i), record, monitor); });
-    if (!record.failure.empty())
-    {
-      record.methods.clear();
-    }
-    return record.ToJson(key);
+    RunStratum(GetExperimentStratum(i), record, monitor);
   }
 
   std::map<std::string, std::string>

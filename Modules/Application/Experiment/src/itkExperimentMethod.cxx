@@ -21,19 +21,12 @@
 #include "itkCaseRegistration.h"
 #include "itkCaseResultWriter.h"
 #include "itkCaseSimilarityRegistration.h"
-#include "itkCoherentPointDriftContourRegistrationMethod.h"
-#include "itkContourChamferMetricv4.h"
 #include "itkGeometryPlacementFilter.h"
 #include "itkIntensityRegistrationMethod.h"
-#include "itkIterativeClosestPointContourRegistrationMethod.h"
-#include "itkSilhouetteToContourRegistrationMethod.h"
 #include "itkSurfaceDRRImageSource.h"
 #include "itkTracingPixelSpacingFilter.h"
 
 #include "itkTimeProbe.h"
-
-#include <algorithm>
-#include <stdexcept>
 
 namespace itk
 {
@@ -83,13 +76,12 @@ MeanSpacing(const CephalometricGeometry * geometry)
 }
 
 /** Runs a method whose inputs are set but for the start. */
-template <typename TMethod>
 TransformType::Pointer
-Finish(TMethod *                     method,
-       const DentalContour *         tracing,
-       const DentalContour *         silhouette,
-       const TransformType *         start,
-       const std::function<bool()> & abort)
+Finish(ContourRegistrationMethodBase * method,
+       const DentalContour *           tracing,
+       const DentalContour *           silhouette,
+       const TransformType *           start,
+       const std::function<bool()> &   abort)
 {
   method->SetFixedContour(tracing);
   method->SetMovingContour(silhouette);
@@ -112,87 +104,7 @@ Finish(TMethod *                     method,
   transform->SetParameters(method->GetTransform()->GetParameters());
   return transform;
 }
-
-bool
-Contains(const std::string & text, const char * part)
-{
-  return text.find(part) != std::string::npos;
-}
 } // namespace
-
-const std::vector<ExperimentMethod> &
-GetExperimentMethods()
-{
-  static const std::vector<ExperimentMethod> methods = {
-    { "bounding-box", "Bounding box", KindEnum::Contour, ChainEnum::Paper },
-    { "single-stage", "Single stage", KindEnum::Contour, ChainEnum::Paper },
-    { "paper", "DentalSCR as in the paper", KindEnum::Contour, ChainEnum::Paper },
-    { "robust", "DentalSCR robust", KindEnum::Pose, ChainEnum::Paper },
-    { "icp-rigid", "ICP, rigid", KindEnum::Contour, ChainEnum::Paper },
-    { "icp", "ICP, similarity", KindEnum::Contour, ChainEnum::Paper },
-    { "icp-trimmed-rigid", "ICP, trimmed, rigid", KindEnum::Contour, ChainEnum::Paper },
-    { "icp-trimmed", "ICP, trimmed, similarity", KindEnum::Contour, ChainEnum::Paper },
-    { "cpd-rigid", "CPD, rigid", KindEnum::Contour, ChainEnum::Paper },
-    { "cpd", "CPD, similarity", KindEnum::Contour, ChainEnum::Paper },
-    { "cpd-robust-rigid", "CPD, robust, rigid", KindEnum::Contour, ChainEnum::Paper },
-    { "cpd-robust", "CPD, robust, similarity", KindEnum::Contour, ChainEnum::Paper },
-    { "mutual-information", "Mutual information", KindEnum::Intensity, ChainEnum::Paper },
-    { "normalized-correlation", "Normalised correlation", KindEnum::Intensity, ChainEnum::Paper },
-    { "gradient-correlation", "Gradient correlation", KindEnum::Intensity, ChainEnum::Paper },
-    { "no-umda", "w/o UMDA", KindEnum::Contour, ChainEnum::FileAxes },
-    { "one-sided", "w/o Bi-Chamfer", KindEnum::Contour, ChainEnum::Paper },
-    { "parallel", "w/o perspective", KindEnum::Contour, ChainEnum::ParallelProjection },
-  };
-  return methods;
-}
-
-const ExperimentMethod *
-FindExperimentMethod(const std::string & name)
-{
-  for (const ExperimentMethod & method : GetExperimentMethods())
-  {
-    if (method.name == name)
-    {
-      return &method;
-    }
-  }
-  return nullptr;
-}
-
-std::vector<ExperimentMethod>
-SelectExperimentMethods(const std::vector<std::string> & names)
-{
-  // The paper's ablation has a name of its own for it.
-  const auto resolve = [](const std::string & name) {
-    return name == "no-coarse-to-fine" ? std::string("single-stage") : name;
-  };
-  for (const std::string & name : names)
-  {
-    if (name != "all" && name != "default" && name != "intensity" && FindExperimentMethod(resolve(name)) == nullptr)
-    {
-      std::string known;
-      for (const ExperimentMethod & method : GetExperimentMethods())
-      {
-        known += method.name + ", ";
-      }
-      throw std::invalid_argument("there is no method \"" + name + "\"; there are " + known +
-                                  "no-coarse-to-fine (which is single-stage), and the groups default, intensity, all");
-    }
-  }
-  std::vector<ExperimentMethod> selected;
-  for (const ExperimentMethod & method : GetExperimentMethods())
-  {
-    const bool chosen = std::any_of(names.begin(), names.end(), [&](const std::string & name) {
-      return resolve(name) == method.name || name == "all" ||
-             name == (method.kind == KindEnum::Intensity ? "intensity" : "default");
-    });
-    if (chosen)
-    {
-      selected.push_back(method);
-    }
-  }
-  return selected;
-}
 
 ExperimentRunner::ExperimentRunner(const ExperimentCase & experimentCase)
   : m_Case(experimentCase)
@@ -271,8 +183,11 @@ ExperimentRunner::Register(const ExperimentMethod & method,
 {
   const DentalContour * tracing = m_Case.data->GetJaw(jaw).contour;
   const DentalContour * silhouette = prepared.silhouette;
-  const auto            motion =
-    Contains(method.name, "rigid") ? ContourBaselineEnums::Motion::Rigid : ContourBaselineEnums::Motion::Similarity;
+  if (!method.make)
+  {
+    itkGenericExceptionMacro("the method \"" << method.name << "\" has no registration of one jaw by a similarity");
+  }
+  const auto registration = method.make(method, MeanSpacing(prepared.geometry));
   if (method.kind == KindEnum::Intensity)
   {
     if (m_Case.data->image.IsNull())
@@ -294,46 +209,17 @@ ExperimentRunner::Register(const ExperimentMethod & method,
       prepared.radiograph = source->GetOutput();
       prepared.radiograph->DisconnectPipeline();
     }
-    auto registration = IntensityRegistrationMethod::New();
-    registration->SetFixedImage(m_Case.data->image);
-    registration->SetMovingImage(prepared.radiograph);
-    registration->SetMeasure(
-      method.name == "mutual-information"       ? IntensityRegistrationMethod::MeasureEnum::MutualInformation
-      : method.name == "normalized-correlation" ? IntensityRegistrationMethod::MeasureEnum::NormalizedCorrelation
-                                                : IntensityRegistrationMethod::MeasureEnum::GradientCorrelation);
-    return Finish(registration.GetPointer(), tracing, silhouette, start, m_Abort);
+    auto * const intensity = dynamic_cast<IntensityRegistrationMethod *>(registration.GetPointer());
+    if (intensity == nullptr)
+    {
+      itkGenericExceptionMacro("the method \"" << method.name
+                                               << "\" is of kind Intensity, but its registration takes no "
+                                                  "images: make an IntensityRegistrationMethod");
+    }
+    intensity->SetFixedImage(m_Case.data->image);
+    intensity->SetMovingImage(prepared.radiograph);
   }
-  if (method.name.rfind("icp", 0) == 0)
-  {
-    auto registration = IterativeClosestPointContourRegistrationMethod::New();
-    registration->SetMotion(motion);
-    registration->SetTrimmedFraction(Contains(method.name, "trimmed") ? 0.3 : 0.0);
-    return Finish(registration.GetPointer(), tracing, silhouette, start, m_Abort);
-  }
-  if (method.name.rfind("cpd", 0) == 0)
-  {
-    auto registration = CoherentPointDriftContourRegistrationMethod::New();
-    registration->SetMotion(motion);
-    registration->SetOutlierWeight(Contains(method.name, "robust") ? 0.3 : 0.0);
-    return Finish(registration.GetPointer(), tracing, silhouette, start, m_Abort);
-  }
-  auto registration = SilhouetteToContourRegistrationMethod::New();
-  registration->SetPixelSpacing(MeanSpacing(prepared.geometry));
-  if (method.name == "bounding-box")
-  {
-    registration->SetPresetToBoundingBox();
-  }
-  else if (method.name == "single-stage")
-  {
-    registration->SetPresetToSingleStage();
-  }
-  else if (method.name == "one-sided")
-  {
-    auto metric = ContourChamferMetricv4::New();
-    metric->SetDirection(ContourChamferMetricv4::DirectionEnum::FixedToMoving);
-    registration->SetMetric(metric);
-  }
-  return Finish(registration.GetPointer(), tracing, silhouette, start, m_Abort);
+  return Finish(registration, tracing, silhouette, start, m_Abort);
 }
 
 JawResult
@@ -393,9 +279,7 @@ ExperimentRunner::Run(const ExperimentMethod & method)
   }
   else
   {
-    result.preset = method.name == "bounding-box"   ? CasePresetEnum::BoundingBox
-                    : method.name == "single-stage" ? CasePresetEnum::SingleStage
-                                                    : CasePresetEnum::Paper;
+    result.preset = method.preset;
     result.data = m_Case.data;
     result.geometry = CephalometricGeometry::New();
     result.geometry->CopyParameters(m_Case.data->geometry);

@@ -23,20 +23,25 @@
 namespace itk
 {
 /** \class ExperimentRecordPlan
- * \brief A study that keeps one ExperimentRecord a case. */
+ * \brief A study that keeps one ExperimentRecord a case: how a record begins, fails and is kept is the same in all. */
 class ExperimentRecordPlan : public ExperimentPlan
 {
 public:
   using ExperimentPlan::ExperimentPlan;
 
+  /** The record of a case that FillRecord() fills. */
+  std::string
+  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const final;
+
   void
-  Accept(std::size_t i, const std::string & text, const std::string & key) override
-  {
-    m_Records.resize(this->GetCohort().size());
-    m_Records[i] = ExperimentRecord::FromJson(text, key);
-  }
+  Accept(std::size_t i, const std::string & text, const std::string & key) override;
 
 protected:
+  /** Runs what the study runs on the i-th case; the record has its name and seed. What a case can't be used for is an
+   * exception, or a failure in words of the study's own: the record then keeps the failure alone. */
+  virtual void
+  FillRecord(std::size_t i, ExperimentRecord & record, const ExperimentMonitor & monitor) const = 0;
+
   /** In the order of the cohort. */
   const std::vector<ExperimentRecord> &
   GetRecords() const

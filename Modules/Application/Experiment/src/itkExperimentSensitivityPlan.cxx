@@ -101,12 +101,9 @@ class SensitivityPlan : public ExperimentRecordPlan
 public:
   using ExperimentRecordPlan::ExperimentRecordPlan;
 
-  std::string
-  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
+  void
+  FillRecord(std::size_t i, ExperimentRecord & record, const ExperimentMonitor & monitor) const override
   {
-    ExperimentRecord record;
-    record.id = this->GetCohort().GetId(i);
-    record.seed = this->GetCohort().seed + i;
     std::size_t done = 0;
     for (std::size_t k = 0; k < m_Conditions.size() && record.failure.empty(); ++k)
     {
@@ -125,10 +122,8 @@ public:
       if (!record.failure.empty())
       {
         record.failure = std::string(m_Conditions[k].factor) + ' ' + m_Conditions[k].level + ": " + record.failure;
-        record.methods.clear();
       }
     }
-    return record.ToJson(key);
   }
 
   std::map<std::string, std::string>

@@ -34,32 +34,22 @@ class TablesPlan : public ExperimentRecordPlan
 public:
   using ExperimentRecordPlan::ExperimentRecordPlan;
 
-  std::string
-  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
+  void
+  FillRecord(std::size_t i, ExperimentRecord & record, const ExperimentMonitor & monitor) const override
   {
-    ExperimentRecord record;
-    record.id = this->GetCohort().GetId(i);
-    record.seed = this->GetCohort().IsSimulated() ? this->GetCohort().seed + i : 0;
-    std::size_t done = 0;
-    record.failure = Try([&]() {
-      const ExperimentCase experimentCase = this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()));
-      for (const auto & landmark : experimentCase.marked->GetLandmarks())
-      {
-        ++record.marked[landmark.tooth.GetJaw() == ToothCode::JawEnum::Upper ? "upper" : "lower"];
-      }
-      ExperimentRunner runner(experimentCase);
-      runner.SetAbort(monitor.GetAbort());
-      for (const ExperimentMethod & method : this->GetMethods())
-      {
-        monitor.Advance(static_cast<double>(done++) / static_cast<double>(this->GetMethods().size()));
-        record.Add(method.name, runner.Run(method));
-      }
-    });
-    if (!record.failure.empty())
+    std::size_t          done = 0;
+    const ExperimentCase experimentCase = this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()));
+    for (const auto & landmark : experimentCase.marked->GetLandmarks())
     {
-      record.methods.clear();
+      ++record.marked[landmark.tooth.GetJaw() == ToothCode::JawEnum::Upper ? "upper" : "lower"];
     }
-    return record.ToJson(key);
+    ExperimentRunner runner(experimentCase);
+    runner.SetAbort(monitor.GetAbort());
+    for (const ExperimentMethod & method : this->GetMethods())
+    {
+      monitor.Advance(static_cast<double>(done++) / static_cast<double>(this->GetMethods().size()));
+      record.Add(method.name, runner.Run(method));
+    }
   }
 
   std::map<std::string, std::string>

@@ -74,31 +74,21 @@ class VerdictPlan : public ExperimentRecordPlan
 public:
   using ExperimentRecordPlan::ExperimentRecordPlan;
 
-  std::string
-  Compute(std::size_t i, const std::string & key, const ExperimentMonitor & monitor) const override
+  void
+  FillRecord(std::size_t i, ExperimentRecord & record, const ExperimentMonitor & monitor) const override
   {
-    ExperimentRecord record;
-    record.id = this->GetCohort().GetId(i);
-    record.seed = this->GetCohort().seed + i;
     std::size_t done = 1;
-    record.failure = Try([&]() {
-      RunStratum(GetExperimentStratum(i), record, monitor);
-      for (const MistakeEnum mistake : GetExperimentMistakes())
-      {
-        monitor.Advance(static_cast<double>(done++) / static_cast<double>(1 + GetExperimentMistakes().size()));
-        ExperimentVariation variation;
-        variation.mistake = mistake;
-        const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, LevelOf(i), false, variation);
-        ExperimentRunner     runner(experimentCase);
-        runner.SetAbort(monitor.GetAbort());
-        record.Add(Describe(mistake), runner.Run(*FindExperimentMethod(Method)));
-      }
-    });
-    if (!record.failure.empty())
+    RunStratum(GetExperimentStratum(i), record, monitor);
+    for (const MistakeEnum mistake : GetExperimentMistakes())
     {
-      record.methods.clear();
+      monitor.Advance(static_cast<double>(done++) / static_cast<double>(1 + GetExperimentMistakes().size()));
+      ExperimentVariation variation;
+      variation.mistake = mistake;
+      const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, LevelOf(i), false, variation);
+      ExperimentRunner     runner(experimentCase);
+      runner.SetAbort(monitor.GetAbort());
+      record.Add(Describe(mistake), runner.Run(*FindExperimentMethod(Method)));
     }
-    return record.ToJson(key);
   }
 
   std::map<std::string, std::string>

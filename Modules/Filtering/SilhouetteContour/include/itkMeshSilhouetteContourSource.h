@@ -19,12 +19,7 @@
 #define itkMeshSilhouetteContourSource_h
 
 #include "SilhouetteContourExport.h"
-#include "itkCephalometricGeometry.h"
-#include "itkDentalContour.h"
-#include "itkMesh.h"
-#include "itkMeshSilhouette.h"
-#include "itkMeshSilhouetteCache.h"
-#include "itkMeshSource.h"
+#include "itkMeshSilhouetteContourSourceBase.h"
 
 #include <vector>
 
@@ -33,10 +28,7 @@ namespace itk
 /** \class MeshSilhouetteContourSource
  * \brief The exact outer silhouette of a mesh in a cephalogram, as a closed contour.
  *
- * Inputs: a mesh of triangles (mm, frame of the geometry's pose) and the geometry. Both are pipeline inputs: a change
- * of pose re-executes this source. What depends on the mesh alone is prepared once for each of its states; a pose then
- * costs about a millisecond for 200 000 triangles. A change made through the elements of a container alone needs
- * mesh->Modified().
+ * Inputs: see the base. Once the mesh is prepared, a pose costs about a millisecond for 200 000 triangles.
  *
  * Output: closed polylines in continuous pixel indices without a tooth code, largest area first, in the sense that
  * SilhouetteLoop defines. It is the boundary of the union of all projected triangles without its holes; see
@@ -51,32 +43,22 @@ namespace itk
  * \ingroup SilhouetteContour
  */
 template <typename TInputMesh>
-class ITK_TEMPLATE_EXPORT MeshSilhouetteContourSource : public MeshSource<DentalContour>
+class ITK_TEMPLATE_EXPORT MeshSilhouetteContourSource : public MeshSilhouetteContourSourceBase<TInputMesh>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(MeshSilhouetteContourSource);
 
   using Self = MeshSilhouetteContourSource;
-  using Superclass = MeshSource<DentalContour>;
+  using Superclass = MeshSilhouetteContourSourceBase<TInputMesh>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(MeshSilhouetteContourSource, MeshSource);
+  itkTypeMacro(MeshSilhouetteContourSource, MeshSilhouetteContourSourceBase);
 
   using InputMeshType = TInputMesh;
   using GeometryType = CephalometricGeometry;
   using SamplesType = std::vector<SilhouetteSample>;
-
-  using Superclass::SetInput;
-  void
-  SetInput(const InputMeshType * mesh);
-  const InputMeshType *
-  GetInput() const;
-
-  /** Where source, detector and object are. */
-  itkSetInputMacro(Geometry, GeometryType);
-  itkGetInputMacro(Geometry, GeometryType);
 
   /** Only the part with the largest area (the default), or all parts that do not hide in another. */
   itkSetMacro(LargestPartOnly, bool);
@@ -104,16 +86,8 @@ public:
   }
 
 protected:
-  MeshSilhouetteContourSource();
+  MeshSilhouetteContourSource() = default;
   ~MeshSilhouetteContourSource() override = default;
-
-  void
-  VerifyPreconditions() ITKv5_CONST override;
-
-  /** Neither the mesh nor the geometry has information that a contour could copy. */
-  void
-  GenerateOutputInformation() override
-  {}
 
   void
   GenerateData() override;
@@ -127,8 +101,6 @@ private:
 
   Silhouette  m_Silhouette;
   SamplesType m_Samples;
-
-  MeshSilhouetteCache<InputMeshType> m_Cache;
 };
 
 } // namespace itk

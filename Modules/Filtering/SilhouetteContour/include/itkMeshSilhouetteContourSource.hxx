@@ -26,41 +26,6 @@
 namespace itk
 {
 template <typename TInputMesh>
-MeshSilhouetteContourSource<TInputMesh>::MeshSilhouetteContourSource()
-{
-  this->SetNumberOfRequiredInputs(0);
-}
-
-template <typename TInputMesh>
-void
-MeshSilhouetteContourSource<TInputMesh>::SetInput(const InputMeshType * mesh)
-{
-  this->ProcessObject::SetNthInput(0, const_cast<InputMeshType *>(mesh));
-}
-
-template <typename TInputMesh>
-auto
-MeshSilhouetteContourSource<TInputMesh>::GetInput() const -> const InputMeshType *
-{
-  return itkDynamicCastInDebugMode<const InputMeshType *>(this->GetPrimaryInput());
-}
-
-template <typename TInputMesh>
-void
-MeshSilhouetteContourSource<TInputMesh>::VerifyPreconditions() ITKv5_CONST
-{
-  if (this->GetInput() == nullptr)
-  {
-    itkExceptionMacro("No mesh: call SetInput() with a mesh of triangles.");
-  }
-  if (this->GetGeometry() == nullptr)
-  {
-    itkExceptionMacro("No geometry: call SetGeometry() with a CephalometricGeometry.");
-  }
-  Superclass::VerifyPreconditions();
-}
-
-template <typename TInputMesh>
 void
 MeshSilhouetteContourSource<TInputMesh>::GenerateData()
 {
@@ -72,20 +37,8 @@ MeshSilhouetteContourSource<TInputMesh>::GenerateData()
   m_Silhouette.loops.clear();
   this->GetGeometry()->VerifyComplete();
   const PerspectiveProjection projection = this->GetGeometry()->GetProjection();
-  try
-  {
-    const MeshSilhouette & silhouette = m_Cache.Update(this->GetInput());
-    this->UpdateProgress(0.5f);
-    m_Silhouette = silhouette.ComputeOuterBoundary(projection);
-  }
-  catch (const std::invalid_argument & error)
-  {
-    itkExceptionMacro(<< error.what() << " The mesh is broken; read or build it again.");
-  }
-  catch (const std::domain_error & error)
-  {
-    itkExceptionMacro(<< error.what());
-  }
+  this->UseSilhouette(
+    [&](const MeshSilhouette & silhouette) { m_Silhouette = silhouette.ComputeOuterBoundary(projection); });
 
   const std::size_t parts =
     m_LargestPartOnly ? std::min<std::size_t>(1, m_Silhouette.loops.size()) : m_Silhouette.loops.size();
@@ -137,7 +90,6 @@ MeshSilhouetteContourSource<TInputMesh>::PrintSelf(std::ostream & os, Indent ind
   os << indent << "NumberOfPoints: " << m_NumberOfPoints << std::endl;
   os << indent << "Silhouette: " << m_Silhouette.loops.size() << " parts" << std::endl;
   os << indent << "Samples: " << m_Samples.size() << std::endl;
-  os << indent << "Cache: " << m_Cache.GetNumberOfEdges() << " edges" << std::endl;
 }
 } // namespace itk
 

@@ -19,11 +19,7 @@
 #define itkOpenSilhouetteContourSource_h
 
 #include "SilhouetteContourExport.h"
-#include "itkCephalometricGeometry.h"
-#include "itkDentalContour.h"
-#include "itkMesh.h"
-#include "itkMeshSilhouetteCache.h"
-#include "itkMeshSource.h"
+#include "itkMeshSilhouetteContourSourceBase.h"
 #include "itkOpenSilhouette.h"
 
 #include "itkDataObjectDecorator.h"
@@ -56,18 +52,18 @@ namespace itk
  * \ingroup SilhouetteContour
  */
 template <typename TInputMesh>
-class ITK_TEMPLATE_EXPORT OpenSilhouetteContourSource : public MeshSource<DentalContour>
+class ITK_TEMPLATE_EXPORT OpenSilhouetteContourSource : public MeshSilhouetteContourSourceBase<TInputMesh>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(OpenSilhouetteContourSource);
 
   using Self = OpenSilhouetteContourSource;
-  using Superclass = MeshSource<DentalContour>;
+  using Superclass = MeshSilhouetteContourSourceBase<TInputMesh>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(OpenSilhouetteContourSource, MeshSource);
+  itkTypeMacro(OpenSilhouetteContourSource, MeshSilhouetteContourSourceBase);
 
   using InputMeshType = TInputMesh;
   using GeometryType = CephalometricGeometry;
@@ -75,16 +71,6 @@ public:
   using JawEnum = ToothCode::JawEnum;
   using RimContainerType = std::vector<std::array<double, 3>>;
   using NormalContainerType = std::vector<std::array<double, 2>>;
-
-  using Superclass::SetInput;
-  void
-  SetInput(const InputMeshType * mesh);
-  const InputMeshType *
-  GetInput() const;
-
-  /** Where source, detector and object are. */
-  itkSetInputMacro(Geometry, GeometryType);
-  itkGetInputMacro(Geometry, GeometryType);
 
   /** Mesh -> UMDA. Optional. */
   itkSetGetDecoratedObjectInputMacro(FrameTransform, TransformType);
@@ -116,11 +102,6 @@ protected:
   void
   VerifyPreconditions() ITKv5_CONST override;
 
-  /** Neither the mesh nor the geometry has information that a contour could copy. */
-  void
-  GenerateOutputInformation() override
-  {}
-
   void
   GenerateData() override;
 
@@ -132,8 +113,6 @@ private:
   double              m_Spacing{ 0.125 };
   RimContainerType    m_RimPoints;
   NormalContainerType m_Normals;
-
-  MeshSilhouetteCache<InputMeshType> m_Cache;
 };
 } // namespace itk
 

@@ -19,43 +19,19 @@
 #define itkOpenSilhouetteContourSource_hxx
 
 #include <cmath>
-#include <stdexcept>
 
 namespace itk
 {
 template <typename TInputMesh>
 OpenSilhouetteContourSource<TInputMesh>::OpenSilhouetteContourSource()
 {
-  this->SetNumberOfRequiredInputs(0);
   this->AddOptionalInputName("FrameTransform");
-}
-
-template <typename TInputMesh>
-void
-OpenSilhouetteContourSource<TInputMesh>::SetInput(const InputMeshType * mesh)
-{
-  this->ProcessObject::SetNthInput(0, const_cast<InputMeshType *>(mesh));
-}
-
-template <typename TInputMesh>
-auto
-OpenSilhouetteContourSource<TInputMesh>::GetInput() const -> const InputMeshType *
-{
-  return itkDynamicCastInDebugMode<const InputMeshType *>(this->GetPrimaryInput());
 }
 
 template <typename TInputMesh>
 void
 OpenSilhouetteContourSource<TInputMesh>::VerifyPreconditions() ITKv5_CONST
 {
-  if (this->GetInput() == nullptr)
-  {
-    itkExceptionMacro("No mesh: call SetInput() with a mesh of triangles.");
-  }
-  if (this->GetGeometry() == nullptr)
-  {
-    itkExceptionMacro("No geometry: call SetGeometry() with a CephalometricGeometry.");
-  }
   Superclass::VerifyPreconditions();
   if (m_Jaw == JawEnum::Unknown)
   {
@@ -118,20 +94,8 @@ OpenSilhouetteContourSource<TInputMesh>::GenerateData()
   options.pitch = std::atan2(vertical[0], vertical[2]);
   options.spacing = m_Spacing / unit;
   OpenSilhouette contour;
-  try
-  {
-    const MeshSilhouette & silhouette = m_Cache.Update(this->GetInput());
-    this->UpdateProgress(0.5f);
-    contour = ComputeOpenSilhouette(silhouette, projection, options);
-  }
-  catch (const std::invalid_argument & error)
-  {
-    itkExceptionMacro(<< error.what() << " The mesh is broken; read or build it again.");
-  }
-  catch (const std::domain_error & error)
-  {
-    itkExceptionMacro(<< error.what());
-  }
+  this->UseSilhouette(
+    [&](const MeshSilhouette & silhouette) { contour = ComputeOpenSilhouette(silhouette, projection, options); });
 
   for (std::size_t r = 0; r < contour.runs.size(); ++r)
   {
@@ -168,7 +132,6 @@ OpenSilhouetteContourSource<TInputMesh>::PrintSelf(std::ostream & os, Indent ind
   os << indent << "Spacing: " << m_Spacing << std::endl;
   os << indent << "RimPoints: " << m_RimPoints.size() << std::endl;
   os << indent << "Normals: " << m_Normals.size() << std::endl;
-  os << indent << "Cache: " << m_Cache.GetNumberOfEdges() << " edges" << std::endl;
 }
 } // namespace itk
 

@@ -19,15 +19,10 @@
 #define itkDentalContourFileReader_h
 
 #include "AnnotationExport.h"
-#include "itkAnnotationFileFormat.h"
+#include "itkAnnotationFileReaderBase.h"
 #include "itkDentalContour.h"
 
-#include "itkFixedArray.h"
-#include "itkProcessObject.h"
 #include "itkSize.h"
-
-#include <string>
-#include <vector>
 
 namespace itk
 {
@@ -43,61 +38,37 @@ namespace itk
  * outside the image throw a DentalInputError that names the field, e.g. `contours.upper[3].code`. Unknown fields, fewer
  * points outside, a tooth that occurs twice in a jaw, and a jaw with 1 to 4 points are warnings: see GetWarnings().
  *
+ * The file's own "numbering" goes before the one that the case states by SetNumbering(); universal against FDI is an
+ * error.
+ *
  * A jaw without contour is an empty output. The library judges no jaw: one with fewer than
  * MinimumNumberOfPoints points is the caller's to refuse.
  *
  * \ingroup Annotation
  */
-class Annotation_EXPORT DentalContourFileReader : public ProcessObject
+class Annotation_EXPORT DentalContourFileReader : public AnnotationFileReaderBase
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(DentalContourFileReader);
 
   using Self = DentalContourFileReader;
-  using Superclass = ProcessObject;
+  using Superclass = AnnotationFileReaderBase;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(DentalContourFileReader, ProcessObject);
+  itkTypeMacro(DentalContourFileReader, AnnotationFileReaderBase);
 
-  using FileFormatEnum = AnnotationFileFormatEnum;
-  using PixelOriginEnum = AnnotationPixelOriginEnum;
-  using NumberingEnum = ToothCode::NumberingEnum;
   using ImageSizeType = Size<2>;
-  using VectorType = FixedArray<double, 2>;
 
   /** Points that a jaw needs to be registered. */
   static constexpr SizeValueType MinimumNumberOfPoints = 5;
   /** More than this part of the points outside the image is an error. */
   static constexpr double MaximumFractionOutside = 0.1;
 
-  itkSetStringMacro(FileName);
-  itkGetStringMacro(FileName);
-
-  /** Default Automatic. */
-  itkSetEnumMacro(FileFormat, FileFormatEnum);
-  itkGetEnumMacro(FileFormat, FileFormatEnum);
-
-  /** The numbering that the case states. Default Quadrant: "UR1" and two-digit codes as FDI. The file's own "numbering"
-   * is used where it is there; universal against FDI is an error. */
-  itkSetEnumMacro(Numbering, NumberingEnum);
-  itkGetEnumMacro(Numbering, NumberingEnum);
-
   /** Width and height of the radiograph, where there is one. Default (0, 0): not known, the file has to say it. */
   itkSetMacro(ImageSize, ImageSizeType);
   itkGetConstReferenceMacro(ImageSize, ImageSizeType);
-
-  /** Where a foreign file's (0, 0) is; contours.json always counts from the centre. Default FormatDefault. */
-  itkSetEnumMacro(PixelOrigin, PixelOriginEnum);
-  itkGetEnumMacro(PixelOrigin, PixelOriginEnum);
-
-  /** Spacing and origin (mm) that the radiograph had in Slicer: markups are in mm. Default (1, 1) and (0, 0), as Slicer
-   * loads a picture without spacing. */
-  itkSetMacro(MarkupsSpacing, VectorType);
-  itkGetConstReferenceMacro(MarkupsSpacing, VectorType);
-  itkSetMacro(MarkupsOrigin, VectorType);
-  itkGetConstReferenceMacro(MarkupsOrigin, VectorType);
 
   /** The contour of a jaw; empty where the jaw is not traced. */
   DentalContour *
@@ -119,18 +90,10 @@ public:
    * @{ */
   /** Of the radiograph, by SetImageSize() or by the file. */
   itkGetConstReferenceMacro(ReadImageSize, ImageSizeType);
-  /** What the file turned out to be. */
-  itkGetEnumMacro(ReadFileFormat, FileFormatEnum);
   /** Under which the codes were read. */
   itkGetEnumMacro(ReadNumbering, NumberingEnum);
   /** Of both jaws. A pixel reaches half a pixel to each side of its index. */
   itkGetConstMacro(NumberOfPointsOutside, SizeValueType);
-  /** Each "file: field: what". */
-  const std::vector<std::string> &
-  GetWarnings() const
-  {
-    return m_Warnings;
-  }
   /** @} */
 
 protected:
@@ -142,26 +105,15 @@ protected:
   MakeOutput(DataObjectPointerArraySizeType index) override;
 
   void
-  VerifyPreconditions() ITKv5_CONST override;
-  void
   GenerateData() override;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  std::string     m_FileName;
-  FileFormatEnum  m_FileFormat{ FileFormatEnum::Automatic };
-  NumberingEnum   m_Numbering{ NumberingEnum::Quadrant };
-  ImageSizeType   m_ImageSize;
-  PixelOriginEnum m_PixelOrigin{ PixelOriginEnum::FormatDefault };
-  VectorType      m_MarkupsSpacing;
-  VectorType      m_MarkupsOrigin;
-
-  ImageSizeType            m_ReadImageSize;
-  FileFormatEnum           m_ReadFileFormat{ FileFormatEnum::Automatic };
-  NumberingEnum            m_ReadNumbering{ NumberingEnum::Quadrant };
-  SizeValueType            m_NumberOfPointsOutside{ 0 };
-  std::vector<std::string> m_Warnings;
+  ImageSizeType m_ImageSize;
+  ImageSizeType m_ReadImageSize;
+  NumberingEnum m_ReadNumbering{ NumberingEnum::Quadrant };
+  SizeValueType m_NumberOfPointsOutside{ 0 };
 };
 } // namespace itk
 

@@ -19,14 +19,8 @@
 #define itkDentalLandmarkFileReader_h
 
 #include "AnnotationExport.h"
-#include "itkAnnotationFileFormat.h"
+#include "itkAnnotationFileReaderBase.h"
 #include "itkDentalLandmarkSet.h"
-
-#include "itkFixedArray.h"
-#include "itkProcessObject.h"
-
-#include <string>
-#include <vector>
 
 namespace itk
 {
@@ -46,59 +40,25 @@ namespace itk
  * \ingroup Annotation
  */
 template <unsigned int VDimension>
-class DentalLandmarkFileReader : public ProcessObject
+class DentalLandmarkFileReader : public AnnotationFileReaderBase
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(DentalLandmarkFileReader);
 
   using Self = DentalLandmarkFileReader;
-  using Superclass = ProcessObject;
+  using Superclass = AnnotationFileReaderBase;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(DentalLandmarkFileReader, ProcessObject);
+  itkTypeMacro(DentalLandmarkFileReader, AnnotationFileReaderBase);
 
-  using FileFormatEnum = AnnotationFileFormatEnum;
-  using PixelOriginEnum = AnnotationPixelOriginEnum;
-  using NumberingEnum = ToothCode::NumberingEnum;
   using LandmarkSetType = DentalLandmarkSet<VDimension>;
-  using VectorType = FixedArray<double, 2>;
-
-  itkSetStringMacro(FileName);
-  itkGetStringMacro(FileName);
-
-  /** Default Automatic. */
-  itkSetEnumMacro(FileFormat, FileFormatEnum);
-  itkGetEnumMacro(FileFormat, FileFormatEnum);
-
-  /** How digits in a name are read. Default Quadrant: as FDI. */
-  itkSetEnumMacro(Numbering, NumberingEnum);
-  itkGetEnumMacro(Numbering, NumberingEnum);
-
-  /** Where the (0, 0) of a foreign 2-D file is. Default FormatDefault. */
-  itkSetEnumMacro(PixelOrigin, PixelOriginEnum);
-  itkGetEnumMacro(PixelOrigin, PixelOriginEnum);
-
-  /** 2-D only: spacing and origin (mm) that the radiograph had in Slicer. Default (1, 1) and (0, 0). */
-  itkSetMacro(MarkupsSpacing, VectorType);
-  itkGetConstReferenceMacro(MarkupsSpacing, VectorType);
-  itkSetMacro(MarkupsOrigin, VectorType);
-  itkGetConstReferenceMacro(MarkupsOrigin, VectorType);
 
   LandmarkSetType *
   GetOutput();
   const LandmarkSetType *
   GetOutput() const;
-
-  /** After Update(): what the file turned out to be. */
-  itkGetEnumMacro(ReadFileFormat, FileFormatEnum);
-  /** After Update(): each "file: field: what". */
-  const std::vector<std::string> &
-  GetWarnings() const
-  {
-    return m_Warnings;
-  }
 
 protected:
   DentalLandmarkFileReader();
@@ -109,21 +69,7 @@ protected:
   MakeOutput(ProcessObject::DataObjectPointerArraySizeType index) override;
 
   void
-  VerifyPreconditions() ITKv5_CONST override;
-  void
   GenerateData() override;
-  void
-  PrintSelf(std::ostream & os, Indent indent) const override;
-
-private:
-  std::string              m_FileName;
-  FileFormatEnum           m_FileFormat{ FileFormatEnum::Automatic };
-  NumberingEnum            m_Numbering{ NumberingEnum::Quadrant };
-  PixelOriginEnum          m_PixelOrigin{ PixelOriginEnum::FormatDefault };
-  VectorType               m_MarkupsSpacing;
-  VectorType               m_MarkupsOrigin;
-  FileFormatEnum           m_ReadFileFormat{ FileFormatEnum::Automatic };
-  std::vector<std::string> m_Warnings;
 };
 
 extern template class DentalLandmarkFileReader<2>;

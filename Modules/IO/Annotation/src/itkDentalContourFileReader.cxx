@@ -115,8 +115,6 @@ DentalContourFileReader::DentalContourFileReader()
 {
   m_ImageSize.Fill(0);
   m_ReadImageSize.Fill(0);
-  m_MarkupsSpacing.Fill(1.0);
-  m_MarkupsOrigin.Fill(0.0);
   this->SetNumberOfRequiredOutputs(2);
   for (DataObjectPointerArraySizeType i = 0; i < 2; ++i)
   {
@@ -147,34 +145,14 @@ DentalContourFileReader::GetOutput(JawEnum jaw) const
 }
 
 void
-DentalContourFileReader::VerifyPreconditions() ITKv5_CONST
-{
-  Superclass::VerifyPreconditions();
-  if (m_FileName.empty())
-  {
-    itkExceptionMacro("No file to read. Call SetFileName() first.");
-  }
-  for (unsigned int i = 0; i < 2; ++i)
-  {
-    if (!(m_MarkupsSpacing[i] > 0.0))
-    {
-      itkExceptionMacro("MarkupsSpacing is " << m_MarkupsSpacing << "; give SetMarkupsSpacing() mm above 0.");
-    }
-  }
-}
-
-void
 DentalContourFileReader::GenerateData()
 {
-  m_Warnings.clear();
+  this->StartReading(FileFormatEnum::Automatic, {});
   m_NumberOfPointsOutside = 0;
-  AnnotationRecords records = ReadContourRecords(m_FileName, m_FileFormat);
-  m_ReadFileFormat = records.format;
-  m_ReadNumbering = CombineNumberings(m_FileName, records, m_Numbering);
-  m_Warnings = std::move(records.warnings);
-  const auto warn = [this](const std::string & field, const std::string & text) {
-    m_Warnings.push_back(m_FileName + ": " + field + ": " + text);
-  };
+  const std::string fileName = this->GetFileName();
+  AnnotationRecords records = ReadContourRecords(fileName, this->GetFileFormat());
+  m_ReadNumbering = CombineNumberings(fileName, records, this->GetNumbering());
+  this->StartReading(records.format, std::move(records.warnings));
 
   ImageSizeType stated{ { 0, 0 } };
   if (records.imageSize)
@@ -184,7 +162,7 @@ DentalContourFileReader::GenerateData()
   const bool sizeIsGiven = m_ImageSize[0] > 0 && m_ImageSize[1] > 0;
   if (sizeIsGiven && records.imageSize && m_ImageSize != stated)
   {
-    itkDentalInputErrorMacro(m_FileName,
+    itkDentalInputErrorMacro(fileName,
                              records.imageSizeField,
                              "is " + ToString(stated) + ", but the image is " + ToString(m_ImageSize),
                              "trace on this image or name the right one");
@@ -192,16 +170,9 @@ DentalContourFileReader::GenerateData()
   if (!sizeIsGiven && !records.imageSize)
   {
     itkDentalInputErrorMacro(
-      m_FileName, "image_size", "missing field", "add \"image_size\": [width, height], or give the image");
+      fileName, "image_size", "missing field", "add \"image_size\": [width, height], or give the image");
   }
   m_ReadImageSize = sizeIsGiven ? m_ImageSize : stated;
-
-  const bool fromCorner =
-    m_ReadFileFormat != FileFormatEnum::DentalSCR &&
-    (m_PixelOrigin == PixelOriginEnum::Corner ||
-     (m_PixelOrigin == PixelOriginEnum::FormatDefault && m_ReadFileFormat == FileFormatEnum::Labelme));
-  const double shift = fromCorner ? -0.5 : 0.0;
-  const bool   inMillimetres = m_ReadFileFormat == FileFormatEnum::SlicerMarkups;
 
   SizeValueType       pointCount = 0;
   std::string         firstOutside;
@@ -211,7 +182,7 @@ DentalContourFileReader::GenerateData()
   for (const AnnotationPolyline & record : records.polylines)
   {
     DentalContour::PolylineType polyline;
-    const JawEnum               jaw = InterpretLabel(m_FileName, record, m_ReadNumbering, polyline.code);
+    const JawEnum               jaw = InterpretLabel(fileName, record, m_ReadNumbering, polyline.code);
     polyline.closed = record.closed;
     polyline.weights = record.weights;
     polyline.points.reserve(record.points.size());
@@ -221,7 +192,7 @@ DentalContourFileReader::GenerateData()
       bool                     outside = false;
       for (unsigned int i = 0; i < 2; ++i)
       {
-        point[i] = (inMillimetres ? (position[i] - m_MarkupsOrigin[i]) / m_MarkupsSpacing[i] : position[i]) + shift;
+        point[i] = this->ToPixelIndex(position[i], i);
         outside = outside || !(point[i] >= -0.5 && point[i] <= static_cast<double>(m_ReadImageSize[i]) - 0.5);
       }
       if (outside && m_NumberOfPointsOutside++ == 0)
@@ -242,14 +213,14 @@ DentalContourFileReader::GenerateData()
     }
     if (polyline.closed && !polyline.points.empty() && polyline.points.size() < 3)
     {
-      itkDentalInputErrorMacro(m_FileName,
+      itkDentalInputErrorMacro(fileName,
                                record.field,
                                "is closed but has " + std::to_string(polyline.points.size()) + " different points",
                                "give it at least 3 points, or leave it open");
     }
     if (polyline.code.IsKnown() && !polyline.points.empty() && !seen.insert(polyline.code).second)
     {
-      warn(record.codeField, "tooth " + polyline.code.GetName() + " is there more than once");
+      this->Warn(record.codeField, "tooth " + polyline.code.GetName() + " is there more than once");
     }
     polylines.emplace_back(jaw, std::move(polyline));
   }
@@ -261,9 +232,9 @@ DentalContourFileReader::GenerateData()
     if (static_cast<double>(m_NumberOfPointsOutside) > MaximumFractionOutside * static_cast<double>(pointCount))
     {
       itkDentalInputErrorMacro(
-        m_FileName, firstOutside, text, "check that the tracing was made on this image, in pixels");
+        fileName, firstOutside, text, "check that the tracing was made on this image, in pixels");
     }
-    warn(firstOutside, text);
+    this->Warn(firstOutside, text);
   }
   for (const auto & [jaw, polyline] : polylines)
   {
@@ -275,16 +246,16 @@ DentalContourFileReader::GenerateData()
     const SizeValueType   count = contour->GetNumberOfPoints();
     if (count > 0 && count < MinimumNumberOfPoints)
     {
-      warn(jaw == JawEnum::Upper ? "contours.upper" : "contours.lower",
-           "has only " + std::to_string(count) + " points, too few to register (" +
-             std::to_string(MinimumNumberOfPoints) + " are needed)");
+      this->Warn(jaw == JawEnum::Upper ? "contours.upper" : "contours.lower",
+                 "has only " + std::to_string(count) + " points, too few to register (" +
+                   std::to_string(MinimumNumberOfPoints) + " are needed)");
     }
     // Or the next Update() reads again.
     contour->SetBufferedRegion(0);
   }
   if (pointCount == 0)
   {
-    warn("contours", "neither jaw has a point");
+    this->Warn("contours", "neither jaw has a point");
   }
 }
 
@@ -292,17 +263,9 @@ void
 DentalContourFileReader::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << m_FileName << std::endl;
-  os << indent << "FileFormat: " << m_FileFormat << std::endl;
-  os << indent << "Numbering: " << m_Numbering << std::endl;
   os << indent << "ImageSize: " << m_ImageSize << std::endl;
-  os << indent << "PixelOrigin: " << m_PixelOrigin << std::endl;
-  os << indent << "MarkupsSpacing: " << m_MarkupsSpacing << std::endl;
-  os << indent << "MarkupsOrigin: " << m_MarkupsOrigin << std::endl;
   os << indent << "ReadImageSize: " << m_ReadImageSize << std::endl;
-  os << indent << "ReadFileFormat: " << m_ReadFileFormat << std::endl;
   os << indent << "ReadNumbering: " << m_ReadNumbering << std::endl;
   os << indent << "NumberOfPointsOutside: " << m_NumberOfPointsOutside << std::endl;
-  os << indent << "Warnings: " << m_Warnings.size() << std::endl;
 }
 } // namespace itk

@@ -21,6 +21,7 @@
 #include "itkDentalInputError.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace itk
 {
@@ -50,8 +51,6 @@ NameFromUniversal(const std::string & name)
 template <unsigned int VDimension>
 DentalLandmarkFileReader<VDimension>::DentalLandmarkFileReader()
 {
-  m_MarkupsSpacing.Fill(1.0);
-  m_MarkupsOrigin.Fill(0.0);
   this->SetNumberOfRequiredOutputs(1);
   this->SetNthOutput(0, LandmarkSetType::New());
 }
@@ -79,59 +78,31 @@ DentalLandmarkFileReader<VDimension>::GetOutput() const -> const LandmarkSetType
 
 template <unsigned int VDimension>
 void
-DentalLandmarkFileReader<VDimension>::VerifyPreconditions() ITKv5_CONST
-{
-  Superclass::VerifyPreconditions();
-  if (m_FileName.empty())
-  {
-    itkExceptionMacro("No file to read. Call SetFileName() first.");
-  }
-  for (unsigned int i = 0; i < 2; ++i)
-  {
-    if (!(m_MarkupsSpacing[i] > 0.0))
-    {
-      itkExceptionMacro("MarkupsSpacing is " << m_MarkupsSpacing << "; give SetMarkupsSpacing() mm above 0.");
-    }
-  }
-}
-
-template <unsigned int VDimension>
-void
 DentalLandmarkFileReader<VDimension>::GenerateData()
 {
-  m_Warnings.clear();
-  AnnotationRecords records = ReadLandmarkRecords(m_FileName, m_FileFormat, VDimension);
-  m_ReadFileFormat = records.format;
-  m_Warnings = std::move(records.warnings);
-
-  const bool foreign = VDimension == 2 && m_ReadFileFormat != FileFormatEnum::DentalSCR;
-  const bool fromCorner =
-    foreign && (m_PixelOrigin == PixelOriginEnum::Corner ||
-                (m_PixelOrigin == PixelOriginEnum::FormatDefault && m_ReadFileFormat == FileFormatEnum::Labelme));
-  const double shift = fromCorner ? -0.5 : 0.0;
-  const bool   inMillimetres = VDimension == 2 && m_ReadFileFormat == FileFormatEnum::SlicerMarkups;
+  this->StartReading(FileFormatEnum::Automatic, {});
+  const std::string fileName = this->GetFileName();
+  AnnotationRecords records = ReadLandmarkRecords(fileName, this->GetFileFormat(), VDimension);
+  this->StartReading(records.format, std::move(records.warnings));
 
   const auto landmarks = LandmarkSetType::New();
   for (const AnnotationLandmark & record : records.landmarks)
   {
-    const std::string name = m_Numbering == NumberingEnum::Universal ? NameFromUniversal(record.name) : record.name;
+    const std::string name =
+      this->GetNumbering() == NumberingEnum::Universal ? NameFromUniversal(record.name) : record.name;
     try
     {
       LandmarkSetType::ParseName(name);
     }
     catch (const std::invalid_argument & error)
     {
-      m_Warnings.push_back(m_FileName + ": " + record.field + ": " + error.what() + "; ignored");
+      this->Warn(record.field, error.what() + std::string("; ignored"));
       continue;
     }
     typename LandmarkSetType::PointType point;
     for (unsigned int i = 0; i < VDimension; ++i)
     {
-      point[i] = record.point[i];
-      if (VDimension == 2)
-      {
-        point[i] = (inMillimetres ? (point[i] - m_MarkupsOrigin[i]) / m_MarkupsSpacing[i] : point[i]) + shift;
-      }
+      point[i] = VDimension == 2 ? this->ToPixelIndex(record.point[i], i) : record.point[i];
     }
     try
     {
@@ -139,28 +110,13 @@ DentalLandmarkFileReader<VDimension>::GenerateData()
     }
     catch (const std::invalid_argument & error)
     {
-      itkDentalInputErrorMacro(m_FileName, record.field, error.what(), "keep one of the two");
+      itkDentalInputErrorMacro(fileName, record.field, error.what(), "keep one of the two");
     }
   }
   for (const auto & landmark : landmarks->GetLandmarks())
   {
     this->GetOutput()->AddLandmark(landmark.name, landmark.point);
   }
-}
-
-template <unsigned int VDimension>
-void
-DentalLandmarkFileReader<VDimension>::PrintSelf(std::ostream & os, Indent indent) const
-{
-  Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << m_FileName << std::endl;
-  os << indent << "FileFormat: " << m_FileFormat << std::endl;
-  os << indent << "Numbering: " << m_Numbering << std::endl;
-  os << indent << "PixelOrigin: " << m_PixelOrigin << std::endl;
-  os << indent << "MarkupsSpacing: " << m_MarkupsSpacing << std::endl;
-  os << indent << "MarkupsOrigin: " << m_MarkupsOrigin << std::endl;
-  os << indent << "ReadFileFormat: " << m_ReadFileFormat << std::endl;
-  os << indent << "Warnings: " << m_Warnings.size() << std::endl;
 }
 
 template class DentalLandmarkFileReader<2>;

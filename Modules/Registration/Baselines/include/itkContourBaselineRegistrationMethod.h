@@ -19,13 +19,9 @@
 #define itkContourBaselineRegistrationMethod_h
 
 #include "BaselinesExport.h"
-#include "itkContourChamferKernel.h"
-#include "itkDentalContour.h"
-#include "itkRegistrationIterationInformation.h"
+#include "itkContourRegistrationMethodBase.h"
 
-#include "itkDataObjectDecorator.h"
-#include "itkProcessObject.h"
-#include "itkSimilarity2DTransform.h"
+#include <vector>
 
 namespace itk
 {
@@ -47,10 +43,8 @@ public:
 /** \class ContourBaselineRegistrationMethod
  * \brief Base of the methods that the silhouette-to-contour registration is compared with.
  *
- * Inputs, output, events and abort are those of SilhouetteToContourRegistrationMethod, so that one replaces the other:
- * fixed contour (tracing, pixels), moving contour (silhouette, q coordinates in pixels), an optional initial transform;
- * the output is the decorated similarity p = s R(theta) q + t that maps moving to fixed. Points of weight 0 are
- * ignored.
+ * Inputs, output, events and abort are those of SilhouetteToContourRegistrationMethod, with which it shares the base,
+ * so that one replaces the other. Points of weight 0 are ignored.
  *
  * Start without an initial transform: Similarity takes the bounding boxes and centroids, as our method does; Rigid
  * takes the scale 1, which is what the calibrated geometry predicts, and the centroids.
@@ -62,82 +56,23 @@ public:
  *
  * \ingroup Baselines
  */
-class Baselines_EXPORT ContourBaselineRegistrationMethod
-  : public ProcessObject
-  , public RegistrationIterationInformation
+class Baselines_EXPORT ContourBaselineRegistrationMethod : public ContourRegistrationMethodBase
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ContourBaselineRegistrationMethod);
 
   using Self = ContourBaselineRegistrationMethod;
-  using Superclass = ProcessObject;
+  using Superclass = ContourRegistrationMethodBase;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
-  itkTypeMacro(ContourBaselineRegistrationMethod, ProcessObject);
+  itkTypeMacro(ContourBaselineRegistrationMethod, ContourRegistrationMethodBase);
 
-  using ContourType = DentalContour;
-  using TransformType = Similarity2DTransform<double>;
-  using DecoratedTransformType = DataObjectDecorator<TransformType>;
-  using ParametersType = OptimizerParameters<double>;
   using MotionEnum = ContourBaselineEnums::Motion;
-
-  /** Tracing, pixels of the radiograph. */
-  itkSetInputMacro(FixedContour, ContourType);
-  itkGetInputMacro(FixedContour, ContourType);
-
-  /** Silhouette in q coordinates, pixels. */
-  itkSetInputMacro(MovingContour, ContourType);
-  itkGetInputMacro(MovingContour, ContourType);
-
-  /** Start from this similarity (any centre). */
-  itkSetGetDecoratedObjectInputMacro(InitialTransform, TransformType);
 
   /** Default Similarity. */
   itkSetEnumMacro(Motion, MotionEnum);
   itkGetEnumMacro(Motion, MotionEnum);
-
-  /** The result. Valid after Update(). */
-  DecoratedTransformType *
-  GetOutput();
-  const DecoratedTransformType *
-  GetOutput() const;
-  const TransformType *
-  GetTransform() const;
-
-  /** The start (scale, rad, px, px), after Update(). */
-  itkGetConstReferenceMacro(InitialParameters, ParametersType);
-
-  // RegistrationIterationInformation
-  unsigned int
-  GetCurrentLevel() const override
-  {
-    return m_CurrentLevel;
-  }
-  std::size_t
-  GetOptimizerIteration() const override
-  {
-    return m_OptimizerIteration;
-  }
-  double
-  GetMetricValue() const override
-  {
-    return m_MetricValue;
-  }
-  ParametersType
-  GetOptimizerPosition() const override
-  {
-    return m_OptimizerPosition;
-  }
-  std::string
-  GetOptimizerStopConditionDescription() const override
-  {
-    return m_StopConditionDescription;
-  }
-
-  using Superclass::MakeOutput;
-  DataObjectPointer
-  MakeOutput(DataObjectPointerArraySizeType index) override;
 
 protected:
   /** The points that count, x0 y0 x1 y1 ..., and their weights. */
@@ -154,14 +89,18 @@ protected:
     }
   };
 
-  ContourBaselineRegistrationMethod();
+  ContourBaselineRegistrationMethod() = default;
   ~ContourBaselineRegistrationMethod() override = default;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
-  void
-  VerifyPreconditions() ITKv5_CONST override;
+  /** The base's, but for a rigid motion. */
+  ContourSimilarity
+  FindStart() const override;
   void
   GenerateData() override;
+
+  static PointsType
+  MakePoints(const ContourType & contour);
 
   /** From the start to the result. */
   virtual ContourSimilarity
@@ -172,11 +111,16 @@ protected:
   StartLevel(unsigned int level, const ContourSimilarity & similarity);
   void
   ReportIteration(std::size_t iteration, double value, const ContourSimilarity & similarity, float progress);
-  void
-  SetStopConditionDescription(const std::string & text)
-  {
-    m_StopConditionDescription = text;
-  }
+
+  /** Reports a step of a method that ends where no point moves by more than the tolerance, or with the maximum of
+   * iterations. \return whether it ends, for which the stop condition is set. */
+  bool
+  EndStep(unsigned int              iteration,
+          unsigned int              maximum,
+          double                    tolerance,
+          double                    value,
+          double                    moved,
+          const ContourSimilarity & similarity);
 
   /** The weighted least-squares similarity from one list of points to the other (Umeyama 1991; in the plane a division
    * of complex numbers). Rigid keeps the scale that is passed. */
@@ -192,13 +136,7 @@ protected:
   LargestShift(const PointsType & points, const ContourSimilarity & a, const ContourSimilarity & b);
 
 private:
-  MotionEnum     m_Motion{ MotionEnum::Similarity };
-  ParametersType m_InitialParameters;
-  unsigned int   m_CurrentLevel{ 0 };
-  std::size_t    m_OptimizerIteration{ 0 };
-  double         m_MetricValue{ 0.0 };
-  ParametersType m_OptimizerPosition;
-  std::string    m_StopConditionDescription;
+  MotionEnum m_Motion{ MotionEnum::Similarity };
 };
 
 Baselines_EXPORT std::ostream &

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <sstream>
 
 namespace itk
 {
@@ -89,7 +88,7 @@ CoherentPointDriftContourRegistrationMethod::RegisterContours(const PointsType &
   std::vector<double> exponents(y.size());
 
   this->StartLevel(0, similarity);
-  for (unsigned int iteration = 0; iteration < m_MaximumNumberOfIterations; ++iteration)
+  for (unsigned int iteration = 0;; ++iteration)
   {
     variance = std::max(variance, smallestVariance);
     const double background = m_OutlierWeight > 0.0 ? 2.0 * Math::pi * variance / spread * m_OutlierWeight /
@@ -178,22 +177,16 @@ CoherentPointDriftContourRegistrationMethod::RegisterContours(const PointsType &
     move();
 
     const double shiftOfPoints = LargestShift(moving, before, similarity);
-    this->ReportIteration(iteration + 1,
-                          std::sqrt(std::max(variance, 0.0)),
-                          similarity,
-                          static_cast<float>(iteration + 1) / static_cast<float>(m_MaximumNumberOfIterations));
-    if (shiftOfPoints <= m_Tolerance)
+    if (this->EndStep(iteration,
+                      m_MaximumNumberOfIterations,
+                      m_Tolerance,
+                      std::sqrt(std::max(variance, 0.0)),
+                      shiftOfPoints,
+                      similarity))
     {
-      std::ostringstream text;
-      text << "Converged after " << iteration + 1 << " iterations: no point moved by more than " << m_Tolerance
-           << " px.";
-      this->SetStopConditionDescription(text.str());
       return similarity;
     }
   }
-  this->SetStopConditionDescription("Maximum number of iterations (" + std::to_string(m_MaximumNumberOfIterations) +
-                                    ") reached.");
-  return similarity;
 }
 
 void

@@ -18,160 +18,79 @@
 #include "itkContourBaselineRegistrationMethod.h"
 
 #include "itkMakeContourArrays.h"
-#include "itkSilhouetteToContourRegistrationMethod.h"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <ostream>
+#include <sstream>
 
 namespace itk
 {
-namespace
-{
-OptimizerParameters<double>
-ToParameters(const ContourSimilarity & similarity)
-{
-  OptimizerParameters<double> parameters(4);
-  parameters[0] = similarity.scale;
-  parameters[1] = similarity.angle;
-  parameters[2] = similarity.tx;
-  parameters[3] = similarity.ty;
-  return parameters;
-}
-} // namespace
-
 std::ostream &
 operator<<(std::ostream & os, ContourBaselineEnums::Motion motion)
 {
   return os << (motion == ContourBaselineEnums::Motion::Rigid ? "Rigid" : "Similarity");
 }
 
-ContourBaselineRegistrationMethod::ContourBaselineRegistrationMethod()
-  : m_InitialParameters(4)
-  , m_OptimizerPosition(4)
-{
-  m_InitialParameters.Fill(0.0);
-  m_OptimizerPosition.Fill(0.0);
-  this->SetNumberOfRequiredOutputs(1);
-  this->SetNthOutput(0, DecoratedTransformType::New());
-}
-
-DataObject::Pointer
-ContourBaselineRegistrationMethod::MakeOutput(DataObjectPointerArraySizeType)
-{
-  return DecoratedTransformType::New().GetPointer();
-}
-
 auto
-ContourBaselineRegistrationMethod::GetOutput() -> DecoratedTransformType *
+ContourBaselineRegistrationMethod::MakePoints(const ContourType & contour) -> PointsType
 {
-  return static_cast<DecoratedTransformType *>(this->ProcessObject::GetOutput(0));
-}
-
-auto
-ContourBaselineRegistrationMethod::GetOutput() const -> const DecoratedTransformType *
-{
-  return static_cast<const DecoratedTransformType *>(this->ProcessObject::GetOutput(0));
-}
-
-auto
-ContourBaselineRegistrationMethod::GetTransform() const -> const TransformType *
-{
-  return this->GetOutput()->Get();
-}
-
-void
-ContourBaselineRegistrationMethod::VerifyPreconditions() ITKv5_CONST
-{
-  if (this->GetFixedContour() == nullptr)
+  const ContourArrays arrays = MakeContourArrays(contour);
+  PointsType          points;
+  for (std::size_t i = 0; i < arrays.GetNumberOfPoints(); ++i)
   {
-    itkExceptionMacro("No fixed contour: call SetFixedContour() with the tracing.");
+    const double weight = arrays.weights.empty() ? 1.0 : arrays.weights[i];
+    if (weight > 0.0)
+    {
+      points.points.push_back(arrays.points[2 * i]);
+      points.points.push_back(arrays.points[2 * i + 1]);
+      points.weights.push_back(weight);
+      points.sumOfWeights += weight;
+    }
   }
-  if (this->GetMovingContour() == nullptr)
+  return points;
+}
+
+ContourSimilarity
+ContourBaselineRegistrationMethod::FindStart() const
+{
+  // Checks both contours, whatever the motion.
+  const ContourSimilarity start = Superclass::FindStart();
+  if (m_Motion == MotionEnum::Similarity || this->GetInitialTransform() != nullptr)
   {
-    itkExceptionMacro("No moving contour: call SetMovingContour() with the projected silhouette.");
+    return start;
   }
-  Superclass::VerifyPreconditions();
+  const PointsType sides[2] = { MakePoints(*this->GetFixedContour()), MakePoints(*this->GetMovingContour()) };
+  double           centroids[2][2] = { { 0.0, 0.0 }, { 0.0, 0.0 } };
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    const PointsType & points = sides[side];
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        centroids[side][d] += points.weights[i] / points.sumOfWeights * points.points[2 * i + d];
+      }
+    }
+  }
+  return { 1.0, 0.0, centroids[0][0] - centroids[1][0], centroids[0][1] - centroids[1][1] };
 }
 
 void
 ContourBaselineRegistrationMethod::GenerateData()
 {
-  m_CurrentLevel = 0;
-  m_OptimizerIteration = 0;
-  m_MetricValue = 0.0;
-  m_StopConditionDescription.clear();
-
-  // Checks both contours as our own method does.
-  const auto box = SilhouetteToContourRegistrationMethod::ComputeBoundingBoxTransform(this->GetFixedContour(),
-                                                                                      this->GetMovingContour());
-  const auto pointsOf = [](const ContourType & contour) {
-    const ContourArrays arrays = MakeContourArrays(contour);
-    PointsType          points;
-    for (std::size_t i = 0; i < arrays.GetNumberOfPoints(); ++i)
-    {
-      const double weight = arrays.weights.empty() ? 1.0 : arrays.weights[i];
-      if (weight > 0.0)
-      {
-        points.points.push_back(arrays.points[2 * i]);
-        points.points.push_back(arrays.points[2 * i + 1]);
-        points.weights.push_back(weight);
-        points.sumOfWeights += weight;
-      }
-    }
-    return points;
-  };
-  const PointsType fixed = pointsOf(*this->GetFixedContour());
-  const PointsType moving = pointsOf(*this->GetMovingContour());
-
-  ContourSimilarity start{ box->GetScale(), box->GetAngle(), box->GetOffset()[0], box->GetOffset()[1] };
-  if (const TransformType * initial = this->GetInitialTransform())
-  {
-    start = { initial->GetScale(), initial->GetAngle(), initial->GetOffset()[0], initial->GetOffset()[1] };
-    if (!(start.scale > 0.0))
-    {
-      itkExceptionMacro("The initial transform's scale " << start.scale << " is not positive.");
-    }
-  }
-  else if (m_Motion == MotionEnum::Rigid)
-  {
-    double centroids[2][2] = { { 0.0, 0.0 }, { 0.0, 0.0 } };
-    for (unsigned int side = 0; side < 2; ++side)
-    {
-      const PointsType & points = side == 0 ? fixed : moving;
-      for (std::size_t i = 0; i < points.size(); ++i)
-      {
-        for (unsigned int d = 0; d < 2; ++d)
-        {
-          centroids[side][d] += points.weights[i] / points.sumOfWeights * points.points[2 * i + d];
-        }
-      }
-    }
-    start = { 1.0, 0.0, centroids[0][0] - centroids[1][0], centroids[0][1] - centroids[1][1] };
-  }
-  m_InitialParameters = ToParameters(start);
-  m_OptimizerPosition = m_InitialParameters;
-
-  const ContourSimilarity result = this->RegisterContours(fixed, moving, start);
-  m_OptimizerPosition = ToParameters(result);
-  const auto transform = TransformType::New();
-  transform->SetParameters(m_OptimizerPosition);
-  this->GetOutput()->Set(transform);
-  this->UpdateProgress(1.0F);
+  const ContourSimilarity start = this->StartRun();
+  this->SetResult(
+    this->RegisterContours(MakePoints(*this->GetFixedContour()), MakePoints(*this->GetMovingContour()), start));
 }
 
 void
 ContourBaselineRegistrationMethod::StartLevel(unsigned int level, const ContourSimilarity & similarity)
 {
-  m_CurrentLevel = level;
-  m_OptimizerIteration = 0;
-  m_OptimizerPosition = ToParameters(similarity);
+  this->SetIteration(level, 0, this->GetMetricValue(), similarity);
   this->InvokeEvent(MultiResolutionIterationEvent());
-  if (this->GetAbortGenerateData())
-  {
-    throw ProcessAborted(__FILE__, __LINE__);
-  }
+  this->CheckAbort();
 }
 
 void
@@ -180,15 +99,37 @@ ContourBaselineRegistrationMethod::ReportIteration(std::size_t               ite
                                                    const ContourSimilarity & similarity,
                                                    float                     progress)
 {
-  m_OptimizerIteration = iteration;
-  m_MetricValue = value;
-  m_OptimizerPosition = ToParameters(similarity);
+  this->SetIteration(this->GetCurrentLevel(), iteration, value, similarity);
   this->InvokeEvent(IterationEvent());
   this->UpdateProgress(progress);
-  if (this->GetAbortGenerateData())
+  this->CheckAbort();
+}
+
+bool
+ContourBaselineRegistrationMethod::EndStep(unsigned int              iteration,
+                                           unsigned int              maximum,
+                                           double                    tolerance,
+                                           double                    value,
+                                           double                    moved,
+                                           const ContourSimilarity & similarity)
+{
+  this->ReportIteration(
+    iteration + 1, value, similarity, static_cast<float>(iteration + 1) / static_cast<float>(maximum));
+  std::ostringstream text;
+  if (moved <= tolerance)
   {
-    throw ProcessAborted(__FILE__, __LINE__);
+    text << "Converged after " << iteration + 1 << " iterations: no point moved by more than " << tolerance << " px.";
   }
+  else if (iteration + 1 >= maximum)
+  {
+    text << "Maximum number of iterations (" << maximum << ") reached.";
+  }
+  else
+  {
+    return false;
+  }
+  this->SetStopConditionDescription(text.str());
+  return true;
 }
 
 ContourSimilarity
@@ -264,11 +205,5 @@ ContourBaselineRegistrationMethod::PrintSelf(std::ostream & os, Indent indent) c
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "Motion: " << m_Motion << std::endl;
-  os << indent << "InitialParameters: " << m_InitialParameters << std::endl;
-  os << indent << "CurrentLevel: " << m_CurrentLevel << std::endl;
-  os << indent << "OptimizerIteration: " << m_OptimizerIteration << std::endl;
-  os << indent << "MetricValue: " << m_MetricValue << std::endl;
-  os << indent << "OptimizerPosition: " << m_OptimizerPosition << std::endl;
-  os << indent << "StopConditionDescription: " << m_StopConditionDescription << std::endl;
 }
 } // namespace itk

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <complex>
 #include <numeric>
-#include <sstream>
 
 namespace itk
 {
@@ -52,7 +51,7 @@ IterativeClosestPointContourRegistrationMethod::RegisterContours(const PointsTyp
   std::vector<double>   from;
   std::vector<double>   to;
   std::vector<double>   weights;
-  for (unsigned int iteration = 0; iteration < m_MaximumNumberOfIterations; ++iteration)
+  for (unsigned int iteration = 0;; ++iteration)
   {
     const auto                 linear = std::polar(similarity.scale, similarity.angle);
     const std::complex<double> shift(similarity.tx, similarity.ty);
@@ -115,22 +114,11 @@ IterativeClosestPointContourRegistrationMethod::RegisterContours(const PointsTyp
     }
     const double moved = LargestShift(moving, similarity, next);
     similarity = next;
-    this->ReportIteration(iteration + 1,
-                          value / sum,
-                          similarity,
-                          static_cast<float>(iteration + 1) / static_cast<float>(m_MaximumNumberOfIterations));
-    if (moved <= m_Tolerance)
+    if (this->EndStep(iteration, m_MaximumNumberOfIterations, m_Tolerance, value / sum, moved, similarity))
     {
-      std::ostringstream text;
-      text << "Converged after " << iteration + 1 << " iterations: no point moved by more than " << m_Tolerance
-           << " px.";
-      this->SetStopConditionDescription(text.str());
       return similarity;
     }
   }
-  this->SetStopConditionDescription("Maximum number of iterations (" + std::to_string(m_MaximumNumberOfIterations) +
-                                    ") reached.");
-  return similarity;
 }
 
 void

@@ -19,13 +19,11 @@
 #define itkSilhouetteToContourRegistrationMethod_h
 
 #include "SilhouetteToContourExport.h"
+#include "itkContourRegistrationMethodBase.h"
 #include "itkContourToContourMetricv4.h"
-#include "itkRegistrationIterationInformation.h"
 #include "itkSilhouetteToContourLevel.h"
 
-#include "itkDataObjectDecorator.h"
 #include "itkObjectToObjectOptimizerBase.h"
-#include "itkProcessObject.h"
 
 #include <vector>
 
@@ -60,40 +58,23 @@ namespace itk
  *
  * \ingroup SilhouetteToContour
  */
-class SilhouetteToContour_EXPORT SilhouetteToContourRegistrationMethod
-  : public ProcessObject
-  , public RegistrationIterationInformation
+class SilhouetteToContour_EXPORT SilhouetteToContourRegistrationMethod : public ContourRegistrationMethodBase
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(SilhouetteToContourRegistrationMethod);
 
   using Self = SilhouetteToContourRegistrationMethod;
-  using Superclass = ProcessObject;
+  using Superclass = ContourRegistrationMethodBase;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
   itkNewMacro(Self);
-  itkTypeMacro(SilhouetteToContourRegistrationMethod, ProcessObject);
+  itkTypeMacro(SilhouetteToContourRegistrationMethod, ContourRegistrationMethodBase);
 
-  using ContourType = DentalContour;
-  using TransformType = Similarity2DTransform<double>;
-  using DecoratedTransformType = DataObjectDecorator<TransformType>;
   using MetricType = ContourToContourMetricv4;
   using OptimizerType = ObjectToObjectOptimizerBaseTemplate<double>;
-  using ParametersType = OptimizerType::ParametersType;
   using LevelType = SilhouetteToContourLevel;
   using LevelResultType = SilhouetteToContourLevelResult;
-
-  /** Tracing, pixels of the radiograph. */
-  itkSetInputMacro(FixedContour, ContourType);
-  itkGetInputMacro(FixedContour, ContourType);
-
-  /** Silhouette in q coordinates, pixels. */
-  itkSetInputMacro(MovingContour, ContourType);
-  itkGetInputMacro(MovingContour, ContourType);
-
-  /** Start from this similarity (any centre) instead of the bounding boxes. */
-  itkSetGetDecoratedObjectInputMacro(InitialTransform, TransformType);
 
   /** The figure of merit; nullptr: the paper's. Its contours, transform, pivot and bounds are set by this method. */
   virtual void
@@ -158,27 +139,12 @@ public:
   void
   SetPresetToGlobal();
 
-  /** The result. Valid after Update(). */
-  DecoratedTransformType *
-  GetOutput();
-  const DecoratedTransformType *
-  GetOutput() const;
-  const TransformType *
-  GetTransform() const;
-
   /** Level by level, after Update(); the levels that were completed after an abort. */
   const std::vector<LevelResultType> &
   GetLevelResults() const
   {
     return m_LevelResults;
   }
-
-  /** The start: bounding box or initial transform (scale, rad, px, px). */
-  itkGetConstReferenceMacro(InitialParameters, ParametersType);
-
-  /** The bounding-box start of two contours by the definition above. Throws where either has no two distinct points. */
-  static TransformType::Pointer
-  ComputeBoundingBoxTransform(const ContourType * fixed, const ContourType * moving);
 
   // RegistrationIterationInformation
   /** Which start of the level. */
@@ -193,47 +159,16 @@ public:
   {
     return m_StepLength;
   }
-  unsigned int
-  GetCurrentLevel() const override
-  {
-    return m_CurrentLevel;
-  }
-  std::size_t
-  GetOptimizerIteration() const override
-  {
-    return m_OptimizerIteration;
-  }
-  double
-  GetMetricValue() const override
-  {
-    return m_MetricValue;
-  }
-  ParametersType
-  GetOptimizerPosition() const override
-  {
-    return m_OptimizerPosition;
-  }
-  std::string
-  GetOptimizerStopConditionDescription() const override
-  {
-    return m_StopConditionDescription;
-  }
 
   /** Counts the metric's and the optimizer's settings, but not what a run does to them. */
   ModifiedTimeType
   GetMTime() const override;
-
-  using Superclass::MakeOutput;
-  DataObjectPointer
-  MakeOutput(DataObjectPointerArraySizeType index) override;
 
 protected:
   SilhouetteToContourRegistrationMethod();
   ~SilhouetteToContourRegistrationMethod() override = default;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
-  void
-  VerifyPreconditions() ITKv5_CONST override;
   void
   GenerateData() override;
 
@@ -249,14 +184,8 @@ private:
   bool                         m_FixRotation{ false };
   bool                         m_FixTranslation{ false };
   std::vector<LevelResultType> m_LevelResults;
-  ParametersType               m_InitialParameters;
-  unsigned int                 m_CurrentLevel{ 0 };
   unsigned int                 m_CurrentCandidate{ 0 };
   double                       m_StepLength{ 0.0 };
-  std::size_t                  m_OptimizerIteration{ 0 };
-  double                       m_MetricValue{ 0.0 };
-  ParametersType               m_OptimizerPosition;
-  std::string                  m_StopConditionDescription;
   ModifiedTimeType             m_MetricMTimeAfterRun{ 0 };
   ModifiedTimeType             m_OptimizerMTimeAfterRun{ 0 };
 };

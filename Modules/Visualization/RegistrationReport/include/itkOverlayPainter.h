@@ -18,101 +18,16 @@
 #ifndef itkOverlayPainter_h
 #define itkOverlayPainter_h
 
+#include "itkOverlayLayout.h"
+#include "itkOverlayScene.h"
 #include "RegistrationReportExport.h"
 
 #include <array>
 #include <cstdint>
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace itk
 {
-/** \struct OverlayScene
- * \brief What an overlay shows, as plain data. Free of ITK headers.
- *
- * Coordinates are continuous pixel indices of the radiograph (0 = centre of the first pixel). Points that are not
- * finite are left out, whatever lies outside of the view is clipped.
- *
- * \ingroup RegistrationReport
- */
-struct OverlayScene
-{
-  using PointType = std::array<double, 2>;
-  /** One polyline. */
-  struct StrokeType
-  {
-    std::vector<PointType> points;
-    bool                   closed{ false };
-  };
-  enum class RoleEnum : std::uint8_t
-  {
-    /** The tracing on the radiograph: blue. */
-    Fixed,
-    /** The aligned contour of the scan: orange. */
-    Moving,
-    /** Any other contour of the scan: thin and pale. */
-    Secondary
-  };
-  /** Polylines of one role, with their name in the legend. */
-  struct ContourType
-  {
-    RoleEnum                role{ RoleEnum::Fixed };
-    std::string             label;
-    std::vector<StrokeType> strokes;
-  };
-  /** Where a landmark is predicted and where it was marked; either may be unknown. */
-  struct LandmarkType
-  {
-    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-    std::string name;
-    PointType   predicted{ unknown, unknown };
-    PointType   reference{ unknown, unknown };
-    /** Standard deviation an axis, pixels; 0: not known. */
-    double sigma{ 0.0 };
-  };
-
-  /** Row-major radiograph; empty: a dark canvas. */
-  std::vector<std::uint8_t> grey;
-  int                       width{ 0 };
-  int                       height{ 0 };
-  /** mm a pixel in the detector plane; 0: unknown, no millimetre is then printed. */
-  std::array<double, 2> pixelSpacing{ 0.0, 0.0 };
-
-  std::vector<ContourType>  contours;
-  std::vector<LandmarkType> landmarks;
-
-  std::string title;
-  /** "ok", "suspect" or "failed" are coloured; empty: no badge. */
-  std::string              status;
-  std::vector<std::string> lines;
-
-  /** The part of the radiograph to show: first and last pixel index of u, then of v; all 0: around tracing and
-   * landmarks. */
-  std::array<double, 4> view{ 0.0, 0.0, 0.0, 0.0 };
-  /** Free border around tracing and landmarks, as a part of their larger extent. */
-  double margin{ 0.2 };
-};
-
-/** \struct OverlayLayout
- * \brief Where the painter put the parts of an overlay: output pixel = scale * (index - first) + offset.
- *
- * \ingroup RegistrationReport
- */
-struct RegistrationReport_EXPORT OverlayLayout
-{
-  /** The radiograph's part of the picture: x, y, width, height. */
-  std::array<double, 4> view{ 0.0, 0.0, 0.0, 0.0 };
-  std::array<double, 2> first{ 0.0, 0.0 };
-  std::array<double, 2> scale{ 1.0, 1.0 };
-  std::array<double, 2> offset{ 0.0, 0.0 };
-
-  /** Continuous pixel index of the radiograph to continuous pixel index of the picture. */
-  OverlayScene::PointType
-  ToPicture(const OverlayScene::PointType & index) const;
-};
-
 /** Colours of an overlay (Okabe, Ito 2008: told apart with any colour vision), red, green, blue. */
 namespace OverlayColour
 {
@@ -122,11 +37,6 @@ constexpr std::array<std::uint8_t, 3> Secondary{ 204, 190, 170 };
 constexpr std::array<std::uint8_t, 3> Error{ 240, 228, 66 };
 constexpr std::array<std::uint8_t, 3> Background{ 24, 26, 30 };
 } // namespace OverlayColour
-
-/** \return where a picture of this size shows what of the scene. Throws std::invalid_argument for a size below 320 x
- * 240 or above 16384. */
-RegistrationReport_EXPORT OverlayLayout
-LayOutOverlay(const OverlayScene & scene, int width, int height);
 
 /** Paints the scene: title and badge on top, the radiograph with the overlay left, on the right text, legend, table of
  * errors and a small picture of the whole radiograph. Anti-aliased; needs no screen; the same bits for the same scene
