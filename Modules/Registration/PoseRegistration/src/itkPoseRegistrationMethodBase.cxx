@@ -252,7 +252,14 @@ PoseRegistrationMethodBase::GetMTime() const
   {
     time = std::max(time, hypothesis->GetMTime());
   }
-  return m_Start.IsNull() ? time : std::max(time, m_Start->GetMTime());
+  for (const Object * part : { static_cast<const Object *>(m_RobustKernel.GetPointer()),
+                               static_cast<const Object *>(m_NoiseModel.GetPointer()),
+                               static_cast<const Object *>(m_CovarianceNoiseModel.GetPointer()),
+                               static_cast<const Object *>(m_Start.GetPointer()) })
+  {
+    time = part == nullptr ? time : std::max(time, part->GetMTime());
+  }
+  return time;
 }
 
 PoseRegistrationMethodBase::SolutionType *

@@ -354,6 +354,15 @@ TEST(PoseRegistrationParts, UpdateExecutesWhereSomethingHasChangedAndNotElse)
   method->SetTracedSide(method->GetTracedSide());
   method->Update();
   EXPECT_EQ(runs, 5u) << "the same side as before";
+  const auto noise = itk::CorrelatedNoiseModel::New();
+  method->SetNoiseModel(noise);
+  method->Update();
+  EXPECT_EQ(runs, 6u) << "a noise model came";
+  noise->SetCorrelationLength(20.0);
+  method->Update();
+  EXPECT_EQ(runs, 7u) << "the noise model changed";
+  method->Update();
+  EXPECT_EQ(runs, 7u) << "nothing changed";
 }
 
 TEST(PoseRegistrationParts, AStartOfAUsersOwnIsWhereItBegins)
