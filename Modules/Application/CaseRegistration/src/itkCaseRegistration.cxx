@@ -203,7 +203,13 @@ CaseRegistration::Run(ProcessObject * process, float from, float to)
   const auto observer = process->AddObserver(ProgressEvent(), progress);
   // What stands in the middle of an iterative method is of interest to whoever watches the whole.
   auto iteration = FunctionCommand::New();
-  iteration->SetCallback([this](const EventObject &) { this->InvokeEvent(IterationEvent()); });
+  iteration->SetCallback([this](const EventObject & event) {
+    // A level of the method is an iteration event in ITK as well; a level here is a stage of the case.
+    if (dynamic_cast<const MultiResolutionIterationEvent *>(&event) == nullptr)
+    {
+      this->InvokeEvent(IterationEvent());
+    }
+  });
   const auto iterationObserver = process->AddObserver(IterationEvent(), iteration);
   m_Running = process;
   const auto end = [&]() {
