@@ -389,7 +389,14 @@ WrapTerms(py::module_ & module)
 Terms that name the same block are about the same unknowns. A term's own values and what is free there are the sum's
 from the moment it is added.)")
     .def(New<SumType>())
-    .def("AddMetric", &SumType::AddMetric, py::arg("metric"))
+    .def(
+      "AddMetric",
+      [](SumType & self, MetricBaseType * metric, bool keepsSettings) {
+        self.AddMetric(metric, keepsSettings ? SumType::SettingsEnum::Own : SumType::SettingsEnum::OfTheSum);
+      },
+      py::arg("metric"),
+      py::arg("keepsSettings") = false,
+      "keepsSettings: robust kernel and noise stay as the term has them, where else the sum's setters reach them.")
     .def(
       "RemoveMetric", [](SumType & self, MetricBaseType * metric) { self.RemoveMetric(metric); }, py::arg("metric"))
     .def("GetNumberOfMetrics", &SumType::GetNumberOfMetrics)
