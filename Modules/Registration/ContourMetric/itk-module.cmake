@@ -9,5 +9,5 @@ itk_module(ContourMetric
   TEST_DEPENDS
     ITKTestKernel
   DESCRIPTION
-    "Distances between contours: exact nearest-point search, Chamfer and partial-overlap metrics for v4 and least-squares optimizers, and the same figures as filters."
+    "Distances between contours: exact nearest-point search, the Chamfer metric for v4 optimizers, and the same figures as filters."
 )
