@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'PhantomTracedSide', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'ToothLabelFileReader', 'TracedSide', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothLabelFileReader', 'TracedSide', 'TracingPixelSpacingFilter', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -1436,11 +1436,11 @@ class SurfaceDRRImageSource(ProcessObject):
         ...
     def GetAttenuation(self) -> float:
         ...
-    def GetDensity(self) -> float:
-        ...
     def GetCoverMargin(self) -> float:
         ...
     def GetCoverMeshes(self) -> bool:
+        ...
+    def GetDensity(self) -> float:
         ...
     def GetMeshSigma(self, number: int) -> float:
         ...
@@ -1472,11 +1472,11 @@ class SurfaceDRRImageSource(ProcessObject):
         ...
     def SetAttenuation(self, value: float) -> None:
         ...
-    def SetDensity(self, value: float) -> None:
-        ...
     def SetCoverMargin(self, value: float) -> None:
         ...
     def SetCoverMeshes(self, value: bool) -> None:
+        ...
+    def SetDensity(self, value: float) -> None:
         ...
     def SetMeshSigma(self, number: int, sigma: float) -> None:
         ...
@@ -2921,7 +2921,7 @@ class LeastSquaresMetricv4:
         ...
 class TracedSide:
     """
-    Which side's outline was traced.
+    Which side's outline was traced, or is to be; registrations refuse Standard.
 
     Members:
 
@@ -2932,11 +2932,14 @@ class TracedSide:
       Mean
 
       Both
+
+      Standard
     """
     Both: typing.ClassVar[TracedSide]
     Left: typing.ClassVar[TracedSide]
     Mean: typing.ClassVar[TracedSide]
     Right: typing.ClassVar[TracedSide]
+    Standard: typing.ClassVar[TracedSide]
     __members__: typing.ClassVar[dict[str, TracedSide]]
     def __eq__(self, other: typing.Any) -> bool:
         ...
@@ -2980,8 +2983,10 @@ class LeastSquaresSumMetricv4(LeastSquaresMetricv4):
     Terms that name the same block are about the same unknowns. A term's own values and what is free there are the sum's
     from the moment it is added.
     """
-    def AddMetric(self, metric: LeastSquaresMetricv4) -> None:
-        ...
+    def AddMetric(self, metric: LeastSquaresMetricv4, keepsSettings: bool = False) -> None:
+        """
+        keepsSettings: robust kernel and noise stay as the term has them, where else the sum's setters reach them.
+        """
     def GetMetric(self, index: int) -> LeastSquaresMetricv4:
         ...
     def GetNumberOfMetrics(self) -> int:
@@ -3323,6 +3328,135 @@ class LevenbergMarquardtOptimizerv4(ObjectToObjectOptimizerBase):
         ...
     def _RemoveCommand(self, tag: int) -> None:
         ...
+    def __init__(self) -> None:
+        ...
+class RegistrationEventKind:
+    """
+    What a record of RegistrationIterationCommand is of.
+
+    Members:
+
+      Start
+
+      Level
+
+      Iteration
+
+      Abort
+
+      End
+    """
+    Abort: typing.ClassVar[RegistrationEventKind]
+    End: typing.ClassVar[RegistrationEventKind]
+    Iteration: typing.ClassVar[RegistrationEventKind]
+    Level: typing.ClassVar[RegistrationEventKind]
+    Start: typing.ClassVar[RegistrationEventKind]
+    __members__: typing.ClassVar[dict[str, RegistrationEventKind]]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    @typing.overload
+    def __init__(self, value: int) -> None:
+        ...
+    @typing.overload
+    def __init__(self, name: str) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: int) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def value(self) -> int:
+        ...
+class RegistrationIterationRecord:
+    """
+    One event of a registration.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def accepted(self) -> bool:
+        """
+        Whether the step was taken.
+        """
+    @property
+    def candidate(self) -> int:
+        ...
+    @property
+    def iteration(self) -> int:
+        ...
+    @property
+    def kind(self) -> RegistrationEventKind:
+        ...
+    @property
+    def level(self) -> int:
+        ...
+    @property
+    def parameters(self) -> numpy.typing.NDArray[typing.Any]:
+        ...
+    @property
+    def stepLength(self) -> float:
+        """
+        In the method's own unit of length.
+        """
+    @property
+    def stopReason(self) -> str:
+        """
+        At a level's start that of the level before; at the end.
+        """
+    @property
+    def value(self) -> float:
+        """
+        Of the metric, at parameters.
+        """
+class RegistrationIterationCommand:
+    """
+    Ready observer of any registration: level, candidate, iteration, value, step, parameters, stop reason.
+
+    Records every step, not the mere evaluations, and is cleared at each start, so that one serves many runs.
+    """
+    def GetRecords(self) -> list[RegistrationIterationRecord]:
+        """
+        A copy.
+        """
+    def GetTable(self) -> str:
+        """
+        All iterations as comma-separated values: level, candidate, iteration, value, step_length, accepted, p0 ...
+        """
+    def GetWriteEvery(self) -> int:
+        ...
+    @typing.overload
+    def Observe(self, method: ProcessObject) -> None:
+        """
+        Adds itself to a registration method; which keeps it.
+        """
+    @typing.overload
+    def Observe(self, optimizer: ObjectToObjectOptimizerBase) -> None:
+        """
+        Adds itself to an optimizer that runs alone.
+        """
+    def SetStream(self, stream: typing.Any) -> None:
+        """
+        What has a write(text), as sys.stdout, to write one line an event to; None writes nothing.
+        """
+    def SetWriteEvery(self, iterations: int) -> None:
+        """
+        Records all of them.
+        """
     def __init__(self) -> None:
         ...
 class PoseRegistrationOptions:
@@ -4007,6 +4141,22 @@ class PoseCandidate:
         """
         What candidates are ranked by: cost and code term.
         """
+class PoseHypothesisOutcome:
+    """
+    What came of another reading of the same input.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def deviance(self) -> float:
+        """
+        Minus twice the log likelihood under it minus that of the result: clearly negative where it explains the evidence better. 0 where it was not asked for.
+        """
+    @property
+    def score(self) -> float:
+        """
+        Of its best candidate; 1 where there is none.
+        """
 class PoseSolution(DataObject):
     """
     What a pose registration found: poses, covariance, candidates, fit, and why a jaw was not registered.
@@ -4063,6 +4213,10 @@ class PoseSolution(DataObject):
     def GetOptions(self) -> PoseRegistrationOptions:
         """
         What was asked for; a copy.
+        """
+    def GetOutcomes(self, jaw: Jaw | str) -> dict[str, PoseHypothesisOutcome]:
+        """
+        {code: PoseHypothesisOutcome} of the hypotheses that were tried beside the result: other-side, and where the fit is poor facing and jaws-exchanged.
         """
     def GetPose(self, jaw: Jaw | str) -> list[float]:
         """
@@ -4188,11 +4342,12 @@ class PoseRegistrationMethod(ProcessObject):
     """
     def AddHypothesis(self, hypothesis: PoseHypothesis) -> None:
         ...
-    def AddMetric(self, metric: LeastSquaresMetricv4) -> None:
+    def AddMetric(self, metric: LeastSquaresMetricv4, jaw: Jaw | str = ...) -> None:
         """
         A further term of the sum that is minimized: a LeastSquaresMetric of your own, a prior, another sum.
 
-        It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. The
+        It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. Jaws that
+        stand apart have a sum each: with a jaw it is a term of that jaw's alone. Its robust kernel and noise stay its own. The
         registration works on clones of it.
         """
     def ClearHypotheses(self) -> None:
@@ -4442,6 +4597,110 @@ class ProjectionSimilarityFilter(ProcessObject):
         ...
     def __init__(self) -> None:
         ...
+class GeometryPlacementFilter(ProcessObject):
+    """
+    A radiograph's geometry with an object in it.
+    """
+    def CentralRayThroughOriginOff(self) -> None:
+        ...
+    def CentralRayThroughOriginOn(self) -> None:
+        ...
+    def GetCentralRayThroughOrigin(self) -> bool:
+        ...
+    def SetCentralRayThroughOrigin(self, value: bool) -> None:
+        ...
+    def _SetFrame(self, transform: VersorRigid3DTransform | None) -> None:
+        ...
+    def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
+        ...
+    def _TakeOutput(self) -> CephalometricGeometry:
+        ...
+    def __init__(self) -> None:
+        ...
+class SurfaceSplatWidthCalculator(ProcessObject):
+    """
+    The width of a DRR's splats that closes a surface.
+    """
+    def GetSigma(self) -> float:
+        """
+        mm in the detector plane.
+        """
+    def GetWidthFactor(self) -> float:
+        ...
+    def SetWidthFactor(self, value: float) -> None:
+        ...
+    def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
+        ...
+    def _SetMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class TracingPixelSpacingFilter(ProcessObject):
+    """
+    A geometry with a rough pixel spacing where none is known.
+    """
+    def GetDefaultPixelSpacing(self) -> float:
+        ...
+    def SetDefaultPixelSpacing(self, value: float) -> None:
+        ...
+    def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
+        ...
+    def _SetJaw(self, jaw: Jaw | str, mesh: Mesh | None, contour: Contour | None, frame: VersorRigid3DTransform | None) -> None:
+        ...
+    def _TakeOutput(self) -> CephalometricGeometry:
+        ...
+    def __init__(self) -> None:
+        ...
+class SimilarityPlacementFilter(ProcessObject):
+    """
+    Where a similarity puts the scan.
+    """
+    def GetMillimetresPerUnit(self) -> float:
+        ...
+    def GetProjectionMatrix(self) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (3, 4): mesh, in the unit of its file, to homogeneous pixel index.
+        """
+    def SetMillimetresPerUnit(self, value: float) -> None:
+        ...
+    def _GetTransform(self) -> VersorRigid3DTransform | None:
+        ...
+    def _SetFrame(self, transform: VersorRigid3DTransform | None) -> None:
+        ...
+    def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
+        ...
+    def _SetSimilarity(self, transform: Similarity2DTransform | None) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class ContourTransformFilter(ProcessObject):
+    """
+    A contour that a similarity has moved.
+    """
+    def _SetInput(self, contour: Contour | None) -> None:
+        ...
+    def _SetTransform(self, transform: Similarity2DTransform | None) -> None:
+        ...
+    def _TakeOutput(self) -> Contour:
+        ...
+    def __init__(self) -> None:
+        ...
+class LandmarkMatrixProjectionFilter(ProcessObject):
+    """
+    Landmarks by a projection matrix alone.
+    """
+    def GetJaw(self) -> Jaw:
+        ...
+    def SetJaw(self, jaw: Jaw | str) -> None:
+        ...
+    def _GetOutput(self) -> dict[str, typing.Any]:
+        ...
+    def _SetLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
+        ...
+    def _SetProjectionMatrix(self, matrix: numpy.typing.ArrayLike) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
 class LandmarkErrorFilter(ProcessObject):
     """
     Distances between predicted and marked landmarks.
@@ -4556,55 +4815,6 @@ class PhantomCohort:
     Ideal: typing.ClassVar[PhantomCohort]
     Typical: typing.ClassVar[PhantomCohort]
     __members__: typing.ClassVar[dict[str, PhantomCohort]]
-    def __eq__(self, other: typing.Any) -> bool:
-        ...
-    def __getstate__(self) -> int:
-        ...
-    def __hash__(self) -> int:
-        ...
-    def __index__(self) -> int:
-        ...
-    @typing.overload
-    def __init__(self, value: int) -> None:
-        ...
-    @typing.overload
-    def __init__(self, name: str) -> None:
-        ...
-    def __int__(self) -> int:
-        ...
-    def __ne__(self, other: typing.Any) -> bool:
-        ...
-    def __repr__(self) -> str:
-        ...
-    def __setstate__(self, state: int) -> None:
-        ...
-    def __str__(self) -> str:
-        ...
-    @property
-    def name(self) -> str:
-        ...
-    @property
-    def value(self) -> int:
-        ...
-class PhantomTracedSide:
-    """
-    What a simulated tracing follows.
-
-    Members:
-
-      Right
-
-      Left
-
-      Mean
-
-      Both
-    """
-    Both: typing.ClassVar[PhantomTracedSide]
-    Left: typing.ClassVar[PhantomTracedSide]
-    Mean: typing.ClassVar[PhantomTracedSide]
-    Right: typing.ClassVar[PhantomTracedSide]
-    __members__: typing.ClassVar[dict[str, PhantomTracedSide]]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> int:
@@ -4827,7 +5037,7 @@ class DentalPhantomCaseSource(ProcessObject):
         ...
     def GetToothBias(self) -> float:
         ...
-    def GetTracedSide(self) -> PhantomTracedSide:
+    def GetTracedSide(self) -> TracedSide:
         ...
     def GetUpperNumberOfPoints(self) -> int:
         ...
@@ -4867,7 +5077,7 @@ class DentalPhantomCaseSource(ProcessObject):
         ...
     def SetToothBias(self, value: float) -> None:
         ...
-    def SetTracedSide(self, side: PhantomTracedSide | str) -> None:
+    def SetTracedSide(self, side: TracedSide | str) -> None:
         ...
     def SetUpperNumberOfPoints(self, value: int) -> None:
         ...

@@ -747,7 +747,7 @@ Execute(), and StopOptimization() in a command of it ends the registration.)")
       "AddMetric",
       [](MethodType & self, MetricBaseType * metric, JawEnum jaw) { self.AddMetric(metric, jaw); },
       py::arg("metric"),
-      py::arg("jaw") = JawEnum::Unknown,
+      py::arg_v("jaw", JawEnum::Unknown, "Jaw.Unknown"),
       R"(A further term of the sum that is minimized: a LeastSquaresMetric of your own, a prior, another sum.
 
 It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. Jaws that
