@@ -74,7 +74,7 @@ int
 ExerciseBasics()
 {
   const auto source = SourceType::New();
-  ITK_EXERCISE_BASIC_OBJECT_METHODS(source, MeshSilhouetteContourSource, MeshSource);
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(source, MeshSilhouetteContourSource, MeshSilhouetteContourSourceBase);
   return EXIT_SUCCESS;
 }
 } // namespace

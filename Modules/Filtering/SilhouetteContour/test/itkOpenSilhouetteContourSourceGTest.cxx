@@ -138,7 +138,7 @@ int
 ExerciseBasics()
 {
   const auto source = SourceType::New();
-  ITK_EXERCISE_BASIC_OBJECT_METHODS(source, OpenSilhouetteContourSource, MeshSource);
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(source, OpenSilhouetteContourSource, MeshSilhouetteContourSourceBase);
   return EXIT_SUCCESS;
 }
 } // namespace
