@@ -6,8 +6,6 @@ import re
 # Half a unit of the last digit is nothing beside the tolerances below.
 DECIMALS = {"landmarks_px": 5}
 OTHER_DECIMALS = 6
-# Known to be wrong (of jaws that share a pose); frozen once it is right.
-NOT_KEPT = {"similarity_rms_px"}
 
 # A quarter of a micrometre on the detector: nobody sees it. Tracings moved by 1e-9 px at random, which is far more than
 # another processor's exp and sin or another order of summation do, move the answers of robust and of the bounding boxes
@@ -62,7 +60,7 @@ def record_of_jaw(jaw):
             # The Chamfer distance is the mean of the two directions.
             figures = jaw.get(field, {})
             record[field] = {name: figures[name] for name in ("cr_to_ios_px", "ios_to_cr_px", "hausdorff_px") if figures}
-        record["details"] = {name: value for name, value in jaw.get("details", {}).items() if name not in NOT_KEPT}
+        record["details"] = dict(jaw.get("details", {}))
     return record
 
 

@@ -8,8 +8,7 @@ writes Frozen/*.json anew (with -k, or without the sample cases beside the proje
 are), in a commit of its own that says what changed and why. The files' difference is part of what is reviewed: a number
 that moves where nothing was meant to is a fault.
 
-Not kept are times and paths, projections and covariances (the landmarks and their sigma are what these amount to), and
-`similarity_rms_px`, which is known to be wrong.
+Not kept are times and paths, projections and covariances: the landmarks and their sigma are what these amount to.
 """
 import json
 import pathlib
