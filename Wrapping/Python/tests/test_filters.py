@@ -284,11 +284,11 @@ def test_the_papers_chain_can_be_put_together_by_hand(ds):
     seen = np.array(centred.ProjectPoint(point)) + (100.0, 50.0)
     found = ds.LandmarkMatrixProjection({"UR6_MB": point, "LR6_MB": point}, placed.projectionMatrix, jaw="upper")
     assert list(found) == ["UR6_MB"] and np.allclose(found["UR6_MB"], seen)
-    moved = ds.ContourTransform(ds.Contour([[(0.0, 0.0), (3.0, 4.0)]]), similarity)
+    moved = ds.ContourTransform(np.array([(0.0, 0.0), (3.0, 4.0)]), similarity)
     assert np.allclose(moved.points, [(100.0, 50.0), (103.0, 54.0)])
     mesh = (np.array([[0, 0, 0], [60, 0, 0], [0, 0, 1]], float), [[0, 1, 2]])
     width = 60.0 * 1674.0 / 1524.0
-    rough = ds.TracingPixelSpacing(geometry, mesh, ds.Contour([[(0.0, 0.0), (width * 5.0, 1.0)]]), frame)
+    rough = ds.TracingPixelSpacing(geometry, mesh, np.array([(0.0, 0.0), (width * 5.0, 1.0)]), frame)
     assert np.allclose(rough.GetPixelSpacing(), 0.2)
     assert ds.SurfaceSplatWidth(mesh, geometry) > 0.25
     with pytest.raises(ds.Error, match="frame is needed"):
