@@ -42,6 +42,7 @@ namespace itk
 class PoseMetric_EXPORT PoseReverseDirection
 {
 public:
+  /** What it counts, and how its matches are made. */
   struct Settings
   {
     /** What it counts beside the forward direction. */

@@ -62,7 +62,7 @@ struct DentalPhantomTooth
   bool bracket{ false };
 };
 
-/** \struct DentalPhantom_EXPORT DentalPhantomJaw
+/** \struct DentalPhantomJaw
  * \brief One jaw: fourteen crowns, third molars where there are some, gingiva, trimming. Lengths in mm, angles in
  * radians.
  *

@@ -56,6 +56,7 @@ public:
     bool                    isTemplate{ false };
     DentalPhantomHand::Slip slip;
   };
+  /** A landmark of the radiograph: where it is, and where the reader or the detector says that it is. */
   struct Landmark
   {
     /** "U1_tip", "U1A", "U6_MB", "Ms". */

@@ -39,6 +39,7 @@ struct DentalPhantom_EXPORT DentalPhantomToothBody
 {
   using PointType = std::array<double, 3>;
 
+  /** A cusp: where its tip stands on the crown, how high, and how steep its sides are; the name of its landmark. */
   struct Cusp
   {
     double       x;
