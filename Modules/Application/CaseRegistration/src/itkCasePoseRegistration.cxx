@@ -191,6 +191,18 @@ Measure(DentalContour * tracing, DentalContour * contour, const char * name, Jaw
   result.contours.emplace_back(name, contour);
 }
 
+/** The same data with no pipeline behind it. What two threads pull at once must have no source in common: an update
+ * that meets another one's takes the meeting for a loop in the pipeline, marks the source as modified, and so runs it
+ * again under the other's hands. */
+template <typename TData>
+typename TData::Pointer
+MakeDetached(const TData * data)
+{
+  auto detached = TData::New();
+  detached->Graft(data);
+  return detached;
+}
+
 /** The exact silhouette of the whole scan at the solution, its points a given number. */
 DentalContour::Pointer
 MakeWholeSilhouette(const MeshType * mesh, CephalometricGeometry * placed, unsigned int numberOfPoints)
@@ -333,13 +345,22 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   // The largest part of what remains, and the jaws do not need each other.
   TimeProbe silhouetteProbe;
   silhouetteProbe.Start();
-  std::array<DentalContour::Pointer, 2> silhouettes;
-  ParallelFor(2, settings.numberOfThreads, [&](std::size_t i) {
-    const JawEnum jaw = i == 0 ? JawEnum::Upper : JawEnum::Lower;
+  std::array<MeshType::Pointer, 2>              meshes;
+  std::array<CephalometricGeometry::Pointer, 2> geometries;
+  std::array<DentalContour::Pointer, 2>         silhouettes;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
     if (solution->IsRegistered(jaw))
     {
-      silhouettes[i] =
-        MakeWholeSilhouette(data.GetJaw(jaw).mesh, method->GetGeometryOutput(jaw), settings.numberOfContourPoints[i]);
+      const std::size_t i = jaw == JawEnum::Upper ? 0 : 1;
+      meshes[i] = MakeDetached<MeshType>(data.GetJaw(jaw).mesh);
+      geometries[i] = MakeDetached<CephalometricGeometry>(method->GetGeometryOutput(jaw));
+    }
+  }
+  ParallelFor(2, settings.numberOfThreads, [&](std::size_t i) {
+    if (meshes[i].IsNotNull())
+    {
+      silhouettes[i] = MakeWholeSilhouette(meshes[i], geometries[i], settings.numberOfContourPoints[i]);
     }
   });
   silhouetteProbe.Stop();
