@@ -278,9 +278,6 @@ private:
   std::shared_ptr<const DentalPhantomStandardTracing> m_StandardTracing;
   std::shared_ptr<const FrontalView>                  m_FrontalView;
 };
-
-DentalPhantom_EXPORT std::ostream &
-                     operator<<(std::ostream & os, DentalPhantomCaseSource::TracedSideEnum side);
 } // namespace itk
 
 #endif

@@ -196,11 +196,7 @@ DentalPhantomCaseSource::SetLevel(const DentalPhantomLevel & level)
   // it by name.
   if (level.tracedSide != m_Level.tracedSide)
   {
-    m_TracedSide = level.tracedSide == "right"  ? TracedSideEnum::Right
-                   : level.tracedSide == "left" ? TracedSideEnum::Left
-                   : level.tracedSide == "mean" ? TracedSideEnum::Mean
-                   : level.tracedSide == "both" ? TracedSideEnum::Both
-                                                : TracedSideEnum::Standard;
+    m_TracedSide = TracedSideFromString(level.tracedSide);
   }
   if (level.frame != m_Level.frame)
   {
@@ -281,15 +277,15 @@ DentalPhantomCaseSource::GenerateData()
   m_Parameters.stoneBase = m_StoneBase;
   if (m_Acquisition.missingPosition != 0)
   {
-    m_Parameters.jaws[m_Acquisition.missingJaw].teeth[(traceLeft ? 0 : 7) + m_Acquisition.missingPosition - 1].missing =
-      true;
+    const unsigned int tooth = DentalPhantomJaw::GetIndex(!traceLeft, m_Acquisition.missingPosition - 1);
+    m_Parameters.jaws[m_Acquisition.missingJaw].GetTooth(tooth).missing = true;
   }
 
   for (const unsigned int fdi : m_MissingTeeth)
   {
     const unsigned int quadrant = fdi / 10;
-    m_Parameters.jaws[quadrant > 2 ? 1 : 0].teeth[(quadrant == 2 || quadrant == 3 ? 7 : 0) + fdi % 10 - 1].missing =
-      true;
+    const unsigned int tooth = DentalPhantomJaw::GetIndex(quadrant == 2 || quadrant == 3, fdi % 10 - 1);
+    m_Parameters.jaws[quadrant > 2 ? 1 : 0].GetTooth(tooth).missing = true;
   }
 
   // The jaws.
@@ -453,9 +449,9 @@ DentalPhantomCaseSource::GenerateData()
         bool               buccal = true;
         if (position > 3)
         {
-          const unsigned int tooth = (label / 10 == right ? 0 : 7) + position - 1;
+          const unsigned int tooth = DentalPhantomJaw::GetIndex(label / 10 != right, position - 1);
           const auto local = model.TransformToTooth(jaw, tooth, frames[jaw].ApplyInverse(surfaces[jaw].points[i]));
-          buccal = local[1] > 0.15 * m_Parameters.jaws[jaw].teeth[tooth].buccolingual;
+          buccal = local[1] > 0.15 * m_Parameters.jaws[jaw].GetTooth(tooth).buccolingual;
         }
         use.push_back(buccal);
       }

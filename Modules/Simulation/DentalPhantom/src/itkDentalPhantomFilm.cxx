@@ -21,6 +21,7 @@
 #include "itkDentalPhantomMath.h"
 #include "itkParallelFor.h"
 #include "itkReproducibleRandom.h"
+#include "itkInvertedProjection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,21 +122,7 @@ struct Shadow
 std::vector<std::uint8_t>
 DentalPhantomFilm::Render(const DentalPhantomModel & model, unsigned int threads) const
 {
-  const auto &          m = projection.matrix;
-  std::array<double, 9> inverse;
-  const double          a0 = m[5] * m[10] - m[6] * m[9];
-  const double          a1 = m[6] * m[8] - m[4] * m[10];
-  const double          a2 = m[4] * m[9] - m[5] * m[8];
-  const double          det = m[0] * a0 + m[1] * a1 + m[2] * a2;
-  inverse = { { a0 / det,
-                (m[2] * m[9] - m[1] * m[10]) / det,
-                (m[1] * m[6] - m[2] * m[5]) / det,
-                a1 / det,
-                (m[0] * m[10] - m[2] * m[8]) / det,
-                (m[2] * m[4] - m[0] * m[6]) / det,
-                a2 / det,
-                (m[1] * m[8] - m[0] * m[9]) / det,
-                (m[0] * m[5] - m[1] * m[4]) / det } };
+  const std::array<double, 9> inverse = InvertedProjection(projection);
 
   // Where the teeth are: the upper incisors' edge in the lateral picture, the arch's front in the frontal one.
   double       edge[2] = { 0.0, 0.0 };

@@ -20,6 +20,7 @@
 #include "itkContourExtractor2DImageFilter.h"
 #include "itkImage.h"
 #include "itkParallelFor.h"
+#include "itkInvertedProjection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,26 +30,6 @@ namespace itk
 namespace
 {
 using PointType = DentalPhantomModel::PointType;
-
-/** Pixel to ray: with M the left 3x3 of the matrix, M (p - source) ~ (u, v, 1). */
-std::array<double, 9>
-InvertedProjection(const PerspectiveProjection & projection)
-{
-  const auto & m = projection.matrix;
-  const double a0 = m[5] * m[10] - m[6] * m[9];
-  const double a1 = m[6] * m[8] - m[4] * m[10];
-  const double a2 = m[4] * m[9] - m[5] * m[8];
-  const double det = m[0] * a0 + m[1] * a1 + m[2] * a2;
-  return { { a0 / det,
-             (m[2] * m[9] - m[1] * m[10]) / det,
-             (m[1] * m[6] - m[2] * m[5]) / det,
-             a1 / det,
-             (m[0] * m[10] - m[2] * m[8]) / det,
-             (m[2] * m[4] - m[0] * m[6]) / det,
-             a2 / det,
-             (m[1] * m[8] - m[0] * m[9]) / det,
-             (m[0] * m[5] - m[1] * m[4]) / det } };
-}
 } // namespace
 
 auto

@@ -19,6 +19,7 @@
 
 #include "itkParallelFor.h"
 #include "itkReproducibleRandom.h"
+#include "itkInvertedProjection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,22 +78,7 @@ DentalPhantomRadiograph::Render(const DentalPhantomModel &          model,
   ReproducibleRandom random(seed, 1);
   const auto         jitter = [&random](double scale) { return scale * (2.0 * random.Uniform() - 1.0); };
 
-  // Pixel to ray: with M the left 3x3 of the matrix, M (p - source) ~ (u, v, 1).
-  const auto &          m = projection.matrix;
-  std::array<double, 9> inverse;
-  const double          a0 = m[5] * m[10] - m[6] * m[9];
-  const double          a1 = m[6] * m[8] - m[4] * m[10];
-  const double          a2 = m[4] * m[9] - m[5] * m[8];
-  const double          det = m[0] * a0 + m[1] * a1 + m[2] * a2;
-  inverse = { { a0 / det,
-                (m[2] * m[9] - m[1] * m[10]) / det,
-                (m[1] * m[6] - m[2] * m[5]) / det,
-                a1 / det,
-                (m[0] * m[10] - m[2] * m[8]) / det,
-                (m[2] * m[4] - m[0] * m[6]) / det,
-                a2 / det,
-                (m[1] * m[8] - m[0] * m[9]) / det,
-                (m[0] * m[5] - m[1] * m[4]) / det } };
+  const std::array<double, 9> inverse = InvertedProjection(projection);
 
   // Where the teeth are, and the box of each in the image.
   struct Box
@@ -106,7 +92,7 @@ DentalPhantomRadiograph::Render(const DentalPhantomModel &          model,
   double           middle[2] = { 0.0, 0.0 };
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
-    for (unsigned int tooth = 0; tooth < 14; ++tooth)
+    for (unsigned int tooth = 0; tooth < DentalPhantomJaw::NumberOfTeeth; ++tooth)
     {
       if (!model.HasTooth(jaw, tooth))
       {

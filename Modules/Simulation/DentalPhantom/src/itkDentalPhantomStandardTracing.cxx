@@ -245,90 +245,93 @@ DentalPhantomStandardTracing::DentalPhantomStandardTracing(const DentalPhantomMo
       const unsigned int position = molar ? 6 : 1;
       const unsigned int item = 10 * (jaw == 0 ? 1 : 4) + position;
 
-      Outline outline;
-      outline.fdi = static_cast<std::uint8_t>(item);
-      outline.isTemplate = usesTemplates;
-      const Reference & from = sides[0].present ? sides[0] : sides[1];
-      if (usesTemplates)
+      if (level.drawOutlines)
       {
-        // By tip and axis: the stock outline keeps its size, magnified as all of the picture is.
-        const PixelType & top = middle.tip;
-        const PixelType & end = molar ? middle.axis : middle.apex;
-        const double      l = std::hypot(end[0] - top[0], end[1] - top[1]);
-        // The molar's axis passes behind its mesiobuccal cusp: the axis gives the direction alone.
-        PixelType apical = { { (end[0] - top[0]) / l, (end[1] - top[1]) / l } };
-        if (molar)
+        Outline outline;
+        outline.fdi = static_cast<std::uint8_t>(item);
+        outline.isTemplate = usesTemplates;
+        const Reference & from = sides[0].present ? sides[0] : sides[1];
+        if (usesTemplates)
         {
-          const auto &    body = model.GetDentition().GetBody(jaw, from.tooth);
-          const PixelType crown = project(jaw, body, { { 0.0, 0.0, body.height } });
-          const double    m = std::hypot(from.axis[0] - crown[0], from.axis[1] - crown[1]);
-          apical = { { (from.axis[0] - crown[0]) / m, (from.axis[1] - crown[1]) / m } };
-        }
-        // Anterior is the apical direction turned by a right angle, to the side that the face looks to.
-        PixelType    anterior = { { -apical[1], apical[0] } };
-        const double turn = facing * anterior[0] >= 0.0 ? 1.0 : -1.0;
-        const double magnification = MagnificationOf(projection);
-        for (const PixelType & p : GetTemplate(jaw, molar, set))
-        {
-          outline.exact.push_back({ { top[0] + magnification * (turn * p[0] * anterior[0] + p[1] * apical[0]),
-                                      top[1] + magnification * (turn * p[0] * anterior[1] + p[1] * apical[1]) } });
-        }
-      }
-      else
-      {
-        outline.exact =
-          DentalPhantomOutline::Trace(model, jaw, molar ? from.tooth : middle.tooth, projection, true, 0.7, threads);
-        if (molar)
-        {
-          const Similarity toMiddle(from.tip, from.axis, middle.tip, middle.axis);
-          for (PixelType & p : outline.exact)
+          // By tip and axis: the stock outline keeps its size, magnified as all of the picture is.
+          const PixelType & top = middle.tip;
+          const PixelType & end = molar ? middle.axis : middle.apex;
+          const double      l = std::hypot(end[0] - top[0], end[1] - top[1]);
+          // The molar's axis passes behind its mesiobuccal cusp: the axis gives the direction alone.
+          PixelType apical = { { (end[0] - top[0]) / l, (end[1] - top[1]) / l } };
+          if (molar)
           {
-            p = toMiddle(p);
+            const auto &    body = model.GetDentition().GetBody(jaw, from.tooth);
+            const PixelType crown = project(jaw, body, { { 0.0, 0.0, body.height } });
+            const double    m = std::hypot(from.axis[0] - crown[0], from.axis[1] - crown[1]);
+            apical = { { (from.axis[0] - crown[0]) / m, (from.axis[1] - crown[1]) / m } };
+          }
+          // Anterior is the apical direction turned by a right angle, to the side that the face looks to.
+          PixelType    anterior = { { -apical[1], apical[0] } };
+          const double turn = facing * anterior[0] >= 0.0 ? 1.0 : -1.0;
+          const double magnification = MagnificationOf(projection);
+          for (const PixelType & p : GetTemplate(jaw, molar, set))
+          {
+            outline.exact.push_back({ { top[0] + magnification * (turn * p[0] * anterior[0] + p[1] * apical[0]),
+                                        top[1] + magnification * (turn * p[0] * anterior[1] + p[1] * apical[1]) } });
           }
         }
-      }
-      // As many points as a careful hand sets: one in about two pixels.
-      const std::size_t count = molar ? 104 : jaw == 0 ? 80 : 64;
-      outline.exact = DentalPhantomOutline::Resample(outline.exact, count);
-      if (!outline.exact.empty() && level.drawOutlines)
-      {
-        outline.drawn = outline.exact;
-        // The palatal or lingual side, which other structures hide: one bulge between tip and apex.
-        ReproducibleRandom palatal(seed, PalatalStream + item);
-        const double       bulge = level.palatalError / spacing * palatal.Normal();
-        if (!molar)
+        else
         {
-          const PixelType d = { { middle.apex[0] - middle.tip[0], middle.apex[1] - middle.tip[1] } };
-          const double    n = std::hypot(d[0], d[1]);
-          const double    sign = facing * d[1] >= 0.0 ? 1.0 : -1.0;
-          // Toward the tongue.
-          const PixelType lingual = { { -sign * d[1] / n, sign * d[0] / n } };
-          for (PixelType & p : outline.drawn)
+          outline.exact =
+            DentalPhantomOutline::Trace(model, jaw, molar ? from.tooth : middle.tooth, projection, true, 0.7, threads);
+          if (molar)
           {
-            const PixelType r = { { p[0] - middle.tip[0], p[1] - middle.tip[1] } };
-            const double    depth = r[0] * lingual[0] + r[1] * lingual[1];
-            const double    t = (r[0] * d[0] + r[1] * d[1]) / (n * n);
-            if (depth > 0.0 && t > 0.0 && t < 1.0)
+            const Similarity toMiddle(from.tip, from.axis, middle.tip, middle.axis);
+            for (PixelType & p : outline.exact)
             {
-              // Grows from the axis to the border, so that the line stays smooth.
-              const double w = 4.0 * t * (1.0 - t) * std::min(1.0, depth * spacing / 2.0);
-              p[0] += w * bulge * lingual[0];
-              p[1] += w * bulge * lingual[1];
+              p = toMiddle(p);
             }
           }
         }
-        outline.slip = hand.DrawOutline(item);
-        DentalPhantomHand::Apply(outline.slip, outline.drawn);
-        std::vector<DentalPhantomTracer::Polyline> lines(1);
-        lines[0].fdi = outline.fdi;
-        lines[0].points = outline.drawn;
-        DentalPhantomTracer::Noise noise;
-        noise.correlated = level.correlatedNoise;
-        noise.white = level.whiteNoise;
-        noise.correlationLength = 15.0;
-        DentalPhantomTracer::AddNoise(lines, noise, seed, DriftStream + 2 * jaw + (molar ? 1 : 0));
-        outline.drawn = lines[0].points;
-        m_Outlines[jaw].push_back(outline);
+        // As many points as a careful hand sets: one in about two pixels.
+        const std::size_t count = molar ? 104 : jaw == 0 ? 80 : 64;
+        outline.exact = DentalPhantomOutline::Resample(outline.exact, count);
+        if (!outline.exact.empty())
+        {
+          outline.drawn = outline.exact;
+          // The palatal or lingual side, which other structures hide: one bulge between tip and apex.
+          ReproducibleRandom palatal(seed, PalatalStream + item);
+          const double       bulge = level.palatalError / spacing * palatal.Normal();
+          if (!molar)
+          {
+            const PixelType d = { { middle.apex[0] - middle.tip[0], middle.apex[1] - middle.tip[1] } };
+            const double    n = std::hypot(d[0], d[1]);
+            const double    sign = facing * d[1] >= 0.0 ? 1.0 : -1.0;
+            // Toward the tongue.
+            const PixelType lingual = { { -sign * d[1] / n, sign * d[0] / n } };
+            for (PixelType & p : outline.drawn)
+            {
+              const PixelType r = { { p[0] - middle.tip[0], p[1] - middle.tip[1] } };
+              const double    depth = r[0] * lingual[0] + r[1] * lingual[1];
+              const double    t = (r[0] * d[0] + r[1] * d[1]) / (n * n);
+              if (depth > 0.0 && t > 0.0 && t < 1.0)
+              {
+                // Grows from the axis to the border, so that the line stays smooth.
+                const double w = 4.0 * t * (1.0 - t) * std::min(1.0, depth * spacing / 2.0);
+                p[0] += w * bulge * lingual[0];
+                p[1] += w * bulge * lingual[1];
+              }
+            }
+          }
+          outline.slip = hand.DrawOutline(item);
+          DentalPhantomHand::Apply(outline.slip, outline.drawn);
+          std::vector<DentalPhantomTracer::Polyline> lines(1);
+          lines[0].fdi = outline.fdi;
+          lines[0].points = outline.drawn;
+          DentalPhantomTracer::Noise noise;
+          noise.correlated = level.correlatedNoise;
+          noise.white = level.whiteNoise;
+          noise.correlationLength = 15.0;
+          DentalPhantomTracer::AddNoise(lines, noise, seed, DriftStream + 2 * jaw + (molar ? 1 : 0));
+          outline.drawn = lines[0].points;
+          m_Outlines[jaw].push_back(outline);
+        }
       }
 
       const auto give = [&](const std::string & name, const PixelType & exact, unsigned int kind) {
