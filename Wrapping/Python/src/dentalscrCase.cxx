@@ -102,7 +102,7 @@ MakeCase(MeshType *                       upper,
   result->data = std::make_shared<DentalCaseData>();
   DentalCaseData & data = *result->data;
   data.description.fileName = "case in memory";
-  data.description.tracedSide = itk::TracedSideFromString(tracedSide);
+  data.description.tracedSide = itk::CaseTracedSideFromString(tracedSide);
   data.description.occlusion = itk::OcclusionFromString(occlusion);
   data.description.excludedTeeth = ParseCodes(exclude, itk::ToothCode::NumberingEnum::Quadrant);
   for (const std::string & what : fix)

@@ -39,6 +39,9 @@ ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase);
  * @{ */
 CaseRegistration_EXPORT double
 MillimetresPerUnitFromString(const std::string & unit);
+/** Of what a case may say: all but "standard", which no preset registers yet. */
+CaseRegistration_EXPORT TracedSideEnum
+CaseTracedSideFromString(const std::string & text);
 CaseRegistration_EXPORT OcclusionEnum
 OcclusionFromString(const std::string & text);
 CaseRegistration_EXPORT CrownsEnum

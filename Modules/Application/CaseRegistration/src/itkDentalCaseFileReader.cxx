@@ -284,6 +284,18 @@ MillimetresPerUnitFromString(const std::string & unit)
   throw std::invalid_argument("\"" + unit + "\" is no mesh unit (\"mm\", \"cm\", \"m\" or \"um\")");
 }
 
+TracedSideEnum
+CaseTracedSideFromString(const std::string & text)
+{
+  const TracedSideEnum side = TracedSideFromString(text);
+  if (side == TracedSideEnum::Standard)
+  {
+    throw std::invalid_argument("\"standard\" tracings, of whole teeth, are not registered yet; give an outline of the "
+                                "crowns (\"right\", \"left\", \"mean\" or \"both\")");
+  }
+  return side;
+}
+
 CrownsEnum
 CrownsFromString(const std::string & text)
 {
@@ -445,7 +457,7 @@ ReadDentalCase(const std::string & fileName)
   }
   if (const auto side = root.Find("traced_side"))
   {
-    dentalCase.tracedSide = Interpret(*side, TracedSideFromString);
+    dentalCase.tracedSide = Interpret(*side, CaseTracedSideFromString);
   }
   if (const auto numbering = root.Find("numbering"))
   {

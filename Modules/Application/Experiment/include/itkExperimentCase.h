@@ -27,6 +27,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace itk
@@ -63,8 +64,9 @@ struct ExperimentVariation
     LowerAlone
   };
 
-  TracedSideEnum tracedSide{ TracedSideEnum::Right };
-  bool           buccalOutline{ false };
+  /** Of the level where it is not said. */
+  std::optional<TracedSideEnum> tracedSide{};
+  bool                          buccalOutline{ false };
   /** Each tooth drawn with an error of its own, as a factor on what DentalPhantomCaseSource says. */
   double toothBias{ 0.0 };
   /** The patient faces left, the source is on the left. */

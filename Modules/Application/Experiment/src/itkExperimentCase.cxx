@@ -224,12 +224,16 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
   source->SetAdditionalYaw(variation.yawDegrees * Degree);
   source->SetAdditionalRoll(variation.rollDegrees * Degree);
   source->SetMissingTeeth(variation.missingTeeth);
-  source->SetTracedSide(mistake == MistakeEnum::OtherSideTraced || mistake == MistakeEnum::OtherSideTracedAndCoded
-                          ? ExperimentVariation::TracedSideEnum::Left
-                          : variation.tracedSide);
-  if (source->GetLevel().tracedSide == "standard" && mistake == MistakeEnum::None)
+  // What the case says: a mistake is that the tracing is of the other side.
+  TracedSideEnum said = variation.tracedSide.value_or(source->GetTracedSide());
+  if (mistake == MistakeEnum::OtherSideTraced || mistake == MistakeEnum::OtherSideTracedAndCoded)
   {
-    source->SetTracedSide(ExperimentVariation::TracedSideEnum::Standard);
+    said = TracedSideEnum::Right;
+    source->SetTracedSide(TracedSideEnum::Left);
+  }
+  else
+  {
+    source->SetTracedSide(said);
   }
   source->SetBuccalOutline(variation.buccalOutline);
   source->SetToothBias(variation.toothBias);
@@ -285,8 +289,7 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
   data->spacingVerdict = "UserGiven";
   data->spacingProvenance = "simulated";
   // A standard tracing's molars stand in the middle of the two sides, which a bisected tracing's do, too.
-  data->description.tracedSide =
-    source->GetTracedSide() == TracedSideEnum::Standard ? TracedSideEnum::Mean : variation.tracedSide;
+  data->description.tracedSide = said == TracedSideEnum::Standard ? TracedSideEnum::Mean : said;
   data->landmarks3D = DentalLandmarkSet<3>::New();
   auto marked = DentalLandmarkSet<2>::New();
   for (unsigned int jaw = 0; jaw < 2; ++jaw)

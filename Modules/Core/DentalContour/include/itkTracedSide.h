@@ -43,8 +43,7 @@ enum class TracedSideEnum : std::uint8_t
 DentalContour_EXPORT std::string
                      ToString(TracedSideEnum side);
 
-/** All but "standard", which nothing registers yet. Throws std::invalid_argument that names the text and what was
- * expected. */
+/** Throws std::invalid_argument that names the text and what was expected. */
 DentalContour_EXPORT TracedSideEnum
 TracedSideFromString(const std::string & text);
 

@@ -37,15 +37,15 @@ ToString(TracedSideEnum side)
 TracedSideEnum
 TracedSideFromString(const std::string & text)
 {
-  for (const TracedSideEnum side :
-       { TracedSideEnum::Right, TracedSideEnum::Left, TracedSideEnum::Mean, TracedSideEnum::Both })
+  for (std::size_t k = 0; k < Names.size(); ++k)
   {
-    if (text == ToString(side))
+    if (text == Names[k])
     {
-      return side;
+      return static_cast<TracedSideEnum>(k);
     }
   }
-  throw std::invalid_argument("\"" + text + "\" is no traced side (\"right\", \"left\", \"mean\" or \"both\")");
+  throw std::invalid_argument("\"" + text +
+                              "\" is no traced side (\"right\", \"left\", \"mean\", \"both\" or \"standard\")");
 }
 
 std::ostream &
