@@ -43,7 +43,7 @@ public:
     {
       return;
     }
-    this->SmoothDirections(contour);
+    m_Direction = ComputeDirections(contour);
     m_Low = *std::min_element(contour.u.begin(), contour.u.end());
     const double high = *std::max_element(contour.u.begin(), contour.u.end());
     m_Buckets = static_cast<int>((high - m_Low) / Width) + 1;
@@ -66,6 +66,47 @@ public:
       const std::uint32_t position = contour.position.empty() ? 1u : 1u << contour.position[i];
       m_Sample[k] = { contour.u[i], contour.v[i], m_Direction[i][0], m_Direction[i][1], i, position };
     }
+  }
+
+  /** Smoothed unit normals: of tangents between the means of the samples behind and before, by running sums; the ends
+   * of a run have what is there. */
+  static std::vector<std::array<double, 2>>
+  ComputeDirections(const PoseContour & contour)
+  {
+    const std::size_t                  n = contour.Size();
+    std::vector<std::array<double, 2>> directions(n);
+    std::vector<std::array<double, 2>> sum(n + 1, { { 0.0, 0.0 } });
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      sum[i + 1] = { { sum[i][0] + contour.u[i], sum[i][1] + contour.v[i] } };
+    }
+    for (std::size_t r = 0; r < contour.runs.size(); ++r)
+    {
+      const std::size_t begin = contour.runs[r];
+      const std::size_t end = r + 1 < contour.runs.size() ? contour.runs[r + 1] : n;
+      // On which side of the run's direction its normals are.
+      double side = 0.0;
+      for (std::size_t i = begin; i + 1 < end; ++i)
+      {
+        side += (contour.v[i + 1] - contour.v[i]) * contour.nu[i] - (contour.u[i + 1] - contour.u[i]) * contour.nv[i];
+      }
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const std::size_t first = i >= begin + Reach ? i - Reach : begin;
+        const std::size_t last = std::min(end, i + Reach + 1);
+        const double      before = static_cast<double>(i + 1 - first);
+        const double      behind = static_cast<double>(last - i);
+        const double      tu = (sum[last][0] - sum[i][0]) / behind - (sum[i + 1][0] - sum[first][0]) / before;
+        const double      tv = (sum[last][1] - sum[i][1]) / behind - (sum[i + 1][1] - sum[first][1]) / before;
+        const double      length = std::copysign(std::hypot(tu, tv), side);
+        directions[i] = { { contour.nu[i], contour.nv[i] } };
+        if (std::abs(length) > 1e-9)
+        {
+          directions[i] = { { tv / length, -tu / length } };
+        }
+      }
+    }
+    return directions;
   }
 
   /** Smoothed unit normal of a sample. */
@@ -147,46 +188,6 @@ private:
       }
     }
     return index;
-  }
-
-  /** Tangents between the means of the samples behind and before, by running sums; the ends of a run have what is
-   * there. */
-  void
-  SmoothDirections(const PoseContour & contour)
-  {
-    const std::size_t n = contour.Size();
-    m_Direction.resize(n);
-    std::vector<std::array<double, 2>> sum(n + 1, { { 0.0, 0.0 } });
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      sum[i + 1] = { { sum[i][0] + contour.u[i], sum[i][1] + contour.v[i] } };
-    }
-    for (std::size_t r = 0; r < contour.runs.size(); ++r)
-    {
-      const std::size_t begin = contour.runs[r];
-      const std::size_t end = r + 1 < contour.runs.size() ? contour.runs[r + 1] : n;
-      // On which side of the run's direction its normals are.
-      double side = 0.0;
-      for (std::size_t i = begin; i + 1 < end; ++i)
-      {
-        side += (contour.v[i + 1] - contour.v[i]) * contour.nu[i] - (contour.u[i + 1] - contour.u[i]) * contour.nv[i];
-      }
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const std::size_t first = i >= begin + Reach ? i - Reach : begin;
-        const std::size_t last = std::min(end, i + Reach + 1);
-        const double      before = static_cast<double>(i + 1 - first);
-        const double      behind = static_cast<double>(last - i);
-        const double      tu = (sum[last][0] - sum[i][0]) / behind - (sum[i + 1][0] - sum[first][0]) / before;
-        const double      tv = (sum[last][1] - sum[i][1]) / behind - (sum[i + 1][1] - sum[first][1]) / before;
-        const double      length = std::copysign(std::hypot(tu, tv), side);
-        m_Direction[i] = { { contour.nu[i], contour.nv[i] } };
-        if (std::abs(length) > 1e-9)
-        {
-          m_Direction[i] = { { tv / length, -tu / length } };
-        }
-      }
-    }
   }
 
   static constexpr double Width = 8.0;

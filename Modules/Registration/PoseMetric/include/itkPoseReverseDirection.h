@@ -24,6 +24,7 @@
 #include "itkPoseTracing.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -104,6 +105,8 @@ private:
     /** Arc lengths where what it belongs to begins and ends: its polylines, those with short gaps strung together. */
     double begin;
     double end;
+    /** Bits of the tooth positions that it may be matched with. */
+    std::uint32_t allowed;
   };
 
   void

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkPosePlanarContourModel.h"
 
+#include "itkContourResampling.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,34 +35,18 @@ constexpr std::size_t TangentReach = 3;
 std::vector<Point2>
 Resample(const std::vector<Point2> & points, bool closed)
 {
-  std::vector<Point2> corners = points;
-  if (closed)
-  {
-    corners.push_back(points.front());
-  }
-  std::vector<double> arc(1, 0.0);
-  for (std::size_t i = 1; i < corners.size(); ++i)
-  {
-    arc.push_back(arc.back() + std::hypot(corners[i][0] - corners[i - 1][0], corners[i][1] - corners[i - 1][1]));
-  }
-  if (!(arc.back() > 0.0))
+  const double length = ComputePolylineLength(points, closed);
+  if (!(length > 0.0))
   {
     return { points.front() };
   }
-  const auto steps = static_cast<std::size_t>(std::max(1.0, std::floor(arc.back() / PoseContourModel::Spacing + 0.5)));
+  const auto steps = static_cast<std::size_t>(std::max(1.0, std::floor(length / PoseContourModel::Spacing + 0.5)));
   std::vector<Point2> samples;
-  std::size_t         segment = 1;
-  for (std::size_t k = 0; k < (closed ? steps : steps + 1); ++k)
+  for (const ContourPosition & position : ResamplePolyline(points, closed, closed ? steps : steps + 1))
   {
-    const double place = arc.back() * static_cast<double>(k) / static_cast<double>(steps);
-    while (segment + 1 < arc.size() && arc[segment] < place)
-    {
-      ++segment;
-    }
-    const double length = arc[segment] - arc[segment - 1];
-    const double t = length > 0.0 ? (place - arc[segment - 1]) / length : 0.0;
-    samples.push_back({ { corners[segment - 1][0] + t * (corners[segment][0] - corners[segment - 1][0]),
-                          corners[segment - 1][1] + t * (corners[segment][1] - corners[segment - 1][1]) } });
+    const Point2 & p = points[position.segment];
+    const Point2 & q = points[(position.segment + 1) % points.size()];
+    samples.push_back({ { p[0] + position.share * (q[0] - p[0]), p[1] + position.share * (q[1] - p[1]) } });
   }
   return samples;
 }

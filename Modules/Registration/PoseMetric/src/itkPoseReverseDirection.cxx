@@ -77,7 +77,11 @@ PoseReverseDirection::PoseReverseDirection(const PoseTracing & tracing, const Se
     const double size = std::hypot(nu, nv);
     if (length > 0.0 && size > 0.0)
     {
-      m_Segments.push_back({ i, nu / size, nv / size, begin, 0.0 });
+      const std::uint32_t allowed = settings.gateByTooth
+                                      ? GetAllowedPositions(tracing.tooth[i], settings.toothRange) |
+                                          GetAllowedPositions(tracing.tooth[i + 1], settings.toothRange)
+                                      : ~0u;
+      m_Segments.push_back({ i, nu / size, nv / size, begin, 0.0, allowed });
     }
   }
   if (n > 0)
@@ -89,19 +93,18 @@ PoseReverseDirection::PoseReverseDirection(const PoseTracing & tracing, const Se
 void
 PoseReverseDirection::Match(const PoseTracing & tracing, const PoseContour & contour, Linearization & lin) const
 {
-  const double           normalWeight2 = m_Settings.orientationWeight * m_Settings.orientationWeight;
-  const PoseContourIndex index(contour);
+  const double normalWeight2 = m_Settings.orientationWeight * m_Settings.orientationWeight;
+  const auto   directions = PoseContourIndex::ComputeDirections(contour);
   for (std::size_t k = 0; k < lin.match.size(); ++k)
   {
     const std::size_t j = GetSample(k, lin.match.size(), contour);
-    const auto &      direction = index.GetDirection(j);
+    const auto &      direction = directions[j];
+    const auto        position = contour.position.empty() ? ~0u : 1u << contour.position[j];
     double            best = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < m_Segments.size(); ++s)
     {
       const std::size_t i = m_Segments[s].from;
-      if (m_Settings.gateByTooth && !contour.position.empty() &&
-          ((1u << contour.position[j]) & (GetAllowedPositions(tracing.tooth[i], m_Settings.toothRange) |
-                                          GetAllowedPositions(tracing.tooth[i + 1], m_Settings.toothRange))) == 0)
+      if ((position & m_Segments[s].allowed) == 0)
       {
         continue;
       }

@@ -19,6 +19,7 @@
 
 #include "itkCorrelatedNoiseModel.h"
 #include "itkGemanMcClureKernel.h"
+#include "itkPoseMatching.h"
 
 #include <algorithm>
 #include <cmath>
@@ -689,19 +690,9 @@ SilhouettePoseMetricv4::PredictSigma(std::size_t                    s,
     return { { 0.0, 0.0 } };
   }
   const auto variance = [&](std::size_t sample) {
-    double w[2], jacobian[14];
+    double jacobian[14];
     double sum = 0.0;
-    model.ProjectWithJacobian(contour.rim[sample].data(), w, jacobian);
-    if (!contour.rimOther.empty())
-    {
-      // Of a bisected tracing the middle of both sides is what is matched.
-      double other[14];
-      model.ProjectWithJacobian(contour.rimOther[sample].data(), w, other);
-      for (int a = 0; a < 14; ++a)
-      {
-        jacobian[a] = 0.5 * (jacobian[a] + other[a]);
-      }
-    }
+    PoseMatching::ComputeSampleJacobian(model, contour, sample, jacobian);
     for (int axis = 0; axis < 2; ++axis)
     {
       for (int a = 0; a < 7; ++a)
@@ -783,7 +774,7 @@ SilhouettePoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "Surface: " << (m_Surface ? m_Surface->triangles.size() : 0) << " triangles" << std::endl;
   os << indent << "Jaw: " << static_cast<int>(m_Jaw) << std::endl;
-  os << indent << "TracedSide: " << static_cast<int>(m_TracedSide) << std::endl;
+  os << indent << "TracedSide: " << m_TracedSide << std::endl;
   os << indent << "UseSideSelection: " << (m_UseSideSelection ? "On" : "Off") << std::endl;
   os << indent << "MidlineMargin: " << m_MidlineMargin << std::endl;
   os << indent << "UseFacingFilter: " << (m_UseFacingFilter ? "On" : "Off") << std::endl;

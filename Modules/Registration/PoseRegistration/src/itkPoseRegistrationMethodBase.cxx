@@ -574,7 +574,7 @@ void
 PoseRegistrationMethodBase::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "TracedSide: " << static_cast<int>(m_Options.tracedSide) << std::endl;
+  os << indent << "TracedSide: " << m_Options.tracedSide << std::endl;
   for (const auto & entry : PoseRegistrationOptionTable::GetEntries())
   {
     os << indent << entry.name << ": " << PoseRegistrationOptionTable::Get(m_Options, entry.name) << std::endl;
