@@ -245,7 +245,7 @@ private:
   std::condition_variable  m_Left;
   std::list<Job *>         m_Jobs;
   std::vector<std::thread> m_Threads;
-  /** The system gave none the last time. */
+  /** The system gave fewer than were asked for once; it is not asked again, so that this is said once. */
   bool m_Exhausted{ false };
   /** Of all jobs; guarded, but readable. */
   std::atomic<std::size_t> m_Places{ 0 };

@@ -17,6 +17,10 @@
  *=========================================================================*/
 #include "itkLandmarkMatrixProjectionFilter.h"
 
+#include "itkPerspectiveProjection.h"
+
+#include <cmath>
+
 namespace itk
 {
 LandmarkMatrixProjectionFilter::LandmarkMatrixProjectionFilter()
@@ -57,7 +61,12 @@ void
 LandmarkMatrixProjectionFilter::GenerateData()
 {
   const ProjectionMatrixType & m = this->GetProjectionMatrix();
-  OutputType *                 output = this->GetOutput();
+  PerspectiveProjection        projection;
+  for (unsigned int k = 0; k < 12; ++k)
+  {
+    projection.matrix[k] = m(k / 4, k % 4);
+  }
+  OutputType * output = this->GetOutput();
   output->Initialize();
   for (const auto & landmark : this->GetLandmarks()->GetLandmarks())
   {
@@ -65,15 +74,14 @@ LandmarkMatrixProjectionFilter::GenerateData()
     {
       continue;
     }
-    double sums[3];
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      sums[row] =
-        m(row, 0) * landmark.point[0] + m(row, 1) * landmark.point[1] + m(row, 2) * landmark.point[2] + m(row, 3);
-    }
     OutputType::PointType place;
-    place[0] = sums[0] / sums[2];
-    place[1] = sums[1] / sums[2];
+    projection.Project(landmark.point.GetDataPointer(), place[0], place[1]);
+    if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
+    {
+      itkExceptionMacro("The matrix projects landmark " << landmark.name << " to " << place
+                                                        << ": it is none of a registration of this scan, see "
+                                                           "SetProjectionMatrix().");
+    }
     output->AddLandmark(landmark.name, place);
   }
 }

@@ -94,4 +94,12 @@ TEST(LandmarkMatrixProjectionFilter, SaysWhatIsMissing)
   EXPECT_NE(message(filter).find("SetLandmarks()"), std::string::npos);
   filter->SetLandmarks(MakeLandmarks());
   EXPECT_NE(message(filter).find("SetProjectionMatrix()"), std::string::npos);
+
+  // A matrix that puts a landmark beside the source's plane has no place for it.
+  auto matrix = MakeMatrix();
+  matrix(2, 3) = -1.0;
+  filter->SetProjectionMatrix(matrix);
+  const std::string beside = message(filter);
+  EXPECT_NE(beside.find("UR6_MB"), std::string::npos) << beside;
+  EXPECT_NE(beside.find("SetProjectionMatrix()"), std::string::npos) << beside;
 }

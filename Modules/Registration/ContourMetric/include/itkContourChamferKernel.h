@@ -29,15 +29,13 @@
 
 namespace itk
 {
-/** A contour as flat arrays: x0 y0 x1 y1 ...; two point numbers a segment; weights one a point or none (all 1); FDI
- * codes of teeth one a point or none (all unknown), 0 unknown. Points of weight 0 are ignored, and so are the segments
- * that end in them. */
+/** A contour as flat arrays: x0 y0 x1 y1 ...; two point numbers a segment; weights one a point or none (all 1).
+ * Points of weight 0 are ignored, and so are the segments that end in them. */
 struct ContourArrays
 {
   std::vector<double>        points;
   std::vector<std::uint32_t> segments;
   std::vector<double>        weights;
-  std::vector<std::uint8_t>  codes;
 
   std::size_t
   GetNumberOfPoints() const

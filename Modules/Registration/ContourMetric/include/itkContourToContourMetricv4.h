@@ -208,6 +208,13 @@ protected:
   virtual MeasureType
   ComputeValue(const ContourSimilarity & similarity, ContourChamferKernel::GradientType * gradient) const = 0;
 
+  /** About the value, for ranking; here the value itself. */
+  virtual MeasureType
+  ComputeApproximateValue(const ContourSimilarity & similarity, SizeValueType numberOfPoints) const;
+
+private:
+  using PositionType = std::array<double, NumberOfParameters>;
+
   /** Derivatives by scale, angle, tx, ty at a similarity, to those by the optimizer's parameters. */
   void
   MapDerivatives(const ContourSimilarity & similarity, const double * bySimilarity, double * byParameters) const;
@@ -218,14 +225,6 @@ protected:
 
   void
   CheckInitialized() const;
-
-  /** About the value, for ranking; here the value itself. */
-  virtual MeasureType
-  ComputeApproximateValue(const ContourSimilarity & similarity, SizeValueType numberOfPoints) const;
-
-private:
-  using PositionType = std::array<double, NumberOfParameters>;
-
   MeasureType
   Compute(const ParametersType & parameters, DerivativeType * derivative) const;
   MeasureType

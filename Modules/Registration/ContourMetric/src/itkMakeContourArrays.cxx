@@ -33,7 +33,6 @@ MakeContourArrays(const DentalContour & contour)
   const auto count = static_cast<std::size_t>(points->Size());
   arrays.points.reserve(2 * count);
   bool weighted = false;
-  bool coded = false;
   for (std::size_t i = 0; i < count; ++i)
   {
     const DentalContour::PointType & point = points->ElementAt(i);
@@ -45,7 +44,6 @@ MakeContourArrays(const DentalContour & contour)
     arrays.points.push_back(point[0]);
     arrays.points.push_back(point[1]);
     weighted = weighted || contour.GetPointWeight(i) != 1.0;
-    coded = coded || contour.GetToothCode(i).IsKnown();
   }
   if (weighted)
   {
@@ -53,14 +51,6 @@ MakeContourArrays(const DentalContour & contour)
     for (std::size_t i = 0; i < count; ++i)
     {
       arrays.weights.push_back(contour.GetPointWeight(i));
-    }
-  }
-  if (coded)
-  {
-    arrays.codes.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      arrays.codes.push_back(contour.GetToothCode(i).GetFDI());
     }
   }
   const auto * cells = contour.GetCells();

@@ -49,7 +49,7 @@ ContourTransformFilter::GenerateData()
   DentalContour * const output = this->GetOutput();
   output->Initialize();
   // Without it every Update() would execute again.
-  output->SetBufferedRegion(output->GetRequestedRegion());
+  output->SetBufferedRegion(0);
   for (auto polyline : this->GetInput()->GetPolylines())
   {
     for (auto & point : polyline.points)

@@ -20,7 +20,6 @@
 #include "itkAmoebaOptimizerAdapter.h"
 #include "itkExhaustiveOptimizerAdapter.h"
 #include "itkLBFGSBOptimizerAdapter.h"
-#include "itkLevenbergMarquardtOptimizerAdapter.h"
 #include "itkOnePlusOneOptimizerAdapter.h"
 
 #include <type_traits>
@@ -52,13 +51,11 @@ MakeIfFits(OptimizerAdapter::OptimizerType * optimizer, uint64_t seed)
 }
 
 /** A row an optimizer that wants more than a metric. */
-constexpr std::unique_ptr<OptimizerAdapter> (*Adapters[])(OptimizerAdapter::OptimizerType *, uint64_t) = {
-  MakeIfFits<LBFGSBOptimizerAdapter>,
-  MakeIfFits<AmoebaOptimizerAdapter>,
-  MakeIfFits<ExhaustiveOptimizerAdapter>,
-  MakeIfFits<OnePlusOneOptimizerAdapter>,
-  MakeIfFits<LevenbergMarquardtOptimizerAdapter>
-};
+constexpr std::unique_ptr<OptimizerAdapter> (*Adapters[])(OptimizerAdapter::OptimizerType *,
+                                                          uint64_t) = { MakeIfFits<LBFGSBOptimizerAdapter>,
+                                                                        MakeIfFits<AmoebaOptimizerAdapter>,
+                                                                        MakeIfFits<ExhaustiveOptimizerAdapter>,
+                                                                        MakeIfFits<OnePlusOneOptimizerAdapter> };
 } // namespace
 
 std::unique_ptr<OptimizerAdapter>
