@@ -90,7 +90,9 @@ struct DentalCase
   std::optional<CephalometricGeometry::SourceSideEnum> sourceSide;
   std::optional<std::array<double, 2>>                 principalPoint;
 
-  std::string                             contoursFile;
+  std::string contoursFile;
+  /** A file of landmarks to register with; "" where none is named. */
+  std::string                             cephalometricLandmarksFile;
   TracedSideEnum                          tracedSide{ TracedSideEnum::Right };
   std::optional<ToothCode::NumberingEnum> numbering;
   std::string                             landmarks3DFile;

@@ -20,6 +20,7 @@
 
 #include "itkDentalCase.h"
 
+#include "itkCephalometricLandmarkSet.h"
 #include "itkDentalContour.h"
 #include "itkDentalLandmarkSet.h"
 #include "itkImage.h"
@@ -41,9 +42,10 @@ enum class ValueSourceEnum : uint8_t
 };
 
 /** \struct DentalCaseData
- * \brief A case in memory: scans in mm, tracing, radiograph, nominal geometry with the origin of each value.
+ * \brief A case in memory: scans in mm, tracing and landmarks to register with, radiograph, nominal geometry with the
+ * origin of each value.
  *
- * It has no 2-D landmarks: what registers can't see them.
+ * It has none of the 2-D landmarks by which errors are measured: what registers can't see them.
  *
  * \ingroup CaseRegistration
  */
@@ -88,8 +90,10 @@ struct DentalCaseData
   std::string spacingVerdict{ "Unknown" };
   /** In the mesh files' unit and frame; null where none were given. */
   DentalLandmarkSet<3>::Pointer landmarks3D;
-  std::vector<std::string>      warnings;
-  double                        readSeconds{ 0.0 };
+  /** Marked on the radiograph, to register with; null where none were given. */
+  CephalometricLandmarkSet::Pointer cephalometricLandmarks;
+  std::vector<std::string>          warnings;
+  double                            readSeconds{ 0.0 };
 
   const JawType &
   GetJaw(JawEnum jaw) const
