@@ -178,8 +178,14 @@ private:
 
   void
   EnterStage(const std::string & stage, float progress);
+  /** Landmarks of a jaw that can be registered with. */
+  bool
+  HasLandmarks(JawEnum jaw) const;
   void
   SkipWhatIsIncomplete();
+  /** A jaw of which nothing was drawn goes along with the other one, whose frame it shares. */
+  void
+  PlaceBesideTheOther();
   void
   RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis);
   void

@@ -86,6 +86,30 @@ struct LandmarkPrediction
   GetMiddleSigma() const;
 };
 
+/** The middle of a right and a left landmark's images, where that is what was drawn. */
+struct MiddlePrediction
+{
+  /** Without a side: "U6_MB". */
+  std::string           name;
+  std::array<double, 2> position{ { 0.0, 0.0 } };
+  /** Standard deviation an axis, pixels. */
+  double sigma{ 0.0 };
+};
+
+/** A landmark that was registered with. */
+struct UsedLandmark
+{
+  /** CephalometricLandmarkSet::MakeName(). */
+  std::string name;
+  /** How it was found on the scan: "landmarks_3d". */
+  std::string source;
+  /** Marked minus predicted, pixels, and in standard deviations. */
+  std::array<double, 2> residual{ { 0.0, 0.0 } };
+  double                distance{ 0.0 };
+  /** What the robust kernel left of it, 1 to 0. */
+  double weight{ 1.0 };
+};
+
 /** One of several alignments that fit: a minimum of the method's criterion. */
 struct AlignmentCandidate
 {
@@ -117,6 +141,12 @@ struct JawResult
   /** The first is the one that presets are compared on, "whole". */
   std::vector<std::pair<std::string, ContourFigures>> metrics;
   std::vector<LandmarkPrediction>                     landmarks;
+  /** Of every pair of landmarks, where the drawing is of the middle of both sides. */
+  std::vector<MiddlePrediction> middles;
+  /** In the order of their file; empty where only contours were registered. */
+  std::vector<UsedLandmark> usedLandmarks;
+  /** "upper" or "lower": the jaw that placed this one, of which nothing was drawn; "" where it has drawings. */
+  std::string placedBy;
   /** Only where landmarks were marked in the radiograph. */
   std::optional<LandmarkFigures> error;
 

@@ -23,6 +23,7 @@
 #include "itkContourDistanceFilter.h"
 #include "itkLandmarkProjectionFilter.h"
 #include "itkMatchedContourFilter.h"
+#include "itkLandmarkCounterpartFilter.h"
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkParallelFor.h"
 #include "itkPixelSpacingVerdict.h"
@@ -35,6 +36,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 namespace itk
@@ -203,6 +205,10 @@ MakeDetached(const TData * data)
   return detached;
 }
 
+/** Standard deviation an axis of where the lower jaw bites on the film against the scans' bite, mm. Bite scans repeat
+ * to 0.1 to 0.3 mm, and on a film patients bite as they are told. */
+constexpr double BiteSigma = 0.3;
+
 /** The exact silhouette of the whole scan at the solution, its points a given number. */
 DentalContour::Pointer
 MakeWholeSilhouette(const MeshType * mesh, CephalometricGeometry * placed, unsigned int numberOfPoints)
@@ -233,24 +239,109 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
   const auto toRows = [](const LandmarkProjectionFilter::CovarianceType & covariance) {
     return std::array<double, 4>{ { covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1) } };
   };
+  const auto & geometry = solution->GetResult().geometry;
+  const bool   bisected = IsBisected(data.description.tracedSide);
   for (auto & entry : result.jaws)
   {
+    JawResult & jaw = entry.second;
     if (!solution->IsRegistered(entry.first))
     {
       continue;
     }
-    PredictLandmarks(data, entry.first, entry.second);
-    for (LandmarkPrediction & landmark : entry.second.landmarks)
+    PredictLandmarks(data, entry.first, jaw);
+    // How the jaws bit on each other is not known better than this, mm, for a jaw that the other one placed.
+    std::array<double, 4> bite{ {} };
+    if (!jaw.placedBy.empty())
     {
-      landmark.covariance = toRows(projection->GetCovariance(landmark.name));
-      if (data.description.tracedSide == TracedSideEnum::Mean && projection->HasMiddleCovariance(landmark.name))
+      const double magnification = geometry.sourceToDetector / geometry.sourceToMidsagittal;
+      bite[0] = std::pow(BiteSigma * magnification / geometry.pixelSpacing[0], 2.0);
+      bite[3] = std::pow(BiteSigma * magnification / geometry.pixelSpacing[1], 2.0);
+    }
+    const auto widen = [&bite](std::array<double, 4> covariance) {
+      std::transform(covariance.begin(), covariance.end(), bite.begin(), covariance.begin(), std::plus<double>());
+      return covariance;
+    };
+    for (LandmarkPrediction & landmark : jaw.landmarks)
+    {
+      landmark.covariance = widen(toRows(projection->GetCovariance(landmark.name)));
+      if (bisected && projection->HasMiddleCovariance(landmark.name))
       {
-        landmark.middleCovariance = toRows(projection->GetMiddleCovariance(landmark.name));
+        landmark.middleCovariance = widen(toRows(projection->GetMiddleCovariance(landmark.name)));
+      }
+    }
+    for (const LandmarkPrediction & right : jaw.landmarks)
+    {
+      const ToothCode tooth = DentalLandmarkSet<3>::ParseName(right.name);
+      const auto      suffix = right.name.substr(right.name.find('_'));
+      const auto left = std::find_if(jaw.landmarks.begin(), jaw.landmarks.end(), [&](const LandmarkPrediction & other) {
+        return DentalLandmarkSet<3>::ParseName(other.name) == tooth.GetContralateral() &&
+               other.name.substr(other.name.find('_')) == suffix;
+      });
+      if (right.middleCovariance && tooth.IsRight() && left != jaw.landmarks.end())
+      {
+        MiddlePrediction middle;
+        middle.name = (entry.first == JawEnum::Upper ? "U" : "L") + std::to_string(tooth.GetPosition()) + suffix;
+        middle.position = { { 0.5 * (right.position[0] + left->position[0]),
+                              0.5 * (right.position[1] + left->position[1]) } };
+        middle.sigma = right.GetMiddleSigma();
+        jaw.middles.push_back(middle);
       }
     }
   }
 }
+
+/** Where the landmarks are on the scans; what is not used, and why, is a warning. */
+LandmarkCounterpartSet::Pointer
+FindCounterparts(const DentalCaseData & data, AxisType * axis, CaseResult & result)
+{
+  auto filter = LandmarkCounterpartFilter::New();
+  filter->SetCephalometricLandmarks(data.cephalometricLandmarks);
+  if (data.landmarks3D.IsNotNull())
+  {
+    filter->SetScanLandmarks(data.landmarks3D);
+    filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  }
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    if (data.GetJaw(jaw).mesh.IsNull())
+    {
+      continue;
+    }
+    filter->SetLabels(jaw, data.GetJaw(jaw).labels);
+    if (jaw == JawEnum::Upper)
+    {
+      filter->SetUpperMesh(data.upper.mesh);
+      filter->SetUpperFrame(FrameOf(axis, jaw));
+    }
+    else
+    {
+      filter->SetLowerMesh(data.lower.mesh);
+      filter->SetLowerFrame(FrameOf(axis, jaw));
+    }
+  }
+  filter->SetIgnoreSides(data.description.tracedSide == TracedSideEnum::Standard);
+  filter->Update();
+  for (const auto & unused : filter->GetUnused())
+  {
+    result.warnings.push_back("landmark " + unused.name + " is not used: " + unused.reason);
+  }
+  LandmarkCounterpartSet::Pointer counterparts = filter->GetOutput();
+  counterparts->DisconnectPipeline();
+  return counterparts;
+}
+
 } // namespace
+
+unsigned int
+CountTracingPoints(const DentalContour * contour)
+{
+  unsigned int points = 0;
+  for (DentalContour::PointIdentifier id = 0; contour != nullptr && id < contour->GetNumberOfPoints(); ++id)
+  {
+    points += contour->GetPointWeight(id) > 0.0 ? 1 : 0;
+  }
+  return points;
+}
 
 void
 RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseSettings & settings, CaseResult & result)
@@ -274,10 +365,20 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   method->SetUpperFrame(axis->GetUpperTransformOutput());
   method->SetLowerFrame(axis->GetLowerTransformOutput());
   method->SetJointFrame(axis->GetJointTransformOutput());
+  LandmarkCounterpartSet::Pointer counterparts;
+  if (data.cephalometricLandmarks.IsNotNull())
+  {
+    counterparts = FindCounterparts(data, axis, result);
+    method->SetCephalometricLandmarks(data.cephalometricLandmarks);
+    method->SetLandmarkCounterparts(counterparts);
+  }
   for (const auto & entry : jaws)
   {
     const auto &      input = data.GetJaw(entry.first);
     MeshType::Pointer mesh = input.mesh;
+    // Beside landmarks a few points are too few to be a tracing.
+    DentalContour * tracing =
+      CountTracingPoints(input.contour) >= MinimumTracingPoints ? input.contour.GetPointer() : nullptr;
     if (data.description.crowns != CrownsEnum::Off)
     {
       mesh = SelectCaseCrowns(data, entry.first, FrameOf(axis, entry.first)->Get());
@@ -285,12 +386,12 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     if (entry.first == JawEnum::Upper)
     {
       method->SetUpperMesh(mesh);
-      method->SetUpperContour(input.contour);
+      method->SetUpperContour(tracing);
     }
     else
     {
       method->SetLowerMesh(mesh);
-      method->SetLowerContour(input.contour);
+      method->SetLowerContour(tracing);
     }
   }
   PoseRegistrationOptions options = settings.options;
@@ -377,6 +478,14 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       continue;
     }
     jaw.registered = true;
+    for (const PoseLandmarkFit & landmark : poseJaw.landmarks)
+    {
+      jaw.usedLandmarks.push_back({ landmark.name,
+                                    counterparts->Find(landmark.name)->source,
+                                    landmark.residual,
+                                    landmark.distance,
+                                    landmark.weight });
+    }
     for (const auto & reason : verdict->GetVerdict(entry.first).reasons)
     {
       // Said already by the checks of the input.
@@ -405,22 +514,42 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
                     { "yaw_rad", group.parameters[PoseYaw] },
                     { "scale_factor", std::exp(kappa) },
                     { "scale_prior_sd",
-                      data.HasPixelSpacing() ? solution->GetOptions().kappaSigma : options.kappaSigmaWithoutSpacing },
-                    { "noise_correlated_px", group.smoothSigma },
-                    { "noise_white_px", group.whiteSigma },
-                    { "fit_cost", poseJaw.fit.cost },
-                    { "fit_median_px", poseJaw.fit.medianResidual },
-                    { "fit_p90_px", poseJaw.fit.p90Residual },
-                    { "fit_inlier_share", poseJaw.fit.inlierShare },
-                    { "overlap", poseJaw.fit.overlap },
-                    { "prior_tension_sd", *std::max_element(group.priorTension.begin(), group.priorTension.end()) },
-                    { "ambiguity_margin", group.margin },
-                    { "similarity_rms_px", similarity->GetRMS() } };
+                      data.HasPixelSpacing() ? solution->GetOptions().kappaSigma : options.kappaSigmaWithoutSpacing } };
+    const bool traced = poseJaw.fit.numberOfPoints > 0;
+    if (traced)
+    {
+      jaw.details.insert(jaw.details.end(),
+                         { { "noise_correlated_px", group.smoothSigma },
+                           { "noise_white_px", group.whiteSigma },
+                           { "fit_cost", poseJaw.fit.cost },
+                           { "fit_median_px", poseJaw.fit.medianResidual },
+                           { "fit_p90_px", poseJaw.fit.p90Residual },
+                           { "fit_inlier_share", poseJaw.fit.inlierShare },
+                           { "overlap", poseJaw.fit.overlap } });
+    }
+    else
+    {
+      jaw.details.insert(
+        jaw.details.end(),
+        { { "middle_sigma_px", poseJaw.middleSigma }, { "largest_middle_sigma_px", poseJaw.largestMiddleSigma } });
+    }
+    jaw.details.insert(
+      jaw.details.end(),
+      { { "prior_tension_sd", *std::max_element(group.priorTension.begin(), group.priorTension.end()) },
+        { "ambiguity_margin", group.margin },
+        { "similarity_rms_px", similarity->GetRMS() } });
     jaw.candidates = ListCandidates(solution, entry.first, unit);
 
     TimeProbe contourProbe;
     contourProbe.Start();
     DentalContour * tracing = data.GetJaw(entry.first).contour;
+    if (!traced)
+    {
+      // Nothing that distances could be measured from: the silhouette is there to look at.
+      jaw.contours.emplace_back("whole", silhouettes[ToIndex(entry.first)]);
+      jaw.seconds.emplace_back("contour", silhouetteProbe.GetTotal());
+      continue;
+    }
     Measure(tracing, silhouettes[ToIndex(entry.first)], "whole", jaw);
     auto         matched = MatchedContourFilter::New();
     const double pixel = 0.5 * (spacing[0] + spacing[1]);
@@ -439,5 +568,16 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     jaw.seconds.emplace_back("contour", contourProbe.GetTotal() + silhouetteProbe.GetTotal());
   }
   ProjectLandmarks(data, solution, result);
+  for (auto & entry : result.jaws)
+  {
+    JawResult & jaw = entry.second;
+    if (!jaw.placedBy.empty())
+    {
+      const auto other = result.jaws.find(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
+      jaw.AddReason(other->second.status,
+                    "nothing was drawn of this jaw: the " + jaw.placedBy +
+                      " one, whose frame it shares, placed it, as the jaws bit on each other when they were scanned");
+    }
+  }
 }
 } // namespace itk

@@ -46,6 +46,13 @@ struct CasePoseSettings
   std::function<void(ProcessObject *)> run;
 };
 
+/** A tracing of fewer points does not determine a similarity with any redundancy. */
+constexpr unsigned int MinimumTracingPoints = 5;
+
+/** Points that count: of weight above 0. None of a null contour. */
+unsigned int
+CountTracingPoints(const DentalContour * contour);
+
 /** Preset "robust" from the dental frames on: all jaws that can be registered, jointly where they share a frame. Wires
  * PoseRegistrationMethod and what lies downstream, and fills the jaws of the result, and the geometry with what had to
  * be estimated. The filter has been updated with the scans of the case. */

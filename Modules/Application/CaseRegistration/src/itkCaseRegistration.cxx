@@ -37,8 +37,6 @@ namespace itk
 namespace
 {
 constexpr ToothCode::JawEnum Jaws[] = { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower };
-/** A tracing of fewer points does not determine a similarity with any redundancy. */
-constexpr unsigned int MinimumTracingPoints = 5;
 /** The one option that is not in PoseRegistrationOptions. */
 constexpr char RefineMidlineName[] = "refineMidline";
 
@@ -241,23 +239,50 @@ CaseRegistration::EnterStage(const std::string & stage, float progress)
   }
 }
 
+bool
+CaseRegistration::HasLandmarks(JawEnum jaw) const
+{
+  // The paper's chain registers contours alone.
+  if (m_Preset != CasePresetEnum::Robust || m_Data->cephalometricLandmarks.IsNull())
+  {
+    return false;
+  }
+  const auto & landmarks = m_Data->cephalometricLandmarks->GetLandmarks();
+  return std::any_of(landmarks.begin(), landmarks.end(), [&](const auto & landmark) {
+    return landmark.meaning.jaw == jaw && landmark.meaning.feature != CephalometricLandmarkSet::FeatureEnum::Apex;
+  });
+}
+
+void
+CaseRegistration::PlaceBesideTheOther()
+{
+  for (const JawEnum jaw : Jaws)
+  {
+    const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
+    const auto    drawn = m_Result.jaws.find(other);
+    if (m_Result.skipped.count(jaw) != 0 && m_Data->GetJaw(jaw).mesh.IsNotNull() && drawn != m_Result.jaws.end() &&
+        drawn->second.status != CaseStatusEnum::Failed)
+    {
+      m_Result.skipped.erase(jaw);
+      m_Result.jaws[jaw].placedBy = Name(other);
+    }
+  }
+}
+
 void
 CaseRegistration::SkipWhatIsIncomplete()
 {
   for (const JawEnum jaw : Jaws)
   {
-    const auto & input = m_Data->GetJaw(jaw);
-    unsigned int points = 0;
-    if (input.contour.IsNotNull())
-    {
-      for (DentalContour::PointIdentifier id = 0; id < input.contour->GetNumberOfPoints(); ++id)
-      {
-        points += input.contour->GetPointWeight(id) > 0.0 ? 1 : 0;
-      }
-    }
+    const auto &       input = m_Data->GetJaw(jaw);
+    const unsigned int points = CountTracingPoints(input.contour);
     if (input.mesh.IsNull())
     {
       m_Result.skipped[jaw] = points > 0 ? "traced, but there is no scan of this jaw" : "neither scan nor tracing";
+    }
+    else if (points == 0 && this->HasLandmarks(jaw))
+    {
+      m_Result.jaws[jaw];
     }
     else if (points == 0)
     {
@@ -267,12 +292,12 @@ CaseRegistration::SkipWhatIsIncomplete()
       m_Result.skipped[jaw] = excluded ? "all traced teeth of this jaw are excluded"
                               : traced && input.contour->GetNumberOfPoints() > 0
                                 ? "every point of this jaw's tracing has weight 0"
-                                : "there is a scan, but no tracing of this jaw";
+                                : "there is a scan, but nothing was drawn of this jaw";
     }
     else
     {
       JawResult & result = m_Result.jaws[jaw];
-      if (points < MinimumTracingPoints)
+      if (points < MinimumTracingPoints && !this->HasLandmarks(jaw))
       {
         result.AddReason(CaseStatusEnum::Failed,
                          "the tracing has " + std::to_string(points) + " points that count; at least " +
@@ -325,6 +350,10 @@ CaseRegistration::GenerateData()
   axisProbe.Stop();
   this->EnterStage("checks", 0.3F);
   m_Result.jawsShareFrame = frames.jawsShareFrame;
+  if (frames.jawsShareFrame && m_Preset == CasePresetEnum::Robust && m_PoseOptions.useJointPose)
+  {
+    this->PlaceBesideTheOther();
+  }
   if (frames.jawsShareFrame)
   {
     m_Result.overjet = frames.overjet;

@@ -21,6 +21,7 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
+#include "itkCephalometricLandmarkSet.h"
 #include "itkLandmarkErrorFilter.h"
 #include "itkReadDentalMesh.h"
 #include "itkTextFile.h"
@@ -143,6 +144,21 @@ JawToJson(const JawResult & jaw)
       }
     }
     json["landmarks_px"] = landmarks;
+    if (!jaw.placedBy.empty())
+    {
+      json["placed_by"] = jaw.placedBy;
+    }
+    for (const MiddlePrediction & middle : jaw.middles)
+    {
+      json["middles"][middle.name] = { { "position", middle.position }, { "sigma_px", middle.sigma } };
+    }
+    for (const UsedLandmark & landmark : jaw.usedLandmarks)
+    {
+      json["landmarks_used"][landmark.name] = { { "found_by", landmark.source },
+                                                { "residual_px", landmark.residual },
+                                                { "residual_sd", landmark.distance },
+                                                { "weight", landmark.weight } };
+    }
     if (!sigmas.empty())
     {
       json["landmark_sigma_px"] = sigmas;
@@ -268,6 +284,42 @@ const char * const OutputNames[] = { "upper_ceph.stl",    "lower_ceph.stl",     
                                      "overlay_upper.png", "overlay_lower.png",      "result.json" };
 } // namespace
 
+namespace
+{
+/** What was marked, less what was registered with: a landmark of the case never scores, nor does either side's where it
+ * has none. */
+DentalLandmarkSet<2>::Pointer
+WithoutUsed(const DentalLandmarkSet<2> & marked, const DentalCaseData & data)
+{
+  auto       kept = DentalLandmarkSet<2>::New();
+  const bool ignoreSides = data.description.tracedSide == TracedSideEnum::Standard;
+  for (const auto & landmark : marked.GetLandmarks())
+  {
+    const auto own =
+      CephalometricLandmarkSet::ParseName(landmark.tooth.GetName() + landmark.name.substr(landmark.name.find('_')));
+    bool used = false;
+    if (data.cephalometricLandmarks.IsNotNull())
+    {
+      for (const auto & other : data.cephalometricLandmarks->GetLandmarks())
+      {
+        const auto & meaning = other.meaning;
+        const bool   sameSide = ignoreSides || !meaning.tooth.IsKnown() || meaning.tooth == own.tooth;
+        // A molar's point of which the name does not say which was registered with as its mesiobuccal cusp.
+        const bool samePoint =
+          meaning.feature == own.feature || (meaning.feature == CephalometricLandmarkSet::FeatureEnum::Unspecified &&
+                                             own.feature == CephalometricLandmarkSet::FeatureEnum::MesiobuccalCusp);
+        used = used || (meaning.jaw == own.jaw && meaning.position == own.position && sameSide && samePoint);
+      }
+    }
+    if (!used)
+    {
+      kept->AddLandmark(landmark.name, landmark.point);
+    }
+  }
+  return kept;
+}
+} // namespace
+
 void
 MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked)
 {
@@ -290,9 +342,9 @@ MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked)
     }
     auto filter = FilterType::New();
     filter->SetPredictedLandmarks(predicted);
-    filter->SetReferenceLandmarks(marked);
+    filter->SetReferenceLandmarks(WithoutUsed(*marked, *result.data));
     filter->SetJaw(entry.first);
-    filter->SetBisectSides(result.data->description.tracedSide == TracedSideEnum::Mean);
+    filter->SetBisectSides(IsBisected(result.data->description.tracedSide));
     filter->Update();
     const auto & statistics = filter->GetStatistics();
     if (statistics.GetCount() == 0)

@@ -39,13 +39,22 @@ struct PhantomCase
                        unsigned int  numberOfTriangles = 12000,
                        bool          stoneBase = false)
   {
-    auto source = itk::DentalPhantomCaseSource::New();
-    source->SetSeed(seed);
-    source->SetTracedSide(side);
-    source->SetNumberOfTriangles(numberOfTriangles);
-    source->SetStoneBase(stoneBase);
-    source->SetMakeRadiograph(false);
-    source->Update();
+    auto phantom = itk::DentalPhantomCaseSource::New();
+    phantom->SetSeed(seed);
+    phantom->SetTracedSide(side);
+    phantom->SetNumberOfTriangles(numberOfTriangles);
+    phantom->SetStoneBase(stoneBase);
+    phantom->SetMakeRadiograph(false);
+    phantom->Update();
+    this->Fill(phantom);
+  }
+
+  explicit PhantomCase(itk::DentalPhantomCaseSource * phantom) { this->Fill(phantom); }
+
+  void
+  Fill(itk::DentalPhantomCaseSource * phantom)
+  {
+    source = phantom;
     data = std::make_shared<itk::DentalCaseData>();
     data->geometry = itk::CephalometricGeometry::New();
     data->geometry->CopyParameters(source->GetNominalGeometry());
@@ -69,8 +78,9 @@ struct PhantomCase
       }
     }
   }
-  std::shared_ptr<itk::DentalCaseData> data;
-  itk::DentalLandmarkSet<2>::Pointer   marked;
+  std::shared_ptr<itk::DentalCaseData>  data;
+  itk::DentalLandmarkSet<2>::Pointer    marked;
+  itk::DentalPhantomCaseSource::Pointer source;
 };
 
 inline itk::CaseResult

@@ -43,6 +43,13 @@ enum class TracedSideEnum : std::uint8_t
 DentalContour_EXPORT std::string
                      ToString(TracedSideEnum side);
 
+/** Whether what was drawn of a tooth is the middle of the two sides' images: it does not carry roll and yaw. */
+inline bool
+IsBisected(TracedSideEnum side)
+{
+  return side == TracedSideEnum::Mean || side == TracedSideEnum::Standard;
+}
+
 /** Throws std::invalid_argument that names the text and what was expected. */
 DentalContour_EXPORT TracedSideEnum
 TracedSideFromString(const std::string & text);

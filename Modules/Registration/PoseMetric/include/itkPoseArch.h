@@ -62,6 +62,10 @@ public:
   static double
   ExpectedArc(std::uint8_t tooth);
 
+  /** Textbook mesio-distal width of a tooth, mm; 0 where ExpectedArc() is. */
+  static double
+  ExpectedWidth(std::uint8_t tooth);
+
   /** Position in its quadrant, 1 (central incisor) to 8, of the tooth that stands at this distance from the midline by
    * the same widths; the sign of the arc does not matter. */
   static std::uint8_t

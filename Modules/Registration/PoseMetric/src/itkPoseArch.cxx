@@ -204,6 +204,18 @@ PoseArch::ExpectedArc(std::uint8_t tooth)
   return arc + 0.5 * widths[position - 1];
 }
 
+double
+PoseArch::ExpectedWidth(std::uint8_t tooth)
+{
+  const int position = tooth % 10;
+  const int quadrant = tooth / 10;
+  if (quadrant < 1 || quadrant > 4 || position < 1 || position > 7)
+  {
+    return 0.0;
+  }
+  return (quadrant <= 2 ? UpperWidths : LowerWidths)[position - 1];
+}
+
 std::uint8_t
 PoseArch::ExpectedPosition(double arc, ToothCode::JawEnum jaw)
 {

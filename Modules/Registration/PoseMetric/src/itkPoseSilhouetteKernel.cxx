@@ -140,6 +140,7 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &              
   switch (settings.tracedSide)
   {
     case TracedSideEnum::Mean:
+    case TracedSideEnum::Standard:
       m_Models.push_back(std::make_unique<PoseMeshContourModel>(side(1.0), side(-1.0), settings.jaw, filter));
       this->AddStrand(selected, { m_Models.back().get() });
       break;

@@ -75,6 +75,13 @@ public:
   itkGetInputMacro(UpperContour, ContourType);
   itkSetInputMacro(LowerContour, ContourType);
   itkGetInputMacro(LowerContour, ContourType);
+  /** Landmarks of a cephalometric analysis, continuous pixel indices, as evidence beside the contours or instead of
+   * them, and where they are on the scans (LandmarkCounterpartFilter). A jaw of which nothing was drawn goes along with
+   * the other where they share a frame. */
+  itkSetInputMacro(CephalometricLandmarks, CephalometricLandmarkSet);
+  itkGetInputMacro(CephalometricLandmarks, CephalometricLandmarkSet);
+  itkSetInputMacro(LandmarkCounterparts, LandmarkCounterpartSet);
+  itkGetInputMacro(LandmarkCounterparts, LandmarkCounterpartSet);
   itkSetInputMacro(Geometry, GeometryType);
   itkGetInputMacro(Geometry, GeometryType);
 
@@ -277,6 +284,9 @@ private:
 
   const ContourType *
   GetContour(JawEnum jaw) const;
+  /** A contour, or a landmark that has a counterpart. */
+  bool
+  HasDrawing(JawEnum jaw) const;
   void
   UpdateFrames(const std::array<TriangleSurface, NumberOfJaws> & surfaces);
   void

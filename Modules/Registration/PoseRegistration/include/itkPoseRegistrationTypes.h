@@ -18,6 +18,8 @@
 #ifndef itkPoseRegistrationTypes_h
 #define itkPoseRegistrationTypes_h
 
+#include "itkCephalometricLandmarkSet.h"
+#include "itkLandmarkCounterpartSet.h"
 #include "itkPoseFitStatistics.h"
 #include "itkDentalContour.h"
 #include "itkPoseTypes.h"
@@ -45,10 +47,15 @@ namespace itk
 struct PoseJawInput
 {
   /** Mesh frame, mm; must outlive the call. */
-  const TriangleSurface *     surface{ nullptr };
-  PoseFrame                   frame;
-  ToothCode::JawEnum          jaw{ ToothCode::JawEnum::Upper };
+  const TriangleSurface * surface{ nullptr };
+  PoseFrame               frame;
+  ToothCode::JawEnum      jaw{ ToothCode::JawEnum::Upper };
+  /** Null where none of this jaw was drawn. */
   DentalContour::ConstPointer tracing;
+  /** Null where no landmarks were marked. Those of all jaws. */
+  CephalometricLandmarkSet::ConstPointer landmarks;
+  /** Of this jaw's landmarks, mesh frame, mm; null where there are none. */
+  LandmarkCounterpartSet::ConstPointer counterparts;
   /** Start instead of the global search, of this jaw's frame; before PoseRegistrationOptions::initialPose. Of jaws that
    * share a pose the first that has one speaks. */
   std::optional<PoseParameters> initialPose;
@@ -184,6 +191,19 @@ struct PoseCandidate
   double distance{ 0.0 };
 };
 
+/** How a landmark that was registered with is explained at the solution. */
+struct PoseLandmarkFit
+{
+  /** CephalometricLandmarkSet::MakeName(). */
+  std::string name;
+  /** Marked minus predicted, pixels of the radiograph. */
+  std::array<double, 2> residual{ { 0.0, 0.0 } };
+  /** The same in standard deviations. */
+  double distance{ 0.0 };
+  /** What the robust kernel leaves of it, 1 to 0. */
+  double weight{ 1.0 };
+};
+
 /** Result for one jaw. */
 struct PoseJawResult
 {
@@ -198,7 +218,18 @@ struct PoseJawResult
   std::array<double, 3> translation{ {} };
   /** Mesh frame (mm) to continuous pixel index, row-major 3x4. */
   std::array<double, 12> projection{ {} };
-  PoseFitStatistics      fit;
+  /** Of the tracing; numberOfPoints is 0 where there is none. */
+  PoseFitStatistics fit;
+  /** Of the landmarks of this jaw. */
+  std::vector<PoseLandmarkFit> landmarks;
+  /** Why its tracing was not used, where landmarks placed it nevertheless; "" where it was. */
+  std::string tracingFailure;
+  /** Neither tracing nor landmarks: the other jaw, whose frame it shares, placed it. */
+  bool placedByOther{ false };
+  /** Standard deviation an axis of the middle of both sides' images, px: root mean square over the jaw's incisors and
+   * first molars, and the larger of the two. */
+  double middleSigma{ 0.0 };
+  double largestMiddleSigma{ 0.0 };
   /** Extent of the surface along y, mm. */
   double archWidth{ 0.0 };
   /** Component along the occlusal direction of the sum of area normals over the area: positive for an open shell with

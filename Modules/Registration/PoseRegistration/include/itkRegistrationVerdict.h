@@ -105,6 +105,10 @@ public:
     /** Difference of minus twice the log likelihood: 5 is odds of 12. */
     double suspectOtherSideDeviance{ -5.0 };
     double suspectWinding{ -0.1 };
+    /** Standard deviations beyond which a landmark is a gross error, not a reader's: one of 3000 by chance. */
+    double landmarkApart{ 4.0 };
+    /** Root mean square of the others' distances over their standard deviations. */
+    double suspectLandmarkRatio{ 2.0 };
     double minimumArchWidth{ 30.0 };
     double maximumArchWidth{ 120.0 };
     /** How much better (score) another hypothesis must be to be named. */

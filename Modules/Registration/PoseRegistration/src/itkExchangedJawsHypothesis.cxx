@@ -30,7 +30,9 @@ ExchangedJawsHypothesis::GetCode() const
 bool
 ExchangedJawsHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
 {
-  return problem.jaws.size() == 2 && result.score > problem.options.poorScore;
+  // The names of landmarks say their jaw: what is exchanged here are the tracings.
+  return problem.jaws.size() == 2 && (problem.jaws[0].tracing.IsNotNull() || problem.jaws[1].tracing.IsNotNull()) &&
+         result.score > problem.options.poorScore;
 }
 
 PoseProblem
@@ -46,6 +48,7 @@ ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
   {
     // What was called upper is the lower jaw, the frame stands on its head about x.
     jaw.initialPose.reset();
+    jaw.landmarks = nullptr;
     jaw.jaw = jaw.jaw == ToothCode::JawEnum::Upper ? ToothCode::JawEnum::Lower : ToothCode::JawEnum::Upper;
     for (int k = 3; k < 9; ++k)
     {

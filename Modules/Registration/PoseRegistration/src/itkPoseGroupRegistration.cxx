@@ -18,6 +18,7 @@
 #include "itkPoseGroupRegistration.h"
 
 #include "itkFindSilhouettes.h"
+#include "itkLandmarkPoseStart.h"
 #include "itkPoseCovariance.h"
 #include "itkPoseStateBlocks.h"
 
@@ -453,7 +454,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
     }
     if (samples == 0 || points == 0)
     {
-      return {};
+      break;
     }
     for (double & t : target)
     {
@@ -487,8 +488,12 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
   schedule.correlated = false;
   schedule.estimateNoise = false;
   schedule.stage = PoseStageEnum::Start;
+  std::vector<PoseStart::StartType> starts = m_Start->Search(*metric, request);
+  const auto                        byLandmarks = LandmarkPoseStart::New()->Search(*metric, request);
+  starts.insert(starts.end(), byLandmarks.begin(), byLandmarks.end());
+  const auto maximumNumberOfCandidates = request.maximumNumberOfStarts + static_cast<unsigned int>(byLandmarks.size());
   std::vector<CandidateType> candidates;
-  for (const auto & start : m_Start->Search(*metric, request))
+  for (const auto & start : starts)
   {
     if (m_Monitor.IsAborted())
     {
@@ -496,7 +501,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
     }
     candidates.push_back(this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters)));
     const auto number = static_cast<unsigned int>(candidates.size() - 1);
-    this->Refine(*metric, schedule, index * request.maximumNumberOfStarts + number, candidates.back());
+    this->Refine(*metric, schedule, index * maximumNumberOfCandidates + number, candidates.back());
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const CandidateType & a, const CandidateType & b) {
     return a.score < b.score;
@@ -525,7 +530,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   else
   {
     std::vector<double> yaws{ 0.0 };
-    if (m_Options.tracedSide != TracedSideEnum::Mean && m_Options.useFullPose && !m_Options.fixRotation &&
+    if (!IsBisected(m_Options.tracedSide) && m_Options.useFullPose && !m_Options.fixRotation &&
         !m_Options.yawStarts.empty())
     {
       yaws = m_Options.yawStarts;

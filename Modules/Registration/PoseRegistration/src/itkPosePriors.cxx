@@ -45,7 +45,7 @@ PosePriors::GetFitSigmas(bool similarityOnly) const
   {
     sigmas[PoseKappa] = m_Options.kappaSigmaWithoutSpacing;
   }
-  if (similarityOnly || !m_Options.useFullPose || m_Options.tracedSide == TracedSideEnum::Mean)
+  if (similarityOnly || !m_Options.useFullPose || IsBisected(m_Options.tracedSide))
   {
     sigmas[PoseRoll] = sigmas[PoseYaw] = sigmas[PoseTy] = 0.0;
   }

@@ -18,6 +18,9 @@
 #include "itkPoseRegistrationEngine.h"
 
 #include "itkFindSilhouettes.h"
+#include "itkGemanMcClureKernel.h"
+#include "itkLandmarkPoseStart.h"
+#include "itkSquaresKernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,17 +85,55 @@ IsExcluded(const PoseRegistrationOptions & options, std::uint8_t tooth)
   return tooth != 0 && std::find(excluded.begin(), excluded.end(), tooth) != excluded.end();
 }
 
-/** Fills in what is not known: the principal point by the tracing's centroid, the spacing from the arch's length. */
-PoseGeometry
-CompleteGeometry(const PoseProblem & problem)
+/** What was drawn on the radiograph: its extent and centre. */
+class DrawingExtent
 {
-  PoseGeometry geometry = problem.nominal;
-  double       low[2] = { 1e300, 1e300 };
-  double       high[2] = { -1e300, -1e300 };
-  double       sum[2] = { 0, 0 };
-  double       count = 0.0;
+public:
+  void
+  Add(const double * pixel)
+  {
+    for (unsigned int k = 0; k < 2; ++k)
+    {
+      m_Low[k] = std::min(m_Low[k], pixel[k]);
+      m_High[k] = std::max(m_High[k], pixel[k]);
+      m_Sum[k] += pixel[k];
+    }
+    m_Count += 1.0;
+  }
+  bool
+  IsEmpty() const
+  {
+    return m_Count == 0.0;
+  }
+  std::array<double, 2>
+  GetCentre() const
+  {
+    return { { m_Sum[0] / m_Count, m_Sum[1] / m_Count } };
+  }
+  /** Along the arch: the vertical part of its slant counts half. */
+  double
+  GetLength() const
+  {
+    return std::max(1.0, std::hypot(m_High[0] - m_Low[0], 0.5 * (m_High[1] - m_Low[1])));
+  }
+
+private:
+  double m_Low[2] = { 1e300, 1e300 };
+  double m_High[2] = { -1e300, -1e300 };
+  double m_Sum[2] = { 0, 0 };
+  double m_Count = 0.0;
+};
+
+DrawingExtent
+MeasureTracings(const PoseProblem & problem)
+{
+  DrawingExtent extent;
   for (const PoseJawInput & jaw : problem.jaws)
   {
+    if (jaw.tracing.IsNull())
+    {
+      continue;
+    }
     for (const auto & polyline : jaw.tracing->GetPolylines())
     {
       if (IsExcluded(problem.options, polyline.code.GetFDI()))
@@ -101,32 +142,73 @@ CompleteGeometry(const PoseProblem & problem)
       }
       for (const auto & p : polyline.points)
       {
-        for (unsigned int k = 0; k < 2; ++k)
-        {
-          low[k] = std::min(low[k], p[k]);
-          high[k] = std::max(high[k], p[k]);
-          sum[k] += p[k];
-        }
-        count += 1.0;
+        extent.Add(p.GetDataPointer());
       }
     }
   }
-  if (count == 0.0)
+  return extent;
+}
+
+/** The marks that have a counterpart; depth: how far these lie apart along x, mm. */
+DrawingExtent
+MeasureLandmarks(const PoseProblem & problem, double & depth)
+{
+  DrawingExtent extent;
+  double        front = -1e300, back = 1e300;
+  for (const PoseJawInput & jaw : problem.jaws)
+  {
+    if (jaw.landmarks.IsNull() || jaw.counterparts.IsNull())
+    {
+      continue;
+    }
+    for (const auto & landmark : jaw.landmarks->GetLandmarks())
+    {
+      const auto * counterpart = jaw.counterparts->Find(CephalometricLandmarkSet::MakeName(landmark.meaning));
+      if (counterpart == nullptr)
+      {
+        continue;
+      }
+      extent.Add(landmark.point.GetDataPointer());
+      double x = 0.0;
+      for (const auto & p : counterpart->points)
+      {
+        x += ToDentalFrame(jaw.frame, { { p[0], p[1], p[2] } })[0] / static_cast<double>(counterpart->points.size());
+      }
+      front = std::max(front, x);
+      back = std::min(back, x);
+    }
+  }
+  depth = std::max(0.0, front - back);
+  return extent;
+}
+
+/** Fills in what is not known: the principal point by the drawing's centroid, the spacing from the arch's length. */
+PoseGeometry
+CompleteGeometry(const PoseProblem & problem)
+{
+  PoseGeometry  geometry = problem.nominal;
+  DrawingExtent extent = MeasureTracings(problem);
+  double        depth = 0.0;
+  const bool    landmarksAlone = extent.IsEmpty();
+  if (landmarksAlone)
+  {
+    extent = MeasureLandmarks(problem, depth);
+  }
+  if (extent.IsEmpty())
   {
     return geometry;
   }
   if (!geometry.principalPointKnown)
   {
-    geometry.principalPoint = { { sum[0] / count, sum[1] / count } };
+    geometry.principalPoint = extent.GetCentre();
   }
   if (!geometry.pixelSpacingKnown)
   {
     // The length of the arches along x against that of the tracing. Teeth at the back may be untraced: the search over
     // scale settles the rest.
-    double depth = 0.0;
     for (const PoseJawInput & jaw : problem.jaws)
     {
-      if (jaw.surface == nullptr)
+      if (jaw.surface == nullptr || landmarksAlone)
       {
         continue;
       }
@@ -139,8 +221,10 @@ CompleteGeometry(const PoseProblem & problem)
       }
       depth = std::max(depth, front - back);
     }
-    const double pixels = std::max(1.0, std::hypot(high[0] - low[0], 0.5 * (high[1] - low[1])));
-    const double spacing = depth * geometry.sourceToDetector / geometry.sourceToMidsagittal / pixels;
+    // Marks that all stand above one place tell no scale: as on most films.
+    const double spacing = depth > 5.0
+                             ? depth * geometry.sourceToDetector / geometry.sourceToMidsagittal / extent.GetLength()
+                             : PoseWorkingPixel;
     geometry.pixelSpacing = { { spacing, spacing } };
   }
   return geometry;
@@ -212,8 +296,9 @@ DescribeJaw(const PoseJawInput &            input,
     area += std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
   }
   result.winding = area > 0.0 ? (input.jaw == ToothCode::JawEnum::Upper ? -sum : sum) / area : 0.0;
-  std::size_t other = 0, all = 0;
-  for (const auto & polyline : input.tracing->GetPolylines())
+  std::size_t                        other = 0, all = 0;
+  const DentalContour::PolylinesType none;
+  for (const auto & polyline : input.tracing.IsNotNull() ? input.tracing->GetPolylines() : none)
   {
     const std::uint8_t tooth = polyline.code.GetFDI();
     all += polyline.points.size();
@@ -255,6 +340,68 @@ DescribeFit(const SilhouettePoseMetricv4 &               metric,
     }
   }
 }
+/** The landmarks of a jaw at the solution. */
+void
+DescribeLandmarks(const LandmarkPoseMetricv4 &               metric,
+                  const LandmarkPoseMetricv4::PositionType & x,
+                  PoseJawResult &                            jaw)
+{
+  for (const auto & residual : metric.ComputeLandmarkResiduals(x))
+  {
+    jaw.landmarks.push_back(
+      { residual.name, { { residual.difference[0], residual.difference[1] } }, residual.distance, residual.weight });
+  }
+}
+
+/** The uncertainty of the middle of both sides at the front of the arch and 35 mm behind it, where first molars stand:
+ * what drawings that are of no side determine. */
+void
+DescribeMiddle(const TriangleSurface &        surface,
+               const PoseModel &              model,
+               const std::array<double, 49> & covariance,
+               PoseJawResult &                jaw)
+{
+  constexpr double behindIncisors = 35.0;
+  constexpr double halfWidth = 22.0;
+  double           front = -1e300;
+  double           height = 0.0;
+  for (const auto & p : surface.points)
+  {
+    front = std::max<double>(front, p[0]);
+    height += p[2];
+  }
+  height /= std::max<double>(1.0, static_cast<double>(surface.points.size()));
+  double sum = 0.0;
+  for (const bool molar : { false, true })
+  {
+    std::array<double, 14> jacobian{};
+    for (const double side : { -1.0, 1.0 })
+    {
+      const double p[3] = { molar ? front - behindIncisors : front, molar ? side * halfWidth : 0.0, height };
+      double       w[2], own[14];
+      model.ProjectWithJacobian(p, w, own);
+      for (unsigned int a = 0; a < 14; ++a)
+      {
+        jacobian[a] += 0.5 * own[a];
+      }
+    }
+    double trace = 0.0;
+    for (unsigned int axis = 0; axis < 2; ++axis)
+    {
+      for (unsigned int a = 0; a < 7; ++a)
+      {
+        for (unsigned int b = 0; b < 7; ++b)
+        {
+          trace += jacobian[7 * axis + a] * covariance[7 * a + b] * jacobian[7 * axis + b];
+        }
+      }
+    }
+    const double variance = 0.5 * std::max(0.0, trace);
+    sum += variance;
+    jaw.largestMiddleSigma = std::max(jaw.largestMiddleSigma, std::sqrt(variance));
+  }
+  jaw.middleSigma = std::sqrt(0.5 * sum);
+}
 } // namespace
 
 std::vector<PoseRegistrationEngine::JawType>
@@ -276,6 +423,38 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
       result.jaws[j].failure = "there is no surface";
       continue;
     }
+    if (input.landmarks.IsNotNull() && input.counterparts.IsNotNull())
+    {
+      const auto counterparts = LandmarkCounterpartSet::New();
+      for (LandmarkCounterpartSet::CounterpartType counterpart : input.counterparts->GetCounterparts())
+      {
+        if (counterpart.jaw != input.jaw || input.landmarks->Find(counterpart.name) == nullptr)
+        {
+          continue;
+        }
+        for (auto & point : counterpart.points)
+        {
+          const Vector3 q = ToDentalFrame(input.frame, { { point[0], point[1], point[2] } });
+          std::copy(q.begin(), q.end(), point.Begin());
+        }
+        counterparts->Add(counterpart);
+      }
+      if (!counterparts->GetCounterparts().empty())
+      {
+        jaws[j].landmarks = LandmarkPoseMetricv4::New();
+        jaws[j].landmarks->SetTransform(transform);
+        jaws[j].landmarks->SetCounterparts(counterparts);
+        jaws[j].landmarks->SetCephalometricLandmarks(input.landmarks);
+        if (options.useRobustKernel)
+        {
+          jaws[j].landmarks->SetRobustKernel(GemanMcClureKernel::New());
+        }
+      }
+    }
+    if (input.tracing.IsNull())
+    {
+      continue;
+    }
     jaws[j].metric = SilhouettePoseMetricv4::New();
     jaws[j].metric->SetTransform(transform);
     jaws[j].metric->SetFixedContour(input.tracing);
@@ -295,14 +474,24 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     jaws[j].metric->SetExcludedTeeth(options.excludedTeeth);
   }
   monitor->ForEach(jaws.size(), options.numberOfThreads, [&](std::size_t j) {
-    if (jaws[j].metric.IsNull())
+    if (!result.jaws[j].failure.empty())
     {
       return;
     }
     jaws[j].surface = ToDentalFrame(*problem.jaws[j].surface, problem.jaws[j].frame);
+    if (jaws[j].metric.IsNull())
+    {
+      return;
+    }
     jaws[j].metric->SetMovingSurface(jaws[j].surface);
     jaws[j].metric->Prepare();
-    result.jaws[j].failure = jaws[j].metric->GetFailure();
+    const std::string failure = jaws[j].metric->GetFailure();
+    if (!failure.empty())
+    {
+      // Landmarks speak for the jaw where its tracing cannot.
+      (jaws[j].landmarks.IsNotNull() ? result.jaws[j].tracingFailure : result.jaws[j].failure) = failure;
+      jaws[j].metric = nullptr;
+    }
   });
   return jaws;
 }
@@ -316,9 +505,20 @@ PoseRegistrationEngine::MakeMetric(const PoseProblem &              problem,
   auto sum = MetricType::New();
   for (const std::size_t j : members)
   {
-    sum->AddMetric(jaws[j].metric);
+    if (jaws[j].metric.IsNotNull())
+    {
+      sum->AddMetric(jaws[j].metric);
+    }
   }
   PosePriors(problem.options, geometry.pixelSpacingKnown).AddTo(*sum);
+  for (const std::size_t j : members)
+  {
+    if (jaws[j].landmarks.IsNotNull())
+    {
+      // The errors of marks are known: neither the width nor the levels that a tracing's points go through are theirs.
+      sum->AddMetric(jaws[j].landmarks, MetricType::SettingsEnum::Own);
+    }
+  }
   for (const TermType & term : terms)
   {
     const bool belongs =
@@ -348,6 +548,14 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t j = 0; j < jaws.size(); ++j)
   {
+    const bool anyEvidence =
+      jaws[j].HasEvidence() || (options.useJointPose && std::any_of(jaws.begin(), jaws.end(), [](const JawType & jaw) {
+                                  return jaw.HasEvidence();
+                                }));
+    if (result.jaws[j].failure.empty() && !anyEvidence)
+    {
+      result.jaws[j].failure = "nothing was drawn of this jaw, and no other jaw shares its frame";
+    }
     if (!result.jaws[j].failure.empty())
     {
       continue;
@@ -382,7 +590,7 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
     }
     PoseGroupResult group;
     group.jaws = members;
-    group.bisected = options.tracedSide == TracedSideEnum::Mean;
+    group.bisected = IsBisected(options.tracedSide);
     const MetricType::Pointer metric = this->MakeMetric(problem, result.geometry, jaws, members);
     if (groupObserver)
     {
@@ -413,7 +621,7 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
     {
       for (const std::size_t j : members)
       {
-        result.jaws[j].failure = "no start was found: the contour of the surface is empty";
+        result.jaws[j].failure = "no start was found: nothing of what was drawn can be matched with the surface";
       }
       result.groups.push_back(std::move(group));
       continue;
@@ -424,7 +632,10 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
       result.aborted = true;
       return result;
     }
-    const auto silhouettes = FindSilhouettes(*metric, registration.GetSolution());
+    const auto  silhouettes = FindSilhouettes(*metric, registration.GetSolution());
+    const auto  landmarks = LandmarkPoseStart::FindTerms(*metric);
+    std::size_t nextSilhouette = 0;
+    std::size_t nextLandmarks = 0;
     for (std::size_t m = 0; m < members.size(); ++m)
     {
       PoseJawResult & jaw = result.jaws[members[m]];
@@ -432,8 +643,20 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
       jaw.registered = true;
       PlaceJaw(result.geometry, group.parameters, jaw);
       DescribeJaw(problem.jaws[members[m]], *jaws[members[m]].surface, options, jaw);
-      // The jaws' terms are the sum's first, in their order.
-      DescribeFit(*silhouettes[m].metric, silhouettes[m].position, group.covariance, result.geometry, jaw);
+      // The jaws' terms are the sum's first of their kind, in the order of the jaws.
+      const JawType & prepared = jaws[members[m]];
+      jaw.placedByOther = !prepared.HasEvidence();
+      if (prepared.metric.IsNotNull())
+      {
+        const FoundSilhouette & found = silhouettes[nextSilhouette++];
+        DescribeFit(*found.metric, found.position, group.covariance, result.geometry, jaw);
+      }
+      if (prepared.landmarks.IsNotNull())
+      {
+        const std::vector<double> pose(group.parameters.begin(), group.parameters.end());
+        DescribeLandmarks(*landmarks[nextLandmarks++], pose, jaw);
+      }
+      DescribeMiddle(*prepared.surface, PoseModel(result.geometry, group.parameters), group.covariance, jaw);
     }
     result.groups.push_back(std::move(group));
   }
@@ -473,7 +696,7 @@ PoseRegistrationEngine::TryHypotheses(const PoseProblem &           problem,
     std::vector<std::size_t>   members;
     for (std::size_t j = 0; j < jaws.size(); ++j)
     {
-      if (answer.jaws[j].failure.empty())
+      if (answer.jaws[j].failure.empty() && jaws[j].HasEvidence())
       {
         members.push_back(j);
       }

@@ -18,6 +18,7 @@
 #ifndef itkPoseRegistrationEngine_h
 #define itkPoseRegistrationEngine_h
 
+#include "itkLandmarkPoseMetricv4.h"
 #include "itkPoseGroupRegistration.h"
 #include "itkPoseHypothesis.h"
 #include "itkPoseProblem.h"
@@ -60,11 +61,18 @@ public:
   Run(const PoseProblem & problem) const;
 
 private:
-  /** A jaw with its term; null where nothing can be matched. */
+  /** A jaw with its terms: of its tracing, of its landmarks; null where there is nothing to match. */
   struct JawType
   {
     std::shared_ptr<const TriangleSurface> surface;
     SilhouettePoseMetricv4::Pointer        metric;
+    LandmarkPoseMetricv4::Pointer          landmarks;
+
+    bool
+    HasEvidence() const
+    {
+      return metric.IsNotNull() || landmarks.IsNotNull();
+    }
   };
 
   std::vector<JawType>

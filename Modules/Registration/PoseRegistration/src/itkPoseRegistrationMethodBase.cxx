@@ -115,6 +115,8 @@ PoseRegistrationMethodBase::PoseRegistrationMethodBase()
   this->AddOptionalInputName("UpperFrame", 5);
   this->AddOptionalInputName("LowerFrame", 6);
   this->AddOptionalInputName("JointFrame", 7);
+  this->AddOptionalInputName("CephalometricLandmarks", 8);
+  this->AddOptionalInputName("LandmarkCounterparts", 9);
   this->SetNumberOfRequiredOutputs(1 + 2 * NumberOfJaws);
   for (unsigned int i = 0; i < 1 + 2 * NumberOfJaws; ++i)
   {
@@ -343,20 +345,39 @@ PoseRegistrationMethodBase::GetContour(JawEnum jaw) const
   return jaw == JawEnum::Upper ? this->GetUpperContour() : this->GetLowerContour();
 }
 
+bool
+PoseRegistrationMethodBase::HasDrawing(JawEnum jaw) const
+{
+  if (this->GetContour(jaw) != nullptr)
+  {
+    return true;
+  }
+  const auto * landmarks = this->GetCephalometricLandmarks();
+  const auto * counterparts = this->GetLandmarkCounterparts();
+  return landmarks != nullptr && counterparts != nullptr &&
+         std::any_of(landmarks->GetLandmarks().begin(), landmarks->GetLandmarks().end(), [&](const auto & landmark) {
+           return landmark.meaning.jaw == jaw &&
+                  counterparts->Find(CephalometricLandmarkSet::MakeName(landmark.meaning)) != nullptr;
+         });
+}
+
 void
 PoseRegistrationMethodBase::VerifyPreconditions() ITKv5_CONST
 {
   Superclass::VerifyPreconditions();
-  if (std::none_of(std::begin(Jaws), std::end(Jaws), [this](JawEnum jaw) {
-        return this->HasMesh(jaw) && this->GetContour(jaw) != nullptr;
-      }))
+  // Nothing upstream has run yet: which landmarks have counterparts, GenerateData() sees.
+  const bool hasLandmarks = this->GetCephalometricLandmarks() != nullptr && this->GetLandmarkCounterparts() != nullptr;
+  const auto mayHaveDrawing = [&](JawEnum jaw) { return hasLandmarks || this->GetContour(jaw) != nullptr; };
+  if (std::none_of(
+        std::begin(Jaws), std::end(Jaws), [&](JawEnum jaw) { return this->HasMesh(jaw) && mayHaveDrawing(jaw); }))
   {
-    itkExceptionMacro("No jaw has both a mesh and a contour: call SetUpperMesh() and SetUpperContour(), "
-                      "SetLowerMesh() and SetLowerContour(), or both pairs.");
+    itkExceptionMacro("No jaw has both a mesh and something that was drawn of it: call SetUpperMesh() and "
+                      "SetUpperContour(), SetLowerMesh() and SetLowerContour(), or both pairs, or "
+                      "SetCephalometricLandmarks() and SetLandmarkCounterparts().");
   }
   for (const JawEnum jaw : m_TermJaws)
   {
-    if (jaw != JawEnum::Unknown && (!this->HasMesh(jaw) || this->GetContour(jaw) == nullptr))
+    if (jaw != JawEnum::Unknown && (!this->HasMesh(jaw) || !mayHaveDrawing(jaw)))
     {
       itkExceptionMacro("AddMetric() was given a term of the " << (jaw == JawEnum::Upper ? "upper" : "lower")
                                                                << " jaw, which lacks its mesh or contour: set them, or "
@@ -388,7 +409,7 @@ PoseRegistrationMethodBase::UpdateFrames(const std::array<TriangleSurface, Numbe
   bool                                                           isComplete = true;
   for (const JawEnum jaw : Jaws)
   {
-    const bool needed = this->HasMesh(jaw) && this->GetContour(jaw) != nullptr;
+    const bool needed = this->HasMesh(jaw) && this->HasDrawing(jaw);
     const auto frame = given[ToIndex(jaw)];
     if (frame != nullptr && frame->Get() != nullptr)
     {
@@ -415,7 +436,7 @@ PoseRegistrationMethodBase::UpdateFrames(const std::array<TriangleSurface, Numbe
   {
     const DentalJawFrame & own = jaw == JawEnum::Upper ? frames.upper : frames.lower;
     const DentalJawFrame & frame = m_JawsShareFrame ? frames.joint : own;
-    if (this->HasMesh(jaw) && this->GetContour(jaw) != nullptr && !frame.valid && !this->GetAbortGenerateData())
+    if (this->HasMesh(jaw) && this->HasDrawing(jaw) && !frame.valid && !this->GetAbortGenerateData())
     {
       const char * name = jaw == JawEnum::Upper ? "upper" : "lower";
       itkExceptionMacro("No dental arch was found in the " << name << " mesh. Set its frame with Set"
@@ -453,6 +474,12 @@ PoseRegistrationMethodBase::Report(const IterationType & iteration)
 void
 PoseRegistrationMethodBase::GenerateData()
 {
+  if (std::none_of(
+        std::begin(Jaws), std::end(Jaws), [this](JawEnum jaw) { return this->HasMesh(jaw) && this->HasDrawing(jaw); }))
+  {
+    itkExceptionMacro("No landmark of the radiograph has a counterpart on a scan: see what "
+                      "LandmarkCounterpartFilter::GetUnused() says, or set contours.");
+  }
   const GeometryType *                      nominal = this->GetGeometry();
   std::array<TriangleSurface, NumberOfJaws> surfaces;
   for (const JawEnum jaw : Jaws)
@@ -477,11 +504,14 @@ PoseRegistrationMethodBase::GenerateData()
   }
   for (const JawEnum jaw : Jaws)
   {
-    if (!this->HasMesh(jaw) || this->GetContour(jaw) == nullptr)
+    // A jaw of which nothing was drawn goes along where it shares the other's frame.
+    if (!this->HasMesh(jaw) || (!this->HasDrawing(jaw) && !problem.options.useJointPose))
     {
       continue;
     }
     PoseJawInput input;
+    input.landmarks = this->GetCephalometricLandmarks();
+    input.counterparts = this->GetLandmarkCounterparts();
     input.surface = &surfaces[ToIndex(jaw)];
     input.frame = m_Frames[ToIndex(jaw)];
     input.jaw = jaw;

@@ -139,6 +139,97 @@ JudgeUncertainty(const PoseFitStatistics &               fit,
   }
 }
 
+/** Names of landmarks, for a sentence. */
+std::string
+Join(const std::vector<std::string> & names)
+{
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return text;
+}
+
+/** The landmarks of a group against each other: one that stands apart, or all of them. */
+void
+JudgeLandmarks(const PoseRegistrationResult &          result,
+               const PoseGroupResult &                 group,
+               const PoseJawResult &                   jaw,
+               const RegistrationVerdict::Thresholds & thresholds,
+               RegistrationVerdict::JawVerdict &       verdict)
+{
+  std::vector<std::string> apart;
+  std::vector<std::string> ownApart;
+  double                   sum = 0.0;
+  std::size_t              kept = 0;
+  for (const std::size_t j : group.jaws)
+  {
+    for (const PoseLandmarkFit & landmark : result.jaws[j].landmarks)
+    {
+      if (landmark.distance > thresholds.landmarkApart)
+      {
+        apart.push_back(landmark.name);
+      }
+      else
+      {
+        sum += landmark.distance * landmark.distance;
+        ++kept;
+      }
+    }
+  }
+  if (!apart.empty() && kept < 2 && jaw.fit.numberOfPoints == 0)
+  {
+    Add(verdict,
+        StatusEnum::Failed,
+        "landmarks-disagree",
+        "the landmarks do not fit the scans: " + Join(apart) + " lie far from where the others put them");
+    return;
+  }
+  if (!apart.empty())
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "landmark-apart",
+        "landmark " + Join(apart) + (apart.size() == 1 ? " lies" : " lie") +
+          " far from where everything else puts it and was left out: is it the right tooth and point?");
+  }
+  if (kept > 0 && std::sqrt(sum / (2.0 * static_cast<double>(kept))) > thresholds.suspectLandmarkRatio)
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "landmarks-rough",
+        "the landmarks lie " + Number(std::sqrt(sum / (2.0 * static_cast<double>(kept))), 1) +
+          " times as far from their places as their errors tell: another patient, jaw or unit?");
+  }
+}
+
+/** What drawings that are of no side determine: the middle of both. */
+void
+JudgeMiddle(const PoseJawResult &                   jaw,
+            const RegistrationVerdict::Thresholds & thresholds,
+            RegistrationVerdict::JawVerdict &       verdict)
+{
+  const std::string figures = "the predicted uncertainty of the middle of both sides is " + Number(jaw.middleSigma, 1) +
+                              " px an axis and up to " + Number(jaw.largestMiddleSigma, 1) +
+                              " px at incisors or first molars";
+  if (jaw.middleSigma > thresholds.failedPredictedSigma)
+  {
+    Add(verdict,
+        StatusEnum::Failed,
+        "undetermined",
+        "what was drawn does not determine the pose; mark incisors and molars: " + figures);
+  }
+  else if (jaw.middleSigma > thresholds.suspectPredictedSigma ||
+           jaw.largestMiddleSigma > thresholds.suspectExtrapolatedSigma)
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "uncertain",
+        "what was drawn determines the pose poorly: " + figures + "; mark incisors and molars of both jaws");
+  }
+}
+
 void
 JudgePriors(const PoseGroupResult &                 group,
             const RegistrationVerdict::Thresholds & thresholds,
@@ -190,14 +281,39 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
       continue;
     }
     const PoseGroupResult & group = result.groups[result.groupOfJaw[j]];
-    JudgeFit(jaw.fit, thresholds, verdict);
-    JudgeUncertainty(jaw.fit, group, thresholds, verdict);
+    const bool              traced = jaw.fit.numberOfPoints > 0;
+    if (traced)
+    {
+      JudgeFit(jaw.fit, thresholds, verdict);
+      JudgeUncertainty(jaw.fit, group, thresholds, verdict);
+    }
+    const auto hasLandmarks = [&](std::size_t other) { return !result.jaws[other].landmarks.empty(); };
+    const bool byLandmarks = std::any_of(group.jaws.begin(), group.jaws.end(), hasLandmarks);
+    if (byLandmarks)
+    {
+      JudgeLandmarks(result, group, jaw, thresholds, verdict);
+    }
+    if (!traced)
+    {
+      JudgeMiddle(jaw, thresholds, verdict);
+    }
+    if (!jaw.tracingFailure.empty())
+    {
+      Add(verdict,
+          StatusEnum::Suspect,
+          "tracing-unused",
+          "the tracing was not used, landmarks alone placed the jaw: " + jaw.tracingFailure);
+    }
     const std::size_t before = verdict.reasons.size();
     JudgeWidth(jaw, thresholds, verdict);
     const bool wrongUnit = verdict.reasons.size() > before;
     for (std::size_t other : group.jaws)
     {
       JawVerdict fitOfOther;
+      if (result.jaws[other].fit.numberOfPoints == 0)
+      {
+        continue;
+      }
       JudgeFit(result.jaws[other].fit, thresholds, fitOfOther);
       if (other != j && fitOfOther.status != StatusEnum::Ok)
       {
@@ -298,15 +414,17 @@ RegistrationVerdict::GetNotCheckable(const PoseRegistrationResult & result, cons
   }
   bool registered = false;
   bool coded = false;
+  bool traced = false;
   bool closedCast = false;
   for (const PoseJawResult & jaw : result.jaws)
   {
     registered = registered || jaw.registered;
     coded = coded || jaw.fit.hasCodes;
+    traced = traced || jaw.fit.numberOfPoints > 0;
     closedCast = closedCast || (jaw.registered && std::abs(jaw.winding) < 0.1);
   }
   // Of a jaw that was not registered nobody looked.
-  if (registered && !coded)
+  if (registered && traced && !coded)
   {
     lines.emplace_back("whether each tooth lies on its own: the tracing has no tooth codes");
   }
@@ -319,7 +437,7 @@ RegistrationVerdict::GetNotCheckable(const PoseRegistrationResult & result, cons
     lines.emplace_back(
       "exchanged jaws, facing, other side, other minima: not searched beside a given start or held values");
   }
-  if (options.tracedSide == TracedSideEnum::Mean)
+  if (IsBisected(options.tracedSide))
   {
     lines.emplace_back("roll and yaw of the head: a bisected tracing does not carry them");
     lines.emplace_back("whether the tracing really is the middle of both sides");

@@ -1,0 +1,145 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkLandmarkCounterpartFilter_h
+#define itkLandmarkCounterpartFilter_h
+
+#include "PoseRegistrationExport.h"
+#include "itkCephalometricLandmarkSet.h"
+#include "itkDentalLandmarkSet.h"
+#include "itkLandmarkCounterpartSet.h"
+
+#include "itkDataObjectDecorator.h"
+#include "itkMesh.h"
+#include "itkProcessObject.h"
+#include "itkVersorRigid3DTransform.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \class LandmarkCounterpartFilter
+ * \brief Finds on the scans what a cephalometric analysis has marked on the radiograph.
+ *
+ * Of each landmark the first that there is: landmarks of the scan (SetScanLandmarks()), the labels of its teeth
+ * (SetLabels()), its geometry: the incisal edge at the midline, a molar by its place along the arch after textbook
+ * widths. Each has an error of its own, which widens the landmark's. A mesial contact and an occlusal middle, which
+ * scan landmarks have no name for, are derived from the cusps.
+ *
+ * Where a name tells no side, both teeth are looked for; where only one is found, the other's image may lie a way from
+ * it, and the error says so. Apices are on no scan and have no counterpart; GetUnused() lists them, and whatever else
+ * was not found, with the reason.
+ *
+ * Inputs: the landmarks; scans (mm), their frames (mesh to dental frame, as UMidlineDentalAxisFilter gives them), scan
+ * landmarks in the meshes' frames (unit: MillimetresPerUnit). A jaw without a scan has no counterparts. Output: the
+ * counterparts in their meshes' frames, mm.
+ *
+ * \ingroup PoseRegistration
+ */
+class PoseRegistration_EXPORT LandmarkCounterpartFilter : public ProcessObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(LandmarkCounterpartFilter);
+
+  using Self = LandmarkCounterpartFilter;
+  using Superclass = ProcessObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(LandmarkCounterpartFilter, ProcessObject);
+
+  using JawEnum = ToothCode::JawEnum;
+  using LandmarksType = CephalometricLandmarkSet;
+  using ScanLandmarksType = DentalLandmarkSet<3>;
+  using MeshType = Mesh<float, 3>;
+  using FrameType = DataObjectDecorator<VersorRigid3DTransform<double>>;
+  using OutputType = LandmarkCounterpartSet;
+  using LabelsType = std::vector<std::uint8_t>;
+
+  itkSetInputMacro(CephalometricLandmarks, LandmarksType);
+  itkGetInputMacro(CephalometricLandmarks, LandmarksType);
+  itkSetInputMacro(ScanLandmarks, ScanLandmarksType);
+  itkGetInputMacro(ScanLandmarks, ScanLandmarksType);
+  itkSetInputMacro(UpperMesh, MeshType);
+  itkGetInputMacro(UpperMesh, MeshType);
+  itkSetInputMacro(LowerMesh, MeshType);
+  itkGetInputMacro(LowerMesh, MeshType);
+  itkSetInputMacro(UpperFrame, FrameType);
+  itkGetInputMacro(UpperFrame, FrameType);
+  itkSetInputMacro(LowerFrame, FrameType);
+  itkGetInputMacro(LowerFrame, FrameType);
+
+  /** FDI number by point of the mesh, 0 gingiva; empty: none. */
+  void
+  SetLabels(JawEnum jaw, const LabelsType & labels);
+  const LabelsType &
+  GetLabels(JawEnum jaw) const;
+
+  /** Of the scan landmarks; 1 by default. */
+  itkSetMacro(MillimetresPerUnit, double);
+  itkGetConstMacro(MillimetresPerUnit, double);
+
+  /** The side in a name is ignored, as a standard tracing's is: "UR6_MB" is the middle as well. Off by default. */
+  itkSetMacro(IgnoreSides, bool);
+  itkGetConstMacro(IgnoreSides, bool);
+  itkBooleanMacro(IgnoreSides);
+
+  OutputType *
+  GetOutput();
+  const OutputType *
+  GetOutput() const;
+
+  /** A landmark that is not used, as its file calls it, and why. Valid after Update(). */
+  struct UnusedType
+  {
+    std::string name;
+    std::string reason;
+  };
+  const std::vector<UnusedType> &
+  GetUnused() const
+  {
+    return m_Unused;
+  }
+
+  using Superclass::MakeOutput;
+  DataObject::Pointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  LandmarkCounterpartFilter();
+  ~LandmarkCounterpartFilter() override = default;
+  void
+  VerifyInputInformation() ITKv5_CONST override
+  {}
+  void
+  GenerateData() override;
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  double                    m_MillimetresPerUnit{ 1.0 };
+  bool                      m_IgnoreSides{ false };
+  std::array<LabelsType, 2> m_Labels;
+  std::vector<UnusedType>   m_Unused;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,168 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkLandmarkPoseStart.h"
+
+#include "itkLeastSquaresSumMetricv4.h"
+#include "itkPoseModel.h"
+#include "itkPoseStateBlocks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+using CorrespondenceType = LandmarkPoseMetricv4::CorrespondenceType;
+
+void
+AppendTerms(const LeastSquaresMetricv4 & metric, std::vector<const LandmarkPoseMetricv4 *> & found)
+{
+  if (const auto * landmarks = dynamic_cast<const LandmarkPoseMetricv4 *>(&metric))
+  {
+    if (landmarks->GetPoseBlock() == std::string("pose") && landmarks->GetScaleBlock() == std::string("scale"))
+    {
+      found.push_back(landmarks);
+    }
+  }
+  else if (const auto * sum = dynamic_cast<const LeastSquaresSumMetricv4 *>(&metric))
+  {
+    for (SizeValueType t = 0; t < sum->GetNumberOfMetrics(); ++t)
+    {
+      AppendTerms(*sum->GetMetric(t), found);
+    }
+  }
+}
+
+/** The pose that brings the points to the marks by a similarity of the plane, all of them but one. */
+PoseStart::StartType
+Solve(const PoseGeometry &                    geometry,
+      const std::vector<CorrespondenceType> & correspondences,
+      std::size_t                             leftOut,
+      const PoseStart::RequestType &          request)
+{
+  PoseStart::StartType start;
+  start.parameters = request.pose;
+  // What a pitch turns, in the working plane: angles from the images before.
+  PoseParameters straight = request.pose;
+  straight[PoseTx] = straight[PoseTz] = 0.0;
+  if (!request.holdRotation)
+  {
+    straight[PosePitch] = 0.0;
+  }
+  const PoseModel                    model(geometry, straight);
+  std::vector<std::array<double, 2>> from, to;
+  std::array<double, 3>              centre{ { 0.0, 0.0, 0.0 } };
+  std::array<double, 2>              fromMean{ { 0.0, 0.0 } };
+  std::array<double, 2>              toMean{ { 0.0, 0.0 } };
+  for (std::size_t i = 0; i < correspondences.size(); ++i)
+  {
+    std::array<double, 2> image;
+    if (i == leftOut || !model.Project(correspondences[i].moving.GetDataPointer(), image.data()))
+    {
+      continue;
+    }
+    from.push_back(image);
+    to.push_back(PoseModel::ToWorkingPlane(geometry, { { correspondences[i].fixed[0], correspondences[i].fixed[1] } }));
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      centre[d] += correspondences[i].moving[d];
+    }
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      fromMean[d] += from.back()[d];
+      toMean[d] += to.back()[d];
+    }
+  }
+  if (from.empty())
+  {
+    return start;
+  }
+  const auto count = static_cast<double>(from.size());
+  for (double & c : centre)
+  {
+    c /= count;
+  }
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    fromMean[d] /= count;
+    toMean[d] /= count;
+  }
+  double cosine = 0.0, sine = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    const double a = from[i][0] - fromMean[0], b = from[i][1] - fromMean[1];
+    const double c = to[i][0] - toMean[0], d = to[i][1] - toMean[1];
+    cosine += a * c + b * d;
+    sine += a * d - b * c;
+    size += a * a + b * b;
+  }
+  if (from.size() > 1 && size > 0.0)
+  {
+    if (!request.holdRotation)
+    {
+      // c = Ry(pitch) p, w = (c_x, -c_z): a positive pitch takes x to -z, that is to +w_v, as a positive angle does.
+      start.parameters[PosePitch] = std::atan2(sine, cosine);
+    }
+    if (request.searchScale)
+    {
+      start.parameters[PoseKappa] += std::log(std::max(1e-3, std::hypot(cosine, sine) / size));
+    }
+  }
+  PoseModel(geometry, start.parameters)
+    .SolveTranslation(centre.data(), toMean.data(), start.parameters[PoseTx], start.parameters[PoseTz]);
+  return start;
+}
+} // namespace
+
+std::vector<const LandmarkPoseMetricv4 *>
+LandmarkPoseStart::FindTerms(const LeastSquaresMetricv4 & metric)
+{
+  std::vector<const LandmarkPoseMetricv4 *> found;
+  AppendTerms(metric, found);
+  return found;
+}
+
+std::vector<PoseStart::StartType>
+LandmarkPoseStart::Search(const LeastSquaresMetricv4 & metric, const RequestType & request) const
+{
+  std::vector<CorrespondenceType> correspondences;
+  PoseGeometry                    geometry;
+  for (const LandmarkPoseMetricv4 * term : FindTerms(metric))
+  {
+    geometry = term->GetTransform()->GetPoseGeometry();
+    const auto own = term->GetCorrespondences();
+    correspondences.insert(correspondences.end(), own.begin(), own.end());
+  }
+  std::vector<StartType> starts;
+  if (correspondences.empty())
+  {
+    return starts;
+  }
+  starts.push_back(Solve(geometry, correspondences, correspondences.size(), request));
+  if (correspondences.size() >= 4)
+  {
+    for (std::size_t i = 0; i < correspondences.size(); ++i)
+    {
+      starts.push_back(Solve(geometry, correspondences, i, request));
+    }
+  }
+  return starts;
+}
+} // namespace itk
