@@ -15,155 +15,14 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "itkCaseRegistrationTestCase.h"
-
-#include "itkPoseRegistrationMethodBase.h"
+#include "itkCaseLandmarksTestCase.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <map>
-#include <set>
-#include <string>
 
 // Landmarks of a cephalometric analysis as evidence, on phantoms that a reader has marked.
 namespace
 {
 using JawEnum = itk::ToothCode::JawEnum;
-using Mark = itk::DentalPhantomStandardTracing::Landmark;
-
-/** A case with landmarks and no tracing. */
-struct LandmarkCase : PhantomCase
-{
-  explicit LandmarkCase(std::uint64_t seed, const std::string & level = "standard", double errors = 1.0)
-    : PhantomCase(MakeSource(seed, level))
-  {
-    data->description.tracedSide = itk::TracedSideEnum::Standard;
-    data->cephalometricLandmarks = itk::CephalometricLandmarkSet::New();
-    for (const Mark & mark : source->GetStandardTracing()->GetLandmarks())
-    {
-      itk::CephalometricLandmarkSet::PointType point;
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        point[d] = mark.exact[d] + errors * (mark.drawn[d] - mark.exact[d]);
-      }
-      data->cephalometricLandmarks->AddLandmark(mark.name, point);
-    }
-    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
-    {
-      data->GetJaw(jaw).contour = nullptr;
-    }
-  }
-
-  static itk::DentalPhantomCaseSource::Pointer
-  MakeSource(std::uint64_t seed, const std::string & level)
-  {
-    auto source = itk::DentalPhantomCaseSource::New();
-    source->SetSeed(seed);
-    source->SetLevel(itk::DentalPhantomLevel::Named(level));
-    source->SetNumberOfTriangles(12000);
-    source->SetMakeRadiograph(false);
-    source->Update();
-    return source;
-  }
-
-  /** Moves a mark. */
-  void
-  Move(const std::string & name, double u, double v)
-  {
-    auto moved = itk::CephalometricLandmarkSet::New();
-    for (const auto & landmark : data->cephalometricLandmarks->GetLandmarks())
-    {
-      auto point = landmark.point;
-      if (landmark.name == name)
-      {
-        point[0] += u;
-        point[1] += v;
-      }
-      moved->AddLandmark(landmark.name, point, landmark.sigma, landmark.confidence);
-    }
-    data->cephalometricLandmarks = moved;
-  }
-
-  /** Keeps marks whose names begin so. */
-  void
-  Keep(const std::set<std::string> & names)
-  {
-    auto kept = itk::CephalometricLandmarkSet::New();
-    for (const auto & landmark : data->cephalometricLandmarks->GetLandmarks())
-    {
-      if (names.count(landmark.name) != 0)
-      {
-        kept->AddLandmark(landmark.name, landmark.point, landmark.sigma, landmark.confidence);
-      }
-    }
-    data->cephalometricLandmarks = kept;
-  }
-
-  itk::CaseResult
-  Run() const
-  {
-    auto registration = itk::CaseRegistration::New();
-    registration->SetData(data);
-    registration->Update();
-    return registration->GetResult();
-  }
-};
-
-/** Errors of the middles of both sides, of all landmarks of a jaw, pixels: what such drawings determine. By the
- * projection, which a case without landmarks of the scan has as well. */
-std::map<std::string, double>
-MiddleErrors(const LandmarkCase & phantom, const itk::CaseResult & result, JawEnum jaw)
-{
-  const auto & p = result.jaws.at(jaw).projection;
-  const auto * scan = phantom.source->GetLandmarks3D(jaw == JawEnum::Upper ? 0 : 1);
-  const auto   errorOf = [&](const std::string & name, double error[2]) {
-    const auto * own = scan->Find(name);
-    const auto * marked = phantom.marked->Find(name);
-    if (own == nullptr || marked == nullptr)
-    {
-      return false;
-    }
-    double h[3];
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      h[row] = p[4 * row + 3];
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        h[row] += p[4 * row + d] * own->point[d];
-      }
-    }
-    error[0] = h[0] / h[2] - marked->point[0];
-    error[1] = h[1] / h[2] - marked->point[1];
-    return true;
-  };
-  std::map<std::string, double> errors;
-  for (const auto & landmark : scan->GetLandmarks())
-  {
-    const std::string other = landmark.name[0] + ("L" + landmark.name.substr(2));
-    double            right[2], left[2];
-    if (landmark.tooth.IsRight() && errorOf(landmark.name, right) && errorOf(other, left))
-    {
-      errors[landmark.name[0] + landmark.name.substr(2)] =
-        std::hypot(0.5 * (right[0] + left[0]), 0.5 * (right[1] + left[1]));
-    }
-  }
-  return errors;
-}
-
-double
-MiddleError(const LandmarkCase & phantom, const itk::CaseResult & result, JawEnum jaw)
-{
-  double     sum = 0.0;
-  const auto errors = MiddleErrors(phantom, result, jaw);
-  for (const auto & error : errors)
-  {
-    sum += error.second;
-  }
-  return errors.empty() ? std::numeric_limits<double>::infinity() : sum / static_cast<double>(errors.size());
-}
 } // namespace
 
 TEST(CaseLandmarks, ExactOnesPlaceBothJawsExactly)
@@ -184,52 +43,53 @@ TEST(CaseLandmarks, ExactOnesPlaceBothJawsExactly)
 
 TEST(CaseLandmarks, AReadersPlaceThemWithinTwoPixelsOnAverage)
 {
+  // Documentation/Landmarks.md: 2.1 px on average and 4.3 at worst of 160 jaws.
   double       sum = 0.0;
   unsigned int jaws = 0;
   unsigned int covered = 0;
   unsigned int middles = 0;
-  double       worst = 0.0;
-  const char * count = std::getenv("DENTALSCR_LANDMARK_CASES");
-  const char * level = std::getenv("DENTALSCR_LANDMARK_LEVEL");
-  for (std::uint64_t seed = 9001; seed < 9001 + (count != nullptr ? std::strtoul(count, nullptr, 10) : 12); ++seed)
+  for (std::uint64_t seed = 9001; seed < 9009; ++seed)
   {
-    LandmarkCase phantom(seed, level != nullptr ? level : "standard");
-    if (std::getenv("DENTALSCR_NO_3D") != nullptr)
-    {
-      phantom.data->landmarks3D = nullptr;
-    }
-    const auto result = phantom.Run();
+    const LandmarkCase phantom(seed);
+    const auto         result = phantom.Run();
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
+      EXPECT_EQ(result.jaws.at(jaw).status, itk::CaseStatusEnum::Ok);
       const double error = MiddleError(phantom, result, jaw);
+      EXPECT_LT(error, 5.0);
       sum += error;
-      worst = std::max(worst, error);
       ++jaws;
       const auto errors = MiddleErrors(phantom, result, jaw);
       for (const auto & middle : result.jaws.at(jaw).middles)
       {
-        const auto found = errors.find(middle.name);
-        if (found != errors.end())
-        {
-          covered += found->second < 2.448 * middle.sigma ? 1 : 0;
-          ++middles;
-        }
+        covered += errors.at(middle.name) < 2.448 * middle.sigma ? 1 : 0;
+        ++middles;
       }
-      std::cout << seed << (jaw == JawEnum::Upper ? " upper " : " lower ") << error << ' '
-                << itk::ToString(result.jaws.at(jaw).status) << ' '
-                << (result.jaws.at(jaw).middles.empty() ? 0.0 : result.jaws.at(jaw).middles.front().sigma);
-      for (const auto & reason : result.jaws.at(jaw).reasons)
-      {
-        std::cout << " | " << reason;
-      }
-      std::cout << std::endl;
     }
   }
-  std::cout << "mean " << sum / jaws << " worst " << worst << " covered " << covered << " of " << middles << std::endl;
-  EXPECT_LT(sum / jaws, 2.2);
-  EXPECT_LT(worst, 6.0);
+  EXPECT_LT(sum / jaws, 2.3);
   // 95 % circles, of errors that hang together within a case.
   EXPECT_GT(covered, 0.85 * middles);
+  EXPECT_EQ(middles, 8u * 2u * 8u);
+}
+
+TEST(CaseLandmarks, AScanWithoutLandmarksIsMatchedByItsShape)
+{
+  double sum = 0.0;
+  for (std::uint64_t seed = 9001; seed < 9005; ++seed)
+  {
+    LandmarkCase phantom(seed);
+    phantom.data->landmarks3D = nullptr;
+    const auto result = phantom.Run();
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      ASSERT_TRUE(result.jaws.at(jaw).registered);
+      EXPECT_EQ(result.jaws.at(jaw).usedLandmarks.front().source, "its place along the arch");
+      EXPECT_LT(MiddleError(phantom, result, jaw), 7.0);
+      sum += MiddleError(phantom, result, jaw) / 8.0;
+    }
+  }
+  EXPECT_LT(sum, 3.5);
 }
 
 TEST(CaseLandmarks, AGrossErrorIsNamedAndLeftOut)

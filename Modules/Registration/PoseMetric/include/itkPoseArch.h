@@ -53,6 +53,10 @@ public:
   double
   Arc(double x, double y) const;
 
+  /** Distance of a point from the curve, mm; positive outside, on the lips' and cheeks' side. */
+  double
+  Offset(double x, double y) const;
+
   /** Width of the curve along y, mm. */
   double
   Width() const;
@@ -72,6 +76,10 @@ public:
   ExpectedPosition(double arc, ToothCode::JawEnum jaw);
 
 private:
+  /** Arc and offset of a point by the nearest segment. */
+  std::array<double, 2>
+  Locate(double x, double y) const;
+
   std::vector<std::array<double, 2>> m_Curve;
   std::vector<double>                m_Arc;
 };

@@ -154,8 +154,21 @@ PoseArch::PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw)
 double
 PoseArch::Arc(double x, double y) const
 {
+  return this->Locate(x, y)[0];
+}
+
+double
+PoseArch::Offset(double x, double y) const
+{
+  return this->Locate(x, y)[1];
+}
+
+std::array<double, 2>
+PoseArch::Locate(double x, double y) const
+{
   double best = 1e300;
   double arc = 0.0;
+  double offset = 0.0;
   for (std::size_t i = 1; i < m_Curve.size(); ++i)
   {
     const double ax = m_Curve[i - 1][0], ay = m_Curve[i - 1][1];
@@ -169,9 +182,11 @@ PoseArch::Arc(double x, double y) const
     {
       best = d;
       arc = m_Arc[i - 1] + t * (m_Arc[i] - m_Arc[i - 1]);
+      // The curve goes from the right over the front to the left: outside is to its right.
+      offset = std::copysign(d, by * (x - ax) - bx * (y - ay));
     }
   }
-  return arc;
+  return { { arc, offset } };
 }
 
 double

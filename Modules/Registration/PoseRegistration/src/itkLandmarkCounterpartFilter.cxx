@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 namespace itk
@@ -61,6 +62,11 @@ constexpr double EdgeSigmaAcross = 0.5;
  * crowding move it as well. */
 constexpr double ArchSigmaAlong = 2.2;
 constexpr double ArchSigmaAcross = 0.7;
+/** The arch's curve is through the middle of the crowns and smooth, and so shorter than the row of the teeth's widths
+ * (phantoms: 0.94 to 0.96 at the first molars). */
+constexpr double ArchCurveShare = 0.95;
+/** Edges and cusps are not lower than this below the highest point near them, mm; gingiva and palate are. */
+constexpr double CuspRange = 2.5;
 /** A contact derived from the cusps, and the middle of an occlusal surface. */
 constexpr double DerivedSigmaAlong = 0.6;
 constexpr double DerivedSigmaAcross = 0.8;
@@ -294,8 +300,8 @@ private:
     const double middle = 0.5 * (*range.first + *range.second);
     const double width = *range.second - *range.first;
     const double share = ShareBehindMiddle(feature);
-    return this->FindHighest(
-      points, arcs, middle + share * width, 0.25 * width, LabelSigmaAlong, LabelSigmaAcross, "tooth labels");
+    return this->FindPeak(
+      points, arcs, middle + share * width, feature, LabelSigmaAlong, LabelSigmaAcross, "tooth labels");
   }
 
   std::optional<PlaceType>
@@ -306,8 +312,8 @@ private:
     {
       return {};
     }
-    const double             width = PoseArch::ExpectedWidth(tooth.GetFDI());
-    const double             target = PoseArch::ExpectedArc(tooth.GetFDI()) + ShareBehindMiddle(feature) * width;
+    const double width = PoseArch::ExpectedWidth(tooth.GetFDI());
+    const double target = ArchCurveShare * (PoseArch::ExpectedArc(tooth.GetFDI()) + ShareBehindMiddle(feature) * width);
     std::vector<std::size_t> points;
     std::vector<double>      arcs;
     for (std::size_t i = 0; i < m_Surface->points.size(); ++i)
@@ -319,39 +325,80 @@ private:
         continue;
       }
       const double arc = std::abs(m_Arch.Arc(p[0], p[1]));
-      if (std::abs(arc - target) < 0.25 * width)
+      if (std::abs(arc - target) < (feature == FeatureEnum::Tip ? 0.25 : 0.5) * width)
       {
         points.push_back(i);
         arcs.push_back(arc);
       }
     }
     const bool incisor = tooth.GetPosition() == 1;
-    return this->FindHighest(points,
-                             arcs,
-                             target,
-                             0.25 * width,
-                             incisor ? EdgeSigmaAlong : ArchSigmaAlong * target / 36.0,
-                             incisor ? EdgeSigmaAcross : ArchSigmaAcross,
-                             "its place along the arch");
+    return this->FindPeak(points,
+                          arcs,
+                          target,
+                          feature,
+                          incisor ? EdgeSigmaAlong : ArchSigmaAlong * target / 36.0,
+                          incisor ? EdgeSigmaAcross : ArchSigmaAcross,
+                          "its place along the arch");
   }
 
-  /** The highest of points near a place along the arch. */
+  /** The cusp or edge near a place along the arch: of the points that are the highest around themselves the nearest;
+   * a buccal cusp is outside the arch's curve, a lingual one inside. */
   std::optional<PlaceType>
-  FindHighest(const std::vector<std::size_t> & points,
-              const std::vector<double> &      arcs,
-              double                           target,
-              double                           reach,
-              double                           sigmaAlong,
-              double                           sigmaAcross,
-              const char *                     source) const
+  FindPeak(const std::vector<std::size_t> & points,
+           const std::vector<double> &      arcs,
+           double                           target,
+           FeatureEnum                      feature,
+           double                           sigmaAlong,
+           double                           sigmaAcross,
+           const char *                     source) const
   {
-    const std::size_t none = m_Surface->points.size();
-    std::size_t       best = none;
-    for (std::size_t k = 0; k < points.size(); ++k)
+    // Half the distance of two cusps.
+    constexpr double         neighbourhood = 1.7;
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{ 0 });
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      const double first = this->Height(points[a]);
+      const double second = this->Height(points[b]);
+      return first > second || (first == second && points[a] < points[b]);
+    });
+    const bool buccal = feature == FeatureEnum::MesiobuccalCusp || feature == FeatureEnum::DistobuccalCusp ||
+                        feature == FeatureEnum::Cusp;
+    const bool  lingual = feature == FeatureEnum::MesiolingualCusp || feature == FeatureEnum::DistolingualCusp;
+    const auto  none = m_Surface->points.size();
+    std::size_t best = none;
+    double      bestDistance = 0.0;
+    for (std::size_t k = 0; k < order.size(); ++k)
     {
-      if (std::abs(arcs[k] - target) <= reach && (best == none || this->Height(points[k]) > this->Height(best)))
+      const auto & p = m_Surface->points[points[order[k]]];
+      if (this->Height(points[order[k]]) < this->Height(points[order.front()]) - CuspRange)
       {
-        best = points[k];
+        break;
+      }
+      const bool isPeak =
+        std::none_of(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k), [&](std::size_t other) {
+          const auto & q = m_Surface->points[points[other]];
+          return std::hypot(q[0] - p[0], q[1] - p[1]) < neighbourhood;
+        });
+      if (!isPeak)
+      {
+        continue;
+      }
+      // Of an incisor's edge the highest is meant, whatever its place.
+      if (feature == FeatureEnum::Tip)
+      {
+        best = points[order[k]];
+        break;
+      }
+      const double offset = m_Arch.Offset(p[0], p[1]);
+      if ((buccal && offset < 0.0) || (lingual && offset > 0.0))
+      {
+        continue;
+      }
+      const double distance = std::abs(arcs[order[k]] - target);
+      if (best == none || distance < bestDistance)
+      {
+        best = points[order[k]];
+        bestDistance = distance;
       }
     }
     if (best == none)

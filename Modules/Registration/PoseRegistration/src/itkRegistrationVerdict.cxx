@@ -220,8 +220,8 @@ JudgeMiddle(const PoseJawResult &                   jaw,
         "undetermined",
         "what was drawn does not determine the pose; mark incisors and molars: " + figures);
   }
-  else if (jaw.middleSigma > thresholds.suspectPredictedSigma ||
-           jaw.largestMiddleSigma > thresholds.suspectExtrapolatedSigma)
+  else if (jaw.middleSigma > thresholds.suspectMiddleSigma ||
+           jaw.largestMiddleSigma > thresholds.suspectLargestMiddleSigma)
   {
     Add(verdict,
         StatusEnum::Suspect,
