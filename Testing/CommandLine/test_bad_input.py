@@ -87,6 +87,56 @@ def test_missing_field(run, case, tmp_path, field):
     reject(run, case, tmp_path, "case.json", field)
 
 
+def use_landmarks(case, landmarks):
+    """Landmarks in a file of their own, and no tracing."""
+    case.save(landmarks, "cephalometric.json")
+    content = case.load()
+    content.pop("contours")
+    content["cephalometric_landmarks"] = "cephalometric.json"
+    case.save(content)
+
+
+def test_landmarks_of_another_copy_of_the_image(run, case, tmp_path):
+    use_landmarks(case, {"U1_tip": [1139, 1287], "L1_tip": [1114, 1244]})
+    reject(run, case, tmp_path, "cephalometric.json", "U1_tip", "outside", "mm", "copy")
+
+
+def test_landmarks_that_are_not_dental(run, case, tmp_path):
+    use_landmarks(case, {"Sella": [100, 200], "Nasion": [200, 200]})
+    reject(run, case, tmp_path, "cephalometric.json", "Sella", "U1_tip")
+
+
+def test_two_names_of_one_landmark(run, case, tmp_path):
+    use_landmarks(case, {"Is": [569, 643], "U1_tip": [569, 643]})
+    reject(run, case, tmp_path, "cephalometric.json", "U1_tip", "Is", "keep one")
+
+
+def test_landmarks_in_the_case_file_itself(run, case, tmp_path):
+    case.change(cephalometric_landmarks={"U1_tip": [569]})
+    reject(run, case, tmp_path, "case.json", "cephalometric_landmarks.U1_tip")
+
+
+@pytest.mark.parametrize("preset", ["paper", "bounding-box", "single-stage"])
+def test_presets_that_register_tracings_refuse_landmarks_alone(run, case, tmp_path, preset):
+    use_landmarks(case, {"U1_tip": [569, 643], "L1_tip": [557, 622]})
+    reject(run, case, tmp_path, "case.json", "contours", f"preset {preset}", arguments=("--preset", preset))
+
+
+def test_landmarks_of_an_option_are_read_in_place_of_the_cases(run, case, tmp_path):
+    case.save({"U1_tip": [569, 643]}, "good.json")
+    case.save({"U1_tip": [5690, 6430]}, "bad.json")
+    case.change(cephalometric_landmarks="good.json")
+    option = ("--cephalometric-landmarks", case.folder / "bad.json")
+    reject(run, case, tmp_path, "bad.json", "U1_tip", arguments=option)
+
+
+def test_image_size_of_the_case_that_contradicts_the_image(run, case, tmp_path):
+    content = case.load()
+    content["cephalogram"]["image_size"] = [800, 900]
+    case.save(content)
+    reject(run, case, tmp_path, "case.json", "cephalogram.image_size", "800 x 900")
+
+
 def test_no_scan_at_all(run, case, tmp_path):
     content = case.load()
     content.pop("upper")

@@ -156,6 +156,7 @@ from ._filters import (
 from ._inputs import as_contour, as_image, as_landmarks, as_mesh, as_transform
 from ._io import (
     CephalogramFileReader,
+    CephalometricLandmarkFileReader,
     Contours,
     DentalContourFileReader,
     DentalContourFileWriter,
@@ -164,6 +165,7 @@ from ._io import (
     DentalLandmarkFileWriter2D,
     DentalLandmarkFileWriter3D,
     ReadCephalogram,
+    ReadCephalometricLandmarks,
     ReadContours,
     ReadLandmarks,
     ReadMesh,
@@ -243,6 +245,7 @@ __all__ = [
     "CaseResultFolderWriter",
     "CephalogramFileReader",
     "CephalometricGeometry",
+    "CephalometricLandmarkFileReader",
     "CephalometricPoseTransform",
     "CoherentPointDriftContourRegistration",
     "CoherentPointDriftContourRegistrationMethod",
@@ -364,6 +367,7 @@ __all__ = [
     "ProjectionSimilarityFilter",
     "ReadCase",
     "ReadCephalogram",
+    "ReadCephalometricLandmarks",
     "ReadContours",
     "ReadLandmarks",
     "ReadMesh",

@@ -21,6 +21,7 @@ from ._inputs import (
     LandmarksLike,
     MeshLike,
     PathLike,
+    as_cephalometric_landmarks,
     as_contour,
     as_geometry,
     as_image,
@@ -51,9 +52,13 @@ class Case:
         Of the radiograph, where there is no ``image``.
     principalPointKnown : bool, optional
         Whether the geometry's principal point is one. Default: whether it is not (0, 0).
-    tracedSide : "right", "left", "mean" or "both"
+    tracedSide : "right", "left", "mean", "both" or "standard", optional
+        Default: "right", but "standard" where the landmarks or whole teeth are drawn as an analysis does.
     occlusion : "check", "true" or "false"
         Whether the scans share a frame in occlusion.
+    cephalometricLandmarks : dict or path, optional
+        Marked in the radiograph, to register with, alone or beside a tracing: ``{"U1_tip": (u, v)}``, or
+        ``{"U1_tip": {"position": (u, v), "sigma_px": 2.0}}``, or a file (:func:`ReadCephalometricLandmarks`).
     landmarks3D : landmarks-like, optional
         On the scans, in their frame: they are predicted in the radiograph.
     landmarks2D : landmarks-like, optional
@@ -75,12 +80,13 @@ class Case:
         image: Optional[ImageLike] = None,
         imageSize: Optional[Tuple[int, int]] = None,
         principalPointKnown: Optional[bool] = None,
-        tracedSide: str = "right",
+        tracedSide: Optional[str] = None,
         occlusion: str = "check",
         landmarks3D: Optional[LandmarksLike] = None,
         landmarks2D: Optional[LandmarksLike] = None,
         exclude: Sequence[str] = (),
         fix: Sequence[str] = (),
+        cephalometricLandmarks: Optional[Any] = None,
     ) -> None:
         if contours is not None:
             if upperContour is not None or lowerContour is not None:
@@ -106,6 +112,7 @@ class Case:
             principalPointKnown,
             tracedSide,
             occlusion,
+            None if cephalometricLandmarks is None else as_cephalometric_landmarks(cephalometricLandmarks),
             None if landmarks3D is None else as_landmarks(landmarks3D, 3),
             None if landmarks2D is None else as_landmarks(landmarks2D, 2),
             list(exclude),
@@ -159,6 +166,16 @@ class Case:
         return cast("Dict[str, Array]", self._native._GetLandmarks3D())
 
     @property
+    def cephalometricLandmarks(self) -> Dict[str, Dict[str, Any]]:
+        """Those to register with, each with its position and, where known, sigma_px and confidence; a copy."""
+        return cast("Dict[str, Dict[str, Any]]", self._native._GetCephalometricLandmarks())
+
+    @property
+    def tracedSide(self) -> str:
+        """What the tracing shows: as given, or as the drawing says."""
+        return str(self._native._GetTracedSide())
+
+    @property
     def warnings(self) -> list[str]:
         """What reading found odd."""
         return list(self._native._GetWarnings())
@@ -171,6 +188,7 @@ class Case:
                 ("lower", self.lower),
                 ("upper tracing", self.upperContour),
                 ("lower tracing", self.lowerContour),
+                ("cephalometric landmarks", self.cephalometricLandmarks or None),
                 ("radiograph", self.image),
             )
             if value is not None

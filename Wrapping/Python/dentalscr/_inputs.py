@@ -263,6 +263,25 @@ def as_landmarks(value: LandmarksLike, dimension: int) -> dict[str, Array]:
     raise TypeError(f"{describe(value)} holds no landmarks; give a dictionary from name to point, or a file name")
 
 
+def as_cephalometric_landmarks(value: Any) -> Union[str, dict[str, dict[str, Any]]]:
+    """Landmarks to register with: a file's name, or each as a dictionary with its position."""
+    if is_path(value):
+        return as_path(value)
+    if not isinstance(value, Mapping):
+        raise TypeError(f"{describe(value)} holds no landmarks; give a dictionary from name to point, or a file name")
+    landmarks = {}
+    for name, entry in value.items():
+        entry = entry if isinstance(entry, Mapping) else {"position": entry}
+        unknown = set(entry) - {"position", "sigma_px", "confidence"}
+        if unknown or "position" not in entry:
+            raise ArgumentError(
+                f"landmark {name} is no (u, v) and no dictionary of position, sigma_px and confidence"
+                + (f": it has {sorted(map(str, unknown))[0]}" if unknown else "")
+            )
+        landmarks[str(name)] = {**entry, "position": np.asarray(entry["position"], dtype=np.float64)}
+    return landmarks
+
+
 def as_transform(value: TransformLike) -> _core.Transform:
     """A transform from one of ours, SimpleITK's, itk's (copied by their parameters), or a file."""
     if isinstance(value, _core.Transform):

@@ -181,6 +181,35 @@ def _read_landmarks(fileName: PathLike, dimension: int, settings: dict[str, Any]
     return reader.Execute(fileName)
 
 
+class CephalometricLandmarkFileReader(ProcessObject, _core.CephalometricLandmarkFileReader):
+    """Reads the dental landmarks of a cephalometric analysis, to register with."""
+
+    def Execute(self, fileName: Optional[PathLike] = None) -> dict[str, dict[str, Any]]:
+        """Reads the file: ``{"U1_tip": {"position": array([u, v])}}``, with sigma_px and confidence where known."""
+        if fileName is not None:
+            self.SetFileName(as_path(fileName))
+        self._Update()
+        return cast("dict[str, dict[str, Any]]", self._GetOutput())
+
+
+def ReadCephalometricLandmarks(fileName: PathLike, **settings: Any) -> dict[str, dict[str, Any]]:
+    """Reads the dental landmarks of a cephalometric analysis (Documentation/FileFormats.md): what ``Case`` takes.
+
+    Parameters
+    ----------
+    fileName : path
+        Own JSON, Aariz, CEPHA29, landmark detectors, CL-Detection, ISBI 2015, labelme, Slicer, CSV.
+
+    Returns
+    -------
+    dict
+        ``{"U1_tip": {"position": array([u, v])}}``, pixels; ``sigma_px`` and ``confidence`` where the file has them.
+    """
+    reader = CephalometricLandmarkFileReader()
+    apply_settings(reader, settings)
+    return reader.Execute(fileName)
+
+
 class DentalLandmarkFileWriter2D(ProcessObject, _core.DentalLandmarkFileWriter2D):
     """Writes landmarks2d.json."""
 

@@ -21,6 +21,7 @@
 #include "itkCaseRegistration.h"
 #include "itkCaseResultFolderWriter.h"
 #include "itkCaseResultWriter.h"
+#include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalCaseReader.h"
@@ -82,27 +83,55 @@ ReadCase(const std::string &              fileName,
   return result;
 }
 
+/** Takes a file's name, or what ToDict() makes of a set; checks that they are in the image. */
+void
+TakeCephalometricLandmarks(DentalCaseData & data, const py::object & landmarks)
+{
+  if (landmarks.is_none())
+  {
+    return;
+  }
+  std::string name = "case in memory";
+  if (py::isinstance<py::str>(landmarks))
+  {
+    name = landmarks.cast<std::string>();
+    auto reader = itk::CephalometricLandmarkFileReader::New();
+    reader->SetFileName(name);
+    reader->Update();
+    data.warnings.insert(data.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
+    data.cephalometricLandmarks = reader->GetOutput();
+    data.cephalometricLandmarks->DisconnectPipeline();
+  }
+  else
+  {
+    data.cephalometricLandmarks = FromCephalometricDict(landmarks.cast<py::dict>());
+  }
+  itk::CheckLandmarksInImage(*data.cephalometricLandmarks, data.imageSize, name, "");
+}
+
 std::shared_ptr<Case>
-MakeCase(MeshType *                       upper,
-         MeshType *                       lower,
-         itk::DentalContour *             upperContour,
-         itk::DentalContour *             lowerContour,
-         itk::CephalometricGeometry *     geometry,
-         ImageType *                      image,
-         const itk::Size<2> &             imageSize,
-         bool                             principalPointKnown,
-         const std::string &              tracedSide,
-         const std::string &              occlusion,
-         const py::object &               landmarks3D,
-         const py::object &               landmarks2D,
-         const std::vector<std::string> & exclude,
-         const std::vector<std::string> & fix)
+MakeCase(MeshType *                         upper,
+         MeshType *                         lower,
+         itk::DentalContour *               upperContour,
+         itk::DentalContour *               lowerContour,
+         itk::CephalometricGeometry *       geometry,
+         ImageType *                        image,
+         const itk::Size<2> &               imageSize,
+         bool                               principalPointKnown,
+         const std::optional<std::string> & tracedSide,
+         const std::string &                occlusion,
+         const py::object &                 cephalometricLandmarks,
+         const py::object &                 landmarks3D,
+         const py::object &                 landmarks2D,
+         const std::vector<std::string> &   exclude,
+         const std::vector<std::string> &   fix)
 {
   auto result = std::make_shared<Case>();
   result->data = std::make_shared<DentalCaseData>();
   DentalCaseData & data = *result->data;
   data.description.fileName = "case in memory";
-  data.description.tracedSide = itk::CaseTracedSideFromString(tracedSide);
+  data.description.tracedSideIsGiven = tracedSide.has_value();
+  data.description.tracedSide = itk::TracedSideFromString(tracedSide.value_or("right"));
   data.description.occlusion = itk::OcclusionFromString(occlusion);
   data.description.excludedTeeth = ParseCodes(exclude, itk::ToothCode::NumberingEnum::Quadrant);
   for (const std::string & what : fix)
@@ -159,6 +188,8 @@ MakeCase(MeshType *                       upper,
   };
   takeJaw(JawEnum::Upper, upper, upperContour);
   takeJaw(JawEnum::Lower, lower, lowerContour);
+  TakeCephalometricLandmarks(data, cephalometricLandmarks);
+  itk::SettleTracedSide(data);
   if (!landmarks3D.is_none())
   {
     data.landmarks3D = FromDict<3>(landmarks3D.cast<py::dict>());
@@ -233,6 +264,7 @@ WrapCase(py::module_ & module)
          py::arg("principalPointKnown"),
          py::arg("tracedSide"),
          py::arg("occlusion"),
+         py::arg("cephalometricLandmarks"),
          py::arg("landmarks3D"),
          py::arg("landmarks2D"),
          py::arg("exclude"),
@@ -253,6 +285,8 @@ WrapCase(py::module_ & module)
          [](const Case & self) { return std::make_pair(self.data->imageSize[0], self.data->imageSize[1]); })
     .def("_GetGeometry", [](const Case & self) { return self.data->geometry; })
     .def("_GetLandmarks3D", [](const Case & self) { return ToDict<3>(self.data->landmarks3D); })
+    .def("_GetCephalometricLandmarks",
+         [](const Case & self) { return ToDict(self.data->cephalometricLandmarks.GetPointer()); })
     .def("_GetFileName", [](const Case & self) { return self.data->description.fileName; })
     .def("_GetWarnings", [](const Case & self) { return self.data->warnings; })
     .def("_HasPrincipalPoint", [](const Case & self) { return self.data->HasPrincipalPoint(); })

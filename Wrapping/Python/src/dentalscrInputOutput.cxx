@@ -18,6 +18,7 @@
 #include "dentalscrLandmarks.h"
 
 #include "itkCephalogramFileReader.h"
+#include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalContourFileReader.h"
 #include "itkDentalContourFileWriter.h"
 #include "itkDentalLandmarkFileReader.h"
@@ -43,13 +44,12 @@ Detach(TOutput * output)
   return result;
 }
 
-template <unsigned int VDimension>
+/** What readers of landmarks share. */
+template <typename ReaderType>
 void
-WrapLandmarkFiles(py::module_ & module, const char * readerName, const char * writerName)
+WrapLandmarkReader(py::module_ & module, const char * name, const char * description)
 {
-  using ReaderType = itk::DentalLandmarkFileReader<VDimension>;
-  using WriterType = itk::DentalLandmarkFileWriter<VDimension>;
-  ProcessClass<ReaderType>(module, readerName, "Reads named landmarks; see ReadLandmarks().")
+  ProcessClass<ReaderType>(module, name, description)
     .def(New<ReaderType>())
     .def(
       "SetFileName",
@@ -69,6 +69,15 @@ WrapLandmarkFiles(py::module_ & module, const char * readerName, const char * wr
     .def("GetReadFileFormat", &ReaderType::GetReadFileFormat)
     .def("GetWarnings", &ReaderType::GetWarnings)
     .def("_GetOutput", [](ReaderType & self) { return ToDict(self.GetOutput()); });
+}
+
+template <unsigned int VDimension>
+void
+WrapLandmarkFiles(py::module_ & module, const char * readerName, const char * writerName)
+{
+  using WriterType = itk::DentalLandmarkFileWriter<VDimension>;
+  WrapLandmarkReader<itk::DentalLandmarkFileReader<VDimension>>(
+    module, readerName, "Reads named landmarks; see ReadLandmarks().");
   ProcessClass<WriterType>(module, writerName, "Writes named landmarks; see WriteLandmarks().")
     .def(New<WriterType>())
     .def(
@@ -93,7 +102,11 @@ WrapInputOutput(py::module_ & module)
                          { "DentalSCR", FormatEnum::DentalSCR },
                          { "SlicerMarkups", FormatEnum::SlicerMarkups },
                          { "Labelme", FormatEnum::Labelme },
-                         { "CSV", FormatEnum::CSV } },
+                         { "CSV", FormatEnum::CSV },
+                         { "Aariz", FormatEnum::Aariz },
+                         { "LandmarkDetector", FormatEnum::LandmarkDetector },
+                         { "CLDetection", FormatEnum::CLDetection },
+                         { "ISBI2015", FormatEnum::ISBI2015 } },
                        "What an annotation file is written in.");
   using OriginEnum = itk::AnnotationPixelOriginEnum;
   BindEnum<OriginEnum>(module,
@@ -175,6 +188,11 @@ WrapInputOutput(py::module_ & module)
 
   WrapLandmarkFiles<2>(module, "DentalLandmarkFileReader2D", "DentalLandmarkFileWriter2D");
   WrapLandmarkFiles<3>(module, "DentalLandmarkFileReader3D", "DentalLandmarkFileWriter3D");
+
+  WrapLandmarkReader<itk::CephalometricLandmarkFileReader>(
+    module,
+    "CephalometricLandmarkFileReader",
+    "Reads the dental landmarks of a cephalometric analysis; see ReadCephalometricLandmarks().");
 
   ProcessClass<CephalogramReaderType>(
     module, "CephalogramFileReader", "Reads a radiograph and says what its pixel spacing is worth.")

@@ -20,6 +20,7 @@
 
 #include "dentalscrBinding.h"
 
+#include "itkCephalometricLandmarkSet.h"
 #include "itkDentalLandmarkSet.h"
 
 namespace dentalscr
@@ -58,6 +59,57 @@ FromDict(const py::dict & landmarks)
       throw std::invalid_argument("landmark " + name + " is not " + std::to_string(VDimension) + " numbers");
     }
     result->AddLandmark(name, point);
+  }
+  return result;
+}
+
+/** Each a dictionary as a file of ours has it: position, and sigma_px and confidence where they are known. */
+inline py::dict
+ToDict(const itk::CephalometricLandmarkSet * landmarks)
+{
+  py::dict result;
+  if (landmarks != nullptr)
+  {
+    for (const auto & landmark : landmarks->GetLandmarks())
+    {
+      py::dict entry;
+      entry["position"] = MakeArray(std::vector<double>(landmark.point.Begin(), landmark.point.End()));
+      if (landmark.sigma > 0.0)
+      {
+        entry["sigma_px"] = landmark.sigma;
+      }
+      if (landmark.confidence >= 0.0)
+      {
+        entry["confidence"] = landmark.confidence;
+      }
+      result[py::str(landmark.name)] = entry;
+    }
+  }
+  return result;
+}
+
+/** Of entries such as ToDict() makes. */
+inline itk::CephalometricLandmarkSet::Pointer
+FromCephalometricDict(const py::dict & landmarks)
+{
+  auto result = itk::CephalometricLandmarkSet::New();
+  for (const auto & item : landmarks)
+  {
+    const auto name = item.first.cast<std::string>();
+    const auto entry = item.second.cast<py::dict>();
+    const auto number = [&](const char * key, double absent) {
+      return entry.contains(key) ? entry[key].cast<double>() : absent;
+    };
+    itk::CephalometricLandmarkSet::PointType point;
+    try
+    {
+      point = entry["position"].cast<itk::CephalometricLandmarkSet::PointType>();
+    }
+    catch (const py::cast_error &)
+    {
+      throw std::invalid_argument("landmark " + name + " is not 2 numbers");
+    }
+    result->AddLandmark(name, point, number("sigma_px", 0.0), number("confidence", -1.0));
   }
   return result;
 }

@@ -117,3 +117,50 @@ def test_reader_and_writer_of_a_case(ds, sample, result, tmp_path):
     assert "result.json" in names[0] and names[0] < names[1]
     with pytest.raises(ds.ArgumentError, match="pickled"):
         ds.WriteCaseResult(pickle.loads(pickle.dumps(result)), tmp_path / "none")
+
+
+def test_landmarks_to_register_with_from_memory_and_from_a_file(ds, sample, tmp_path):
+    (tmp_path / "aariz.json").write_text(
+        json.dumps({"ceph_id": "x", "landmarks": [
+            {"title": "Upper Incisor Tip", "symbol": "UIT", "value": {"x": 570, "y": 643}},
+            {"title": "Sella", "symbol": "S", "value": {"x": 1, "y": 2}},
+        ]})
+    )
+    read = ds.ReadCephalometricLandmarks(tmp_path / "aariz.json")
+    assert list(read) == ["UIT"] and np.array_equal(read["UIT"]["position"], [570.0, 643.0])
+
+    def make(landmarks, **more):
+        return ds.Case(upper=sample / "upper.stl", cephalometricLandmarks=landmarks, imageSize=(703, 938), **more)
+
+    memory = make({"U1_tip": (570, 643), "Ms": {"position": (464, 613), "sigma_px": 2.0, "confidence": 0.5}})
+    taken = memory.cephalometricLandmarks
+    assert np.array_equal(taken["U1_tip"]["position"], [570.0, 643.0]) and "sigma_px" not in taken["U1_tip"]
+    assert taken["Ms"]["sigma_px"] == 2.0 and taken["Ms"]["confidence"] == 0.5
+    # Names of an analysis are its own convention, unless something else is said.
+    assert memory.tracedSide == "standard" and "traced_side" in memory.warnings[0]
+    assert make({"U1_tip": (570, 643)}, tracedSide="right").tracedSide == "right"
+    assert make({"U1_tip": (570, 643)}, tracedSide="standard").warnings == []
+    file = make(tmp_path / "aariz.json")
+    assert list(file.cephalometricLandmarks) == ["UIT"] and "Sella" not in file.cephalometricLandmarks
+    assert make(read).cephalometricLandmarks["UIT"]["position"][0] == 570.0
+
+
+def test_landmarks_that_are_none_are_named(ds, sample):
+    def make(landmarks):
+        return ds.Case(upper=sample / "upper.stl", cephalometricLandmarks=landmarks, imageSize=(703, 938))
+
+    with pytest.raises(ds.ArgumentError, match="Sella"):
+        make({"Sella": (1, 2)})
+    with pytest.raises(ds.ArgumentError, match="same point"):
+        make({"Is": (1, 2), "U1_tip": (1, 2)})
+    with pytest.raises(ds.ArgumentError, match="sigma"):
+        make({"U1_tip": {"position": (1, 2), "sigma": 2.0}})
+    with pytest.raises(ds.InputError, match="U1_tip"):
+        make({"U1_tip": (5700, 6430)})
+    with pytest.raises(TypeError, match="landmarks"):
+        make(3)
+
+
+def test_case_without_a_word_about_its_side_is_of_the_right(ds, sample, case):
+    assert case.tracedSide == "right"
+    assert ds.Case(upper=case.upper, upperContour=case.upperContour, imageSize=(703, 938)).tracedSide == "right"

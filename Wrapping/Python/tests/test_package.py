@@ -1,4 +1,5 @@
 """The package as a whole: what it has, what it imports, its version."""
+import json
 import pathlib
 import re
 import subprocess
@@ -116,3 +117,26 @@ def test_enumerations_are_taken_by_name_in_any_case(ds):
     assert process.GetJaw() == ds.Jaw.Lower
     with pytest.raises(ds.Error, match="Upper, Lower"):
         ds.Jaw("middle")
+
+
+def test_names_of_cephalometric_landmarks_are_those_of_the_page(ds, tmp_path):
+    """Names of one line of the table are one point, of two lines two; and the code knows no alias that is not there."""
+    page = (ROOT / "Documentation/FileFormats.md").read_text()
+    table = page.split("One line is one point:")[1].split("Other teeth")[0]
+    rows = [re.findall(r"`([^`]+)`", row) for row in re.findall(r"^(\| `.*?\|.*?\|)", table, re.M)]
+    assert len(rows) == 14
+
+    def read(names):
+        (tmp_path / "names.json").write_text(json.dumps({name: [1, 2] for name in names}))
+        return ds.ReadCephalometricLandmarks(tmp_path / "names.json")
+
+    assert list(read([names[0] for names in rows])) == [names[0] for names in rows]
+    for first, *others in rows:
+        for other in others:
+            with pytest.raises(ds.InputError, match="same point"):
+                read([first, other])
+    source = (ROOT / "Modules/Core/DentalContour/src/itkCephalometricLandmarkSet.cxx").read_text()
+    aliases = re.findall(r'{ "(\w+)", JawEnum::', source)
+    assert len(aliases) > 20
+    listed = {name.lower().replace(" ", "") for names in rows for name in names}
+    assert set(aliases) <= listed

@@ -19,6 +19,7 @@
 #define itkDentalCase_h
 
 #include "itkCephalometricGeometry.h"
+#include "itkCephalometricLandmarkSet.h"
 #include "itkToothCode.h"
 #include "itkTracedSide.h"
 
@@ -81,7 +82,9 @@ struct DentalCase
   std::string lowerLabelsFile;
   CrownsEnum  crowns{ CrownsEnum::Off };
 
-  std::string                                          imageFile;
+  std::string imageFile;
+  /** Width and height, where the file states them. */
+  std::optional<std::array<unsigned int, 2>>           imageSize;
   std::optional<std::array<double, 2>>                 pixelSpacing;
   bool                                                 spacingAtMidsagittalPlane{ false };
   std::optional<CephalometricGeometry::FacingEnum>     facing;
@@ -92,8 +95,12 @@ struct DentalCase
 
   std::string contoursFile;
   /** A file of landmarks to register with; "" where none is named. */
-  std::string                             cephalometricLandmarksFile;
-  TracedSideEnum                          tracedSide{ TracedSideEnum::Right };
+  std::string cephalometricLandmarksFile;
+  /** The landmarks themselves, where the case file holds them; else null. */
+  CephalometricLandmarkSet::ConstPointer cephalometricLandmarks;
+  TracedSideEnum                         tracedSide{ TracedSideEnum::Right };
+  /** Where the side is not given, and Right, what was drawn may say that it is Standard. */
+  bool                                    tracedSideIsGiven{ false };
   std::optional<ToothCode::NumberingEnum> numbering;
   std::string                             landmarks3DFile;
   /** Only for measuring errors: nothing that registers reads it. */

@@ -24,7 +24,7 @@
 namespace itk
 {
 /** Reads a case file. Throws DentalInputError for what makes it unusable; unknown fields become warnings. The files
- * that it names are checked to exist, not read.
+ * that it names are checked to exist, not read; landmarks that stand in the case file itself are read.
  *
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT DentalCase
@@ -39,9 +39,6 @@ ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase);
  * @{ */
 CaseRegistration_EXPORT double
 MillimetresPerUnitFromString(const std::string & unit);
-/** Of what a case may say: all but "standard", which no preset registers yet. */
-CaseRegistration_EXPORT TracedSideEnum
-CaseTracedSideFromString(const std::string & text);
 CaseRegistration_EXPORT OcclusionEnum
 OcclusionFromString(const std::string & text);
 CaseRegistration_EXPORT CrownsEnum

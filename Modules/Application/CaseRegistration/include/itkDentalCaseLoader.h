@@ -25,12 +25,31 @@
 
 namespace itk
 {
-/** Reads every file that the case names but its 2-D landmarks: scans (converted to mm), tracing, radiograph, 3-D
- * landmarks; settles the nominal geometry by case file, DICOM, default, in that order. Throws DentalInputError.
+/** Reads every file that the case names but its 2-D landmarks: scans (converted to mm), tracing, landmarks to register
+ * with, radiograph, 3-D landmarks; settles the nominal geometry by case file, DICOM, default, in that order. Throws
+ * DentalInputError.
  *
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT std::shared_ptr<DentalCaseData>
                         LoadDentalCase(const DentalCase & description);
+
+/** Throws DentalInputError for a landmark that lies outside the image by more than a tenth of it: a hand or a detector
+ * misses by less, a wrong unit or another copy of the image by more. `prefix` stands before the landmark's name in the
+ * field of the error.
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+CheckLandmarksInImage(const CephalometricLandmarkSet &    landmarks,
+                      const std::array<unsigned int, 2> & imageSize,
+                      const std::string &                 fileName,
+                      const std::string &                 prefix);
+
+/** Where the case does not give its traced side: Standard, with a warning, for landmarks without a tracing and for a
+ * tracing of incisors and molars alone whose incisors are whole teeth. Else the side stays.
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+SettleTracedSide(DentalCaseData & data);
 } // namespace itk
 
 #endif

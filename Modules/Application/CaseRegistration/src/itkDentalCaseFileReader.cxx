@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDentalCaseFileReader.h"
 
+#include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
 
@@ -189,8 +190,16 @@ ReadInit(const JsonNode & init, DentalCase & dentalCase)
 void
 ReadCephalogram(const JsonNode & node, const fs::path & directory, DentalCase & dentalCase)
 {
-  node.WarnAboutUnknownFields({ "image", "pixel_spacing_mm", "spacing_plane", "facing" });
+  node.WarnAboutUnknownFields({ "image", "image_size", "pixel_spacing_mm", "spacing_plane", "facing" });
   dentalCase.imageFile = FindFile(node, "image", directory);
+  if (const auto size = node.Find("image_size"))
+  {
+    // No radiograph has a tenth of the limit.
+    constexpr int64_t limit = 1000000;
+    size->AsNumbers(2, "[width, height]");
+    dentalCase.imageSize = { { static_cast<unsigned int>(size->At(0).AsInteger(1, limit)),
+                               static_cast<unsigned int>(size->At(1).AsInteger(1, limit)) } };
+  }
   if (const auto spacing = node.Find("pixel_spacing_mm"))
   {
     const std::vector<double> numbers = spacing->AsNumbers(2, "[u, v]");
@@ -260,6 +269,38 @@ ReadGeometry(const JsonNode & node, DentalCase & dentalCase)
     dentalCase.principalPoint = { { numbers[0], numbers[1] } };
   }
 }
+
+/** A file's name, or the landmarks themselves. Adds to the warnings. */
+void
+ReadCephalometricLandmarks(const JsonNode &           root,
+                           const fs::path &           directory,
+                           DentalCase &               dentalCase,
+                           std::vector<std::string> & warnings)
+{
+  constexpr char key[] = "cephalometric_landmarks";
+  const auto     node = root.Find(key);
+  if (!node)
+  {
+    return;
+  }
+  if (!node->IsObject())
+  {
+    if (!node->IsString())
+    {
+      node->Fail("is neither a file's name nor an object", R"(name the file, or write {"U1_tip": [u, v]})");
+    }
+    dentalCase.cephalometricLandmarksFile = FindFile(root, key, directory);
+    return;
+  }
+  auto reader = CephalometricLandmarkFileReader::New();
+  reader->SetJsonNode(*node);
+  reader->SetNumbering(dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant));
+  reader->Update();
+  warnings.insert(warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
+  const CephalometricLandmarkSet::Pointer landmarks = reader->GetOutput();
+  landmarks->DisconnectPipeline();
+  dentalCase.cephalometricLandmarks = landmarks.GetPointer();
+}
 } // namespace
 
 double
@@ -282,18 +323,6 @@ MillimetresPerUnitFromString(const std::string & unit)
     return 0.001;
   }
   throw std::invalid_argument("\"" + unit + "\" is no mesh unit (\"mm\", \"cm\", \"m\" or \"um\")");
-}
-
-TracedSideEnum
-CaseTracedSideFromString(const std::string & text)
-{
-  const TracedSideEnum side = TracedSideFromString(text);
-  if (side == TracedSideEnum::Standard)
-  {
-    throw std::invalid_argument("\"standard\" tracings, of whole teeth, are not registered yet; give an outline of the "
-                                "crowns (\"right\", \"left\", \"mean\" or \"both\")");
-  }
-  return side;
 }
 
 CrownsEnum
@@ -400,6 +429,7 @@ ReadDentalCase(const std::string & fileName)
                                 "cephalogram",
                                 "geometry",
                                 "contours",
+                                "cephalometric_landmarks",
                                 "traced_side",
                                 "numbering",
                                 "landmarks_3d",
@@ -431,9 +461,12 @@ ReadDentalCase(const std::string & fileName)
   {
     dentalCase.crowns = Interpret(*crowns, CrownsFromString);
   }
-  if (!root.Find("contours"))
+  if (!root.Find("contours") && !root.Find("cephalometric_landmarks"))
   {
-    itkDentalInputErrorMacro(fileName, "contours", "missing", "name the file with the tracing");
+    itkDentalInputErrorMacro(fileName,
+                             "contours",
+                             "missing, and so are cephalometric_landmarks",
+                             "name the file with the tracing or the one with the landmarks");
   }
   dentalCase.contoursFile = FindFile(root, "contours", directory);
   dentalCase.landmarks3DFile = FindFile(root, "landmarks_3d", directory);
@@ -457,12 +490,15 @@ ReadDentalCase(const std::string & fileName)
   }
   if (const auto side = root.Find("traced_side"))
   {
-    dentalCase.tracedSide = Interpret(*side, CaseTracedSideFromString);
+    dentalCase.tracedSide = Interpret(*side, TracedSideFromString);
+    dentalCase.tracedSideIsGiven = true;
   }
   if (const auto numbering = root.Find("numbering"))
   {
     dentalCase.numbering = Interpret(*numbering, ToothCode::NumberingFromString);
   }
+  std::vector<std::string> landmarkWarnings;
+  ReadCephalometricLandmarks(root, directory, dentalCase, landmarkWarnings);
   if (const auto cephalogram = root.Find("cephalogram"))
   {
     ReadCephalogram(*cephalogram, directory, dentalCase);
@@ -511,6 +547,7 @@ ReadDentalCase(const std::string & fileName)
     }
   }
   dentalCase.warnings = document.GetWarnings();
+  dentalCase.warnings.insert(dentalCase.warnings.end(), landmarkWarnings.begin(), landmarkWarnings.end());
   return dentalCase;
 }
 } // namespace itk

@@ -18,6 +18,7 @@
 #include "itkDentalCaseLoader.h"
 
 #include "itkCephalogramFileReader.h"
+#include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalContourFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
@@ -31,7 +32,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
+#include <set>
 #include <sstream>
 
 namespace itk
@@ -213,9 +216,9 @@ LoadContours(DentalCaseData & data)
   {
     contourReader->SetNumbering(*description.numbering);
   }
-  if (data.image.IsNotNull())
+  if (data.imageSize[0] > 0)
   {
-    contourReader->SetImageSize(data.image->GetLargestPossibleRegion().GetSize());
+    contourReader->SetImageSize({ { data.imageSize[0], data.imageSize[1] } });
   }
   contourReader->Update();
   Append(data.warnings, contourReader->GetWarnings());
@@ -239,7 +242,185 @@ LoadContours(DentalCaseData & data)
   }
 }
 
+/** The radiograph's where there is one, else as the case states it. */
+void
+SettleImageSize(DentalCaseData & data)
+{
+  const auto & stated = data.description.imageSize;
+  if (data.image.IsNull())
+  {
+    data.imageSize = stated.value_or(data.imageSize);
+    return;
+  }
+  const auto size = data.image->GetLargestPossibleRegion().GetSize();
+  data.imageSize = { { static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]) } };
+  if (stated && *stated != data.imageSize)
+  {
+    std::ostringstream problem;
+    problem << "is " << (*stated)[0] << " x " << (*stated)[1] << ", but the image is " << size[0] << " x " << size[1];
+    itkDentalInputErrorMacro(data.description.fileName,
+                             "cephalogram.image_size",
+                             problem.str(),
+                             "name the right image or leave the field out");
+  }
+}
+
+void
+LoadCephalometricLandmarks(DentalCaseData & data)
+{
+  const DentalCase & description = data.description;
+  const bool         own = description.cephalometricLandmarksFile.empty();
+  if (own && description.cephalometricLandmarks.IsNull())
+  {
+    return;
+  }
+  if (own)
+  {
+    data.cephalometricLandmarks = CephalometricLandmarkSet::New();
+    data.cephalometricLandmarks->Graft(description.cephalometricLandmarks);
+  }
+  else
+  {
+    auto reader = CephalometricLandmarkFileReader::New();
+    reader->SetFileName(description.cephalometricLandmarksFile);
+    reader->SetNumbering(description.numbering.value_or(ToothCode::NumberingEnum::Quadrant));
+    reader->Update();
+    Append(data.warnings, reader->GetWarnings());
+    data.cephalometricLandmarks = reader->GetOutput();
+    data.cephalometricLandmarks->DisconnectPipeline();
+  }
+  if (data.imageSize[0] == 0)
+  {
+    itkDentalInputErrorMacro(description.fileName,
+                             "cephalogram.image_size",
+                             "missing: landmarks without a tracing do not say how large the radiograph is",
+                             "name the image, or add \"image_size\": [width, height] to \"cephalogram\"");
+  }
+  CheckLandmarksInImage(*data.cephalometricLandmarks,
+                        data.imageSize,
+                        own ? description.fileName : description.cephalometricLandmarksFile,
+                        own ? "cephalometric_landmarks." : "");
+}
+
+/** Length by width of what a curve covers, along its own axes. */
+double
+ComputeElongation(const DentalContour::PolylineType & polyline)
+{
+  const double          count = static_cast<double>(polyline.points.size());
+  double                mean[2] = { 0.0, 0.0 };
+  std::array<double, 3> moments{ { 0.0, 0.0, 0.0 } };
+  std::array<double, 2> lowest{ { 0.0, 0.0 } };
+  std::array<double, 2> highest{ { 0.0, 0.0 } };
+  for (const auto & point : polyline.points)
+  {
+    mean[0] += point[0] / count;
+    mean[1] += point[1] / count;
+  }
+  for (const auto & point : polyline.points)
+  {
+    const double u = point[0] - mean[0];
+    const double v = point[1] - mean[1];
+    moments = { { moments[0] + u * u, moments[1] + u * v, moments[2] + v * v } };
+  }
+  const double angle = 0.5 * std::atan2(2.0 * moments[1], moments[0] - moments[2]);
+  for (const auto & point : polyline.points)
+  {
+    const double u = point[0] - mean[0];
+    const double v = point[1] - mean[1];
+    const double along = std::cos(angle) * u + std::sin(angle) * v;
+    const double across = std::cos(angle) * v - std::sin(angle) * u;
+    lowest = { { std::min(lowest[0], along), std::min(lowest[1], across) } };
+    highest = { { std::max(highest[0], along), std::max(highest[1], across) } };
+  }
+  const double width = highest[1] - lowest[1];
+  return width > 0.0 ? (highest[0] - lowest[0]) / width : 0.0;
+}
+
+/** Closed outlines of incisors and molars of one side each, incisors with their roots. A whole incisor is three times
+ * as long as wide in a lateral view and its crown one and a half times; a molar's shape tells nothing. */
+bool
+IsStandardTracing(const DentalCaseData & data)
+{
+  constexpr double  minimumElongation = 2.0;
+  unsigned int      incisors = 0;
+  unsigned int      molars = 0;
+  std::set<uint8_t> seen;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    if (data.GetJaw(jaw).contour.IsNull())
+    {
+      continue;
+    }
+    for (const auto & polyline : data.GetJaw(jaw).contour->GetPolylines())
+    {
+      if (polyline.points.empty())
+      {
+        continue;
+      }
+      const unsigned int position = polyline.code.GetPosition();
+      const bool         incisor = position == 1 || position == 2;
+      const bool         molar = position >= 6;
+      if (!polyline.closed || !(incisor || molar) || seen.count(polyline.code.GetContralateral().GetFDI()) > 0 ||
+          (incisor && ComputeElongation(polyline) < minimumElongation))
+      {
+        return false;
+      }
+      seen.insert(polyline.code.GetFDI());
+      incisors += incisor ? 1 : 0;
+      molars += molar ? 1 : 0;
+    }
+  }
+  return incisors > 0 && molars > 0;
+}
 } // namespace
+
+void
+CheckLandmarksInImage(const CephalometricLandmarkSet &    landmarks,
+                      const std::array<unsigned int, 2> & imageSize,
+                      const std::string &                 fileName,
+                      const std::string &                 prefix)
+{
+  constexpr double margin = 0.1;
+  for (const auto & landmark : landmarks.GetLandmarks())
+  {
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      const double size = imageSize[i];
+      if (!(landmark.point[i] >= -0.5 - margin * size && landmark.point[i] <= size - 0.5 + margin * size))
+      {
+        std::ostringstream problem;
+        problem << "(" << landmark.point[0] << ", " << landmark.point[1] << ") lies far outside the image of "
+                << imageSize[0] << " x " << imageSize[1] << " pixels";
+        itkDentalInputErrorMacro(fileName,
+                                 prefix + landmark.name,
+                                 problem.str(),
+                                 "give pixels of this image: were they in mm, or marked on another copy of it?");
+      }
+    }
+  }
+}
+
+void
+SettleTracedSide(DentalCaseData & data)
+{
+  DentalCase & description = data.description;
+  if (description.tracedSideIsGiven || description.tracedSide != TracedSideEnum::Right)
+  {
+    return;
+  }
+  const auto isTraced = [&](JawEnum jaw) {
+    return data.GetJaw(jaw).contour.IsNotNull() && data.GetJaw(jaw).contour->GetNumberOfPoints() > 0;
+  };
+  const bool traced = isTraced(JawEnum::Upper) || isTraced(JawEnum::Lower);
+  const bool landmarksAlone = !traced && data.cephalometricLandmarks.IsNotNull();
+  if (landmarksAlone || IsStandardTracing(data))
+  {
+    description.tracedSide = TracedSideEnum::Standard;
+    data.warnings.push_back(description.fileName + ": traced_side: is not given; taken as \"standard\", because " +
+                            (landmarksAlone ? "there are landmarks of a cephalometric analysis and no tracing"
+                                            : "whole incisors and molars alone are traced"));
+  }
+}
 
 std::shared_ptr<DentalCaseData>
 LoadDentalCase(const DentalCase & description)
@@ -258,16 +439,17 @@ LoadDentalCase(const DentalCase & description)
     imageReader->SetFileName(description.imageFile);
     imageReader->Update();
     data->image = imageReader->GetOutput();
-    const auto size = data->image->GetLargestPossibleRegion().GetSize();
-    data->imageSize = { { static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]) } };
     Append(data->warnings, imageReader->GetWarnings());
   }
+  SettleImageSize(*data);
   SettleGeometry(imageReader, *data);
 
   if (!description.contoursFile.empty())
   {
     LoadContours(*data);
   }
+  LoadCephalometricLandmarks(*data);
+  SettleTracedSide(*data);
   if (!description.landmarks3DFile.empty())
   {
     auto landmarkReader = DentalLandmarkFileReader<3>::New();

@@ -134,6 +134,26 @@ TEST_F(DentalCaseFileReader, ReadsHowToFindCrowns)
             std::string::npos);
 }
 
+TEST_F(DentalCaseFileReader, ReadsLandmarksToRegisterWithInPlaceOfContours)
+{
+  std::ofstream(m_Folder / "ceph.json") << "{}";
+  const auto file = this->Read(R"({"upper": "upper.stl", "cephalometric_landmarks": "ceph.json",
+                                   "cephalogram": {"image_size": [703, 938]}, "traced_side": "standard"})");
+  EXPECT_TRUE(fs::exists(file.cephalometricLandmarksFile));
+  EXPECT_EQ(file.cephalometricLandmarks, nullptr);
+  EXPECT_TRUE(file.contoursFile.empty());
+  EXPECT_EQ((*file.imageSize)[1], 938u);
+  EXPECT_EQ(file.tracedSide, itk::TracedSideEnum::Standard);
+  EXPECT_TRUE(file.tracedSideIsGiven);
+  EXPECT_TRUE(file.warnings.empty());
+  const auto own = this->Read(
+    R"({"upper": "upper.stl", "contours": "contours.json", "cephalometric_landmarks": {"3_MB": [1, 2]}, "numbering": "universal"})");
+  EXPECT_TRUE(own.cephalometricLandmarksFile.empty());
+  ASSERT_NE(own.cephalometricLandmarks, nullptr);
+  EXPECT_NE(own.cephalometricLandmarks->Find("UR6_MB"), nullptr);
+  EXPECT_FALSE(own.tracedSideIsGiven);
+}
+
 TEST_F(DentalCaseFileReader, WarnsOfWhatItDoesNotKnow)
 {
   const auto dentalCase =
@@ -148,6 +168,13 @@ TEST_F(DentalCaseFileReader, NamesTheFieldThatIsWrong)
   const std::pair<const char *, const char *> cases[] = {
     { R"({"contours": "contours.json"})", "upper" },
     { R"({"upper": "upper.stl"})", "contours" },
+    { R"({"upper": "upper.stl"})", "cephalometric_landmarks" },
+    { R"({"upper": "upper.stl", "cephalometric_landmarks": "none.json"})", "none.json" },
+    { R"({"upper": "upper.stl", "cephalometric_landmarks": [1, 2]})", "cephalometric_landmarks" },
+    { R"({"upper": "upper.stl", "cephalometric_landmarks": {"U1_tip": [1]}})", "cephalometric_landmarks.U1_tip" },
+    { R"({"upper": "upper.stl", "cephalometric_landmarks": {"Sella": [1, 2]}})", "no dental landmark" },
+    { R"({"upper": "upper.stl", "contours": "contours.json", "cephalogram": {"image_size": [0, 5]}})",
+      "cephalogram.image_size[0]" },
     { R"({"upper": "none.stl", "contours": "contours.json"})", "none.stl" },
     { R"({"upper": "", "contours": "contours.json"})", "upper" },
     { R"({"upper": "upper.stl", "contours": "contours.json", "mesh_unit": "inch"})", "mesh_unit" },

@@ -42,6 +42,7 @@ struct RegisterOptions
   std::string              output;
   std::string              preset{ "robust" };
   std::string              init;
+  std::string              cephalometricLandmarks;
   std::vector<std::string> exclude;
   std::vector<std::string> fix;
   std::string              silhouette{ "drr" };
@@ -128,6 +129,11 @@ Register(const RegisterOptions & options, const CommonOptions & common)
   {
     itk::ReadInitialAlignment(options.init, description);
   }
+  if (!options.cephalometricLandmarks.empty())
+  {
+    description.cephalometricLandmarksFile = options.cephalometricLandmarks;
+    description.cephalometricLandmarks = nullptr;
+  }
   Apply("--exclude", [&]() {
     for (const std::string & code : options.exclude)
     {
@@ -153,6 +159,13 @@ Register(const RegisterOptions & options, const CommonOptions & common)
       registration->SetOption(assignment);
     }
   });
+  if (description.contoursFile.empty() && registration->GetPreset() != itk::CasePresetEnum::Robust)
+  {
+    itkDentalInputErrorMacro(options.caseFile,
+                             "contours",
+                             "missing: preset " + options.preset + " registers tracings, not landmarks",
+                             "name the file with the tracing, or leave out --preset");
+  }
   registration->SetUseSurfaceDRR(options.silhouette == "drr");
   registration->SetNumberOfWorkUnits(common.threads > 0 ? common.threads
                                                         : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
@@ -208,6 +221,9 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
   command->add_option("--preset", options->preset, "robust, paper, bounding-box or single-stage")
     ->capture_default_str();
   command->add_option("--init", options->init, "JSON file with the alignment to start from, as the case's \"init\"");
+  command->add_option("--cephalometric-landmarks",
+                      options->cephalometricLandmarks,
+                      "File of landmarks to register with, in place of the case's");
   command->add_option("--exclude", options->exclude, "Teeth to leave out of the tracing, e.g. UR3,UR4")->delimiter(',');
   command->add_option("--fix", options->fix, "What to hold at its start: scale, rotation, translation")->delimiter(',');
   command

@@ -141,8 +141,11 @@ DigestExperimentCase(const std::string & fileName)
     const DentalCase description = ReadDentalCase(fileName);
     for (const std::string & name : { description.upperFile,
                                       description.lowerFile,
+                                      description.upperLabelsFile,
+                                      description.lowerLabelsFile,
                                       description.imageFile,
                                       description.contoursFile,
+                                      description.cephalometricLandmarksFile,
                                       description.landmarks3DFile,
                                       description.landmarks2DFile })
     {

@@ -29,7 +29,7 @@ namespace itk
 enum class AnnotationFileFormatEnum : uint8_t
 {
   /** Names that end in .csv, .tsv or .txt are CSV. Of JSON, what has "markups" is Slicer's, "shapes" labelme's, all
-   * else the toolkit's own. */
+   * else the toolkit's own. CephalometricLandmarkFileReader recognises its further formats by what they hold. */
   Automatic,
   /** contours.json, landmarks2d.json, landmarks3d.json of Documentation/FileFormats.md. */
   DentalSCR,
@@ -37,7 +37,15 @@ enum class AnnotationFileFormatEnum : uint8_t
   SlicerMarkups,
   Labelme,
   /** Lines "label,x,y" or "label,x,y,z"; empty lines and lines that start with '#' are skipped, a header too. */
-  CSV
+  CSV,
+  /** JSON of the data sets Aariz and CEPHA29, cephalometric landmarks only. */
+  Aariz,
+  /** JSON of landmark detectors such as CephTrace, cephalometric landmarks only. */
+  LandmarkDetector,
+  /** CSV of the challenge CL-Detection 2023, "file,scale,p1x,p1y..p38y", cephalometric landmarks only. */
+  CLDetection,
+  /** Text of the challenge ISBI 2015: 19 lines "x,y", then class codes; cephalometric landmarks only. */
+  ISBI2015
 };
 
 /** Where a 2-D annotation's (0, 0) is. \ingroup Annotation */

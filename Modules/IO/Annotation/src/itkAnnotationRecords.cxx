@@ -17,13 +17,14 @@
  *=========================================================================*/
 #include "itkAnnotationRecords.h"
 
+#include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
 #include "itkTextFile.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace itk
 {
@@ -40,8 +41,16 @@ operator<<(std::ostream & os, AnnotationFileFormatEnum format)
       return os << "SlicerMarkups";
     case AnnotationFileFormatEnum::Labelme:
       return os << "Labelme";
-    default:
+    case AnnotationFileFormatEnum::CSV:
       return os << "CSV";
+    case AnnotationFileFormatEnum::Aariz:
+      return os << "Aariz";
+    case AnnotationFileFormatEnum::LandmarkDetector:
+      return os << "LandmarkDetector";
+    case AnnotationFileFormatEnum::CLDetection:
+      return os << "CLDetection";
+    default:
+      return os << "ISBI2015";
   }
 }
 
@@ -66,27 +75,25 @@ using Format = AnnotationFileFormatEnum;
 /** A pixel count of either direction; no radiograph has a tenth of it. */
 constexpr int64_t MaximumImageSize = 1000000;
 
-std::string
-LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](char character) {
-    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-  });
-  return text;
-}
-
-bool
-EndsWith(const std::string & text, const std::string & end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 Format
 FormatFromName(const std::string & fileName)
 {
   const std::string lower = LowerCase(fileName);
   return EndsWith(lower, ".csv") || EndsWith(lower, ".tsv") || EndsWith(lower, ".txt") ? Format::CSV
                                                                                        : Format::Automatic;
+}
+
+/** Formats of which neither contours nor landmarks of named teeth are made. */
+void
+RefuseCephalometricFormat(const std::string & fileName, Format format)
+{
+  if (format > Format::CSV)
+  {
+    std::ostringstream problem;
+    problem << "format " << format << " has only the landmarks of a cephalometric analysis";
+    itkDentalInputErrorMacro(
+      fileName, "", problem.str(), "read it as cephalometric landmarks (\"cephalometric_landmarks\" of a case)");
+  }
 }
 
 Format
@@ -348,47 +355,6 @@ ReadLabelme(const JsonNode & root, AnnotationRecords & records, bool landmarks)
 
 // ---- CSV ----------------------------------------------------------------------------------------------------------
 
-std::string
-Trim(const std::string & text)
-{
-  constexpr const char * blank = " \t\r\n";
-  const std::size_t      first = text.find_first_not_of(blank);
-  if (first == std::string::npos)
-  {
-    return std::string();
-  }
-  std::string trimmed = text.substr(first, text.find_last_not_of(blank) - first + 1);
-  if (trimmed.size() >= 2 && trimmed.front() == '"' && trimmed.back() == '"')
-  {
-    trimmed = trimmed.substr(1, trimmed.size() - 2);
-  }
-  return trimmed;
-}
-
-std::vector<std::string>
-Split(const std::string & line, char separator)
-{
-  std::vector<std::string> cells;
-  for (std::size_t begin = 0;;)
-  {
-    const std::size_t end = line.find(separator, begin);
-    cells.push_back(Trim(line.substr(begin, end == std::string::npos ? end : end - begin)));
-    if (end == std::string::npos)
-    {
-      return cells;
-    }
-    begin = end + 1;
-  }
-}
-
-bool
-ParseNumber(const std::string & text, double & value)
-{
-  const char * const end = text.data() + text.size();
-  const auto         result = std::from_chars(text.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end && std::isfinite(value);
-}
-
 struct CSVRow
 {
   std::string           field;
@@ -471,6 +437,7 @@ ReadCSV(const std::string & fileName, unsigned int dimension)
 AnnotationRecords
 ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format)
 {
+  RefuseCephalometricFormat(fileName, format);
   AnnotationRecords records;
   records.format = format == Format::Automatic ? FormatFromName(fileName) : format;
   if (records.format == Format::CSV)
@@ -512,10 +479,15 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
 AnnotationRecords
 ReadLandmarkRecords(const std::string & fileName, AnnotationFileFormatEnum format, unsigned int dimension)
 {
-  AnnotationRecords records;
-  records.format = format == Format::Automatic ? FormatFromName(fileName) : format;
-  if (records.format == Format::CSV)
+  RefuseCephalometricFormat(fileName, format);
+  if (format == Format::Automatic)
   {
+    format = FormatFromName(fileName);
+  }
+  if (format == Format::CSV)
+  {
+    AnnotationRecords records;
+    records.format = format;
     for (CSVRow & row : ReadCSV(fileName, dimension))
     {
       records.landmarks.push_back({ row.field, row.label, row.point });
@@ -523,11 +495,16 @@ ReadLandmarkRecords(const std::string & fileName, AnnotationFileFormatEnum forma
     return records;
   }
   const JsonDocument document = JsonDocument::ReadFile(fileName);
-  const JsonNode     root = document.GetRoot();
-  if (records.format == Format::Automatic)
-  {
-    records.format = FormatFromContent(root);
-  }
+  AnnotationRecords  records = ReadLandmarkRecords(document.GetRoot(), format, dimension);
+  records.warnings = document.GetWarnings();
+  return records;
+}
+
+AnnotationRecords
+ReadLandmarkRecords(const JsonNode & root, AnnotationFileFormatEnum format, unsigned int dimension)
+{
+  AnnotationRecords records;
+  records.format = format == Format::Automatic ? FormatFromContent(root) : format;
   switch (records.format)
   {
     case Format::SlicerMarkups:
@@ -536,14 +513,14 @@ ReadLandmarkRecords(const std::string & fileName, AnnotationFileFormatEnum forma
     case Format::Labelme:
       if (dimension != 2)
       {
-        itkDentalInputErrorMacro(fileName, "shapes", "a labelme file has no 3-D landmarks", "name the right file");
+        itkDentalInputErrorMacro(
+          root.GetFileName(), "shapes", "a labelme file has no 3-D landmarks", "name the right file");
       }
       ReadLabelme(root, records, true);
       break;
     default:
       ReadOwnLandmarks(root, records, dimension);
   }
-  records.warnings = document.GetWarnings();
   return records;
 }
 } // namespace itk

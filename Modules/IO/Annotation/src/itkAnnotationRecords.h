@@ -28,6 +28,8 @@
 
 namespace itk
 {
+class JsonNode;
+
 /** What every annotation format comes down to; not installed. Points have three coordinates, of which contours use two.
  */
 struct AnnotationPolyline
@@ -48,6 +50,10 @@ struct AnnotationLandmark
   std::string           field;
   std::string           name;
   std::array<double, 3> point;
+  /** Standard deviation an axis, pixels; 0 where none is said. */
+  double sigma{ 0.0 };
+  /** 0 to 1, of a detector; negative where none is said. */
+  double confidence{ -1.0 };
 };
 
 struct AnnotationRecords
@@ -59,7 +65,9 @@ struct AnnotationRecords
   std::string                               numberingField;
   std::vector<AnnotationPolyline>           polylines;
   std::vector<AnnotationLandmark>           landmarks;
-  std::vector<std::string>                  warnings;
+  /** Names of landmarks that were not wanted. */
+  std::vector<std::string> leftOut;
+  std::vector<std::string> warnings;
 };
 
 /** Every polyline of a file. Throws DentalInputError. */
@@ -69,6 +77,10 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
 /** Every landmark of a file, with `dimension` coordinates. Throws DentalInputError. */
 AnnotationRecords
 ReadLandmarkRecords(const std::string & fileName, AnnotationFileFormatEnum format, unsigned int dimension);
+
+/** The same of JSON that was read; its warnings stay with its document. */
+AnnotationRecords
+ReadLandmarkRecords(const JsonNode & root, AnnotationFileFormatEnum format, unsigned int dimension);
 } // namespace itk
 
 #endif

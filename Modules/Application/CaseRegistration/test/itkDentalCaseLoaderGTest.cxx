@@ -1,0 +1,155 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkDentalCaseLoader.h"
+
+#include "itkDentalCaseFileReader.h"
+#include "itkTestFile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+using itk::Contains;
+using itk::TracedSideEnum;
+
+/** A case of one scan with these fields more. */
+std::shared_ptr<itk::DentalCaseData>
+Load(const std::string & fields)
+{
+  itk::WriteTestFile("upper.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  return itk::LoadDentalCase(
+    itk::ReadDentalCase(itk::WriteTestFile("case.json", R"({"upper": "upper.obj", )" + fields + "}")));
+}
+
+std::string
+Refusal(const std::string & fields)
+{
+  return itk::ExpectInputError([&] { Load(fields); }).GetOneLine();
+}
+
+/** An ellipse of that length and a width of 20 pixels, leaning. */
+std::string
+MakeOutline(const std::string & code, double length, bool closed = true)
+{
+  std::ostringstream text;
+  text << R"({"code": ")" << code << R"(", "closed": )" << (closed ? "true" : "false") << R"(, "points": [)";
+  for (int i = 0; i < 24; ++i)
+  {
+    const double angle = i * 0.26;
+    const double along = 0.5 * length * std::cos(angle);
+    const double across = 10.0 * std::sin(angle);
+    text << (i == 0 ? "[" : ", [") << 300.0 + 0.6 * along - 0.8 * across << ", " << 400.0 + 0.8 * along + 0.6 * across
+         << "]";
+  }
+  return text.str() + "]}";
+}
+
+TracedSideEnum
+SideOf(const std::string & outlines, const std::string & more = "")
+{
+  itk::WriteTestFile("contours.json", R"({"image_size": [703, 938], "contours": {"upper": [)" + outlines + R"(]}})");
+  const auto data = Load(R"("contours": "contours.json")" + more);
+  bool       said = false;
+  for (const std::string & warning : data->warnings)
+  {
+    said = said || Contains(warning, "traced_side");
+  }
+  // Nobody is told of a side that he gave or of the ordinary one.
+  EXPECT_EQ(said, more.empty() && data->description.tracedSide == TracedSideEnum::Standard);
+  return data->description.tracedSide;
+}
+
+constexpr char Size[] = R"("cephalogram": {"image_size": [703, 938]}, )";
+} // namespace
+
+TEST(DentalCaseLoader, TakesLandmarksFromTheCaseItselfAndFromAFile)
+{
+  const auto own = Load(Size + std::string(R"("cephalometric_landmarks": {"U1_tip": [570, 643.5], "Nasion": [1, 2]})"));
+  ASSERT_NE(own->cephalometricLandmarks, nullptr);
+  EXPECT_EQ(own->cephalometricLandmarks->Find("U1_tip")->point[1], 643.5);
+  EXPECT_EQ(own->imageSize[1], 938u);
+  EXPECT_EQ(own->upper.contour, nullptr);
+  ASSERT_EQ(own->warnings.size(), 2u);
+  EXPECT_TRUE(Contains(own->warnings[0], "Nasion"));
+
+  itk::WriteTestFile("points.csv", "label,x,y\n16_MB,464,613\n");
+  const auto file = Load(Size + std::string(R"("cephalometric_landmarks": "points.csv")"));
+  EXPECT_NE(file->cephalometricLandmarks->Find("UR6_MB"), nullptr);
+}
+
+TEST(DentalCaseLoader, LandmarksAloneMeanWhatStandardMeans)
+{
+  const std::string landmarks = R"("cephalometric_landmarks": {"U1_tip": [570, 643]})";
+  const auto        data = Load(Size + landmarks);
+  EXPECT_EQ(data->description.tracedSide, TracedSideEnum::Standard);
+  ASSERT_EQ(data->warnings.size(), 1u);
+  EXPECT_TRUE(Contains(data->warnings[0], "traced_side: is not given"));
+  const auto given = Load(Size + landmarks + R"(, "traced_side": "right")");
+  EXPECT_EQ(given->description.tracedSide, TracedSideEnum::Right);
+  EXPECT_TRUE(given->warnings.empty());
+}
+
+TEST(DentalCaseLoader, WholeIncisorsAndMolarsAloneAreAStandardTracing)
+{
+  const std::string molar = MakeOutline("UR6", 28.0);
+  EXPECT_EQ(SideOf(MakeOutline("UR1", 60.0) + ", " + molar), TracedSideEnum::Standard);
+  EXPECT_EQ(SideOf(MakeOutline("UR1", 60.0) + ", " + molar, R"(, "traced_side": "left")"), TracedSideEnum::Left);
+  // A crown is no whole tooth.
+  EXPECT_EQ(SideOf(MakeOutline("UR1", 30.0) + ", " + molar), TracedSideEnum::Right);
+  EXPECT_EQ(SideOf(MakeOutline("UR1", 60.0, false) + ", " + molar), TracedSideEnum::Right);
+  EXPECT_EQ(SideOf(MakeOutline("UR1", 60.0) + ", " + molar + ", " + MakeOutline("UR4", 50.0)), TracedSideEnum::Right);
+  EXPECT_EQ(SideOf(MakeOutline("UR1", 60.0) + ", " + molar + ", " + MakeOutline("UL6", 28.0)), TracedSideEnum::Right);
+  EXPECT_EQ(SideOf(molar), TracedSideEnum::Right);
+  // Landmarks beside another tracing do not change what it shows.
+  EXPECT_EQ(SideOf(MakeOutline("UR4", 50.0), R"(, "cephalometric_landmarks": {"U1_tip": [1, 2]})"),
+            TracedSideEnum::Right);
+}
+
+TEST(DentalCaseLoader, LandmarksFarOutsideTheImageAreNamed)
+{
+  const auto landmarks = [](const std::string & point) {
+    return Size + std::string(R"("cephalometric_landmarks": {"U1_tip": )") + point + "}";
+  };
+  const std::string line = Refusal(landmarks("[800, 600]"));
+  for (const char * word : { "case.json", "cephalometric_landmarks.U1_tip", "far outside", "mm", "copy" })
+  {
+    EXPECT_TRUE(Contains(line, word)) << word << " in " << line;
+  }
+  EXPECT_TRUE(Contains(Refusal(landmarks("[10, -120]")), "U1_tip"));
+  // Less than a tenth is a detector's slip.
+  EXPECT_EQ(Load(landmarks("[760, -80]"))->cephalometricLandmarks->GetNumberOfLandmarks(), 1u);
+  itk::WriteTestFile("points.json", R"({"Is": [5700, 6430]})");
+  EXPECT_TRUE(Contains(Refusal(Size + std::string(R"("cephalometric_landmarks": "points.json")")), "points.json: Is"));
+}
+
+TEST(DentalCaseLoader, TheImagesSizeIsNeededAndMayStandInTheCase)
+{
+  EXPECT_TRUE(Contains(Refusal(R"("cephalometric_landmarks": {"U1_tip": [570, 643]})"), "cephalogram.image_size"));
+  EXPECT_TRUE(
+    Contains(Refusal(R"("cephalogram": {"image_size": [703]}, "cephalometric_landmarks": {"U1_tip": [570, 643]})"),
+             "cephalogram.image_size"));
+  // A tracing that says nothing of it, and one that contradicts.
+  const std::string outline = R"("contours": {"upper": [)" + MakeOutline("UR4", 50.0) + "]}}";
+  itk::WriteTestFile("contours.json", "{" + outline);
+  EXPECT_EQ(Load(Size + std::string(R"("contours": "contours.json")"))->imageSize[0], 703u);
+  itk::WriteTestFile("contours.json", R"({"image_size": [700, 900], )" + outline);
+  EXPECT_TRUE(Contains(Refusal(Size + std::string(R"("contours": "contours.json")")), "700 x 900"));
+}

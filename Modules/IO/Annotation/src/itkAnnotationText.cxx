@@ -1,0 +1,81 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkAnnotationText.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace itk
+{
+std::string
+LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](char character) {
+    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
+  });
+  return text;
+}
+
+bool
+EndsWith(const std::string & text, const std::string & end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string
+Trim(const std::string & text)
+{
+  constexpr const char * blank = " \t\r\n";
+  const std::size_t      first = text.find_first_not_of(blank);
+  if (first == std::string::npos)
+  {
+    return std::string();
+  }
+  std::string trimmed = text.substr(first, text.find_last_not_of(blank) - first + 1);
+  if (trimmed.size() >= 2 && trimmed.front() == '"' && trimmed.back() == '"')
+  {
+    trimmed = trimmed.substr(1, trimmed.size() - 2);
+  }
+  return trimmed;
+}
+
+std::vector<std::string>
+Split(const std::string & line, char separator)
+{
+  std::vector<std::string> cells;
+  for (std::size_t begin = 0;;)
+  {
+    const std::size_t end = line.find(separator, begin);
+    cells.push_back(Trim(line.substr(begin, end == std::string::npos ? end : end - begin)));
+    if (end == std::string::npos)
+    {
+      return cells;
+    }
+    begin = end + 1;
+  }
+}
+
+bool
+ParseNumber(const std::string & text, double & value)
+{
+  const char * const end = text.data() + text.size();
+  const auto         result = std::from_chars(text.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end && std::isfinite(value);
+}
+} // namespace itk

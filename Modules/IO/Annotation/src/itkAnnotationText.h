@@ -1,0 +1,48 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkAnnotationText_h
+#define itkAnnotationText_h
+
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \name Cells of a table in a text file; not installed
+ * @{ */
+/** Of ASCII letters only. */
+std::string
+LowerCase(std::string text);
+
+bool
+EndsWith(const std::string & text, const std::string & end);
+
+/** Without blanks around it, and then without a pair of quotes. */
+std::string
+Trim(const std::string & text);
+
+std::vector<std::string>
+Split(const std::string & line, char separator);
+
+/** Whether the whole text is one finite number with a decimal point. */
+bool
+ParseNumber(const std::string & text, double & value);
+/** @} */
+} // namespace itk
+
+#endif
