@@ -20,6 +20,7 @@
 #include "itkDentalPhantomFilm.h"
 #include "itkDentalPhantomHand.h"
 #include "itkDentalPhantomHead.h"
+#include "itkDentalPhantomMath.h"
 #include "itkDentalPhantomModel.h"
 #include "itkDentalPhantomRadiograph.h"
 #include "itkDentalPhantomTracer.h"
@@ -27,16 +28,17 @@
 #include "itkReproducibleRandom.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
 namespace itk
 {
+using namespace DentalPhantomMath;
+
 namespace
 {
-constexpr double Degree = 0.017453292519943295;
-
 enum Output : unsigned int
 {
   MeshOutput = 0,
