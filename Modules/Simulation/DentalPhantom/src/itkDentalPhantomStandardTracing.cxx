@@ -302,7 +302,7 @@ DentalPhantomStandardTracing::DentalPhantomStandardTracing(const DentalPhantomMo
           DentalPhantomTracer::Noise noise;
           noise.correlated = level.correlatedNoise;
           noise.white = level.whiteNoise;
-          noise.correlationLength = 15.0;
+          noise.correlationLength = CorrelationLength;
           DentalPhantomTracer::AddNoise(lines, noise, seed, DriftStream + 2 * jaw + (molar ? 1 : 0));
           outline.drawn = lines[0].points;
           m_Outlines[jaw].push_back(outline);
