@@ -136,6 +136,33 @@ function(itk_module_add_library _name)
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/DentalSCR" COMPONENT Development)
 endfunction()
 
+# A part of a module that links what takes long to load: where libraries are shared, a library of its own beside the others,
+# which the module loads with LoadLibraryFunction() under the file name that DEFINITION defines for it; else its sources are
+# the module's own and DEFINITION is not defined.
+function(dentalscr_add_loaded_library _name)
+  cmake_parse_arguments(PARSE_ARGV 1 _loaded "" "FOR;DEFINITION" "SOURCES;ITK_MODULES;LIBRARIES")
+  if(_loaded_UNPARSED_ARGUMENTS OR NOT _loaded_FOR OR NOT _loaded_DEFINITION OR NOT _loaded_SOURCES)
+    message(FATAL_ERROR "dentalscr_add_loaded_library(${_name}): FOR, DEFINITION and SOURCES are needed, "
+      "unknown arguments: ${_loaded_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT BUILD_SHARED_LIBS OR NOT UNIX)
+    target_sources(${_loaded_FOR} PRIVATE ${_loaded_SOURCES})
+    target_link_libraries(${_loaded_FOR} PRIVATE ${_loaded_LIBRARIES})
+    return()
+  endif()
+  itk_module_config(_loaded_itk ${_loaded_ITK_MODULES})
+  add_library(${_name} MODULE ${_loaded_SOURCES})
+  dentalscr_target_settings(${_name})
+  set_target_properties(${_name} PROPERTIES
+    OUTPUT_NAME "DentalSCR${_name}-${DentalSCR_VERSION_MAJOR}.${DentalSCR_VERSION_MINOR}")
+  target_include_directories(${_name} SYSTEM PRIVATE ${ITK_INCLUDE_DIRS})
+  target_link_libraries(${_name} PRIVATE ${_loaded_itk_LIBRARIES} ${_loaded_LIBRARIES})
+  install(TARGETS ${_name} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT Runtime)
+  target_compile_definitions(${_loaded_FOR} PRIVATE ${_loaded_DEFINITION}="$<TARGET_FILE_NAME:${_name}>")
+  target_link_libraries(${_loaded_FOR} PRIVATE ${CMAKE_DL_LIBS})
+  add_dependencies(${_loaded_FOR} ${_name})
+endfunction()
+
 function(dentalscr_add_header_library _name)
   add_library(${_name} INTERFACE)
   set(DENTALSCR_MODULE_${_name}_DIR "${_dentalscr_module_dir}")

@@ -17,13 +17,11 @@
  *=========================================================================*/
 #include "itkDicomImageIO.h"
 
-#include "itkMacro.h"
+#ifdef DENTALSCR_DICOM_LIBRARY
+#  include "itkLoadLibraryFunction.h"
+#endif
 
 #include <atomic>
-
-#ifdef DENTALSCR_DICOM_LIBRARY
-#  include <dlfcn.h>
-#endif
 
 namespace itk
 {
@@ -44,17 +42,11 @@ LoadDicomImageIO()
   if (loaded == nullptr)
   {
 #ifdef DENTALSCR_DICOM_LIBRARY
-    // Found as this library's own dependencies are, by its RUNPATH: beside it. To load it twice is harmless.
-    void * const library = dlopen(DENTALSCR_DICOM_LIBRARY, RTLD_LAZY | RTLD_LOCAL);
-    void * const function = library == nullptr ? nullptr : dlsym(library, "DentalSCRGetDicomImageIO");
-    if (function == nullptr)
-    {
-      const char * const why = dlerror();
-      itkGenericExceptionMacro("DICOM files cannot be read: " << (why == nullptr ? "unknown reason" : why)
-                                                              << ". Install " << DENTALSCR_DICOM_LIBRARY
-                                                              << " and GDCM beside the other libraries of DentalSCR.");
-    }
-    loaded = reinterpret_cast<decltype(&DentalSCRGetDicomImageIO)>(function)();
+    // To load it twice is harmless.
+    loaded = LoadLibraryFunction<decltype(&DentalSCRGetDicomImageIO)>(DENTALSCR_DICOM_LIBRARY,
+                                                                      "DentalSCRGetDicomImageIO",
+                                                                      "DICOM files cannot be read",
+                                                                      DENTALSCR_DICOM_LIBRARY " and GDCM")();
 #else
     loaded = DentalSCRGetDicomImageIO();
 #endif

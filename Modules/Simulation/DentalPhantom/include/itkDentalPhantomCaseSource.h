@@ -97,14 +97,16 @@ public:
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** A level's table of parameters; default Typical. The same as SetLevel(DentalPhantomLevel::Named()). */
+  /** A level's table of parameters; default Typical. The same as SetLevel(DentalPhantomLevel::Named()), hence call it
+   * before the setters of traced side, frame and number of triangles. */
   void
   SetCohort(CohortEnum cohort);
   CohortEnum
   GetCohort() const;
 
-  /** Every parameter of how bad the case may be. Sets TracedSide, Frame and NumberOfTriangles as well; what is set by
-   * name later wins. Throws where a parameter is out of its range. */
+  /** Every parameter of how bad the case may be. Traced side, frame and number of triangles are parameters of the
+   * level: their setters change the level that is set, so that the last call wins whichever it is, and GetLevel() says
+   * what the case is made with. Throws where a parameter is out of its range. */
   void
   SetLevel(const DentalPhantomLevel & level);
   const DentalPhantomLevel &
@@ -113,9 +115,11 @@ public:
     return m_Level;
   }
 
-  /** Default Right. */
-  itkSetEnumMacro(TracedSide, TracedSideEnum);
-  itkGetEnumMacro(TracedSide, TracedSideEnum);
+  /** The level's tracing.side. Default Right. */
+  void
+  SetTracedSide(TracedSideEnum side);
+  TracedSideEnum
+  GetTracedSide() const;
 
   /** Follow the buccal cusps of premolars and molars, which lie inside the silhouette where the oral cusps hang lower.
    * Default off. */
@@ -158,19 +162,26 @@ public:
   itkSetEnumMacro(SourceSide, GeometryType::SourceSideEnum);
   itkGetEnumMacro(SourceSide, GeometryType::SourceSideEnum);
 
-  /** The meshes' frame. Default SharedScanner; a level with mixed frames draws it. */
+  /** The meshes' frame, the level's scan.frame. Default SharedScanner. A level with mixed frames draws one, which
+   * GetParameters() holds after Update(); GetFrame() says SharedScanner for it. */
   void
   SetFrame(FrameEnum frame);
-  itkGetEnumMacro(Frame, FrameEnum);
+  FrameEnum
+  GetFrame() const;
 
   /** Closed casts with bases instead of open shells. Default off. */
   itkSetMacro(StoneBase, bool);
   itkGetConstMacro(StoneBase, bool);
   itkBooleanMacro(StoneBase);
 
-  /** Of each jaw. Default 60000. */
-  itkSetClampMacro(NumberOfTriangles, unsigned int, 2000, 4000000);
-  itkGetConstMacro(NumberOfTriangles, unsigned int);
+  /** Of each jaw, the level's scan.triangles, clamped to 2000 to 4000000. Default 60000. */
+  void
+  SetNumberOfTriangles(unsigned int numberOfTriangles);
+  unsigned int
+  GetNumberOfTriangles() const
+  {
+    return m_Level.numberOfTriangles;
+  }
 
   /** Default 703 x 938. */
   itkSetMacro(ImageSize, ImageSizeType);
@@ -251,11 +262,8 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  std::uint64_t      m_Seed{ 1 };
-  DentalPhantomLevel m_Level;
-  /** The level draws one of the scanner frames. */
-  bool                         m_DrawFrame{ false };
-  TracedSideEnum               m_TracedSide{ TracedSideEnum::Right };
+  std::uint64_t                m_Seed{ 1 };
+  DentalPhantomLevel           m_Level;
   bool                         m_BuccalOutline{ false };
   double                       m_ToothBias{ 0.0 };
   double                       m_DropOutFraction{ 0.0 };
@@ -266,9 +274,7 @@ private:
   unsigned int                 m_LowerNumberOfPoints{ 75 };
   GeometryType::FacingEnum     m_Facing{ GeometryType::FacingEnum::Right };
   GeometryType::SourceSideEnum m_SourceSide{ GeometryType::SourceSideEnum::Right };
-  FrameEnum                    m_Frame{ FrameEnum::SharedScanner };
   bool                         m_StoneBase{ false };
-  unsigned int                 m_NumberOfTriangles{ 60000 };
   ImageSizeType                m_ImageSize;
   bool                         m_MakeRadiograph{ true };
 

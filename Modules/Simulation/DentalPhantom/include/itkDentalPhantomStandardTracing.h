@@ -46,6 +46,9 @@ class DentalPhantom_EXPORT DentalPhantomStandardTracing
 public:
   using PixelType = std::array<double, 2>;
 
+  /** Over which the drift of a drawn outline is correlated, px: that of every film, since no level says more. */
+  static constexpr double CorrelationLength{ 15.0 };
+
   /** One tooth, px; closed, without a repeated end. */
   struct Outline
   {

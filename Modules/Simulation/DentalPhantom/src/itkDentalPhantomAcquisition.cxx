@@ -17,16 +17,17 @@
  *=========================================================================*/
 #include "itkDentalPhantomAcquisition.h"
 
+#include "itkDentalPhantomMath.h"
 #include "itkReproducibleRandom.h"
 
 #include <cmath>
 
 namespace itk
 {
+using namespace DentalPhantomMath;
+
 namespace
 {
-constexpr double Degree = 0.017453292519943295;
-
 /** On a raster that decimal files state without a tail of digits. */
 double
 Round(double value, double stepsPerUnit)

@@ -20,6 +20,7 @@
 #include "itkDentalPhantomFilm.h"
 #include "itkDentalPhantomHand.h"
 #include "itkDentalPhantomHead.h"
+#include "itkDentalPhantomMath.h"
 #include "itkDentalPhantomModel.h"
 #include "itkDentalPhantomRadiograph.h"
 #include "itkDentalPhantomTracer.h"
@@ -27,16 +28,17 @@
 #include "itkReproducibleRandom.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
 namespace itk
 {
+using namespace DentalPhantomMath;
+
 namespace
 {
-constexpr double Degree = 0.017453292519943295;
-
 enum Output : unsigned int
 {
   MeshOutput = 0,
@@ -55,6 +57,9 @@ enum Stream : std::uint64_t
 {
   FrameStream = 318
 };
+
+/** What a level's scan.frame calls the frames, in the order of FrameEnum. */
+constexpr std::array<const char *, 5> FrameWords{ { "anatomical", "shared", "separate", "centred", "upright" } };
 
 /** Triangles of the jaw that a tracing follows where the scan is not it: brackets, flaps and holes are not traced. */
 constexpr unsigned int CleanTriangles = 60000;
@@ -168,10 +173,7 @@ DentalPhantomCaseSource::GetRadiograph() -> ImageType *
 void
 DentalPhantomCaseSource::SetCohort(CohortEnum cohort)
 {
-  if (cohort != this->GetCohort() || m_Level != DentalPhantomLevel::Named(AcquisitionType::GetName(cohort)))
-  {
-    this->SetLevel(DentalPhantomLevel::Named(AcquisitionType::GetName(cohort)));
-  }
+  this->SetLevel(DentalPhantomLevel::Named(AcquisitionType::GetName(cohort)));
 }
 
 auto
@@ -192,36 +194,55 @@ DentalPhantomCaseSource::SetLevel(const DentalPhantomLevel & level)
   {
     itkExceptionMacro(<< error.what() << " Correct it before SetLevel().");
   }
-  // What other setters own changes only where the level says something else than the one before: a caller may have set
-  // it by name.
-  if (level.tracedSide != m_Level.tracedSide)
+  if (level != m_Level)
   {
-    m_TracedSide = TracedSideFromString(level.tracedSide);
+    m_Level = level;
+    this->Modified();
   }
-  if (level.frame != m_Level.frame)
+}
+
+void
+DentalPhantomCaseSource::SetTracedSide(TracedSideEnum side)
+{
+  if (side != this->GetTracedSide())
   {
-    m_Frame = level.frame == "anatomical" ? FrameEnum::Anatomical
-              : level.frame == "separate" ? FrameEnum::SeparateScanner
-              : level.frame == "centred"  ? FrameEnum::CentredScanner
-              : level.frame == "upright"  ? FrameEnum::UprightScanner
-                                          : FrameEnum::SharedScanner;
-    m_DrawFrame = level.frame == "mixed";
+    m_Level.tracedSide = ToString(side);
+    this->Modified();
   }
-  if (level.numberOfTriangles != m_Level.numberOfTriangles)
-  {
-    m_NumberOfTriangles = level.numberOfTriangles;
-  }
-  m_Level = level;
-  this->Modified();
+}
+
+auto
+DentalPhantomCaseSource::GetTracedSide() const -> TracedSideEnum
+{
+  return TracedSideFromString(m_Level.tracedSide);
 }
 
 void
 DentalPhantomCaseSource::SetFrame(FrameEnum frame)
 {
-  if (frame != m_Frame || m_DrawFrame)
+  const char * const word = FrameWords.at(static_cast<std::size_t>(frame));
+  // A level with mixed frames changes even where GetFrame() says the same.
+  if (m_Level.frame != word)
   {
-    m_Frame = frame;
-    m_DrawFrame = false;
+    m_Level.frame = word;
+    this->Modified();
+  }
+}
+
+auto
+DentalPhantomCaseSource::GetFrame() const -> FrameEnum
+{
+  const auto word = std::find(FrameWords.begin(), FrameWords.end(), m_Level.frame);
+  return word == FrameWords.end() ? FrameEnum::SharedScanner : static_cast<FrameEnum>(word - FrameWords.begin());
+}
+
+void
+DentalPhantomCaseSource::SetNumberOfTriangles(unsigned int numberOfTriangles)
+{
+  const unsigned int clamped = std::min(std::max(numberOfTriangles, 2000u), 4000000u);
+  if (clamped != m_Level.numberOfTriangles)
+  {
+    m_Level.numberOfTriangles = clamped;
     this->Modified();
   }
 }
@@ -249,7 +270,13 @@ DentalPhantomCaseSource::GenerateData()
   m_Acquisition = DentalPhantomAcquisition::Draw(m_Seed, m_Level);
   m_Acquisition.yaw += m_AdditionalYaw;
   m_Acquisition.roll += m_AdditionalRoll;
-  const bool traceLeft = m_TracedSide == TracedSideEnum::Left;
+  const TracedSideEnum tracedSide = this->GetTracedSide();
+  if (tracedSide == TracedSideEnum::Standard)
+  {
+    // Whole teeth are drawn with a drift of their own, whatever was drawn for the crowns of one side.
+    m_Acquisition.correlationLength = DentalPhantomStandardTracing::CorrelationLength;
+  }
+  const bool traceLeft = tracedSide == TracedSideEnum::Left;
 
   // The dentition.
   ParametersType::Variation variation;
@@ -262,8 +289,8 @@ DentalPhantomCaseSource::GenerateData()
   variation.palateProbability = m_Level.palateProbability;
   m_Parameters = ParametersType::Draw(m_Seed, variation);
   m_Parameters.scannerNoise = m_Level.scannerNoise;
-  m_Parameters.frame = m_Frame;
-  if (m_DrawFrame)
+  m_Parameters.frame = this->GetFrame();
+  if (m_Level.frame == "mixed")
   {
     // As exports are: half of them in occlusion, the others each jaw on its own.
     const double which = ReproducibleRandom(m_Seed, FrameStream).Uniform();
@@ -273,7 +300,7 @@ DentalPhantomCaseSource::GenerateData()
                                         : FrameEnum::UprightScanner;
   }
   m_Traits = DentalPhantomTraits::Apply(m_Seed, m_Level, m_Parameters);
-  m_Parameters.numberOfTriangles = m_NumberOfTriangles;
+  m_Parameters.numberOfTriangles = m_Level.numberOfTriangles;
   m_Parameters.stoneBase = m_StoneBase;
   if (m_Acquisition.missingPosition != 0)
   {
@@ -416,7 +443,7 @@ DentalPhantomCaseSource::GenerateData()
   // Which end of a border is left out where a part is.
   ReproducibleRandom hand(m_Seed, 105);
   m_StandardTracing = nullptr;
-  if (m_TracedSide == TracedSideEnum::Standard || m_Level.giveLandmarks)
+  if (tracedSide == TracedSideEnum::Standard || m_Level.giveLandmarks)
   {
     std::map<std::string, DentalPhantomStandardTracing::PixelType> tips;
     for (unsigned int jaw = 0; jaw < 2; ++jaw)
@@ -467,7 +494,7 @@ DentalPhantomCaseSource::GenerateData()
                                             pixelSize);
     };
     std::vector<std::vector<DentalPhantomTracer::Polyline>> drawn;
-    switch (m_TracedSide)
+    switch (tracedSide)
     {
       case TracedSideEnum::Right:
         drawn = { trace(right) };
@@ -532,7 +559,7 @@ DentalPhantomCaseSource::GenerateData()
     }
     FillContour(static_cast<DentalContour *>(this->GetOutput(TrueTracingOutput + jaw)), exact);
     FillContour(this->GetTracing(jaw), noisy);
-    if (m_TracedSide == TracedSideEnum::Standard)
+    if (tracedSide == TracedSideEnum::Standard)
     {
       for (const auto & outline : m_StandardTracing->GetOutlines(jaw))
       {
@@ -551,8 +578,8 @@ DentalPhantomCaseSource::GenerateData()
 
     Landmarks2DType * projected = this->GetLandmarks2D(jaw);
     projected->Initialize();
-    const bool both = m_TracedSide == TracedSideEnum::Mean || m_TracedSide == TracedSideEnum::Both ||
-                      m_TracedSide == TracedSideEnum::Standard;
+    const bool both = tracedSide == TracedSideEnum::Mean || tracedSide == TracedSideEnum::Both ||
+                      tracedSide == TracedSideEnum::Standard;
     for (const auto & landmark : this->GetLandmarks3D(jaw)->GetLandmarks())
     {
       if (both || landmark.tooth.IsLeft() == traceLeft)
@@ -626,7 +653,7 @@ DentalPhantomCaseSource::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "Level: " << m_Level.name << std::endl;
-  os << indent << "TracedSide: " << m_TracedSide << std::endl;
+  os << indent << "TracedSide: " << this->GetTracedSide() << std::endl;
   os << indent << "BuccalOutline: " << m_BuccalOutline << std::endl;
   os << indent << "ToothBias: " << m_ToothBias << std::endl;
   os << indent << "DropOutFraction: " << m_DropOutFraction << std::endl;
@@ -642,12 +669,11 @@ DentalPhantomCaseSource::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "LowerNumberOfPoints: " << m_LowerNumberOfPoints << std::endl;
   os << indent << "Facing: " << m_Facing << std::endl;
   os << indent << "SourceSide: " << m_SourceSide << std::endl;
-  os << indent << "Frame: " << m_Frame << std::endl;
+  os << indent << "Frame: " << m_Level.frame << std::endl;
   os << indent << "StoneBase: " << m_StoneBase << std::endl;
-  os << indent << "NumberOfTriangles: " << m_NumberOfTriangles << std::endl;
+  os << indent << "NumberOfTriangles: " << m_Level.numberOfTriangles << std::endl;
   os << indent << "ImageSize: " << m_ImageSize << std::endl;
   os << indent << "MakeRadiograph: " << m_MakeRadiograph << std::endl;
-  os << indent << "DrawFrame: " << m_DrawFrame << std::endl;
   os << indent << "Traits:";
   for (const DentalPhantomTrait & trait : m_Traits)
   {

@@ -19,6 +19,7 @@
 
 #include "itkDentalPhantomAnatomy.h"
 #include "itkDentalPhantomMath.h"
+#include "itkDentalPhantomSpline.h"
 #include "itkParallelFor.h"
 #include "itkReproducibleRandom.h"
 #include "itkInvertedProjection.h"
@@ -35,36 +36,6 @@ namespace
 using PointType = DentalPhantomModel::PointType;
 using Part = DentalPhantomAnatomyPart;
 using PlaneType = Part::PlaneType;
-
-std::vector<PlaneType>
-Smooth(const std::vector<PlaneType> & knots, bool closed)
-{
-  std::vector<PlaneType> line;
-  const int              n = static_cast<int>(knots.size());
-  const int              spans = closed ? n : n - 1;
-  const auto             at = [&](int i) { return knots[closed ? (i + n) % n : std::min(std::max(i, 0), n - 1)]; };
-  for (int i = 0; i < spans; ++i)
-  {
-    const PlaneType p[4] = { at(i - 1), at(i), at(i + 1), at(i + 2) };
-    for (int k = 0; k < 4; ++k)
-    {
-      const double t = 0.25 * k;
-      PlaneType    q{};
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        q[d] = 0.5 * (2.0 * p[1][d] + t * (p[2][d] - p[0][d]) +
-                      t * t * (2.0 * p[0][d] - 5.0 * p[1][d] + 4.0 * p[2][d] - p[3][d]) +
-                      t * t * t * (-p[0][d] + 3.0 * p[1][d] - 3.0 * p[2][d] + p[3][d]));
-      }
-      line.push_back(q);
-    }
-  }
-  if (!closed)
-  {
-    line.push_back(knots.back());
-  }
-  return line;
-}
 
 /** Distance from a line; of a closed one negative inside. */
 double
@@ -193,7 +164,9 @@ DentalPhantomFilm::Render(const DentalPhantomModel & model, unsigned int threads
         }
         knots.push_back(p);
       }
-      Drawn one{ part, Smooth(knots, part.closed), lateral && part.paired ? 0.6 : 1.0, { 1e9, 1e9, -1e9, -1e9 } };
+      Drawn one{
+        part, DentalPhantomSpline(knots, part.closed, 4), lateral && part.paired ? 0.6 : 1.0, { 1e9, 1e9, -1e9, -1e9 }
+      };
       for (const PlaneType & p : one.line)
       {
         one.box[0] = std::min(one.box[0], p[0]);

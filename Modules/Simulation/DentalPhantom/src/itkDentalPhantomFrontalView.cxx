@@ -19,6 +19,7 @@
 
 #include "itkDentalPhantomFilm.h"
 #include "itkDentalPhantomHead.h"
+#include "itkDentalPhantomMath.h"
 #include "itkDentalPhantomModel.h"
 #include "itkDentalPhantomOutline.h"
 #include "itkDentalPhantomTracer.h"
@@ -29,10 +30,10 @@
 
 namespace itk
 {
+using namespace DentalPhantomMath;
+
 namespace
 {
-constexpr double Degree = 0.017453292519943295;
-
 enum Stream : std::uint64_t
 {
   FrontalHeadStream = 501,

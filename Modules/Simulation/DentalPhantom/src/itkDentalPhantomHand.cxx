@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDentalPhantomHand.h"
 
+#include "itkDentalPhantomMath.h"
 #include "itkReproducibleRandom.h"
 
 #include <algorithm>
@@ -24,10 +25,10 @@
 
 namespace itk
 {
+using namespace DentalPhantomMath;
+
 namespace
 {
-constexpr double Degree = 0.017453292519943295;
-
 enum Stream : std::uint64_t
 {
   BiasStream = 400,

@@ -23,10 +23,12 @@
 
 namespace itk
 {
-/** Small functions that the phantom's solids share. Square roots and products only: the same bits from every library.
- */
+/** Small functions that the phantom's parts share. Square roots and products only: the same bits from every library. */
 namespace DentalPhantomMath
 {
+/** In radians. */
+constexpr double Degree = 0.017453292519943295;
+
 inline double
 Clamp(double value, double low, double high)
 {

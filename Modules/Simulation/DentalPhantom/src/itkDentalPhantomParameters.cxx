@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDentalPhantomParameters.h"
 
+#include "itkDentalPhantomMath.h"
 #include "itkReproducibleRandom.h"
 
 #include <algorithm>
@@ -26,10 +27,10 @@
 
 namespace itk
 {
+using namespace DentalPhantomMath;
+
 namespace
 {
-constexpr double Degree = 0.017453292519943295;
-
 /** mesiodistal, buccolingual, crown height (mm), torque (degrees to the occlusal plane's normal). */
 constexpr double MeanTeeth[2][7][4] = { { { 8.5, 7.0, 10.5, 20.0 },
                                           { 6.6, 6.0, 9.2, 17.0 },
@@ -47,12 +48,6 @@ constexpr double MeanTeeth[2][7][4] = { { { 8.5, 7.0, 10.5, 20.0 },
                                           { 10.6, 10.2, 7.2, -12.0 } } };
 
 constexpr double MeanThirdMolars[2][4] = { { 8.5, 10.0, 6.5, 8.0 }, { 10.0, 9.5, 7.0, -12.0 } };
-
-double
-Clamp(double value, double low, double high)
-{
-  return std::min(std::max(value, low), high);
-}
 
 std::array<double, 9>
 RotationFromQuaternion(const std::array<double, 4> & q)

@@ -18,6 +18,7 @@
 #include "itkDentalPhantomStandardTracing.h"
 
 #include "itkDentalPhantomOutline.h"
+#include "itkDentalPhantomSpline.h"
 #include "itkDentalPhantomTracer.h"
 #include "itkReproducibleRandom.h"
 
@@ -81,32 +82,6 @@ Middle(const PixelType & a, const PixelType & b)
 {
   return { { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) } };
 }
-
-std::vector<PixelType>
-Spline(const std::vector<PixelType> & knots)
-{
-  // Closed, through the knots (Catmull, Rom 1974).
-  std::vector<PixelType> line;
-  const std::size_t      n = knots.size();
-  constexpr int          steps = 8;
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const PixelType * p[4] = { &knots[(i + n - 1) % n], &knots[i], &knots[(i + 1) % n], &knots[(i + 2) % n] };
-    for (int k = 0; k < steps; ++k)
-    {
-      const double t = static_cast<double>(k) / steps;
-      PixelType    q{};
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        q[d] = 0.5 * (2.0 * (*p[1])[d] + t * ((*p[2])[d] - (*p[0])[d]) +
-                      t * t * (2.0 * (*p[0])[d] - 5.0 * (*p[1])[d] + 4.0 * (*p[2])[d] - (*p[3])[d]) +
-                      t * t * t * (-(*p[0])[d] + 3.0 * (*p[1])[d] - 3.0 * (*p[2])[d] + (*p[3])[d]));
-      }
-      line.push_back(q);
-    }
-  }
-  return line;
-}
 } // namespace
 
 auto
@@ -165,7 +140,7 @@ DentalPhantomStandardTracing::GetTemplate(unsigned int jaw, bool molar, unsigned
   {
     p = { { across * p[0], length * p[1] } };
   }
-  return Spline(knots);
+  return DentalPhantomSpline(knots, true, 8);
 }
 
 DentalPhantomStandardTracing::DentalPhantomStandardTracing(const DentalPhantomModel &               model,
@@ -327,7 +302,7 @@ DentalPhantomStandardTracing::DentalPhantomStandardTracing(const DentalPhantomMo
           DentalPhantomTracer::Noise noise;
           noise.correlated = level.correlatedNoise;
           noise.white = level.whiteNoise;
-          noise.correlationLength = 15.0;
+          noise.correlationLength = CorrelationLength;
           DentalPhantomTracer::AddNoise(lines, noise, seed, DriftStream + 2 * jaw + (molar ? 1 : 0));
           outline.drawn = lines[0].points;
           m_Outlines[jaw].push_back(outline);

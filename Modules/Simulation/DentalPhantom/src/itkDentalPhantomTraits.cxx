@@ -18,6 +18,7 @@
 #include "itkDentalPhantomTraits.h"
 
 #include "itkDentalPhantomDentition.h"
+#include "itkDentalPhantomMath.h"
 #include "itkReproducibleRandom.h"
 
 #include <algorithm>
@@ -25,10 +26,10 @@
 
 namespace itk
 {
+using namespace DentalPhantomMath;
+
 namespace
 {
-constexpr double Degree = 0.017453292519943295;
-
 /** A stream a trait; never reuse a number. */
 enum Stream : std::uint64_t
 {

@@ -147,6 +147,88 @@ TEST(DentalPhantomCaseSource, HasTheBasicMethods)
   EXPECT_EQ(ExerciseBasics(CaseType::New()), EXIT_SUCCESS);
 }
 
+TEST(DentalPhantomCaseSource, LastCallSetsWhatTheLevelAndASetterShare)
+{
+  auto level = CaseType::New()->GetLevel();
+  level.tracedSide = "mean";
+  level.frame = "upright";
+  level.numberOfTriangles = 9000;
+  const auto setEach = [](CaseType * source) {
+    source->SetTracedSide(SideEnum::Left);
+    source->SetFrame(CaseType::FrameEnum::SeparateScanner);
+    source->SetNumberOfTriangles(7000);
+  };
+
+  // A level after the setters, the default one too, which says nothing new.
+  const auto source = CaseType::New();
+  setEach(source);
+  source->SetLevel(level);
+  EXPECT_EQ(source->GetTracedSide(), SideEnum::Mean);
+  EXPECT_EQ(source->GetFrame(), CaseType::FrameEnum::UprightScanner);
+  EXPECT_EQ(source->GetNumberOfTriangles(), 9000u);
+  EXPECT_EQ(source->GetLevel(), level);
+  setEach(source);
+  source->SetCohort(CohortEnum::Typical);
+  EXPECT_EQ(source->GetLevel(), CaseType::New()->GetLevel());
+
+  // The setters after a level: they change it, and nothing else of it.
+  source->SetLevel(level);
+  setEach(source);
+  EXPECT_EQ(source->GetTracedSide(), SideEnum::Left);
+  EXPECT_EQ(source->GetFrame(), CaseType::FrameEnum::SeparateScanner);
+  EXPECT_EQ(source->GetNumberOfTriangles(), 7000u);
+  level.tracedSide = "left";
+  level.frame = "separate";
+  level.numberOfTriangles = 7000;
+  EXPECT_EQ(source->GetLevel(), level);
+  source->MakeRadiographOff();
+  source->Update();
+  EXPECT_EQ(source->GetParameters().frame, CaseType::FrameEnum::SeparateScanner);
+  EXPECT_EQ(source->GetParameters().numberOfTriangles, 7000u);
+  EXPECT_TRUE(source->GetTracing(0)->GetPolylines().front().code.IsLeft());
+
+  // What is so already is no change; a frame instead of mixed ones is, though both may be SharedScanner.
+  auto time = source->GetMTime();
+  setEach(source);
+  source->SetLevel(level);
+  EXPECT_EQ(source->GetMTime(), time);
+  level.frame = "mixed";
+  source->SetLevel(level);
+  EXPECT_EQ(source->GetFrame(), CaseType::FrameEnum::SharedScanner);
+  time = source->GetMTime();
+  source->SetFrame(CaseType::FrameEnum::SharedScanner);
+  EXPECT_GT(source->GetMTime(), time);
+  EXPECT_EQ(source->GetLevel().frame, "shared");
+
+  // Every word of a level's frame and side has its enumerator.
+  for (const auto & entry : itk::DentalPhantomLevel::GetEntries())
+  {
+    const std::string key = entry.key;
+    for (const std::string & word : entry.words)
+    {
+      if (key == "frame" && word != "mixed")
+      {
+        level.frame = word;
+        source->SetLevel(level);
+        const auto frame = source->GetFrame();
+        source->SetFrame(CaseType::FrameEnum::CentredScanner);
+        source->SetFrame(frame);
+        EXPECT_EQ(source->GetLevel().frame, word);
+      }
+      else if (key == "side")
+      {
+        level.tracedSide = word;
+        source->SetLevel(level);
+        EXPECT_EQ(itk::ToString(source->GetTracedSide()), word);
+      }
+    }
+  }
+  // Clamped as a level's numbers are checked.
+  source->SetNumberOfTriangles(1);
+  EXPECT_EQ(source->GetNumberOfTriangles(), 2000u);
+  EXPECT_NO_THROW(source->GetLevel().Validate());
+}
+
 TEST(DentalPhantomCaseSource, TracingLiesOnTheBorderOfTheProjectedCrowns)
 {
   for (const SideEnum side : { SideEnum::Right, SideEnum::Left })

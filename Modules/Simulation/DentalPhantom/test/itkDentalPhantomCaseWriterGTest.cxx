@@ -161,6 +161,43 @@ TEST(DentalPhantomCaseWriter, WritesAFolderThatReadsBackAsTheCase)
                          source->GetRadiograph()->GetBufferPointer()));
 }
 
+TEST(DentalPhantomCaseWriter, TruthSaysWhatWasUsed)
+{
+  // The level asks for one thing and the setters for another: the parameters are those that the case was made with.
+  const auto source = CaseType::New();
+  source->SetLevel(itk::DentalPhantomLevel::Named("standard"));
+  source->SetTracedSide(CaseType::TracedSideEnum::Left);
+  source->SetFrame(CaseType::FrameEnum::CentredScanner);
+  source->SetNumberOfTriangles(4000);
+  source->MakeRadiographOff();
+  const auto writer = WriterType::New();
+  writer->SetCaseSource(source);
+  const std::string folder = Folder("phantom-truth");
+  writer->SetDirectoryName(folder);
+  writer->Write();
+  {
+    const auto document = itk::JsonDocument::ReadFile(folder + "/truth.json");
+    const auto root = document.GetRoot();
+    const auto parameters = root.Get("parameters");
+    EXPECT_EQ(parameters.Get("level").AsString(), "standard");
+    EXPECT_EQ(parameters.Get("tracing").Get("side").AsString(), "left");
+    EXPECT_EQ(parameters.Get("scan").Get("frame").AsString(), "centred");
+    EXPECT_EQ(parameters.Get("scan").Get("triangles").AsInteger(0, 1000000), 4000);
+    EXPECT_EQ(itk::JsonDocument::ReadFile(folder + "/case.json").GetRoot().Get("traced_side").AsString(), "left");
+    // Crowns of one side drift by the length that the seed drew, from 10 to 20 px.
+    EXPECT_EQ(root.Get("noise_px").Get("correlation_length").AsNumber(),
+              itk::DentalPhantomAcquisition::Draw(source->GetSeed(), source->GetLevel()).correlationLength);
+  }
+  // Whole teeth drift by a length that no seed changes.
+  source->SetTracedSide(CaseType::TracedSideEnum::Standard);
+  writer->Write();
+  const auto document = itk::JsonDocument::ReadFile(folder + "/truth.json");
+  EXPECT_EQ(document.GetRoot().Get("parameters").Get("tracing").Get("side").AsString(), "standard");
+  EXPECT_EQ(document.GetRoot().Get("noise_px").Get("correlation_length").AsNumber(),
+            itk::DentalPhantomStandardTracing::CorrelationLength);
+  EXPECT_EQ(source->GetAcquisition().correlationLength, itk::DentalPhantomStandardTracing::CorrelationLength);
+}
+
 TEST(DentalPhantomCaseWriter, ReplacesAnEarlierCaseAndLeavesOtherFilesAlone)
 {
   const std::string folder = Folder("phantom-again");

@@ -21,6 +21,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+#include <tuple>
+
 using namespace DentalPhantomTestCase;
 
 namespace
@@ -45,6 +49,25 @@ std::string
 Code(unsigned int fdi)
 {
   return itk::ToothCode(fdi).GetName();
+}
+
+/** Everything of a tooth but its bracket. */
+std::vector<double>
+Shape(const itk::DentalPhantomTooth & tooth)
+{
+  return { tooth.missing ? 1.0 : 0.0,
+           tooth.mesiodistal,
+           tooth.buccolingual,
+           tooth.height,
+           tooth.rotation,
+           tooth.tip,
+           tooth.torque,
+           tooth.buccalOffset,
+           tooth.occlusalOffset,
+           tooth.mesialGap,
+           tooth.wear,
+           tooth.primary ? 1.0 : 0.0,
+           tooth.settles ? 1.0 : 0.0 };
 }
 
 const std::vector<std::string> &
@@ -324,40 +347,78 @@ TEST(DentalPhantomTraits, CrowdingPutsALateralIncisorForemost)
 
 TEST(DentalPhantomTraits, OneMoreTraitLeavesTheOthersAsTheyWere)
 {
-  // All at 0.5, then one of them certain: what else was given stays, and so do the dentition's own draws.
-  std::string half;
-  for (const auto & key : Keys())
-  {
-    half += (half.empty() ? "" : ", ") + ("\"" + key + "_probability\": 0.5");
-  }
-  LevelType level;
-  level.ParseJson("{\"traits\": {" + half + "}, \"scan\": {\"flap_probability\": 0.5, \"mean_holes\": 3}}", "test");
+  // Those that want a tooth or a bite which the trait before them in the list may have; all others have a random stream
+  // of their own and are what they were.
+  const std::map<std::string, std::set<std::string>> yield = {
+    { "extraction_closed", { "extraction_open", "milk_molar", "infraocclusion", "bracket" } },
+    { "extraction_open", { "milk_molar", "infraocclusion", "bracket" } },
+    { "milk_molar", { "infraocclusion" } },
+    { "open_bite", { "deep_bite", "crossbite_anterior" } },
+    { "deep_bite", { "crossbite_anterior" } },
+  };
+  using TraitType = std::tuple<std::string, std::vector<unsigned int>, double>;
+  std::map<std::string, int> compared;
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
   {
-    auto       without = itk::DentalPhantomParameters::Draw(seed);
-    const auto before = itk::DentalPhantomTraits::Apply(seed, level, without);
-    LevelType  more = level;
-    more.bracketProbability = 1.0;
-    auto       with = itk::DentalPhantomParameters::Draw(seed);
-    const auto after = itk::DentalPhantomTraits::Apply(seed, more, with);
-    ASSERT_EQ(after.size(), before.size() + 1) << seed;
-    std::size_t k = 0;
-    for (const auto & trait : after)
+    // All at 0.5, then one of them never and always.
+    LevelType   level;
+    std::string half;
+    for (const auto & key : Keys())
     {
-      if (trait.name == "bracket")
+      half += (half.empty() ? "" : ", ") + ("\"" + key + "_probability\": 0.5");
+    }
+    level.ParseJson("{\"traits\": {" + half +
+                      "}, \"scan\": {\"bracket_probability\": 0.5, \"flap_probability\": 0.5, "
+                      "\"crumb_probability\": 0.5, \"mean_specks\": 3, \"mean_holes\": 3}}",
+                    "test");
+    std::vector<std::string> keys = Keys();
+    keys.insert(keys.end(), { "bracket", "flap", "crumb" });
+    for (const auto & key : keys)
+    {
+      const std::string            section = key == "bracket" || key == "flap" || key == "crumb" ? "scan" : "traits";
+      itk::DentalPhantomParameters parameters[2];
+      std::set<TraitType>          others[2];
+      bool                         has[2] = { false, false };
+      for (const int given : { 0, 1 })
       {
-        continue;
+        LevelType changed = level;
+        changed.ParseJson("{\"" + section + "\": {\"" + key + "_probability\": " + std::to_string(given) + "}}",
+                          "test");
+        parameters[given] = itk::DentalPhantomParameters::Draw(seed);
+        for (const auto & trait : itk::DentalPhantomTraits::Apply(seed, changed, parameters[given]))
+        {
+          const auto found = yield.find(key);
+          if (trait.name == key)
+          {
+            has[given] = true;
+          }
+          else if (found == yield.end() || found->second.count(trait.name) == 0)
+          {
+            others[given].insert({ trait.name, { trait.teeth.begin(), trait.teeth.end() }, trait.amount });
+          }
+        }
       }
-      EXPECT_EQ(trait.name, before[k].name);
-      EXPECT_EQ(trait.teeth, before[k].teeth);
-      EXPECT_EQ(trait.amount, before[k].amount);
-      ++k;
+      EXPECT_FALSE(has[0]) << key << ' ' << seed;
+      EXPECT_EQ(others[0], others[1]) << key << ' ' << seed;
+      compared[key] += has[1] ? static_cast<int>(others[0].size()) : 0;
+      // The teeth themselves: brackets and things of the scan move none, third molars none of the others.
+      if (section == "scan" || key == "third_molar")
+      {
+        for (const unsigned int jaw : { 0u, 1u })
+        {
+          for (unsigned int i = 0; i < 14; ++i)
+          {
+            EXPECT_EQ(Shape(parameters[0].jaws[jaw].teeth[i]), Shape(parameters[1].jaws[jaw].teeth[i]))
+              << key << ' ' << seed << ' ' << jaw << ' ' << i;
+          }
+        }
+      }
     }
-    for (unsigned int i = 0; i < itk::DentalPhantomJaw::NumberOfTeeth; ++i)
-    {
-      EXPECT_EQ(with.jaws[0].GetTooth(i).mesiodistal, without.jaws[0].GetTooth(i).mesiodistal);
-      EXPECT_EQ(with.jaws[1].GetTooth(i).tip, without.jaws[1].GetTooth(i).tip);
-    }
+  }
+  // Each trait was given in some cases, and others with it: of 20 at least a handful.
+  for (const auto & entry : compared)
+  {
+    EXPECT_GT(entry.second, 20) << entry.first;
   }
 }
 
