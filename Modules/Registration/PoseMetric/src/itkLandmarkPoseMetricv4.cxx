@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkLandmarkPoseMetricv4.h"
 
+#include "itkPoseSilhouetteKernel.h"
 #include "itkSquaresKernel.h"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ namespace itk
 namespace
 {
 constexpr unsigned int NumberOfParameters = PoseMetricv4::NumberOfPoseParameters;
-/** Width of the kernel that fits are judged with, px of 0.25 mm, as PoseSilhouetteKernel::FitWidth. */
-constexpr double FitWidth = 4.0;
+/** One width for all terms: their fits are added. */
+constexpr double FitWidth = PoseSilhouetteKernel::FitWidth;
 
 std::string
 JoinNames(const std::vector<std::string> & names)
@@ -79,7 +80,17 @@ LandmarkPoseMetricv4::SetRobustKernel(const RobustKernel * kernel)
   {
     itkExceptionMacro("No robust kernel: give SetRobustKernel() one; SquaresKernel is least squares.");
   }
-  m_RobustKernel = kernel;
+  if (m_RobustKernel != kernel)
+  {
+    m_RobustKernel = kernel;
+    this->SettingsChanged();
+  }
+}
+
+ModifiedTimeType
+LandmarkPoseMetricv4::GetMTime() const
+{
+  return std::max(Superclass::GetMTime(), m_RobustKernel->GetMTime());
 }
 
 void
