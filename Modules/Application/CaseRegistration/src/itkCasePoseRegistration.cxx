@@ -239,14 +239,21 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
     {
       continue;
     }
-    PredictLandmarks(data, entry.first, entry.second);
-    for (LandmarkPrediction & landmark : entry.second.landmarks)
+    for (const auto & place : projection->GetOutput()->GetLandmarks())
     {
-      landmark.covariance = toRows(projection->GetCovariance(landmark.name));
-      if (data.description.tracedSide == TracedSideEnum::Mean && projection->HasMiddleCovariance(landmark.name))
+      if (place.tooth.GetJaw() != entry.first)
       {
-        landmark.middleCovariance = toRows(projection->GetMiddleCovariance(landmark.name));
+        continue;
       }
+      LandmarkPrediction landmark;
+      landmark.name = place.name;
+      landmark.position = { { place.point[0], place.point[1] } };
+      landmark.covariance = toRows(projection->GetCovariance(place.name));
+      if (data.description.tracedSide == TracedSideEnum::Mean && projection->HasMiddleCovariance(place.name))
+      {
+        landmark.middleCovariance = toRows(projection->GetMiddleCovariance(place.name));
+      }
+      entry.second.landmarks.push_back(landmark);
     }
   }
 }
