@@ -692,10 +692,12 @@ TEST(PoseRegistrationParts, TheStartSeesTheJawsAndNotAUsersFurtherView)
     method->Update();
     const auto & parameters = method->GetOutput()->GetResult().groups[0].parameters;
     const auto & expected = first->GetOutput()->GetResult().groups[0].parameters;
-    // The term's information is that of errors ten thousand times as large: 1e-8 of the jaws'.
+    // The term's information is that of errors ten thousand times as large, 1e-8 of the jaws'. But its samples count in
+    // the step by which the search ends, so that it ends elsewhere in the flat bottom: a tenth of the roll's and the
+    // height's own uncertainty. From a start that is mixed up the answer is tens of degrees or millimetres off.
     for (unsigned int k = 0; k < 7; ++k)
     {
-      EXPECT_NEAR(parameters[k], expected[k], k < 3 || k == 6 ? 1e-3 : 0.05) << "parameter " << k;
+      EXPECT_NEAR(parameters[k], expected[k], k < 3 || k == 6 ? 5e-3 : 0.2) << "parameter " << k;
     }
   }
 }
