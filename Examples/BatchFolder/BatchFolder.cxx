@@ -16,10 +16,10 @@
  *
  *=========================================================================*/
 // Many cases from a table, one row of results a case; a case that can't be registered does not end the run.
+#include "itkCaseLandmarkErrorFilter.h"
 #include "itkCaseRegistration.h"
-#include "itkCaseResultWriter.h"
-#include "itkDentalCaseLoader.h"
-#include "itkDentalLandmarkFileReader.h"
+#include "itkCaseResultFolderWriter.h"
+#include "itkDentalCaseReader.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -81,20 +81,21 @@ MakeCase(RowType & row, const std::filesystem::path & folder)
 std::string
 Register(const itk::DentalCase & dentalCase, const std::string & output)
 {
+  auto reader = itk::DentalCaseReader::New();
+  reader->SetDescription(dentalCase);
   auto registration = itk::CaseRegistration::New();
   registration->SetPreset(itk::CasePresetEnum::Robust);
-  registration->SetData(itk::LoadDentalCase(dentalCase));
-  registration->Update();
-  itk::CaseResult result = registration->GetResult();
-  if (!dentalCase.landmarks2DFile.empty())
-  {
-    auto reader = itk::DentalLandmarkFileReader<2>::New();
-    reader->SetFileName(dentalCase.landmarks2DFile);
-    reader->Update();
-    itk::MeasureLandmarkErrors(result, reader->GetOutput());
-  }
-  itk::WriteCaseResult(result, output, false);
-  std::ostringstream row;
+  registration->SetInput(reader->GetOutput());
+  // Below the registration: what is marked on the radiograph cannot help it.
+  auto errors = itk::CaseLandmarkErrorFilter::New();
+  errors->SetInput(registration->GetOutput());
+  auto writer = itk::CaseResultFolderWriter::New();
+  writer->SetInput(errors->GetOutput());
+  writer->SetFolderName(output);
+  writer->WriteReportOff();
+  writer->Update(); // runs all of the above
+  const itk::CaseResult & result = errors->GetOutput()->Get();
+  std::ostringstream      row;
   row << itk::ToString(result.GetStatus());
   for (const auto jaw : { itk::ToothCode::JawEnum::Upper, itk::ToothCode::JawEnum::Lower })
   {

@@ -126,3 +126,6 @@ def test_program_of_the_readme_compiles_as_shown_and_runs(prefix, run, tmp_path)
                 # As many digits as a stream prints by default.
                 assert float(printed.pop(0)) == pytest.approx(value, rel=1e-5)
     assert not printed
+    for name in ("upper.png", "lower.png"):
+        # The first bytes of a PNG.
+        assert (tmp_path / name).read_bytes().startswith(b"\x89PNG")

@@ -12,6 +12,7 @@ itk_module(CaseRegistration
     CrownRegion
     SurfaceDRR
     SilhouetteContour
+    RegistrationCommon
     ContourMetric
     SilhouetteToContour
     PoseRegistration

@@ -22,6 +22,7 @@
 #include "itkCaseResultObject.h"
 #include "itkDentalCaseObject.h"
 #include "itkPoseRegistrationTypes.h"
+#include "itkRegistrationIterationInformation.h"
 
 #include "itkProcessObject.h"
 
@@ -45,12 +46,16 @@ class UMidlineDentalAxisFilter;
  * from DentalCaseReader; output: its result, for CaseResultFolderWriter. A jaw that can't be registered does not stop
  * the other: its status and reasons say why.
  *
- * Events: StartEvent, ProgressEvent, MultiResolutionIterationEvent where a stage begins (GetCurrentStage()), EndEvent;
- * AbortGenerateDataOn() ends the run with ProcessAborted.
+ * Events: StartEvent, ProgressEvent, MultiResolutionIterationEvent where a stage begins (GetCurrentStage()),
+ * IterationEvent at each of the method that runs, EndEvent; AbortGenerateDataOn() ends the run with ProcessAborted.
+ * What RegistrationIterationInformation tells is that of the method which runs or ran last, its level among it: a
+ * RegistrationIterationCommand logs a case as it logs a method.
  *
  * \ingroup CaseRegistration
  */
-class CaseRegistration_EXPORT CaseRegistration : public ProcessObject
+class CaseRegistration_EXPORT CaseRegistration
+  : public ProcessObject
+  , public RegistrationIterationInformation
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(CaseRegistration);
@@ -156,6 +161,23 @@ public:
     return m_CurrentStage;
   }
 
+  unsigned int
+  GetCurrentLevel() const override;
+  unsigned int
+  GetCurrentCandidate() const override;
+  std::size_t
+  GetOptimizerIteration() const override;
+  double
+  GetMetricValue() const override;
+  OptimizerParameters<double>
+  GetOptimizerPosition() const override;
+  double
+  GetStepLength() const override;
+  bool
+  GetStepAccepted() const override;
+  std::string
+  GetOptimizerStopConditionDescription() const override;
+
   DataObjectPointer
   MakeOutput(DataObjectPointerArraySizeType index) override;
 
@@ -190,6 +212,20 @@ private:
   RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis);
   void
   RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis);
+  /** What a method says of itself, kept: it does not outlive its stage. */
+  struct IterationType
+  {
+    unsigned int                level{ 0 };
+    unsigned int                candidate{ 0 };
+    std::size_t                 iteration{ 0 };
+    double                      value{ 0.0 };
+    OptimizerParameters<double> position;
+    double                      stepLength{ 0.0 };
+    bool                        accepted{ true };
+    std::string                 stopCondition;
+  };
+  void
+  KeepIteration(const RegistrationIterationInformation & method);
   /** Updates a process object between two values of this one's progress. */
   void
   Run(ProcessObject * process, float from, float to);
@@ -205,6 +241,7 @@ private:
   bool                    m_RefineMidline{ true };
   CaseResult              m_Result;
   std::string             m_CurrentStage;
+  IterationType           m_Iteration;
   /** What runs, to be told of an abort; null between. */
   ProcessObject *  m_Running{ nullptr };
   ModifiedTimeType m_ResultMTime{ 0 };

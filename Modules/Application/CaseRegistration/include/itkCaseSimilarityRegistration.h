@@ -26,6 +26,8 @@
 #include "itkSimilarity2DTransform.h"
 #include "itkVersorRigid3DTransform.h"
 
+#include <functional>
+
 namespace itk
 {
 /** \struct CaseSimilaritySettings
@@ -35,8 +37,8 @@ struct CaseSimilaritySettings
   CasePresetEnum preset{ CasePresetEnum::Paper };
   unsigned int   numberOfContourPoints{ 441 };
   bool           useSurfaceDRR{ true };
-  /** The caller: polled for abort while the registration iterates. */
-  const ProcessObject * caller{ nullptr };
+  /** Updates the registration, with the caller's events and abort; where it is not set the registration runs alone. */
+  std::function<void(ProcessObject *)> run;
 };
 
 /** \name The parts of the paper's chain

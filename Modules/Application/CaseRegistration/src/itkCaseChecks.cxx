@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkCaseChecks.h"
 
+#include "itkRegistrationVerdict.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -30,11 +32,32 @@ namespace
 using JawEnum = ToothCode::JawEnum;
 using PointType = std::array<double, 3>;
 
-/** Width of a dental arch, mm: formats' limits. */
-constexpr double NarrowestArch = 30.0;
-constexpr double WidestArch = 120.0;
-/** A landmark belongs to a scan that passes within this distance, mm. */
+/** Width of a dental arch, mm, as the verdict judges it too: no arch is narrower, no cast with its base wider. */
+constexpr double NarrowestArch = RegistrationVerdict::Thresholds().minimumArchWidth;
+constexpr double WidestArch = RegistrationVerdict::Thresholds().maximumArchWidth;
+/** A landmark belongs to a scan that passes within this distance, mm: a marked tip may lie off the surface by a
+ * vertex's distance or a click, and half a tooth is the next landmark's. */
 constexpr double LandmarkDistance = 3.0;
+/** Landmarks whose median distance from their own scan is below this lie on it, mm: they are vertices of it or beside
+ * one, whatever the other scan, which may touch it in occlusion, is near to. */
+constexpr double OnTheScan = 0.5;
+/** Landmarks are the other scan's where they are nearer to it by this factor. */
+constexpr double NearerByFactor = 0.5;
+/** windingAgreement (a cosine, 1 for an open shell that faces outward) below which a shell faces inward. Its sign
+ * tells; this far from 0 a hole or a fold does not turn it. */
+constexpr double InwardWinding = -0.2;
+/** Mean distance of one side's landmarks from the midline on the wrong side, mm, from which on the sides are exchanged:
+ * they lie 15 mm or more to their own side, and the midline is found to a millimetre or two. */
+constexpr double WrongSideOffset = 5.0;
+/** mm that an upper arch, normally the wider by some millimetres, may be narrower than the lower and lie behind it, as
+ * in a crossbite and in a class III. */
+constexpr double ReversedWidth = 2.0;
+constexpr double ReversedOverjet = 1.0;
+/** mm narrower that no crossbite makes an upper arch: one tooth's width over both sides. */
+constexpr double HugelyReversedWidth = 6.0;
+/** Confidence in a dental axis below which it is doubted: the middle of its range from 0 to 1 (Documentation/UMDA.md).
+ */
+constexpr double UnsureAxis = 0.5;
 
 const DentalJawFrame &
 FrameOf(const DentalFrameResult & frames, JawEnum jaw)
@@ -75,7 +98,8 @@ CheckUnit(const DentalCaseData & data, JawEnum jaw, const DentalJawFrame & frame
     return;
   }
   std::ostringstream reason;
-  reason << "the arch is " << std::setprecision(3) << extent << " mm wide, not 30 to 120";
+  reason << "the arch is " << std::setprecision(3) << extent << " mm wide, not " << NarrowestArch << " to "
+         << WidestArch;
   const double                                             inFile = extent / data.description.millimetresPerUnit;
   constexpr std::array<std::pair<const char *, double>, 4> units{
     { { "mm", 1.0 }, { "cm", 10.0 }, { "m", 1000.0 }, { "um", 0.001 } }
@@ -175,7 +199,7 @@ CheckNamesAgainstScans(const DentalCaseData & data, CaseResult & result)
     told = true;
     const double ownMedian = Median(toOwn);
     const char * name = jaw == JawEnum::Upper ? "upper" : "lower";
-    if (opposite != nullptr && ownMedian > 0.5 && Median(toOther) < 0.5 * ownMedian)
+    if (opposite != nullptr && ownMedian > OnTheScan && Median(toOther) < NearerByFactor * ownMedian)
     {
       for (auto & entry : result.jaws)
       {
@@ -200,7 +224,7 @@ CheckMirroring(const DentalCaseData & data, JawEnum jaw, const DentalJawFrame & 
 {
   JawResult & jawResult = result.jaws[jaw];
   // A closed cast has no net normal: its winding says nothing.
-  if (frame.openness > OpennessOfClosedCast && frame.windingAgreement < -0.2)
+  if (frame.openness > OpennessOfClosedCast && frame.windingAgreement < InwardWinding)
   {
     jawResult.AddReason(CaseStatusEnum::Suspect, "the surface is wound inward: the scan may be mirrored");
   }
@@ -226,9 +250,8 @@ CheckMirroring(const DentalCaseData & data, JawEnum jaw, const DentalJawFrame & 
       ++lefts;
     }
   }
-  // Mean of one side's landmarks: 15 mm or more from the midline.
-  const bool rightOnLeft = rights > 0 && right / rights > 5.0;
-  const bool leftOnRight = lefts > 0 && left / lefts < -5.0;
+  const bool rightOnLeft = rights > 0 && right / rights > WrongSideOffset;
+  const bool leftOnRight = lefts > 0 && left / lefts < -WrongSideOffset;
   if (rightOnLeft || leftOnRight)
   {
     jawResult.AddReason(
@@ -269,17 +292,17 @@ CheckShapesForExchange(const DentalFrameResult & frames, CaseResult & result)
     return false;
   }
   const double widthDifference = frames.upper.archWidth - frames.lower.archWidth;
-  const bool   reversedWidth = widthDifference < -2.0;
-  const bool   reversedOverjet = frames.jawsShareFrame && frames.overjet < -1.0;
+  const bool   isNarrower = widthDifference < -ReversedWidth;
+  const bool   liesBehind = frames.jawsShareFrame && frames.overjet < -ReversedOverjet;
   // A crossbite reverses the one, a class III the other: either alone does not tell unless it is large.
-  if ((reversedWidth && reversedOverjet) || widthDifference < -6.0)
+  if ((isNarrower && liesBehind) || widthDifference < -HugelyReversedWidth)
   {
     for (auto & entry : result.jaws)
     {
       std::ostringstream reason;
       reason << "upper and lower scan may be exchanged: the upper arch is " << std::setprecision(2) << -widthDifference
              << " mm narrower than the lower";
-      if (reversedOverjet)
+      if (liesBehind)
       {
         reason << " and lies " << -frames.overjet << " mm behind it";
       }
@@ -310,7 +333,7 @@ CheckCase(const DentalCaseData & data, const DentalFrameResult & frames, CaseRes
       continue;
     }
     CheckMirroring(data, entry.first, frame, result);
-    if (frame.confidence < 0.5)
+    if (frame.confidence < UnsureAxis)
     {
       std::ostringstream reason;
       reason << "the dental axis is unsure (confidence " << std::setprecision(2) << frame.confidence << ")";

@@ -224,6 +224,32 @@ MakeWholeSilhouette(const MeshType * mesh, CephalometricGeometry * placed, unsig
   return contour;
 }
 
+/** The middles of the landmarks that have a right and a left one, where the drawing is of middles. */
+std::vector<MiddlePrediction>
+PredictMiddles(JawEnum jaw, const std::vector<LandmarkPrediction> & landmarks)
+{
+  std::vector<MiddlePrediction> middles;
+  for (const LandmarkPrediction & right : landmarks)
+  {
+    const ToothCode tooth = DentalLandmarkSet<3>::ParseName(right.name);
+    const auto      suffix = right.name.substr(right.name.find('_'));
+    const auto      left = std::find_if(landmarks.begin(), landmarks.end(), [&](const LandmarkPrediction & other) {
+      return DentalLandmarkSet<3>::ParseName(other.name) == tooth.GetContralateral() &&
+             other.name.substr(other.name.find('_')) == suffix;
+    });
+    if (right.middleCovariance && tooth.IsRight() && left != landmarks.end())
+    {
+      MiddlePrediction middle;
+      middle.name = (jaw == JawEnum::Upper ? "U" : "L") + std::to_string(tooth.GetPosition()) + suffix;
+      middle.position = { { 0.5 * (right.position[0] + left->position[0]),
+                            0.5 * (right.position[1] + left->position[1]) } };
+      middle.sigma = right.GetMiddleSigma();
+      middles.push_back(middle);
+    }
+  }
+  return middles;
+}
+
 void
 ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseResult & result)
 {
@@ -248,7 +274,6 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
     {
       continue;
     }
-    PredictLandmarks(data, entry.first, jaw);
     // How the jaws bit on each other is not known better than this, mm, for a jaw that the other one placed.
     std::array<double, 4> bite{ {} };
     if (!jaw.placedBy.empty())
@@ -261,32 +286,23 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
       std::transform(covariance.begin(), covariance.end(), bite.begin(), covariance.begin(), std::plus<double>());
       return covariance;
     };
-    for (LandmarkPrediction & landmark : jaw.landmarks)
+    for (const auto & place : projection->GetOutput()->GetLandmarks())
     {
-      landmark.covariance = widen(toRows(projection->GetCovariance(landmark.name)));
-      if (bisected && projection->HasMiddleCovariance(landmark.name))
+      if (place.tooth.GetJaw() != entry.first)
       {
-        landmark.middleCovariance = widen(toRows(projection->GetMiddleCovariance(landmark.name)));
+        continue;
       }
-    }
-    for (const LandmarkPrediction & right : jaw.landmarks)
-    {
-      const ToothCode tooth = DentalLandmarkSet<3>::ParseName(right.name);
-      const auto      suffix = right.name.substr(right.name.find('_'));
-      const auto left = std::find_if(jaw.landmarks.begin(), jaw.landmarks.end(), [&](const LandmarkPrediction & other) {
-        return DentalLandmarkSet<3>::ParseName(other.name) == tooth.GetContralateral() &&
-               other.name.substr(other.name.find('_')) == suffix;
-      });
-      if (right.middleCovariance && tooth.IsRight() && left != jaw.landmarks.end())
+      LandmarkPrediction landmark;
+      landmark.name = place.name;
+      landmark.position = { { place.point[0], place.point[1] } };
+      landmark.covariance = widen(toRows(projection->GetCovariance(place.name)));
+      if (bisected && projection->HasMiddleCovariance(place.name))
       {
-        MiddlePrediction middle;
-        middle.name = (entry.first == JawEnum::Upper ? "U" : "L") + std::to_string(tooth.GetPosition()) + suffix;
-        middle.position = { { 0.5 * (right.position[0] + left->position[0]),
-                              0.5 * (right.position[1] + left->position[1]) } };
-        middle.sigma = right.GetMiddleSigma();
-        jaw.middles.push_back(middle);
+        landmark.middleCovariance = widen(toRows(projection->GetMiddleCovariance(place.name)));
       }
+      jaw.landmarks.push_back(landmark);
     }
+    jaw.middles = PredictMiddles(entry.first, jaw.landmarks);
   }
 }
 

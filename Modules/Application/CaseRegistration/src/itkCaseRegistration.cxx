@@ -30,6 +30,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <typeinfo>
 #include <utility>
 
 namespace itk
@@ -200,11 +201,14 @@ CaseRegistration::Run(ProcessObject * process, float from, float to)
     [&](const EventObject &) { this->UpdateProgress(from + (to - from) * process->GetProgress()); });
   const auto observer = process->AddObserver(ProgressEvent(), progress);
   // What stands in the middle of an iterative method is of interest to whoever watches the whole.
-  auto iteration = FunctionCommand::New();
-  iteration->SetCallback([this](const EventObject & event) {
-    // A level of the method is an iteration event in ITK as well; a level here is a stage of the case.
-    if (dynamic_cast<const MultiResolutionIterationEvent *>(&event) == nullptr)
+  const auto * method = dynamic_cast<const RegistrationIterationInformation *>(process);
+  auto         iteration = FunctionCommand::New();
+  iteration->SetCallback([this, method](const EventObject & event) {
+    // The exact type: a level of the method is an iteration event in ITK as well, and a level here is a stage of the
+    // case.
+    if (method != nullptr && typeid(event) == typeid(IterationEvent))
     {
+      this->KeepIteration(*method);
       this->InvokeEvent(IterationEvent());
     }
   });
@@ -214,6 +218,10 @@ CaseRegistration::Run(ProcessObject * process, float from, float to)
     m_Running = nullptr;
     process->RemoveObserver(observer);
     process->RemoveObserver(iterationObserver);
+    if (method != nullptr)
+    {
+      m_Iteration.stopCondition = method->GetOptimizerStopConditionDescription();
+    }
   };
   try
   {
@@ -225,6 +233,66 @@ CaseRegistration::Run(ProcessObject * process, float from, float to)
     throw;
   }
   end();
+}
+
+void
+CaseRegistration::KeepIteration(const RegistrationIterationInformation & method)
+{
+  m_Iteration.level = method.GetCurrentLevel();
+  m_Iteration.candidate = method.GetCurrentCandidate();
+  m_Iteration.iteration = method.GetOptimizerIteration();
+  m_Iteration.value = method.GetMetricValue();
+  m_Iteration.position = method.GetOptimizerPosition();
+  m_Iteration.stepLength = method.GetStepLength();
+  m_Iteration.accepted = method.GetStepAccepted();
+}
+
+unsigned int
+CaseRegistration::GetCurrentLevel() const
+{
+  return m_Iteration.level;
+}
+
+unsigned int
+CaseRegistration::GetCurrentCandidate() const
+{
+  return m_Iteration.candidate;
+}
+
+std::size_t
+CaseRegistration::GetOptimizerIteration() const
+{
+  return m_Iteration.iteration;
+}
+
+double
+CaseRegistration::GetMetricValue() const
+{
+  return m_Iteration.value;
+}
+
+OptimizerParameters<double>
+CaseRegistration::GetOptimizerPosition() const
+{
+  return m_Iteration.position;
+}
+
+double
+CaseRegistration::GetStepLength() const
+{
+  return m_Iteration.stepLength;
+}
+
+bool
+CaseRegistration::GetStepAccepted() const
+{
+  return m_Iteration.accepted;
+}
+
+std::string
+CaseRegistration::GetOptimizerStopConditionDescription() const
+{
+  return m_Iteration.stopCondition;
 }
 
 void
@@ -328,6 +396,7 @@ CaseRegistration::GenerateData()
     itkExceptionMacro("The input holds no case: call Set() of the DentalCaseObject, or use a DentalCaseReader.");
   }
   m_Result = CaseResult();
+  m_Iteration = IterationType();
   m_Result.preset = m_Preset;
   m_Result.data = m_Data;
   m_Result.warnings = m_Data->warnings;
@@ -446,8 +515,8 @@ CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::
   CaseSimilaritySettings settings;
   settings.preset = m_Preset;
   settings.useSurfaceDRR = m_UseSurfaceDRR;
-  settings.caller = this;
   float progress = 0.35F;
+  settings.run = [&](ProcessObject * process) { this->Run(process, progress, progress + 0.3F); };
   for (auto & entry : m_Result.jaws)
   {
     JawResult & result = entry.second;
@@ -456,12 +525,12 @@ CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::
       continue;
     }
     this->EnterStage(Name(entry.first) + ": registration", progress);
-    progress += 0.3F;
     settings.numberOfContourPoints =
       entry.first == JawEnum::Upper ? m_NumberOfUpperContourPoints : m_NumberOfLowerContourPoints;
     try
     {
       RegisterJawBySimilarity(*m_Data, entry.first, frameOf(entry.first), m_Result.geometry, settings, result);
+      progress += 0.3F;
     }
     catch (const ProcessAborted &)
     {
@@ -471,6 +540,7 @@ CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::
     {
       result.registered = false;
       result.AddReason(CaseStatusEnum::Failed, DescribePlainly(error));
+      progress += 0.3F;
       continue;
     }
     if (!m_Data->HasPrincipalPoint() && !havePrincipalPoint)
@@ -513,6 +583,8 @@ CaseRegistration::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "PoseMethodCallback: " << (m_PoseMethodCallback ? "set" : "(none)") << std::endl;
   os << indent << "RefineMidline: " << (m_RefineMidline ? "On" : "Off") << std::endl;
   os << indent << "CurrentStage: " << m_CurrentStage << std::endl;
+  os << indent << "Iteration: level " << m_Iteration.level << ", iteration " << m_Iteration.iteration << ", value "
+     << m_Iteration.value << std::endl;
   os << indent << "Running: " << (m_Running != nullptr ? m_Running->GetNameOfClass() : "(none)") << std::endl;
   os << indent << "ResultStatus: " << ToString(this->GetResult().GetStatus()) << std::endl;
 }

@@ -29,7 +29,6 @@
 #include "itkSurfaceDRRImageSource.h"
 #include "itkSurfaceSplatWidthCalculator.h"
 
-#include "itkCommand.h"
 #include "itkTimeProbe.h"
 
 #include <sstream>
@@ -242,16 +241,14 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
   {
     method->SetInitialTransform(MakeSimilarity(initial->second));
   }
-  if (settings.caller != nullptr)
+  if (settings.run)
   {
-    method->AddObserver(IterationEvent(), [&](const EventObject &) {
-      if (settings.caller->GetAbortGenerateData())
-      {
-        method->AbortGenerateDataOn();
-      }
-    });
+    settings.run(method);
   }
-  method->Update();
+  else
+  {
+    method->Update();
+  }
   probe.Stop();
   result.seconds.emplace_back("registration", probe.GetTotal());
 

@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "itkCaseLandmarkErrorFilter.h"
 #include "itkCaseRegistrationTestCase.h"
 #include "itkCaseResultFolderWriter.h"
 #include "itkDentalCaseReader.h"
@@ -74,20 +75,35 @@ TEST(CasePipeline, OneUpdateOfTheWriterRunsAllAndAChangeRunsWhatLiesBelow)
   auto registration = itk::CaseRegistration::New();
   registration->SetInput(reader->GetOutput());
   auto writer = itk::CaseResultFolderWriter::New();
-  writer->SetInput(registration->GetOutput());
+  auto errors = itk::CaseLandmarkErrorFilter::New();
+  errors->SetInput(registration->GetOutput());
+  writer->SetInput(errors->GetOutput());
   writer->SetFolderName(itk::TestFolder() + "/result");
   writer->WriteReportOff();
   const ExecutionCounter readings(reader);
   const ExecutionCounter registrations(registration);
+  const ExecutionCounter measurements(errors);
   writer->Update();
   EXPECT_EQ(readings.Get(), 1u);
   EXPECT_EQ(registrations.Get(), 1u);
   EXPECT_TRUE(std::filesystem::exists(itk::TestFolder() + "/result/result.json"));
   EXPECT_EQ(registration->GetResult().GetStatus(), itk::CaseStatusEnum::Ok);
+  EXPECT_EQ(measurements.Get(), 1u);
+  // The marks are known below the registration alone.
+  EXPECT_TRUE(registration->GetResult().markedLandmarks.IsNull());
+  for (const auto & entry : registration->GetResult().jaws)
+  {
+    EXPECT_FALSE(entry.second.error);
+    const auto & measured = errors->GetOutput()->Get().jaws.at(entry.first);
+    ASSERT_TRUE(measured.error);
+    EXPECT_GT(measured.error->count, 0u);
+    EXPECT_EQ(measured.projection, entry.second.projection);
+  }
 
   writer->Update();
   EXPECT_EQ(readings.Get(), 1u);
   EXPECT_EQ(registrations.Get(), 1u);
+  EXPECT_EQ(measurements.Get(), 1u);
 
   registration->SetOption("maximumEvaluations=10");
   writer->Update();
@@ -115,6 +131,7 @@ TEST(CasePipeline, SaysWhatToCallWhereAnInputIsMissing)
   };
   EXPECT_NE(messageOf(itk::DentalCaseReader::New()).find("SetFileName()"), std::string::npos);
   EXPECT_NE(messageOf(itk::CaseRegistration::New()).find("SetInput()"), std::string::npos);
+  EXPECT_NE(messageOf(itk::CaseLandmarkErrorFilter::New()).find("SetInput()"), std::string::npos);
   EXPECT_NE(messageOf(itk::CaseResultFolderWriter::New()).find("SetInput()"), std::string::npos);
   auto registration = itk::CaseRegistration::New();
   registration->SetInput(itk::DentalCaseObject::New());

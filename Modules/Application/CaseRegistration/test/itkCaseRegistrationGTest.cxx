@@ -24,6 +24,7 @@
 
 #include "itkCorrelatedNoiseModel.h"
 #include "itkPoseRegistrationMethodBase.h"
+#include "itkRegistrationIterationCommand.h"
 #include "itkSquaresKernel.h"
 
 #include <gtest/gtest.h>
@@ -32,9 +33,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 namespace
 {
@@ -271,6 +274,68 @@ TEST(CaseRegistration, AbortsAtTheNextStage)
     registration->AddObserver(itk::AbortEvent(), [&](const itk::EventObject &) { aborted = true; });
     EXPECT_THROW(registration->Update(), itk::ProcessAborted);
     EXPECT_TRUE(aborted);
+  }
+}
+
+TEST(CaseRegistration, AReadyCommandLogsTheIterationsOfTheMethodThatItRuns)
+{
+  using CommandType = itk::RegistrationIterationCommand;
+  for (const auto preset : { itk::CasePresetEnum::Robust, itk::CasePresetEnum::Paper })
+  {
+    const PhantomCase phantom(6);
+    auto              registration = itk::CaseRegistration::New();
+    registration->SetPreset(preset);
+    registration->SetData(phantom.data);
+    auto command = CommandType::New();
+    command->Observe(registration);
+    std::vector<std::string> stages;
+    registration->AddObserver(itk::MultiResolutionIterationEvent(),
+                              [&](const itk::EventObject &) { stages.push_back(registration->GetCurrentStage()); });
+    // The method's own log beside it.
+    auto ofMethod = CommandType::New();
+    registration->SetPoseMethodCallback([&](itk::PoseRegistrationMethodBase & method) { ofMethod->Observe(&method); });
+    registration->Update();
+    const auto iterationsOf = [](const CommandType & log) {
+      std::vector<CommandType::RecordType> iterations;
+      std::copy_if(log.GetRecords().begin(),
+                   log.GetRecords().end(),
+                   std::back_inserter(iterations),
+                   [](const auto & record) { return record.kind == CommandType::KindEnum::Iteration; });
+      return iterations;
+    };
+    const auto iterations = iterationsOf(*command);
+    ASSERT_FALSE(iterations.empty()) << itk::ToString(preset);
+    EXPECT_EQ(iterations.back().parameters.Size(), preset == itk::CasePresetEnum::Robust ? 7u : 4u);
+    // Four levels of the pose; three of the paper's method, whose later ones may stop before a first iteration.
+    if (preset == itk::CasePresetEnum::Robust)
+    {
+      EXPECT_EQ(iterations.back().level, 3u);
+    }
+    else
+    {
+      EXPECT_LE(iterations.back().level, 2u);
+    }
+    const auto & records = command->GetRecords();
+    EXPECT_EQ(records.front().kind, CommandType::KindEnum::Start);
+    EXPECT_EQ(records.back().kind, CommandType::KindEnum::End);
+    EXPECT_FALSE(records.back().stopReason.empty());
+    EXPECT_EQ(std::count_if(records.begin(),
+                            records.end(),
+                            [](const auto & record) { return record.kind == CommandType::KindEnum::Level; }),
+              static_cast<std::ptrdiff_t>(stages.size()));
+    if (preset == itk::CasePresetEnum::Robust)
+    {
+      const auto expected = iterationsOf(*ofMethod);
+      ASSERT_EQ(iterations.size(), expected.size());
+      for (std::size_t i = 0; i < iterations.size(); ++i)
+      {
+        EXPECT_EQ(iterations[i].value, expected[i].value);
+        EXPECT_EQ(iterations[i].level, expected[i].level);
+        EXPECT_EQ(iterations[i].candidate, expected[i].candidate);
+        EXPECT_EQ(iterations[i].stepLength, expected[i].stepLength);
+        EXPECT_EQ(iterations[i].accepted, expected[i].accepted);
+      }
+    }
   }
 }
 

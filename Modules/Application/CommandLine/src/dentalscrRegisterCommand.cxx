@@ -17,12 +17,12 @@
  *=========================================================================*/
 #include "dentalscrCommands.h"
 
+#include "itkCaseLandmarkErrorFilter.h"
 #include "itkCaseRegistration.h"
-#include "itkCaseResultWriter.h"
+#include "itkCaseResultFolderWriter.h"
 #include "itkDentalCaseFileReader.h"
-#include "itkDentalCaseLoader.h"
+#include "itkDentalCaseReader.h"
 #include "itkDentalInputError.h"
-#include "itkDentalLandmarkFileReader.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTextFile.h"
 
@@ -169,34 +169,30 @@ Register(const RegisterOptions & options, const CommonOptions & common)
   registration->SetUseSurfaceDRR(options.silhouette == "drr");
   registration->SetNumberOfWorkUnits(common.threads > 0 ? common.threads
                                                         : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
+  auto reader = itk::DentalCaseReader::New();
+  reader->SetDescription(description);
+  registration->SetInput(reader->GetOutput());
+  auto errors = itk::CaseLandmarkErrorFilter::New();
+  errors->SetInput(registration->GetOutput());
+  auto writer = itk::CaseResultFolderWriter::New();
+  writer->SetInput(errors->GetOutput());
+  writer->SetFolderName(options.output);
+  writer->SetWriteReport(!options.noReport);
+
+  // The pipeline is pulled in three parts for the sake of signals: while the case is read one ends the program, then it
+  // ends the registration, and while files are moved it waits.
+  reader->Update();
   // Kept to the end: the system takes memory back at once, cell by cell it would take a twentieth of the whole time.
   static auto * const data = new std::shared_ptr<const itk::DentalCaseData>;
-  *data = itk::LoadDentalCase(description);
-  registration->SetData(*data);
-  // Until the result is written: a signal ends the registration, but not the moving of files.
+  *data = reader->GetOutput()->Get();
   const InterruptGuard guard(registration);
   {
     const ProgressLine progress(
       registration, [&]() { return registration->GetCurrentStage(); }, common.quiet);
     registration->Update();
   }
-
-  // Only now, when nothing can be registered with them any more.
-  itk::CaseResult result = registration->GetResult();
-  if (!description.landmarks2DFile.empty())
-  {
-    auto reader = itk::DentalLandmarkFileReader<2>::New();
-    reader->SetFileName(description.landmarks2DFile);
-    if (description.numbering)
-    {
-      reader->SetNumbering(*description.numbering);
-    }
-    reader->Update();
-    result.warnings.insert(result.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
-    itk::MeasureLandmarkErrors(result, reader->GetOutput());
-    result.markedLandmarks = reader->GetOutput();
-  }
-  itk::WriteCaseResult(result, options.output, !options.noReport);
+  writer->Update();
+  const itk::CaseResult & result = errors->GetOutput()->Get();
   if (!options.returnParameterFile.empty())
   {
     itk::WriteFileAtomically(options.returnParameterFile,

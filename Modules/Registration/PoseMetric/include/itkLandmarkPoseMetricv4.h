@@ -147,6 +147,10 @@ public:
   void
   ClearCovariances();
 
+  /** Of the kernel as well. */
+  ModifiedTimeType
+  GetMTime() const override;
+
   /** Least squares by default. */
   void
   SetRobustKernel(const RobustKernel * kernel) override;

@@ -66,6 +66,10 @@ public:
   BlocksType
   DeclareBlocks() const override;
 
+  /** Of the transform as well. */
+  ModifiedTimeType
+  GetMTime() const override;
+
 protected:
   PoseMetricv4() = default;
   ~PoseMetricv4() override = default;

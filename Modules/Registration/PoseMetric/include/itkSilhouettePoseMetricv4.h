@@ -193,6 +193,10 @@ public:
   const PoseSilhouetteKernel &
   GetKernel() const;
 
+  /** Of kernel and noise model as well. */
+  ModifiedTimeType
+  GetMTime() const override;
+
   /** GemanMcClureKernel by default, width 3 px. */
   void
   SetRobustKernel(const RobustKernel * kernel) override;

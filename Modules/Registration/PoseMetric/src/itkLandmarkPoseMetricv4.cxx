@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkLandmarkPoseMetricv4.h"
 
+#include "itkPoseSilhouetteKernel.h"
 #include "itkSquaresKernel.h"
 
 #include <algorithm>
@@ -90,7 +91,17 @@ LandmarkPoseMetricv4::SetRobustKernel(const RobustKernel * kernel)
   {
     itkExceptionMacro("No robust kernel: give SetRobustKernel() one; SquaresKernel is least squares.");
   }
-  m_RobustKernel = kernel;
+  if (m_RobustKernel != kernel)
+  {
+    m_RobustKernel = kernel;
+    this->SettingsChanged();
+  }
+}
+
+ModifiedTimeType
+LandmarkPoseMetricv4::GetMTime() const
+{
+  return std::max(Superclass::GetMTime(), m_RobustKernel->GetMTime());
 }
 
 void

@@ -24,7 +24,28 @@ namespace itk
 {
 namespace
 {
+/** Sectors of the circle about the arch's middle: 7.5 degrees, at a radius of 25 to 35 mm half a tooth, so that a
+ * sector holds a crown and not a contact alone. */
 constexpr int Sectors = 48;
+/** Points of a surface, and of a sector, below which there is no height to find among them. */
+constexpr std::size_t MinimumPoints = 100;
+constexpr std::size_t MinimumPointsOfSector = 10;
+/** The middle lies this share of the depth from the back: inside the horseshoe, whose ends are at 0 and whose front is
+ * at 1. */
+constexpr double MiddleFromBack = 0.35;
+/** Percentile of a sector's heights that is its top: the highest point may be a spike of the scan. */
+constexpr std::size_t TopPercentile = 99;
+/** The mark of a sector without a top, higher than any, mm. */
+constexpr double NoTop = 1e30;
+/** Sectors with a top, and points of the curve, below which it is no arch: that is a third, and a sixth, of the 24 that
+ * face forward. */
+constexpr std::size_t MinimumSectors = 8;
+constexpr std::size_t MinimumCurvePoints = 4;
+/** mm below the upper quartile of the tops that a crown's top may lie, by wear or by the curve of the occlusal plane:
+ * about the height of a crown. What is lower is palate, tongue side or base. */
+constexpr double LowestCrown = 8.0;
+/** mm below its top that are averaged for a sector's place: the upper half of a crown. */
+constexpr double CrownPart = 4.0;
 
 /** Textbook mesio-distal widths, mm, of the first seven teeth of a quadrant. */
 constexpr double UpperWidths[7] = { 8.5, 6.6, 7.6, 7.0, 6.7, 10.3, 9.7 };
@@ -34,7 +55,7 @@ constexpr double LowerWidths[7] = { 5.3, 5.9, 6.9, 7.0, 7.1, 11.2, 10.6 };
 PoseArch::PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw)
 {
   const std::size_t n = surface.points.size();
-  if (n < 100)
+  if (n < MinimumPoints)
   {
     return;
   }
@@ -50,7 +71,7 @@ PoseArch::PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw)
       high[k] = std::max(high[k], p[k]);
     }
   }
-  const double                     cx = low[0] + 0.35 * (high[0] - low[0]);
+  const double                     cx = low[0] + MiddleFromBack * (high[0] - low[0]);
   const double                     cy = 0.0;
   std::vector<std::vector<double>> heights(Sectors);
   std::vector<int>                 sector(n);
@@ -66,12 +87,12 @@ PoseArch::PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw)
   for (int k = 0; k < Sectors; ++k)
   {
     auto & h = heights[k];
-    if (h.size() < 10)
+    if (h.size() < MinimumPointsOfSector)
     {
-      top[k] = 1e30;
+      top[k] = NoTop;
       continue;
     }
-    const std::size_t q = (h.size() - 1) * 99 / 100;
+    const std::size_t q = (h.size() - 1) * TopPercentile / 100;
     std::nth_element(h.begin(), h.begin() + q, h.end());
     top[k] = h[q];
   }
@@ -79,24 +100,24 @@ PoseArch::PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw)
   std::vector<double> tops;
   for (double t : top)
   {
-    if (t < 1e29)
+    if (t < NoTop)
     {
       tops.push_back(t);
     }
   }
-  if (tops.size() < 8)
+  if (tops.size() < MinimumSectors)
   {
     return;
   }
   std::nth_element(tops.begin(), tops.begin() + tops.size() * 3 / 4, tops.end());
-  const double                               level = tops[tops.size() * 3 / 4] - 8.0;
+  const double                               level = tops[tops.size() * 3 / 4] - LowestCrown;
   std::array<std::array<double, 2>, Sectors> sum{};
   std::array<double, Sectors>                count{};
   for (std::size_t i = 0; i < n; ++i)
   {
     const auto & p = surface.points[i];
     const double t = top[sector[i]];
-    if (t < 1e29 && t > level && occlusal * p[2] > t - 4.0)
+    if (t < NoTop && t > level && occlusal * p[2] > t - CrownPart)
     {
       sum[sector[i]][0] += p[0];
       sum[sector[i]][1] += p[1];
@@ -105,7 +126,7 @@ PoseArch::PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw)
   }
   for (int k = 0; k < Sectors; ++k)
   {
-    if (count[k] >= 10.0)
+    if (count[k] >= static_cast<double>(MinimumPointsOfSector))
     {
       m_Curve.push_back({ { sum[k][0] / count[k], sum[k][1] / count[k] } });
     }
@@ -122,7 +143,7 @@ PoseArch::PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw)
       }
     }
   }
-  if (m_Curve.size() < 4)
+  if (m_Curve.size() < MinimumCurvePoints)
   {
     m_Curve.clear();
     return;

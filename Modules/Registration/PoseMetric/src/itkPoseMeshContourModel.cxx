@@ -26,6 +26,21 @@ namespace itk
 {
 namespace
 {
+// How the two sides of an arch are paired, for the middle of their outlines (Documentation/Robust.md, step 1). What is
+// paired is one tooth with its namesake: their places differ by the asymmetry of an arch, some millimetres, and by less
+// than a tooth, some 7 mm.
+/** mm, in place and direction together, within which the other side's namesake is looked for. */
+constexpr double PairingReach = 4.0;
+/** Weight of the difference in height: the sides differ most there, as where the occlusal plane is canted. */
+constexpr double PairingHeightWeight = 0.5;
+/** mm a unit normal: opposite flanks of a cusp, whose normals are 2 apart, are as far as the reach and never paired. */
+constexpr double PairingNormalWeight = 2.0;
+/** px: the differences of partners are smoothed along the run with this sigma, as the pairing jumps from sample to
+ * sample and the anatomy does not, which changes over a tooth of some 28 px. */
+constexpr double SmoothingSigma = 3.0;
+/** Samples to either side that the smoothing sees: at a spacing of half a pixel three sigma. */
+constexpr std::size_t SmoothingReach = 18;
+
 /** Of the box around both; none of surfaces without a point. */
 std::vector<std::array<double, 3>>
 MakeCorners(const TriangleSurface & surface, const TriangleSurface * other)
@@ -102,8 +117,7 @@ PoseMeshContourModel::Compute(const PoseModel & model) const
     return contour;
   }
   const OpenSilhouette other = this->ComputeOpen(*m_Other, model);
-  // Pair each point with the nearest of the other side in (x, |y|, z / 2, 2 mm normal); z is where the sides differ
-  // most.
+  // Pair each point with the nearest of the other side in (x, |y|, z / 2, 2 mm normal).
   const std::size_t        n = contour.Size();
   std::vector<double>      du(n), dv(n);
   std::vector<long>        partner(n, -1);
@@ -118,17 +132,17 @@ PoseMeshContourModel::Compute(const PoseModel & model) const
   for (std::size_t i = 0; i < n; ++i)
   {
     const auto & p = contour.rim[i];
-    double       best = 16.0;
+    double       best = PairingReach * PairingReach;
     auto         it = std::lower_bound(
-      order.begin(), order.end(), p[0] - 4.0, [&](std::size_t j, double x) { return other.rim[j][0] < x; });
-    for (; it != order.end() && other.rim[*it][0] < p[0] + 4.0; ++it)
+      order.begin(), order.end(), p[0] - PairingReach, [&](std::size_t j, double x) { return other.rim[j][0] < x; });
+    for (; it != order.end() && other.rim[*it][0] < p[0] + PairingReach; ++it)
     {
       const auto & q = other.rim[*it];
       const double dx = p[0] - q[0];
       const double dy = std::abs(p[1]) - std::abs(q[1]);
-      const double dz = 0.5 * (p[2] - q[2]);
+      const double dz = PairingHeightWeight * (p[2] - q[2]);
       const double dn = contour.nu[i] * other.nu[*it] + contour.nv[i] * other.nv[*it];
-      const double d = dx * dx + dy * dy + dz * dz + 4.0 * (2.0 - 2.0 * dn);
+      const double d = dx * dx + dy * dy + dz * dz + PairingNormalWeight * PairingNormalWeight * (2.0 - 2.0 * dn);
       if (d < best)
       {
         best = d;
@@ -154,15 +168,14 @@ PoseMeshContourModel::Compute(const PoseModel & model) const
         open = false;
         continue;
       }
-      // The differences smoothed along the run, sigma 3 px: the pairing jumps, the anatomy does not.
       double            sw = 0.0, su = 0.0, sv = 0.0;
-      const std::size_t reach = 18;
+      const std::size_t reach = SmoothingReach;
       for (std::size_t j = i > begin + reach ? i - reach : begin; j < std::min(end, i + reach + 1); ++j)
       {
         if (partner[j] >= 0)
         {
           const double d = Spacing * (static_cast<double>(j) - static_cast<double>(i));
-          const double w = std::exp(-d * d / 18.0);
+          const double w = std::exp(-d * d / (2.0 * SmoothingSigma * SmoothingSigma));
           sw += w;
           su += w * du[j];
           sv += w * dv[j];

@@ -81,6 +81,13 @@ PoseMetricv4::DeclareBlocks() const
   return { PoseStateBlocks::MakePose(m_PoseBlock), PoseStateBlocks::MakeScale(m_ScaleBlock) };
 }
 
+ModifiedTimeType
+PoseMetricv4::GetMTime() const
+{
+  const ModifiedTimeType time = Superclass::GetMTime();
+  return m_Transform.IsNull() ? time : std::max(time, m_Transform->GetMTime());
+}
+
 void
 PoseMetricv4::InitializeTerm()
 {

@@ -30,6 +30,15 @@ namespace
 {
 using Point2 = std::array<double, 2>;
 
+/** px: a tracing's direction at a point is that of a line fitted to its neighbours with this sigma. Hands jitter by up
+ * to a pixel from point to point, and a tooth's outline turns over some ten; the moving contour's directions are
+ * smoothed alike (PoseContourIndex), so that both are compared at one scale. */
+constexpr double DirectionSigma = 5.0;
+/** px along the tracing beyond which neighbours weigh nothing: three sigma. */
+constexpr double DirectionReach = 15.0;
+/** Weight of a lone polyline's direction beside the lengths of gaps, px: it breaks a tie and decides nothing else. */
+constexpr double TieBreak = 1e-3;
+
 struct Strand
 {
   std::vector<Point2> points;
@@ -191,8 +200,7 @@ PoseTracing::PoseTracing(const PoseGeometry &                 geometry,
       best[i][r] = 0.0;
       if (i == 0)
       {
-        // A tie-break for the lone polyline, too weak to matter beside a gap.
-        best[i][r] = 1e-3 * (last(strands[0], r)[0] - first(strands[0], r)[0]);
+        best[i][r] = TieBreak * (last(strands[0], r)[0] - first(strands[0], r)[0]);
         from[i][r] = 0;
         continue;
       }
@@ -246,11 +254,11 @@ PoseTracing::PoseTracing(const PoseGeometry &                 geometry,
     for (std::size_t j = 0; j < n; ++j)
     {
       const double d = arc[j] - arc[i];
-      if (std::abs(d) > 15.0)
+      if (std::abs(d) > DirectionReach)
       {
         continue;
       }
-      const double w = std::exp(-d * d / 50.0);
+      const double w = std::exp(-d * d / (2.0 * DirectionSigma * DirectionSigma));
       sw += w;
       ss += w * d;
       sss += w * d * d;

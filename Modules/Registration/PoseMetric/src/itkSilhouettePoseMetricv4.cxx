@@ -74,6 +74,12 @@ SilhouettePoseMetricv4::SetReverseWeight(double weight)
   }
 }
 
+ModifiedTimeType
+SilhouettePoseMetricv4::GetMTime() const
+{
+  return std::max({ Superclass::GetMTime(), m_RobustKernel->GetMTime(), m_NoiseModel->GetMTime() });
+}
+
 void
 SilhouettePoseMetricv4::SetRobustKernel(const RobustKernel * kernel)
 {
@@ -85,6 +91,7 @@ SilhouettePoseMetricv4::SetRobustKernel(const RobustKernel * kernel)
   {
     m_RobustKernel = kernel;
     m_SettingsTime.Modified();
+    this->SettingsChanged();
   }
 }
 
@@ -95,7 +102,11 @@ SilhouettePoseMetricv4::SetKernelWidth(double width)
   {
     itkExceptionMacro("The kernel width " << width << " px must be positive: see SetKernelWidth().");
   }
-  m_KernelWidth = width;
+  if (m_KernelWidth != width)
+  {
+    m_KernelWidth = width;
+    this->SettingsChanged();
+  }
 }
 
 void
@@ -111,15 +122,18 @@ SilhouettePoseMetricv4::SetNoiseModel(const ResidualNoiseModel * model)
     m_NoiseModel = model;
     m_Correlations.reset();
     m_SettingsTime.Modified();
+    this->SettingsChanged();
   }
 }
 
 void
 SilhouettePoseMetricv4::SetNoiseLevels(const ContourNoiseLevels & levels, const ResidualNoiseModel * model)
 {
-  if (model == nullptr || model == m_NoiseModel.GetPointer())
+  const bool isMeant = model == nullptr || model == m_NoiseModel.GetPointer();
+  if (isMeant && (m_NoiseLevels.smooth != levels.smooth || m_NoiseLevels.white != levels.white))
   {
     m_NoiseLevels = levels;
+    this->SettingsChanged();
   }
 }
 

@@ -286,3 +286,32 @@ TEST(LandmarkPoseMetricv4, ACloneHasTheSameBitsAndAStateOfItsOwn)
   EXPECT_NE(clone->GetValue(), metric->GetValue());
   EXPECT_EQ(metric->GetBlockValues("scale")[0], Truth[6]);
 }
+
+TEST(LandmarkPoseMetricv4, AChangeOfWhatItMeasuresIsOneOfItsTimeAndTheSameAgainIsNone)
+{
+  auto       metric = MakeMetric(Truth, 2.0);
+  const auto kernel = itk::GemanMcClureKernel::New();
+  auto       scan = MakeScanLandmarks();
+  auto       marks = MakeMarks(1.0);
+  const auto transform = MakeTransform(Truth);
+  metric->SetTransform(transform);
+  metric->SetMovingLandmarks(scan);
+  metric->SetFixedLandmarks(marks);
+  const auto changesIts = [&](const auto & change) {
+    const auto before = metric->GetMTime();
+    change();
+    return metric->GetMTime() > before;
+  };
+  EXPECT_TRUE(changesIts([&] { metric->SetRobustKernel(kernel); }));
+  EXPECT_FALSE(changesIts([&] { metric->SetRobustKernel(kernel); }));
+  EXPECT_TRUE(changesIts([&] { metric->SetSigma(3.0); }));
+  EXPECT_FALSE(changesIts([&] { metric->SetSigma(3.0); }));
+  EXPECT_TRUE(changesIts([&] { metric->SetKernelWidthInSigmas(5.0); }));
+  EXPECT_FALSE(changesIts([&] { metric->SetKernelWidthInSigmas(5.0); }));
+  EXPECT_FALSE(changesIts([&] { metric->SetKernelWidth(5.0); })) << "the sum's, in pixels, is not this metric's";
+  // What it refers to.
+  EXPECT_TRUE(changesIts([&] { kernel->Modified(); }));
+  EXPECT_TRUE(changesIts([&] { scan->Modified(); }));
+  EXPECT_TRUE(changesIts([&] { marks->Modified(); }));
+  EXPECT_TRUE(changesIts([&] { transform->Modified(); }));
+}

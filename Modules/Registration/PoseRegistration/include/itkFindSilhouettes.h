@@ -39,6 +39,11 @@ PoseRegistration_EXPORT std::vector<FoundSilhouette>
 /** The same at a position. */
 PoseRegistration_EXPORT std::vector<FoundSilhouette>
 FindSilhouettes(const LeastSquaresMetricv4 & metric, const LeastSquaresMetricv4::PositionType & x);
+/** Of these, the ones that a global start is to look at, at the metric's current position: they read the blocks "pose"
+ * and "scale", which a start sets, and are of one radiograph, that of the first of them. A further view of a user's has
+ * pixels and a place of its own, that mean nothing in the first one's. */
+PoseRegistration_EXPORT std::vector<FoundSilhouette>
+                        FindSilhouettesOfStart(const LeastSquaresMetricv4 & metric);
 } // namespace itk
 
 #endif

@@ -29,7 +29,7 @@ namespace itk
  *
  * Distances in position and normal, truncated at 12 px of 0.25 mm, are read from a table (2 px, 16 directions); every
  * third tracing point is used. The starts are the best grid points that differ by more than 5 degrees or 10 px. Looks
- * at the terms of the metric that are SilhouettePoseMetricv4.
+ * at the terms of the metric that FindSilhouettesOfStart() finds: the jaws', not those of a user's further view.
  *
  * \ingroup PoseRegistration
  */

@@ -18,6 +18,9 @@
 #include "itkFindSilhouettes.h"
 
 #include "itkLeastSquaresSumMetricv4.h"
+#include "itkPoseStateBlocks.h"
+
+#include <algorithm>
 
 namespace itk
 {
@@ -41,6 +44,15 @@ Append(const LeastSquaresMetricv4 &               metric,
     }
   }
 }
+
+/** Whether both project a point onto the same pixel. */
+bool
+IsSameView(const PoseGeometry & a, const PoseGeometry & b)
+{
+  return a.sourceToMidsagittal == b.sourceToMidsagittal && a.sourceToDetector == b.sourceToDetector &&
+         a.sourceSign == b.sourceSign && a.facingSign == b.facingSign && a.pixelSpacing == b.pixelSpacing &&
+         a.principalPoint == b.principalPoint;
+}
 } // namespace
 
 std::vector<FoundSilhouette>
@@ -55,5 +67,26 @@ std::vector<FoundSilhouette>
 FindSilhouettes(const LeastSquaresMetricv4 & metric)
 {
   return FindSilhouettes(metric, metric.GetState().GetValues());
+}
+
+std::vector<FoundSilhouette>
+FindSilhouettesOfStart(const LeastSquaresMetricv4 & metric)
+{
+  std::vector<FoundSilhouette> ofStart;
+  for (const FoundSilhouette & found : FindSilhouettes(metric))
+  {
+    const SilhouettePoseMetricv4 & silhouette = *found.metric;
+    const auto                     isSameView = [&](const FoundSilhouette & other) {
+      return IsSameView(other.metric->GetKernel().GetSettings().geometry,
+                        silhouette.GetKernel().GetSettings().geometry);
+    };
+    if (silhouette.GetPoseBlock() == PoseStateBlocks::MakePose().name &&
+        silhouette.GetScaleBlock() == PoseStateBlocks::MakeScale().name &&
+        std::all_of(ofStart.begin(), ofStart.end(), isSameView))
+    {
+      ofStart.push_back(found);
+    }
+  }
+  return ofStart;
 }
 } // namespace itk

@@ -97,6 +97,12 @@ LandmarkProjectionFilter::GenerateData()
     OutputType::PointType place;
     place[0] = pixel[0];
     place[1] = pixel[1];
+    if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
+    {
+      itkExceptionMacro("The solution projects landmark " << landmark.name << " to " << place
+                                                          << ": it is none of the scan that was registered, see "
+                                                             "SetLandmarks() and SetMillimetresPerUnit().");
+    }
     output->AddLandmark(landmark.name, place);
     m_Covariances[landmark.name] = solution->ComputeCovariance(jaw, point);
     if (const auto * other = FindOtherSide(*landmarks, landmark))

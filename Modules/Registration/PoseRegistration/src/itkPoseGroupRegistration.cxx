@@ -429,7 +429,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
     std::array<double, 3> centre{ { 0, 0, 0 } };
     std::size_t           samples = 0;
     PoseGeometry          geometry;
-    for (const FoundSilhouette & found : FindSilhouettes(*metric))
+    for (const FoundSilhouette & found : FindSilhouettesOfStart(*metric))
     {
       geometry = found.metric->GetKernel().GetSettings().geometry;
       for (const auto & strand : found.metric->GetKernel().GetStrands())

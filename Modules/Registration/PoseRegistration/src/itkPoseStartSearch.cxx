@@ -166,7 +166,7 @@ PoseStartSearch::Search(const LeastSquaresMetricv4 & metric, const RequestType &
   };
   std::vector<StrandType> strands;
   PoseGeometry            geometry;
-  for (const FoundSilhouette & found : FindSilhouettes(metric))
+  for (const FoundSilhouette & found : FindSilhouettesOfStart(metric))
   {
     const auto & kernel = found.metric->GetKernel();
     const auto & contours = found.metric->GetContours(found.position);

@@ -32,6 +32,15 @@ namespace
 {
 using StatusEnum = RegistrationVerdict::StatusEnum;
 
+/** Share of a tracing's points with codes of the other side above which the codes are doubted: the majority. A few may
+ * be slips of the pen, as of a tooth at the midline. */
+constexpr double MajorityOfCodes = 0.5;
+/** |winding| below which the surface is taken for a closed body, whose normals cancel out: 0 but for its openings,
+ * where an open shell has 0.3 to 0.6 (DentalJawFrame::openness). The size of Thresholds::suspectWinding, so that a cast
+ * is either judged by its winding or said not to be. */
+constexpr double WindingOfClosedCast = 0.1;
+constexpr double DegreesPerRadian = 180.0 / 3.14159265358979323846;
+
 std::string
 Number(double value, int digits)
 {
@@ -235,7 +244,6 @@ JudgePriors(const PoseGroupResult &                 group,
             const RegistrationVerdict::Thresholds & thresholds,
             RegistrationVerdict::JawVerdict &       verdict)
 {
-  constexpr double degree = 180.0 / 3.14159265358979323846;
   for (const unsigned int k : { PoseRoll, PoseYaw, PoseTy, PoseKappa })
   {
     const bool   rotation = k == PoseRoll || k == PoseYaw;
@@ -253,10 +261,10 @@ JudgePriors(const PoseGroupResult &                 group,
                " %: check the pixel spacing and its plane";
         break;
       case PoseRoll:
-        text = "the head would be rolled by " + Number(value * degree, 1) + " degrees";
+        text = "the head would be rolled by " + Number(value * DegreesPerRadian, 1) + " degrees";
         break;
       case PoseYaw:
-        text = "the head would be turned by " + Number(value * degree, 1) + " degrees";
+        text = "the head would be turned by " + Number(value * DegreesPerRadian, 1) + " degrees";
         break;
       default:
         text = "the midline would be " + Number(value, 1) + " mm off the midsagittal plane";
@@ -327,8 +335,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
           "inward-winding",
           "the triangles face inward: the scan may be mirrored, or its triangles are wound the wrong way");
     }
-    // The majority of the traced teeth.
-    if (jaw.otherSideCodes > 0.5)
+    if (jaw.otherSideCodes > MajorityOfCodes)
     {
       Add(verdict,
           StatusEnum::Suspect,
@@ -350,8 +357,8 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
       double distance = 0.0;
       for (const PoseCandidate & candidate : group.candidates)
       {
-        // Elsewhere, as the margin means it: the default of placeDistance, which the result does not carry.
-        if (candidate.distance > 4.0)
+        // Elsewhere, as the margin means it; the result does not carry the option that was used.
+        if (candidate.distance > PoseRegistrationOptions().placeDistance)
         {
           distance = candidate.distance;
           break;
@@ -368,7 +375,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
       Add(verdict,
           StatusEnum::Suspect,
           "search-limit",
-          "the head would be tipped by " + Number(group.parameters[PosePitch] * 57.29578, 0) +
+          "the head would be tipped by " + Number(group.parameters[PosePitch] * DegreesPerRadian, 0) +
             " degrees, at or beyond what is searched");
     }
     // In another unit nothing fits, whatever else is tried.
@@ -421,7 +428,7 @@ RegistrationVerdict::GetNotCheckable(const PoseRegistrationResult & result, cons
     registered = registered || jaw.registered;
     coded = coded || jaw.fit.hasCodes;
     traced = traced || jaw.fit.numberOfPoints > 0;
-    closedCast = closedCast || (jaw.registered && std::abs(jaw.winding) < 0.1);
+    closedCast = closedCast || (jaw.registered && std::abs(jaw.winding) < WindingOfClosedCast);
   }
   // Of a jaw that was not registered nobody looked.
   if (registered && traced && !coded)

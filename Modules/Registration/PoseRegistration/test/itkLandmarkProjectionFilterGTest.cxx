@@ -237,3 +237,15 @@ TEST(LandmarkProjectionFilter, FollowsASolutionThatChanges)
   EXPECT_NEAR(filter->GetSigma("UR1_tip"), 2.0 * sigma, 1e-9 * sigma);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfLandmarks(), Points.size()) << "not appended to what was there";
 }
+
+TEST(LandmarkProjectionFilter, ALandmarkWithoutAPlaceIsAnErrorNotAnInfinitePlace)
+{
+  // A unit with which every point is infinitely far away.
+  auto filter = FilterType::New();
+  filter->SetSolution(MakeSolution(MakeResult()));
+  filter->SetLandmarks(MakeLandmarks());
+  filter->SetMillimetresPerUnit(1e308);
+  const std::string message = MessageOfCall([&] { filter->Update(); });
+  EXPECT_TRUE(Contains(message, "The solution projects landmark LL6_DB to ")) << message;
+  EXPECT_TRUE(Contains(message, "SetMillimetresPerUnit()")) << message;
+}

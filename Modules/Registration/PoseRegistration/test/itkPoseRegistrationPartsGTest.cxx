@@ -20,6 +20,8 @@
 
 #include "itkCorrelatedNoiseModel.h"
 #include "itkExchangedJawsHypothesis.h"
+#include "itkFindSilhouettes.h"
+#include "itkGemanMcClureKernel.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
@@ -124,6 +126,13 @@ public:
 protected:
   OffsetMetric() = default;
   ~OffsetMetric() override = default;
+  itk::LightObject::Pointer
+  InternalClone() const override
+  {
+    auto clone = Self::New();
+    clone->CopyState(*this);
+    return clone.GetPointer();
+  }
 };
 
 /** One start, given; counts what it is asked. */
@@ -604,6 +613,93 @@ TEST(PoseRegistrationParts, AUsersSilhouetteKeepsItsKernelAndItsNoise)
   method->AddObserver(itk::StartEvent(), [&](const itk::EventObject &) { ++runs; });
   method->Update();
   EXPECT_EQ(runs, 0u) << "a run changes nothing of the user's metric";
+
+  // What is set to the value that it has changes nothing; any other change of the term is a change of the answer.
+  const auto updateAfter = [&](const auto & change) {
+    runs = 0;
+    change();
+    method->Update();
+    return runs;
+  };
+  EXPECT_EQ(updateAfter([&] {
+              own->SetRobustKernel(kernel);
+              own->SetKernelWidth(7.0);
+              own->SetNoiseModel(model);
+              own->SetNoiseLevels({ 3.0, 2.0 });
+              own->SetNoiseLevels({ 9.0, 9.0 }, itk::CorrelatedNoiseModel::New());
+            }),
+            0u);
+  const auto before = method->GetOutput()->GetResult().groups[0].parameters;
+  EXPECT_EQ(updateAfter([&] { own->SetNoiseLevels({ 0.1, 0.1 }); }), 1u);
+  EXPECT_NE(method->GetOutput()->GetResult().groups[0].parameters, before) << "the new answer, not the old one";
+  EXPECT_EQ(updateAfter([&] { own->SetKernelWidth(6.0); }), 1u);
+  EXPECT_EQ(updateAfter([&] { model->SetCorrelationLength(6.0); }), 1u);
+  EXPECT_EQ(updateAfter([&] { own->SetNoiseModel(itk::CorrelatedNoiseModel::New()); }), 1u);
+  EXPECT_EQ(updateAfter([&] { own->SetRobustKernel(itk::GemanMcClureKernel::New()); }), 1u);
+  EXPECT_EQ(updateAfter([] {}), 0u);
+}
+
+TEST(PoseRegistrationParts, TheStartSeesTheJawsAndNotAUsersFurtherView)
+{
+  // A second radiograph of the same pose, with pixels of half the size and another place of them: what a start would
+  // take from it, centroids and an outline in its pixels, lies far from the first one's.
+  itk::PoseRegistrationOptions options;
+  options.checkHypotheses = false;
+  options.yawStarts = { 0.0 };
+  const auto                           first = MakeMethod(options);
+  itk::SilhouettePoseMetricv4::Pointer own;
+  first->AddObserver(itk::MultiResolutionIterationEvent(), [&](const itk::EventObject &) {
+    if (own.IsNull())
+    {
+      own = dynamic_cast<const itk::SilhouettePoseMetricv4 *>(first->GetMetric()->GetMetric(0))->Clone();
+    }
+  });
+  first->Update();
+  ASSERT_TRUE(own.IsNotNull());
+  const auto moveAway = [&](itk::SilhouettePoseMetricv4 * silhouette) {
+    itk::PoseGeometry geometry = silhouette->GetTransform()->GetPoseGeometry();
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      geometry.pixelSpacing[d] *= 0.5;
+      geometry.principalPoint[d] += 600.0;
+    }
+    auto transform = itk::CephalometricPoseTransform::New();
+    transform->SetPoseGeometry(geometry);
+    silhouette->SetTransform(transform);
+    // A word at most: with large errors the term hardly counts in the fit, and the answer is that of the jaws.
+    silhouette->SetNoiseLevels({ 1e4, 1e4 });
+  };
+  for (const bool isOwnBlock : { false, true })
+  {
+    const itk::SilhouettePoseMetricv4::Pointer view = own->Clone();
+    if (isOwnBlock)
+    {
+      view->SetScaleBlock("scale of the second view");
+      // Nothing else tells it.
+      view->SetBlockFree("scale of the second view", false);
+    }
+    moveAway(view);
+    auto sum = itk::LeastSquaresSumMetricv4::New();
+    sum->AddMetric(own);
+    sum->AddMetric(view, itk::LeastSquaresSumMetricv4::SettingsEnum::Own);
+    sum->Initialize();
+    EXPECT_EQ(itk::FindSilhouettes(*sum).size(), 2u);
+    const auto ofStart = itk::FindSilhouettesOfStart(*sum);
+    ASSERT_EQ(ofStart.size(), 1u);
+    EXPECT_EQ(ofStart[0].metric, own.GetPointer());
+    const auto method = MakeMethod(options);
+    method->AddMetric(view);
+    method->Update();
+    const auto & parameters = method->GetOutput()->GetResult().groups[0].parameters;
+    const auto & expected = first->GetOutput()->GetResult().groups[0].parameters;
+    // The term's information is that of errors ten thousand times as large, 1e-8 of the jaws'. But its samples count in
+    // the step by which the search ends, so that it ends elsewhere in the flat bottom: a tenth of the roll's and the
+    // height's own uncertainty. From a start that is mixed up the answer is tens of degrees or millimetres off.
+    for (unsigned int k = 0; k < 7; ++k)
+    {
+      EXPECT_NEAR(parameters[k], expected[k], k < 3 || k == 6 ? 5e-3 : 0.2) << "parameter " << k;
+    }
+  }
 }
 
 TEST(PoseRegistrationParts, PriorsFollowTheOptions)

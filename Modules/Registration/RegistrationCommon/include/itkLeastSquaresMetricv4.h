@@ -40,10 +40,12 @@ namespace itk
  * metric: any v4 optimizer takes it, alone or as a term of a LeastSquaresSumMetricv4, which owns the state of the
  * whole.
  *
- * A metric of one's own implements DeclareBlocks(), GetNumberOfResiduals() and ComputeResiduals() (residuals divided by
- * their standard deviation, so that terms can be added) and InternalClone() where it has members. Where it is asked for
- * a Jacobian and has none, it calls ComputeJacobianByDifferences(). What else is virtual here is for metrics with a
- * robust kernel, a noise model or matches, and does nothing by default:
+ * A metric of one's own implements DeclareBlocks(), GetNumberOfResiduals(), ComputeResiduals() (residuals divided by
+ * their standard deviation, so that terms can be added) and InternalClone(). Where it is asked for a Jacobian and has
+ * none, it calls ComputeJacobianByDifferences(). A setter whose value changes the criterion calls Modified(), as those
+ * of itkSetMacro() do, or SettingsChanged() where nothing that was prepared depends on it: by that time a registration
+ * knows that it has to run again. What else is virtual here is for metrics with a robust kernel, a noise model or
+ * matches, and does nothing by default:
  *
  * - the value is the criterion at the kernel width, noise levels and matching rule as they are set, a fixed function
  * for any optimizer. SetKernelWidth(), SetNoiseLevels(), UpdateNoiseCorrelation() and EstimateNoise() change it,
@@ -88,7 +90,7 @@ public:
   virtual BlocksType
   DeclareBlocks() const = 0;
 
-  /** Of settings, values and what is free. */
+  /** Of settings, values, what is free, and the fixed and the moving object. */
   ModifiedTimeType
   GetMTime() const override;
 
@@ -248,6 +250,16 @@ protected:
   void
   ComputeJacobianByDifferences(const PositionType & x, MatrixType & jacobian) const;
 
+  /** To be called by setters of what changes the criterion and nothing that was prepared, as a kernel's width. */
+  void
+  SettingsChanged();
+
+  /** Another metric like this one: made with New(), its members those of this one, its state by CopyState(). Every
+   * class implements it, one without members too: a registration evaluates clones, one a thread, and what is not copied
+   * has its default there without a word. */
+  LightObject::Pointer
+  InternalClone() const override = 0;
+
   /** Copies state and parameters of another metric of the same blocks, for InternalClone(). */
   void
   CopyState(const Self & other);
@@ -265,8 +277,9 @@ private:
   void
   EvaluateDerivative(DerivativeType & derivative) const;
 
-  /** Changes with values and what is free, which are no settings: what was prepared of these stays valid. */
-  TimeStamp m_StateTime;
+  /** Changes with values, what is free, kernel and noise: nothing that was prepared depends on them, so that it stays
+   * valid. */
+  TimeStamp m_CriterionTime;
 
   mutable RegistrationState m_State;
   mutable ParametersType    m_Parameters;

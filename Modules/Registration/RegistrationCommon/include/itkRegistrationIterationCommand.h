@@ -42,7 +42,8 @@ namespace itk
  * observer->WriteTable(file);            // or all iterations as CSV
  * \endcode
  *
- * Observes a RegistrationIterationInformation (every registration method here) or a bare v4 optimizer. Optimizers send
+ * Observes a RegistrationIterationInformation (every registration method here, and CaseRegistration, which tells the
+ * iterations of the method that it runs and as levels its stages) or a bare v4 optimizer. Optimizers send
  * subclasses of IterationEvent for mere evaluations; only the exact IterationEvent counts as an iteration, and a
  * MultiResolutionIterationEvent as the start of a level. Records are cleared at each StartEvent, so that an observer
  * serves many runs. Nothing is printed unless a stream is given.
@@ -87,7 +88,8 @@ public:
     std::string stopReason;
   };
 
-  /** Adds itself to the object for all the events it understands; returns the observer's tag. */
+  /** Adds itself to the object for all the events it understands; returns the observer's tag. Throws for an object that
+   * tells nothing of iterations, of which there would be no record. */
   unsigned long
   Observe(Object * caller);
 

@@ -32,8 +32,8 @@ namespace itk
 class RegistrationCommon_EXPORT ScalePrior
 {
 public:
-  /** Where the pixel spacing of the radiograph comes from: said by the user, read from a DICOM file, assumed, or
-   * estimated by the registration. */
+  /** Where the pixel spacing of the radiograph comes from: said by the user or known of the detector, read from an
+   * image file that does not say which plane it is of, assumed, or estimated by the registration. */
   enum class SpacingSource : std::uint8_t
   {
     Given,
@@ -43,8 +43,8 @@ public:
   };
 
   /** Standard deviation of the scale's logarithm: 1.6 % for the magnification of an unknown patient in a known spacing,
-   * 5 % for a DICOM file, whose spacing may be that of the detector or of the film, 25 % for an assumed or estimated
-   * one. */
+   * 5 % for an image file, whose spacing may be that of the detector or of the patient's plane, 25 % for an assumed or
+   * estimated one. */
   static double
   GetSigma(SpacingSource source);
 };

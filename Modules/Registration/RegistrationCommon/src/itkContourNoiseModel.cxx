@@ -28,6 +28,23 @@ namespace itk
 {
 namespace
 {
+/** Log-normal priors of the two levels, px of 0.25 mm: about their middle, and this wide in the logarithm, a factor of
+ * 2.2 either way. They lie between the phantom's typical hand (drift 1.2, jitter 0.5 px) and its hard one (2.2 and 1;
+ * Documentation/Phantom.md). Some dozens of points outweigh them; they keep a short tracing, which cannot tell the
+ * levels, from a level of 0 or without end. */
+constexpr double PriorSmooth = 1.5;
+constexpr double PriorWhite = 0.7;
+constexpr double PriorLogSigma = 0.8;
+// The simplex search in the logarithms of the levels.
+/** px: a start at 0 has no logarithm. */
+constexpr double SmallestStart = 1e-3;
+/** First edge, a factor of 1.6: less than the priors are wide, and more than the estimate moves between two calls. */
+constexpr double SimplexEdge = 0.5;
+/** Ends where the deviance differs by less over the simplex: odds of 1.00005, of no concern to any fit. */
+constexpr double Tolerance = 1e-4;
+/** Far more than the some twenty that two parameters take. */
+constexpr int MaximumIterations = 60;
+
 /** A block in the eigenvectors of W^1/2 G W^1/2, where both parts of the covariance are diagonal. */
 struct DiagonalBlock
 {
@@ -177,28 +194,28 @@ ContourNoiseModel::Estimate(const std::vector<BlockType> & blocks,
     diagonal.push_back(std::move(d));
   }
   const auto value = [&](const std::array<double, 2> & x) {
-    const double a = (x[0] - std::log(1.5)) / 0.8;
-    const double b = (x[1] - std::log(0.7)) / 0.8;
+    const double a = (x[0] - std::log(PriorSmooth)) / PriorLogSigma;
+    const double b = (x[1] - std::log(PriorWhite)) / PriorLogSigma;
     return Deviance(diagonal, information, gradient, fixedValue, std::exp(2.0 * x[0]), std::exp(2.0 * x[1])) + a * a +
            b * b;
   };
   // Nelder-Mead with an explicit first simplex.
   using Vertex = std::pair<double, std::array<double, 2>>;
-  const double          s0 = std::log(std::max(start.smooth, 1e-3));
-  const double          w0 = std::log(std::max(start.white, 1e-3));
+  const double          s0 = std::log(std::max(start.smooth, SmallestStart));
+  const double          w0 = std::log(std::max(start.white, SmallestStart));
   std::array<Vertex, 3> simplex;
   simplex[0].second = { { s0, w0 } };
-  simplex[1].second = { { s0 + 0.5, w0 } };
-  simplex[2].second = { { s0, w0 - 0.5 } };
+  simplex[1].second = { { s0 + SimplexEdge, w0 } };
+  simplex[2].second = { { s0, w0 - SimplexEdge } };
   for (Vertex & vertex : simplex)
   {
     vertex.first = value(vertex.second);
   }
   const auto order = [](const Vertex & a, const Vertex & b) { return a.first < b.first; };
-  for (int iteration = 0; iteration < 60; ++iteration)
+  for (int iteration = 0; iteration < MaximumIterations; ++iteration)
   {
     std::stable_sort(simplex.begin(), simplex.end(), order);
-    if (simplex[2].first - simplex[0].first < 1e-4)
+    if (simplex[2].first - simplex[0].first < Tolerance)
     {
       break;
     }

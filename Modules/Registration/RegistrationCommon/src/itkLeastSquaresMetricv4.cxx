@@ -49,14 +49,25 @@ LeastSquaresMetricv4::UpdateBlocks() const
 ModifiedTimeType
 LeastSquaresMetricv4::GetMTime() const
 {
-  return std::max(Superclass::GetMTime(), m_StateTime.GetMTime());
+  ModifiedTimeType time = std::max(Superclass::GetMTime(), m_CriterionTime.GetMTime());
+  for (const Object * object : { this->GetFixedObject(), this->GetMovingObject() })
+  {
+    time = object == nullptr ? time : std::max(time, object->GetMTime());
+  }
+  return time;
 }
 
 void
 LeastSquaresMetricv4::StateChanged()
 {
-  m_StateTime.Modified();
+  m_CriterionTime.Modified();
   m_Parameters = m_State.GetFreeParameters();
+}
+
+void
+LeastSquaresMetricv4::SettingsChanged()
+{
+  m_CriterionTime.Modified();
 }
 
 const RegistrationState &

@@ -18,6 +18,7 @@
 #include "itkLeastSquaresSumMetricv4.h"
 
 #include <algorithm>
+#include <typeinfo>
 
 namespace itk
 {
@@ -382,15 +383,19 @@ LeastSquaresSumMetricv4::InternalClone() const
   auto clone = Self::New();
   for (const TermType & term : m_Metrics)
   {
-    const LightObject::Pointer copy = term.metric->Clone().GetPointer();
-    clone->m_Metrics.push_back({ dynamic_cast<MetricType *>(copy.GetPointer()), term.settings, term.places });
-    if (clone->m_Metrics.back().metric.IsNull())
+    const MetricType &         original = *term.metric;
+    const LightObject::Pointer copy = original.InternalClone();
+    auto * const               metric = dynamic_cast<MetricType *>(copy.GetPointer());
+    // The clone of a class that inherits InternalClone() is one of its base class, or by ITK's default none: it would
+    // be another metric, without a word.
+    if (metric == nullptr || typeid(*metric) != typeid(original))
     {
-      itkExceptionMacro("The metric " << term.metric->GetNameOfClass()
-                                      << " cannot be cloned: implement InternalClone().");
+      itkExceptionMacro("The term " << original.GetNameOfClass() << " cannot be cloned: implement InternalClone() of "
+                                    << original.GetNameOfClass() << ", which makes one with New() and copies members "
+                                    << "and state. What it has now makes "
+                                    << (copy.IsNull() ? "nothing" : copy->GetNameOfClass()) << '.');
     }
-    // One without members of its own has not copied it.
-    clone->m_Metrics.back().metric->CopyState(*term.metric);
+    clone->m_Metrics.push_back({ metric, term.settings, term.places });
   }
   clone->CopyState(*this);
   return clone.GetPointer();

@@ -109,6 +109,11 @@ LevenbergMarquardtOptimizerv4::CheckMetric() const
   }
   if (this->m_Metric->GetNumberOfParameters() == 0)
   {
+    // One that was not prepared may lack more than that, as a sum its terms: its own Initialize() knows what to call.
+    this->m_Metric->Initialize();
+  }
+  if (this->m_Metric->GetNumberOfParameters() == 0)
+  {
     itkExceptionMacro("No parameter of the metric "
                       << this->m_Metric->GetNameOfClass()
                       << " is free, all are held; free one with SetBlockFree() of the metric.");

@@ -38,6 +38,14 @@ RegistrationIterationCommand::Observe(Object * caller)
   {
     itkExceptionMacro("There is nothing to observe: give Observe() a registration method or an optimizer.");
   }
+  if (dynamic_cast<const RegistrationIterationInformation *>(caller) == nullptr &&
+      dynamic_cast<const ObjectToObjectOptimizerBaseTemplate<double> *>(caller) == nullptr)
+  {
+    itkExceptionMacro(<< caller->GetNameOfClass()
+                      << " tells nothing of iterations: give Observe() a registration method, as "
+                         "PoseRegistrationMethod, a CaseRegistration or a v4 optimizer. A class of one's own derives "
+                         "from RegistrationIterationInformation.");
+  }
   return caller->AddObserver(AnyEvent(), this);
 }
 

@@ -66,7 +66,7 @@ MakeNestedSum()
   return sum;
 }
 
-/** A metric that needs no InternalClone(): it has no members. */
+/** A metric without members: its clone is another one with its state. */
 class PlainTerm : public itk::LeastSquaresMetricv4
 {
 public:
@@ -103,6 +103,32 @@ public:
 protected:
   PlainTerm() = default;
   ~PlainTerm() override = default;
+  itk::LightObject::Pointer
+  InternalClone() const override
+  {
+    auto clone = Self::New();
+    clone->CopyState(*this);
+    return clone.GetPointer();
+  }
+};
+
+// Who derives from the base cannot forget InternalClone(): the class would be abstract. Who derives from a term can.
+class ForgetfulTerm : public PlainTerm
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ForgetfulTerm);
+  using Self = ForgetfulTerm;
+  using Superclass = PlainTerm;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  itkNewMacro(Self);
+  itkTypeMacro(ForgetfulTerm, PlainTerm);
+
+  double setting{ 1.0 };
+
+protected:
+  ForgetfulTerm() = default;
+  ~ForgetfulTerm() override = default;
 };
 
 /** Eight points of a level that nobody knows, with noise. */
@@ -339,7 +365,20 @@ TEST(LeastSquaresSumMetricv4, ClonesItsTerms)
   EXPECT_EQ(sum->GetValue(), value);
 }
 
-TEST(LeastSquaresSumMetricv4, TermsWithoutACloneOfTheirOwnKeepTheirState)
+TEST(LeastSquaresSumMetricv4, ATermThatInheritsItsCloneIsAnErrorNotAnotherTerm)
+{
+  const auto forgetful = ForgetfulTerm::New();
+  forgetful->setting = 3.0;
+  const auto sum = SumType::New();
+  sum->AddMetric(forgetful);
+  sum->Initialize();
+  const auto message = MessageOfCall([&] { sum->Clone(); });
+  EXPECT_TRUE(Contains(message, "The term ForgetfulTerm cannot be cloned: implement InternalClone() of ForgetfulTerm"))
+    << message;
+  EXPECT_TRUE(Contains(message, "What it has now makes PlainTerm.")) << message;
+}
+
+TEST(LeastSquaresSumMetricv4, TermsWithoutMembersKeepTheirState)
 {
   const auto plain = PlainTerm::New();
   plain->SetBlockValues("plain", { 4.0 });

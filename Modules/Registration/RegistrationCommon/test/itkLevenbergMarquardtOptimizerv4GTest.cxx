@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkLeastSquaresMetricCostFunction.h"
+#include "itkLeastSquaresSumMetricv4.h"
 #include "itkLeastSquaresTestMetric.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 
@@ -608,6 +609,10 @@ TEST(LevenbergMarquardtOptimizerv4, SaysWhatItNeeds)
   const auto held = Metric::Make({}, 1, nullptr);
   EXPECT_TRUE(Contains(MessageOf(MakeOptimizer(held)), "No parameter of the metric Metric is free"));
   EXPECT_TRUE(Contains(MessageOf(MakeOptimizer(held)), "SetBlockFree()"));
+  const auto empty = OptimizerType::New();
+  empty->SetMetric(itk::LeastSquaresSumMetricv4::New());
+  EXPECT_TRUE(Contains(MessageOf(empty), "A sum of nothing: call AddMetric() with at least one term."))
+    << MessageOf(empty);
   const auto crooked = MakeRosenbrock();
   crooked->function = [](const ParametersType &, vnl_vector<double> & r, vnl_matrix<double> & j) {
     r.fill(1.0);

@@ -20,6 +20,7 @@
 #include "itkLeastSquaresTestMetric.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkRegistrationIterationInformation.h"
+#include "itkSquaresKernel.h"
 
 #include "itkLBFGSBOptimizerv4.h"
 #include "itkTestingMacros.h"
@@ -190,4 +191,16 @@ TEST(RegistrationIterationCommand, ErrorsSayWhatToGive)
   const auto command = CommandType::New();
   EXPECT_THROW(command->SetWriteEvery(0), itk::ExceptionObject);
   EXPECT_THROW(command->Observe(nullptr), itk::ExceptionObject);
+  const auto  silent = itk::SquaresKernel::New();
+  std::string message;
+  try
+  {
+    command->Observe(silent);
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    message = error.GetDescription();
+  }
+  EXPECT_NE(message.find("SquaresKernel tells nothing of iterations: give Observe()"), std::string::npos) << message;
+  EXPECT_FALSE(silent->HasObserver(itk::StartEvent()));
 }

@@ -1,0 +1,86 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCaseLandmarkErrorFilter.h"
+
+#include "itkCaseResultWriter.h"
+#include "itkDentalLandmarkFileReader.h"
+
+namespace itk
+{
+CaseLandmarkErrorFilter::CaseLandmarkErrorFilter()
+{
+  this->SetNumberOfRequiredInputs(1);
+  this->SetNumberOfRequiredOutputs(1);
+  this->SetNthOutput(0, this->MakeOutput(0));
+}
+
+CaseLandmarkErrorFilter::DataObjectPointer
+CaseLandmarkErrorFilter::MakeOutput(DataObjectPointerArraySizeType)
+{
+  return OutputType::New().GetPointer();
+}
+
+void
+CaseLandmarkErrorFilter::SetInput(const InputType * input)
+{
+  this->ProcessObject::SetNthInput(0, const_cast<InputType *>(input));
+}
+
+const CaseLandmarkErrorFilter::InputType *
+CaseLandmarkErrorFilter::GetInput() const
+{
+  return itkDynamicCastInDebugMode<const InputType *>(this->GetPrimaryInput());
+}
+
+CaseLandmarkErrorFilter::OutputType *
+CaseLandmarkErrorFilter::GetOutput()
+{
+  return itkDynamicCastInDebugMode<OutputType *>(this->ProcessObject::GetOutput(0));
+}
+
+void
+CaseLandmarkErrorFilter::VerifyPreconditions() ITKv5_CONST
+{
+  if (this->GetInput() == nullptr)
+  {
+    itkExceptionMacro("There is no result: call SetInput() with the output of a CaseRegistration.");
+  }
+  Superclass::VerifyPreconditions();
+}
+
+void
+CaseLandmarkErrorFilter::GenerateData()
+{
+  CaseResult result = this->GetInput()->Get();
+  if (result.data && !result.data->description.landmarks2DFile.empty())
+  {
+    const DentalCase & description = result.data->description;
+    auto               reader = DentalLandmarkFileReader<2>::New();
+    reader->SetFileName(description.landmarks2DFile);
+    if (description.numbering)
+    {
+      reader->SetNumbering(*description.numbering);
+    }
+    reader->Update();
+    result.warnings.insert(result.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
+    MeasureLandmarkErrors(result, reader->GetOutput());
+    result.markedLandmarks = reader->GetOutput();
+  }
+  this->GetOutput()->Set(result);
+}
+} // namespace itk
