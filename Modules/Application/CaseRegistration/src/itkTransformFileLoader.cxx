@@ -17,10 +17,8 @@
  *=========================================================================*/
 #include "itkTransformFile.h"
 
-#include "itkMacro.h"
-
 #ifdef DENTALSCR_TRANSFORM_LIBRARY
-#  include <dlfcn.h>
+#  include "itkLoadLibraryFunction.h"
 #endif
 
 namespace itk
@@ -29,17 +27,11 @@ void
 WriteTransformFile(const TransformBaseTemplate<double> * transform, const std::string & fileName)
 {
 #ifdef DENTALSCR_TRANSFORM_LIBRARY
-  // Found as this library's own dependencies are, by its RUNPATH: beside it. To load it again is to count it.
-  void * const library = dlopen(DENTALSCR_TRANSFORM_LIBRARY, RTLD_LAZY | RTLD_LOCAL);
-  void * const function = library == nullptr ? nullptr : dlsym(library, "DentalSCRWriteTransformFile");
-  if (function == nullptr)
-  {
-    const char * const why = dlerror();
-    itkGenericExceptionMacro("Transforms cannot be written: " << (why == nullptr ? "unknown reason" : why)
-                                                              << ". Install " << DENTALSCR_TRANSFORM_LIBRARY
-                                                              << " beside the other libraries of DentalSCR.");
-  }
-  reinterpret_cast<decltype(&DentalSCRWriteTransformFile)>(function)(transform, fileName.c_str());
+  const auto write = LoadLibraryFunction<decltype(&DentalSCRWriteTransformFile)>(DENTALSCR_TRANSFORM_LIBRARY,
+                                                                                 "DentalSCRWriteTransformFile",
+                                                                                 "Transforms cannot be written",
+                                                                                 DENTALSCR_TRANSFORM_LIBRARY);
+  write(transform, fileName.c_str());
 #else
   DentalSCRWriteTransformFile(transform, fileName.c_str());
 #endif
