@@ -29,8 +29,11 @@ def test_verdicts_table_has_the_codes_thresholds():
         ],
         "rough-tracing": [f"drift s_c > {t['suspectSmoothSigma']:g}"],
         "uncertain": [
-            f"predicted σ > {t['suspectPredictedSigma']:g} at the tracing or > {t['suspectExtrapolatedSigma']:g} anywhere"
+            f"predicted σ > {t['suspectPredictedSigma']:g} at the tracing or > {t['suspectExtrapolatedSigma']:g} anywhere",
+            f"> {t['suspectMiddleSigma']:g} or > {t['suspectLargestMiddleSigma']:g} at the worse",
         ],
+        "landmark-apart": [f"> {t['landmarkApart']:g} sd"],
+        "landmarks-rough": [f"> {t['suspectLandmarkRatio']:g} sd"],
         "ambiguous": [f"within {t['suspectMargin']:g} of the score"],
         "prior-tension": [
             f"κ or ty > {t['suspectPriorTension']:g} sd, roll or yaw > {t['suspectRotationTension']:g} sd (17.5°)"
@@ -47,7 +50,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         for part in parts:
             assert part in rules[rule], rule
     # None of the thresholds is left out above.
-    assert len(t) == 20
+    assert len(t) == 24
 
 
 def test_every_option_is_listed_with_its_default():

@@ -306,6 +306,19 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
   }
 }
 
+std::string
+ToName(JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? "upper" : "lower";
+}
+
+bool
+HasCounterpart(const LandmarkCounterpartSet * counterparts, JawEnum jaw)
+{
+  const auto & all = counterparts->GetCounterparts();
+  return std::any_of(all.begin(), all.end(), [jaw](const auto & counterpart) { return counterpart.jaw == jaw; });
+}
+
 /** Where the landmarks are on the scans; what is not used, and why, is a warning. */
 LandmarkCounterpartSet::Pointer
 FindCounterparts(const DentalCaseData & data, AxisType * axis, CaseResult & result)
@@ -392,9 +405,18 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   {
     const auto &      input = data.GetJaw(entry.first);
     MeshType::Pointer mesh = input.mesh;
-    // Beside landmarks a few points are too few to be a tracing.
-    DentalContour * tracing =
-      CountTracingPoints(input.contour) >= MinimumTracingPoints ? input.contour.GetPointer() : nullptr;
+    DentalContour *   tracing = input.contour.GetPointer();
+    if (counterparts.IsNotNull() && HasCounterpart(counterparts, entry.first))
+    {
+      if (data.description.tracedSide == TracedSideEnum::Standard && tracing != nullptr)
+      {
+        result.warnings.push_back("the outlines of whole teeth of the " + ToName(entry.first) +
+                                  " jaw are not registered with: its landmarks alone place it");
+        tracing = nullptr;
+      }
+      // Beside landmarks a few points are too few to be a tracing.
+      tracing = CountTracingPoints(tracing) >= MinimumTracingPoints ? tracing : nullptr;
+    }
     if (data.description.crowns != CrownsEnum::Off)
     {
       mesh = SelectCaseCrowns(data, entry.first, FrameOf(axis, entry.first)->Get());

@@ -360,7 +360,10 @@ CaseRegistration::SkipWhatIsIncomplete()
       m_Result.skipped[jaw] = excluded ? "all traced teeth of this jaw are excluded"
                               : traced && input.contour->GetNumberOfPoints() > 0
                                 ? "every point of this jaw's tracing has weight 0"
-                                : "there is a scan, but nothing was drawn of this jaw";
+                              : m_Preset != CasePresetEnum::Robust && m_Data->cephalometricLandmarks.IsNotNull()
+                                ? std::string("landmarks alone were marked of this jaw: preset ") + ToString(m_Preset) +
+                                    " registers contours, use preset robust"
+                                : "there is a scan, but no tracing of this jaw";
     }
     else
     {

@@ -116,7 +116,9 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &              
   }
   if (settings.tracedSide == TracedSideEnum::Standard)
   {
-    m_Failure = "a standard tracing, of whole teeth, is none of the crowns' outlines";
+    m_Failure =
+      "a standard tracing, of whole teeth, is none of the crowns' outlines; give the analysis's landmarks, or "
+      "trace crowns";
     return;
   }
   const DentalContour::PolylinesType selected = this->SelectPolylines(polylines);
@@ -140,7 +142,6 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &              
   switch (settings.tracedSide)
   {
     case TracedSideEnum::Mean:
-    case TracedSideEnum::Standard:
       m_Models.push_back(std::make_unique<PoseMeshContourModel>(side(1.0), side(-1.0), settings.jaw, filter));
       this->AddStrand(selected, { m_Models.back().get() });
       break;

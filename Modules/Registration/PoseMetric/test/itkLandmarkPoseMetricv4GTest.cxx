@@ -29,6 +29,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -314,4 +315,151 @@ TEST(LandmarkPoseMetricv4, AChangeOfWhatItMeasuresIsOneOfItsTimeAndTheSameAgainI
   EXPECT_TRUE(changesIts([&] { scan->Modified(); }));
   EXPECT_TRUE(changesIts([&] { marks->Modified(); }));
   EXPECT_TRUE(changesIts([&] { transform->Modified(); }));
+}
+
+namespace
+{
+/** Counterparts of an analysis's landmarks: an incisor's two tips, a molar's two cusps, one cusp of one side. */
+itk::LandmarkCounterpartSet::Pointer
+MakeCounterparts()
+{
+  using SetType = itk::LandmarkCounterpartSet;
+  auto       set = SetType::New();
+  const auto scan = MakeScanLandmarks();
+  const auto point = [&](const char * name) { return scan->Find(name)->point; };
+  set->Add({ "U1_tip",
+             itk::ToothCode::JawEnum::Upper,
+             { point("UR1_tip"), point("UL1_tip") },
+             SetType::RuleEnum::Foremost,
+             0.0,
+             0.0,
+             "by hand" });
+  set->Add({ "U6_MB",
+             itk::ToothCode::JawEnum::Upper,
+             { point("UR6_MB"), point("UL6_MB") },
+             SetType::RuleEnum::Middle,
+             0.0,
+             0.0,
+             "by hand" });
+  set->Add({ "UR3_cusp",
+             itk::ToothCode::JawEnum::Upper,
+             { point("UR3_cusp") },
+             SetType::RuleEnum::Middle,
+             3.0,
+             4.0,
+             "by hand" });
+  return set;
+}
+
+/** Where the truth puts them. */
+itk::CephalometricLandmarkSet::Pointer
+MakeAnalysis()
+{
+  const auto transform = MakeTransform(Truth);
+  const auto scan = MakeScanLandmarks();
+  const auto image = [&](const char * name) { return transform->TransformPoint(scan->Find(name)->point); };
+  auto       marks = itk::CephalometricLandmarkSet::New();
+  // Facing left: the foremost is the one of the smaller u.
+  const auto right = image("UR1_tip");
+  const auto left = image("UL1_tip");
+  marks->AddLandmark("Is", right[0] < left[0] ? right : left);
+  itk::Point<double, 2> middle;
+  middle.SetToMidPoint(image("UR6_MB"), image("UL6_MB"));
+  marks->AddLandmark("U6_MB", middle, 2.0);
+  marks->AddLandmark("UR3_cusp", image("UR3_cusp"), 0.0, 0.4);
+  marks->AddLandmark("Ii", middle);
+  return marks;
+}
+
+MetricType::Pointer
+MakeAnalysisMetric(const double * start)
+{
+  auto metric = MetricType::New();
+  metric->SetTransform(MakeTransform(start));
+  metric->SetCounterparts(MakeCounterparts());
+  metric->SetCephalometricLandmarks(MakeAnalysis());
+  return metric;
+}
+} // namespace
+
+TEST(LandmarkPoseMetricv4, AnAnalysissLandmarkIsTheForemostOrTheMiddleOfTwo)
+{
+  const auto metric = MakeAnalysisMetric(Truth);
+  metric->Initialize();
+  EXPECT_EQ(metric->GetMatchedNames(), (std::vector<std::string>{ "U1_tip", "U6_MB", "UR3_cusp" }));
+  EXPECT_NEAR(metric->GetValue(), 0.0, 1e-15);
+  // Turned the other way the other incisor is foremost: chosen where matches are held, not in between.
+  double turned[7];
+  std::copy(std::begin(Truth), std::end(Truth), turned);
+  turned[2] = -turned[2];
+  const auto other = MakeAnalysisMetric(turned);
+  other->Initialize();
+  metric->SetValues(std::vector<double>(turned, turned + 7));
+  EXPECT_NE(metric->GetValue(), other->GetValue());
+  metric->Hold(MetricType::HoldEnum::Matches);
+  metric->Hold(MetricType::HoldEnum::Nothing);
+  EXPECT_EQ(metric->GetValue(), other->GetValue());
+}
+
+TEST(LandmarkPoseMetricv4, ErrorsOfAnAnalysisAreTheMarksThenTheReaders)
+{
+  const auto metric = MakeAnalysisMetric(Truth);
+  metric->Initialize();
+  double moved[7];
+  std::copy(std::begin(Truth), std::end(Truth), moved);
+  moved[3] += 2.0;
+  const std::vector<double> x(moved, moved + 7);
+  const auto                residuals = metric->ComputeLandmarkResiduals(x);
+  ASSERT_EQ(residuals.size(), 3u);
+  // Pixels of 0.2 x 0.3 mm, magnification 1674 / 1524.
+  const double magnification = 1674.0 / 1524.0;
+  const double factor = MetricType::ComputeConfidenceFactor(0.4);
+  EXPECT_GT(factor, 1.0);
+  EXPECT_LT(MetricType::ComputeConfidenceFactor(1.0), 1.0);
+  const double sigmas[3][2] = { { MetricType::ReaderSigmaAlong / 0.2, MetricType::ReaderSigmaAcross / 0.3 },
+                                { 2.0, 2.0 },
+                                { std::hypot(factor * MetricType::ReaderSigmaAlong, 3.0 * magnification) / 0.2,
+                                  std::hypot(factor * MetricType::ReaderSigmaAcross, 4.0 * magnification) / 0.3 } };
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    EXPECT_GT(std::abs(residuals[i].difference[0]), 5.0);
+    EXPECT_NEAR(residuals[i].distance,
+                std::hypot(residuals[i].difference[0] / sigmas[i][0], residuals[i].difference[1] / sigmas[i][1]),
+                1e-9)
+      << residuals[i].name;
+  }
+}
+
+TEST(LandmarkPoseMetricv4, DerivativesOfTwoPointsMatchDifferences)
+{
+  double start[7];
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    start[k] = Truth[k] + (k < 3 || k == 6 ? 0.004 : 0.4);
+  }
+  const auto metric = MakeAnalysisMetric(start);
+  metric->SetRobustKernel(itk::GemanMcClureKernel::New());
+  metric->Initialize();
+  metric->Hold(MetricType::HoldEnum::Matches);
+  vnl_vector<double> residuals;
+  vnl_matrix<double> jacobian;
+  metric->GetResiduals(residuals, &jacobian);
+  const MetricType::ParametersType x = metric->GetParameters();
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    const double               step = 1e-4;
+    MetricType::ParametersType a = x;
+    MetricType::ParametersType b = x;
+    a[k] -= step;
+    b[k] += step;
+    vnl_vector<double> low, high;
+    metric->SetParameters(a);
+    metric->GetResiduals(low, nullptr);
+    metric->SetParameters(b);
+    metric->GetResiduals(high, nullptr);
+    for (unsigned int i = 0; i < residuals.size(); ++i)
+    {
+      EXPECT_NEAR(jacobian(i, k), (high[i] - low[i]) / (2.0 * step), 1e-6) << i << ", " << k;
+    }
+  }
 }

@@ -201,7 +201,7 @@ TEST(LandmarkCounterpartFilter, FindsThemAlongTheArchWithinTheErrorsThatItStates
     phantom.filter->Update();
     for (const char * name : { "U1_tip", "U6_MB", "L1_tip", "L6_MB" })
     {
-      double error[3];
+      double error[3] = { 0.0, 0.0, 0.0 };
       ASSERT_TRUE(phantom.Error(name, error)) << seed << ' ' << name;
       const auto * found = phantom.filter->GetOutput()->Find(name);
       EXPECT_EQ(found->source, "its place along the arch");

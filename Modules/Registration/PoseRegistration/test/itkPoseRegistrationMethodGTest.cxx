@@ -92,6 +92,9 @@ TEST(PoseRegistrationMethod, AJawThatWasNotRegisteredIsNotSaidToLackCodes)
   };
   EXPECT_FALSE(saysNoCodes());
   result.jaws[0].registered = true;
+  // Landmarks alone placed it: there is no tracing that could have codes.
+  EXPECT_FALSE(saysNoCodes());
+  result.jaws[0].fit.numberOfPoints = 80;
   EXPECT_TRUE(saysNoCodes());
   result.jaws[0].fit.hasCodes = true;
   EXPECT_FALSE(saysNoCodes());

@@ -598,3 +598,88 @@ TEST(RegistrationVerdict, NotCheckableIsWhatTheDataOfTheCaseLeavesOpen)
                                                  : Lines{ view, source, mirrored, patient }));
   }
 }
+
+namespace
+{
+/** A jaw that two landmarks of its own and two of the other placed. */
+itk::PoseRegistrationResult
+MakeResultOfLandmarks()
+{
+  itk::PoseRegistrationResult result = MakeGoodResult(2);
+  const char *                names[2][2] = { { "U1_tip", "U6_MB" }, { "L1_tip", "L6_MB" } };
+  for (std::size_t j = 0; j < 2; ++j)
+  {
+    result.jaws[j].fit = itk::PoseFitStatistics();
+    result.jaws[j].middleSigma = 1.8;
+    result.jaws[j].largestMiddleSigma = 2.1;
+    for (const char * name : names[j])
+    {
+      itk::PoseLandmarkFit landmark;
+      landmark.name = name;
+      landmark.distance = 1.2;
+      result.jaws[j].landmarks.push_back(landmark);
+    }
+  }
+  return result;
+}
+} // namespace
+
+TEST(RegistrationVerdict, LandmarksAloneAreJudgedByTheMiddlesThatTheyDetermine)
+{
+  const Thresholds limits;
+  auto             result = MakeResultOfLandmarks();
+  EXPECT_EQ(Verdict::Evaluate(result).at(0).status, StatusEnum::Ok);
+  result.jaws[0].middleSigma = limits.suspectMiddleSigma + 0.01;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "uncertain", Suspect } }));
+  EXPECT_EQ(Verdict::Evaluate(result).at(1).status, StatusEnum::Ok);
+  result.jaws[0].middleSigma = limits.suspectMiddleSigma - 0.01;
+  result.jaws[0].largestMiddleSigma = limits.suspectLargestMiddleSigma + 0.01;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "uncertain", Suspect } }));
+  result.jaws[0].middleSigma = limits.failedPredictedSigma + 0.01;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "undetermined", Failed } }));
+}
+
+TEST(RegistrationVerdict, ALandmarkThatStandsApartIsNamedForEveryJawOfItsPose)
+{
+  const Thresholds limits;
+  auto             result = MakeResultOfLandmarks();
+  result.jaws[1].landmarks[0].distance = limits.landmarkApart + 0.01;
+  for (const auto & verdict : Verdict::Evaluate(result))
+  {
+    ASSERT_EQ(NamesOf(verdict), (Named{ { "landmark-apart", Suspect } }));
+    EXPECT_TRUE(Contains(verdict.reasons.front().text, "landmark L1_tip lies far"));
+  }
+  result.jaws[1].landmarks[1].distance = limits.landmarkApart + 0.01;
+  EXPECT_TRUE(Contains(Verdict::Evaluate(result).at(0).reasons.front().text, "L1_tip and L6_MB lie far"));
+  // One that is left has nothing that confirms it.
+  result.jaws[0].landmarks[0].distance = limits.landmarkApart + 0.01;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "landmarks-disagree", Failed } }));
+}
+
+TEST(RegistrationVerdict, LandmarksThatAllLieOffAreRough)
+{
+  const Thresholds limits;
+  auto             result = MakeResultOfLandmarks();
+  // Two residuals a landmark: their root mean square.
+  const double limit = limits.suspectLandmarkRatio * std::sqrt(2.0);
+  for (const double factor : { 0.99, 1.01 })
+  {
+    for (auto & jaw : result.jaws)
+    {
+      for (auto & landmark : jaw.landmarks)
+      {
+        landmark.distance = factor * limit;
+      }
+    }
+    EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)),
+              factor < 1.0 ? Named{} : (Named{ { "landmarks-rough", Suspect } }));
+  }
+}
+
+TEST(RegistrationVerdict, ATracingThatCannotBeMatchedIsSaidWhereLandmarksPlacedTheJaw)
+{
+  auto result = MakeResultOfLandmarks();
+  result.jaws[0].tracingFailure = "no part of it can lie on the outline";
+  const auto names = NamesOf(Verdict::Evaluate(result).at(0));
+  EXPECT_EQ(names, (Named{ { "tracing-unused", Suspect } }));
+}
