@@ -392,6 +392,23 @@ class DentalCaseReader(ProcessObject, _core.DentalCaseReader):
         return Case._of(self._TakeOutput())
 
 
+class CaseLandmarkErrorFilter(ProcessObject, _core.CaseLandmarkErrorFilter):
+    """Measures a result against the landmarks that were marked on its radiograph, where its case file names them."""
+
+    def Execute(self, result: CaseResult) -> CaseResult:
+        """The same result with the errors; without marks it is unchanged."""
+        if result._native is None:
+            raise ArgumentError("a result that was pickled has no case whose marks could be read; measure it where it was made")
+        self._SetInput(result._native)
+        self._Update()
+        return CaseResult(self._TakeOutput())
+
+
+def MeasureCaseLandmarkErrors(result: CaseResult) -> CaseResult:
+    """Errors at the marked landmarks; see :class:`CaseLandmarkErrorFilter`. :func:`register` has measured them already."""
+    return CaseLandmarkErrorFilter().Execute(result)
+
+
 class CaseResultFolderWriter(ProcessObject, _core.CaseResultFolderWriter):
     """Writes everything that a case's result is made of into a folder, whole or not at all."""
 

@@ -13,11 +13,13 @@ from ._inputs import (
     LandmarksLike,
     MeshLike,
     TransformLike,
+    as_cephalometric_landmarks,
     as_contour,
     as_geometry,
     as_landmarks,
     as_mesh,
 )
+from ._io import ReadCephalometricLandmarks
 from ._process import Observable, ProcessObject, apply_settings
 
 #: A jaw or its name.
@@ -336,6 +338,62 @@ def LandmarkProjection(
     process = LandmarkProjectionFilter()
     process.SetMillimetresPerUnit(millimetresPerUnit)
     return process.Execute(solution, landmarks)
+
+
+class LandmarkCounterpart(NamedTuple):
+    """Where a landmark of a cephalometric analysis is on a scan."""
+
+    #: (1 or 2, 3), mesh frame, mm: one point, or one of each side.
+    points: Array
+    #: What is imaged of two points: "middle" or "foremost".
+    rule: str
+    #: Standard deviation of the counterpart along the occlusal plane, mm.
+    sigmaAlong: float
+    #: Standard deviation across it, mm.
+    sigmaAcross: float
+    #: How it was found: "landmarks_3d", "tooth labels", "its place along the arch".
+    source: str
+
+
+class LandmarkCounterpartFilter(ProcessObject, _core.LandmarkCounterpartFilter):
+    """Finds on the scans what a cephalometric analysis has marked on the radiograph."""
+
+    def Execute(
+        self,
+        landmarks: Any,
+        upperMesh: Optional[MeshLike] = None,
+        lowerMesh: Optional[MeshLike] = None,
+        upperFrame: Optional[TransformLike] = None,
+        lowerFrame: Optional[TransformLike] = None,
+        scanLandmarks: Optional[LandmarksLike] = None,
+    ) -> Dict[str, LandmarkCounterpart]:
+        """Finds a counterpart of each landmark; ``GetUnused`` lists those without one, and why.
+
+        Parameters
+        ----------
+        landmarks : dict or path
+            As the argument cephalometricLandmarks of :class:`Case`.
+        upperMesh, lowerMesh : mesh-like, optional
+            Scans, mm. A jaw without one has no counterparts.
+        upperFrame, lowerFrame : transform-like, optional
+            Mesh to dental frame, of :func:`UMidlineDentalAxis`. Without it only ``scanLandmarks`` are found.
+        scanLandmarks : landmarks-like, optional
+            Landmarks of the scans in the frame of the mesh files; ``SetMillimetresPerUnit`` says in what unit.
+        """
+        given = as_cephalometric_landmarks(landmarks)
+        self._SetCephalometricLandmarks(ReadCephalometricLandmarks(given) if isinstance(given, str) else given)
+        self._SetScanLandmarks({} if scanLandmarks is None else as_landmarks(scanLandmarks, 3))
+        self._SetUpperMesh(None if upperMesh is None else as_mesh(upperMesh))
+        self._SetLowerMesh(None if lowerMesh is None else as_mesh(lowerMesh))
+        self._SetUpperFrame(as_rigid(upperFrame))
+        self._SetLowerFrame(as_rigid(lowerFrame))
+        self._Update()
+        return {name: LandmarkCounterpart(*found) for name, found in self._GetCounterparts().items()}
+
+
+def FindLandmarkCounterparts(landmarks: Any, **inputs: Any) -> Dict[str, LandmarkCounterpart]:
+    """Where an analysis's landmarks are on the scans; see :class:`LandmarkCounterpartFilter`."""
+    return LandmarkCounterpartFilter().Execute(landmarks, **inputs)
 
 
 class MatchedContourFilter(ProcessObject, _core.MatchedContourFilter):

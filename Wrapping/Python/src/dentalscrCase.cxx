@@ -19,6 +19,7 @@
 
 #include "itkCaseOverlay.h"
 #include "itkCaseRegistration.h"
+#include "itkCaseLandmarkErrorFilter.h"
 #include "itkCaseResultFolderWriter.h"
 #include "itkCaseResultWriter.h"
 #include "itkCephalometricLandmarkFileReader.h"
@@ -381,6 +382,20 @@ WrapCase(py::module_ & module)
       result->data = std::const_pointer_cast<DentalCaseData>(self.GetOutput()->Get());
       return result;
     });
+
+  using ErrorType = itk::CaseLandmarkErrorFilter;
+  ProcessClass<ErrorType>(
+    module, "CaseLandmarkErrorFilter", "Measures a result against the landmarks that its case has marked.")
+    .def(New<ErrorType>())
+    .def(
+      "_SetInput",
+      [](ErrorType & self, const CaseResult & result) {
+        auto input = itk::CaseResultObject::New();
+        input->Set(result);
+        self.SetInput(input);
+      },
+      py::arg("result"))
+    .def("_TakeOutput", [](ErrorType & self) { return std::make_shared<CaseResult>(self.GetOutput()->Get()); });
 
   using WriterType = itk::CaseResultFolderWriter;
   ProcessClass<WriterType>(module, "CaseResultFolderWriter", "Writes a result into a folder; see WriteCaseResult().")

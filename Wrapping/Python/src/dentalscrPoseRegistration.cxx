@@ -22,6 +22,7 @@
 #include "itkExchangedJawsHypothesis.h"
 #include "itkGeometryPlacementFilter.h"
 #include "itkLandmarkMatrixProjectionFilter.h"
+#include "itkLandmarkCounterpartFilter.h"
 #include "itkLandmarkProjectionFilter.h"
 #include "itkMatchedContourFilter.h"
 #include "itkOtherFacingHypothesis.h"
@@ -882,6 +883,66 @@ WrapDownstream(py::module_ & module)
       [](const ProjectionType & self, const std::string & name) { return ToArray(self.GetMiddleCovariance(name)); },
       py::arg("name"),
       "(2, 2) square pixels: of the middle between a right landmark and its left one.");
+
+  using CounterpartType = itk::LandmarkCounterpartFilter;
+  ProcessClass<CounterpartType>(
+    module, "LandmarkCounterpartFilter", "Where the landmarks of a cephalometric analysis are on the scans.")
+    .def(New<CounterpartType>())
+    .def(
+      "_SetCephalometricLandmarks",
+      [](CounterpartType & self, const py::dict & landmarks) {
+        self.SetCephalometricLandmarks(FromCephalometricDict(landmarks));
+      },
+      py::arg("landmarks"))
+    .def(
+      "_SetScanLandmarks",
+      [](CounterpartType & self, const py::dict & landmarks) { self.SetScanLandmarks(FromDict<3>(landmarks)); },
+      py::arg("landmarks"))
+    .def("_SetUpperMesh", &CounterpartType::SetUpperMesh, py::arg("mesh"))
+    .def("_SetLowerMesh", &CounterpartType::SetLowerMesh, py::arg("mesh"))
+    .def(
+      "_SetUpperFrame",
+      [](CounterpartType & self, const RigidType * transform) { self.SetUpperFrame(ToFrame(transform)); },
+      py::arg("transform"))
+    .def(
+      "_SetLowerFrame",
+      [](CounterpartType & self, const RigidType * transform) { self.SetLowerFrame(ToFrame(transform)); },
+      py::arg("transform"))
+    .def("SetLabels",
+         &CounterpartType::SetLabels,
+         py::arg("jaw"),
+         py::arg("labels"),
+         "FDI number by point of the jaw's mesh, 0 gingiva; empty: none.")
+    .def("GetLabels", &CounterpartType::GetLabels, py::arg("jaw"))
+    .dentalscrProperty(CounterpartType, MillimetresPerUnit)
+    .dentalscrBoolean(CounterpartType, IgnoreSides)
+    .def("_GetCounterparts",
+         [](CounterpartType & self) {
+           py::dict result;
+           for (const auto & counterpart : self.GetOutput()->GetCounterparts())
+           {
+             std::vector<double> points;
+             for (const auto & point : counterpart.points)
+             {
+               points.insert(points.end(), point.Begin(), point.End());
+             }
+             result[py::str(counterpart.name)] = py::make_tuple(
+               MakeArray<double>(points, { static_cast<py::ssize_t>(counterpart.points.size()), 3 }),
+               counterpart.rule == itk::LandmarkCounterpartSet::RuleEnum::Foremost ? "foremost" : "middle",
+               counterpart.sigmaAlong,
+               counterpart.sigmaAcross,
+               counterpart.source);
+           }
+           return result;
+         })
+    .def("GetUnused", [](const CounterpartType & self) {
+      std::vector<std::pair<std::string, std::string>> unused;
+      for (const auto & entry : self.GetUnused())
+      {
+        unused.emplace_back(entry.name, entry.reason);
+      }
+      return unused;
+    });
 
   using MatchedType = itk::MatchedContourFilter;
   ProcessClass<MatchedType>(

@@ -164,3 +164,17 @@ def test_landmarks_that_are_none_are_named(ds, sample):
 def test_case_without_a_word_about_its_side_is_of_the_right(ds, sample, case):
     assert case.tracedSide == "right"
     assert ds.Case(upper=case.upper, upperContour=case.upperContour, imageSize=(703, 938)).tracedSide == "right"
+
+
+def test_counterparts_of_landmarks_tell_how_they_were_found(ds, case):
+    """By the scan's landmarks where they are given, else along the arch; an apex is on no scan."""
+    axes = ds.UMidlineDentalAxis(case.upper, case.lower)
+    marks = {"U1_tip": (100, 100), "Ms": {"position": (50, 90), "sigma_px": 2.0}, "UIA": (90, 40)}
+    process = ds.LandmarkCounterpartFilter()
+    found = process.Execute(marks, case.upper, upperFrame=axes.upperTransform)
+    assert set(found) == {"U1_tip", "U6_mesial"}
+    assert found["U1_tip"].rule == "foremost" and found["U1_tip"].points.shape == (2, 3)
+    assert found["U6_mesial"].rule == "middle" and found["U6_mesial"].source == "its place along the arch"
+    assert [name for name, _ in process.GetUnused()] == ["UIA"]
+    clicked = ds.FindLandmarkCounterparts(marks, upperMesh=case.upper, scanLandmarks={"UR1_tip": (1, 2, 3)})
+    assert clicked["U1_tip"].source == "landmarks_3d" and np.array_equal(clicked["U1_tip"].points, [[1, 2, 3]])

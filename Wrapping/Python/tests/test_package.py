@@ -78,7 +78,9 @@ def test_every_process_object_is_wrapped(ds):
 def test_every_process_object_has_its_procedural_twin(ds):
     others = {
         "CaseRegistration": "register", "CaseResultFolderWriter": "WriteCaseResult", "DentalCaseReader": "ReadCase",
-        "CephalogramFileReader": "ReadCephalogram",
+        "CephalogramFileReader": "ReadCephalogram", "CaseLandmarkErrorFilter": "MeasureCaseLandmarkErrors",
+        "LandmarkCounterpartFilter": "FindLandmarkCounterparts",
+        "CephalometricLandmarkFileReader": "ReadCephalometricLandmarks",
         "CohortExperiment": "RunCohortExperiment", "DentalContourFileReader": "ReadContours",
         "SurfaceSplatWidthCalculator": "SurfaceSplatWidth",
         "DentalContourFileWriter": "WriteContours", "DentalLandmarkFileReader": "ReadLandmarks",

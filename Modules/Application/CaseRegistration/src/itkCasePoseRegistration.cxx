@@ -406,16 +406,17 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     const auto &      input = data.GetJaw(entry.first);
     MeshType::Pointer mesh = input.mesh;
     DentalContour *   tracing = input.contour.GetPointer();
-    if (counterparts.IsNotNull() && HasCounterpart(counterparts, entry.first))
+    const bool        hasLandmarks = counterparts.IsNotNull() && HasCounterpart(counterparts, entry.first);
+    if (hasLandmarks && data.description.tracedSide == TracedSideEnum::Standard && CountTracingPoints(tracing) > 0)
     {
-      if (data.description.tracedSide == TracedSideEnum::Standard && tracing != nullptr)
-      {
-        result.warnings.push_back("the outlines of whole teeth of the " + ToName(entry.first) +
-                                  " jaw are not registered with: its landmarks alone place it");
-        tracing = nullptr;
-      }
-      // Beside landmarks a few points are too few to be a tracing.
-      tracing = CountTracingPoints(tracing) >= MinimumTracingPoints ? tracing : nullptr;
+      result.warnings.push_back("the outlines of whole teeth of the " + ToName(entry.first) +
+                                " jaw are not registered with: its landmarks alone place it");
+      tracing = nullptr;
+    }
+    // Beside landmarks a few points are too few to be a tracing; a jaw that the other one places has none at all.
+    if (CountTracingPoints(tracing) < (hasLandmarks ? MinimumTracingPoints : 1))
+    {
+      tracing = nullptr;
     }
     if (data.description.crowns != CrownsEnum::Off)
     {
