@@ -32,6 +32,7 @@ def test_verdicts_table_has_the_codes_thresholds():
             f"predicted σ > {t['suspectPredictedSigma']:g} at the tracing or > {t['suspectExtrapolatedSigma']:g} anywhere",
             f"> {t['suspectMiddleSigma']:g} or > {t['suspectLargestMiddleSigma']:g} at the worse",
         ],
+        "upside-down": [f"pitch > {t['failedPitch']:g} rad (90°)"],
         "landmark-apart": [f"> {t['landmarkApart']:g} sd"],
         "landmarks-rough": [f"> {t['suspectLandmarkRatio']:g} sd"],
         "ambiguous": [f"within {t['suspectMargin']:g} of the score"],
@@ -50,7 +51,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         for part in parts:
             assert part in rules[rule], rule
     # None of the thresholds is left out above.
-    assert len(t) == 24
+    assert len(t) == 25
 
 
 def test_every_option_is_listed_with_its_default():

@@ -52,6 +52,9 @@ using MethodType = PoseRegistrationMethod<MeshType>;
 constexpr double MatchedWithin = 2.5;
 constexpr double MatchedGap = 3.0;
 
+/** The longest side of a cephalogram, mm: films are 18 x 24 to 24 x 30 cm, detectors up to 43 cm. */
+constexpr double LongestFilm = 450.0;
+
 unsigned int
 ToIndex(JawEnum jaw)
 {
@@ -348,6 +351,7 @@ FindCounterparts(const DentalCaseData & data, AxisType * axis, CaseResult & resu
       filter->SetLowerFrame(FrameOf(axis, jaw));
     }
   }
+  filter->SetExcludedTeeth(data.description.excludedTeeth);
   filter->SetIgnoreSides(data.description.tracedSide == TracedSideEnum::Standard);
   filter->Update();
   for (const auto & unused : filter->GetUnused())
@@ -357,6 +361,48 @@ FindCounterparts(const DentalCaseData & data, AxisType * axis, CaseResult & resu
   LandmarkCounterpartSet::Pointer counterparts = filter->GetOutput();
   counterparts->DisconnectPipeline();
   return counterparts;
+}
+
+/** Whether a jaw has something to register with: a tracing, or a landmark that was found on its scan. */
+bool
+HasEvidence(const DentalCaseData & data, const LandmarkCounterpartSet * counterparts, JawEnum jaw)
+{
+  return CountTracingPoints(data.GetJaw(jaw).contour) >= MinimumTracingPoints ||
+         (counterparts != nullptr && HasCounterpart(counterparts, jaw));
+}
+
+/** Now that it is known which landmarks are on the scans: a jaw without evidence is placed by the other one, whose
+ * frame it shares, or has failed and is taken out. */
+void
+SettleEvidence(const DentalCaseData &          data,
+               const LandmarkCounterpartSet *  counterparts,
+               AxisType *                      axis,
+               const PoseRegistrationOptions & options,
+               std::map<JawEnum, JawResult> &  jaws,
+               CaseResult &                    result)
+{
+  const bool share = options.useJointPose && axis->GetJointTransformOutput()->Get() != nullptr;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    if (jaws.count(jaw) == 0 || HasEvidence(data, counterparts, jaw))
+    {
+      continue;
+    }
+    const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
+    if (share && jaws.count(other) != 0 && HasEvidence(data, counterparts, other))
+    {
+      result.jaws[jaw].placedBy = ToName(other);
+    }
+    else
+    {
+      result.jaws[jaw].placedBy.clear();
+      result.jaws[jaw].AddReason(
+        CaseStatusEnum::Failed,
+        "there is no tracing of this jaw, and none of its landmarks was found on the scan: see "
+        "the warnings");
+      jaws.erase(jaw);
+    }
+  }
 }
 
 } // namespace
@@ -400,6 +446,11 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     counterparts = FindCounterparts(data, axis, result);
     method->SetCephalometricLandmarks(data.cephalometricLandmarks);
     method->SetLandmarkCounterparts(counterparts);
+  }
+  SettleEvidence(data, counterparts, axis, settings.options, jaws, result);
+  if (jaws.empty())
+  {
+    return;
   }
   for (const auto & entry : jaws)
   {
@@ -479,6 +530,20 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     if (!closedTold || sentence != RegistrationVerdict::ClosedCastLine)
     {
       result.notCheckable.push_back(sentence);
+    }
+  }
+
+  // A spacing that only the drawing tells makes a film of some size: no radiograph of a head is so long.
+  const double length = std::max(data.imageSize[0] * spacing[0], data.imageSize[1] * spacing[1]);
+  if (!data.HasPixelSpacing() && length > LongestFilm)
+  {
+    std::ostringstream reason;
+    reason << "the radiograph would be " << std::lround(length)
+           << " mm long: was it drawn in mm, or on a smaller copy of the image? Give pixels of this one, or "
+              "pixel_spacing_mm";
+    for (const auto & entry : jaws)
+    {
+      result.jaws[entry.first].AddReason(CaseStatusEnum::Failed, reason.str());
     }
   }
 

@@ -413,6 +413,25 @@ SettleTracedSide(DentalCaseData & data)
   };
   const bool traced = isTraced(JawEnum::Upper) || isTraced(JawEnum::Lower);
   const bool landmarksAlone = !traced && data.cephalometricLandmarks.IsNotNull();
+  if (landmarksAlone)
+  {
+    // Names that tell their sides are taken at their word.
+    bool right = false, left = false, sideless = false;
+    for (const auto & landmark : data.cephalometricLandmarks->GetLandmarks())
+    {
+      const ToothCode & tooth = landmark.meaning.tooth;
+      sideless = sideless || !tooth.IsKnown();
+      right = right || tooth.IsRight();
+      left = left || tooth.IsLeft();
+    }
+    if (!sideless && (right || left))
+    {
+      description.tracedSide = right && left ? TracedSideEnum::Both
+                               : right       ? TracedSideEnum::Right
+                                             : TracedSideEnum::Left;
+      return;
+    }
+  }
   if (landmarksAlone || IsStandardTracing(data))
   {
     description.tracedSide = TracedSideEnum::Standard;

@@ -147,3 +147,61 @@ TEST(CaseLandmarks, AJawWithoutDrawingsIsPlacedByTheOther)
   EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Upper).reasons, "the lower one"));
   EXPECT_LT(MiddleError(phantom, result, JawEnum::Upper), 6.0);
 }
+
+TEST(CaseLandmarks, AJawWhoseLandmarksAreOnNoScanIsPlacedByTheOtherOrFails)
+{
+  LandmarkCase phantom(7);
+  phantom.Keep({ "U1_tip", "U6_MB" });
+  itk::CephalometricLandmarkSet::PointType point;
+  point.Fill(400.0);
+  // Of a premolar nothing of the kind is known, in landmarks or along the arch.
+  phantom.data->cephalometricLandmarks->AddLandmark("L5_occlusal", point);
+  auto result = phantom.Run();
+  EXPECT_EQ(result.jaws.at(JawEnum::Lower).placedBy, "upper");
+  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Lower).reasons, "nothing was drawn"));
+  phantom.data->description.occlusion = itk::OcclusionEnum::No;
+  result = phantom.Run();
+  EXPECT_TRUE(result.jaws.at(JawEnum::Upper).registered);
+  EXPECT_FALSE(result.jaws.at(JawEnum::Lower).registered);
+  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Lower).reasons, "none of its landmarks was found"));
+  EXPECT_TRUE(HasLineWith(result.warnings, "L5_occlusal is not used"));
+}
+
+TEST(CaseLandmarks, MillimetresForPixelsAreNotBelieved)
+{
+  LandmarkCase phantom(8);
+  auto         millimetres = itk::CephalometricLandmarkSet::New();
+  for (const auto & landmark : phantom.data->cephalometricLandmarks->GetLandmarks())
+  {
+    auto point = landmark.point;
+    point[0] *= 0.25;
+    point[1] *= 0.25;
+    millimetres->AddLandmark(landmark.name, point);
+  }
+  phantom.data->cephalometricLandmarks = millimetres;
+  const auto known = phantom.Run();
+  EXPECT_EQ(known.GetStatus(), itk::CaseStatusEnum::Failed);
+  // Where nobody gave the spacing, the marks make one: of a film that is none.
+  auto geometry = itk::CephalometricGeometry::New();
+  geometry->SetFacing(phantom.data->geometry->GetFacing());
+  phantom.data->geometry = geometry;
+  phantom.data->sources.pixelSpacing = itk::ValueSourceEnum::Estimated;
+  phantom.data->sources.principalPoint = itk::ValueSourceEnum::Estimated;
+  const auto result = phantom.Run();
+  EXPECT_EQ(result.GetStatus(), itk::CaseStatusEnum::Failed);
+  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Upper).reasons, "mm long: was it drawn in mm"));
+}
+
+TEST(CaseLandmarks, NamesOfExchangedJawsFail)
+{
+  LandmarkCase phantom(9);
+  auto         exchanged = itk::CephalometricLandmarkSet::New();
+  for (const auto & landmark : phantom.data->cephalometricLandmarks->GetLandmarks())
+  {
+    std::string name = landmark.name;
+    name[0] = name[0] == 'U' ? 'L' : 'U';
+    exchanged->AddLandmark(name, landmark.point);
+  }
+  phantom.data->cephalometricLandmarks = exchanged;
+  EXPECT_NE(phantom.Run().GetStatus(), itk::CaseStatusEnum::Ok);
+}

@@ -122,7 +122,7 @@ FindFeature(const std::string & suffix, unsigned int position, FeatureEnum & fea
   if (suffix.empty())
   {
     // An incisor's point is its tip; a molar's may be one of several.
-    feature = position <= 3 ? FeatureEnum::Tip : position <= 5 ? FeatureEnum::Cusp : FeatureEnum::Unspecified;
+    feature = position <= 2 ? FeatureEnum::Tip : position <= 5 ? FeatureEnum::Cusp : FeatureEnum::Unspecified;
     return true;
   }
   for (const Suffix & known : Suffixes)
@@ -135,6 +135,8 @@ FindFeature(const std::string & suffix, unsigned int position, FeatureEnum & fea
     switch (feature)
     {
       case FeatureEnum::Tip:
+        // A canine's tip is its cusp.
+        feature = position == 3 ? FeatureEnum::Cusp : feature;
         return position <= 3;
       case FeatureEnum::Cusp:
         return position >= 3 && position <= 5;

@@ -75,6 +75,10 @@ TEST(CephalometricLandmarkSet, KnowsTheNamesThatPointsHave)
   EXPECT_EQ(Canonical("U6_occlusal"), "U6_occlusal");
   EXPECT_EQ(Canonical("U6"), "U6");
   EXPECT_EQ(Canonical("UPM"), "U5_cusp");
+  for (const char * name : { "U3", "U3_tip", "U3_cusp" })
+  {
+    EXPECT_EQ(Canonical(name), "U3_cusp") << name;
+  }
   EXPECT_EQ(Canonical("UR6_MB"), "UR6_MB");
   EXPECT_EQ(Canonical("ll1_tip"), "LL1_tip");
   EXPECT_EQ(Canonical("UL4_B"), "UL4_cusp");

@@ -93,6 +93,15 @@ public:
   const LabelsType &
   GetLabels(JawEnum jaw) const;
 
+  /** Teeth that have no counterparts: a landmark of these alone is unused, of one of two sides the other one's. */
+  void
+  SetExcludedTeeth(const std::vector<ToothCode> & teeth);
+  const std::vector<ToothCode> &
+  GetExcludedTeeth() const
+  {
+    return m_ExcludedTeeth;
+  }
+
   /** Of the scan landmarks; 1 by default. */
   itkSetMacro(MillimetresPerUnit, double);
   itkGetConstMacro(MillimetresPerUnit, double);
@@ -138,6 +147,7 @@ private:
   double                    m_MillimetresPerUnit{ 1.0 };
   bool                      m_IgnoreSides{ false };
   std::array<LabelsType, 2> m_Labels;
+  std::vector<ToothCode>    m_ExcludedTeeth;
   std::vector<UnusedType>   m_Unused;
 };
 } // namespace itk

@@ -99,14 +99,16 @@ public:
     /** rad, 30.9 degrees, either way. Rotations up to 32 degrees (0.56) are searched: beyond this one a pose stands at
      * the edge. */
     double suspectPitch{ 0.54 };
+    /** rad: a patient on the head. Two marks fit any turn. */
+    double failedPitch{ 1.57 };
     double suspectPriorTension{ 4.5 };
     /** Of roll and yaw, whose prior has long tails: 17.5 degrees. A scanner's frame may be off by as much as a head. */
     double suspectRotationTension{ 5.0 };
     /** Difference of minus twice the log likelihood: 5 is odds of 12. */
     double suspectOtherSideDeviance{ -5.0 };
     double suspectWinding{ -0.1 };
-    /** Of the middle of both sides, where landmarks alone placed a jaw: over incisors and first molars, and of the worse
-     * of them. Of 640 jaws none with less was 8 px off (Documentation/Landmarks.md). */
+    /** Of the middle of both sides, where landmarks alone placed a jaw: over incisors and first molars, and of the
+     * worse of them. Of 640 jaws none with less was 8 px off (Documentation/Landmarks.md). */
     double suspectMiddleSigma{ 3.5 };
     double suspectLargestMiddleSigma{ 4.5 };
     /** Standard deviations beyond which a landmark is a gross error, not a reader's: one of 3000 by chance. */

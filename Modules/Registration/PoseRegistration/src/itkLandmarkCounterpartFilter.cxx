@@ -454,6 +454,16 @@ LandmarkCounterpartFilter::GetLabels(JawEnum jaw) const
   return m_Labels[ToIndex(jaw)];
 }
 
+void
+LandmarkCounterpartFilter::SetExcludedTeeth(const std::vector<ToothCode> & teeth)
+{
+  if (m_ExcludedTeeth != teeth)
+  {
+    m_ExcludedTeeth = teeth;
+    this->Modified();
+  }
+}
+
 LandmarkCounterpartFilter::OutputType *
 LandmarkCounterpartFilter::GetOutput()
 {
@@ -510,6 +520,18 @@ LandmarkCounterpartFilter::GenerateData()
     {
       teeth = { meaning.tooth };
     }
+    teeth.erase(std::remove_if(teeth.begin(),
+                               teeth.end(),
+                               [this](const ToothCode & tooth) {
+                                 return std::find(m_ExcludedTeeth.begin(), m_ExcludedTeeth.end(), tooth) !=
+                                        m_ExcludedTeeth.end();
+                               }),
+                teeth.end());
+    if (teeth.empty())
+    {
+      m_Unused.push_back({ landmark.name, "its tooth is excluded" });
+      continue;
+    }
     OutputType::CounterpartType counterpart;
     counterpart.name = CephalometricLandmarkSet::MakeName(meaning);
     counterpart.jaw = meaning.jaw;
@@ -547,6 +569,7 @@ LandmarkCounterpartFilter::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "IgnoreSides: " << (m_IgnoreSides ? "On" : "Off") << std::endl;
   os << indent << "UpperLabels: " << m_Labels[0].size() << std::endl;
   os << indent << "LowerLabels: " << m_Labels[1].size() << std::endl;
+  os << indent << "ExcludedTeeth: " << m_ExcludedTeeth.size() << std::endl;
   os << indent << "Unused: " << m_Unused.size() << std::endl;
 }
 } // namespace itk

@@ -361,8 +361,8 @@ DescribeMiddle(const TriangleSurface &        surface,
                const std::array<double, 49> & covariance,
                PoseJawResult &                jaw)
 {
-  constexpr double behindIncisors = 35.0;
-  constexpr double halfWidth = 22.0;
+  constexpr double    behindIncisors = 35.0;
+  constexpr double    halfWidth = 22.0;
   double              front = -1e300;
   std::vector<double> heights;
   for (const auto & p : surface.points)
@@ -370,11 +370,15 @@ DescribeMiddle(const TriangleSurface &        surface,
     front = std::max<double>(front, p[0]);
     heights.push_back(jaw.jaw == ToothCode::JawEnum::Upper ? -p[2] : p[2]);
   }
+  if (heights.empty())
+  {
+    return;
+  }
   // Where cusps and edges are: on the occlusal side, but for a speck or a single high cusp.
   const auto occlusal = heights.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(heights.size() - 1));
   std::nth_element(heights.begin(), occlusal, heights.end());
   const double height = jaw.jaw == ToothCode::JawEnum::Upper ? -*occlusal : *occlusal;
-  double sum = 0.0;
+  double       sum = 0.0;
   for (const bool molar : { false, true })
   {
     std::array<double, 14> jacobian{};

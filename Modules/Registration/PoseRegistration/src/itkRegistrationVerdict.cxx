@@ -187,13 +187,22 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
       }
     }
   }
-  if (!apart.empty() && kept < 2 && jaw.fit.numberOfPoints == 0)
+  // As many against as for: none of them is a gross error among good ones.
+  if (!apart.empty() && (kept < 2 || apart.size() >= kept) && jaw.fit.numberOfPoints == 0)
   {
     Add(verdict,
         StatusEnum::Failed,
         "landmarks-disagree",
-        "the landmarks do not fit the scans: " + Join(apart) + " lie far from where the others put them");
+        "the landmarks do not fit the scans: " + Join(apart) +
+          " lie far from where the others put them; were names of the two jaws, or of incisor and molar, exchanged?");
     return;
+  }
+  if (!result.geometry.pixelSpacingKnown && jaw.fit.numberOfPoints == 0)
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "scale-by-landmarks",
+        "the pixel spacing is not known, and landmarks alone tell the scale: give pixel_spacing_mm");
   }
   if (!apart.empty())
   {
@@ -370,7 +379,16 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
           "another position, " + Number(distance, 0) + " px away, fits nearly as well");
     }
     JudgePriors(group, thresholds, verdict);
-    if (std::abs(group.parameters[PosePitch]) > thresholds.suspectPitch)
+    if (std::abs(group.parameters[PosePitch]) > thresholds.failedPitch)
+    {
+      Add(verdict,
+          StatusEnum::Failed,
+          "upside-down",
+          "the patient would stand on the head, tipped by " +
+            Number(group.parameters[PosePitch] * DegreesPerRadian, 0) +
+            " degrees: check `facing`, a mirrored or turned image, and exchanged names");
+    }
+    else if (std::abs(group.parameters[PosePitch]) > thresholds.suspectPitch)
     {
       Add(verdict,
           StatusEnum::Suspect,

@@ -179,6 +179,21 @@ TEST(LandmarkCounterpartFilter, AToothOfOneSideAloneIsLessCertain)
   EXPECT_GT(found->sigmaAlong, 1.0);
 }
 
+TEST(LandmarkCounterpartFilter, ExcludedTeethHaveNone)
+{
+  Phantom phantom(13);
+  phantom.filter->SetScanLandmarks(phantom.landmarks);
+  phantom.filter->SetExcludedTeeth({ itk::ToothCode(16), itk::ToothCode(11), itk::ToothCode(21) });
+  phantom.filter->Update();
+  const auto * molar = phantom.filter->GetOutput()->Find("U6_MB");
+  ASSERT_NE(molar, nullptr);
+  ASSERT_EQ(molar->points.size(), 1u);
+  EXPECT_EQ(molar->points.front(), phantom.landmarks->Find("UL6_MB")->point);
+  EXPECT_EQ(phantom.filter->GetOutput()->Find("U1_tip"), nullptr);
+  ASSERT_EQ(phantom.filter->GetUnused().size(), 1u);
+  EXPECT_EQ(phantom.filter->GetUnused().front().reason, "its tooth is excluded");
+}
+
 TEST(LandmarkCounterpartFilter, SaysWhatItCannotFind)
 {
   Phantom phantom(14);

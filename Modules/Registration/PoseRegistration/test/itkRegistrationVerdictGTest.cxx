@@ -649,11 +649,44 @@ TEST(RegistrationVerdict, ALandmarkThatStandsApartIsNamedForEveryJawOfItsPose)
     ASSERT_EQ(NamesOf(verdict), (Named{ { "landmark-apart", Suspect } }));
     EXPECT_TRUE(Contains(verdict.reasons.front().text, "landmark L1_tip lies far"));
   }
+  // Beside a tracing two are no more than that.
   result.jaws[1].landmarks[1].distance = limits.landmarkApart + 0.01;
-  EXPECT_TRUE(Contains(Verdict::Evaluate(result).at(0).reasons.front().text, "L1_tip and L6_MB lie far"));
+  auto traced = result;
+  traced.jaws[0].fit = MakeGoodResult().jaws[0].fit;
+  EXPECT_TRUE(Contains(Verdict::Evaluate(traced).at(0).reasons.front().text, "L1_tip and L6_MB lie far"));
   // One that is left has nothing that confirms it.
   result.jaws[0].landmarks[0].distance = limits.landmarkApart + 0.01;
   EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "landmarks-disagree", Failed } }));
+}
+
+TEST(RegistrationVerdict, AsManyLandmarksApartAsTogetherDisagree)
+{
+  const Thresholds limits;
+  auto             result = MakeResultOfLandmarks();
+  for (auto & landmark : result.jaws[0].landmarks)
+  {
+    landmark.distance = limits.landmarkApart + 0.01;
+  }
+  const auto verdicts = Verdict::Evaluate(result);
+  EXPECT_EQ(NamesOf(verdicts.at(0)), (Named{ { "landmarks-disagree", Failed } }));
+  EXPECT_TRUE(Contains(verdicts.at(0).reasons.front().text, "exchanged"));
+}
+
+TEST(RegistrationVerdict, LandmarksAloneDoNotVouchForAScaleThatNobodyGave)
+{
+  auto result = MakeResultOfLandmarks();
+  result.geometry.pixelSpacingKnown = false;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "scale-by-landmarks", Suspect } }));
+}
+
+TEST(RegistrationVerdict, APatientOnTheHeadFailed)
+{
+  const Thresholds limits;
+  auto             result = MakeResultOfLandmarks();
+  result.groups[0].parameters[itk::PosePitch] = -limits.failedPitch - 0.01;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "upside-down", Failed } }));
+  result.groups[0].parameters[itk::PosePitch] = -limits.failedPitch + 0.01;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "search-limit", Suspect } }));
 }
 
 TEST(RegistrationVerdict, LandmarksThatAllLieOffAreRough)
