@@ -90,6 +90,7 @@ public:
     FeatureEnum feature{ FeatureEnum::Unspecified };
   };
 
+  /** A mark, with what its name means. */
   struct LandmarkType
   {
     /** As the file has it, for messages. */

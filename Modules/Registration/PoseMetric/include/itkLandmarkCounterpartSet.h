@@ -60,6 +60,7 @@ public:
     Foremost
   };
 
+  /** A landmark's place or places. */
   struct CounterpartType
   {
     /** CephalometricLandmarkSet::MakeName(). */
