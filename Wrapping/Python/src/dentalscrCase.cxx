@@ -27,7 +27,6 @@
 #include "itkDentalCaseLoader.h"
 #include "itkDentalCaseReader.h"
 #include "itkDentalInputError.h"
-#include "itkDentalLandmarkFileReader.h"
 
 #include <sstream>
 
@@ -206,26 +205,19 @@ MakeCase(MeshType *                         upper,
 std::shared_ptr<CaseResult>
 TakeResult(const CaseRegistration & registration, const Case & input)
 {
-  auto                                    result = std::make_shared<CaseResult>(registration.GetResult());
-  const auto &                            description = input.data->description;
-  itk::DentalLandmarkSet<2>::ConstPointer marked = input.marked.GetPointer();
-  if (marked.IsNull() && !description.landmarks2DFile.empty())
+  if (input.marked.IsNull())
   {
-    auto reader = itk::DentalLandmarkFileReader<2>::New();
-    reader->SetFileName(description.landmarks2DFile);
-    if (description.numbering)
-    {
-      reader->SetNumbering(*description.numbering);
-    }
-    reader->Update();
-    result->warnings.insert(result->warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
-    marked = reader->GetOutput();
+    // Those that the case file names, if any.
+    auto registered = itk::CaseResultObject::New();
+    registered->Set(registration.GetResult());
+    auto errors = itk::CaseLandmarkErrorFilter::New();
+    errors->SetInput(registered);
+    errors->Update();
+    return std::make_shared<CaseResult>(errors->GetOutput()->Get());
   }
-  if (marked.IsNotNull())
-  {
-    itk::MeasureLandmarkErrors(*result, marked);
-    result->markedLandmarks = marked;
-  }
+  auto result = std::make_shared<CaseResult>(registration.GetResult());
+  itk::MeasureLandmarkErrors(*result, input.marked);
+  result->markedLandmarks = input.marked.GetPointer();
   return result;
 }
 

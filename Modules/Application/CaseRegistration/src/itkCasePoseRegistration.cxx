@@ -36,7 +36,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <sstream>
 
 namespace itk
@@ -208,10 +207,6 @@ MakeDetached(const TData * data)
   return detached;
 }
 
-/** Standard deviation an axis of where the lower jaw bites on the film against the scans' bite, mm. Bite scans repeat
- * to 0.1 to 0.3 mm, and on a film patients bite as they are told. */
-constexpr double BiteSigma = 0.3;
-
 /** The exact silhouette of the whole scan at the solution, its points a given number. */
 DentalContour::Pointer
 MakeWholeSilhouette(const MeshType * mesh, CephalometricGeometry * placed, unsigned int numberOfPoints)
@@ -268,8 +263,7 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
   const auto toRows = [](const LandmarkProjectionFilter::CovarianceType & covariance) {
     return std::array<double, 4>{ { covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1) } };
   };
-  const auto & geometry = solution->GetResult().geometry;
-  const bool   bisected = IsBisected(data.description.tracedSide);
+  const bool bisected = IsBisected(data.description.tracedSide);
   for (auto & entry : result.jaws)
   {
     JawResult & jaw = entry.second;
@@ -277,18 +271,6 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
     {
       continue;
     }
-    // How the jaws bit on each other is not known better than this, mm, for a jaw that the other one placed.
-    std::array<double, 4> bite{ {} };
-    if (!jaw.placedBy.empty())
-    {
-      const double magnification = geometry.sourceToDetector / geometry.sourceToMidsagittal;
-      bite[0] = std::pow(BiteSigma * magnification / geometry.pixelSpacing[0], 2.0);
-      bite[3] = std::pow(BiteSigma * magnification / geometry.pixelSpacing[1], 2.0);
-    }
-    const auto widen = [&bite](std::array<double, 4> covariance) {
-      std::transform(covariance.begin(), covariance.end(), bite.begin(), covariance.begin(), std::plus<double>());
-      return covariance;
-    };
     for (const auto & place : projection->GetOutput()->GetLandmarks())
     {
       if (place.tooth.GetJaw() != entry.first)
@@ -298,10 +280,10 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
       LandmarkPrediction landmark;
       landmark.name = place.name;
       landmark.position = { { place.point[0], place.point[1] } };
-      landmark.covariance = widen(toRows(projection->GetCovariance(place.name)));
+      landmark.covariance = toRows(projection->GetCovariance(place.name));
       if (bisected && projection->HasMiddleCovariance(place.name))
       {
-        landmark.middleCovariance = widen(toRows(projection->GetMiddleCovariance(place.name)));
+        landmark.middleCovariance = toRows(projection->GetMiddleCovariance(place.name));
       }
       jaw.landmarks.push_back(landmark);
     }
@@ -389,13 +371,8 @@ SettleEvidence(const DentalCaseData &          data,
       continue;
     }
     const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
-    if (share && jaws.count(other) != 0 && HasEvidence(data, counterparts, other))
+    if (!share || jaws.count(other) == 0 || !HasEvidence(data, counterparts, other))
     {
-      result.jaws[jaw].placedBy = ToName(other);
-    }
-    else
-    {
-      result.jaws[jaw].placedBy.clear();
       result.jaws[jaw].AddReason(
         CaseStatusEnum::Failed,
         "there is no tracing of this jaw, and none of its landmarks was found on the scan: see "
@@ -582,6 +559,10 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       continue;
     }
     jaw.registered = true;
+    if (poseJaw.placedByOther)
+    {
+      jaw.placedBy = ToName(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
+    }
     for (const PoseLandmarkFit & landmark : poseJaw.landmarks)
     {
       jaw.usedLandmarks.push_back({ landmark.name,

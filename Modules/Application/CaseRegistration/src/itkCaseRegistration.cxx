@@ -332,7 +332,7 @@ CaseRegistration::PlaceBesideTheOther()
         drawn->second.status != CaseStatusEnum::Failed)
     {
       m_Result.skipped.erase(jaw);
-      m_Result.jaws[jaw].placedBy = Name(other);
+      m_Result.jaws[jaw];
     }
   }
 }

@@ -46,6 +46,10 @@ public:
   bool
   ProjectWithJacobian(const double p[3], double w[2], double jacobian[14]) const;
 
+  /** Covariance of a projected point, 2x2, row-major, by its Jacobian (2x7) and the parameters' covariance (7x7). */
+  static std::array<double, 4>
+  PropagateCovariance(const double jacobian[14], const std::array<double, 49> & covariance);
+
   /** For the kernels that take a projection: dental frame to working plane. */
   PerspectiveProjection
   GetProjection() const;

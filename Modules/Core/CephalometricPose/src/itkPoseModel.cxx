@@ -115,6 +115,26 @@ PoseModel::ProjectWithJacobian(const double p[3], double w[2], double jacobian[1
   return depth > 0.0;
 }
 
+std::array<double, 4>
+PoseModel::PropagateCovariance(const double jacobian[14], const std::array<double, 49> & covariance)
+{
+  std::array<double, 4> result{};
+  for (unsigned int a = 0; a < 2; ++a)
+  {
+    for (unsigned int b = 0; b < 2; ++b)
+    {
+      for (unsigned int i = 0; i < 7; ++i)
+      {
+        for (unsigned int k = 0; k < 7; ++k)
+        {
+          result[2 * a + b] += jacobian[7 * a + i] * covariance[7 * i + k] * jacobian[7 * b + k];
+        }
+      }
+    }
+  }
+  return result;
+}
+
 PerspectiveProjection
 PoseModel::GetProjection() const
 {

@@ -705,19 +705,9 @@ SilhouettePoseMetricv4::PredictSigma(std::size_t                    s,
   }
   const auto variance = [&](std::size_t sample) {
     double jacobian[14];
-    double sum = 0.0;
     PoseMatching::ComputeSampleJacobian(model, contour, sample, jacobian);
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      for (int a = 0; a < 7; ++a)
-      {
-        for (int b = 0; b < 7; ++b)
-        {
-          sum += 0.5 * jacobian[7 * axis + a] * covariance[7 * a + b] * jacobian[7 * axis + b];
-        }
-      }
-    }
-    return sum;
+    const auto own = PoseModel::PropagateCovariance(jacobian, covariance);
+    return 0.5 * (own[0] + own[3]);
   };
   double      sum = 0.0;
   std::size_t count = 0;

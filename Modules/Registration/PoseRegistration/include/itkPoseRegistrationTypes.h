@@ -226,6 +226,16 @@ struct PoseJawResult
   std::string tracingFailure;
   /** Neither tracing nor landmarks: the other jaw, whose frame it shares, placed it. */
   bool placedByOther{ false };
+  /** Standard deviation an axis of where a jaw that the other one placed bites on the film, against the scans' bite,
+   * mm. Bite scans repeat to 0.1 to 0.3 mm, and on a film patients bite as they are told. */
+  static constexpr double BiteSigma = 0.3;
+  /** The variance an axis that it adds in the working plane, px^2 of 0.25 mm; 0 for a jaw with drawings of its own. */
+  double
+  GetBiteVariance(const PoseGeometry & geometry) const
+  {
+    const double bite = BiteSigma * geometry.sourceToDetector / geometry.sourceToMidsagittal / PoseWorkingPixel;
+    return placedByOther ? bite * bite : 0.0;
+  }
   /** Standard deviation an axis of the middle of both sides' images, px: root mean square over the jaw's incisors and
    * first molars, and the larger of the two. */
   double middleSigma{ 0.0 };

@@ -90,7 +90,7 @@ SuffixOf(FeatureEnum feature, unsigned int position)
   switch (feature)
   {
     case FeatureEnum::Tip:
-      return position == 3 ? "cusp" : "tip";
+      return "tip";
     case FeatureEnum::Cusp:
       return position == 3 ? "cusp" : "B";
     case FeatureEnum::MesiobuccalCusp:

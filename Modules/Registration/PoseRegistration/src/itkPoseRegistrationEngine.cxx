@@ -357,6 +357,7 @@ DescribeLandmarks(const LandmarkPoseMetricv4 &               metric,
  * what drawings that are of no side determine. */
 void
 DescribeMiddle(const TriangleSurface &        surface,
+               const PoseGeometry &           geometry,
                const PoseModel &              model,
                const std::array<double, 49> & covariance,
                PoseJawResult &                jaw)
@@ -392,18 +393,8 @@ DescribeMiddle(const TriangleSurface &        surface,
         jacobian[a] += 0.5 * own[a];
       }
     }
-    double trace = 0.0;
-    for (unsigned int axis = 0; axis < 2; ++axis)
-    {
-      for (unsigned int a = 0; a < 7; ++a)
-      {
-        for (unsigned int b = 0; b < 7; ++b)
-        {
-          trace += jacobian[7 * axis + a] * covariance[7 * a + b] * jacobian[7 * axis + b];
-        }
-      }
-    }
-    const double variance = 0.5 * std::max(0.0, trace);
+    const auto   own = PoseModel::PropagateCovariance(jacobian.data(), covariance);
+    const double variance = std::max(0.0, 0.5 * (own[0] + own[3])) + jaw.GetBiteVariance(geometry);
     sum += variance;
     jaw.largestMiddleSigma = std::max(jaw.largestMiddleSigma, std::sqrt(variance));
   }
@@ -663,7 +654,8 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
         const std::vector<double> pose(group.parameters.begin(), group.parameters.end());
         DescribeLandmarks(*landmarks[nextLandmarks++], pose, jaw);
       }
-      DescribeMiddle(*prepared.surface, PoseModel(result.geometry, group.parameters), group.covariance, jaw);
+      DescribeMiddle(
+        *prepared.surface, result.geometry, PoseModel(result.geometry, group.parameters), group.covariance, jaw);
     }
     result.groups.push_back(std::move(group));
   }

@@ -140,22 +140,19 @@ PoseSolution::ComputeCovariance(JawEnum jaw, const PointType & point) const
   double w[2], jacobian[14];
   PoseModel(m_Result.geometry, group.parameters).ProjectWithJacobian(p, w, jacobian);
   // From the working plane to pixels.
-  const double   scale[2] = { PoseWorkingPixel * m_Result.geometry.facingSign / m_Result.geometry.pixelSpacing[0],
-                              PoseWorkingPixel / m_Result.geometry.pixelSpacing[1] };
+  const double scale[2] = { PoseWorkingPixel * m_Result.geometry.facingSign / m_Result.geometry.pixelSpacing[0],
+                            PoseWorkingPixel / m_Result.geometry.pixelSpacing[1] };
+  std::array<double, 4> working = PoseModel::PropagateCovariance(jacobian, group.covariance);
+  // What the other jaw placed is where the bite puts it.
+  const double bite = this->GetJaw(jaw).GetBiteVariance(m_Result.geometry);
+  working[0] += bite;
+  working[3] += bite;
   CovarianceType covariance;
   for (unsigned int a = 0; a < 2; ++a)
   {
     for (unsigned int b = 0; b < 2; ++b)
     {
-      double sum = 0.0;
-      for (unsigned int i = 0; i < 7; ++i)
-      {
-        for (unsigned int k = 0; k < 7; ++k)
-        {
-          sum += jacobian[7 * a + i] * group.covariance[7 * i + k] * jacobian[7 * b + k];
-        }
-      }
-      covariance(a, b) = scale[a] * scale[b] * sum;
+      covariance(a, b) = scale[a] * scale[b] * working[2 * a + b];
     }
   }
   return covariance;

@@ -163,3 +163,24 @@ TEST(PoseSolution, AJawOfNoUseIsAnErrorThatSaysWhy)
   EXPECT_TRUE(Contains(MessageOfCall([&] { MakeSolution(result)->GetJaw(JawEnum::Lower); }),
                        "The lower jaw had no input: give the registration its mesh and its contour."));
 }
+
+TEST(PoseSolution, AJawThatTheOtherOnePlacedIsAsUncertainAsTheBiteToo)
+{
+  auto       result = PoseSolutionTestCase::MakeResult();
+  const auto own = itk::PoseSolution::New();
+  own->SetResult(result, itk::PoseRegistrationOptions());
+  result.jaws[0].placedByOther = true;
+  const auto placed = itk::PoseSolution::New();
+  placed->SetResult(result, itk::PoseRegistrationOptions());
+  itk::PoseSolution::PointType point;
+  point[0] = 12.0;
+  point[1] = -7.0;
+  point[2] = 3.0;
+  const auto before = own->ComputeCovariance(JawEnum::Upper, point);
+  const auto after = placed->ComputeCovariance(JawEnum::Upper, point);
+  // 0.3 mm, magnified 1650 / 1500, on pixels of 0.31 x 0.19 mm.
+  EXPECT_NEAR(after(0, 0) - before(0, 0), std::pow(0.3 * 1.1 / 0.31, 2.0), 1e-9);
+  EXPECT_NEAR(after(1, 1) - before(1, 1), std::pow(0.3 * 1.1 / 0.19, 2.0), 1e-9);
+  EXPECT_EQ(after(0, 1), before(0, 1));
+  EXPECT_EQ(placed->ComputeCovariance(JawEnum::Lower, point), own->ComputeCovariance(JawEnum::Lower, point));
+}
