@@ -110,6 +110,21 @@ struct UsedLandmark
   double weight{ 1.0 };
 };
 
+/** An outline of a whole tooth that was registered with. */
+struct UsedOutline
+{
+  /** "U1", "L6". */
+  std::string name;
+  /** How far the hand shifted it, as far as can be told: drawn minus predicted, pixels. */
+  std::array<double, 2> shift{ { 0.0, 0.0 } };
+  /** Shift, turn and size together, in standard deviations of a shift. */
+  double distance{ 0.0 };
+  /** What the robust kernel left of it, 1 to 0. */
+  double weight{ 1.0 };
+  /** Share of its crown's points that lie on the scan's outline. */
+  double matchedShare{ 1.0 };
+};
+
 /** One of several alignments that fit: a minimum of the method's criterion. */
 struct AlignmentCandidate
 {
@@ -145,6 +160,8 @@ struct JawResult
   std::vector<MiddlePrediction> middles;
   /** In the order of their file; empty where only contours were registered. */
   std::vector<UsedLandmark> usedLandmarks;
+  /** Outlines of whole teeth that this jaw was registered with. */
+  std::vector<UsedOutline> usedOutlines;
   /** "upper" or "lower": the jaw that placed this one, of which nothing was drawn; "" where it has drawings. */
   std::string placedBy;
   /** Only where landmarks were marked in the radiograph. */

@@ -31,6 +31,7 @@
 #include "itkPoseRegistrationMethod.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
+#include "itkToothCrownFilter.h"
 
 #include "itkTimeProbe.h"
 
@@ -345,6 +346,44 @@ FindCounterparts(const DentalCaseData & data, AxisType * axis, CaseResult & resu
   return counterparts;
 }
 
+/** The crowns that the outlines of a standard tracing are compared with. */
+ToothCrownSet::Pointer
+FindCrowns(const DentalCaseData & data, AxisType * axis)
+{
+  auto filter = ToothCrownFilter::New();
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    const auto & input = data.GetJaw(jaw);
+    if (input.mesh.IsNull() || input.contour.IsNull())
+    {
+      continue;
+    }
+    filter->SetLabels(jaw, input.labels);
+    if (jaw == JawEnum::Upper)
+    {
+      filter->SetUpperContour(input.contour);
+      filter->SetUpperMesh(input.mesh);
+      filter->SetUpperFrame(FrameOf(axis, jaw));
+    }
+    else
+    {
+      filter->SetLowerContour(input.contour);
+      filter->SetLowerMesh(input.mesh);
+      filter->SetLowerFrame(FrameOf(axis, jaw));
+    }
+  }
+  if (data.landmarks3D.IsNotNull())
+  {
+    filter->SetScanLandmarks(data.landmarks3D);
+    filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  }
+  filter->SetExcludedTeeth(data.description.excludedTeeth);
+  filter->Update();
+  ToothCrownSet::Pointer crowns = filter->GetOutput();
+  crowns->DisconnectPipeline();
+  return crowns;
+}
+
 /** Whether a jaw has something to register with: a tracing, or a landmark that was found on its scan. */
 bool
 HasEvidence(const DentalCaseData & data, const LandmarkCounterpartSet * counterparts, JawEnum jaw)
@@ -429,18 +468,17 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   {
     return;
   }
+  const auto isTraced = [&](const auto & entry) { return CountTracingPoints(data.GetJaw(entry.first).contour) > 0; };
+  if (data.description.tracedSide == TracedSideEnum::Standard && std::any_of(jaws.begin(), jaws.end(), isTraced))
+  {
+    method->SetToothCrowns(FindCrowns(data, axis));
+  }
   for (const auto & entry : jaws)
   {
     const auto &      input = data.GetJaw(entry.first);
     MeshType::Pointer mesh = input.mesh;
     DentalContour *   tracing = input.contour.GetPointer();
     const bool        hasLandmarks = counterparts.IsNotNull() && HasCounterpart(counterparts, entry.first);
-    if (hasLandmarks && data.description.tracedSide == TracedSideEnum::Standard && CountTracingPoints(tracing) > 0)
-    {
-      result.warnings.push_back("the outlines of whole teeth of the " + ToName(entry.first) +
-                                " jaw are not registered with: its landmarks alone place it");
-      tracing = nullptr;
-    }
     // Beside landmarks a few points are too few to be a tracing; a jaw that the other one places has none at all.
     if (CountTracingPoints(tracing) < (hasLandmarks ? MinimumTracingPoints : 1))
     {
@@ -570,6 +608,15 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
                                     landmark.residual,
                                     landmark.distance,
                                     landmark.weight });
+    }
+    for (const PoseOutlineFit & outline : poseJaw.outlines)
+    {
+      jaw.usedOutlines.push_back(
+        { outline.name, outline.shift, outline.distance, outline.weight, outline.matchedShare });
+    }
+    for (const std::string & unused : poseJaw.unusedOutlines)
+    {
+      result.warnings.push_back("outline " + unused);
     }
     for (const auto & reason : verdict->GetVerdict(entry.first).reasons)
     {

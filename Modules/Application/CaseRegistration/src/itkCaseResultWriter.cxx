@@ -159,6 +159,13 @@ JawToJson(const JawResult & jaw)
                                                 { "residual_sd", landmark.distance },
                                                 { "weight", landmark.weight } };
     }
+    for (const UsedOutline & outline : jaw.usedOutlines)
+    {
+      json["outlines_used"][outline.name] = { { "shift_px", outline.shift },
+                                              { "residual_sd", outline.distance },
+                                              { "weight", outline.weight },
+                                              { "matched_share", outline.matchedShare } };
+    }
     if (!sigmas.empty())
     {
       json["landmark_sigma_px"] = sigmas;

@@ -82,6 +82,10 @@ public:
   itkGetInputMacro(CephalometricLandmarks, CephalometricLandmarkSet);
   itkSetInputMacro(LandmarkCounterparts, LandmarkCounterpartSet);
   itkGetInputMacro(LandmarkCounterparts, LandmarkCounterpartSet);
+  /** The crowns that outlines of whole teeth are compared with (ToothCrownFilter), meshes' frames; needed where the
+   * option tracedSide is Standard and a contour is set. */
+  itkSetInputMacro(ToothCrowns, ToothCrownSet);
+  itkGetInputMacro(ToothCrowns, ToothCrownSet);
   itkSetInputMacro(Geometry, GeometryType);
   itkGetInputMacro(Geometry, GeometryType);
 

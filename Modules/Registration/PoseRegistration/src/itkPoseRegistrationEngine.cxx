@@ -182,17 +182,61 @@ MeasureLandmarks(const PoseProblem & problem, double & depth)
   return extent;
 }
 
+/** The outlines of whole teeth that have a crown; depth: how far the crowns lie apart along x, mm. */
+DrawingExtent
+MeasureOutlines(const PoseProblem & problem, double & depth)
+{
+  DrawingExtent extent;
+  double        front = -1e300, back = 1e300;
+  for (const PoseJawInput & jaw : problem.jaws)
+  {
+    if (jaw.tracing.IsNull() || jaw.crowns.IsNull())
+    {
+      continue;
+    }
+    for (const auto & polyline : jaw.tracing->GetPolylines())
+    {
+      const auto * crown = polyline.code.IsKnown() ? jaw.crowns->Find(polyline.code) : nullptr;
+      if (crown == nullptr || IsExcluded(problem.options, polyline.code.GetFDI()))
+      {
+        continue;
+      }
+      double middle[2] = { 0.0, 0.0 };
+      for (const auto & p : polyline.points)
+      {
+        middle[0] += p[0] / static_cast<double>(polyline.points.size());
+        middle[1] += p[1] / static_cast<double>(polyline.points.size());
+      }
+      extent.Add(middle);
+      const auto   centroid = crown->surface->AreaCentroid();
+      const double x = ToDentalFrame(jaw.frame, { { centroid[0], centroid[1], centroid[2] } })[0];
+      front = std::max(front, x);
+      back = std::min(back, x);
+    }
+  }
+  depth = std::max(0.0, front - back);
+  return extent;
+}
+
 /** Fills in what is not known: the principal point by the drawing's centroid, the spacing from the arch's length. */
 PoseGeometry
 CompleteGeometry(const PoseProblem & problem)
 {
   PoseGeometry  geometry = problem.nominal;
-  DrawingExtent extent = MeasureTracings(problem);
   double        depth = 0.0;
-  const bool    landmarksAlone = extent.IsEmpty();
-  if (landmarksAlone)
+  DrawingExtent extent;
+  if (problem.options.tracedSide != TracedSideEnum::Standard)
+  {
+    extent = MeasureTracings(problem);
+  }
+  const bool byTeeth = extent.IsEmpty();
+  if (byTeeth)
   {
     extent = MeasureLandmarks(problem, depth);
+  }
+  if (extent.IsEmpty())
+  {
+    extent = MeasureOutlines(problem, depth);
   }
   if (extent.IsEmpty())
   {
@@ -208,7 +252,7 @@ CompleteGeometry(const PoseProblem & problem)
     // scale settles the rest.
     for (const PoseJawInput & jaw : problem.jaws)
     {
-      if (jaw.surface == nullptr || landmarksAlone)
+      if (jaw.surface == nullptr || byTeeth)
       {
         continue;
       }
@@ -340,6 +384,19 @@ DescribeFit(const SilhouettePoseMetricv4 &               metric,
     }
   }
 }
+/** The outlines of whole teeth of a jaw at the solution. */
+void
+DescribeOutlines(const ToothOutlinePoseMetricv4 &               metric,
+                 const ToothOutlinePoseMetricv4::PositionType & x,
+                 PoseJawResult &                                jaw)
+{
+  for (const auto & residual : metric.ComputeOutlineResiduals(x))
+  {
+    jaw.outlines.push_back(
+      { residual.name, residual.shift, residual.distance, residual.weight, residual.matchedShare });
+  }
+}
+
 /** The landmarks of a jaw at the solution. */
 void
 DescribeLandmarks(const LandmarkPoseMetricv4 &               metric,
@@ -453,6 +510,11 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     {
       continue;
     }
+    if (options.tracedSide == TracedSideEnum::Standard)
+    {
+      this->PrepareOutlines(input, options, transform, jaws[j], result.jaws[j]);
+      continue;
+    }
     jaws[j].metric = SilhouettePoseMetricv4::New();
     jaws[j].metric->SetTransform(transform);
     jaws[j].metric->SetFixedContour(input.tracing);
@@ -494,6 +556,63 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
   return jaws;
 }
 
+void
+PoseRegistrationEngine::PrepareOutlines(const PoseJawInput &               input,
+                                        const PoseRegistrationOptions &    options,
+                                        const CephalometricPoseTransform * transform,
+                                        JawType &                          jaw,
+                                        PoseJawResult &                    result) const
+{
+  const auto crowns = ToothCrownSet::New();
+  if (input.crowns.IsNotNull())
+  {
+    for (ToothCrownSet::CrownType crown : input.crowns->GetCrowns())
+    {
+      if (crown.tooth.GetJaw() == input.jaw)
+      {
+        crown.surface = ToDentalFrame(*crown.surface, input.frame);
+        crowns->Add(crown);
+      }
+    }
+  }
+  auto metric = ToothOutlinePoseMetricv4::New();
+  metric->SetTransform(transform);
+  metric->SetCrowns(crowns);
+  metric->SetFixedContour(input.tracing);
+  metric->SetJaw(input.jaw);
+  metric->SetExcludedTeeth(options.excludedTeeth);
+  std::vector<unsigned int> marked;
+  if (jaw.landmarks.IsNotNull())
+  {
+    for (const auto & landmark : input.landmarks->GetLandmarks())
+    {
+      if (landmark.meaning.jaw == input.jaw &&
+          jaw.landmarks->GetCounterparts()->Find(CephalometricLandmarkSet::MakeName(landmark.meaning)) != nullptr)
+      {
+        marked.push_back(landmark.meaning.position);
+      }
+    }
+    metric->SetMarkedTeeth(marked);
+  }
+  metric->Prepare();
+  for (const auto & unused : metric->GetUnused())
+  {
+    result.unusedOutlines.push_back(unused.name + ": " + unused.reason);
+  }
+  if (metric->GetFailure().empty())
+  {
+    jaw.outlines = metric;
+    if (jaw.landmarks.IsNotNull())
+    {
+      jaw.landmarks->SetOutlinedTeeth(metric->GetTeethPositions());
+    }
+  }
+  else
+  {
+    (jaw.landmarks.IsNotNull() ? result.tracingFailure : result.failure) = metric->GetFailure();
+  }
+}
+
 PoseRegistrationEngine::MetricType::Pointer
 PoseRegistrationEngine::MakeMetric(const PoseProblem &              problem,
                                    const PoseGeometry &             geometry,
@@ -511,9 +630,14 @@ PoseRegistrationEngine::MakeMetric(const PoseProblem &              problem,
   PosePriors(problem.options, geometry.pixelSpacingKnown).AddTo(*sum);
   for (const std::size_t j : members)
   {
+    if (jaws[j].outlines.IsNotNull())
+    {
+      sum->AddMetric(jaws[j].outlines, MetricType::SettingsEnum::Own);
+    }
     if (jaws[j].landmarks.IsNotNull())
     {
-      // The errors of marks are known: neither the width nor the levels that a tracing's points go through are theirs.
+      // The errors of marks and of whole teeth are known: neither the width nor the levels that a tracing's points go
+      // through are theirs.
       sum->AddMetric(jaws[j].landmarks, MetricType::SettingsEnum::Own);
     }
   }
@@ -632,8 +756,10 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
     }
     const auto  silhouettes = FindSilhouettes(*metric, registration.GetSolution());
     const auto  landmarks = LandmarkPoseStart::FindTerms(*metric);
+    const auto  outlines = LandmarkPoseStart::FindOutlineTerms(*metric);
     std::size_t nextSilhouette = 0;
     std::size_t nextLandmarks = 0;
+    std::size_t nextOutlines = 0;
     for (std::size_t m = 0; m < members.size(); ++m)
     {
       PoseJawResult & jaw = result.jaws[members[m]];
@@ -649,9 +775,13 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
         const FoundSilhouette & found = silhouettes[nextSilhouette++];
         DescribeFit(*found.metric, found.position, group.covariance, result.geometry, jaw);
       }
+      const std::vector<double> pose(group.parameters.begin(), group.parameters.end());
+      if (prepared.outlines.IsNotNull())
+      {
+        DescribeOutlines(*outlines[nextOutlines++], pose, jaw);
+      }
       if (prepared.landmarks.IsNotNull())
       {
-        const std::vector<double> pose(group.parameters.begin(), group.parameters.end());
         DescribeLandmarks(*landmarks[nextLandmarks++], pose, jaw);
       }
       DescribeMiddle(

@@ -24,6 +24,7 @@
 #include "itkPoseProblem.h"
 
 #include "itkSilhouettePoseMetricv4.h"
+#include "itkToothOutlinePoseMetricv4.h"
 
 #include <functional>
 #include <memory>
@@ -61,22 +62,30 @@ public:
   Run(const PoseProblem & problem) const;
 
 private:
-  /** A jaw with its terms: of its tracing, of its landmarks; null where there is nothing to match. */
+  /** A jaw with its terms: of its tracing, of its outlines of whole teeth, of its landmarks; null where there is
+   * nothing to match. */
   struct JawType
   {
     std::shared_ptr<const TriangleSurface> surface;
     SilhouettePoseMetricv4::Pointer        metric;
+    ToothOutlinePoseMetricv4::Pointer      outlines;
     LandmarkPoseMetricv4::Pointer          landmarks;
 
     bool
     HasEvidence() const
     {
-      return metric.IsNotNull() || landmarks.IsNotNull();
+      return metric.IsNotNull() || outlines.IsNotNull() || landmarks.IsNotNull();
     }
   };
 
   std::vector<JawType>
   PrepareJaws(const PoseProblem & problem, const PoseGeometry & geometry, PoseRegistrationResult & result) const;
+  void
+  PrepareOutlines(const PoseJawInput &               input,
+                  const PoseRegistrationOptions &    options,
+                  const CephalometricPoseTransform * transform,
+                  JawType &                          jaw,
+                  PoseJawResult &                    result) const;
   MetricType::Pointer
   MakeMetric(const PoseProblem &              problem,
              const PoseGeometry &             geometry,

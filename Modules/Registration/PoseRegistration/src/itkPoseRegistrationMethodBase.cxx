@@ -117,6 +117,7 @@ PoseRegistrationMethodBase::PoseRegistrationMethodBase()
   this->AddOptionalInputName("JointFrame", 7);
   this->AddOptionalInputName("CephalometricLandmarks", 8);
   this->AddOptionalInputName("LandmarkCounterparts", 9);
+  this->AddOptionalInputName("ToothCrowns", 10);
   this->SetNumberOfRequiredOutputs(1 + 2 * NumberOfJaws);
   for (unsigned int i = 0; i < 1 + 2 * NumberOfJaws; ++i)
   {
@@ -384,6 +385,12 @@ PoseRegistrationMethodBase::VerifyPreconditions() ITKv5_CONST
                                                                   "call ClearMetrics().");
     }
   }
+  if (m_Options.tracedSide == TracedSideEnum::Standard && this->GetToothCrowns() == nullptr &&
+      (this->GetUpperContour() != nullptr || this->GetLowerContour() != nullptr))
+  {
+    itkExceptionMacro("The outlines of a standard tracing are of whole teeth: call SetToothCrowns() with what "
+                      "ToothCrownFilter cuts out of the scans.");
+  }
   if (m_Optimizer.IsNull())
   {
     itkExceptionMacro("No optimizer: call SetOptimizer(), with a LevenbergMarquardtOptimizerv4 for example.");
@@ -512,6 +519,7 @@ PoseRegistrationMethodBase::GenerateData()
     PoseJawInput input;
     input.landmarks = this->GetCephalometricLandmarks();
     input.counterparts = this->GetLandmarkCounterparts();
+    input.crowns = this->GetToothCrowns();
     input.surface = &surfaces[ToIndex(jaw)];
     input.frame = m_Frames[ToIndex(jaw)];
     input.jaw = jaw;

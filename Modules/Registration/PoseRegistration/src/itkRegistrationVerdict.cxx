@@ -172,19 +172,26 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
   std::vector<std::string> ownApart;
   double                   sum = 0.0;
   std::size_t              kept = 0;
+  const auto               judge = [&](const std::string & name, double distance) {
+    if (distance > thresholds.landmarkApart)
+    {
+      apart.push_back(name);
+    }
+    else
+    {
+      sum += distance * distance;
+      ++kept;
+    }
+  };
   for (const std::size_t j : group.jaws)
   {
     for (const PoseLandmarkFit & landmark : result.jaws[j].landmarks)
     {
-      if (landmark.distance > thresholds.landmarkApart)
-      {
-        apart.push_back(landmark.name);
-      }
-      else
-      {
-        sum += landmark.distance * landmark.distance;
-        ++kept;
-      }
+      judge("landmark " + landmark.name, landmark.distance);
+    }
+    for (const PoseOutlineFit & outline : result.jaws[j].outlines)
+    {
+      judge("outline " + outline.name, outline.distance);
     }
   }
   // As many against as for: none of them is a gross error among good ones.
@@ -209,7 +216,7 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
     Add(verdict,
         StatusEnum::Suspect,
         "landmark-apart",
-        "landmark " + Join(apart) + (apart.size() == 1 ? " lies" : " lie") +
+        "" + Join(apart) + (apart.size() == 1 ? " lies" : " lie") +
           " far from where everything else puts it and was left out: is it the right tooth and point?");
   }
   if (kept > 0 && std::sqrt(sum / (2.0 * static_cast<double>(kept))) > thresholds.suspectLandmarkRatio)
@@ -304,7 +311,9 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
       JudgeFit(jaw.fit, thresholds, verdict);
       JudgeUncertainty(jaw.fit, group, thresholds, verdict);
     }
-    const auto hasLandmarks = [&](std::size_t other) { return !result.jaws[other].landmarks.empty(); };
+    const auto hasLandmarks = [&](std::size_t other) {
+      return !result.jaws[other].landmarks.empty() || !result.jaws[other].outlines.empty();
+    };
     const bool byLandmarks = std::any_of(group.jaws.begin(), group.jaws.end(), hasLandmarks);
     if (byLandmarks)
     {
