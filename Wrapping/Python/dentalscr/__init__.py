@@ -190,6 +190,7 @@ from ._phantom import (
 )
 from ._pose import (
     FindLandmarkCounterparts,
+    FindToothCrowns,
     JawVerdict,
     LandmarkCounterpart,
     LandmarkCounterpartFilter,
@@ -211,6 +212,8 @@ from ._pose import (
     RegistrationVerdicts,
     SilhouettePoseMetricv4,
     VerdictReason,
+    ToothCrown,
+    ToothCrownFilter,
 )
 from ._process import ProcessObject
 from ._registration import (
@@ -296,6 +299,7 @@ __all__ = [
     "ExperimentStudy",
     "FilterError",
     "FindLandmarkCounterparts",
+    "FindToothCrowns",
     "GemanMcClureKernel",
     "GeometryPlacement",
     "GeometryPlacementFilter",
@@ -421,6 +425,8 @@ __all__ = [
     "SurfaceDRROutput",
     "SurfaceSplatWidth",
     "SurfaceSplatWidthCalculator",
+    "ToothCrown",
+    "ToothCrownFilter",
     "ToothLabelFileReader",
     "TracedSide",
     "TracingPixelSpacing",

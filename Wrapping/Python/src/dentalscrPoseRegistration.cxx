@@ -32,6 +32,7 @@
 #include "itkPoseStartSearch.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
+#include "itkToothCrownFilter.h"
 #include "itkSimilarityPlacementFilter.h"
 #include "itkSurfaceSplatWidthCalculator.h"
 #include "itkTracingPixelSpacingFilter.h"
@@ -943,6 +944,69 @@ WrapDownstream(py::module_ & module)
       }
       return unused;
     });
+
+  using CrownType = itk::ToothCrownFilter;
+  ProcessClass<CrownType>(
+    module, "ToothCrownFilter", "Cuts the crowns of the teeth that an analysis has outlined out of the scans.")
+    .def(New<CrownType>())
+    .def("_SetUpperContour", &CrownType::SetUpperContour, py::arg("contour"))
+    .def("_SetLowerContour", &CrownType::SetLowerContour, py::arg("contour"))
+    .def("_SetUpperMesh", &CrownType::SetUpperMesh, py::arg("mesh"))
+    .def("_SetLowerMesh", &CrownType::SetLowerMesh, py::arg("mesh"))
+    .def(
+      "_SetUpperFrame",
+      [](CrownType & self, const RigidType * transform) { self.SetUpperFrame(ToFrame(transform)); },
+      py::arg("transform"))
+    .def(
+      "_SetLowerFrame",
+      [](CrownType & self, const RigidType * transform) { self.SetLowerFrame(ToFrame(transform)); },
+      py::arg("transform"))
+    .def(
+      "_SetScanLandmarks",
+      [](CrownType & self, const py::dict & landmarks) { self.SetScanLandmarks(FromDict<3>(landmarks)); },
+      py::arg("landmarks"))
+    .def("SetLabels",
+         &CrownType::SetLabels,
+         py::arg("jaw"),
+         py::arg("labels"),
+         "FDI number by point of the jaw's mesh, 0 gingiva; empty: none.")
+    .def("GetLabels", &CrownType::GetLabels, py::arg("jaw"))
+    .dentalscrProperty(CrownType, MillimetresPerUnit)
+    .def("_GetCrowns",
+         [](CrownType & self) {
+           py::dict result;
+           for (const auto & crown : self.GetOutput()->GetCrowns())
+           {
+             std::vector<double>        points;
+             std::vector<std::uint32_t> triangles;
+             for (const auto & point : crown.surface->points)
+             {
+               points.insert(points.end(), point.begin(), point.end());
+             }
+             for (const auto & triangle : crown.surface->triangles)
+             {
+               triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+             }
+             result[py::str(crown.tooth.GetName())] = py::make_tuple(
+               MakeArray<double>(points, { static_cast<py::ssize_t>(crown.surface->points.size()), 3 }),
+               MakeArray<std::uint32_t>(triangles, { static_cast<py::ssize_t>(crown.surface->triangles.size()), 3 }),
+               crown.sigmaAlong,
+               crown.sigmaWidth,
+               crown.source);
+           }
+           return result;
+         })
+    .def(
+      "GetMissing",
+      [](const CrownType & self) {
+        std::vector<std::string> missing;
+        for (const itk::ToothCode & tooth : self.GetMissing())
+        {
+          missing.push_back(tooth.GetName());
+        }
+        return missing;
+      },
+      "Names of teeth of the tracings whose crowns were not found.");
 
   using MatchedType = itk::MatchedContourFilter;
   ProcessClass<MatchedType>(

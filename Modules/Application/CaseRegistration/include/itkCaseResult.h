@@ -123,6 +123,8 @@ struct UsedOutline
   double weight{ 1.0 };
   /** Share of its crown's points that lie on the scan's outline. */
   double matchedShare{ 1.0 };
+  /** Its shape is another tooth's, as a stock template's is: only tip and axis counted. */
+  bool isTemplate{ false };
 };
 
 /** One of several alignments that fit: a minimum of the method's criterion. */

@@ -612,7 +612,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     for (const PoseOutlineFit & outline : poseJaw.outlines)
     {
       jaw.usedOutlines.push_back(
-        { outline.name, outline.shift, outline.distance, outline.weight, outline.matchedShare });
+        { outline.name, outline.shift, outline.distance, outline.weight, outline.matchedShare, outline.isTemplate });
     }
     for (const std::string & unused : poseJaw.unusedOutlines)
     {

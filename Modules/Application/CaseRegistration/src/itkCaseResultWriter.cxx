@@ -164,7 +164,8 @@ JawToJson(const JawResult & jaw)
       json["outlines_used"][outline.name] = { { "shift_px", outline.shift },
                                               { "residual_sd", outline.distance },
                                               { "weight", outline.weight },
-                                              { "matched_share", outline.matchedShare } };
+                                              { "matched_share", outline.matchedShare },
+                                              { "template", outline.isTemplate } };
     }
     if (!sigmas.empty())
     {

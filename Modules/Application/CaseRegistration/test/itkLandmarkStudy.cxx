@@ -49,7 +49,6 @@ main(int argc, char * argv[])
     {
       phantom.data->landmarks3D = nullptr;
     }
-    if (std::getenv("LABELS")) { for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower }) { auto & l = phantom.data->GetJaw(jaw).labels; l.clear(); for (auto it = phantom.data->GetJaw(jaw).mesh->GetPointData()->Begin(); it != phantom.data->GetJaw(jaw).mesh->GetPointData()->End(); ++it) l.push_back(static_cast<std::uint8_t>(it.Value())); } }
     const auto result = phantom.Run();
     for (const auto & entry : result.jaws)
     {
@@ -80,11 +79,6 @@ main(int argc, char * argv[])
         covered += found != errors.end() && found->second < 2.448 * middle.sigma ? 1 : 0;
         middles += found != errors.end() ? 1 : 0;
       }
-      for (const auto & o : jaw.usedOutlines) { std::cout << o.name << " (" << o.shift[0] << " " << o.shift[1] << ") d " << o.distance << " w " << o.weight << " m " << o.matchedShare << "; "; }
-
-#pragma GCC diagnostic ignored "-Wmisleading-indentation"
- for (const auto & d : jaw.details) if (d.first == "pitch_rad" || d.first=="scale_factor" || d.first=="roll_rad" || d.first=="yaw_rad") std::cout << d.first << ' ' << d.second << ' '; { const auto & P = jaw.projection; for (const char * nm : {"1_tip", "6_MB"}) { double e[2] = {0,0}; for (const char * sd : {"R", "L"}) { std::string full = std::string(entry.first == JawEnum::Upper ? "U" : "L") + sd + nm; auto * s3 = phantom.source->GetLandmarks3D(entry.first == JawEnum::Upper ? 0 : 1)->Find(full); auto * m2 = phantom.marked->Find(full); if (!s3 || !m2) continue; double h[3]; for (int r = 0; r < 3; ++r) { h[r] = P[4*r+3]; for (int c = 0; c < 3; ++c) h[r] += P[4*r+c]*s3->point[c]; } e[0] += 0.5*(h[0]/h[2]-m2->point[0]); e[1] += 0.5*(h[1]/h[2]-m2->point[1]); } std::cout << nm << " err (" << e[0] << ", " << e[1] << ") "; } }
- std::cout << std::endl;
       std::cout << seed << ' ' << name << ' ' << error << ' ' << itk::ToString(jaw.status) << ' '
                 << Detail(jaw, "middle_sigma_px") << ' ' << Detail(jaw, "largest_middle_sigma_px");
       for (const std::string & reason : jaw.reasons)

@@ -47,15 +47,19 @@ class WholeToothOutline;
  *
  *   K = B S B' + smooth^2 G + white^2 W^-1
  *
- * where the columns of B are what a shift along and across the occlusal plane, a turn and a change of size about the
- * outline's centroid, and an offset of the palatal or lingual
- * side and the width of the cut do to r; S are their variances (Errors below); G is
- * the correlation of a hand's drift and W are the points' weights. The value is the sum of r' K^-1 r.
+ * where the columns of B are what a shift along and across the occlusal plane, a turn and a change of size, an offset
+ * of the palatal or lingual side and the width to which the crown was cut do to r; S are their variances (Errors
+ * below); G is the correlation of a hand's drift and W are the points' weights. The value is the sum of r' K^-1 r.
  *
- * W and S are made by UpdateNoiseCorrelation(), between runs of an optimizer, and held: a point counts less where it
- * lies apart from its tooth's others, by the Geman-McClure kernel on what the tooth's own errors leave of r, and S is
- * widened by the same kernel where the tooth as a whole lies further off than hands draw: one gross error of four
- * outlines does not move the others.
+ * A tooth is drawn in one of two ways, and of each the likelier one is taken. A hand that follows the tooth moves,
+ * turns and scales it a little about its centroid. A stock template is placed by tip and axis: its shape is another
+ * tooth's, by a larger turn and size, but about the tooth's reference point (WholeToothOutline::GetReference()), which
+ * that leaves where it is. Taken for the tooth's own shape it would pull the tip by millimetres.
+ *
+ * W, S and the way of drawing are made by UpdateNoiseCorrelation(), between runs of an optimizer, and held: a point
+ * counts less where it lies apart from its tooth's others, by the Geman-McClure kernel on what the tooth's own errors
+ * leave of r, and S is widened by the same kernel where the tooth as a whole lies further off than hands draw: one
+ * gross error of four outlines does not move the others.
  *
  * Inputs: SetTransform() (its geometry), SetCrowns() in the dental frame (mm), SetFixedContour() (continuous pixel
  * indices), SetJaw(). Blocks read: "pose" and "scale", or as named (PoseStateBlocks). Clone() shares what is prepared.
@@ -79,21 +83,25 @@ public:
   using ContourType = DentalContour;
   using JawEnum = ToothCode::JawEnum;
 
-  /** What hands get wrong of a tooth as a whole, standard deviations. Shifts are those of two readers of 150 films,
-   * with a reader's bias of 0.15 mm; turn and size those of the same study; the palatal side lies up to 1 mm beside the
-   * edge in a set of real tracings (Documentation/Landmarks.md). */
+  /** What hands get wrong of a tooth as a whole, standard deviations. Shifts are those of two readers of 150 films with
+   * a reader's bias of 0.15 mm (0.47 and 0.62 mm), and what crown and outline differ by where both are right, a quarter
+   * of a millimetre; turn and size are of the same order in what is known of hands; the palatal side lies up to 1 mm
+   * beside the edge in a set of real tracings (Documentation/Landmarks.md). */
   struct ErrorsType
   {
     /** mm on the detector. */
-    double along{ 0.47 };
-    double across{ 0.62 };
-    /** rad, and a share of the size. */
+    double along{ 0.52 };
+    double across{ 0.70 };
+    /** rad, and a share of the size: of a hand that draws the tooth. */
     double turn{ 0.035 };
     double size{ 0.03 };
+    /** The same of a template's shape against the tooth's. */
+    double templateTurn{ 0.08 };
+    double templateSize{ 0.10 };
     /** mm on the detector. */
     double lingual{ 0.5 };
     /** Along the line, px of 0.25 mm: a drift that is correlated over DriftLength px, and each point's own. */
-    double drift{ 0.8 };
+    double drift{ 1.0 };
     double jitter{ 0.4 };
   };
   static constexpr double DriftLength = 15.0;
@@ -185,6 +193,8 @@ public:
     double weight;
     /** Share of its points that lie on the crown, after shift, turn and size. */
     double matchedShare;
+    /** Its shape is not the tooth's own. */
+    bool isTemplate;
   };
   std::vector<ResidualType>
   ComputeOutlineResiduals(const PositionType & x) const;
@@ -217,14 +227,22 @@ protected:
   InternalClone() const override;
 
 private:
+  /** A way of drawing a tooth. */
+  struct WayType
+  {
+    /** About which the tooth is turned and scaled. */
+    std::array<double, 2> origin{};
+    /** Variances of B's columns, px^2 of 0.25 mm, rad^2, 1. */
+    std::array<double, 6> variances{};
+  };
   /** What is constant of one tooth. */
   struct ToothType
   {
     std::string                                  name;
     std::shared_ptr<const WholeToothOutline>     outline;
     std::shared_ptr<const PoseToothContourModel> model;
-    /** Variances of B's columns, px^2 of 0.25 mm, rad^2, 1. */
-    std::array<double, 6> variances{};
+    /** By hand, by a template. */
+    std::array<WayType, 2> ways;
   };
   using TeethType = std::vector<ToothType>;
 
@@ -251,6 +269,10 @@ private:
     /** The tooth's own errors as far as can be told. */
     std::array<double, 6> errors{};
     double                weight{ 1.0 };
+    /** Which of the tooth's ways. */
+    std::size_t way{ 0 };
+    /** Minus twice the log likelihood of the residuals, but for a constant. */
+    double deviance{ 0.0 };
   };
 
   void
@@ -259,6 +281,8 @@ private:
   EvaluateAll(const PositionType & x) const;
   NoiseType
   ComputeNoise(const ToothType & tooth, const EvaluationType & at) const;
+  NoiseType
+  ComputeNoise(const ToothType & tooth, const EvaluationType & at, std::size_t way) const;
   void
   Factorize(const ToothType & tooth, NoiseType & noise) const;
   /** Shift, turn and size of a tooth in standard deviations. */

@@ -77,6 +77,12 @@ public:
   {
     return m_Centroid;
   }
+  /** Where an analysis puts the tooth: the incisal edge of a front tooth, the middle of the crown of one behind it. */
+  const PointType &
+  GetReference() const
+  {
+    return m_Reference;
+  }
   /** Along the axis, px. */
   double
   GetLength() const
@@ -119,6 +125,7 @@ private:
   std::string            m_Failure;
   unsigned int           m_Position{ 0 };
   PointType              m_Centroid{};
+  PointType              m_Reference{};
   PointType              m_Axis{};
   double                 m_Length{ 0.0 };
   std::vector<PointType> m_Points;

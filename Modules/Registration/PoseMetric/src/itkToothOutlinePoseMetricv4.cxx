@@ -48,6 +48,9 @@ constexpr double ToothWidthInSigmas = 4.0;
 constexpr double SmallestWeight = 1e-4;
 /** Component along the arch of a normal above which its point is at an end of the tooth. */
 constexpr double CutFacing = 0.5;
+/** By which the template's deviance has to be less: three of ten readers use templates, and what is not quite a tooth's
+ * shape may also be the scan's. */
+constexpr double TemplatePenalty = 6.0;
 /** Rounds of weights and errors in one update: each settles the other, and optimizer runs follow. */
 constexpr int Rounds = 3;
 
@@ -63,7 +66,8 @@ void
 ToothOutlinePoseMetricv4::SetErrors(const ErrorsType & errors)
 {
   if (!(errors.along > 0.0) || !(errors.across > 0.0) || !(errors.turn > 0.0) || !(errors.size > 0.0) ||
-      !(errors.lingual > 0.0) || !(errors.drift > 0.0) || !(errors.jitter > 0.0))
+      !(errors.templateTurn > 0.0) || !(errors.templateSize > 0.0) || !(errors.lingual > 0.0) ||
+      !(errors.drift > 0.0) || !(errors.jitter > 0.0))
   {
     itkExceptionMacro("Errors of outlines are standard deviations and must be positive: see SetErrors().");
   }
@@ -168,12 +172,26 @@ ToothOutlinePoseMetricv4::Prepare()
     const double across = m_Errors.across * perMillimetre;
     const double lingual = m_Errors.lingual * perMillimetre;
     const double width = magnification * sigmaWidth * perMillimetre;
-    tooth.variances = { { shared * along * along,
-                          shared * across * across,
-                          m_Errors.turn * m_Errors.turn,
-                          m_Errors.size * m_Errors.size,
-                          lingual * lingual,
-                          width * width } };
+    const auto   makeWay = [&](const std::array<double, 2> & origin, const std::array<double, 4> & sigmas) {
+      WayType way;
+      way.origin = origin;
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        way.variances[c] = (c < 2 ? shared : 1.0) * sigmas[c] * sigmas[c];
+      }
+      way.variances[4] = lingual * lingual;
+      way.variances[5] = width * width;
+      return way;
+    };
+    // A template is moved, turned and scaled by the hand as well, which moves its reference point.
+    const double arm[2] = { outline->GetReference()[0] - outline->GetCentroid()[0],
+                            outline->GetReference()[1] - outline->GetCentroid()[1] };
+    tooth.ways = { { makeWay(outline->GetCentroid(), { { along, across, m_Errors.turn, m_Errors.size } }),
+                     makeWay(outline->GetReference(),
+                             { { std::hypot(along, std::hypot(m_Errors.turn * arm[1], m_Errors.size * arm[0])),
+                                 std::hypot(across, std::hypot(m_Errors.turn * arm[0], m_Errors.size * arm[1])),
+                                 m_Errors.templateTurn,
+                                 m_Errors.templateSize } }) } };
     teeth->push_back(tooth);
   }
   m_Teeth = teeth;
@@ -324,7 +342,7 @@ ToothOutlinePoseMetricv4::Factorize(const ToothType & tooth, NoiseType & noise) 
       double k = drift2 * std::exp(-0.5 * d * d) * (normals[i][0] * normals[j][0] + normals[i][1] * normals[j][1]);
       for (std::size_t c = 0; c < NumberOfErrors; ++c)
       {
-        k += noise.basis[c * n + i] * noise.basis[c * n + j] * tooth.variances[c] / noise.weight;
+        k += noise.basis[c * n + i] * noise.basis[c * n + j] * tooth.ways[noise.way].variances[c] / noise.weight;
       }
       noise.factor[j * n + i] = k;
     }
@@ -343,7 +361,7 @@ ToothOutlinePoseMetricv4::ComputeDistance(const ToothType & tooth, const NoiseTy
   double sum = 0.0;
   for (std::size_t c = 0; c < 4; ++c)
   {
-    sum += noise.errors[c] * noise.errors[c] / tooth.variances[c];
+    sum += noise.errors[c] * noise.errors[c] / tooth.ways[noise.way].variances[c];
   }
   return std::sqrt(0.5 * sum);
 }
@@ -351,14 +369,24 @@ ToothOutlinePoseMetricv4::ComputeDistance(const ToothType & tooth, const NoiseTy
 ToothOutlinePoseMetricv4::NoiseType
 ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const EvaluationType & at) const
 {
+  NoiseType byHand = this->ComputeNoise(tooth, at, 0);
+  NoiseType byTemplate = this->ComputeNoise(tooth, at, 1);
+  return byTemplate.deviance + TemplatePenalty < byHand.deviance ? byTemplate : byHand;
+}
+
+ToothOutlinePoseMetricv4::NoiseType
+ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const EvaluationType & at, std::size_t way) const
+{
   const WholeToothOutline & outline = *tooth.outline;
   const std::size_t         n = outline.GetPoints().size();
+  const auto &              origin = tooth.ways[way].origin;
   NoiseType                 noise;
+  noise.way = way;
   noise.basis.assign(NumberOfErrors * n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
   {
-    const double a = outline.GetPoints()[i][0] - outline.GetCentroid()[0];
-    const double b = outline.GetPoints()[i][1] - outline.GetCentroid()[1];
+    const double a = outline.GetPoints()[i][0] - origin[0];
+    const double b = outline.GetPoints()[i][1] - origin[1];
     noise.basis[i] = at.nu[i];
     noise.basis[n + i] = at.nv[i];
     noise.basis[2 * n + i] = at.nv[i] * a - at.nu[i] * b;
@@ -387,7 +415,7 @@ ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const Evaluation
       {
         sum += noise.basis[c * n + i] * z[i];
       }
-      noise.errors[c] = tooth.variances[c] * sum;
+      noise.errors[c] = tooth.ways[way].variances[c] * sum;
       for (std::size_t i = 0; i < n; ++i)
       {
         left[i] -= noise.basis[c * n + i] * noise.errors[c];
@@ -422,6 +450,14 @@ ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const Evaluation
       }
       noise.weights[i] = at.facing[i] * GemanMcClure(left[i] * left[i] + beyond * beyond, width);
     }
+  }
+  // Of the weights as they are now.
+  this->Factorize(tooth, noise);
+  std::vector<double> z = at.residual;
+  ContourNoiseModel::Whiten(noise.factor.data(), n, z.data(), 1);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    noise.deviance += z[i] * z[i] + 2.0 * std::log(noise.factor[i * n + i]);
   }
   const double distance = ComputeDistance(tooth, noise);
   noise.weight = GemanMcClure(distance * distance, ToothWidthInSigmas);
@@ -528,7 +564,8 @@ ToothOutlinePoseMetricv4::ComputeOutlineResiduals(const PositionType & x) const
                           { { end[0] - origin[0], end[1] - origin[1] } },
                           ComputeDistance(tooth, noise),
                           noise.weight,
-                          matched / static_cast<double>(noise.weights.size()) });
+                          matched / static_cast<double>(noise.weights.size()),
+                          noise.way == 1 });
   }
   return residuals;
 }

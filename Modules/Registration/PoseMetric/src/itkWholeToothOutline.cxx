@@ -180,5 +180,16 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     m_Normals.push_back(normal);
     m_Lingual.push_back(lingual);
   }
+  m_Reference = *std::max_element(
+    m_Points.begin(), m_Points.end(), [&](const PointType & a, const PointType & b) { return along(a) < along(b); });
+  if (m_Position > 3)
+  {
+    m_Reference = { { 0.0, 0.0 } };
+    for (const PointType & p : m_Points)
+    {
+      m_Reference[0] += p[0] / static_cast<double>(m_Points.size());
+      m_Reference[1] += p[1] / static_cast<double>(m_Points.size());
+    }
+  }
 }
 } // namespace itk

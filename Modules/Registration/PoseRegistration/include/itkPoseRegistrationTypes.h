@@ -221,6 +221,8 @@ struct PoseOutlineFit
   double weight{ 1.0 };
   /** Share of its crown's points that lie on the scan's outline. */
   double matchedShare{ 1.0 };
+  /** Its shape is another tooth's, as a stock template's is: only tip and axis count. */
+  bool isTemplate{ false };
 };
 
 /** Result for one jaw. */

@@ -392,8 +392,12 @@ DescribeOutlines(const ToothOutlinePoseMetricv4 &               metric,
 {
   for (const auto & residual : metric.ComputeOutlineResiduals(x))
   {
-    jaw.outlines.push_back(
-      { residual.name, residual.shift, residual.distance, residual.weight, residual.matchedShare });
+    jaw.outlines.push_back({ residual.name,
+                             residual.shift,
+                             residual.distance,
+                             residual.weight,
+                             residual.matchedShare,
+                             residual.isTemplate });
   }
 }
 

@@ -68,13 +68,19 @@ constexpr double LabelledCrownSigma = 0.2;
 /** mm at either end: teeth are 7 % wider or narrower than the textbook's, and crowded or spaced. */
 constexpr double CutWidthSigma = 0.8;
 /** mm along the arch, of the cut itself: a tooth's cusps are not quite where a textbook has them on it. */
-constexpr double CutSigma = 0.3;
+constexpr double CutSigma = 0.4;
 /** mm from the arch's curve across it: half a crown. Palate and cheek lie further off. */
 constexpr double FrontCutReach = 8.0;
 constexpr double MolarCutReach = 7.0;
 /** mm from its highest point: about as much of a crown as gingiva leaves free. */
 constexpr double FrontCutHeight = 7.0;
 constexpr double BackCutHeight = 5.0;
+/** A lower first molar has a third buccal cusp, the distal one, behind the other two, whose middle lies this share of
+ * the width before the tooth's (Wheeler's dental anatomy: tips some 2.8, 6.7 and 9.5 mm from the mesial end of 11). */
+constexpr double FiveCuspShare = 0.08;
+/** On the error of a place after textbook widths: teeth of a mouth are wide or narrow in both jaws alike, so that two
+ * jaws tell no more than one, and each counts half. */
+constexpr double BothJawsFactor = 1.41421356;
 /** Buccal cusps lie this share of a molar's width before and behind its middle. */
 constexpr double BuccalCuspShare = 0.24;
 
@@ -479,6 +485,11 @@ ToothFinder::CutAlongArch(const ToothCode & tooth)
     if (back && std::abs(this->Arc(back->point)) > middle)
     {
       middle = 0.5 * (middle + std::abs(this->Arc(back->point)));
+      if (m_Jaw == JawEnum::Lower && tooth.GetPosition() == 6 && m_Landmarks != nullptr &&
+          this->FindClicked(tooth, FeatureEnum::DistobuccalCusp))
+      {
+        middle += FiveCuspShare * width;
+      }
       sigma = std::max(sigma, back->sigmaAlong);
     }
     else
@@ -486,6 +497,10 @@ ToothFinder::CutAlongArch(const ToothCode & tooth)
       middle += BuccalCuspShare * width;
       sigma = std::hypot(sigma, DerivedSigmaAlong);
     }
+  }
+  if (m_Landmarks == nullptr || !this->FindClicked(tooth, feature))
+  {
+    sigma *= BothJawsFactor;
   }
   const double              reach = molar ? MolarCutReach : FrontCutReach;
   double                    top = -1e300;

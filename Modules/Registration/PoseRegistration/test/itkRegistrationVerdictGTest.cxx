@@ -653,7 +653,8 @@ TEST(RegistrationVerdict, ALandmarkThatStandsApartIsNamedForEveryJawOfItsPose)
   result.jaws[1].landmarks[1].distance = limits.landmarkApart + 0.01;
   auto traced = result;
   traced.jaws[0].fit = MakeGoodResult().jaws[0].fit;
-  EXPECT_TRUE(Contains(Verdict::Evaluate(traced).at(0).reasons.front().text, "L1_tip and L6_MB lie far"));
+  EXPECT_TRUE(
+    Contains(Verdict::Evaluate(traced).at(0).reasons.front().text, "landmark L1_tip and landmark L6_MB lie far"));
   // One that is left has nothing that confirms it.
   result.jaws[0].landmarks[0].distance = limits.landmarkApart + 0.01;
   EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "landmarks-disagree", Failed } }));
