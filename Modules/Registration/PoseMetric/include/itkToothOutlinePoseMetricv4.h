@@ -51,10 +51,11 @@ class WholeToothOutline;
  * of the palatal or lingual side and the width to which the crown was cut do to r; S are their variances (Errors
  * below); G is the correlation of a hand's drift and W are the points' weights. The value is the sum of r' K^-1 r.
  *
- * A tooth is drawn in one of two ways, and of each the likelier one is taken. A hand that follows the tooth moves,
- * turns and scales it a little about its centroid. A stock template is placed by tip and axis: its shape is another
- * tooth's, by a larger turn and size, but about the tooth's reference point (WholeToothOutline::GetReference()), which
- * that leaves where it is. Taken for the tooth's own shape it would pull the tip by millimetres.
+ * Teeth are drawn in one of two ways, by one hand all alike, and the likelier one is taken. A hand that follows the
+ * tooth moves, turns and scales it a little about its centroid. A stock template is placed by tip and axis: its shape
+ * is another tooth's, by a larger turn and size, but about the tooth's reference point
+ * (WholeToothOutline::GetReference()), which that leaves where it is. Taken for the tooth's own shape it would pull the
+ * tip by millimetres.
  *
  * W, S and the way of drawing are made by UpdateNoiseCorrelation(), between runs of an optimizer, and held: a point
  * counts less where it lies apart from its tooth's others, by the Geman-McClure kernel on what the tooth's own errors
@@ -279,8 +280,9 @@ private:
   Evaluate(std::size_t tooth, const PositionType & x, EvaluationType & at) const;
   const std::vector<EvaluationType> &
   EvaluateAll(const PositionType & x) const;
-  NoiseType
-  ComputeNoise(const ToothType & tooth, const EvaluationType & at) const;
+  /** Of all teeth, in the likelier way of drawing. */
+  std::vector<NoiseType>
+  ComputeNoises(const std::vector<EvaluationType> & at) const;
   NoiseType
   ComputeNoise(const ToothType & tooth, const EvaluationType & at, std::size_t way) const;
   void

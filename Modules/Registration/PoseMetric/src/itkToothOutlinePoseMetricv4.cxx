@@ -48,9 +48,9 @@ constexpr double ToothWidthInSigmas = 4.0;
 constexpr double SmallestWeight = 1e-4;
 /** Component along the arch of a normal above which its point is at an end of the tooth. */
 constexpr double CutFacing = 0.5;
-/** By which the template's deviance has to be less: three of ten readers use templates, and what is not quite a tooth's
- * shape may also be the scan's. */
-constexpr double TemplatePenalty = 6.0;
+/** By which the deviance of a jaw's templates has to be less: three of ten readers use templates, and what is not quite
+ * a tooth's shape may also be how its crown was cut out of the scan. */
+constexpr double TemplatePenalty = 12.0;
 /** Rounds of weights and errors in one update: each settles the other, and optimizer runs follow. */
 constexpr int Rounds = 3;
 
@@ -317,10 +317,7 @@ ToothOutlinePoseMetricv4::EvaluateAll(const PositionType & x) const
   }
   if (m_Noise.empty())
   {
-    for (std::size_t t = 0; t < m_Last.size(); ++t)
-    {
-      m_Noise.push_back(this->ComputeNoise(this->GetTeeth()[t], m_Last[t]));
-    }
+    m_Noise = this->ComputeNoises(m_Last);
   }
   return m_Last;
 }
@@ -366,12 +363,18 @@ ToothOutlinePoseMetricv4::ComputeDistance(const ToothType & tooth, const NoiseTy
   return std::sqrt(0.5 * sum);
 }
 
-ToothOutlinePoseMetricv4::NoiseType
-ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const EvaluationType & at) const
+std::vector<ToothOutlinePoseMetricv4::NoiseType>
+ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at) const
 {
-  NoiseType byHand = this->ComputeNoise(tooth, at, 0);
-  NoiseType byTemplate = this->ComputeNoise(tooth, at, 1);
-  return byTemplate.deviance + TemplatePenalty < byHand.deviance ? byTemplate : byHand;
+  std::vector<NoiseType> byHand, byTemplate;
+  double                 difference = TemplatePenalty;
+  for (std::size_t t = 0; t < at.size(); ++t)
+  {
+    byHand.push_back(this->ComputeNoise(this->GetTeeth()[t], at[t], 0));
+    byTemplate.push_back(this->ComputeNoise(this->GetTeeth()[t], at[t], 1));
+    difference += byTemplate.back().deviance - byHand.back().deviance;
+  }
+  return difference < 0.0 ? byTemplate : byHand;
 }
 
 ToothOutlinePoseMetricv4::NoiseType
@@ -451,17 +454,16 @@ ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const Evaluation
       noise.weights[i] = at.facing[i] * GemanMcClure(left[i] * left[i] + beyond * beyond, width);
     }
   }
-  // Of the weights as they are now.
+  const double distance = ComputeDistance(tooth, noise);
+  noise.weight = GemanMcClure(distance * distance, ToothWidthInSigmas);
   this->Factorize(tooth, noise);
+  // With what the kernel leaves of the tooth: a gross error is none of the other way's successes.
   std::vector<double> z = at.residual;
   ContourNoiseModel::Whiten(noise.factor.data(), n, z.data(), 1);
   for (std::size_t i = 0; i < n; ++i)
   {
     noise.deviance += z[i] * z[i] + 2.0 * std::log(noise.factor[i * n + i]);
   }
-  const double distance = ComputeDistance(tooth, noise);
-  noise.weight = GemanMcClure(distance * distance, ToothWidthInSigmas);
-  this->Factorize(tooth, noise);
   return noise;
 }
 
@@ -547,11 +549,12 @@ ToothOutlinePoseMetricv4::ComputeOutlineResiduals(const PositionType & x) const
 {
   const PoseGeometry &      geometry = this->GetTransform()->GetPoseGeometry();
   const auto &              teeth = this->EvaluateAll(x);
+  const auto                noises = this->ComputeNoises(teeth);
   std::vector<ResidualType> residuals;
   for (std::size_t t = 0; t < teeth.size(); ++t)
   {
     const ToothType & tooth = this->GetTeeth()[t];
-    const NoiseType   noise = this->ComputeNoise(tooth, teeth[t]);
+    const NoiseType & noise = noises[t];
     // A shift in the working plane, in pixels of the radiograph.
     const auto origin = PoseModel::ToPixel(geometry, { { 0.0, 0.0 } });
     const auto end = PoseModel::ToPixel(geometry, { { noise.errors[0], noise.errors[1] } });

@@ -78,9 +78,11 @@ constexpr double BackCutHeight = 5.0;
 /** A lower first molar has a third buccal cusp, the distal one, behind the other two, whose middle lies this share of
  * the width before the tooth's (Wheeler's dental anatomy: tips some 2.8, 6.7 and 9.5 mm from the mesial end of 11). */
 constexpr double FiveCuspShare = 0.08;
-/** On the error of a place after textbook widths: teeth of a mouth are wide or narrow in both jaws alike, so that two
- * jaws tell no more than one, and each counts half. */
-constexpr double BothJawsFactor = 1.41421356;
+/** On the error of a place after textbook widths: teeth of a mouth are wide or narrow in both jaws alike, and a
+ * landmark of the same tooth is looked for at the same place, so that four measurements tell no more than one: each
+ * counts a quarter.
+ */
+constexpr double TextbookFactor = 2.0;
 /** Buccal cusps lie this share of a molar's width before and behind its middle. */
 constexpr double BuccalCuspShare = 0.24;
 
@@ -500,7 +502,7 @@ ToothFinder::CutAlongArch(const ToothCode & tooth)
   }
   if (m_Landmarks == nullptr || !this->FindClicked(tooth, feature))
   {
-    sigma *= BothJawsFactor;
+    sigma *= TextbookFactor;
   }
   const double              reach = molar ? MolarCutReach : FrontCutReach;
   double                    top = -1e300;
