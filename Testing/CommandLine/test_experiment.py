@@ -252,8 +252,8 @@ def test_study_of_the_practice_has_every_kind_of_input(run, tmp_path):
         if "landmarks" in name:
             # The middles are measured whether or not the case was given landmarks of the scan.
             assert row["registered"] == "2", (level, name)
-            # Eight pairs a jaw, of arches with extractions fewer.
-            assert int(row["middles"]) == 16 if level == "standard" else 8 <= int(row["middles"]) <= 16, (level, name)
+            # Eight pairs a jaw of regular arches; real ones lack teeth or have more.
+            assert int(row["middles"]) == 16 if level == "standard" else int(row["middles"]) >= 8, (level, name)
             assert 0.0 < float(row["mean_px"]) <= float(row["worst_px"]), (level, name)
     assert "1.83 / 4.2" in (tmp_path / "practice.md").read_text()
 
