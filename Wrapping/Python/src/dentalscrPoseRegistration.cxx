@@ -20,11 +20,13 @@
 
 #include "itkContourTransformFilter.h"
 #include "itkExchangedJawsHypothesis.h"
+#include "itkExchangedLandmarksHypothesis.h"
 #include "itkGeometryPlacementFilter.h"
 #include "itkLandmarkMatrixProjectionFilter.h"
 #include "itkLandmarkCounterpartFilter.h"
 #include "itkLandmarkProjectionFilter.h"
 #include "itkMatchedContourFilter.h"
+#include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 #include "itkPoseRegistrationMethod.h"
@@ -591,7 +593,7 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       py::arg("jaw"),
       "{code: PoseHypothesisOutcome} of the hypotheses that were tried beside the result: other-side, and where the "
       "fit "
-      "is poor facing and jaws-exchanged.")
+      "is poor facing and jaws-exchanged, of landmarks landmarks-exchanged and landmarks-mm.")
     .def(
       "GetNoiseLevels",
       [](const SolutionType & self, JawEnum jaw) {
@@ -662,6 +664,12 @@ WrapParts(py::module_ & module)
   wrapHypothesis(itk::OtherFacingHypothesis::Pointer(), "OtherFacingHypothesis", "The patient faces the other way.");
   wrapHypothesis(
     itk::ExchangedJawsHypothesis::Pointer(), "ExchangedJawsHypothesis", "Upper and lower scan were exchanged.");
+  wrapHypothesis(itk::ExchangedLandmarksHypothesis::Pointer(),
+                 "ExchangedLandmarksHypothesis",
+                 "The landmarks' names are of the other jaw.");
+  wrapHypothesis(itk::MillimetreLandmarksHypothesis::Pointer(),
+                 "MillimetreLandmarksHypothesis",
+                 "The landmarks are in millimetres, not in pixels.");
 
   using StartType = itk::PoseStart;
   using SearchType = itk::PoseStartSearch;

@@ -246,6 +246,8 @@ def test_hypotheses_are_what_was_added(ds, phantom, axes):
         method.AddHypothesis(ds.OtherSideHypothesis())
     assert ds.OtherFacingHypothesis().GetCode() == "facing"
     assert ds.ExchangedJawsHypothesis().GetCode() == "jaws-exchanged"
+    assert ds.ExchangedLandmarksHypothesis().GetCode() == "landmarks-exchanged"
+    assert ds.MillimetreLandmarksHypothesis().GetCode() == "landmarks-mm"
 
 
 def test_ready_command_logs_any_registration(ds, phantom, axes):

@@ -166,7 +166,10 @@ LandmarkCounterpartFilter::GenerateData()
         counterpart.points.push_back(place->point);
         counterpart.sigmaAlong = std::max(counterpart.sigmaAlong, place->sigmaAlong);
         counterpart.sigmaAcross = std::max(counterpart.sigmaAcross, place->sigmaAcross);
-        counterpart.source = place->source;
+        // The two teeth of a pair may be found by different means.
+        counterpart.source += counterpart.source.empty()            ? place->source
+                              : counterpart.source != place->source ? std::string(" and ") + place->source
+                                                                    : "";
       }
     }
     if (counterpart.points.empty())

@@ -19,7 +19,9 @@
 
 #include "itkDentalFrameEstimator.h"
 #include "itkExchangedJawsHypothesis.h"
+#include "itkExchangedLandmarksHypothesis.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 #include "itkPoseRegistrationEngine.h"
@@ -106,7 +108,9 @@ PoseRegistrationMethodBase::PoseRegistrationMethodBase()
 {
   m_Hypotheses = { OtherSideHypothesis::New().GetPointer(),
                    OtherFacingHypothesis::New().GetPointer(),
-                   ExchangedJawsHypothesis::New().GetPointer() };
+                   ExchangedJawsHypothesis::New().GetPointer(),
+                   ExchangedLandmarksHypothesis::New().GetPointer(),
+                   MillimetreLandmarksHypothesis::New().GetPointer() };
   this->AddRequiredInputName("Geometry", 0);
   this->AddOptionalInputName("UpperMesh", 1);
   this->AddOptionalInputName("LowerMesh", 2);

@@ -18,6 +18,8 @@
 #include "itkRegistrationVerdict.h"
 
 #include "itkExchangedJawsHypothesis.h"
+#include "itkExchangedLandmarksHypothesis.h"
+#include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 
@@ -418,7 +420,33 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
     {
       Add(verdict, StatusEnum::Failed, "jaws-exchanged", "upper and lower scan seem to be exchanged");
     }
-    if (fitsBetter(OtherFacingHypothesis::Code))
+    // Names that are exchanged fit the other facing a little better as well: the best reading is the one that is named.
+    const auto fitsBetterThan = [&](const char * code, const char * other) {
+      const PoseHypothesisOutcome * outcome = group.FindOutcome(code);
+      const PoseHypothesisOutcome * rival = group.FindOutcome(other);
+      return fitsBetter(code) && (rival == nullptr || outcome->score < rival->score);
+    };
+    const bool exchangedNames = fitsBetterThan(ExchangedLandmarksHypothesis::Code, OtherFacingHypothesis::Code) &&
+                                fitsBetterThan(ExchangedLandmarksHypothesis::Code, MillimetreLandmarksHypothesis::Code);
+    const bool millimetres = fitsBetterThan(MillimetreLandmarksHypothesis::Code, OtherFacingHypothesis::Code) &&
+                             fitsBetterThan(MillimetreLandmarksHypothesis::Code, ExchangedLandmarksHypothesis::Code);
+    if (exchangedNames)
+    {
+      Add(
+        verdict,
+        StatusEnum::Failed,
+        "landmarks-exchanged",
+        "the names of upper and lower landmarks seem to be exchanged: each fits better as the same point of the other "
+        "jaw; write U for L and L for U in their names");
+    }
+    if (millimetres)
+    {
+      Add(verdict,
+          StatusEnum::Failed,
+          "landmarks-mm",
+          "the landmarks seem to be in mm: divided by the pixel spacing they fit; give pixels of the radiograph");
+    }
+    if (fitsBetter(OtherFacingHypothesis::Code) && !exchangedNames && !millimetres)
     {
       Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`");
     }

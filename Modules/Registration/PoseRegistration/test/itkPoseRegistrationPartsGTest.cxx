@@ -20,9 +20,11 @@
 
 #include "itkCorrelatedNoiseModel.h"
 #include "itkExchangedJawsHypothesis.h"
+#include "itkExchangedLandmarksHypothesis.h"
 #include "itkFindSilhouettes.h"
 #include "itkGemanMcClureKernel.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 #include "itkParameterPriorMetricv4.h"
@@ -221,6 +223,10 @@ ExerciseBasicObjectMethods()
   ITK_EXERCISE_BASIC_OBJECT_METHODS(facing, OtherFacingHypothesis, PoseHypothesis);
   const auto jaws = itk::ExchangedJawsHypothesis::New();
   ITK_EXERCISE_BASIC_OBJECT_METHODS(jaws, ExchangedJawsHypothesis, PoseHypothesis);
+  const auto millimetres = itk::MillimetreLandmarksHypothesis::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(millimetres, MillimetreLandmarksHypothesis, PoseHypothesis);
+  const auto landmarks = itk::ExchangedLandmarksHypothesis::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(landmarks, ExchangedLandmarksHypothesis, PoseHypothesis);
   return EXIT_SUCCESS;
 }
 } // namespace
@@ -243,7 +249,7 @@ TEST(PoseRegistrationParts, DefaultsAreThoseOfThePreset)
   EXPECT_EQ(method->GetCurrentLevel(), 0u);
   std::ostringstream text;
   method->Print(text);
-  EXPECT_TRUE(Contains(text.str(), "Hypotheses: other-side facing jaws-exchanged"));
+  EXPECT_TRUE(Contains(text.str(), "Hypotheses: other-side facing jaws-exchanged landmarks-exchanged landmarks-mm"));
   const auto search = itk::PoseStartSearch::New();
   EXPECT_NEAR(search->GetRotationRange(), 32.0 * 0.017453292519943295, 1e-15);
   EXPECT_NEAR(search->GetRotationStep(), 4.0 * 0.017453292519943295, 1e-15);
@@ -510,8 +516,49 @@ TEST(PoseRegistrationParts, HypothesesTurnTheQuestionIntoAnother)
   EXPECT_EQ(other.jaws[1].jaw, itk::ToothCode::JawEnum::Upper);
   EXPECT_EQ(other.jaws[0].tracing.GetPointer(), problem.jaws[1].tracing.GetPointer());
   EXPECT_EQ(other.jaws[0].frame.rotation[8], -1.0) << "it stands on its head";
+
+  const auto landmarks = itk::ExchangedLandmarksHypothesis::New();
+  EXPECT_EQ(landmarks->GetCode(), "landmarks-exchanged");
+  EXPECT_FALSE(landmarks->IsWorthTrying(problem, result)) << "there are none";
+  auto                                     marks = itk::CephalometricLandmarkSet::New();
+  itk::CephalometricLandmarkSet::PointType point;
+  point.Fill(1.0);
+  marks->AddLandmark("Is", point, 2.5, 0.5);
+  point.Fill(2.0);
+  marks->AddLandmark("UL6_MB", point);
+  for (auto & jaw : problem.jaws)
+  {
+    jaw.landmarks = marks;
+    jaw.counterparts = itk::LandmarkCounterpartSet::New();
+  }
+  EXPECT_FALSE(landmarks->IsWorthTrying(problem, result)) << "a tracing says its jaw by itself";
+  auto untraced = problem;
+  untraced.jaws[0].tracing = nullptr;
+  untraced.jaws[1].tracing = nullptr;
+  EXPECT_TRUE(landmarks->IsWorthTrying(untraced, result));
+  const auto renamed = landmarks->Apply(untraced).jaws[1].landmarks;
+  ASSERT_EQ(renamed->GetNumberOfLandmarks(), 2u);
+  ASSERT_NE(renamed->Find("L1_tip"), nullptr);
+  EXPECT_EQ(renamed->Find("L1_tip")->sigma, 2.5);
+  EXPECT_EQ(renamed->Find("L1_tip")->confidence, 0.5);
+  ASSERT_NE(renamed->Find("LL6_MB"), nullptr) << "the side stays";
+  EXPECT_EQ(renamed->Find("LL6_MB")->point, point);
+
+  const auto millimetres = itk::MillimetreLandmarksHypothesis::New();
+  EXPECT_FALSE(millimetres->IsWorthTrying(problem, result)) << "a tracing says its unit by its size";
+  untraced.nominal.pixelSpacingKnown = true;
+  untraced.nominal.pixelSpacing = { { 0.25, 0.5 } };
+  EXPECT_TRUE(millimetres->IsWorthTrying(untraced, result));
+  const auto pixels = millimetres->Apply(untraced).jaws[0].landmarks;
+  EXPECT_DOUBLE_EQ(pixels->Find("U1_tip")->point[0], 4.0);
+  EXPECT_DOUBLE_EQ(pixels->Find("U1_tip")->point[1], 2.0);
+  untraced.nominal.pixelSpacingKnown = false;
+  EXPECT_FALSE(millimetres->IsWorthTrying(untraced, result)) << "there is nothing to divide by";
+
   problem.jaws.resize(1);
   EXPECT_FALSE(exchanged->IsWorthTrying(problem, result)) << "there is nothing to exchange it with";
+  untraced.jaws.resize(1);
+  EXPECT_FALSE(landmarks->IsWorthTrying(untraced, result));
 }
 
 TEST(PoseRegistrationParts, JawsWithPosesOfTheirOwnAreGroupsOfTheirOwn)
