@@ -264,7 +264,9 @@ RUNS = {
     "levels: real, upper jaw alone": Run(REAL, without("lower")),
     "levels: real-hard, jaws apart": Run(REAL_HARD, fields(occlusion=False)),
     "levels: practice": Run(PRACTICE),
-    "levels: practice, landmarks alone": Run(PRACTICE, without("contours")),
+    "levels: practice, landmarks alone": Run(
+        PRACTICE, each(without("contours"), members("cephalogram", image_size=[703, 938]))
+    ),
     "levels: standard": Run(STANDARD),
     # The case file's statements.
     "known: spacing not": typical(without("cephalogram", "pixel_spacing_mm")),
