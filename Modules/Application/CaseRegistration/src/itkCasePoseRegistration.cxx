@@ -27,7 +27,6 @@
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkParallelFor.h"
 #include "itkPixelSpacingVerdict.h"
-#include "itkPoseModel.h"
 #include "itkPoseRegistrationMethod.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
@@ -149,39 +148,15 @@ SetInitialTransforms(const DentalCaseData &               data,
   }
 }
 
-/** The result's way of writing a projection: from the mesh file's unit. */
 std::array<double, 12>
-FromFileUnit(std::array<double, 12> projection, double millimetresPerUnit)
+ToRows(const PoseSolution::ProjectionMatrixType & projection)
 {
+  std::array<double, 12> rows;
   for (unsigned int i = 0; i < 12; ++i)
   {
-    projection[i] *= i % 4 < 3 ? millimetresPerUnit : 1.0;
+    rows[i] = projection(i / 4, i % 4);
   }
-  return projection;
-}
-
-/** The minima of a jaw's group that are places of their own: what ends less than a working pixel from the best is not.
- */
-std::vector<AlignmentCandidate>
-ListCandidates(const PoseSolution * solution, JawEnum jaw, double millimetresPerUnit)
-{
-  const PoseGeometry &            geometry = solution->GetResult().geometry;
-  std::vector<AlignmentCandidate> candidates;
-  for (const PoseCandidate & minimum : solution->GetGroup(jaw).candidates)
-  {
-    if (!candidates.empty() && minimum.distance < 1.0)
-    {
-      continue;
-    }
-    AlignmentCandidate candidate;
-    candidate.projection = FromFileUnit(
-      PoseModel(geometry, minimum.parameters).GetPixelProjection(solution->GetJaw(jaw).frame), millimetresPerUnit);
-    candidate.score = minimum.score;
-    candidate.distance =
-      minimum.distance * PoseWorkingPixel / (0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]));
-    candidates.push_back(candidate);
-  }
-  return candidates;
+  return rows;
 }
 
 /** The paper's figures between a jaw's tracing and a contour. */
@@ -626,7 +601,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
         jaw.AddReason(ToCaseStatus(reason.severity), reason.text);
       }
     }
-    jaw.projection = FromFileUnit(poseJaw.projection, unit);
+    jaw.projection = ToRows(solution->GetProjectionMatrix(entry.first, unit));
     jaw.meshToCephalostat = ToRows(method->GetTransform(entry.first));
     jaw.meshToUMDA = ToRows(FrameOf(axis, entry.first)->Get());
 
@@ -670,7 +645,10 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       { { "prior_tension_sd", *std::max_element(group.priorTension.begin(), group.priorTension.end()) },
         { "ambiguity_margin", group.margin },
         { "similarity_rms_px", similarity->GetRMS() } });
-    jaw.candidates = ListCandidates(solution, entry.first, unit);
+    for (const auto & alternative : solution->GetAlternatives(entry.first, unit))
+    {
+      jaw.candidates.push_back({ ToRows(alternative.projection), alternative.score, alternative.distance });
+    }
 
     TimeProbe contourProbe;
     contourProbe.Start();

@@ -312,6 +312,9 @@ struct PoseGroupResult
   /** By the code of the hypothesis ("other-side"): of each that was tried, the method's own and a user's alike. What is
    * not there was not tried. */
   std::map<std::string, PoseHypothesisOutcome> outcomes;
+  /** By the code of the hypothesis: why one that was worth trying could not be asked (PoseHypothesis::GetObstacle()).
+   */
+  std::map<std::string, std::string> untried;
 
   /** Null where that hypothesis was not tried. */
   const PoseHypothesisOutcome *

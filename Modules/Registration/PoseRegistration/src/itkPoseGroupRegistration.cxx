@@ -662,13 +662,14 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
 }
 
 double
-PoseGroupRegistration::ComputeDeviance() const
+PoseGroupRegistration::ComputeDeviance(const MetricType & metric, const PositionType & solution)
 {
   // So small that a point which fits somewhat counts as before, so large that one which fits nowhere costs 3 log 10.
   constexpr double          smallestWeight = 1e-3;
-  const MetricType::Pointer metric = this->CloneAt(m_Solution);
-  metric->Hold(MetricType::HoldEnum::Nothing);
-  metric->SetKernelWidth(PoseSilhouetteKernel::FitWidth);
-  return metric->EstimateNoise(smallestWeight);
+  const MetricType::Pointer clone = metric.Clone();
+  clone->SetValues(solution);
+  clone->Hold(MetricType::HoldEnum::Nothing);
+  clone->SetKernelWidth(PoseSilhouetteKernel::FitWidth);
+  return clone->EstimateNoise(smallestWeight);
 }
 } // namespace itk

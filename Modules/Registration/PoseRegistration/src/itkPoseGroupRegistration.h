@@ -80,10 +80,10 @@ public:
     return m_Solution;
   }
 
-  /** Minus twice the log likelihood of the evidence at the solution, for the comparison of models: a point that fits
-   * nowhere counts against a model, it does not drop out. */
-  double
-  ComputeDeviance() const;
+  /** Minus twice the log likelihood of the evidence at a solution of the metric that found it, for the comparison of
+   * models: a point that fits nowhere counts against a model, it does not drop out. */
+  static double
+  ComputeDeviance(const MetricType & metric, const PositionType & solution);
 
 private:
   /** A pose on its way. */

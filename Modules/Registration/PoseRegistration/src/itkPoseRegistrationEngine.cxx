@@ -20,10 +20,12 @@
 #include "itkFindSilhouettes.h"
 #include "itkGemanMcClureKernel.h"
 #include "itkLandmarkPoseStart.h"
+#include "itkPoseFrameOperations.h"
 #include "itkSquaresKernel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -32,34 +34,6 @@ namespace itk
 {
 namespace
 {
-using Vector3 = std::array<double, 3>;
-
-Vector3
-ToDentalFrame(const PoseFrame & frame, const Vector3 & p)
-{
-  const Vector3 d{ { p[0] - frame.origin[0], p[1] - frame.origin[1], p[2] - frame.origin[2] } };
-  Vector3       q;
-  for (int k = 0; k < 3; ++k)
-  {
-    q[k] = frame.rotation[3 * k] * d[0] + frame.rotation[3 * k + 1] * d[1] + frame.rotation[3 * k + 2] * d[2];
-  }
-  return q;
-}
-
-Vector3
-ToMeshFrame(const PoseFrame & frame, const Vector3 & p)
-{
-  Vector3 q = frame.origin;
-  for (int a = 0; a < 3; ++a)
-  {
-    for (int b = 0; b < 3; ++b)
-    {
-      q[a] += frame.rotation[3 * b + a] * p[b];
-    }
-  }
-  return q;
-}
-
 std::shared_ptr<const TriangleSurface>
 ToDentalFrame(const TriangleSurface & surface, const PoseFrame & frame)
 {
@@ -68,8 +42,7 @@ ToDentalFrame(const TriangleSurface & surface, const PoseFrame & frame)
   moved->points.resize(surface.points.size());
   for (std::size_t i = 0; i < surface.points.size(); ++i)
   {
-    const Vector3 p{ { surface.points[i][0], surface.points[i][1], surface.points[i][2] } };
-    const Vector3 q = ToDentalFrame(frame, p);
+    const auto q = ToDentalFrame(frame, { { surface.points[i][0], surface.points[i][1], surface.points[i][2] } });
     for (int k = 0; k < 3; ++k)
     {
       moved->points[i][k] = q[k];
@@ -293,23 +266,13 @@ CheckGeometry(const PoseGeometry & geometry)
 void
 PlaceJaw(const PoseGeometry & geometry, const PoseParameters & parameters, PoseJawResult & result)
 {
-  const PoseModel   model(geometry, parameters);
-  const PoseFrame & frame = result.frame;
-  const auto &      r = model.GetRotation();
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      result.rotation[3 * i + j] =
-        r[3 * i] * frame.rotation[j] + r[3 * i + 1] * frame.rotation[3 + j] + r[3 * i + 2] * frame.rotation[6 + j];
-    }
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    result.translation[i] = parameters[PoseTx + i] - result.rotation[3 * i] * frame.origin[0] -
-                            result.rotation[3 * i + 1] * frame.origin[1] - result.rotation[3 * i + 2] * frame.origin[2];
-  }
-  result.projection = model.GetPixelProjection(frame);
+  const PoseModel model(geometry, parameters);
+  ToMeshMotion(result.frame,
+               model.GetRotation(),
+               { { parameters[PoseTx], parameters[PoseTx + 1], parameters[PoseTx + 2] } },
+               result.rotation,
+               result.translation);
+  result.projection = model.GetPixelProjection(result.frame);
 }
 
 bool
@@ -493,7 +456,7 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
         }
         for (auto & point : counterpart.points)
         {
-          const Vector3 q = ToDentalFrame(input.frame, { { point[0], point[1], point[2] } });
+          const auto q = ToDentalFrame(input.frame, { { point[0], point[1], point[2] } });
           std::copy(q.begin(), q.end(), point.Begin());
         }
         counterparts->Add(counterpart);
@@ -645,23 +608,17 @@ PoseRegistrationEngine::MakeMetric(const PoseProblem &              problem,
       sum->AddMetric(jaws[j].landmarks, MetricType::SettingsEnum::Own);
     }
   }
-  for (const TermType & term : terms)
+  for (const PoseProblemTerm & term : problem.terms)
   {
-    const bool belongs =
-      term.jaw == ToothCode::JawEnum::Unknown ||
-      std::any_of(members.begin(), members.end(), [&](std::size_t j) { return problem.jaws[j].jaw == term.jaw; });
-    if (belongs)
-    {
-      // What a user has set of kernel and noise is the user's.
-      sum->AddMetric(term.metric, MetricType::SettingsEnum::Own);
-    }
+    // What a user has set of kernel and noise is the user's.
+    sum->AddMetric(term.metric, MetricType::SettingsEnum::Own);
   }
   sum->Initialize();
   return sum;
 }
 
 PoseRegistrationResult
-PoseRegistrationEngine::Run(const PoseProblem & problem) const
+PoseRegistrationEngine::Run(const PoseProblem & problem, std::vector<GroupType> * answered) const
 {
   const PoseRegistrationOptions & options = problem.options;
   PoseRegistrationResult          result;
@@ -703,10 +660,17 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
     PoseProblem                      own = problem;
     own.completed = result.geometry;
     own.jaws.clear();
+    own.terms.clear();
     for (const std::size_t j : members)
     {
       own.jaws.push_back(problem.jaws[j]);
     }
+    std::copy_if(
+      problem.terms.begin(), problem.terms.end(), std::back_inserter(own.terms), [&own](const PoseProblemTerm & term) {
+        return term.jaw == ToothCode::JawEnum::Unknown ||
+               std::any_of(
+                 own.jaws.begin(), own.jaws.end(), [&](const PoseJawInput & jaw) { return jaw.jaw == term.jaw; });
+      });
     const auto started = std::find_if(
       own.jaws.begin(), own.jaws.end(), [](const PoseJawInput & jaw) { return jaw.initialPose.has_value(); });
     if (started != own.jaws.end())
@@ -717,7 +681,7 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
     PoseGroupResult group;
     group.jaws = members;
     group.bisected = IsBisected(options.tracedSide);
-    const MetricType::Pointer metric = this->MakeMetric(problem, result.geometry, jaws, members);
+    const MetricType::Pointer metric = this->MakeMetric(own, result.geometry, jaws, members);
     if (groupObserver)
     {
       groupObserver(index, static_cast<unsigned int>(groups.size()), metric);
@@ -752,7 +716,12 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
       result.groups.push_back(std::move(group));
       continue;
     }
-    this->TryHypotheses(own, result.geometry, registration, index, group);
+    const GroupType answer{ own, registration.GetMetric(), registration.GetSolution(), index };
+    this->TryHypotheses(answer, group);
+    if (answered != nullptr)
+    {
+      answered->push_back(answer);
+    }
     if (monitor->IsAborted())
     {
       result.aborted = true;
@@ -796,17 +765,18 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
   return result;
 }
 
-void
-PoseRegistrationEngine::TryHypotheses(const PoseProblem &           problem,
-                                      const PoseGeometry &          geometry,
-                                      const PoseGroupRegistration & registration,
-                                      unsigned int                  index,
-                                      PoseGroupResult &             result) const
+std::string
+PoseRegistrationEngine::GetObstacle(const PoseProblem & problem)
 {
   const PoseRegistrationOptions & options = problem.options;
-  // Beside a given start or held parameters any free search looks better.
-  if (!options.checkHypotheses || options.useInitialPose || options.fixRotation || options.fixScale ||
-      options.fixTranslation)
+  const bool isHeld = options.useInitialPose || options.fixRotation || options.fixScale || options.fixTranslation;
+  return isHeld ? "beside a given start or held values any free search looks better" : "";
+}
+
+void
+PoseRegistrationEngine::TryHypotheses(const GroupType & group, PoseGroupResult & result) const
+{
+  if (!group.problem.options.checkHypotheses || !GetObstacle(group.problem).empty())
   {
     return;
   }
@@ -816,58 +786,77 @@ PoseRegistrationEngine::TryHypotheses(const PoseProblem &           problem,
     {
       return;
     }
-    if (!hypothesis->IsWorthTrying(problem, result))
+    if (!hypothesis->IsWorthTrying(group.problem, result))
     {
       continue;
     }
-    PoseProblem question = hypothesis->Apply(problem);
-    question.options.useJointPose = true;
-    PoseRegistrationResult answer;
-    answer.geometry = question.completed ? *question.completed : CompleteGeometry(question);
-    answer.jaws.resize(question.jaws.size());
-    const std::vector<JawType> jaws = this->PrepareJaws(question, answer.geometry, answer);
-    std::vector<std::size_t>   members;
-    for (std::size_t j = 0; j < jaws.size(); ++j)
+    const std::string obstacle = hypothesis->GetObstacle(group.problem);
+    if (!obstacle.empty())
     {
-      if (answer.jaws[j].failure.empty() && jaws[j].HasEvidence())
-      {
-        members.push_back(j);
-      }
+      result.untried[hypothesis->GetCode()] = obstacle;
+      continue;
     }
-    PoseHypothesis::OutcomeType outcome;
-    if (!members.empty() && !monitor->IsAborted())
+    const auto outcome = this->TryHypothesis(group, *hypothesis);
+    if (!outcome)
     {
-      PoseGroupResult           group;
-      const MetricType::Pointer metric = this->MakeMetric(question, answer.geometry, jaws, members);
-      PoseGroupRegistration     other(
-        question.options,
-        geometry.pixelSpacingKnown,
-        metric,
-        parts,
-        optimizer,
-        start,
-        *monitor,
-        [](PoseStageEnum) {},
-        index,
-        true);
-      if (!other.Run(group))
-      {
-        return;
-      }
-      if (!group.candidates.empty())
-      {
-        outcome.score = group.score;
-        if (hypothesis->GetComparesDeviance())
-        {
-          std::array<double, 2> deviance{};
-          monitor->ForEach(2, options.numberOfThreads, [&](std::size_t k) {
-            deviance[k] = (k == 0 ? registration : other).ComputeDeviance();
-          });
-          outcome.deviance = deviance[1] - deviance[0];
-        }
-      }
+      return;
     }
-    result.outcomes[hypothesis->GetCode()] = outcome;
+    result.outcomes[hypothesis->GetCode()] = *outcome;
   }
+}
+
+std::optional<PoseHypothesisOutcome>
+PoseRegistrationEngine::TryHypothesis(const GroupType & group, const PoseHypothesis & hypothesis) const
+{
+  PoseProblem question = hypothesis.Apply(group.problem);
+  question.options.useJointPose = true;
+  PoseRegistrationResult answer;
+  answer.geometry = question.completed ? *question.completed : CompleteGeometry(question);
+  answer.jaws.resize(question.jaws.size());
+  const std::vector<JawType> jaws = this->PrepareJaws(question, answer.geometry, answer);
+  std::vector<std::size_t>   members;
+  for (std::size_t j = 0; j < jaws.size(); ++j)
+  {
+    if (answer.jaws[j].failure.empty() && jaws[j].HasEvidence())
+    {
+      members.push_back(j);
+    }
+  }
+  PoseHypothesisOutcome outcome;
+  if (members.empty() || monitor->IsAborted())
+  {
+    return outcome;
+  }
+  PoseGroupResult           result;
+  const MetricType::Pointer metric = this->MakeMetric(question, answer.geometry, jaws, members);
+  PoseGroupRegistration     other(
+    question.options,
+    group.problem.completed->pixelSpacingKnown,
+    metric,
+    parts,
+    optimizer,
+    start,
+    *monitor,
+    [](PoseStageEnum) {},
+    group.index,
+    true);
+  if (!other.Run(result))
+  {
+    return std::nullopt;
+  }
+  if (!result.candidates.empty())
+  {
+    outcome.score = result.score;
+    if (hypothesis.GetComparesDeviance())
+    {
+      std::array<double, 2> deviance{};
+      monitor->ForEach(2, group.problem.options.numberOfThreads, [&](std::size_t k) {
+        deviance[k] = k == 0 ? PoseGroupRegistration::ComputeDeviance(*group.metric, group.solution)
+                             : PoseGroupRegistration::ComputeDeviance(*other.GetMetric(), other.GetSolution());
+      });
+      outcome.deviance = deviance[1] - deviance[0];
+    }
+  }
+  return outcome;
 }
 } // namespace itk

@@ -499,6 +499,13 @@ RegistrationVerdict::GetNotCheckable(const PoseRegistrationResult & result, cons
     lines.emplace_back(
       "exchanged jaws, facing, other side, other minima: not searched beside a given start or held values");
   }
+  for (const PoseGroupResult & group : result.groups)
+  {
+    for (const auto & hypothesis : group.untried)
+    {
+      lines.push_back("hypothesis \"" + hypothesis.first + "\": not tried, " + hypothesis.second);
+    }
+  }
   if (IsBisected(options.tracedSide))
   {
     lines.emplace_back("roll and yaw of the head: a bisected tracing does not carry them");
