@@ -203,7 +203,9 @@ struct CaseResult
   /** The geometry as it was used: estimates filled in. */
   CephalometricGeometry::Pointer geometry;
   /** Where both jaws are in one frame, mm. */
-  bool                     jawsShareFrame{ false };
+  bool jawsShareFrame{ false };
+  /** What the scans show of it, whatever the case says; empty where there is one jaw. */
+  std::string              occlusionFound;
   std::optional<double>    overjet;
   std::optional<double>    overbite;
   std::vector<std::string> warnings;

@@ -429,6 +429,10 @@ CaseResultToJson(const CaseResult & result)
   }
   json["geometry"] = GeometryToJson(result);
   json["jaws_share_frame"] = result.jawsShareFrame;
+  if (!result.occlusionFound.empty())
+  {
+    json["occlusion_found"] = result.occlusionFound;
+  }
   if (result.overjet && result.overbite)
   {
     json["overjet_mm"] = *result.overjet;
