@@ -133,11 +133,12 @@ TEST(PoseModel, AFrameGoesToTheMeshAndBackForPointsAndForMotions)
   itk::Versor<double> versor;
   versor.Set(0.1, -0.3, 0.2, 0.8);
   transform->SetRotation(versor);
-  transform->SetTranslation(itk::MakeVector(4.0, -7.0, 2.5));
+  const double shiftOfFrame[3] = { 4.0, -7.0, 2.5 };
+  transform->SetTranslation(itk::Vector<double, 3>(shiftOfFrame));
   const auto                  frame = itk::ToPoseFrame(*transform);
   const std::array<double, 3> mesh{ { 12.0, -5.0, 31.0 } };
   const auto                  dental = itk::ToDentalFrame(frame, mesh);
-  const auto                  expected = transform->TransformPoint(itk::MakePoint(12.0, -5.0, 31.0));
+  const auto                  expected = transform->TransformPoint(itk::Point<double, 3>(mesh.data()));
   const auto                  back = itk::ToMeshFrame(frame, dental);
   for (unsigned int d = 0; d < 3; ++d)
   {
@@ -168,7 +169,7 @@ TEST(PoseModel, AFrameGoesToTheMeshAndBackForPointsAndForMotions)
     EXPECT_NEAR(placed, ofDental, 1e-12);
   }
   ofMesh->SetMatrix(matrix);
-  ofMesh->SetOffset(itk::MakeVector(translation[0], translation[1], translation[2]));
+  ofMesh->SetOffset(itk::Vector<double, 3>(translation.data()));
   std::array<double, 9> again;
   std::array<double, 3> shiftAgain;
   itk::ToDentalMotion(frame, *ofMesh, again, shiftAgain);
