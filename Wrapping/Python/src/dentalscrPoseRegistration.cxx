@@ -144,6 +144,33 @@ VisitFields(itk::PoseJawResult & jaw, TField && field)
   field(jaw.otherSideCodes);
   field(jaw.contour);
   field(jaw.contourPoints);
+  std::size_t landmarks = jaw.landmarks.size();
+  field(landmarks);
+  jaw.landmarks.resize(landmarks);
+  for (itk::PoseLandmarkFit & landmark : jaw.landmarks)
+  {
+    field(landmark.name);
+    field(landmark.residual);
+    field(landmark.distance);
+    field(landmark.weight);
+  }
+  std::size_t outlines = jaw.outlines.size();
+  field(outlines);
+  jaw.outlines.resize(outlines);
+  for (itk::PoseOutlineFit & outline : jaw.outlines)
+  {
+    field(outline.name);
+    field(outline.shift);
+    field(outline.distance);
+    field(outline.weight);
+    field(outline.matchedShare);
+    field(outline.isTemplate);
+  }
+  field(jaw.unusedOutlines);
+  field(jaw.tracingFailure);
+  field(jaw.placedByOther);
+  field(jaw.middleSigma);
+  field(jaw.largestMiddleSigma);
 }
 template <typename TField>
 void
@@ -178,6 +205,7 @@ VisitFields(itk::PoseGroupResult & group, TField && field)
   field(group.converged);
   field(group.stopCondition);
   field(group.bisected);
+  field(group.untried);
   std::map<std::string, std::pair<double, double>> outcomes;
   for (const auto & outcome : group.outcomes)
   {

@@ -187,7 +187,8 @@ public:
     return m_TermJaws;
   }
 
-  /** OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis by default. What came of one stands in the
+  /** By default OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis, ExchangedLandmarksHypothesis and
+   * MillimetreLandmarksHypothesis. What came of one stands in the
    * solution's PoseGroupResult::outcomes under its code; codes therefore differ. */
   void
   AddHypothesis(const PoseHypothesis * hypothesis);
