@@ -99,6 +99,10 @@ namespace
 constexpr double NearOtherJaw = 4.0;
 /** mm below the surface that counts as inside: twice what scans are put together with, and the samples' spacing. */
 constexpr double DeepInside = 1.0;
+/** Share of what is near the other jaw that may lie inside it. In right pairs it is some 1 %, and up to 9 % where a
+ * deep bite lays the incisors' edges beside each other, at which a nearest sample's normal says little; of pairs that
+ * were put at one origin 20 % and more. */
+constexpr double MostInside = 0.14;
 /** mm that a crown may be from the border of its shell and be near it. */
 constexpr double NearRim = 3.0;
 
@@ -231,7 +235,7 @@ TestOcclusion(const Jaw & upper, const Jaw & lower, const Contact & contact, Den
   {
     result.occlusionFinding = FindingEnum::ArchesBesideEachOther;
   }
-  else if (verticalsFit && result.interpenetration >= 0.08)
+  else if (verticalsFit && result.interpenetration >= MostInside)
   {
     result.occlusionFinding = FindingEnum::Interpenetrating;
   }
