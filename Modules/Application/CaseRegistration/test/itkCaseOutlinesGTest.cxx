@@ -114,6 +114,25 @@ TEST(CaseOutlines, OutlinesOfAReaderAddToLandmarks)
   EXPECT_GT(covered, middles * 4 / 5);
 }
 
+TEST(CaseOutlines, BesideLandmarksATextbooksPlaceIsNoSecondMeasurement)
+{
+  LandmarkCase both(9004, "standard", 1.0, EvidenceEnum::Both);
+  LandmarkCase alone(9004, "standard", 1.0, EvidenceEnum::Landmarks);
+  both.data->landmarks3D = nullptr;
+  alone.data->landmarks3D = nullptr;
+  const auto result = both.Run();
+  const auto expected = alone.Run();
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    EXPECT_TRUE(result.jaws.at(jaw).usedOutlines.empty());
+    EXPECT_EQ(result.jaws.at(jaw).projection, expected.jaws.at(jaw).projection);
+    EXPECT_EQ(result.jaws.at(jaw).status, expected.jaws.at(jaw).status);
+  }
+  EXPECT_NE(Join(result.warnings).find("outline U6: its crown is known by a textbook's place along the arch alone"),
+            std::string::npos)
+    << Join(result.warnings);
+}
+
 TEST(CaseOutlines, AGrossErrorIsNamed)
 {
   LandmarkCase phantom(9006, "standard", 1.0, EvidenceEnum::Both);
@@ -163,7 +182,7 @@ TEST(CaseOutlines, ARootAloneIsSaidAndNeverGuessed)
 TEST(CaseOutlines, SpacingAndPrincipalPointMayBeUnknown)
 {
   LandmarkCase phantom(9003, "standard", 0.0, EvidenceEnum::Outlines);
-  auto geometry = itk::CephalometricGeometry::New();
+  auto         geometry = itk::CephalometricGeometry::New();
   geometry->SetFacing(phantom.data->geometry->GetFacing());
   phantom.data->geometry = geometry;
   phantom.data->sources.pixelSpacing = itk::ValueSourceEnum::Estimated;

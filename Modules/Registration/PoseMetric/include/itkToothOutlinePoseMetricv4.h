@@ -26,6 +26,7 @@
 #include "itkToothCrownSet.h"
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -151,6 +152,11 @@ public:
    * their error are worth as much as two independent ones whose variances are larger by that part. */
   void
   SetMarkedTeeth(const std::vector<unsigned int> & positions);
+
+  /** Crowns that may be further than this from where they were cut, standard deviation along the arch, mm, are left
+   * out; without a limit by default. */
+  itkSetMacro(MaximumCutSigma, double);
+  itkGetConstMacro(MaximumCutSigma, double);
 
   /** FDI numbers of teeth to leave out: of a polyline's code. */
   void
@@ -296,6 +302,7 @@ private:
   JawEnum                   m_Jaw{ JawEnum::Upper };
   ErrorsType                m_Errors;
   std::vector<unsigned int> m_MarkedTeeth;
+  double                    m_MaximumCutSigma{ std::numeric_limits<double>::infinity() };
   std::vector<std::uint8_t> m_ExcludedTeeth;
 
   std::string             m_Failure;

@@ -162,6 +162,14 @@ ToothOutlinePoseMetricv4::Prepare()
       m_Unused.push_back({ tooth.name, "its crown was not found on the scan" });
       continue;
     }
+    if (sigmaAlong > m_MaximumCutSigma)
+    {
+      m_Unused.push_back(
+        { tooth.name,
+          "its crown is known by a textbook's place along the arch alone, of which its landmark tells as "
+          "much: give tooth labels or landmarks_3d" });
+      continue;
+    }
     const bool front = position <= LastFrontTooth;
     tooth.outline = outline;
     tooth.model = std::make_shared<const PoseToothContourModel>(
@@ -641,6 +649,7 @@ ToothOutlinePoseMetricv4::InternalClone() const
   clone->m_Jaw = m_Jaw;
   clone->m_Errors = m_Errors;
   clone->m_MarkedTeeth = m_MarkedTeeth;
+  clone->m_MaximumCutSigma = m_MaximumCutSigma;
   clone->m_ExcludedTeeth = m_ExcludedTeeth;
   clone->m_Failure = m_Failure;
   clone->m_Unused = m_Unused;
@@ -662,6 +671,7 @@ ToothOutlinePoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
      << m_Errors.size << ", lingual " << m_Errors.lingual << " mm, drift " << m_Errors.drift << " px, jitter "
      << m_Errors.jitter << " px" << std::endl;
   os << indent << "MarkedTeeth: " << m_MarkedTeeth.size() << std::endl;
+  os << indent << "MaximumCutSigma: " << m_MaximumCutSigma << std::endl;
   os << indent << "ExcludedTeeth: " << m_ExcludedTeeth.size() << std::endl;
   os << indent << "Failure: " << m_Failure << std::endl;
   os << indent << "Unused: " << m_Unused.size() << std::endl;

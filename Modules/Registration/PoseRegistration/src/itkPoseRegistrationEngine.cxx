@@ -560,6 +560,9 @@ PoseRegistrationEngine::PrepareOutlines(const PoseJawInput &               input
       }
     }
     metric->SetMarkedTeeth(marked);
+    // What a textbook's place gets wrong, landmark and crown get wrong alike: both together were worse than one.
+    constexpr double surestPlaceOfATextbook = 1.0;
+    metric->SetMaximumCutSigma(surestPlaceOfATextbook);
   }
   metric->Prepare();
   for (const auto & unused : metric->GetUnused())
@@ -574,9 +577,9 @@ PoseRegistrationEngine::PrepareOutlines(const PoseJawInput &               input
       jaw.landmarks->SetOutlinedTeeth(metric->GetTeethPositions());
     }
   }
-  else
+  else if (jaw.landmarks.IsNull())
   {
-    (jaw.landmarks.IsNotNull() ? result.tracingFailure : result.failure) = metric->GetFailure();
+    result.failure = metric->GetFailure();
   }
 }
 
