@@ -51,6 +51,7 @@ class WholeToothOutline;
  * where the columns of B are what a shift along and across the occlusal plane, a turn and a change of size, an offset
  * of the palatal or lingual side and the width to which the crown was cut do to r; S are their variances (Errors
  * below); G is the correlation of a hand's drift and W are the points' weights. The value is the sum of r' K^-1 r.
+ * The picture's axes stand for those of the occlusal plane, from which heads tip them by some degrees.
  *
  * Teeth are drawn in one of two ways, by one hand all alike, and the likelier one is taken. A hand that follows the
  * tooth moves, turns and scales it a little about its centroid. A stock template is placed by tip and axis: its shape
