@@ -204,6 +204,21 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
         self._Update()
         return self._GetSolution()
 
+    def TryHypothesis(self, hypothesis: _core.PoseHypothesis, jaw: JawLike) -> _core.PoseHypothesisOutcome:
+        """Runs a hypothesis alone beside what :meth:`Execute` found, however good the fit is.
+
+        What comes out is what would stand in the solution's ``GetOutcomes(jaw)``. Commands see the steps of the trial.
+
+        Parameters
+        ----------
+        hypothesis : PoseHypothesis
+            ``OtherSideHypothesis()``, ``OtherFacingHypothesis()``, ``ExchangedJawsHypothesis()``; it need not have been
+            added.
+        jaw : "Upper" or "Lower"
+            Of the group of jaws, with one pose, that is asked about.
+        """
+        return self._TryHypothesis(hypothesis, cast(_core.Jaw, jaw))
+
 
 def PoseRegistration(
     geometry: Any,

@@ -217,6 +217,7 @@ VisitFields(itk::PoseGroupResult & group, TField && field)
   {
     group.outcomes[outcome.first] = { outcome.second.first, outcome.second.second };
   }
+  field(group.untried);
 }
 template <typename TField>
 void
@@ -623,6 +624,11 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       "fit "
       "is poor facing and jaws-exchanged, of landmarks landmarks-exchanged and landmarks-mm.")
     .def(
+      "GetUntried",
+      [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).untried; },
+      py::arg("jaw"),
+      "{code: why} of the hypotheses that were worth trying and could not be asked.")
+    .def(
       "GetNoiseLevels",
       [](const SolutionType & self, JawEnum jaw) {
         const auto & group = self.GetGroup(Checked(jaw));
@@ -803,6 +809,15 @@ registration works on clones of it.)")
       [](MethodType & self, const itk::PoseHypothesis * hypothesis) { self.AddHypothesis(hypothesis); },
       py::arg("hypothesis"))
     .def("ClearHypotheses", &MethodType::ClearHypotheses)
+    .def(
+      "_TryHypothesis",
+      [](MethodType & self, const itk::PoseHypothesis & hypothesis, JawEnum jaw) {
+        itk::PoseHypothesisOutcome outcome;
+        Run(&self, [&]() { outcome = self.TryHypothesis(&hypothesis, Checked(jaw)); });
+        return outcome;
+      },
+      py::arg("hypothesis"),
+      py::arg("jaw"))
     .def("GetCurrentLevel",
          &MethodType::GetCurrentLevel,
          "4 group + stage: 0 starts, 1 candidates, 2 refinement, 3 uncertainty.")

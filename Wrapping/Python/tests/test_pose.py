@@ -256,10 +256,33 @@ def test_hypotheses_are_what_was_added(ds, phantom, axes):
     assert again["other-side"].deviance == outcomes["other-side"].deviance
     with pytest.raises(RuntimeError, match="ClearHypotheses"):
         method.AddHypothesis(ds.OtherSideHypothesis())
+    assert solution.GetUntried("upper") == {}
+    # Alone, beside the solution that stands: the same outcome, and the solution is not made anew.
+    pose = solution.GetPose("upper")
+    alone = method.TryHypothesis(ds.OtherSideHypothesis(), "lower")
+    assert (alone.score, alone.deviance) == (outcomes["other-side"].score, outcomes["other-side"].deviance)
+    facing = method.TryHypothesis(ds.OtherFacingHypothesis(), "upper")
+    assert facing.score > solution.GetScore("upper") + 0.1
+    assert solution.GetPose("upper") == pose and list(solution.GetOutcomes("upper")) == ["other-side"]
     assert ds.OtherFacingHypothesis().GetCode() == "facing"
     assert ds.ExchangedJawsHypothesis().GetCode() == "jaws-exchanged"
     assert ds.ExchangedLandmarksHypothesis().GetCode() == "landmarks-exchanged"
     assert ds.MillimetreLandmarksHypothesis().GetCode() == "landmarks-mm"
+
+
+def test_hypothesis_that_a_term_of_ones_own_forbids_says_so(ds, phantom, axes, HeightOfPoint):
+    geometry, *rest = inputs(phantom)
+    turned = copy.deepcopy(geometry)
+    turned.SetFacing("left")
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    method.AddMetric(HeightOfPoint((0.0, 0.0, 0.0), 1.0, 50.0))
+    solution = method.Execute(turned, *rest)
+    assert set(solution.GetOutcomes("upper")) == {"other-side", "facing"}
+    assert "HeightOfPoint" in solution.GetUntried("upper")["jaws-exchanged"]
+    assert pickle.loads(pickle.dumps(solution)).GetUntried("upper") == solution.GetUntried("upper")
+    with pytest.raises(RuntimeError, match="dental frame, which turns over"):
+        method.TryHypothesis(ds.ExchangedJawsHypothesis(), "upper")
 
 
 def test_ready_command_logs_any_registration(ds, phantom, axes):

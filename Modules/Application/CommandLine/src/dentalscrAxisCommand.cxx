@@ -19,7 +19,9 @@
 #include "dentalscrScanOptions.h"
 
 #include "itkCaseResultWriter.h"
+#include "itkCaseSimilarityRegistration.h"
 #include "itkDentalInputError.h"
+#include "itkMakeDentalFrameTransform.h"
 #include "itkReadDentalMesh.h"
 #include "itkTextFile.h"
 #include "itkUMidlineDentalAxisFilter.h"
@@ -93,15 +95,7 @@ Axis(const AxisOptions & options, const CommonOptions & common)
     const auto &      frame = upper ? filter->GetFrame().upper : filter->GetFrame().lower;
     itk::WriteDentalMesh(upper ? filter->GetUpperOutput() : filter->GetLowerOutput(),
                          (folder / (name + "_umda.stl")).string());
-    std::array<double, 12> matrix{};
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      for (unsigned int column = 0; column < 3; ++column)
-      {
-        matrix[4 * row + column] = frame.axes[row][column];
-        matrix[4 * row + 3] -= frame.axes[row][column] * frame.origin[column];
-      }
-    }
+    const auto matrix = itk::ToRows(itk::MakeDentalFrameTransform(frame.axes, frame.origin));
     itk::WriteUMDATransform(matrix, (folder / (name + "_umda.tfm")).string());
     json << (first ? "" : ",\n") << " \"" << name
          << "\": {\n  \"x_anterior\": " << Row(frame.axes[0][0], frame.axes[0][1], frame.axes[0][2])

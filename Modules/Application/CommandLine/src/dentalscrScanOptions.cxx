@@ -21,6 +21,7 @@
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
+#include "itkMakeDentalFrameTransform.h"
 #include "itkMakeTriangleSurface.h"
 
 namespace dentalscr
@@ -179,15 +180,9 @@ PlaceJaw(const itk::DentalCaseData &    data,
     // Jaws in one frame keep their relation to each other.
     const itk::DentalJawFrame & own = jaw == JawEnum::Upper ? frames.upper : frames.lower;
     const itk::DentalJawFrame & frame = frames.jawsShareFrame && frames.joint.valid ? frames.joint : own;
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      translation[row] = 0.0;
-      for (unsigned int column = 0; column < 3; ++column)
-      {
-        rotation(row, column) = frame.axes[row][column];
-        translation[row] -= frame.axes[row][column] * frame.origin[column];
-      }
-    }
+    const auto                  transform = itk::MakeDentalFrameTransform(frame.axes, frame.origin);
+    rotation = transform->GetMatrix();
+    translation = transform->GetTranslation();
     GeometryType::PixelIndexType principal;
     principal.Fill(0.0);
     geometry->SetPrincipalPoint(principal);

@@ -23,6 +23,7 @@
 #include "itkCaseSimilarityRegistration.h"
 #include "itkGeometryPlacementFilter.h"
 #include "itkIntensityRegistrationMethod.h"
+#include "itkMakeDentalFrameTransform.h"
 #include "itkSurfaceDRRImageSource.h"
 #include "itkTracingPixelSpacingFilter.h"
 
@@ -49,23 +50,9 @@ FrameOf(const DentalFrameResult & frames, JawEnum jaw)
 CaseFrameType::Pointer
 MakeFrame(const std::array<std::array<double, 3>, 3> & axes, const std::array<double, 3> & origin)
 {
-  VersorRigid3DTransform<double>::MatrixType       matrix;
-  VersorRigid3DTransform<double>::OutputVectorType translation;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    translation[row] = 0.0;
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      matrix(row, column) = axes[row][column];
-      translation[row] -= axes[row][column] * origin[column];
-    }
-  }
-  auto transform = VersorRigid3DTransform<double>::New();
-  // As far as a file's axes are orthogonal.
-  transform->SetMatrix(matrix, 1e-6);
-  transform->SetTranslation(translation);
   auto frame = CaseFrameType::New();
-  frame->Set(transform);
+  // As far as a file's axes are orthogonal.
+  frame->Set(MakeDentalFrameTransform(axes, origin, 1e-6));
   return frame;
 }
 

@@ -20,6 +20,7 @@
 
 #include "itkUMidlineDentalAxisFilter.h"
 
+#include "itkMakeDentalFrameTransform.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkTriangleCell.h"
 
@@ -90,22 +91,8 @@ template <typename TMesh>
 auto
 UMidlineDentalAxisFilter<TMesh>::MakeTransform(const DentalJawFrame & frame) const -> typename TransformType::Pointer
 {
-  typename TransformType::MatrixType       matrix;
-  typename TransformType::OutputVectorType translation;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    translation[row] = 0.0;
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      matrix(row, column) = frame.axes[row][column];
-      translation[row] -= frame.axes[row][column] * frame.origin[column];
-    }
-  }
-  auto transform = TransformType::New();
-  // As a rotation matrix it is orthogonal to rounding, which SetMatrix() tests to 1e-10.
-  transform->SetMatrix(matrix);
-  transform->SetTranslation(translation);
-  return transform;
+  // As a rotation matrix it is orthogonal to rounding, which the tolerance of 1e-10 allows.
+  return MakeDentalFrameTransform(frame.axes, frame.origin);
 }
 
 template <typename TMesh>
