@@ -121,9 +121,9 @@ main(int argc, char * argv[])
     {
       const std::string name = jaw == JawEnum::Upper ? "upper" : "lower";
       std::cout << name << " verdict: " << words[static_cast<int>(verdict->GetVerdict(jaw).status)] << std::endl;
-      for (const auto & reason : verdict->GetVerdict(jaw).reasons)
+      for (const auto & finding : verdict->GetVerdict(jaw).findings)
       {
-        std::cout << name << " reason: " << reason.code << ", " << reason.text << std::endl;
+        std::cout << name << " reason: " << finding.code << ", " << finding.text << std::endl;
       }
     }
     std::cout.precision(std::numeric_limits<double>::max_digits10);

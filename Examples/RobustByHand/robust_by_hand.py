@@ -28,8 +28,8 @@ def main(upper, lower, contours, landmarks, image, spacing, u, v, picture):
     for jaw in ("upper", "lower"):
         found = getattr(verdict, jaw)
         print(f"{jaw} verdict: {found.status}")
-        for reason in found.reasons:
-            print(f"{jaw} reason: {reason.code}, {reason.text}")
+        for finding in found.findings:
+            print(f"{jaw} reason: {finding.code}, {finding.text}")
     for name, (u, v) in placed.positions.items():
         print(f"{name} u: {u}\n{name} v: {v}\n{name} sigma px: {placed.sigmas[name]}")
 

@@ -187,7 +187,7 @@ SegmentAndRegister(const std::string & caseFile, const std::string & folder)
     const char * const verdicts[] = { "ok", "suspect", "failed" };
     std::cout << (jaw == 0 ? "upper" : "lower")
               << " verdict: " << verdicts[static_cast<int>(verdict->GetVerdict(jaws[jaw]).status)] << std::endl;
-    for (const auto & reason : verdict->GetVerdict(jaws[jaw]).reasons)
+    for (const auto & reason : verdict->GetVerdict(jaws[jaw]).findings)
     {
       lines.push_back("  " + reason.code);
     }

@@ -41,6 +41,12 @@ def test_verdicts_table_has_the_codes_thresholds():
         ],
         "other-side": [f"lower by {-t['suspectOtherSideDeviance']:g}"],
         "inward-winding": [f"< −{-t['suspectWinding']:g} of the area"],
+        "film-size": [f"> {t['suspectFilmLength']:g} mm long", f"failed: > {t['failedFilmLength']:g} mm"],
+        "pixel-spacing": [
+            f"better by {t['hypothesisGain']:g}",
+            f"score ≤ {t['spacingScore']:g}",
+            f"{t['spacingDifference']:g} in its logarithm",
+        ],
         "arch-width": [f"not {t['minimumArchWidth']:g}–{t['maximumArchWidth']:g} mm"],
         "undetermined": [f"> {t['failedPredictedSigma']:g} "],
         "code-offset": [f"> {t['suspectCodeOffset']:g} mm along the arch"],
@@ -51,7 +57,23 @@ def test_verdicts_table_has_the_codes_thresholds():
         for part in parts:
             assert part in rules[rule], rule
     # None of the thresholds is left out above.
-    assert len(t) == 25
+    assert len(t) == 29
+
+
+def test_every_finding_is_listed():
+    """Every code that any part of the chain gives, with its severity, and no other."""
+    severities = {}
+    for source in ROOT.glob("Modules/*/*/src/*.cxx"):
+        found = re.findall(r'(Suspect|Failed|other->second\.status),\s*"([a-z-]+)"', source.read_text())
+        for severity, code in found:
+            severities.setdefault(code, set()).add(severity.lower())
+    # The film's is chosen by its length, the other jaw's is that jaw's.
+    severities["film-size"].add("failed")
+    severities["placed-by-other"] = set()
+    rows = re.findall(r"^\| `([a-z-]+)` \| (.*?) \|", (ROOT / "Documentation/Findings.md").read_text(), re.M)
+    assert sorted(code for code, _ in rows) == sorted(severities)
+    for code, severity in rows:
+        assert set(re.findall(r"suspect|failed", severity)) == severities[code], code
 
 
 def test_every_option_is_listed_with_its_default():

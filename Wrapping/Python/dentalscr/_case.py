@@ -30,6 +30,7 @@ from ._inputs import (
     as_path,
     is_path,
 )
+from ._pose import RegistrationFinding
 from ._process import ProcessObject
 
 
@@ -213,6 +214,8 @@ class JawResult:
 
     status: str
     reasons: Tuple[str, ...]
+    #: The same for programs: ``code``, ``severity``, ``text``, ``value``, ``limit``, ``unit``.
+    findings: Tuple[RegistrationFinding, ...]
     registered: bool
     #: (3, 4): mesh file (its unit) to homogeneous pixel index.
     P_pixel_from_mesh: Array
@@ -229,6 +232,10 @@ class JawResult:
     landmark_sigma: Dict[str, float]
     #: (2, 2), square pixels, where the method has one.
     landmark_covariance: Dict[str, Array]
+    #: Distance of the tracing from the contour that it lies on, pixels; None where the method does not know it.
+    fit: Optional[float]
+    #: Distance that a landmark is expected to be off by, pixels; None where the method has no covariance.
+    expected_error: Optional[float]
     #: Landmark errors, pixels; None without 2-D landmarks.
     error: Optional[Dict[str, Any]]
     #: Aligned contours in the radiograph by name, "whole" among them.
@@ -264,6 +271,7 @@ class CaseResult:
         return JawResult(
             status=entry["status"],
             reasons=tuple(entry["reasons"]),
+            findings=tuple(RegistrationFinding(**each) for each in entry["findings"]),
             registered=registered,
             P_pixel_from_mesh=values["projection"],
             T_umda_from_mesh=values["meshToUMDA"],
@@ -273,6 +281,8 @@ class CaseResult:
             landmarks={key: np.array(point) for key, point in entry.get("landmarks_px", {}).items()},
             landmark_sigma=dict(entry.get("landmark_sigma_px", {})),
             landmark_covariance=dict(values["covariances"]),
+            fit=entry.get("metrics_matched", {}).get("chamfer_px"),
+            expected_error=entry.get("expected_error_px"),
             error=entry.get("error"),
             contours=dict(values["contours"]),
         )
@@ -336,8 +346,12 @@ class CaseResult:
         lines = [f"<dentalscr.CaseResult {self.status}, preset {self.preset}"]
         for name, jaw in self.jaws.items():
             text = f"  {name}: {jaw.status}"
-            if jaw.registered and jaw.metrics:
+            if jaw.fit is not None:
+                text += f", fit {jaw.fit:.2f} px"
+            elif jaw.registered and jaw.metrics and jaw.expected_error is None:
                 text += f", Chamfer {jaw.metrics['chamfer_px']:.2f} px"
+            if jaw.expected_error is not None:
+                text += f", expected error {jaw.expected_error:.2f} px"
             if jaw.error is not None:
                 text += f", landmark error {jaw.error['mean_px']:.2f} px"
             for reason in jaw.reasons:
@@ -350,13 +364,14 @@ class CaseResult:
         rows = []
         for name, jaw in self.jaws.items():
             error = "" if jaw.error is None else f"{jaw.error['mean_px']:.2f}"
-            chamfer = f"{jaw.metrics['chamfer_px']:.2f}" if jaw.registered and jaw.metrics else ""
+            fit = "" if jaw.fit is None else f"{jaw.fit:.2f}"
+            expected = "" if jaw.expected_error is None else f"{jaw.expected_error:.2f}"
             reasons = "<br>".join(html.escape(reason) for reason in jaw.reasons)
             rows.append(
-                f"<tr><td>{name}</td><td><b>{jaw.status}</b></td><td>{chamfer}</td><td>{error}</td><td>{reasons}</td></tr>"
+                f"<tr><td>{name}</td><td><b>{jaw.status}</b></td><td>{fit}</td><td>{expected}</td><td>{error}</td><td>{reasons}</td></tr>"
             )
         for name, reason in self.skipped.items():
-            rows.append(f"<tr><td>{name}</td><td>skipped</td><td></td><td></td><td>{html.escape(reason)}</td></tr>")
+            rows.append(f"<tr><td>{name}</td><td>skipped</td><td></td><td></td><td></td><td>{html.escape(reason)}</td></tr>")
         pictures = "".join(
             f'<img alt="{name}" style="max-width:100%" src="data:image/png;base64,'
             f'{base64.b64encode(self.overlay_png(name)).decode()}">'
@@ -365,7 +380,7 @@ class CaseResult:
         )
         return (
             f"<div><p>Registration by preset {html.escape(self.preset)}: <b>{self.status}</b></p><table><tr><th>jaw</th>"
-            "<th>status</th><th>Chamfer px</th><th>landmark error px</th><th>reasons</th></tr>"
+            "<th>status</th><th>fit px</th><th>expected error px</th><th>landmark error px</th><th>reasons</th></tr>"
             f"{''.join(rows)}</table>{pictures}</div>"
         )
 

@@ -44,6 +44,8 @@ class DentalAxes(NamedTuple):
     lowerTransform: Optional[_core.VersorRigid3DTransform]
     #: The same for both jaws where they share a frame, in occlusion; None where they don't.
     jointTransform: Optional[_core.VersorRigid3DTransform]
+    #: Everything that was found, for :class:`ScanCheckFilter` to judge.
+    frames: Optional[_core.DentalFrames] = None
 
 
 class UMidlineDentalAxisFilter(ProcessObject, _core.UMidlineDentalAxisFilter):
@@ -68,6 +70,7 @@ class UMidlineDentalAxisFilter(ProcessObject, _core.UMidlineDentalAxisFilter):
             transforms[0],
             transforms[1],
             transforms[2],
+            self._GetFrames(),
         )
 
 

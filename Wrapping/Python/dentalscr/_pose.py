@@ -251,8 +251,8 @@ def PoseRegistration(
     return process.Execute(geometry, upper, upperContour, lower, lowerContour)
 
 
-class VerdictReason(NamedTuple):
-    """Why a jaw is not simply ok."""
+class RegistrationFinding(NamedTuple):
+    """Why a jaw is not simply ok; Documentation/Findings.md lists the codes with what to do about each."""
 
     #: "suspect" or "failed".
     severity: str
@@ -260,6 +260,12 @@ class VerdictReason(NamedTuple):
     code: str
     #: For a person.
     text: str
+    #: What was measured; None where no number decides.
+    value: Optional[float] = None
+    #: What it is beyond.
+    limit: Optional[float] = None
+    #: Of both: "px" (of 0.25 mm), "mm", "deg", "sd" (standard deviations), "" (none).
+    unit: str = ""
 
 
 class JawVerdict(NamedTuple):
@@ -267,7 +273,12 @@ class JawVerdict(NamedTuple):
 
     #: "ok", "suspect" (a person should look) or "failed".
     status: str
-    reasons: Tuple[VerdictReason, ...]
+    findings: Tuple[RegistrationFinding, ...]
+
+    @property
+    def reasons(self) -> Tuple[str, ...]:
+        """The findings' sentences."""
+        return tuple(finding.text for finding in self.findings)
 
 
 class RegistrationVerdicts(NamedTuple):
@@ -286,7 +297,7 @@ class RegistrationVerdicts(NamedTuple):
 
 
 class RegistrationVerdictFilter(ProcessObject, _core.RegistrationVerdictFilter):
-    """Judges a pose registration: ok, suspect (a person should look) or failed, a jaw each, with reasons."""
+    """Judges a pose registration: ok, suspect (a person should look) or failed, a jaw each, with findings."""
 
     def Execute(self, solution: _core.PoseSolution) -> RegistrationVerdicts:
         """Judges what :class:`PoseRegistrationMethod` returned."""
@@ -298,7 +309,7 @@ class RegistrationVerdictFilter(ProcessObject, _core.RegistrationVerdictFilter):
 
     def _make(self, jaw: _core.Jaw) -> Optional[JawVerdict]:
         found = self._GetVerdict(jaw)
-        return None if found is None else JawVerdict(found[0], tuple(VerdictReason(*reason) for reason in found[1]))
+        return None if found is None else JawVerdict(found[0], tuple(RegistrationFinding(*each) for each in found[1]))
 
 
 def RegistrationVerdict(solution: _core.PoseSolution, **settings: Any) -> RegistrationVerdicts:
@@ -353,6 +364,63 @@ def LandmarkProjection(
     process = LandmarkProjectionFilter()
     process.SetMillimetresPerUnit(millimetresPerUnit)
     return process.Execute(solution, landmarks)
+
+
+class ScanFindings(NamedTuple):
+    """What :class:`ScanCheckFilter` says of each scan; nothing where it is as it should be."""
+
+    upper: Tuple[RegistrationFinding, ...]
+    lower: Tuple[RegistrationFinding, ...]
+    #: What the data could not tell, as sentences.
+    notCheckable: Tuple[str, ...]
+
+
+class ScanCheckFilter(ProcessObject, _core.ScanCheckFilter):
+    """What can be said of the scans before anything is registered: unit, both jaws in one, a quadrant, mirrored, ..."""
+
+    def Execute(
+        self,
+        axes: DentalAxes,
+        upperMesh: Optional[MeshLike] = None,
+        lowerMesh: Optional[MeshLike] = None,
+        landmarks: Optional[LandmarksLike] = None,
+    ) -> ScanFindings:
+        """Judges one scan or both.
+
+        Parameters
+        ----------
+        axes : DentalAxes
+            What ``UMidlineDentalAxis(upper, lower, requireArches=False)`` found of the same scans.
+        upperMesh, lowerMesh : mesh-like, optional
+            The scans, mm; at least one.
+        landmarks : landmarks-like, optional
+            Of the scans, in their frame; ``SetMillimetresPerUnit`` says in what unit.
+        """
+        if axes.frames is None:
+            raise ArgumentError("these axes were made by hand: give those of UMidlineDentalAxis(), which keep what it found")
+        self._SetFrames(axes.frames)
+        self._SetUpperMesh(None if upperMesh is None else as_mesh(upperMesh))
+        self._SetLowerMesh(None if lowerMesh is None else as_mesh(lowerMesh))
+        self._SetLandmarks({} if landmarks is None else as_landmarks(landmarks, 3))
+        self._Update()
+        found = [
+            tuple(RegistrationFinding(*each) for each in self._GetFindings(jaw))
+            for jaw in (_core.Jaw.Upper, _core.Jaw.Lower)
+        ]
+        return ScanFindings(found[0], found[1], tuple(self.GetNotCheckable()))
+
+
+def ScanCheck(
+    axes: DentalAxes,
+    upperMesh: Optional[MeshLike] = None,
+    lowerMesh: Optional[MeshLike] = None,
+    landmarks: Optional[LandmarksLike] = None,
+    **settings: Any,
+) -> ScanFindings:
+    """Judges scans before a registration; see :class:`ScanCheckFilter`."""
+    process = ScanCheckFilter()
+    apply_settings(process, settings)
+    return process.Execute(axes, upperMesh, lowerMesh, landmarks)
 
 
 class LandmarkCounterpart(NamedTuple):

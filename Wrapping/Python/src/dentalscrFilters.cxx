@@ -90,6 +90,9 @@ WrapAxis(py::module_ & module)
                       "JawsShareFrame",
                       { { "Off", ShareEnum::Off }, { "On", ShareEnum::On }, { "Check", ShareEnum::Check } },
                       "Whether two scans share a frame in occlusion: said, or tested.");
+  using FramesType = itk::DentalFrameObject;
+  py::class_<FramesType, FramesType::Pointer>(
+    module, "DentalFrames", "Everything that UMidlineDentalAxisFilter found, for ScanCheckFilter to judge.");
   ProcessClass<AxisType>(module, "UMidlineDentalAxisFilter", "The anatomical frame of dental arches.")
     .def(New<AxisType>())
     .def("_SetUpperMesh", &AxisType::SetUpperMesh, py::arg("mesh"))
@@ -106,6 +109,13 @@ WrapAxis(py::module_ & module)
     .def("_TakeMesh",
          [](AxisType & self, JawEnum jaw) {
            return Detach(jaw == JawEnum::Lower ? self.GetLowerOutput() : self.GetUpperOutput());
+         })
+    .def("_GetFrames",
+         [](AxisType & self) {
+           // A copy: the next Execute() does not change it.
+           auto frames = FramesType::New();
+           frames->Set(self.GetFrame());
+           return frames;
          })
     .def(
       "_GetTransform",

@@ -29,11 +29,14 @@
 #include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
+#include "itkOtherSpacingHypothesis.h"
+#include "itkTurnedDrawingHypothesis.h"
 #include "itkPoseRegistrationMethod.h"
 #include "itkPoseRegistrationOptionTable.h"
 #include "itkPoseStartSearch.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
+#include "itkScanCheckFilter.h"
 #include "itkToothCrownFilter.h"
 #include "itkSimilarityPlacementFilter.h"
 #include "itkSurfaceSplatWidthCalculator.h"
@@ -206,16 +209,18 @@ VisitFields(itk::PoseGroupResult & group, TField && field)
   field(group.stopCondition);
   field(group.bisected);
   field(group.untried);
-  std::map<std::string, std::pair<double, double>> outcomes;
+  std::map<std::string, std::array<double, 4>> outcomes;
   for (const auto & outcome : group.outcomes)
   {
-    outcomes[outcome.first] = { outcome.second.score, outcome.second.deviance };
+    const itk::PoseHypothesisOutcome & found = outcome.second;
+    outcomes[outcome.first] = { { found.score, found.deviance, found.pixelSpacing[0], found.pixelSpacing[1] } };
   }
   field(outcomes);
   group.outcomes.clear();
   for (const auto & outcome : outcomes)
   {
-    group.outcomes[outcome.first] = { outcome.second.first, outcome.second.second };
+    const std::array<double, 4> & kept = outcome.second;
+    group.outcomes[outcome.first] = { kept[0], kept[1], { { kept[2], kept[3] } } };
   }
   field(group.untried);
 }
@@ -454,6 +459,9 @@ WrapSolution(py::module_ & module)
       &OutcomeType::deviance,
       "Minus twice the log likelihood under it minus that of the result: clearly negative where it explains "
       "the evidence better. 0 where it was not asked for.")
+    .def_readonly("pixelSpacing",
+                  &OutcomeType::pixelSpacing,
+                  "mm a pixel in the detector plane that its best candidate amounts to; 0 where there is none.")
     .def("__repr__", [](const OutcomeType & self) {
       return "<dentalscr.PoseHypothesisOutcome score " + std::to_string(self.score) + ", deviance " +
              std::to_string(self.deviance) + '>';
@@ -704,6 +712,15 @@ WrapParts(py::module_ & module)
   wrapHypothesis(itk::MillimetreLandmarksHypothesis::Pointer(),
                  "MillimetreLandmarksHypothesis",
                  "The landmarks are in millimetres, not in pixels.");
+  wrapHypothesis(itk::OtherSpacingHypothesis::Pointer(),
+                 "OtherSpacingHypothesis",
+                 "The pixel spacing is another one: the scale is left to the fit.");
+  using TurnedType = itk::TurnedDrawingHypothesis;
+  py::class_<TurnedType, HypothesisType, itk::SmartPointer<TurnedType>>(
+    module, "TurnedDrawingHypothesis", "The radiograph was turned by quarter turns before or after it was drawn on.")
+    .def(New<TurnedType>())
+    .def("SetQuarterTurns", &TurnedType::SetQuarterTurns, py::arg("turns"), "1, 2 or 3, clockwise.")
+    .def("GetQuarterTurns", &TurnedType::GetQuarterTurns);
 
   using StartType = itk::PoseStart;
   using SearchType = itk::PoseStartSearch;
@@ -854,15 +871,23 @@ registration works on clones of it.)")
     });
 }
 
+/** What RegistrationFinding() of the Python package takes. */
+py::list
+FindingsToList(const std::vector<itk::RegistrationFinding> & findings)
+{
+  py::list list;
+  for (const auto & finding : findings)
+  {
+    list.append(
+      py::make_tuple(ToText(finding.severity), finding.code, finding.text, finding.value, finding.limit, finding.unit));
+  }
+  return list;
+}
+
 py::object
 ToObject(const RegistrationVerdict::JawVerdict & verdict)
 {
-  py::list reasons;
-  for (const auto & reason : verdict.reasons)
-  {
-    reasons.append(py::make_tuple(ToText(reason.severity), reason.code, reason.text));
-  }
-  return py::make_tuple(ToText(verdict.status), reasons);
+  return py::make_tuple(ToText(verdict.status), FindingsToList(verdict.findings));
 }
 
 void
@@ -889,15 +914,26 @@ WrapDownstream(py::module_ & module)
     .def_readwrite("suspectRotationTension", &ThresholdsType::suspectRotationTension)
     .def_readwrite("suspectOtherSideDeviance", &ThresholdsType::suspectOtherSideDeviance)
     .def_readwrite("suspectWinding", &ThresholdsType::suspectWinding)
+    .def_readwrite("suspectFilmLength", &ThresholdsType::suspectFilmLength)
+    .def_readwrite("failedFilmLength", &ThresholdsType::failedFilmLength)
     .def_readwrite("minimumArchWidth", &ThresholdsType::minimumArchWidth)
     .def_readwrite("maximumArchWidth", &ThresholdsType::maximumArchWidth)
-    .def_readwrite("hypothesisGain", &ThresholdsType::hypothesisGain);
+    .def_readwrite("hypothesisGain", &ThresholdsType::hypothesisGain)
+    .def_readwrite("spacingScore", &ThresholdsType::spacingScore)
+    .def_readwrite("spacingDifference", &ThresholdsType::spacingDifference);
 
   using VerdictType = itk::RegistrationVerdictFilter;
   ProcessClass<VerdictType>(module, "RegistrationVerdictFilter", "Judges a pose registration.")
     .def(New<VerdictType>())
     .def("_SetSolution", &VerdictType::SetSolution, py::arg("solution"))
     .def("SetThresholds", &VerdictType::SetThresholds, py::arg("thresholds"))
+    .def(
+      "SetImageSize",
+      [](VerdictType & self, const itk::Size<2> & size) { self.SetImageSize(size); },
+      py::arg("size"),
+      "(width, height) of the radiograph, pixels: what a spacing that only the fit tells is judged by. (0, 0): "
+      "unknown.")
+    .def("GetImageSize", [](const VerdictType & self) { return self.GetImageSize(); })
     .def(
       "GetThresholds", [](const VerdictType & self) { return self.GetThresholds(); }, "A copy.")
     .def("GetNotCheckable", &VerdictType::GetNotCheckable, "What the data could not tell, as sentences.")
@@ -931,10 +967,39 @@ WrapDownstream(py::module_ & module)
     .def("GetSigma", &ProjectionType::GetSigma, py::arg("name"), "Standard deviation an axis, pixels.")
     .def("HasMiddleCovariance", &ProjectionType::HasMiddleCovariance, py::arg("name"))
     .def(
+      "GetMiddles",
+      [](const ProjectionType & self) {
+        py::dict middles;
+        for (const auto & middle : self.GetMiddles())
+        {
+          middles[py::str(middle.name)] =
+            py::make_tuple(py::make_tuple(middle.point[0], middle.point[1]), ToArray(middle.covariance));
+        }
+        return middles;
+      },
+      "{\"U6_MB\": ((u, v), (2, 2) square pixels)} between each right landmark's image and its left one's.")
+    .def(
       "GetMiddleCovariance",
       [](const ProjectionType & self, const std::string & name) { return ToArray(self.GetMiddleCovariance(name)); },
       py::arg("name"),
       "(2, 2) square pixels: of the middle between a right landmark and its left one.");
+
+  using CheckType = itk::ScanCheckFilter;
+  ProcessClass<CheckType>(module, "ScanCheckFilter", "What can be said of the scans before anything is registered.")
+    .def(New<CheckType>())
+    .def("_SetUpperMesh", &CheckType::SetUpperMesh, py::arg("mesh"))
+    .def("_SetLowerMesh", &CheckType::SetLowerMesh, py::arg("mesh"))
+    .def("_SetFrames", &CheckType::SetFrames, py::arg("frames"))
+    .def(
+      "_SetLandmarks",
+      [](CheckType & self, const py::dict & landmarks) { self.SetLandmarks(FromDict<3>(landmarks)); },
+      py::arg("landmarks"))
+    .dentalscrProperty(CheckType, MillimetresPerUnit)
+    .def(
+      "_GetFindings",
+      [](CheckType & self, JawEnum jaw) { return FindingsToList(self.GetFindings(Checked(jaw))); },
+      py::arg("jaw"))
+    .def("GetNotCheckable", &CheckType::GetNotCheckable, "What the data could not tell, as sentences.");
 
   using CounterpartType = itk::LandmarkCounterpartFilter;
   ProcessClass<CounterpartType>(

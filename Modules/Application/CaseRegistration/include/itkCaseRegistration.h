@@ -33,6 +33,7 @@
 
 namespace itk
 {
+class DentalFrameObject;
 class PoseRegistrationMethodBase;
 template <typename TMesh>
 class UMidlineDentalAxisFilter;
@@ -205,6 +206,9 @@ private:
   HasLandmarks(JawEnum jaw) const;
   void
   SkipWhatIsIncomplete();
+  /** What can be said of the scans before anything is registered. */
+  void
+  CheckScans(DentalFrameObject * frames);
   /** A jaw of which nothing was drawn goes along with the other one, whose frame it shares. */
   void
   PlaceBesideTheOther();

@@ -19,6 +19,7 @@
 #define itkCaseResult_h
 
 #include "itkDentalCaseData.h"
+#include "itkRegistrationFinding.h"
 
 #include <array>
 #include <map>
@@ -30,15 +31,6 @@
 
 namespace itk
 {
-/** Ordered from good to bad. */
-enum class CaseStatusEnum : uint8_t
-{
-  Ok,
-  /** A person should look; the reasons say why. */
-  Suspect,
-  Failed
-};
-
 /** How a case is registered. */
 enum class CasePresetEnum : uint8_t
 {
@@ -138,13 +130,25 @@ struct AlignmentCandidate
   double distance{ 0.0 };
 };
 
+/** A jaw's pose with its uncertainty: what its points' places on the radiograph, and theirs, are made of. */
+struct JawPose
+{
+  /** Mesh (mm) to the dental frame that the pose is of, row-major 3x4. */
+  std::array<double, 12> frame{};
+  /** PoseParameters: pitch, roll, yaw (rad), shifts (mm), logarithm of the scale factor. */
+  std::array<double, 7> parameters{};
+  /** Of these, row-major 7x7. */
+  std::array<double, 49> covariance{};
+};
+
 /** What is known of one registered jaw. */
 struct JawResult
 {
   using RowsType = std::array<double, 12>;
 
-  CaseStatusEnum           status{ CaseStatusEnum::Ok };
-  std::vector<std::string> reasons;
+  RegistrationStatusEnum status{ RegistrationStatusEnum::Ok };
+  /** Why it is not ok: of the scan, of the tracing, of the fit. */
+  std::vector<RegistrationFinding> findings;
   /** The numbers below mean something only where registered. */
   bool registered{ false };
 
@@ -154,6 +158,9 @@ struct JawResult
   /** Mesh (mm) to UMDA frame and to cephalostat frame, row-major 3x4, rigid. */
   RowsType meshToUMDA{};
   RowsType meshToCephalostat{};
+
+  /** Absent where the method knows no pose. */
+  std::optional<JawPose> pose;
 
   /** The first is the one that presets are compared on, "whole". */
   std::vector<std::pair<std::string, ContourFigures>> metrics;
@@ -172,6 +179,11 @@ struct JawResult
   /** Aligned contours to draw and to measure, pixels: name and contour, the first the whole silhouette. */
   std::vector<std::pair<std::string, DentalContour::Pointer>> contours;
 
+  /** Distance, pixels, that a landmark's prediction is expected to be off by: the mean over the jaw's landmarks (of the
+   * middles where that is what was drawn), without any that at the tracing. Absent where the method has no covariance.
+   */
+  std::optional<double> expectedError;
+
   double archWidth{ 0.0 };
   double archDepth{ 0.0 };
   double frameConfidence{ 0.0 };
@@ -183,8 +195,20 @@ struct JawResult
   /** Stage and seconds. */
   std::vector<std::pair<std::string, double>> seconds;
 
+  /** Makes the status at least as bad as the finding; what was said already is not said again. */
   void
-  AddReason(CaseStatusEnum atLeast, const std::string & reason);
+  AddFinding(const RegistrationFinding & finding);
+  /** Where no number decides. */
+  void
+  AddFinding(RegistrationStatusEnum severity, const std::string & code, const std::string & text);
+  bool
+  HasFinding(const std::string & code) const;
+  /** The findings' sentences. */
+  std::vector<std::string>
+  GetReasons() const;
+  /** Of the contour of that name; null where it was not measured. */
+  const ContourFigures *
+  FindMetrics(const std::string & name) const;
 };
 
 /** What a registered case is: all that goes into the output folder. */
@@ -198,6 +222,8 @@ struct CaseResult
   std::map<JawEnum, JawResult>          jaws;
   std::map<JawEnum, std::string>        skipped;
   std::shared_ptr<const DentalCaseData> data;
+  /** The files that it is the result of. */
+  std::vector<CaseInputFile> inputs;
   /** The marked landmarks, to draw beside the predicted ones; set after registration, null where there are none. */
   DentalLandmarkSet<2>::ConstPointer markedLandmarks;
   /** The geometry as it was used: estimates filled in. */
@@ -214,12 +240,10 @@ struct CaseResult
   double                   totalSeconds{ 0.0 };
 
   /** The worst of the jaws. */
-  CaseStatusEnum
+  RegistrationStatusEnum
   GetStatus() const;
 };
 
-const char *
-ToString(CaseStatusEnum status);
 const char *
 ToString(CasePresetEnum preset);
 /** Throws std::invalid_argument that lists the presets. */

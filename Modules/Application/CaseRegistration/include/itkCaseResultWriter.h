@@ -36,6 +36,10 @@ MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked);
 CaseRegistration_EXPORT std::string
                         CaseResultToJson(const CaseResult & result);
 
+/** The text of a list of findings as it stands there. \ingroup CaseRegistration */
+CaseRegistration_EXPORT std::string
+                        FindingsToJson(const std::vector<RegistrationFinding> & findings);
+
 /** Writes everything that a result is made of into a folder: result.json, overlays, scans in the cephalostat frame,
  * transforms. Made in a folder beside it and moved when complete: the files appear whole or not at all, those of an
  * earlier run are replaced. Throws DentalInputError where the folder can't be written.

@@ -18,6 +18,7 @@
 #ifndef itkDentalCaseData_h
 #define itkDentalCaseData_h
 
+#include "itkCaseInputFile.h"
 #include "itkDentalCase.h"
 
 #include "itkCephalometricLandmarkSet.h"
@@ -92,8 +93,10 @@ struct DentalCaseData
   DentalLandmarkSet<3>::Pointer landmarks3D;
   /** Marked on the radiograph, to register with; null where none were given. */
   CephalometricLandmarkSet::Pointer cephalometricLandmarks;
-  std::vector<std::string>          warnings;
-  double                            readSeconds{ 0.0 };
+  /** The files that all this was read from, the case file first. */
+  std::vector<CaseInputFile> inputs;
+  std::vector<std::string>   warnings;
+  double                     readSeconds{ 0.0 };
 
   const JawType &
   GetJaw(JawEnum jaw) const

@@ -20,6 +20,7 @@
 
 #include "CaseRegistrationExport.h"
 #include "itkDentalCase.h"
+#include "itkDentalFrameEstimator.h"
 
 namespace itk
 {
@@ -29,6 +30,11 @@ namespace itk
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT DentalCase
 ReadDentalCase(const std::string & fileName);
+
+/** The same of the text of a case file. Names of files are relative to the folder; messages call the text by the name
+ * of its source, as "command line". \ingroup CaseRegistration */
+CaseRegistration_EXPORT DentalCase
+ParseDentalCase(const std::string & text, const std::string & sourceName, const std::string & folder);
 
 /** Reads an alignment to start from, as the case file's "init", out of a file of its own. \ingroup CaseRegistration */
 CaseRegistration_EXPORT void
@@ -41,6 +47,9 @@ CaseRegistration_EXPORT double
 MillimetresPerUnitFromString(const std::string & unit);
 CaseRegistration_EXPORT OcclusionEnum
 OcclusionFromString(const std::string & text);
+/** What UMidlineDentalAxisFilter is told of it. */
+CaseRegistration_EXPORT DentalFrameEnums::JawsShareFrame
+                        ToJawsShareFrame(OcclusionEnum occlusion);
 CaseRegistration_EXPORT CrownsEnum
 CrownsFromString(const std::string & text);
 /** Adds "scale", "rotation" or "translation" to the case's fixed parameters. */

@@ -20,6 +20,8 @@
 #include "itkCaseResultWriter.h"
 #include "itkDentalLandmarkFileReader.h"
 
+#include <filesystem>
+
 namespace itk
 {
 CaseLandmarkErrorFilter::CaseLandmarkErrorFilter()
@@ -77,6 +79,9 @@ CaseLandmarkErrorFilter::GenerateData()
       reader->SetNumbering(*description.numbering);
     }
     reader->Update();
+    // Nothing before this has opened the file.
+    result.inputs.push_back(MakeCaseInputFile(
+      "landmarks_2d", description.landmarks2DFile, std::filesystem::path(description.fileName).parent_path().string()));
     result.warnings.insert(result.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
     MeasureLandmarkErrors(result, reader->GetOutput());
     result.markedLandmarks = reader->GetOutput();

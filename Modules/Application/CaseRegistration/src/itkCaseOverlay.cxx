@@ -63,7 +63,7 @@ MakeTextLines(const CaseResult & result, const JawResult & jaw)
   {
     lines.push_back(used);
   }
-  for (const std::string & reason : jaw.reasons)
+  for (const std::string & reason : jaw.GetReasons())
   {
     lines.push_back(reason);
   }

@@ -17,7 +17,6 @@
  *=========================================================================*/
 #include "itkCasePoseRegistration.h"
 
-#include "itkCaseChecks.h"
 #include "itkCaseCrowns.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkContourDistanceFilter.h"
@@ -51,9 +50,6 @@ using MethodType = PoseRegistrationMethod<MeshType>;
 constexpr double MatchedWithin = 2.5;
 constexpr double MatchedGap = 3.0;
 
-/** The longest side of a cephalogram, mm: films are 18 x 24 to 24 x 30 cm, detectors up to 43 cm. */
-constexpr double LongestFilm = 450.0;
-
 unsigned int
 ToIndex(JawEnum jaw)
 {
@@ -64,20 +60,6 @@ AxisType::DecoratedTransformType *
 FrameOf(AxisType * axis, JawEnum jaw)
 {
   return jaw == JawEnum::Upper ? axis->GetUpperTransformOutput() : axis->GetLowerTransformOutput();
-}
-
-CaseStatusEnum
-ToCaseStatus(RegistrationVerdict::StatusEnum status)
-{
-  switch (status)
-  {
-    case RegistrationVerdict::StatusEnum::Ok:
-      return CaseStatusEnum::Ok;
-    case RegistrationVerdict::StatusEnum::Suspect:
-      return CaseStatusEnum::Suspect;
-    default:
-      return CaseStatusEnum::Failed;
-  }
 }
 
 /** What a file's estimated or corrected magnification hides is not the detector's pixel: it may be off by what the
@@ -159,6 +141,22 @@ ToRows(const PoseSolution::ProjectionMatrixType & projection)
   return rows;
 }
 
+/** Mesh to dental frame. */
+std::array<double, 12>
+ToRows(const PoseFrame & frame)
+{
+  std::array<double, 12> rows{};
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rows[4 * row + column] = frame.rotation[3 * row + column];
+      rows[4 * row + 3] -= frame.rotation[3 * row + column] * frame.origin[column];
+    }
+  }
+  return rows;
+}
+
 /** The paper's figures between a jaw's tracing and a contour. */
 void
 Measure(DentalContour * tracing, DentalContour * contour, const char * name, JawResult & result)
@@ -196,32 +194,6 @@ MakeWholeSilhouette(const MeshType * mesh, CephalometricGeometry * placed, unsig
   DentalContour::Pointer contour = silhouette->GetOutput();
   contour->DisconnectPipeline();
   return contour;
-}
-
-/** The middles of the landmarks that have a right and a left one, where the drawing is of middles. */
-std::vector<MiddlePrediction>
-PredictMiddles(JawEnum jaw, const std::vector<LandmarkPrediction> & landmarks)
-{
-  std::vector<MiddlePrediction> middles;
-  for (const LandmarkPrediction & right : landmarks)
-  {
-    const ToothCode tooth = DentalLandmarkSet<3>::ParseName(right.name);
-    const auto      suffix = right.name.substr(right.name.find('_'));
-    const auto      left = std::find_if(landmarks.begin(), landmarks.end(), [&](const LandmarkPrediction & other) {
-      return DentalLandmarkSet<3>::ParseName(other.name) == tooth.GetContralateral() &&
-             other.name.substr(other.name.find('_')) == suffix;
-    });
-    if (right.middleCovariance && tooth.IsRight() && left != landmarks.end())
-    {
-      MiddlePrediction middle;
-      middle.name = (jaw == JawEnum::Upper ? "U" : "L") + std::to_string(tooth.GetPosition()) + suffix;
-      middle.position = { { 0.5 * (right.position[0] + left->position[0]),
-                            0.5 * (right.position[1] + left->position[1]) } };
-      middle.sigma = right.GetMiddleSigma();
-      middles.push_back(middle);
-    }
-  }
-  return middles;
 }
 
 void
@@ -263,8 +235,47 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
       }
       jaw.landmarks.push_back(landmark);
     }
-    jaw.middles = PredictMiddles(entry.first, jaw.landmarks);
   }
+  for (const auto & middle : projection->GetMiddles())
+  {
+    if (bisected)
+    {
+      result.jaws[middle.jaw].middles.push_back({ middle.name,
+                                                  { { middle.point[0], middle.point[1] } },
+                                                  LandmarkProjectionFilter::ToSigma(middle.covariance) });
+    }
+  }
+}
+
+/** The mean distance of a two-dimensional normal error of this standard deviation an axis. */
+double
+ToMeanDistance(double sigma)
+{
+  return std::sqrt(0.5 * 3.14159265358979323846) * sigma;
+}
+
+/** How far off the jaw's landmarks are expected to be; without any, what is drawn of it. */
+void
+PredictError(double ownSigma, JawResult & jaw)
+{
+  double      sum = 0.0;
+  std::size_t count = 0;
+  const auto  add = [&](double sigma) {
+    sum += sigma;
+    ++count;
+  };
+  for (const MiddlePrediction & middle : jaw.middles)
+  {
+    add(middle.sigma);
+  }
+  if (count == 0)
+  {
+    for (const LandmarkPrediction & landmark : jaw.landmarks)
+    {
+      add(landmark.GetSigma());
+    }
+  }
+  jaw.expectedError = ToMeanDistance(count > 0 ? sum / static_cast<double>(count) : ownSigma);
 }
 
 std::string
@@ -387,8 +398,9 @@ SettleEvidence(const DentalCaseData &          data,
     const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
     if (!share || jaws.count(other) == 0 || !HasEvidence(data, counterparts, other))
     {
-      result.jaws[jaw].AddReason(
-        CaseStatusEnum::Failed,
+      result.jaws[jaw].AddFinding(
+        RegistrationStatusEnum::Failed,
+        "no-evidence",
         "there is no tracing of this jaw, and none of its landmarks was found on the scan: see "
         "the warnings");
       jaws.erase(jaw);
@@ -415,7 +427,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   std::map<JawEnum, JawResult> jaws;
   for (const auto & entry : result.jaws)
   {
-    if (entry.second.status != CaseStatusEnum::Failed)
+    if (entry.second.status != RegistrationStatusEnum::Failed)
     {
       jaws.insert(entry);
     }
@@ -492,6 +504,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
 
   auto verdict = RegistrationVerdictFilter::New();
   verdict->SetSolution(method->GetOutput());
+  verdict->SetImageSize({ { data.imageSize[0], data.imageSize[1] } });
   TimeProbe probe;
   probe.Start();
   settings.run(method);
@@ -511,7 +524,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   result.geometry->SetPrincipalPoint(principal);
 
   const auto isClosed = [](const DentalJawFrame & frame) {
-    return frame.valid && frame.openness <= OpennessOfClosedCast;
+    return frame.valid && frame.openness <= DentalJawFrame::OpennessOfClosedCast;
   };
   const bool closedTold = isClosed(axis->GetFrame().upper) || isClosed(axis->GetFrame().lower);
   for (const std::string & sentence : verdict->GetNotCheckable())
@@ -520,20 +533,6 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     if (!closedTold || sentence != RegistrationVerdict::ClosedCastLine)
     {
       result.notCheckable.push_back(sentence);
-    }
-  }
-
-  // A spacing that only the drawing tells makes a film of some size: no radiograph of a head is so long.
-  const double length = std::max(data.imageSize[0] * spacing[0], data.imageSize[1] * spacing[1]);
-  if (!data.HasPixelSpacing() && length > LongestFilm)
-  {
-    std::ostringstream reason;
-    reason << "the radiograph would be " << std::lround(length)
-           << " mm long: was it drawn in mm, or on a smaller copy of the image? Give pixels of this one, or "
-              "pixel_spacing_mm";
-    for (const auto & entry : jaws)
-    {
-      result.jaws[entry.first].AddReason(CaseStatusEnum::Failed, reason.str());
     }
   }
 
@@ -568,7 +567,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     jaw.seconds.emplace_back("registration", probe.GetTotal());
     if (!poseJaw.registered)
     {
-      jaw.AddReason(CaseStatusEnum::Failed, poseJaw.failure);
+      jaw.AddFinding(RegistrationStatusEnum::Failed, "not-registered", poseJaw.failure);
       continue;
     }
     jaw.registered = true;
@@ -593,12 +592,13 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     {
       result.warnings.push_back("outline " + unused);
     }
-    for (const auto & reason : verdict->GetVerdict(entry.first).reasons)
+    const JawResult before = jaw;
+    for (const RegistrationFinding & finding : verdict->GetVerdict(entry.first).findings)
     {
-      // Said already by the checks of the input.
-      if (reason.code != "arch-width" && reason.code != "inward-winding")
+      // What the checks of the scan have said already, they said with what is in the file.
+      if (!before.HasFinding(finding.code) || finding.severity > before.status)
       {
-        jaw.AddReason(ToCaseStatus(reason.severity), reason.text);
+        jaw.AddFinding(finding);
       }
     }
     jaw.projection = ToRows(solution->GetProjectionMatrix(entry.first, unit));
@@ -615,7 +615,8 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     jaw.similarity = { parameters[0], parameters[1], { { parameters[2], parameters[3] } } };
 
     const PoseGroupResult & group = solution->GetGroup(entry.first);
-    const double            kappa = group.parameters[PoseKappa];
+    jaw.pose = { ToRows(poseJaw.frame), group.parameters, group.covariance };
+    const double kappa = group.parameters[PoseKappa];
     jaw.details = { { "pitch_rad", group.parameters[PosePitch] },
                     { "roll_rad", group.parameters[PoseRoll] },
                     { "yaw_rad", group.parameters[PoseYaw] },
@@ -678,15 +679,26 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     jaw.seconds.emplace_back("contour", contourProbe.GetTotal() + silhouetteProbe.GetTotal());
   }
   ProjectLandmarks(data, solution, result);
+  for (const auto & entry : jaws)
+  {
+    if (solution->IsRegistered(entry.first))
+    {
+      const PoseJawResult & jaw = solution->GetJaw(entry.first);
+      const double          ownSigma = jaw.fit.numberOfPoints > 0 ? jaw.fit.predictedSigma : jaw.middleSigma;
+      // The verdict's pixels are of 0.25 mm.
+      PredictError(ownSigma * 0.25 / (0.5 * (spacing[0] + spacing[1])), result.jaws[entry.first]);
+    }
+  }
   for (auto & entry : result.jaws)
   {
     JawResult & jaw = entry.second;
     if (!jaw.placedBy.empty())
     {
       const auto other = result.jaws.find(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
-      jaw.AddReason(other->second.status,
-                    "nothing was drawn of this jaw: the " + jaw.placedBy +
-                      " one, whose frame it shares, placed it, as the jaws bit on each other when they were scanned");
+      jaw.AddFinding(other->second.status,
+                     "placed-by-other",
+                     "nothing was drawn of this jaw: the " + jaw.placedBy +
+                       " one, whose frame it shares, placed it, as the jaws bit on each other when they were scanned");
     }
   }
 }

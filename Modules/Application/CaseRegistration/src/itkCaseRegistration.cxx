@@ -17,12 +17,13 @@
  *=========================================================================*/
 #include "itkCaseRegistration.h"
 
-#include "itkCaseChecks.h"
 #include "itkCasePoseRegistration.h"
 #include "itkCaseSimilarityRegistration.h"
+#include "itkDentalCaseFileReader.h"
 #include "itkDescribePlainly.h"
 
 #include "itkPoseRegistrationOptionTable.h"
+#include "itkScanCheckFilter.h"
 #include "itkCommand.h"
 #include "itkTimeProbe.h"
 #include "itkTracingPixelSpacingFilter.h"
@@ -47,19 +48,6 @@ Name(ToothCode::JawEnum jaw)
   return jaw == ToothCode::JawEnum::Upper ? "upper" : "lower";
 }
 
-DentalFrameEnums::JawsShareFrame
-ToFrameOption(OcclusionEnum occlusion)
-{
-  switch (occlusion)
-  {
-    case OcclusionEnum::Yes:
-      return DentalFrameEnums::JawsShareFrame::On;
-    case OcclusionEnum::No:
-      return DentalFrameEnums::JawsShareFrame::Off;
-    default:
-      return DentalFrameEnums::JawsShareFrame::Check;
-  }
-}
 } // namespace
 
 CaseRegistration::CaseRegistration()
@@ -329,7 +317,7 @@ CaseRegistration::PlaceBesideTheOther()
     const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
     const auto    drawn = m_Result.jaws.find(other);
     if (m_Result.skipped.count(jaw) != 0 && m_Data->GetJaw(jaw).mesh.IsNotNull() && drawn != m_Result.jaws.end() &&
-        drawn->second.status != CaseStatusEnum::Failed)
+        drawn->second.status != RegistrationStatusEnum::Failed)
     {
       m_Result.skipped.erase(jaw);
       m_Result.jaws[jaw];
@@ -370,9 +358,10 @@ CaseRegistration::SkipWhatIsIncomplete()
       JawResult & result = m_Result.jaws[jaw];
       if (points < MinimumTracingPoints && !this->HasLandmarks(jaw))
       {
-        result.AddReason(CaseStatusEnum::Failed,
-                         "the tracing has " + std::to_string(points) + " points that count; at least " +
-                           std::to_string(MinimumTracingPoints) + " are needed, better 30 or more");
+        result.AddFinding(RegistrationStatusEnum::Failed,
+                          "few-points",
+                          "the tracing has " + std::to_string(points) + " points that count; at least " +
+                            std::to_string(MinimumTracingPoints) + " are needed, better 30 or more");
       }
     }
   }
@@ -382,10 +371,35 @@ CaseRegistration::SkipWhatIsIncomplete()
     {
       if (!m_Data->GetJaw(skipped.first).mesh.IsNull())
       {
-        m_Result.jaws[skipped.first].AddReason(CaseStatusEnum::Failed, skipped.second);
+        m_Result.jaws[skipped.first].AddFinding(RegistrationStatusEnum::Failed, "not-drawn", skipped.second);
       }
     }
   }
+}
+
+void
+CaseRegistration::CheckScans(DentalFrameObject * frames)
+{
+  if (m_Data->upper.mesh.IsNull() && m_Data->lower.mesh.IsNull())
+  {
+    return;
+  }
+  auto checks = ScanCheckFilter::New();
+  checks->SetUpperMesh(m_Data->upper.mesh);
+  checks->SetLowerMesh(m_Data->lower.mesh);
+  checks->SetFrames(frames);
+  checks->SetLandmarks(m_Data->landmarks3D);
+  checks->SetMillimetresPerUnit(m_Data->description.millimetresPerUnit);
+  checks->Update();
+  for (auto & entry : m_Result.jaws)
+  {
+    for (const RegistrationFinding & finding : checks->GetFindings(entry.first))
+    {
+      entry.second.AddFinding(finding);
+    }
+  }
+  m_Result.notCheckable.insert(
+    m_Result.notCheckable.end(), checks->GetNotCheckable().begin(), checks->GetNotCheckable().end());
 }
 
 void
@@ -403,6 +417,7 @@ CaseRegistration::GenerateData()
   m_Result.preset = m_Preset;
   m_Result.data = m_Data;
   m_Result.warnings = m_Data->warnings;
+  m_Result.inputs = m_Data->inputs;
   this->SkipWhatIsIncomplete();
 
   this->EnterStage("dental axis", 0.1F);
@@ -412,7 +427,7 @@ CaseRegistration::GenerateData()
   auto axis = AxisType::New();
   axis->SetUpperMesh(m_Data->upper.mesh);
   axis->SetLowerMesh(m_Data->lower.mesh);
-  axis->SetJawsShareFrame(ToFrameOption(m_Data->description.occlusion));
+  axis->SetJawsShareFrame(ToJawsShareFrame(m_Data->description.occlusion));
   axis->SetRefineMidline(m_Preset == CasePresetEnum::Robust && m_RefineMidline);
   axis->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   axis->RequireArchesOff();
@@ -443,12 +458,8 @@ CaseRegistration::GenerateData()
     entry.second.frameConfidence = frame.confidence;
     entry.second.seconds.emplace_back("read", m_Data->readSeconds);
     entry.second.seconds.emplace_back("axis", axisProbe.GetTotal());
-    if (!frame.valid && entry.second.status != CaseStatusEnum::Failed)
-    {
-      entry.second.AddReason(CaseStatusEnum::Failed, "the scan has no recognisable dental arch");
-    }
   }
-  CheckCase(*m_Data, frames, m_Result);
+  this->CheckScans(axis->GetFrameOutput());
 
   m_Result.geometry = CephalometricGeometry::New();
   m_Result.geometry->CopyParameters(m_Data->geometry);
@@ -508,7 +519,7 @@ CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::
     spacing->SetGeometry(m_Data->geometry);
     for (const auto & entry : m_Result.jaws)
     {
-      if (entry.second.status != CaseStatusEnum::Failed)
+      if (entry.second.status != RegistrationStatusEnum::Failed)
       {
         const auto & input = m_Data->GetJaw(entry.first);
         spacing->SetJaw(entry.first, input.mesh, input.contour, frameOf(entry.first));
@@ -527,7 +538,7 @@ CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::
   for (auto & entry : m_Result.jaws)
   {
     JawResult & result = entry.second;
-    if (result.status == CaseStatusEnum::Failed)
+    if (result.status == RegistrationStatusEnum::Failed)
     {
       continue;
     }
@@ -546,7 +557,7 @@ CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::
     catch (const ExceptionObject & error)
     {
       result.registered = false;
-      result.AddReason(CaseStatusEnum::Failed, DescribePlainly(error));
+      result.AddFinding(RegistrationStatusEnum::Failed, "not-registered", DescribePlainly(error));
       progress += 0.3F;
       continue;
     }
@@ -565,9 +576,10 @@ CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::
     }
     PredictLandmarks(*m_Data, entry.first, result);
     // The paper's recipe can fit the wrong place well (Documentation/Registration.md): it never vouches for itself.
-    result.AddReason(CaseStatusEnum::Suspect,
-                     std::string("preset ") + ToString(m_Preset) +
-                       " does not check its own accuracy: look at the overlay");
+    result.AddFinding(RegistrationStatusEnum::Suspect,
+                      "unchecked-method",
+                      std::string("preset ") + ToString(m_Preset) +
+                        " does not check its own accuracy: look at the overlay");
   }
 }
 

@@ -45,38 +45,61 @@ LandmarkPrediction::GetMiddleSigma() const
 }
 
 void
-JawResult::AddReason(CaseStatusEnum atLeast, const std::string & reason)
+JawResult::AddFinding(const RegistrationFinding & finding)
 {
-  status = std::max(status, atLeast);
-  if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
+  status = std::max(status, finding.severity);
+  const auto isSame = [&](const RegistrationFinding & other) { return other.text == finding.text; };
+  if (std::none_of(findings.begin(), findings.end(), isSame))
   {
-    reasons.push_back(reason);
+    findings.push_back(finding);
   }
 }
 
-CaseStatusEnum
+void
+JawResult::AddFinding(RegistrationStatusEnum severity, const std::string & code, const std::string & text)
+{
+  this->AddFinding({ severity, code, text, std::nullopt, std::nullopt, "" });
+}
+
+bool
+JawResult::HasFinding(const std::string & code) const
+{
+  return std::any_of(findings.begin(), findings.end(), [&](const auto & finding) { return finding.code == code; });
+}
+
+const ContourFigures *
+JawResult::FindMetrics(const std::string & name) const
+{
+  for (const auto & metric : metrics)
+  {
+    if (metric.first == name)
+    {
+      return &metric.second;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::string>
+JawResult::GetReasons() const
+{
+  std::vector<std::string> reasons;
+  for (const RegistrationFinding & finding : findings)
+  {
+    reasons.push_back(finding.text);
+  }
+  return reasons;
+}
+
+RegistrationStatusEnum
 CaseResult::GetStatus() const
 {
-  CaseStatusEnum worst = jaws.empty() ? CaseStatusEnum::Failed : CaseStatusEnum::Ok;
+  RegistrationStatusEnum worst = jaws.empty() ? RegistrationStatusEnum::Failed : RegistrationStatusEnum::Ok;
   for (const auto & jaw : jaws)
   {
     worst = std::max(worst, jaw.second.status);
   }
   return worst;
-}
-
-const char *
-ToString(CaseStatusEnum status)
-{
-  switch (status)
-  {
-    case CaseStatusEnum::Ok:
-      return "ok";
-    case CaseStatusEnum::Suspect:
-      return "suspect";
-    default:
-      return "failed";
-  }
 }
 
 const char *

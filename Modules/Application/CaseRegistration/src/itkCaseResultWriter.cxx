@@ -36,6 +36,8 @@
 #include <filesystem>
 #include <random>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace itk
 {
@@ -101,11 +103,57 @@ FiguresToJson(const ContourFigures & figures)
 }
 
 Json
+ToJson(const std::vector<RegistrationFinding> & findings)
+{
+  Json list = Json::array();
+  for (const RegistrationFinding & finding : findings)
+  {
+    Json item = { { "code", finding.code }, { "severity", ToString(finding.severity) }, { "text", finding.text } };
+    if (finding.value && finding.limit)
+    {
+      item["value"] = *finding.value;
+      item["limit"] = *finding.limit;
+      item["unit"] = finding.unit;
+    }
+    list.push_back(item);
+  }
+  return list;
+}
+
+Json
+PoseToJson(const JawPose & pose)
+{
+  Json rows = Json::array();
+  for (unsigned int row = 0; row < 7; ++row)
+  {
+    rows.push_back(std::vector<double>(pose.covariance.begin() + 7 * row, pose.covariance.begin() + 7 * (row + 1)));
+  }
+  return { { "mesh_to_dental_mm", MatrixToJson(pose.frame) },
+           { "parameters", pose.parameters },
+           { "covariance", std::move(rows) } };
+}
+
+Json
+PoseSigmaToJson(const JawPose & pose)
+{
+  constexpr double degrees = 180.0 / 3.14159265358979323846;
+  const auto       sigma = [&](unsigned int k) { return std::sqrt(pose.covariance[8 * k]); };
+  return { { "pitch_deg", degrees * sigma(0) },
+           { "roll_deg", degrees * sigma(1) },
+           { "yaw_deg", degrees * sigma(2) },
+           { "x_mm", sigma(3) },
+           { "y_mm", sigma(4) },
+           { "z_mm", sigma(5) },
+           { "scale", sigma(6) } };
+}
+
+Json
 JawToJson(const JawResult & jaw)
 {
   Json json;
   json["status"] = ToString(jaw.status);
-  json["reasons"] = jaw.reasons;
+  json["reasons"] = jaw.GetReasons();
+  json["findings"] = ToJson(jaw.findings);
   if (jaw.registered)
   {
     json["projection_3x4"] = MatrixToJson(jaw.projection);
@@ -114,6 +162,11 @@ JawToJson(const JawResult & jaw)
                            { "translation_px", jaw.similarity.translation } };
     json["mesh_to_umda_mm"] = MatrixToJson(jaw.meshToUMDA);
     json["mesh_to_cephalostat_mm"] = MatrixToJson(jaw.meshToCephalostat);
+    if (jaw.pose)
+    {
+      json["pose"] = PoseToJson(*jaw.pose);
+      json["pose_sigma"] = PoseSigmaToJson(*jaw.pose);
+    }
     for (const AlignmentCandidate & candidate : jaw.candidates)
     {
       json["candidates"].push_back({ { "projection_3x4", MatrixToJson(candidate.projection) },
@@ -171,6 +224,10 @@ JawToJson(const JawResult & jaw)
     {
       json["landmark_sigma_px"] = sigmas;
       json["landmark_covariance_px2"] = covariances;
+    }
+    if (jaw.expectedError)
+    {
+      json["expected_error_px"] = *jaw.expectedError;
     }
     if (jaw.error)
     {
@@ -406,6 +463,12 @@ WriteUMDATransform(const std::array<double, 12> & matrix, const std::string & fi
 }
 
 std::string
+FindingsToJson(const std::vector<RegistrationFinding> & findings)
+{
+  return ToJson(findings).dump();
+}
+
+std::string
 CaseResultToJson(const CaseResult & result)
 {
   Json json;
@@ -417,6 +480,11 @@ CaseResultToJson(const CaseResult & result)
     json["options"] = result.options;
   }
   json["status"] = ToString(result.GetStatus());
+  json["inputs"] = Json::object();
+  for (const CaseInputFile & input : result.inputs)
+  {
+    json["inputs"][input.field] = { { "path", input.path }, { "sha256", input.sha256 } };
+  }
   json["skipped"] = Json::object();
   for (const auto & skipped : result.skipped)
   {
@@ -438,6 +506,7 @@ CaseResultToJson(const CaseResult & result)
     json["overjet_mm"] = *result.overjet;
     json["overbite_mm"] = *result.overbite;
   }
+  json["mesh_unit"] = result.data->description.meshUnit;
   json["traced_side"] = ToString(result.data->description.tracedSide);
   json["warnings"] = result.warnings;
   json["not_checkable"] = result.notCheckable;

@@ -71,7 +71,7 @@ ReportBoundsHit(const MethodType * method, JawResult & result)
       {
         std::ostringstream reason;
         reason << "the " << names[parameter] << " ran into the bound of level " << level + 1;
-        result.AddReason(CaseStatusEnum::Suspect, reason.str());
+        result.AddFinding(RegistrationStatusEnum::Suspect, "bound-reached", reason.str());
       }
     }
   }

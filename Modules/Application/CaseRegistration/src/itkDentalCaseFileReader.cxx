@@ -314,6 +314,10 @@ MillimetresPerUnitFromString(const std::string & unit)
   {
     return 10.0;
   }
+  if (unit == "inch")
+  {
+    return 25.4;
+  }
   if (unit == "m")
   {
     return 1000.0;
@@ -322,7 +326,7 @@ MillimetresPerUnitFromString(const std::string & unit)
   {
     return 0.001;
   }
-  throw std::invalid_argument("\"" + unit + "\" is no mesh unit (\"mm\", \"cm\", \"m\" or \"um\")");
+  throw std::invalid_argument("\"" + unit + "\" is no mesh unit (\"mm\", \"cm\", \"inch\", \"m\" or \"um\")");
 }
 
 CrownsEnum
@@ -336,6 +340,20 @@ CrownsFromString(const std::string & text)
     }
   }
   throw std::invalid_argument("\"" + text + "\" does not say how to find crowns (\"off\", \"labels\" or \"shape\")");
+}
+
+DentalFrameEnums::JawsShareFrame
+ToJawsShareFrame(OcclusionEnum occlusion)
+{
+  switch (occlusion)
+  {
+    case OcclusionEnum::Yes:
+      return DentalFrameEnums::JawsShareFrame::On;
+    case OcclusionEnum::No:
+      return DentalFrameEnums::JawsShareFrame::Off;
+    default:
+      return DentalFrameEnums::JawsShareFrame::Check;
+  }
 }
 
 OcclusionEnum
@@ -410,11 +428,12 @@ ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase)
   dentalCase.warnings.insert(dentalCase.warnings.end(), warnings.begin(), warnings.end());
 }
 
-DentalCase
-ReadDentalCase(const std::string & fileName)
+namespace
 {
-  const JsonDocument document = JsonDocument::ReadFile(fileName);
-  const JsonNode     root = document.GetRoot();
+DentalCase
+InterpretDentalCase(const JsonDocument & document, const std::string & fileName, const fs::path & directory)
+{
+  const JsonNode root = document.GetRoot();
   if (!root.IsObject())
   {
     root.Fail("is no JSON object", "a case file is { \"upper\": ..., \"contours\": ... }");
@@ -439,7 +458,6 @@ ReadDentalCase(const std::string & fileName)
                                 "fix" });
   DentalCase dentalCase;
   dentalCase.fileName = fileName;
-  const fs::path directory = fs::path(fileName).parent_path();
 
   dentalCase.upperFile = FindFile(root, "upper", directory);
   dentalCase.lowerFile = FindFile(root, "lower", directory);
@@ -549,5 +567,18 @@ ReadDentalCase(const std::string & fileName)
   dentalCase.warnings = document.GetWarnings();
   dentalCase.warnings.insert(dentalCase.warnings.end(), landmarkWarnings.begin(), landmarkWarnings.end());
   return dentalCase;
+}
+} // namespace
+
+DentalCase
+ReadDentalCase(const std::string & fileName)
+{
+  return InterpretDentalCase(JsonDocument::ReadFile(fileName), fileName, fs::path(fileName).parent_path());
+}
+
+DentalCase
+ParseDentalCase(const std::string & text, const std::string & sourceName, const std::string & folder)
+{
+  return InterpretDentalCase(JsonDocument::Parse(text, sourceName), sourceName, fs::path(folder));
 }
 } // namespace itk

@@ -34,8 +34,11 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <set>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace itk
 {
@@ -109,6 +112,12 @@ LoadLabels(DentalCaseData & data)
   }
 }
 
+/** From the midsagittal plane to the detector, mm: half a head and the cassette's distance from it. The usual one is
+ * that of the default geometry. */
+constexpr double SmallestHeadToDetector = 90.0;
+constexpr double UsualHeadToDetector = 150.0;
+constexpr double LargestHeadToDetector = 400.0;
+
 /** Spacing, distances and facing: the case file before DICOM before the default. */
 void
 SettleGeometry(const CephalogramFileReader * reader, DentalCaseData & data)
@@ -151,6 +160,22 @@ SettleGeometry(const CephalogramFileReader * reader, DentalCaseData & data)
   settle(description.sourceToMidsagittal, dicomMidsagittal, data.sources.sourceToMidsagittal, [&](double distance) {
     data.geometry->SetSourceToMidsagittalDistance(distance);
   });
+  // The detector's distance alone was given: of the head that lies before it only the default tells, and by its
+  // distance from the detector, which is nearly the same in all machines, rather than by that from the source.
+  const double gap = data.geometry->GetSourceToDetectorDistance() - data.geometry->GetSourceToMidsagittalDistance();
+  if (data.sources.sourceToDetector != ValueSourceEnum::Default &&
+      data.sources.sourceToMidsagittal == ValueSourceEnum::Default &&
+      !(gap >= SmallestHeadToDetector && gap <= LargestHeadToDetector) &&
+      data.geometry->GetSourceToDetectorDistance() > UsualHeadToDetector)
+  {
+    std::ostringstream warning;
+    warning << "source_to_midsagittal_mm is not known, and the default does not go with a detector "
+            << data.geometry->GetSourceToDetectorDistance()
+            << " mm from the source: " << data.geometry->GetSourceToDetectorDistance() - UsualHeadToDetector
+            << " is taken, " << UsualHeadToDetector << " mm before the detector";
+    data.warnings.push_back(warning.str());
+    data.geometry->SetSourceToMidsagittalDistance(data.geometry->GetSourceToDetectorDistance() - UsualHeadToDetector);
+  }
   settle(description.facing, dicomFacing, data.sources.facing, [&](CephalometricGeometry::FacingEnum facing) {
     data.geometry->SetFacing(facing);
   });
@@ -372,36 +397,83 @@ IsStandardTracing(const DentalCaseData & data)
   }
   return incisors > 0 && molars > 0;
 }
-} // namespace
-
+/** What the case was made of. */
 void
-CheckLandmarksInImage(const CephalometricLandmarkSet &    landmarks,
-                      const std::array<unsigned int, 2> & imageSize,
-                      const std::string &                 fileName,
-                      const std::string &                 prefix)
+RecordInputs(DentalCaseData & data)
 {
-  constexpr double margin = 0.1;
-  for (const auto & landmark : landmarks.GetLandmarks())
+  const DentalCase & description = data.description;
+  const std::string  folder = std::filesystem::path(description.fileName).parent_path().string();
+  std::vector<std::pair<const char *, const std::string *>> files;
+  std::error_code                                           error;
+  // A case of the command line, or of memory, has no file.
+  if (std::filesystem::is_regular_file(description.fileName, error))
   {
-    for (unsigned int i = 0; i < 2; ++i)
+    files.emplace_back("case", &description.fileName);
+  }
+  for (const auto & file : { std::make_pair("upper", &description.upperFile),
+                             std::make_pair("lower", &description.lowerFile),
+                             std::make_pair("upper_labels", &description.upperLabelsFile),
+                             std::make_pair("lower_labels", &description.lowerLabelsFile),
+                             std::make_pair("cephalogram.image", &description.imageFile),
+                             std::make_pair("contours", &description.contoursFile),
+                             std::make_pair("cephalometric_landmarks", &description.cephalometricLandmarksFile),
+                             std::make_pair("landmarks_3d", &description.landmarks3DFile) })
+  {
+    if (!file.second->empty())
     {
-      const double size = imageSize[i];
-      if (!(landmark.point[i] >= -0.5 - margin * size && landmark.point[i] <= size - 0.5 + margin * size))
-      {
-        std::ostringstream problem;
-        problem << "(" << landmark.point[0] << ", " << landmark.point[1] << ") lies far outside the image of "
-                << imageSize[0] << " x " << imageSize[1] << " pixels";
-        itkDentalInputErrorMacro(fileName,
-                                 prefix + landmark.name,
-                                 problem.str(),
-                                 "give pixels of this image: were they in mm, or marked on another copy of it?");
-      }
+      files.push_back(file);
+    }
+  }
+  data.inputs.resize(files.size());
+  std::vector<std::exception_ptr> errors(files.size());
+  ParallelFor(files.size(), MultiThreaderBase::GetGlobalDefaultNumberOfThreads(), [&](std::size_t i) {
+    try
+    {
+      // The case file is named as it was given.
+      const bool isCase = files[i].second == &description.fileName;
+      data.inputs[i] = MakeCaseInputFile(files[i].first, *files[i].second, isCase ? "" : folder);
+    }
+    catch (...)
+    {
+      errors[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr & problem : errors)
+  {
+    if (problem)
+    {
+      std::rethrow_exception(problem);
     }
   }
 }
 
+/** Teeth that are drawn of both sides, each with its own code: the codes of the right ones, by jaw. */
+std::set<std::uint8_t>
+FindPairs(const DentalContour * contour)
+{
+  std::set<std::uint8_t> right;
+  std::set<std::uint8_t> left;
+  for (const auto & polyline : contour->GetPolylines())
+  {
+    if (!polyline.points.empty() && polyline.code.IsKnown())
+    {
+      (polyline.code.IsRight() ? right : left).insert(polyline.code.GetFDI());
+    }
+  }
+  std::set<std::uint8_t> pairs;
+  for (const std::uint8_t tooth : right)
+  {
+    if (left.count(ToothCode(tooth).GetContralateral().GetFDI()) != 0)
+    {
+      pairs.insert(tooth);
+    }
+  }
+  return pairs;
+}
+
+/** Where the case does not say which side was traced, what is drawn may. */
 void
-SettleTracedSide(DentalCaseData & data)
+ReadTracedSideFromDrawing(DentalCaseData & data)
 {
   DentalCase & description = data.description;
   if (description.tracedSideIsGiven || description.tracedSide != TracedSideEnum::Right)
@@ -439,6 +511,100 @@ SettleTracedSide(DentalCaseData & data)
                             (landmarksAlone ? "there are landmarks of a cephalometric analysis and no tracing"
                                             : "whole incisors and molars alone are traced"));
   }
+  else
+  {
+    // The incisors of both sides are often drawn together; teeth further back are drawn twice on purpose.
+    std::size_t pairs = 0;
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      const auto found = isTraced(jaw) ? FindPairs(data.GetJaw(jaw).contour) : std::set<std::uint8_t>();
+      pairs += static_cast<std::size_t>(
+        std::count_if(found.begin(), found.end(), [](std::uint8_t tooth) { return tooth % 10 > 2; }));
+    }
+    if (pairs >= 2)
+    {
+      description.tracedSide = TracedSideEnum::Both;
+      data.warnings.push_back(description.fileName +
+                              ": traced_side: is not given; taken as \"both\", because teeth of both sides are traced");
+    }
+  }
+}
+
+/** A tooth that is drawn of both sides under one traced side: the other side's has no outline to lie on. */
+void
+LeaveOutOtherSide(DentalCaseData & data)
+{
+  const TracedSideEnum side = data.description.tracedSide;
+  if (side != TracedSideEnum::Right && side != TracedSideEnum::Left)
+  {
+    return;
+  }
+  std::string names;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    auto &     contour = data.GetJaw(jaw).contour;
+    const auto pairs = contour.IsNull() ? std::set<std::uint8_t>() : FindPairs(contour);
+    if (pairs.empty())
+    {
+      continue;
+    }
+    auto kept = DentalContour::New();
+    for (const auto & polyline : contour->GetPolylines())
+    {
+      const bool      isOther = side == TracedSideEnum::Right ? polyline.code.IsLeft() : polyline.code.IsRight();
+      const ToothCode right = polyline.code.IsRight() ? polyline.code : polyline.code.GetContralateral();
+      if (isOther && pairs.count(right.GetFDI()) != 0)
+      {
+        names += (names.empty() ? "" : ", ") + polyline.code.GetName();
+      }
+      else
+      {
+        kept->AddPolyline(polyline);
+      }
+    }
+    contour = kept;
+  }
+  if (!names.empty())
+  {
+    data.warnings.push_back(
+      data.description.fileName + ": traced_side: the tracing has teeth of both sides; " + names +
+      (side == TracedSideEnum::Right ? " are not of the right side" : " are not of the left side") +
+      " and left out (say \"both\" where both sides were traced)");
+  }
+}
+} // namespace
+
+void
+CheckLandmarksInImage(const CephalometricLandmarkSet &    landmarks,
+                      const std::array<unsigned int, 2> & imageSize,
+                      const std::string &                 fileName,
+                      const std::string &                 prefix)
+{
+  constexpr double margin = 0.1;
+  for (const auto & landmark : landmarks.GetLandmarks())
+  {
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      const double size = imageSize[i];
+      if (!(landmark.point[i] >= -0.5 - margin * size && landmark.point[i] <= size - 0.5 + margin * size))
+      {
+        std::ostringstream problem;
+        problem << "(" << landmark.point[0] << ", " << landmark.point[1] << ") lies far outside the image of "
+                << imageSize[0] << " x " << imageSize[1] << " pixels";
+        itkDentalInputErrorMacro(fileName,
+                                 prefix + landmark.name,
+                                 problem.str(),
+                                 "give pixels of this image: were they in mm, or marked on another copy of it?");
+      }
+    }
+  }
+}
+
+void
+SettleTracedSide(DentalCaseData & data)
+{
+  ReadTracedSideFromDrawing(data);
+  LeaveOutOtherSide(data);
 }
 
 std::shared_ptr<DentalCaseData>
@@ -503,6 +669,7 @@ LoadDentalCase(const DentalCase & description)
     }
   }
   LoadLabels(*data);
+  RecordInputs(*data);
   probe.Stop();
   data->readSeconds = probe.GetTotal();
   return data;

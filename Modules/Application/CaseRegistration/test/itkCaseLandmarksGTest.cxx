@@ -34,7 +34,7 @@ TEST(CaseLandmarks, ExactOnesPlaceBothJawsExactly)
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     ASSERT_TRUE(result.jaws.at(jaw).registered);
-    EXPECT_EQ(result.jaws.at(jaw).status, itk::CaseStatusEnum::Ok);
+    EXPECT_EQ(result.jaws.at(jaw).status, itk::RegistrationStatusEnum::Ok);
     // What is left is the head's turn, of which four middles say little, and the machine's true distances.
     EXPECT_LT(MiddleError(phantom, result, jaw), 0.9);
     EXPECT_EQ(result.jaws.at(jaw).usedLandmarks.size(), 2u);
@@ -56,7 +56,7 @@ TEST(CaseLandmarks, AReadersPlaceThemWithinTwoPixelsOnAverage)
     const auto         result = phantom.Run();
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
-      EXPECT_EQ(result.jaws.at(jaw).status, itk::CaseStatusEnum::Ok);
+      EXPECT_EQ(result.jaws.at(jaw).status, itk::RegistrationStatusEnum::Ok);
       const double error = MiddleError(phantom, result, jaw);
       EXPECT_LT(error, 5.0);
       sum += error;
@@ -137,8 +137,8 @@ TEST(CaseLandmarks, AGrossErrorIsNamedAndLeftOut)
   const auto result = phantom.Run();
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
-    EXPECT_EQ(result.jaws.at(jaw).status, itk::CaseStatusEnum::Suspect);
-    EXPECT_TRUE(HasLineWith(result.jaws.at(jaw).reasons, "landmark L1_tip lies far"));
+    EXPECT_EQ(result.jaws.at(jaw).status, itk::RegistrationStatusEnum::Suspect);
+    EXPECT_TRUE(HasLineWith(result.jaws.at(jaw).GetReasons(), "landmark L1_tip lies far"));
     EXPECT_LT(MiddleError(phantom, result, jaw), MiddleError(phantom, without, jaw) + 2.0);
   }
 }
@@ -167,8 +167,8 @@ TEST(CaseLandmarks, IncisorsAloneAreSaidToDetermineLittle)
   const auto result = phantom.Run();
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
-    EXPECT_NE(result.jaws.at(jaw).status, itk::CaseStatusEnum::Ok);
-    EXPECT_TRUE(HasLineWith(result.jaws.at(jaw).reasons, "mark incisors and molars"));
+    EXPECT_NE(result.jaws.at(jaw).status, itk::RegistrationStatusEnum::Ok);
+    EXPECT_TRUE(HasLineWith(result.jaws.at(jaw).GetReasons(), "mark incisors and molars"));
   }
 }
 
@@ -181,7 +181,7 @@ TEST(CaseLandmarks, AJawWithoutDrawingsIsPlacedByTheOther)
   EXPECT_EQ(result.jaws.at(JawEnum::Upper).placedBy, "lower");
   EXPECT_TRUE(result.jaws.at(JawEnum::Lower).placedBy.empty());
   EXPECT_GE(result.jaws.at(JawEnum::Upper).status, result.jaws.at(JawEnum::Lower).status);
-  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Upper).reasons, "the lower one"));
+  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Upper).GetReasons(), "the lower one"));
   EXPECT_LT(MiddleError(phantom, result, JawEnum::Upper), 6.0);
 }
 
@@ -195,12 +195,12 @@ TEST(CaseLandmarks, AJawWhoseLandmarksAreOnNoScanIsPlacedByTheOtherOrFails)
   phantom.data->cephalometricLandmarks->AddLandmark("L5_occlusal", point);
   auto result = phantom.Run();
   EXPECT_EQ(result.jaws.at(JawEnum::Lower).placedBy, "upper");
-  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Lower).reasons, "nothing was drawn"));
+  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Lower).GetReasons(), "nothing was drawn"));
   phantom.data->description.occlusion = itk::OcclusionEnum::No;
   result = phantom.Run();
   EXPECT_TRUE(result.jaws.at(JawEnum::Upper).registered);
   EXPECT_FALSE(result.jaws.at(JawEnum::Lower).registered);
-  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Lower).reasons, "none of its landmarks was found"));
+  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Lower).GetReasons(), "none of its landmarks was found"));
   EXPECT_TRUE(HasLineWith(result.warnings, "L5_occlusal is not used"));
 }
 
@@ -217,8 +217,8 @@ TEST(CaseLandmarks, MillimetresForPixelsAreNotBelieved)
   }
   phantom.data->cephalometricLandmarks = millimetres;
   const auto known = phantom.Run();
-  EXPECT_EQ(known.GetStatus(), itk::CaseStatusEnum::Failed);
-  EXPECT_TRUE(HasLineWith(known.jaws.at(JawEnum::Upper).reasons, "the landmarks seem to be in mm"));
+  EXPECT_EQ(known.GetStatus(), itk::RegistrationStatusEnum::Failed);
+  EXPECT_TRUE(HasLineWith(known.jaws.at(JawEnum::Upper).GetReasons(), "the landmarks seem to be in mm"));
   // Where nobody gave the spacing, the marks make one: of a film that is none.
   auto geometry = itk::CephalometricGeometry::New();
   geometry->SetFacing(phantom.data->geometry->GetFacing());
@@ -226,8 +226,8 @@ TEST(CaseLandmarks, MillimetresForPixelsAreNotBelieved)
   phantom.data->sources.pixelSpacing = itk::ValueSourceEnum::Estimated;
   phantom.data->sources.principalPoint = itk::ValueSourceEnum::Estimated;
   const auto result = phantom.Run();
-  EXPECT_EQ(result.GetStatus(), itk::CaseStatusEnum::Failed);
-  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Upper).reasons, "mm long: was it drawn in mm"));
+  EXPECT_EQ(result.GetStatus(), itk::RegistrationStatusEnum::Failed);
+  EXPECT_TRUE(HasLineWith(result.jaws.at(JawEnum::Upper).GetReasons(), "mm long: was it drawn in mm"));
 }
 
 TEST(CaseLandmarks, NamesOfExchangedJawsAreNamed)
@@ -246,13 +246,13 @@ TEST(CaseLandmarks, NamesOfExchangedJawsAreNamed)
     const auto straight = phantom.Run();
     phantom.data->cephalometricLandmarks = exchanged;
     const auto result = phantom.Run();
-    EXPECT_EQ(result.GetStatus(), itk::CaseStatusEnum::Failed);
+    EXPECT_EQ(result.GetStatus(), itk::RegistrationStatusEnum::Failed);
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
-      EXPECT_TRUE(HasLineWith(result.jaws.at(jaw).reasons, "names of upper and lower landmarks")) << seed;
+      EXPECT_TRUE(HasLineWith(result.jaws.at(jaw).GetReasons(), "names of upper and lower landmarks")) << seed;
       // The one mistake, and not others that fit a little better as well.
-      EXPECT_FALSE(HasLineWith(result.jaws.at(jaw).reasons, "face the other way")) << seed;
-      EXPECT_FALSE(HasLineWith(straight.jaws.at(jaw).reasons, "names of upper and lower landmarks")) << seed;
+      EXPECT_FALSE(HasLineWith(result.jaws.at(jaw).GetReasons(), "face the other way")) << seed;
+      EXPECT_FALSE(HasLineWith(straight.jaws.at(jaw).GetReasons(), "names of upper and lower landmarks")) << seed;
     }
   }
 }
@@ -271,8 +271,8 @@ TEST(CaseLandmarks, ThoseOfAMirroredImageAreNamed)
   const auto result = phantom.Run();
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
-    EXPECT_EQ(result.jaws.at(jaw).status, itk::CaseStatusEnum::Failed);
-    EXPECT_TRUE(HasLineWith(result.jaws.at(jaw).reasons, "a mirrored or turned image"));
-    EXPECT_TRUE(HasLineWith(result.jaws.at(jaw).reasons, "seems to face the other way"));
+    EXPECT_EQ(result.jaws.at(jaw).status, itk::RegistrationStatusEnum::Failed);
+    EXPECT_TRUE(HasLineWith(result.jaws.at(jaw).GetReasons(), "a mirrored or turned image"));
+    EXPECT_TRUE(HasLineWith(result.jaws.at(jaw).GetReasons(), "seems to face the other way"));
   }
 }

@@ -146,9 +146,9 @@ TEST_P(CaseMistakes, IsNamedInTheReasons)
   std::string all;
   for (const auto & jaw : result.jaws)
   {
-    EXPECT_NE(jaw.second.status, itk::CaseStatusEnum::Ok) << jaw.first;
-    named = named || HasLineWith(jaw.second.reasons, GetParam().word);
-    for (const std::string & reason : jaw.second.reasons)
+    EXPECT_NE(jaw.second.status, itk::RegistrationStatusEnum::Ok) << jaw.first;
+    named = named || HasLineWith(jaw.second.GetReasons(), GetParam().word);
+    for (const std::string & reason : jaw.second.GetReasons())
     {
       all += "\n  " + reason;
     }

@@ -64,7 +64,7 @@ TEST(CaseOutlines, ExactOnesPlaceBothJaws)
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     ASSERT_TRUE(result.jaws.at(jaw).registered);
-    EXPECT_EQ(result.jaws.at(jaw).status, itk::CaseStatusEnum::Ok);
+    EXPECT_EQ(result.jaws.at(jaw).status, itk::RegistrationStatusEnum::Ok);
     // What is left is the head's turn and the machine's true distances, as of exact landmarks, and how the crowns are
     // cut out of scans without labels: 1.1 px on average and 2.1 at worst of eight cases.
     EXPECT_LT(MiddleError(phantom, result, jaw), 2.2);
@@ -139,9 +139,9 @@ TEST(CaseOutlines, AGrossErrorIsNamed)
   // 7 mm: the second molar's for the first's.
   MoveOutline(phantom, JawEnum::Lower, 6, -28.0, 0.0);
   const auto result = phantom.Run();
-  EXPECT_EQ(result.jaws.at(JawEnum::Lower).status, itk::CaseStatusEnum::Suspect);
-  EXPECT_NE(Join(result.jaws.at(JawEnum::Lower).reasons).find("outline L6 lies far"), std::string::npos)
-    << Join(result.jaws.at(JawEnum::Lower).reasons);
+  EXPECT_EQ(result.jaws.at(JawEnum::Lower).status, itk::RegistrationStatusEnum::Suspect);
+  EXPECT_NE(Join(result.jaws.at(JawEnum::Lower).GetReasons()).find("outline L6 lies far"), std::string::npos)
+    << Join(result.jaws.at(JawEnum::Lower).GetReasons());
   EXPECT_LT(MiddleError(phantom, result, JawEnum::Lower), 4.5);
 }
 
@@ -175,7 +175,7 @@ TEST(CaseOutlines, ARootAloneIsSaidAndNeverGuessed)
   const auto result = phantom.Run();
   for (const auto & entry : result.jaws)
   {
-    EXPECT_NE(entry.second.status, itk::CaseStatusEnum::Ok) << Join(entry.second.reasons);
+    EXPECT_NE(entry.second.status, itk::RegistrationStatusEnum::Ok) << Join(entry.second.GetReasons());
   }
 }
 

@@ -87,7 +87,7 @@ TEST(CasePipeline, OneUpdateOfTheWriterRunsAllAndAChangeRunsWhatLiesBelow)
   EXPECT_EQ(readings.Get(), 1u);
   EXPECT_EQ(registrations.Get(), 1u);
   EXPECT_TRUE(std::filesystem::exists(itk::TestFolder() + "/result/result.json"));
-  EXPECT_EQ(registration->GetResult().GetStatus(), itk::CaseStatusEnum::Ok);
+  EXPECT_EQ(registration->GetResult().GetStatus(), itk::RegistrationStatusEnum::Ok);
   EXPECT_EQ(measurements.Get(), 1u);
   // The marks are known below the registration alone.
   EXPECT_TRUE(registration->GetResult().markedLandmarks.IsNull());

@@ -217,8 +217,8 @@ TEST(CaseRegistration, TheMiddleOfABisectedTracingHasItsOwnSigma)
 TEST(CaseRegistration, ThePapersPresetNeverVouchesForItself)
 {
   const auto paper = Register(PhantomCase(5), itk::CasePresetEnum::BoundingBox);
-  EXPECT_EQ(paper.GetStatus(), itk::CaseStatusEnum::Suspect);
-  EXPECT_FALSE(paper.jaws.at(JawEnum::Upper).reasons.empty());
+  EXPECT_EQ(paper.GetStatus(), itk::RegistrationStatusEnum::Suspect);
+  EXPECT_FALSE(paper.jaws.at(JawEnum::Upper).GetReasons().empty());
 }
 
 TEST(CaseRegistration, ASecondUpdateRunsNothing)
@@ -253,7 +253,7 @@ TEST(CaseRegistration, TwoJawsAtOnceDoNotPullOneSource)
   registration->SetData(phantom.data);
   registration->Update();
   EXPECT_EQ(scans->GetNumberOfExecutions(), 1u);
-  EXPECT_EQ(registration->GetResult().GetStatus(), itk::CaseStatusEnum::Ok);
+  EXPECT_EQ(registration->GetResult().GetStatus(), itk::RegistrationStatusEnum::Ok);
 }
 
 TEST(CaseRegistration, AbortsAtTheNextStage)
@@ -363,9 +363,9 @@ TEST(CaseRegistration, OneJawsFailureDoesNotStopTheOther)
   few->AddPolyline({ phantom.data->upper.contour->GetPoint(0), phantom.data->upper.contour->GetPoint(1) });
   phantom.data->upper.contour = few;
   const auto result = Register(phantom, itk::CasePresetEnum::Robust);
-  EXPECT_EQ(result.jaws.at(JawEnum::Upper).status, itk::CaseStatusEnum::Failed);
+  EXPECT_EQ(result.jaws.at(JawEnum::Upper).status, itk::RegistrationStatusEnum::Failed);
   EXPECT_TRUE(result.jaws.at(JawEnum::Lower).registered);
-  EXPECT_EQ(result.GetStatus(), itk::CaseStatusEnum::Failed);
+  EXPECT_EQ(result.GetStatus(), itk::RegistrationStatusEnum::Failed);
 }
 
 TEST(CaseRegistration, NoticesExchangedAndMirroredScans)
@@ -374,7 +374,7 @@ TEST(CaseRegistration, NoticesExchangedAndMirroredScans)
   std::swap(exchanged.data->upper.mesh, exchanged.data->lower.mesh);
   auto result = Register(exchanged, itk::CasePresetEnum::BoundingBox);
   bool named = false;
-  for (const std::string & reason : result.jaws.at(JawEnum::Upper).reasons)
+  for (const std::string & reason : result.jaws.at(JawEnum::Upper).GetReasons())
   {
     named = named || reason.find("exchanged") != std::string::npos;
   }
@@ -391,7 +391,7 @@ TEST(CaseRegistration, NoticesExchangedAndMirroredScans)
   }
   result = Register(mirrored, itk::CasePresetEnum::BoundingBox);
   named = false;
-  for (const std::string & reason : result.jaws.at(JawEnum::Upper).reasons)
+  for (const std::string & reason : result.jaws.at(JawEnum::Upper).GetReasons())
   {
     named = named || reason.find("mirrored") != std::string::npos;
   }
@@ -414,12 +414,12 @@ TEST(CaseRegistration, NoticesAWrongUnit)
   }
   const auto result = Register(phantom, itk::CasePresetEnum::BoundingBox);
   bool       named = false;
-  for (const std::string & reason : result.jaws.at(JawEnum::Upper).reasons)
+  for (const std::string & reason : result.jaws.at(JawEnum::Upper).GetReasons())
   {
     named = named || reason.find("\"mesh_unit\": \"mm\" would fit") != std::string::npos;
   }
   EXPECT_TRUE(named);
-  EXPECT_NE(result.GetStatus(), itk::CaseStatusEnum::Ok);
+  EXPECT_NE(result.GetStatus(), itk::RegistrationStatusEnum::Ok);
 }
 
 TEST(CaseRegistration, SaysWhyAJawIsLeftOut)

@@ -48,6 +48,8 @@ AddRenderCommand(CLI::App & program, const CommonOptions & common, RunFunction &
 CommandLine_EXPORT void
 AddContourCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 CommandLine_EXPORT void
+AddProjectCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
+CommandLine_EXPORT void
 AddEvaluateCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 CommandLine_EXPORT void
 AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);

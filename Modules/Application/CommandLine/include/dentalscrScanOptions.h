@@ -21,7 +21,8 @@
 #include "CommandLineExport.h"
 
 #include "itkDentalCaseData.h"
-#include "itkDentalFrameEstimator.h"
+#include "itkScanCheckFilter.h"
+#include "itkUMidlineDentalAxisFilter.h"
 
 #include <CLI/CLI.hpp>
 
@@ -56,9 +57,20 @@ private:
   std::vector<double> m_Distances;
 };
 
-/** The dental frames of what was loaded. */
-CommandLine_EXPORT itk::DentalFrameResult
-                   EstimateFrames(const itk::DentalCaseData & data);
+/** \struct ScanFrames
+ * \brief The dental frames of what was loaded, and what the checks say of the scans; both have run. */
+struct ScanFrames
+{
+  using AxisType = itk::UMidlineDentalAxisFilter<itk::DentalCaseData::MeshType>;
+
+  AxisType::Pointer             axis;
+  itk::ScanCheckFilter::Pointer checks;
+};
+
+/** Finds the frames and checks the scans; warnings and findings go to stderr, in the words of `register`. Throws
+ * DentalInputError where a scan has no arch. */
+CommandLine_EXPORT ScanFrames
+FindFrames(const itk::DentalCaseData & data, bool refineMidline = false);
 
 /** The geometry with a jaw placed in it: the central ray through the jaw's centroid, or, where a result file is named,
  * as it was registered there (and the principal point in use then). Throws DentalInputError where the result lacks the

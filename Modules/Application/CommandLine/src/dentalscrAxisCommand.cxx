@@ -24,21 +24,21 @@
 #include "itkMakeDentalFrameTransform.h"
 #include "itkReadDentalMesh.h"
 #include "itkTextFile.h"
-#include "itkUMidlineDentalAxisFilter.h"
+
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <sstream>
+#include <string>
 
 namespace dentalscr
 {
 namespace
 {
 using JawEnum = itk::ToothCode::JawEnum;
-using MeshType = itk::DentalCaseData::MeshType;
-using FilterType = itk::UMidlineDentalAxisFilter<MeshType>;
+using Json = nlohmann::ordered_json;
 
 struct AxisOptions
 {
@@ -48,29 +48,13 @@ struct AxisOptions
   bool        refineMidline{ false };
 };
 
-std::string
-Row(double a, double b, double c)
-{
-  std::ostringstream text;
-  text << std::setprecision(17) << '[' << a << ", " << b << ", " << c << ']';
-  return text.str();
-}
-
 int
 Axis(const AxisOptions & options, const CommonOptions & common)
 {
   const auto data = options.scans.Load();
-  auto       filter = FilterType::New();
-  if (data->upper.mesh.IsNotNull())
-  {
-    filter->SetUpperMesh(data->upper.mesh);
-  }
-  if (data->lower.mesh.IsNotNull())
-  {
-    filter->SetLowerMesh(data->lower.mesh);
-  }
+  auto       scans = FindFrames(*data, options.refineMidline);
+  auto       filter = scans.axis;
   filter->SetEmbedAxes(options.embedAxes);
-  filter->SetRefineMidline(options.refineMidline);
   filter->Update();
 
   std::error_code error;
@@ -81,9 +65,8 @@ Axis(const AxisOptions & options, const CommonOptions & common)
       options.output, "", "can't be written: " + error.message(), "choose another output folder");
   }
   const std::filesystem::path folder(options.output);
-  std::ostringstream          json;
-  json << std::setprecision(17) << "{\n";
-  bool first = true;
+  const auto &                frames = filter->GetFrame();
+  Json                        json;
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     if (data->GetJaw(jaw).mesh.IsNull())
@@ -92,30 +75,29 @@ Axis(const AxisOptions & options, const CommonOptions & common)
     }
     const bool        upper = jaw == JawEnum::Upper;
     const std::string name = upper ? "upper" : "lower";
-    const auto &      frame = upper ? filter->GetFrame().upper : filter->GetFrame().lower;
+    const auto &      frame = upper ? frames.upper : frames.lower;
     itk::WriteDentalMesh(upper ? filter->GetUpperOutput() : filter->GetLowerOutput(),
                          (folder / (name + "_umda.stl")).string());
     const auto matrix = itk::ToRows(itk::MakeDentalFrameTransform(frame.axes, frame.origin));
     itk::WriteUMDATransform(matrix, (folder / (name + "_umda.tfm")).string());
-    json << (first ? "" : ",\n") << " \"" << name
-         << "\": {\n  \"x_anterior\": " << Row(frame.axes[0][0], frame.axes[0][1], frame.axes[0][2])
-         << ",\n  \"y_left\": " << Row(frame.axes[1][0], frame.axes[1][1], frame.axes[1][2])
-         << ",\n  \"z_superior\": " << Row(frame.axes[2][0], frame.axes[2][1], frame.axes[2][2])
-         << ",\n  \"origin_mm\": " << Row(frame.origin[0], frame.origin[1], frame.origin[2])
-         << ",\n  \"arch_width_mm\": " << frame.archWidth << ",\n  \"arch_depth_mm\": " << frame.archDepth
-         << ",\n  \"confidence\": " << frame.confidence << "\n }";
-    first = false;
+    json[name] = { { "x_anterior", frame.axes[0] },
+                   { "y_left", frame.axes[1] },
+                   { "z_superior", frame.axes[2] },
+                   { "origin_mm", frame.origin },
+                   { "arch_width_mm", frame.archWidth },
+                   { "arch_depth_mm", frame.archDepth },
+                   { "confidence", frame.confidence },
+                   { "findings", Json::parse(itk::FindingsToJson(scans.checks->GetFindings(jaw))) } };
     if (!common.quiet)
     {
       std::cout << name << ": arch " << std::fixed << std::setprecision(1) << frame.archWidth << " mm wide, "
                 << frame.archDepth << " mm deep, confidence " << std::setprecision(2) << frame.confidence << '\n';
     }
   }
-  const auto & frames = filter->GetFrame();
-  json << ",\n \"jaws_share_frame\": " << (frames.jawsShareFrame ? "true" : "false");
+  json["jaws_share_frame"] = frames.jawsShareFrame;
   if (frames.occlusionFinding != itk::DentalFrameEnums::OcclusionFinding::NotTested)
   {
-    json << ",\n \"occlusion_found\": \"" << itk::DescribeOcclusion(frames) << '"';
+    json["occlusion_found"] = itk::DescribeOcclusion(frames);
     if (!common.quiet)
     {
       std::cout << itk::DescribeOcclusion(frames) << '\n';
@@ -123,15 +105,18 @@ Axis(const AxisOptions & options, const CommonOptions & common)
   }
   if (frames.jawsShareFrame)
   {
-    json << ",\n \"overjet_mm\": " << frames.overjet << ",\n \"overbite_mm\": " << frames.overbite;
+    json["overjet_mm"] = frames.overjet;
+    json["overbite_mm"] = frames.overbite;
     if (!common.quiet)
     {
       std::cout << "overjet " << std::fixed << std::setprecision(1) << frames.overjet << " mm, overbite "
                 << frames.overbite << " mm\n";
     }
   }
-  json << "\n}\n";
-  itk::WriteFileAtomically((folder / "axis.json").string(), json.str());
+  json["warnings"] = data->warnings;
+  json["not_checkable"] = scans.checks->GetNotCheckable();
+  itk::WriteFileAtomically((folder / "axis.json").string(),
+                           json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
   if (!common.quiet)
   {
     std::cout << "written to " << options.output << std::endl;

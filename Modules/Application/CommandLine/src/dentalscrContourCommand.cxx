@@ -154,7 +154,7 @@ void
 ContoursOfScans(const ContourOptions & options, itk::DentalContour * contours[2], itk::Size<2> & size)
 {
   const auto data = options.scans.Load();
-  const auto frames = EstimateFrames(*data);
+  const auto scans = FindFrames(*data);
   size[0] = data->imageSize[0];
   size[1] = data->imageSize[1];
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
@@ -163,7 +163,7 @@ ContoursOfScans(const ContourOptions & options, itk::DentalContour * contours[2]
     {
       continue;
     }
-    const auto geometry = PlaceJaw(*data, jaw, frames, options.result);
+    const auto geometry = PlaceJaw(*data, jaw, scans.axis->GetFrame(), options.result);
     auto       source = itk::MeshSilhouetteContourSource<MeshType>::New();
     source->SetInput(data->GetJaw(jaw).mesh);
     source->SetGeometry(geometry);

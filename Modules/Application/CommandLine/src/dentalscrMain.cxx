@@ -89,6 +89,7 @@ Main(int argc, const char * const * argv)
   AddAxisCommand(program, common, run);
   AddRenderCommand(program, common, run);
   AddContourCommand(program, common, run);
+  AddProjectCommand(program, common, run);
   AddEvaluateCommand(program, common, run);
   AddPhantomCommand(program, common, run);
   AddExperimentCommand(program, common, run);

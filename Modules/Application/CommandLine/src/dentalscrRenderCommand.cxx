@@ -83,7 +83,7 @@ int
 Render(const RenderOptions & options, const CommonOptions & common)
 {
   const auto data = options.scans.Load();
-  const auto frames = EstimateFrames(*data);
+  const auto scans = FindFrames(*data);
 
   // Jaws have a pose each, hence a source each; where both are there the images share one grid and are added.
   SourceType::Pointer sources[2];
@@ -93,7 +93,7 @@ Render(const RenderOptions & options, const CommonOptions & common)
     {
       continue;
     }
-    const auto geometry = PlaceJaw(*data, jaw, frames, options.result);
+    const auto geometry = PlaceJaw(*data, jaw, scans.axis->GetFrame(), options.result);
     auto       source = SourceType::New();
     source->SetInput(data->GetJaw(jaw).mesh);
     source->SetGeometry(geometry);

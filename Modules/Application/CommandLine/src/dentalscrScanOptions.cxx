@@ -22,7 +22,8 @@
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
 #include "itkMakeDentalFrameTransform.h"
-#include "itkMakeTriangleSurface.h"
+
+#include <iostream>
 
 namespace dentalscr
 {
@@ -50,7 +51,8 @@ ScanOptions::AddTo(CLI::App * command, bool withGeometry)
   auto * caseFile = command->add_option("--case", m_CaseFile, "Take scans and geometry from a case file");
   command->add_option("--upper", m_Upper, "Upper scan (STL, PLY, OBJ, OFF)")->excludes(caseFile);
   command->add_option("--lower", m_Lower, "Lower scan")->excludes(caseFile);
-  command->add_option("--mesh-unit", m_MeshUnit, "Unit of the scans: mm, cm, m or um (default mm)")->excludes(caseFile);
+  command->add_option("--mesh-unit", m_MeshUnit, "Unit of the scans: mm, cm, inch, m or um (default mm)")
+    ->excludes(caseFile);
   command->add_option("--occlusion", m_Occlusion, "Jaws in one frame: true, false or check (default check)");
   if (withGeometry)
   {
@@ -125,44 +127,46 @@ ScanOptions::Load() const
   return itk::LoadDentalCase(description);
 }
 
-itk::DentalFrameResult
-EstimateFrames(const itk::DentalCaseData & data)
+ScanFrames
+FindFrames(const itk::DentalCaseData & data, bool refineMidline)
 {
-  itk::TriangleSurface surfaces[2];
-  const bool           have[2] = { data.upper.mesh.IsNotNull(), data.lower.mesh.IsNotNull() };
-  if (have[0])
+  ScanFrames found{ ScanFrames::AxisType::New(), itk::ScanCheckFilter::New() };
+  found.axis->SetUpperMesh(data.upper.mesh);
+  found.axis->SetLowerMesh(data.lower.mesh);
+  found.axis->SetJawsShareFrame(itk::ToJawsShareFrame(data.description.occlusion));
+  found.axis->SetRefineMidline(refineMidline);
+  // The checks say more of a scan without an arch than the axis can.
+  found.axis->RequireArchesOff();
+  found.checks->SetUpperMesh(data.upper.mesh);
+  found.checks->SetLowerMesh(data.lower.mesh);
+  found.checks->SetFrames(found.axis->GetFrameOutput());
+  found.checks->SetLandmarks(data.landmarks3D);
+  found.checks->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  found.checks->Update();
+  for (const std::string & warning : data.warnings)
   {
-    surfaces[0] = itk::MakeTriangleSurface(data.upper.mesh.GetPointer());
+    std::cerr << "dentalscr: warning: " << warning << '\n';
   }
-  if (have[1])
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
-    surfaces[1] = itk::MakeTriangleSurface(data.lower.mesh.GetPointer());
-  }
-  itk::DentalFrameOptions options;
-  switch (data.description.occlusion)
-  {
-    case itk::OcclusionEnum::Yes:
-      options.jawsShareFrame = itk::DentalFrameEnums::JawsShareFrame::On;
-      break;
-    case itk::OcclusionEnum::No:
-      options.jawsShareFrame = itk::DentalFrameEnums::JawsShareFrame::Off;
-      break;
-    default:
-      options.jawsShareFrame = itk::DentalFrameEnums::JawsShareFrame::Check;
-      break;
-  }
-  auto frames = itk::EstimateDentalFrame(have[0] ? &surfaces[0] : nullptr, have[1] ? &surfaces[1] : nullptr, options);
-  for (unsigned int jaw = 0; jaw < 2; ++jaw)
-  {
-    if (have[jaw] && !(jaw == 0 ? frames.upper : frames.lower).valid)
+    for (const itk::RegistrationFinding & finding : found.checks->GetFindings(jaw))
     {
-      itkDentalInputErrorMacro(jaw == 0 ? data.description.upperFile : data.description.lowerFile,
+      std::cerr << "dentalscr: " << jaw << ": " << itk::ToString(finding.severity) << ": " << finding.text << '\n';
+    }
+  }
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    const bool isUpper = jaw == JawEnum::Upper;
+    if (data.GetJaw(jaw).mesh.IsNotNull() &&
+        !(isUpper ? found.axis->GetFrame().upper : found.axis->GetFrame().lower).valid)
+    {
+      itkDentalInputErrorMacro(isUpper ? data.description.upperFile : data.description.lowerFile,
                                "",
                                "has no recognisable dental arch",
                                "check the file and --mesh-unit");
     }
   }
-  return frames;
+  return found;
 }
 
 GeometryType::Pointer

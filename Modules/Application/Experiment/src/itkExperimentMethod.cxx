@@ -223,7 +223,8 @@ ExperimentRunner::RunJaw(const ExperimentMethod & method, JawEnum jaw, const Tra
     result.seconds.emplace_back("registration", probe.GetTotal());
     SetSimilarityOfJaw(*m_Case.data, jaw, prepared.frame, prepared.geometry, prepared.silhouette, transform, result);
     PredictLandmarks(*m_Case.data, jaw, result);
-    result.AddReason(CaseStatusEnum::Suspect, "this method does not check its own accuracy");
+    result.AddFinding(
+      RegistrationStatusEnum::Suspect, "unchecked-method", "this method does not check its own accuracy");
   }
   catch (const ProcessAborted &)
   {
@@ -232,7 +233,7 @@ ExperimentRunner::RunJaw(const ExperimentMethod & method, JawEnum jaw, const Tra
   catch (const ExceptionObject & error)
   {
     result.registered = false;
-    result.AddReason(CaseStatusEnum::Failed, DescribePlainly(error));
+    result.AddFinding(RegistrationStatusEnum::Failed, "not-registered", DescribePlainly(error));
   }
   return result;
 }

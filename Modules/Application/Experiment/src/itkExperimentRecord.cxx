@@ -62,7 +62,7 @@ ExperimentRecord::Add(const std::string & method, const CaseResult & result)
     JawType           record;
     record.registered = jaw.registered;
     record.status = ToString(jaw.status);
-    record.reasons = jaw.reasons;
+    record.reasons = jaw.GetReasons();
     for (const auto & stage : jaw.seconds)
     {
       record.seconds += stage.first == "registration" ? stage.second : 0.0;

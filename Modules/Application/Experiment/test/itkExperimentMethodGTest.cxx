@@ -103,8 +103,8 @@ TEST(ExperimentMethod, IntensityNeedsARadiograph)
   itk::ExperimentRunner runner(experimentCase);
   const auto            result = runner.RunJaw(*itk::FindExperimentMethod("mutual-information"), JawEnum::Upper);
   EXPECT_FALSE(result.registered);
-  ASSERT_FALSE(result.reasons.empty());
-  EXPECT_EQ(result.reasons.front().find("there is no radiograph"), 0u) << result.reasons.front();
+  ASSERT_FALSE(result.GetReasons().empty());
+  EXPECT_EQ(result.GetReasons().front().find("there is no radiograph"), 0u) << result.GetReasons().front();
 }
 
 TEST(ExperimentMethod, FileAxesOfAPhantomAreTiltedByAtMost15Degrees)

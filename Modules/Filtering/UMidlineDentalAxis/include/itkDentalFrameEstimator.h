@@ -99,6 +99,9 @@ struct UMidlineDentalAxis_EXPORT DentalJawFrame
 {
   using VectorType = std::array<double, 3>;
 
+  /** Openness up to which a scan counts as a closed body, whose winding says nothing. */
+  static constexpr double OpennessOfClosedCast = 0.2;
+
   bool valid{ false };
   /** Rows x anterior, y patient's left, z superior: q = axes (p - origin). Right-handed. */
   std::array<VectorType, 3> axes{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } } };

@@ -20,6 +20,7 @@
 
 #include "UMidlineDentalAxisExport.h"
 #include "itkDentalFrameEstimator.h"
+#include "itkDentalFrameObject.h"
 
 #include "itkDataObjectDecorator.h"
 #include "itkMesh.h"
@@ -105,6 +106,7 @@ public:
   using MeshType = TMesh;
   using TransformType = VersorRigid3DTransform<double>;
   using DecoratedTransformType = DataObjectDecorator<TransformType>;
+  using FrameObjectType = DentalFrameObject;
   using PointType = Point<double, 3>;
   using VectorType = Vector<double, 3>;
   using JawEnum = UMidlineDentalAxisFilterEnums::Jaw;
@@ -175,17 +177,23 @@ public:
   DecoratedTransformType *
   GetJointTransformOutput();
 
+  /** Everything found, for the filters that judge it (ScanCheckFilter). */
+  FrameObjectType *
+  GetFrameOutput();
+  const FrameObjectType *
+  GetFrameOutput() const;
+
   /** Everything found, in the meshes' frames: baseline, midpoint, incisal edge, arch width and depth, confidence and
    * its factors, occlusion test, overjet and overbite. Valid after Update(). */
   const DentalFrameResult &
   GetFrame() const
   {
-    return m_Frame;
+    return this->GetFrameOutput()->Get();
   }
   const DentalJawFrame &
   GetJawFrame(JawEnum jaw) const
   {
-    return jaw == JawEnum::Upper ? m_Frame.upper : m_Frame.lower;
+    return jaw == JawEnum::Upper ? this->GetFrame().upper : this->GetFrame().lower;
   }
 
   /** Molar baseline's ends and midpoint, and the incisal edge, in the mesh's frame. */
@@ -231,17 +239,17 @@ public:
   bool
   GetJawsAreInOneFrame() const
   {
-    return m_Frame.jawsShareFrame;
+    return this->GetFrame().jawsShareFrame;
   }
   double
   GetOverjet() const
   {
-    return m_Frame.overjet;
+    return this->GetFrame().overjet;
   }
   double
   GetOverbite() const
   {
-    return m_Frame.overbite;
+    return this->GetFrame().overbite;
   }
 
   using Superclass::MakeOutput;
@@ -282,7 +290,6 @@ private:
   double             m_AxesLength{ 40.0 };
   bool               m_TransformMeshes{ true };
   bool               m_RequireArches{ true };
-  DentalFrameResult  m_Frame;
 };
 } // namespace itk
 

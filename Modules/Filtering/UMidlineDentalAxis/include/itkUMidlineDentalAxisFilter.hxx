@@ -34,8 +34,8 @@ UMidlineDentalAxisFilter<TMesh>::UMidlineDentalAxisFilter()
   this->SetPrimaryInputName("UpperMesh");
   this->AddOptionalInputName("LowerMesh", 1);
   this->SetNumberOfRequiredInputs(0);
-  this->SetNumberOfRequiredOutputs(5);
-  for (DataObjectPointerArraySizeType index = 0; index < 5; ++index)
+  this->SetNumberOfRequiredOutputs(6);
+  for (DataObjectPointerArraySizeType index = 0; index < 6; ++index)
   {
     this->SetNthOutput(index, this->MakeOutput(index));
   }
@@ -48,6 +48,10 @@ UMidlineDentalAxisFilter<TMesh>::MakeOutput(DataObjectPointerArraySizeType index
   if (index < 2)
   {
     return MeshType::New().GetPointer();
+  }
+  if (index == 5)
+  {
+    return FrameObjectType::New().GetPointer();
   }
   return DecoratedTransformType::New().GetPointer();
 }
@@ -85,6 +89,20 @@ auto
 UMidlineDentalAxisFilter<TMesh>::GetJointTransformOutput() -> DecoratedTransformType *
 {
   return static_cast<DecoratedTransformType *>(this->ProcessObject::GetOutput(4));
+}
+
+template <typename TMesh>
+auto
+UMidlineDentalAxisFilter<TMesh>::GetFrameOutput() -> FrameObjectType *
+{
+  return static_cast<FrameObjectType *>(this->ProcessObject::GetOutput(5));
+}
+
+template <typename TMesh>
+auto
+UMidlineDentalAxisFilter<TMesh>::GetFrameOutput() const -> const FrameObjectType *
+{
+  return static_cast<const FrameObjectType *>(this->ProcessObject::GetOutput(5));
 }
 
 template <typename TMesh>
@@ -142,13 +160,14 @@ UMidlineDentalAxisFilter<TMesh>::GenerateData()
   options.refineMidline = m_RefineMidline;
   options.threads = this->GetNumberOfWorkUnits();
   options.abort = [this]() { return this->GetAbortGenerateData(); };
-  m_Frame = EstimateDentalFrame(
+  const DentalFrameResult found = EstimateDentalFrame(
     meshes[0] != nullptr ? &surfaces[0] : nullptr, meshes[1] != nullptr ? &surfaces[1] : nullptr, options);
   if (this->GetAbortGenerateData())
   {
     this->ResetPipeline();
     throw ProcessAborted(__FILE__, __LINE__);
   }
+  this->GetFrameOutput()->Set(found);
   this->UpdateProgress(0.8f);
 
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
@@ -165,20 +184,20 @@ UMidlineDentalAxisFilter<TMesh>::GenerateData()
       decorator->Set(nullptr);
       continue;
     }
-    const DentalJawFrame & frame = jaw == 0 ? m_Frame.upper : m_Frame.lower;
-    if (!frame.valid && !m_RequireArches)
+    const DentalJawFrame & jawFrame = jaw == 0 ? found.upper : found.lower;
+    if (!jawFrame.valid && !m_RequireArches)
     {
       decorator->Set(nullptr);
       continue;
     }
-    if (!frame.valid)
+    if (!jawFrame.valid)
     {
       itkExceptionMacro("No dental arch was found in the " << names[jaw] << " mesh (" << surfaces[jaw].triangles.size()
                                                            << " triangles, " << surfaces[jaw].Area()
                                                            << " mm^2). Check its unit (mm) and that it shows the teeth "
                                                               "of a whole jaw.");
     }
-    const auto transform = this->MakeTransform(frame);
+    const auto transform = this->MakeTransform(jawFrame);
     decorator->Set(transform);
     if (!m_TransformMeshes)
     {
@@ -190,8 +209,8 @@ UMidlineDentalAxisFilter<TMesh>::GenerateData()
       this->AddAxes(output);
     }
   }
-  const bool joint = m_Frame.jawsShareFrame && m_Frame.joint.valid;
-  this->GetJointTransformOutput()->Set(joint ? this->MakeTransform(m_Frame.joint).GetPointer() : nullptr);
+  const bool joint = found.jawsShareFrame && found.joint.valid;
+  this->GetJointTransformOutput()->Set(joint ? this->MakeTransform(found.joint).GetPointer() : nullptr);
   this->UpdateProgress(1.0f);
 }
 
@@ -386,9 +405,9 @@ UMidlineDentalAxisFilter<TMesh>::PrintSelf(std::ostream & os, Indent indent) con
   os << indent << "AxesLength: " << m_AxesLength << std::endl;
   os << indent << "TransformMeshes: " << m_TransformMeshes << std::endl;
   os << indent << "RequireArches: " << m_RequireArches << std::endl;
-  os << indent << "JawsAreInOneFrame: " << (m_Frame.jawsShareFrame ? "Yes" : "No") << std::endl;
-  os << indent << "Overjet: " << m_Frame.overjet << std::endl;
-  os << indent << "Overbite: " << m_Frame.overbite << std::endl;
+  os << indent << "JawsAreInOneFrame: " << (this->GetFrame().jawsShareFrame ? "Yes" : "No") << std::endl;
+  os << indent << "Overjet: " << this->GetFrame().overjet << std::endl;
+  os << indent << "Overbite: " << this->GetFrame().overbite << std::endl;
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     const DentalJawFrame & frame = this->GetJawFrame(jaw);

@@ -18,75 +18,20 @@
 #include "itkDentalFrameSamples.h"
 
 #include "itkFlatKdTree.h"
+#include "itkSurfaceParts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <limits>
 
 namespace itk
 {
 namespace DentalFrameKernel
 {
-namespace
-{
-std::uint32_t
-Find(std::vector<std::uint32_t> & parent, std::uint32_t i)
-{
-  while (parent[i] != i)
-  {
-    parent[i] = parent[parent[i]];
-    i = parent[i];
-  }
-  return i;
-}
-
-/** Of each point the first that lies at the same place, by open addressing: it stands for all of them. */
-std::vector<std::uint32_t>
-Weld(const TriangleSurface & surface)
-{
-  const std::size_t          size = surface.points.size();
-  std::vector<std::uint32_t> first(size);
-  {
-    constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
-    std::size_t             slots = 64;
-    while (slots < 2 * size)
-    {
-      slots *= 2;
-    }
-    std::vector<std::uint32_t> table(slots, empty);
-    for (std::uint32_t i = 0; i < size; ++i)
-    {
-      std::uint64_t hash = 0;
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        const double  value = surface.points[i][d] + 0.0; // -0 and 0 are one place
-        std::uint64_t bits;
-        std::memcpy(&bits, &value, sizeof(value));
-        hash = (hash ^ bits) * 0x9E3779B97F4A7C15ull;
-        hash ^= hash >> 32;
-      }
-      std::size_t slot = hash & (slots - 1);
-      while (table[slot] != empty && surface.points[table[slot]] != surface.points[i])
-      {
-        slot = (slot + 1) & (slots - 1);
-      }
-      if (table[slot] == empty)
-      {
-        table[slot] = i;
-      }
-      first[i] = table[slot];
-    }
-  }
-  return first;
-}
-} // namespace
-
 std::vector<Vector3>
 FindRim(const TriangleSurface & surface)
 {
-  const std::vector<std::uint32_t> first = Weld(surface);
+  const std::vector<std::uint32_t> first = SurfaceParts::Weld(surface);
   std::vector<std::uint64_t>       edges;
   edges.reserve(3 * surface.triangles.size());
   for (const auto & triangle : surface.triangles)
@@ -134,56 +79,30 @@ Quantile(std::vector<double> values, double fraction)
 Samples
 TakeSamples(const TriangleSurface & surface, unsigned int count)
 {
-  const std::size_t                size = surface.points.size();
-  const std::vector<std::uint32_t> first = Weld(surface);
-  const std::size_t                triangles = surface.triangles.size();
-  std::vector<double>              areas(triangles, 0.0);
-  std::vector<Vector3>             faces(triangles);
-  std::vector<Vector3>             normals(size, Vector3{ 0.0, 0.0, 0.0 });
-  std::vector<std::uint32_t>       parent(size);
-  for (std::uint32_t i = 0; i < size; ++i)
-  {
-    parent[i] = i;
-  }
+  const SurfaceParts                 parts(surface);
+  const std::vector<std::uint32_t> & first = parts.GetWeldedPoints();
+  const std::size_t                  triangles = surface.triangles.size();
+  std::vector<double>                areas(triangles, 0.0);
+  std::vector<Vector3>               faces(triangles);
+  std::vector<Vector3>               normals(surface.points.size(), Vector3{ 0.0, 0.0, 0.0 });
+  Samples                            samples;
+  double                             kept = 0.0;
   for (std::size_t t = 0; t < triangles; ++t)
   {
-    const Vector3 normal = surface.AreaNormal(t);
-    const double  area = Norm(normal);
-    if (!std::isfinite(area) || area <= 0.0)
+    if (parts.GetPartOfTriangle()[t] == SurfaceParts::NoPart)
     {
       continue;
     }
-    areas[t] = area;
-    faces[t] = normal;
-    const auto & corners = surface.triangles[t];
-    for (const std::uint32_t corner : corners)
+    faces[t] = surface.AreaNormal(t);
+    for (const std::uint32_t corner : surface.triangles[t])
     {
-      normals[first[corner]] = normals[first[corner]] + normal;
-      parent[Find(parent, first[corner])] = Find(parent, first[corners[0]]);
+      normals[first[corner]] = normals[first[corner]] + faces[t];
     }
-  }
-  // Specks: parts of less than 1.5 % of the surface. A single tooth without gingiva has more.
-  std::vector<double> partArea(size, 0.0);
-  double              total = 0.0;
-  for (std::size_t t = 0; t < triangles; ++t)
-  {
-    if (areas[t] > 0.0)
+    if (parts.IsKept(t))
     {
-      partArea[Find(parent, first[surface.triangles[t][0]])] += areas[t];
-      total += areas[t];
+      areas[t] = Norm(faces[t]);
+      kept += areas[t];
     }
-  }
-
-  Samples      samples;
-  const double speck = 0.015 * total;
-  double       kept = 0.0;
-  for (std::size_t t = 0; t < triangles; ++t)
-  {
-    if (areas[t] > 0.0 && partArea[Find(parent, first[surface.triangles[t][0]])] < speck)
-    {
-      areas[t] = 0.0;
-    }
-    kept += areas[t];
   }
   if (kept <= 0.0 || count == 0)
   {

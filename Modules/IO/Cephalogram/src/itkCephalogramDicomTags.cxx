@@ -91,6 +91,16 @@ CephalogramFileReader::ReadDicomTags()
     this->Warn(factorName, ToString(*m_MagnificationFactor) + " is not above 1, ignored");
     m_MagnificationFactor.reset();
   }
+  else if (m_MagnificationFactor && *m_MagnificationFactor > 100.0 && *m_MagnificationFactor <= 150.0)
+  {
+    this->Warn(factorName, ToString(*m_MagnificationFactor) + " is taken to be per cent");
+    *m_MagnificationFactor /= 100.0;
+  }
+  else if (m_MagnificationFactor && *m_MagnificationFactor > 2.0)
+  {
+    this->Warn(factorName, ToString(*m_MagnificationFactor) + " is no cephalostat's (1.05 to 1.15), ignored");
+    m_MagnificationFactor.reset();
+  }
   else if (m_MagnificationFactor && *m_MagnificationFactor > 1.35)
   {
     this->Warn(factorName, ToString(*m_MagnificationFactor) + " is unusual for a cephalostat (1.05 to 1.15)");

@@ -21,6 +21,7 @@
 #include "itkDicomImageIO.h"
 #include "itkRadiographFileFormat.h"
 #include "itkRadiographText.h"
+#include "itkTIFFTag.h"
 
 #include "itkBMPImageIO.h"
 #include "itkJPEGImageIO.h"
@@ -30,6 +31,7 @@
 #include "itkPNGImageIO.h"
 #include "itkTIFFImageIO.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <limits>
@@ -37,6 +39,8 @@
 #include <new>
 #include <sstream>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 // Of the libtiff inside ITK, whose header is not installed; weak, as an ITK on the system's libtiff has not these
 // names.
@@ -164,6 +168,57 @@ GetWhite(IOComponentEnum type)
 {
   return type == IOComponentEnum::UCHAR ? std::numeric_limits<unsigned char>::max()
                                         : std::numeric_limits<unsigned short>::max();
+}
+
+/** A TIFF whose first picture has 0 for white. */
+bool
+IsWhiteIsZeroTIFF(const std::string & fileName, Format format)
+{
+  return format == Format::TIFF && ReadTIFFTag(fileName, TIFFPhotometricTag) == 0u;
+}
+
+/** How the pixels have to be turned to be seen upright, as TIFF and Exif number it: 1, as they are, to 8. What is no
+ * such number is as good as none. */
+unsigned int
+ReadOrientation(const std::string & fileName, Format format)
+{
+  if (format != Format::JPEG && format != Format::TIFF)
+  {
+    return 1;
+  }
+  const unsigned int orientation = ReadTIFFTag(fileName, TIFFOrientationTag).value_or(1);
+  return orientation >= 1 && orientation <= 8 ? orientation : 1;
+}
+
+/** From 5 on rows are columns. */
+bool
+IsTransposed(unsigned int orientation)
+{
+  return orientation >= 5;
+}
+
+/** Upright pixels from those of the file. */
+std::vector<float>
+MakeUpright(const float * stored, std::size_t width, std::size_t height, unsigned int orientation)
+{
+  // By the place of the file's first row and column: 1 top left, 2 top right, 3 bottom right, 4 bottom left, and
+  // transposed 5 left top, 6 right top, 7 right bottom, 8 left bottom.
+  const bool         transposed = IsTransposed(orientation);
+  const bool         fromRight = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
+  const bool         fromBottom = orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
+  const std::size_t  columns = transposed ? height : width;
+  const std::size_t  rows = transposed ? width : height;
+  std::vector<float> upright(width * height);
+  for (std::size_t v = 0; v < rows; ++v)
+  {
+    for (std::size_t u = 0; u < columns; ++u)
+    {
+      const std::size_t across = fromRight ? columns - 1 - u : u;
+      const std::size_t down = fromBottom ? rows - 1 - v : v;
+      upright[v * columns + u] = transposed ? stored[across * width + down] : stored[down * width + across];
+    }
+  }
+  return upright;
 }
 
 /** Grey from interleaved components. */
@@ -469,7 +524,21 @@ CephalogramFileReader::GenerateOutputInformation()
     default:
       m_Provenance["pixel_spacing"] = m_FileFormat + " has no pixel spacing; a resolution in dots per inch is not one";
   }
-  if (IsWhiteIsZeroTIFF(m_FileName))
+  const unsigned int orientation = ReadOrientation(m_FileName, format);
+  if (orientation != 1)
+  {
+    m_Provenance["orientation"] =
+      "orientation " + std::to_string(orientation) + " of the file (1 is upright), turned upright on reading";
+    this->Warn("orientation",
+               std::to_string(orientation) +
+                 " in the file turns the picture upright, as viewers show it; pixels of the file as it is stored are "
+                 "elsewhere");
+    if (IsTransposed(orientation))
+    {
+      std::swap(size[0], size[1]);
+    }
+  }
+  if (IsWhiteIsZeroTIFF(m_FileName, format))
   {
     m_Provenance["photometric"] = "TIFF PhotometricInterpretation WhiteIsZero, inverted on reading";
   }
@@ -538,13 +607,20 @@ CephalogramFileReader::GenerateData()
   });
   const IOComponentEnum type = m_ImageIO->GetComponentType();
   if (m_ImageIO->GetNumberOfComponents() == 1 && (type == IOComponentEnum::UCHAR || type == IOComponentEnum::USHORT) &&
-      IsWhiteIsZeroTIFF(m_FileName))
+      IsWhiteIsZeroTIFF(m_FileName, DetectRadiographFileFormat(m_FileName)))
   {
     const float white = GetWhite(type);
     for (std::size_t i = 0; i < size[0] * size[1]; ++i)
     {
       output->GetBufferPointer()[i] = white - output->GetBufferPointer()[i];
     }
+  }
+  const unsigned int orientation = ReadOrientation(m_FileName, DetectRadiographFileFormat(m_FileName));
+  if (orientation != 1)
+  {
+    const std::vector<float> upright =
+      MakeUpright(output->GetBufferPointer(), m_ImageIO->GetDimensions(0), m_ImageIO->GetDimensions(1), orientation);
+    std::copy(upright.begin(), upright.end(), output->GetBufferPointer());
   }
   if (!finite)
   {

@@ -577,41 +577,6 @@ VerifyRadiographFileIsComplete(const std::string &      fileName,
   }
 }
 
-bool
-IsWhiteIsZeroTIFF(const std::string & fileName)
-{
-  std::ifstream file(fileName, std::ios::binary);
-  unsigned char head[8] = {};
-  file.read(reinterpret_cast<char *>(head), sizeof(head));
-  const bool bigEndian = head[0] == 'M' && head[1] == 'M' && head[3] == 42;
-  if (!file || (!bigEndian && !(head[0] == 'I' && head[1] == 'I' && head[2] == 42)))
-  {
-    return false;
-  }
-  const auto number = [bigEndian](const unsigned char * bytes, unsigned int count) {
-    uint32_t value = 0;
-    for (unsigned int i = 0; i < count; ++i)
-    {
-      value |= uint32_t{ bytes[bigEndian ? count - 1 - i : i] } << (8 * i);
-    }
-    return value;
-  };
-  file.seekg(number(head + 4, 4));
-  unsigned char count[2] = {};
-  file.read(reinterpret_cast<char *>(count), sizeof(count));
-  unsigned char entry[12] = {};
-  for (uint32_t i = 0; i < number(count, 2) && file.read(reinterpret_cast<char *>(entry), sizeof(entry)); ++i)
-  {
-    constexpr uint32_t photometric = 262;
-    if (number(entry, 2) == photometric)
-    {
-      // Of type SHORT the value stands in the first bytes of its field.
-      return number(entry + 2, 2) == 3 ? number(entry + 8, 2) == 0 : number(entry + 8, 4) == 0;
-    }
-  }
-  return false;
-}
-
 std::string
 ReadRadiographTextHeader(const std::string & fileName)
 {

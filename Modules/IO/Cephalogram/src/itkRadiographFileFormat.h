@@ -52,10 +52,6 @@ VerifyRadiographFileIsComplete(const std::string &      fileName,
                                RadiographFileFormatEnum format,
                                std::size_t              maximumNumberOfPixels);
 
-/** A TIFF whose first picture has 0 for white. False for all other files, and for a TIFF that is not whole. */
-bool
-IsWhiteIsZeroTIFF(const std::string & fileName);
-
 /** The header of a NRRD or MetaImage, a line "key: value" or "key = value" each, in lower case, at most 64 KiB. */
 std::string
 ReadRadiographTextHeader(const std::string & fileName);

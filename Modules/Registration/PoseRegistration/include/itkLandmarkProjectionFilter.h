@@ -25,6 +25,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace itk
 {
@@ -36,7 +37,7 @@ namespace itk
  * pixels). GetSigma() is the standard deviation an axis, the root of half the covariance's trace.
  *
  * Of the middle between a right and its left landmark, which is all that a bisected tracing determines,
- * GetMiddleCovariance() knows as well.
+ * GetMiddles() knows as well.
  *
  * \ingroup PoseRegistration
  */
@@ -56,6 +57,7 @@ public:
   using LandmarksType = DentalLandmarkSet<3>;
   using OutputType = DentalLandmarkSet<2>;
   using CovarianceType = PoseSolution::CovarianceType;
+  using JawEnum = ToothCode::JawEnum;
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
@@ -81,6 +83,26 @@ public:
   CovarianceType
   GetMiddleCovariance(const std::string & name) const;
 
+  /** The middle between a right landmark's image and its left one's, which is all that a bisected tracing and a
+   * cephalometric analysis mark. */
+  struct MiddleType
+  {
+    /** Without a side: "U6_MB". */
+    std::string           name;
+    JawEnum               jaw{ JawEnum::Upper };
+    OutputType::PointType point;
+    CovarianceType        covariance;
+  };
+  /** Of every pair in the output, in the order of the right ones; valid after Update(). */
+  const std::vector<MiddleType> &
+  GetMiddles() const
+  {
+    return m_Middles;
+  }
+  /** Standard deviation an axis: the root of half the covariance's trace. */
+  static double
+  ToSigma(const CovarianceType & covariance);
+
   DataObjectPointer
   MakeOutput(DataObjectPointerArraySizeType index) override;
 
@@ -99,6 +121,7 @@ private:
   double                                m_MillimetresPerUnit{ 1.0 };
   std::map<std::string, CovarianceType> m_Covariances;
   std::map<std::string, CovarianceType> m_MiddleCovariances;
+  std::vector<MiddleType>               m_Middles;
 };
 } // namespace itk
 

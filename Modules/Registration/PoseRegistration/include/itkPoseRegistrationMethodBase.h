@@ -187,9 +187,10 @@ public:
     return m_TermJaws;
   }
 
-  /** By default OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis, ExchangedLandmarksHypothesis and
-   * MillimetreLandmarksHypothesis. What came of one stands in the
-   * solution's PoseGroupResult::outcomes under its code; codes therefore differ. */
+  /** By default OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis, ExchangedLandmarksHypothesis,
+   * MillimetreLandmarksHypothesis, OtherSpacingHypothesis and, of one, two and three quarter turns,
+   * TurnedDrawingHypothesis. What came of one stands in the solution's PoseGroupResult::outcomes under its code; codes
+   * therefore differ. */
   void
   AddHypothesis(const PoseHypothesis * hypothesis);
   void

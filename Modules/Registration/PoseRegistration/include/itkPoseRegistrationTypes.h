@@ -286,6 +286,8 @@ struct PoseHypothesisOutcome
    * where the hypothesis explains it better. 0 where it was not asked for (PoseHypothesis::GetComparesDeviance()), or
    * where there is no candidate. */
   double deviance{ 0.0 };
+  /** mm a pixel in the detector plane that the best candidate amounts to, its scale included; 0 where there is none. */
+  std::array<double, 2> pixelSpacing{ { 0.0, 0.0 } };
 };
 
 /** Result for a group of jaws that share one pose. */

@@ -20,15 +20,17 @@
 
 #include "PoseRegistrationExport.h"
 #include "itkPoseRegistrationTypes.h"
+#include "itkRegistrationFinding.h"
 
-#include <cstdint>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace itk
 {
 /** \class RegistrationVerdict
- * \brief Whether a robust registration can be used: ok, suspect (a person should look) or failed, with reasons.
+ * \brief Whether a robust registration can be used: ok, suspect (a person should look) or failed, with findings.
  *
  * Judges what the data can tell: the residuals at a fixed kernel width, the predicted uncertainty, near-equal minima,
  * tension with the priors, the other side's fit, widths, winding and codes. The thresholds come from phantom cohorts
@@ -39,37 +41,18 @@ namespace itk
 class PoseRegistration_EXPORT RegistrationVerdict
 {
 public:
-  enum class StatusEnum : std::uint8_t
-  {
-    Ok,
-    Suspect,
-    Failed
-  };
-  /** Why a jaw is not simply ok. */
-  struct Reason
-  {
-    StatusEnum severity{ StatusEnum::Suspect };
-    /** Short and stable, for programs: "poor-fit". */
-    std::string code;
-    /** For a person. */
-    std::string text;
+  using StatusEnum = RegistrationStatusEnum;
 
-    bool
-    operator==(const Reason & other) const
-    {
-      return severity == other.severity && code == other.code && text == other.text;
-    }
-  };
-  /** The verdict on one jaw; no reasons where it is ok. */
+  /** The verdict on one jaw; no findings where it is ok. */
   struct JawVerdict
   {
-    StatusEnum          status{ StatusEnum::Ok };
-    std::vector<Reason> reasons;
+    StatusEnum                       status{ StatusEnum::Ok };
+    std::vector<RegistrationFinding> findings;
 
     bool
     operator==(const JawVerdict & other) const
     {
-      return status == other.status && reasons == other.reasons;
+      return status == other.status && findings == other.findings;
     }
     bool
     operator!=(const JawVerdict & other) const
@@ -115,15 +98,28 @@ public:
     double landmarkApart{ 4.0 };
     /** Root mean square of the others' distances over their standard deviations. */
     double suspectLandmarkRatio{ 2.0 };
+    /** The longest side of the radiograph, mm, where the fit alone tells the pixel spacing. Films are 18 x 24 to 24 x
+     * 30 cm; panels of 43 cm exist, and such a spacing is good to a few per cent. */
+    double suspectFilmLength{ 400.0 };
+    double failedFilmLength{ 450.0 };
     double minimumArchWidth{ 30.0 };
     double maximumArchWidth{ 120.0 };
     /** How much better (score) another hypothesis must be to be named. */
     double hypothesisGain{ 0.03 };
+    /** Score up to which the drawing fits with another pixel spacing, and logarithm of the ratio of the two from which
+     * on it is another: 8 %, beyond what magnification and its default leave open. */
+    double spacingScore{ 0.15 };
+    double spacingDifference{ 0.08 };
   };
+
+  /** Columns and rows of the radiograph; {0, 0} where nobody knows. */
+  using ImageSizeType = std::array<std::size_t, 2>;
 
   /** One verdict a jaw, in the order of the result. */
   static std::vector<JawVerdict>
-  Evaluate(const PoseRegistrationResult & result, const Thresholds & thresholds);
+  Evaluate(const PoseRegistrationResult & result,
+           const Thresholds &             thresholds,
+           const ImageSizeType &          imageSize = ImageSizeType{});
   static std::vector<JawVerdict>
   Evaluate(const PoseRegistrationResult & result);
 

@@ -23,16 +23,17 @@
 
 #include "itkProcessObject.h"
 #include "itkSimpleDataObjectDecorator.h"
+#include "itkSize.h"
 
 #include <vector>
 
 namespace itk
 {
 /** \class RegistrationVerdictFilter
- * \brief Judges a pose registration: ok, suspect (a person should look) or failed, a jaw each, with reasons.
+ * \brief Judges a pose registration: ok, suspect (a person should look) or failed, a jaw each, with findings.
  *
  * Input: a PoseSolution. Output: the verdicts of upper and lower jaw, decorated; a jaw without input has a verdict that
- * is ok and has no reasons. RegistrationVerdict has the rules.
+ * is ok and has no findings. RegistrationVerdict has the rules.
  *
  * \ingroup PoseRegistration
  */
@@ -68,6 +69,11 @@ public:
     return m_Thresholds;
   }
 
+  /** Of the radiograph, pixels; 0 by 0 (default): unknown. A pixel spacing that only the fit tells makes a film of some
+   * size of it, and no radiograph of a head is longer than RegistrationVerdict::Thresholds::failedFilmLength. */
+  itkSetMacro(ImageSize, Size<2>);
+  itkGetConstReferenceMacro(ImageSize, Size<2>);
+
   DecoratedVerdictType *
   GetVerdictOutput(JawEnum jaw);
   /** Valid after Update(). */
@@ -94,6 +100,7 @@ protected:
 
 private:
   ThresholdsType           m_Thresholds;
+  Size<2>                  m_ImageSize{ { 0, 0 } };
   std::vector<std::string> m_NotCheckable;
 };
 } // namespace itk

@@ -34,11 +34,12 @@ KindOf(const std::string & name)
 }
 
 /** The same landmark of the other side; null without one. */
-const LandmarksType::LandmarkType *
-FindOtherSide(const LandmarksType & landmarks, const LandmarksType::LandmarkType & own)
+template <typename TLandmarks>
+const typename TLandmarks::LandmarkType *
+FindOtherSide(const TLandmarks & landmarks, const typename TLandmarks::LandmarkType & own)
 {
   const auto & all = landmarks.GetLandmarks();
-  const auto   found = std::find_if(all.begin(), all.end(), [&](const LandmarksType::LandmarkType & landmark) {
+  const auto   found = std::find_if(all.begin(), all.end(), [&](const auto & landmark) {
     return landmark.tooth == own.tooth.GetContralateral() && KindOf(landmark.name) == KindOf(own.name);
   });
   return found == all.end() ? nullptr : &*found;
@@ -85,6 +86,7 @@ LandmarkProjectionFilter::GenerateData()
   output->Initialize();
   m_Covariances.clear();
   m_MiddleCovariances.clear();
+  m_Middles.clear();
   for (const auto & landmark : landmarks->GetLandmarks())
   {
     const auto jaw = landmark.tooth.GetJaw();
@@ -113,6 +115,20 @@ LandmarkProjectionFilter::GenerateData()
       m_MiddleCovariances[landmark.name] = solution->ComputeCovariance(jaw, middle);
     }
   }
+  for (const auto & right : output->GetLandmarks())
+  {
+    const auto * left = right.tooth.IsRight() ? FindOtherSide(*output, right) : nullptr;
+    if (left != nullptr)
+    {
+      MiddleType middle;
+      middle.jaw = right.tooth.GetJaw();
+      middle.name =
+        (middle.jaw == JawEnum::Upper ? "U" : "L") + std::to_string(right.tooth.GetPosition()) + KindOf(right.name);
+      middle.point.SetToMidPoint(right.point, left->point);
+      middle.covariance = m_MiddleCovariances[right.name];
+      m_Middles.push_back(middle);
+    }
+  }
 }
 
 LandmarkProjectionFilter::CovarianceType
@@ -129,7 +145,12 @@ LandmarkProjectionFilter::GetCovariance(const std::string & name) const
 double
 LandmarkProjectionFilter::GetSigma(const std::string & name) const
 {
-  const CovarianceType covariance = this->GetCovariance(name);
+  return ToSigma(this->GetCovariance(name));
+}
+
+double
+LandmarkProjectionFilter::ToSigma(const CovarianceType & covariance)
+{
   return std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
 }
 
@@ -159,5 +180,6 @@ LandmarkProjectionFilter::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
   os << indent << "Covariances: " << m_Covariances.size() << std::endl;
   os << indent << "MiddleCovariances: " << m_MiddleCovariances.size() << std::endl;
+  os << indent << "Middles: " << m_Middles.size() << std::endl;
 }
 } // namespace itk

@@ -22,6 +22,7 @@
 #include "itkLandmarkPoseStart.h"
 #include "itkPoseFrameOperations.h"
 #include "itkSquaresKernel.h"
+#include "itkSurfaceParts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -229,14 +230,10 @@ CompleteGeometry(const PoseProblem & problem)
       {
         continue;
       }
-      double front = -1e300, back = 1e300;
-      for (const auto & p : jaw.surface->points)
-      {
-        const double x = ToDentalFrame(jaw.frame, { { p[0], p[1], p[2] } })[0];
-        front = std::max(front, x);
-        back = std::min(back, x);
-      }
-      depth = std::max(depth, front - back);
+      const auto extent =
+        SurfaceParts(*jaw.surface)
+          .ComputeExtent(*jaw.surface, { { jaw.frame.rotation[0], jaw.frame.rotation[1], jaw.frame.rotation[2] } });
+      depth = std::max(depth, extent.second - extent.first);
     }
     // Marks that all stand above one place tell no scale: as on most films.
     const double spacing = depth > 5.0
@@ -288,13 +285,8 @@ DescribeJaw(const PoseJawInput &            input,
             const PoseRegistrationOptions & options,
             PoseJawResult &                 result)
 {
-  double low = 0.0, high = 0.0;
-  for (const auto & p : surface.points)
-  {
-    low = std::min<double>(low, p[1]);
-    high = std::max<double>(high, p[1]);
-  }
-  result.archWidth = high - low;
+  const auto extent = SurfaceParts(surface).ComputeExtent(surface, { { 0.0, 1.0, 0.0 } });
+  result.archWidth = extent.second - extent.first;
   double sum = 0.0, area = 0.0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
@@ -834,7 +826,7 @@ PoseRegistrationEngine::TryHypothesis(const GroupType & group, const PoseHypothe
   const MetricType::Pointer metric = this->MakeMetric(question, answer.geometry, jaws, members);
   PoseGroupRegistration     other(
     question.options,
-    group.problem.completed->pixelSpacingKnown,
+    answer.geometry.pixelSpacingKnown,
     metric,
     parts,
     optimizer,
@@ -850,6 +842,10 @@ PoseRegistrationEngine::TryHypothesis(const GroupType & group, const PoseHypothe
   if (!result.candidates.empty())
   {
     outcome.score = result.score;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      outcome.pixelSpacing[d] = answer.geometry.pixelSpacing[d] * std::exp(-result.parameters[PoseKappa]);
+    }
     if (hypothesis.GetComparesDeviance())
     {
       std::array<double, 2> deviance{};

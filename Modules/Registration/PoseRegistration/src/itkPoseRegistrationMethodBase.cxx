@@ -24,6 +24,8 @@
 #include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
+#include "itkOtherSpacingHypothesis.h"
+#include "itkTurnedDrawingHypothesis.h"
 #include "itkPoseFrameOperations.h"
 #include "itkPoseRegistrationEngine.h"
 #include "itkPoseRegistrationOptionTable.h"
@@ -85,11 +87,15 @@ PoseRegistrationMethodBase::PoseRegistrationMethodBase()
   : m_Optimizer(LevenbergMarquardtOptimizerv4::New().GetPointer())
   , m_Start(PoseStartSearch::New().GetPointer())
 {
-  m_Hypotheses = { OtherSideHypothesis::New().GetPointer(),
-                   OtherFacingHypothesis::New().GetPointer(),
-                   ExchangedJawsHypothesis::New().GetPointer(),
-                   ExchangedLandmarksHypothesis::New().GetPointer(),
-                   MillimetreLandmarksHypothesis::New().GetPointer() };
+  m_Hypotheses = { OtherSideHypothesis::New().GetPointer(),           OtherFacingHypothesis::New().GetPointer(),
+                   ExchangedJawsHypothesis::New().GetPointer(),       ExchangedLandmarksHypothesis::New().GetPointer(),
+                   MillimetreLandmarksHypothesis::New().GetPointer(), OtherSpacingHypothesis::New().GetPointer() };
+  for (const unsigned int turns : { 1, 2, 3 })
+  {
+    auto turned = TurnedDrawingHypothesis::New();
+    turned->SetQuarterTurns(turns);
+    m_Hypotheses.emplace_back(turned.GetPointer());
+  }
   this->AddRequiredInputName("Geometry", 0);
   this->AddOptionalInputName("UpperMesh", 1);
   this->AddOptionalInputName("LowerMesh", 2);

@@ -22,11 +22,16 @@
 #include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
+#include "itkOtherSpacingHypothesis.h"
+#include "itkTurnedDrawingHypothesis.h"
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <locale>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 namespace itk
 {
@@ -54,11 +59,44 @@ Number(double value, int digits)
   return text.str();
 }
 
+/** What a rule measured and the limit that it is beyond. */
+struct Measure
+{
+  std::optional<double> value;
+  std::optional<double> limit;
+  const char *          unit{ "" };
+};
+
+void
+Add(RegistrationVerdict::JawVerdict & verdict,
+    StatusEnum                        severity,
+    const char *                      code,
+    const std::string &               text,
+    const Measure &                   measure)
+{
+  verdict.status = std::max(verdict.status, severity);
+  verdict.findings.push_back({ severity, code, text, measure.value, measure.limit, measure.unit });
+}
+
+/** Where no number decides. */
 void
 Add(RegistrationVerdict::JawVerdict & verdict, StatusEnum severity, const char * code, const std::string & text)
 {
-  verdict.status = std::max(verdict.status, severity);
-  verdict.reasons.push_back({ severity, code, text });
+  Add(verdict, severity, code, text, Measure());
+}
+
+/** The first of several measures that is beyond its limit. */
+Measure
+FirstAbove(std::initializer_list<Measure> measures)
+{
+  for (const Measure & measure : measures)
+  {
+    if (*measure.value > *measure.limit)
+    {
+      return measure;
+    }
+  }
+  return Measure();
 }
 
 void
@@ -86,7 +124,11 @@ JudgeWidth(const PoseJawResult &                   jaw,
       break;
     }
   }
-  Add(verdict, StatusEnum::Suspect, "arch-width", text);
+  Add(verdict,
+      StatusEnum::Suspect,
+      "arch-width",
+      text,
+      { width, width < thresholds.minimumArchWidth ? thresholds.minimumArchWidth : thresholds.maximumArchWidth, "mm" });
 }
 
 void
@@ -99,12 +141,24 @@ JudgeFit(const PoseFitStatistics &               fit,
                                 " % of the tracing within 4 px";
   if (fit.cost > thresholds.failedCost || fit.inlierShare < thresholds.failedInlierShare)
   {
-    Add(verdict, StatusEnum::Failed, "no-fit", "the tracing does not lie on the projected outline: " + residuals);
+    Add(verdict,
+        StatusEnum::Failed,
+        "no-fit",
+        "the tracing does not lie on the projected outline: " + residuals,
+        fit.cost > thresholds.failedCost ? Measure{ fit.cost, thresholds.failedCost, "" }
+                                         : Measure{ fit.inlierShare, thresholds.failedInlierShare, "" });
   }
   else if (fit.cost > thresholds.suspectCost || fit.p90Residual > thresholds.suspectP90 ||
            fit.medianResidual > thresholds.suspectMedian || fit.inlierShare < thresholds.suspectInlierShare)
   {
-    Add(verdict, StatusEnum::Suspect, "poor-fit", "the tracing fits the projected outline poorly: " + residuals);
+    const Measure above = FirstAbove({ { fit.medianResidual, thresholds.suspectMedian, "px" },
+                                       { fit.p90Residual, thresholds.suspectP90, "px" },
+                                       { fit.cost, thresholds.suspectCost, "" } });
+    Add(verdict,
+        StatusEnum::Suspect,
+        "poor-fit",
+        "the tracing fits the projected outline poorly: " + residuals,
+        above.value ? above : Measure{ fit.inlierShare, thresholds.suspectInlierShare, "" });
   }
 }
 
@@ -120,12 +174,16 @@ JudgeUncertainty(const PoseFitStatistics &               fit,
         StatusEnum::Suspect,
         "rough-tracing",
         "tracing and outline differ by " + Number(group.smoothSigma, 1) +
-          " px (sd) along the teeth, more than hands draw: shapes of another patient, jaw or date?");
+          " px (sd) along the teeth, more than hands draw: shapes of another patient, jaw or date?",
+        { group.smoothSigma, thresholds.suspectSmoothSigma, "px" });
   }
   if (fit.predictedSigma > thresholds.failedPredictedSigma)
   {
-    Add(
-      verdict, StatusEnum::Failed, "undetermined", "the tracing does not determine the pose at all; trace more teeth");
+    Add(verdict,
+        StatusEnum::Failed,
+        "undetermined",
+        "the tracing does not determine the pose at all; trace more teeth",
+        { fit.predictedSigma, thresholds.failedPredictedSigma, "px" });
   }
   if (fit.hasCodes && std::abs(fit.codeOffset) > thresholds.suspectCodeOffset)
   {
@@ -134,7 +192,8 @@ JudgeUncertainty(const PoseFitStatistics &               fit,
         "code-offset",
         "the teeth lie " + Number(std::abs(fit.codeOffset), 1) +
           " mm along the arch from where teeth of their codes are on average: slipped by a tooth, wrong codes, or "
-          "teeth missing");
+          "teeth missing",
+        { std::abs(fit.codeOffset), thresholds.suspectCodeOffset, "mm" });
   }
   // A bisected tracing leaves the two sides' landmarks uncertain by itself.
   const bool bisected = group.bisected;
@@ -146,7 +205,9 @@ JudgeUncertainty(const PoseFitStatistics &               fit,
         "uncertain",
         "the tracing does not determine the pose: the predicted uncertainty is " + Number(fit.predictedSigma, 1) +
           " px an axis at the tracing and up to " + Number(fit.extrapolatedSigma, 1) +
-          " px elsewhere; trace more teeth");
+          " px elsewhere; trace more teeth",
+        FirstAbove({ { fit.predictedSigma, thresholds.suspectPredictedSigma, "px" },
+                     { fit.extrapolatedSigma, thresholds.suspectExtrapolatedSigma, "px" } }));
   }
 }
 
@@ -171,13 +232,14 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
                RegistrationVerdict::JawVerdict &       verdict)
 {
   std::vector<std::string> apart;
-  std::vector<std::string> ownApart;
   double                   sum = 0.0;
+  double                   largest = 0.0;
   std::size_t              kept = 0;
   const auto               judge = [&](const std::string & name, double distance) {
     if (distance > thresholds.landmarkApart)
     {
       apart.push_back(name);
+      largest = std::max(largest, distance);
     }
     else
     {
@@ -203,7 +265,8 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
         StatusEnum::Failed,
         "landmarks-disagree",
         "the landmarks do not fit the scans: " + Join(apart) +
-          " lie far from where the others put them; were names of the two jaws, or of incisor and molar, exchanged?");
+          " lie far from where the others put them; were names of the two jaws, or of incisor and molar, exchanged?",
+        { largest, thresholds.landmarkApart, "sd" });
     return;
   }
   if (!result.geometry.pixelSpacingKnown && jaw.fit.numberOfPoints == 0)
@@ -219,15 +282,18 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
         StatusEnum::Suspect,
         "landmark-apart",
         "" + Join(apart) + (apart.size() == 1 ? " lies" : " lie") +
-          " far from where everything else puts it and was left out: is it the right tooth and point?");
+          " far from where everything else puts it and was left out: is it the right tooth and point?",
+        { largest, thresholds.landmarkApart, "sd" });
   }
-  if (kept > 0 && std::sqrt(sum / (2.0 * static_cast<double>(kept))) > thresholds.suspectLandmarkRatio)
+  const double ratio = kept > 0 ? std::sqrt(sum / (2.0 * static_cast<double>(kept))) : 0.0;
+  if (ratio > thresholds.suspectLandmarkRatio)
   {
     Add(verdict,
         StatusEnum::Suspect,
         "landmarks-rough",
-        "the landmarks lie " + Number(std::sqrt(sum / (2.0 * static_cast<double>(kept))), 1) +
-          " times as far from their places as their errors tell: another patient, jaw or unit?");
+        "the landmarks lie " + Number(ratio, 1) +
+          " times as far from their places as their errors tell: another patient, jaw or unit?",
+        { ratio, thresholds.suspectLandmarkRatio, "sd" });
   }
 }
 
@@ -245,7 +311,8 @@ JudgeMiddle(const PoseJawResult &                   jaw,
     Add(verdict,
         StatusEnum::Failed,
         "undetermined",
-        "what was drawn does not determine the pose; mark incisors and molars: " + figures);
+        "what was drawn does not determine the pose; mark incisors and molars: " + figures,
+        { jaw.middleSigma, thresholds.failedPredictedSigma, "px" });
   }
   else if (jaw.middleSigma > thresholds.suspectMiddleSigma ||
            jaw.largestMiddleSigma > thresholds.suspectLargestMiddleSigma)
@@ -253,8 +320,32 @@ JudgeMiddle(const PoseJawResult &                   jaw,
     Add(verdict,
         StatusEnum::Suspect,
         "uncertain",
-        "what was drawn determines the pose poorly: " + figures + "; mark incisors and molars of both jaws");
+        "what was drawn determines the pose poorly: " + figures + "; mark incisors and molars of both jaws",
+        FirstAbove({ { jaw.middleSigma, thresholds.suspectMiddleSigma, "px" },
+                     { jaw.largestMiddleSigma, thresholds.suspectLargestMiddleSigma, "px" } }));
   }
+}
+
+/** A spacing that only the drawing tells makes a film of some size. */
+void
+JudgeFilm(const PoseGeometry &                       geometry,
+          const RegistrationVerdict::ImageSizeType & imageSize,
+          const RegistrationVerdict::Thresholds &    thresholds,
+          RegistrationVerdict::JawVerdict &          verdict)
+{
+  const double length = std::max(static_cast<double>(imageSize[0]) * geometry.pixelSpacing[0],
+                                 static_cast<double>(imageSize[1]) * geometry.pixelSpacing[1]);
+  if (geometry.pixelSpacingKnown || length <= thresholds.suspectFilmLength)
+  {
+    return;
+  }
+  const bool failed = length > thresholds.failedFilmLength;
+  Add(verdict,
+      failed ? StatusEnum::Failed : StatusEnum::Suspect,
+      "film-size",
+      "the radiograph would be " + Number(length, 0) +
+        " mm long: was it drawn in mm, or on a smaller copy of the image? Give pixels of this one, or pixel_spacing_mm",
+      { length, failed ? thresholds.failedFilmLength : thresholds.suspectFilmLength, "mm" });
 }
 
 void
@@ -288,13 +379,104 @@ JudgePriors(const PoseGroupResult &                 group,
         text = "the midline would be " + Number(value, 1) + " mm off the midsagittal plane";
         break;
     }
-    Add(verdict, StatusEnum::Suspect, "prior-tension", text);
+    Add(verdict, StatusEnum::Suspect, "prior-tension", text, { group.priorTension[k], limit, "sd" });
+  }
+}
+/** The other readings of the drawing that are told by their score. Names that are exchanged fit the other facing a
+ * little better as well, and a scale that is free fits everything a little better: one is named, the best. */
+void
+JudgeReadings(const PoseGeometry &                    geometry,
+              const PoseGroupResult &                 group,
+              const RegistrationVerdict::Thresholds & thresholds,
+              RegistrationVerdict::JawVerdict &       verdict)
+{
+  const auto spacingOf = [&](const PoseHypothesisOutcome & outcome) {
+    return 0.5 * (outcome.pixelSpacing[0] + outcome.pixelSpacing[1]);
+  };
+  const double given = 0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]);
+  const auto   isSpacing = [](const std::string & code) { return code == OtherSpacingHypothesis::Code; };
+  const auto   isTurned = [](const std::string & code) { return code.rfind(TurnedDrawingHypothesis::Code, 0) == 0; };
+  const std::pair<const std::string, PoseHypothesisOutcome> * best = nullptr;
+  for (const auto & entry : group.outcomes)
+  {
+    const PoseHypothesisOutcome & outcome = entry.second;
+    const std::string &           code = entry.first;
+    if (code != OtherFacingHypothesis::Code && code != ExchangedLandmarksHypothesis::Code &&
+        code != MillimetreLandmarksHypothesis::Code && !isSpacing(code) && !isTurned(code))
+    {
+      continue;
+    }
+    // Where the scale is free only a good fit with another one says something.
+    if (isSpacing(code) && (outcome.score > thresholds.spacingScore || !(spacingOf(outcome) > 0.0) ||
+                            std::abs(std::log(spacingOf(outcome) / given)) < thresholds.spacingDifference))
+    {
+      continue;
+    }
+    if (outcome.score < group.score - thresholds.hypothesisGain &&
+        (best == nullptr || outcome.score < best->second.score))
+    {
+      best = &entry;
+    }
+  }
+  const PoseHypothesisOutcome * exchangedJaws = group.FindOutcome(ExchangedJawsHypothesis::Code);
+  if (best == nullptr)
+  {
+    return;
+  }
+  const std::string & code = best->first;
+  const Measure       gain{ group.score - best->second.score, thresholds.hypothesisGain, "" };
+  if ((isSpacing(code) || isTurned(code)) && exchangedJaws != nullptr && exchangedJaws->score < best->second.score)
+  {
+    return;
+  }
+  if (code == ExchangedLandmarksHypothesis::Code)
+  {
+    Add(verdict,
+        StatusEnum::Failed,
+        "landmarks-exchanged",
+        "the names of upper and lower landmarks seem to be exchanged: each fits better as the same point of the other "
+        "jaw; write U for L and L for U in their names",
+        gain);
+  }
+  else if (code == MillimetreLandmarksHypothesis::Code)
+  {
+    Add(verdict,
+        StatusEnum::Failed,
+        "landmarks-mm",
+        "the landmarks seem to be in mm: divided by the pixel spacing they fit; give pixels of the radiograph",
+        gain);
+  }
+  else if (isSpacing(code))
+  {
+    const double spacing = spacingOf(best->second);
+    Add(verdict,
+        StatusEnum::Failed,
+        "pixel-spacing",
+        "the tracing fits with a pixel spacing of " + Number(spacing, spacing < 0.1 ? 3 : 2) + " mm, not of " +
+          Number(given, given < 0.1 ? 3 : 2) +
+          " mm: check pixel_spacing_mm and its unit, or whether the tracing was made on a copy of another size",
+        { spacing, given, "mm" });
+  }
+  else if (isTurned(code))
+  {
+    Add(verdict,
+        StatusEnum::Failed,
+        "turned-image",
+        "the drawing fits when it is turned by " + code.substr(std::string(TurnedDrawingHypothesis::Code).size()) +
+          " degrees clockwise: was the radiograph turned after, or before, it was drawn on?",
+        gain);
+  }
+  else
+  {
+    Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`", gain);
   }
 }
 } // namespace
 
 std::vector<RegistrationVerdict::JawVerdict>
-RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thresholds & thresholds)
+RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
+                              const Thresholds &             thresholds,
+                              const ImageSizeType &          imageSize)
 {
   std::vector<JawVerdict> verdicts(result.jaws.size());
   for (std::size_t j = 0; j < result.jaws.size(); ++j)
@@ -332,9 +514,10 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
           "tracing-unused",
           "the tracing was not used, landmarks alone placed the jaw: " + jaw.tracingFailure);
     }
-    const std::size_t before = verdict.reasons.size();
+    JudgeFilm(result.geometry, imageSize, thresholds, verdict);
+    const std::size_t before = verdict.findings.size();
     JudgeWidth(jaw, thresholds, verdict);
-    const bool wrongUnit = verdict.reasons.size() > before;
+    const bool wrongUnit = verdict.findings.size() > before;
     for (std::size_t other : group.jaws)
     {
       JawVerdict fitOfOther;
@@ -353,14 +536,16 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
       Add(verdict,
           StatusEnum::Suspect,
           "inward-winding",
-          "the triangles face inward: the scan may be mirrored, or its triangles are wound the wrong way");
+          "the triangles face inward: the scan may be mirrored, or its triangles are wound the wrong way",
+          { jaw.winding, thresholds.suspectWinding, "" });
     }
     if (jaw.otherSideCodes > MajorityOfCodes)
     {
       Add(verdict,
           StatusEnum::Suspect,
           "side-codes",
-          "the tooth codes are of the side that is not said to be traced: check traced_side and the numbering");
+          "the tooth codes are of the side that is not said to be traced: check traced_side and the numbering",
+          { jaw.otherSideCodes, MajorityOfCodes, "" });
     }
     const PoseHypothesisOutcome * otherSide = group.FindOutcome(OtherSideHypothesis::Code);
     if (otherSide != nullptr && otherSide->deviance < thresholds.suspectOtherSideDeviance)
@@ -370,7 +555,8 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
         StatusEnum::Suspect,
         "other-side",
         "the outline of the other side fits significantly better: the other side may have been traced, or the scan is "
-        "mirrored");
+        "mirrored",
+        { otherSide->deviance, thresholds.suspectOtherSideDeviance, "" });
     }
     if (group.margin < thresholds.suspectMargin)
     {
@@ -387,17 +573,19 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
       Add(verdict,
           StatusEnum::Suspect,
           "ambiguous",
-          "another position, " + Number(distance, 0) + " px away, fits nearly as well");
+          "another position, " + Number(distance, 0) + " px away, fits nearly as well",
+          { group.margin, thresholds.suspectMargin, "" });
     }
     JudgePriors(group, thresholds, verdict);
     if (std::abs(group.parameters[PosePitch]) > thresholds.failedPitch)
     {
-      Add(verdict,
-          StatusEnum::Failed,
-          "upside-down",
-          "the patient would stand on the head, tipped by " +
-            Number(group.parameters[PosePitch] * DegreesPerRadian, 0) +
-            " degrees: check `facing`, a mirrored or turned image, and exchanged names");
+      Add(
+        verdict,
+        StatusEnum::Failed,
+        "upside-down",
+        "the patient would stand on the head, tipped by " + Number(group.parameters[PosePitch] * DegreesPerRadian, 0) +
+          " degrees: check `facing`, a mirrored or turned image, and exchanged names",
+        { std::abs(group.parameters[PosePitch]) * DegreesPerRadian, thresholds.failedPitch * DegreesPerRadian, "deg" });
     }
     else if (std::abs(group.parameters[PosePitch]) > thresholds.suspectPitch)
     {
@@ -405,51 +593,32 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
           StatusEnum::Suspect,
           "search-limit",
           "the head would be tipped by " + Number(group.parameters[PosePitch] * DegreesPerRadian, 0) +
-            " degrees, at or beyond what is searched");
+            " degrees, at or beyond what is searched",
+          { std::abs(group.parameters[PosePitch]) * DegreesPerRadian,
+            thresholds.suspectPitch * DegreesPerRadian,
+            "deg" });
     }
     // In another unit nothing fits, whatever else is tried.
     if (wrongUnit)
     {
       continue;
     }
+    const auto gain = [&](const char * code) {
+      return Measure{ group.score - group.FindOutcome(code)->score, thresholds.hypothesisGain, "" };
+    };
     const auto fitsBetter = [&](const char * code) {
       const PoseHypothesisOutcome * outcome = group.FindOutcome(code);
       return outcome != nullptr && outcome->score < group.score - thresholds.hypothesisGain;
     };
     if (fitsBetter(ExchangedJawsHypothesis::Code))
     {
-      Add(verdict, StatusEnum::Failed, "jaws-exchanged", "upper and lower scan seem to be exchanged");
-    }
-    // Names that are exchanged fit the other facing a little better as well: the best reading is the one that is named.
-    const auto fitsBetterThan = [&](const char * code, const char * other) {
-      const PoseHypothesisOutcome * outcome = group.FindOutcome(code);
-      const PoseHypothesisOutcome * rival = group.FindOutcome(other);
-      return fitsBetter(code) && (rival == nullptr || outcome->score < rival->score);
-    };
-    const bool exchangedNames = fitsBetterThan(ExchangedLandmarksHypothesis::Code, OtherFacingHypothesis::Code) &&
-                                fitsBetterThan(ExchangedLandmarksHypothesis::Code, MillimetreLandmarksHypothesis::Code);
-    const bool millimetres = fitsBetterThan(MillimetreLandmarksHypothesis::Code, OtherFacingHypothesis::Code) &&
-                             fitsBetterThan(MillimetreLandmarksHypothesis::Code, ExchangedLandmarksHypothesis::Code);
-    if (exchangedNames)
-    {
-      Add(
-        verdict,
-        StatusEnum::Failed,
-        "landmarks-exchanged",
-        "the names of upper and lower landmarks seem to be exchanged: each fits better as the same point of the other "
-        "jaw; write U for L and L for U in their names");
-    }
-    if (millimetres)
-    {
       Add(verdict,
           StatusEnum::Failed,
-          "landmarks-mm",
-          "the landmarks seem to be in mm: divided by the pixel spacing they fit; give pixels of the radiograph");
+          "jaws-exchanged",
+          "upper and lower scan seem to be exchanged",
+          gain(ExchangedJawsHypothesis::Code));
     }
-    if (fitsBetter(OtherFacingHypothesis::Code) && !exchangedNames && !millimetres)
-    {
-      Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`");
-    }
+    JudgeReadings(result.geometry, group, thresholds, verdict);
   }
   return verdicts;
 }

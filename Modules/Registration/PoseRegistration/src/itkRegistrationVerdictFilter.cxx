@@ -56,7 +56,8 @@ void
 RegistrationVerdictFilter::GenerateData()
 {
   const PoseSolution * solution = this->GetSolution();
-  const auto           verdicts = RegistrationVerdict::Evaluate(solution->GetResult(), m_Thresholds);
+  const auto           verdicts =
+    RegistrationVerdict::Evaluate(solution->GetResult(), m_Thresholds, { { m_ImageSize[0], m_ImageSize[1] } });
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     const int index = solution->GetIndex(jaw);
@@ -71,6 +72,7 @@ RegistrationVerdictFilter::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "Thresholds: suspect cost " << m_Thresholds.suspectCost << ", failed cost " << m_Thresholds.failedCost
      << std::endl;
+  os << indent << "ImageSize: " << m_ImageSize << std::endl;
   os << indent << "NotCheckable: " << m_NotCheckable.size() << std::endl;
 }
 } // namespace itk

@@ -19,6 +19,7 @@
 
 #include "itkKeepTriangles.h"
 #include "itkMakeTriangleSurface.h"
+#include "itkScanCheckFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,7 +173,7 @@ ToothFinder::FindClicked(const ToothCode & tooth, FeatureEnum feature) const
     return {};
   }
   const auto * landmark = m_Landmarks->Find(tooth.GetName() + '_' + SuffixOf(feature, tooth.GetPosition()));
-  if (landmark == nullptr)
+  if (landmark == nullptr || !ScanCheckFilter::IsAlone(*m_Landmarks, *landmark, m_MillimetresPerUnit))
   {
     return {};
   }
@@ -181,7 +182,31 @@ ToothFinder::FindClicked(const ToothCode & tooth, FeatureEnum feature) const
   {
     point[d] = landmark->point[d] * m_MillimetresPerUnit;
   }
-  return point;
+  return this->IsOnScan(point) ? std::optional<PointType>(point) : std::nullopt;
+}
+
+bool
+ToothFinder::IsOnScan(const PointType & point) const
+{
+  // Without a scan there is nothing to be off.
+  if (m_Mesh == nullptr || m_Mesh->GetNumberOfPoints() == 0)
+  {
+    return true;
+  }
+  constexpr double limit = ScanCheckFilter::MaximumLandmarkDistance * ScanCheckFilter::MaximumLandmarkDistance;
+  for (const auto & vertex : m_Mesh->GetPoints()->CastToSTLConstContainer())
+  {
+    double squared = 0.0;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      squared += (point[d] - vertex[d]) * (point[d] - vertex[d]);
+    }
+    if (squared <= limit)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 ToothFinder::PointType

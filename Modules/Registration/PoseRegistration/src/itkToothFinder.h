@@ -78,6 +78,9 @@ public:
 private:
   std::optional<PointType>
   FindClicked(const ToothCode & tooth, FeatureEnum feature) const;
+  /** Whether the scan passes by a point, mesh frame, mm: a landmark elsewhere is none of it, whatever its name is. */
+  bool
+  IsOnScan(const PointType & point) const;
   /** A point below a place, away from the occlusal side. */
   PointType
   Below(const PointType & point, double distance) const;

@@ -40,7 +40,7 @@ bool
 HasReason(const itk::RegistrationVerdict::JawVerdict & verdict, const std::string & code)
 {
   return std::any_of(
-    verdict.reasons.begin(), verdict.reasons.end(), [&](const auto & reason) { return reason.code == code; });
+    verdict.findings.begin(), verdict.findings.end(), [&](const auto & reason) { return reason.code == code; });
 }
 } // namespace
 
@@ -268,6 +268,65 @@ TEST(PoseRegistration, ReportsAJawWithTooFewPoints)
   EXPECT_EQ(itk::RegistrationVerdict::Evaluate(result)[1].status, StatusEnum::Failed);
 }
 
+/** A spacing that is half or double, of 300 dpi, or 1: what it would have to be is said, to two per cent. */
+TEST(PoseRegistration, AWrongPixelSpacingIsNamedWithTheRightOne)
+{
+  for (const double wrong : { 0.125, 0.5, 25.4 / 300.0, 1.0 })
+  {
+    auto         geometry = Typical().geometry;
+    const double right = geometry.pixelSpacing[0];
+    geometry.pixelSpacing = { { wrong, wrong } };
+    const auto result = PoseRegistrationTestCase::Run(Typical().jaws, geometry, itk::PoseRegistrationOptions());
+    for (const auto & verdict : itk::RegistrationVerdict::Evaluate(result))
+    {
+      EXPECT_EQ(verdict.status, StatusEnum::Failed) << wrong;
+      const auto found = std::find_if(verdict.findings.begin(), verdict.findings.end(), [](const auto & finding) {
+        return finding.code == "pixel-spacing";
+      });
+      ASSERT_NE(found, verdict.findings.end()) << wrong;
+      EXPECT_NEAR(*found->value, right, 0.02 * right) << wrong;
+      EXPECT_EQ(*found->limit, wrong);
+      EXPECT_FALSE(HasReason(verdict, "facing"));
+      EXPECT_FALSE(HasReason(verdict, "turned-image"));
+    }
+  }
+}
+
+/** Drawn on a film that was turned afterwards, by the centre of a 703 x 938 picture. */
+TEST(PoseRegistration, ATurnedRadiographIsNamedWithItsTurn)
+{
+  for (const unsigned int turns : { 1, 2, 3 })
+  {
+    auto jaws = Typical().jaws;
+    for (auto & jaw : jaws)
+    {
+      for (auto & polyline : jaw.tracing)
+      {
+        for (auto & point : polyline.points)
+        {
+          const double u = point[0] - 351.0;
+          const double v = point[1] - 468.5;
+          // Counter-clockwise as it is seen, so that it has to be turned back clockwise.
+          point[0] = (turns == 1 ? v : turns == 2 ? -u : -v) + 468.5;
+          point[1] = (turns == 1 ? -u : turns == 2 ? -v : u) + 468.5;
+        }
+      }
+    }
+    const auto result = PoseRegistrationTestCase::Run(jaws, Typical().geometry, itk::PoseRegistrationOptions());
+    for (const auto & verdict : itk::RegistrationVerdict::Evaluate(result))
+    {
+      EXPECT_EQ(verdict.status, StatusEnum::Failed) << turns;
+      const auto found = std::find_if(verdict.findings.begin(), verdict.findings.end(), [](const auto & finding) {
+        return finding.code == "turned-image";
+      });
+      ASSERT_NE(found, verdict.findings.end()) << turns;
+      EXPECT_NE(found->text.find("turned by " + std::to_string(90 * turns) + " degrees"), std::string::npos)
+        << found->text;
+      EXPECT_FALSE(HasReason(verdict, "facing")) << turns;
+    }
+  }
+}
+
 TEST(PoseRegistration, WrongFacingAndWrongUnitAreNotOk)
 {
   auto geometry = Typical().geometry;
@@ -294,7 +353,7 @@ TEST(PoseRegistration, WrongFacingAndWrongUnitAreNotOk)
   verdicts = itk::RegistrationVerdict::Evaluate(PoseRegistrationTestCase::Run(jaws, Typical().geometry, options));
   ASSERT_TRUE(HasReason(verdicts[0], "arch-width"));
   const auto reason = std::find_if(
-    verdicts[0].reasons.begin(), verdicts[0].reasons.end(), [](const auto & r) { return r.code == "arch-width"; });
+    verdicts[0].findings.begin(), verdicts[0].findings.end(), [](const auto & r) { return r.code == "arch-width"; });
   EXPECT_NE(reason->text.find("may be in cm"), std::string::npos);
 }
 

@@ -25,6 +25,8 @@
 #include "itkGemanMcClureKernel.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkMillimetreLandmarksHypothesis.h"
+#include "itkOtherSpacingHypothesis.h"
+#include "itkTurnedDrawingHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 #include "itkParameterPriorMetricv4.h"
@@ -228,6 +230,10 @@ ExerciseBasicObjectMethods()
   ITK_EXERCISE_BASIC_OBJECT_METHODS(jaws, ExchangedJawsHypothesis, PoseHypothesis);
   const auto millimetres = itk::MillimetreLandmarksHypothesis::New();
   ITK_EXERCISE_BASIC_OBJECT_METHODS(millimetres, MillimetreLandmarksHypothesis, PoseHypothesis);
+  const auto spacing = itk::OtherSpacingHypothesis::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(spacing, OtherSpacingHypothesis, PoseHypothesis);
+  const auto turned = itk::TurnedDrawingHypothesis::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(turned, TurnedDrawingHypothesis, PoseHypothesis);
   const auto landmarks = itk::ExchangedLandmarksHypothesis::New();
   ITK_EXERCISE_BASIC_OBJECT_METHODS(landmarks, ExchangedLandmarksHypothesis, PoseHypothesis);
   return EXIT_SUCCESS;
@@ -252,7 +258,9 @@ TEST(PoseRegistrationParts, DefaultsAreThoseOfThePreset)
   EXPECT_EQ(method->GetCurrentLevel(), 0u);
   std::ostringstream text;
   method->Print(text);
-  EXPECT_TRUE(Contains(text.str(), "Hypotheses: other-side facing jaws-exchanged landmarks-exchanged landmarks-mm"));
+  EXPECT_TRUE(Contains(text.str(),
+                       "Hypotheses: other-side facing jaws-exchanged landmarks-exchanged landmarks-mm "
+                       "pixel-spacing turned-90 turned-180 turned-270"));
   const auto search = itk::PoseStartSearch::New();
   EXPECT_NEAR(search->GetRotationRange(), 32.0 * 0.017453292519943295, 1e-15);
   EXPECT_NEAR(search->GetRotationStep(), 4.0 * 0.017453292519943295, 1e-15);
@@ -564,6 +572,46 @@ TEST(PoseRegistrationParts, HypothesesTurnTheQuestionIntoAnother)
   EXPECT_FALSE(landmarks->IsWorthTrying(untraced, result));
 }
 
+TEST(PoseRegistrationParts, ATurnedDrawingIsTurnedBackPointByPoint)
+{
+  itk::PoseProblem problem;
+  problem.nominal.pixelSpacing = { { 0.2, 0.3 } };
+  auto                          tracing = itk::DentalContour::New();
+  itk::DentalContour::PointType point;
+  point[0] = 10.0;
+  point[1] = 3.0;
+  tracing->AddPolyline({ point, point }, itk::ToothCode(11));
+  itk::PoseJawInput jaw;
+  jaw.tracing = tracing;
+  auto marks = itk::CephalometricLandmarkSet::New();
+  marks->AddLandmark("U1_tip", point, 2.5, 0.5);
+  jaw.landmarks = marks;
+  problem.jaws = { jaw };
+  const auto turned = itk::TurnedDrawingHypothesis::New();
+  EXPECT_EQ(turned->GetCode(), "turned-180");
+  // Clockwise as it is seen: what is to the right comes to lie below.
+  const std::array<std::array<double, 2>, 3> places{ { { { -3.0, 10.0 } }, { { -10.0, -3.0 } }, { { 3.0, -10.0 } } } };
+  for (unsigned int turns = 1; turns <= 3; ++turns)
+  {
+    turned->SetQuarterTurns(turns);
+    EXPECT_EQ(turned->GetCode(), "turned-" + std::to_string(90 * turns));
+    const auto other = turned->Apply(problem);
+    const auto polyline = other.jaws[0].tracing->GetPolylines().at(0);
+    EXPECT_EQ(polyline.code, itk::ToothCode(11));
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      EXPECT_EQ(polyline.points[0][d], places[turns - 1][d]) << turns;
+      EXPECT_EQ(other.jaws[0].landmarks->Find("U1_tip")->point[d], places[turns - 1][d]) << turns;
+      EXPECT_EQ(other.nominal.pixelSpacing[d],
+                turns == 2 ? problem.nominal.pixelSpacing[d] : problem.nominal.pixelSpacing[1 - d]);
+    }
+    EXPECT_EQ(other.jaws[0].landmarks->Find("U1_tip")->sigma, 2.5);
+    EXPECT_FALSE(other.nominal.principalPointKnown);
+  }
+  EXPECT_THROW(turned->SetQuarterTurns(0), itk::ExceptionObject);
+  EXPECT_THROW(turned->SetQuarterTurns(4), itk::ExceptionObject);
+}
+
 TEST(PoseRegistrationParts, AHypothesisRunsAloneAndGivesWhatItGivesBesideTheResult)
 {
   const auto method = MakeMethod();
@@ -640,7 +688,13 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
   };
   method->Update();
   itk::PoseGroupResult group = method->GetOutput()->GetResult().groups[0];
-  EXPECT_EQ(codesOf(group.outcomes), (Codes{ "facing", "jaws-exchanged", "other-side" }));
+  EXPECT_EQ(codesOf(group.outcomes), (Codes{ "facing",
+                                            "jaws-exchanged",
+                                            "other-side",
+                                            "pixel-spacing",
+                                            "turned-180",
+                                            "turned-270",
+                                            "turned-90" }));
   EXPECT_TRUE(group.untried.empty());
   EXPECT_EQ(notTried(), 0);
 
@@ -651,14 +705,14 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
     method->AddMetric(MakePosePrior(itk::PoseTz, 0.0, 100.0), jaw);
     method->Update();
     group = method->GetOutput()->GetResult().groups[0];
-    EXPECT_EQ(codesOf(group.outcomes), (Codes{ "facing", "other-side" }));
+    EXPECT_EQ(codesOf(group.outcomes), (Codes{ "facing", "other-side", "pixel-spacing", "turned-180", "turned-270", "turned-90" }));
     ASSERT_EQ(codesOf(group.untried), (Codes{ "jaws-exchanged" }));
     EXPECT_EQ(group.untried.begin()->second,
               "the added ParameterPriorMetricv4 is about the jaws' dental frame, which turns over with them");
     EXPECT_EQ(notTried(), 1);
   }
 
-  // With a radiograph of its own: facing is a matter of both.
+  // With a radiograph of its own: facing, spacing and turns are a matter of both.
   auto view = itk::SilhouettePoseMetricv4::New();
   auto transform = itk::CephalometricPoseTransform::New();
   transform->SetPoseGeometry(geometry);
@@ -671,8 +725,8 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
   method->Update();
   group = method->GetOutput()->GetResult().groups[0];
   EXPECT_EQ(codesOf(group.outcomes), (Codes{ "other-side" }));
-  EXPECT_EQ(codesOf(group.untried), (Codes{ "facing", "jaws-exchanged" }));
-  EXPECT_EQ(notTried(), 2);
+  EXPECT_EQ(codesOf(group.untried), (Codes{ "facing", "jaws-exchanged", "pixel-spacing", "turned-180", "turned-270", "turned-90" }));
+  EXPECT_EQ(notTried(), 6);
 
   // A block that is no pose is nothing that turns.
   method->ClearMetrics();
@@ -683,7 +737,7 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
   method->Update();
   group = method->GetOutput()->GetResult().groups[0];
   EXPECT_TRUE(group.untried.empty());
-  EXPECT_EQ(group.outcomes.size(), 3u);
+  EXPECT_EQ(group.outcomes.size(), 7u);
 }
 
 TEST(PoseRegistrationParts, JawsWithPosesOfTheirOwnAreGroupsOfTheirOwn)

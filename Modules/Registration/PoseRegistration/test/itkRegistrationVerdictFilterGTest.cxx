@@ -98,10 +98,10 @@ TEST(RegistrationVerdictFilter, VerdictsThatDifferInAWordAreNotEqual)
 {
   FilterType::JawVerdictType one;
   one.status = StatusEnum::Suspect;
-  one.reasons = { { StatusEnum::Suspect, "poor-fit", "a sentence" } };
+  one.findings = { { StatusEnum::Suspect, "poor-fit", "a sentence", 3.1, 2.7, "px" } };
   auto other = one;
   EXPECT_EQ(one, other);
-  other.reasons[0].text = "another";
+  other.findings[0].text = "another";
   EXPECT_NE(one, other);
   other = one;
   other.status = StatusEnum::Failed;

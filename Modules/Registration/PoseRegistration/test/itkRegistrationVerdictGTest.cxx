@@ -76,7 +76,7 @@ Named
 NamesOf(const Verdict::JawVerdict & verdict)
 {
   Named names;
-  for (const auto & reason : verdict.reasons)
+  for (const auto & reason : verdict.findings)
   {
     names.emplace_back(reason.code, reason.severity);
     EXPECT_FALSE(reason.text.empty()) << reason.code;
@@ -96,12 +96,12 @@ WorstOf(const Named & names)
   return worst;
 }
 
-const Verdict::Reason &
+const itk::RegistrationFinding &
 OnlyReason(const std::vector<Verdict::JawVerdict> & verdicts)
 {
-  static const Verdict::Reason none;
-  EXPECT_EQ(verdicts.at(0).reasons.size(), 1u);
-  return verdicts.at(0).reasons.empty() ? none : verdicts.at(0).reasons.front();
+  static const itk::RegistrationFinding none;
+  EXPECT_EQ(verdicts.at(0).findings.size(), 1u);
+  return verdicts.at(0).findings.empty() ? none : verdicts.at(0).findings.front();
 }
 
 bool
@@ -383,7 +383,7 @@ TEST(RegistrationVerdict, GoodResultIsOkWithoutReasons)
   for (const auto & verdict : Verdict::Evaluate(MakeGoodResult(2)))
   {
     EXPECT_EQ(verdict.status, StatusEnum::Ok);
-    EXPECT_TRUE(verdict.reasons.empty());
+    EXPECT_TRUE(verdict.findings.empty());
   }
 }
 
@@ -399,7 +399,7 @@ TEST(RegistrationVerdict, JawThatWasNotRegisteredFailsWithItsOwnWords)
   EXPECT_EQ(verdicts[0].status, StatusEnum::Ok);
   EXPECT_EQ(verdicts[1].status, Failed);
   EXPECT_EQ(NamesOf(verdicts[1]), (Named{ { "not-registered", Failed } }));
-  EXPECT_EQ(verdicts[1].reasons[0].text, "no tracing");
+  EXPECT_EQ(verdicts[1].findings[0].text, "no tracing");
 }
 
 TEST(RegistrationVerdict, WhatAGroupSharesIsNamedForItsJawsAlone)
@@ -439,7 +439,7 @@ TEST(RegistrationVerdict, SideCodesAreNamedFromMoreThanHalf)
   result.jaws[0].otherSideCodes = 0.5;
   EXPECT_TRUE(NamesOf(Verdict::Evaluate(result)[0]).empty());
   result.jaws[0].otherSideCodes = 0.5 + 1e-9;
-  const Verdict::Reason reason = OnlyReason(Verdict::Evaluate(result));
+  const itk::RegistrationFinding reason = OnlyReason(Verdict::Evaluate(result));
   EXPECT_EQ(reason.code, "side-codes");
   EXPECT_EQ(reason.severity, Suspect);
   EXPECT_TRUE(Contains(reason.text, "traced_side"));
@@ -469,7 +469,7 @@ TEST(RegistrationVerdict, OnlyWhatHasAPriorCanBeInTensionAndTheTextSaysWhatIs)
     Result result = MakeGoodResult();
     result.groups[0].priorTension[word.first] = 6.0;
     result.groups[0].parameters[word.first] = -0.3490658503988659;
-    const Verdict::Reason reason = OnlyReason(Verdict::Evaluate(result));
+    const itk::RegistrationFinding reason = OnlyReason(Verdict::Evaluate(result));
     EXPECT_EQ(reason.code, "prior-tension");
     EXPECT_TRUE(Contains(reason.text, word.second)) << reason.text;
   }
@@ -498,7 +498,7 @@ TEST(RegistrationVerdict, ArchOfAnotherUnitIsNamedWithTheUnitThatFitsAndSilences
     result.jaws[0].archWidth = width.first;
     result.groups[0].outcomes["jaws-exchanged"].score = 0.0;
     result.groups[0].outcomes["facing"].score = 0.0;
-    const Verdict::Reason reason = OnlyReason(Verdict::Evaluate(result));
+    const itk::RegistrationFinding reason = OnlyReason(Verdict::Evaluate(result));
     EXPECT_EQ(reason.code, "arch-width");
     EXPECT_TRUE(Contains(reason.text, width.second)) << reason.text;
   }
@@ -514,7 +514,7 @@ TEST(RegistrationVerdict, AUsersOwnHypothesisIsForTheUserToJudge)
 {
   Result result = MakeGoodResult();
   result.groups[0].outcomes["same-again"] = { 0.0, -100.0 };
-  EXPECT_TRUE(Verdict::Evaluate(result)[0].reasons.empty());
+  EXPECT_TRUE(Verdict::Evaluate(result)[0].findings.empty());
 }
 
 TEST(RegistrationVerdict, HypothesesAreNamedByWhatToCheck)
@@ -524,7 +524,8 @@ TEST(RegistrationVerdict, HypothesesAreNamedByWhatToCheck)
     change(result.groups[0]);
     return OnlyReason(Verdict::Evaluate(result));
   };
-  Verdict::Reason reason = evaluate([](itk::PoseGroupResult & g) { g.outcomes["other-side"].deviance = -6.0; });
+  itk::RegistrationFinding reason =
+    evaluate([](itk::PoseGroupResult & g) { g.outcomes["other-side"].deviance = -6.0; });
   EXPECT_EQ(reason.code, "other-side");
   EXPECT_TRUE(Contains(reason.text, "other side") && Contains(reason.text, "mirrored")) << reason.text;
   reason = evaluate([](itk::PoseGroupResult & g) { g.outcomes["jaws-exchanged"].score = 0.2; });
@@ -678,14 +679,14 @@ TEST(RegistrationVerdict, ALandmarkThatStandsApartIsNamedForEveryJawOfItsPose)
   for (const auto & verdict : Verdict::Evaluate(result))
   {
     ASSERT_EQ(NamesOf(verdict), (Named{ { "landmark-apart", Suspect } }));
-    EXPECT_TRUE(Contains(verdict.reasons.front().text, "landmark L1_tip lies far"));
+    EXPECT_TRUE(Contains(verdict.findings.front().text, "landmark L1_tip lies far"));
   }
   // Beside a tracing two are no more than that.
   result.jaws[1].landmarks[1].distance = limits.landmarkApart + 0.01;
   auto traced = result;
   traced.jaws[0].fit = MakeGoodResult().jaws[0].fit;
   EXPECT_TRUE(
-    Contains(Verdict::Evaluate(traced).at(0).reasons.front().text, "landmark L1_tip and landmark L6_MB lie far"));
+    Contains(Verdict::Evaluate(traced).at(0).findings.front().text, "landmark L1_tip and landmark L6_MB lie far"));
   // One that is left has nothing that confirms it.
   result.jaws[0].landmarks[0].distance = limits.landmarkApart + 0.01;
   EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "landmarks-disagree", Failed } }));
@@ -701,7 +702,7 @@ TEST(RegistrationVerdict, AsManyLandmarksApartAsTogetherDisagree)
   }
   const auto verdicts = Verdict::Evaluate(result);
   EXPECT_EQ(NamesOf(verdicts.at(0)), (Named{ { "landmarks-disagree", Failed } }));
-  EXPECT_TRUE(Contains(verdicts.at(0).reasons.front().text, "exchanged"));
+  EXPECT_TRUE(Contains(verdicts.at(0).findings.front().text, "exchanged"));
 }
 
 TEST(RegistrationVerdict, LandmarksAloneDoNotVouchForAScaleThatNobodyGave)

@@ -15,21 +15,24 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef itkCaseChecks_h
-#define itkCaseChecks_h
+#ifndef itkTIFFTag_h
+#define itkTIFFTag_h
 
-#include "itkCaseResult.h"
-#include "itkDentalFrameEstimator.h"
+#include <cstdint>
+#include <optional>
+#include <string>
 
 namespace itk
 {
-/** Openness (DentalJawFrame) up to which a scan counts as a closed body, whose winding says nothing. */
-constexpr double OpennessOfClosedCast = 0.2;
+/** Not installed. The first value of a tag in the first directory of a TIFF, and of what a camera writes into a JPEG as
+ * Exif, which is the same structure. None for all other files, for one that is not whole, and where there is no such
+ * tag, or none of a whole number. */
+std::optional<std::uint32_t>
+ReadTIFFTag(const std::string & fileName, std::uint32_t tag);
 
-/** What can be said of the inputs before any registration: wrong unit, exchanged jaws, mirrored scan, unsure frame.
- * Adds reasons to the jaws, and to notCheckable what the data can't tell. */
-void
-CheckCase(const DentalCaseData & data, const DentalFrameResult & frames, CaseResult & result);
+/** Tags of TIFF 6.0. */
+constexpr std::uint32_t TIFFPhotometricTag = 262;
+constexpr std::uint32_t TIFFOrientationTag = 274;
 } // namespace itk
 
 #endif

@@ -1,0 +1,73 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCaseInputFile.h"
+
+#include "itkDentalInputError.h"
+
+#include <nettle/sha2.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace itk
+{
+std::string
+ComputeFileSHA256(const std::string & fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  sha256_ctx    context;
+  sha256_init(&context);
+  std::vector<char> block(1u << 20);
+  while (file)
+  {
+    file.read(block.data(), static_cast<std::streamsize>(block.size()));
+    sha256_update(
+      &context, static_cast<std::size_t>(file.gcount()), reinterpret_cast<const std::uint8_t *>(block.data()));
+  }
+  if (!file.eof())
+  {
+    itkDentalInputErrorMacro(fileName, "", "cannot be read", "check the name and the permissions");
+  }
+  std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+  sha256_digest(&context, digest.size(), digest.data());
+  constexpr char digits[] = "0123456789abcdef";
+  std::string    text;
+  for (const std::uint8_t byte : digest)
+  {
+    text += digits[byte >> 4];
+    text += digits[byte & 15];
+  }
+  return text;
+}
+
+CaseInputFile
+MakeCaseInputFile(const std::string & field, const std::string & fileName, const std::string & folder)
+{
+  namespace fs = std::filesystem;
+  CaseInputFile  input{ field, fileName, ComputeFileSHA256(fileName) };
+  const fs::path path(fileName);
+  const fs::path relative = folder.empty() ? path : path.lexically_relative(folder);
+  if (!relative.empty() && *relative.begin() != "..")
+  {
+    input.path = relative.string();
+  }
+  return input;
+}
+} // namespace itk

@@ -1,0 +1,69 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkOtherSpacingHypothesis.h"
+
+#include "itkPoseMetricv4.h"
+
+#include <algorithm>
+
+namespace itk
+{
+std::string
+OtherSpacingHypothesis::GetCode() const
+{
+  return Code;
+}
+
+bool
+OtherSpacingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
+{
+  // A spacing that is wrong by less than the search bridges fits, and contradicts its prior.
+  return problem.nominal.pixelSpacingKnown && result.score > problem.options.poorScore &&
+         std::any_of(
+           problem.jaws.begin(), problem.jaws.end(), [](const PoseJawInput & jaw) { return jaw.tracing.IsNotNull(); });
+}
+
+std::string
+OtherSpacingHypothesis::GetObstacle(const PoseProblem & problem) const
+{
+  for (const PoseProblemTerm & term : problem.terms)
+  {
+    if (dynamic_cast<const PoseMetricv4 *>(term.metric.GetPointer()) != nullptr)
+    {
+      return std::string("the added ") + term.metric->GetNameOfClass() +
+             " has a radiograph with a pixel spacing of its own";
+    }
+  }
+  return "";
+}
+
+PoseProblem
+OtherSpacingHypothesis::Apply(const PoseProblem & problem) const
+{
+  PoseProblem other = problem;
+  // As a case without a spacing is registered: the scale is searched, which takes its evaluations.
+  other.options = MakeQuickOptions(problem.options, problem.options.maximumEvaluations);
+  other.completed.reset();
+  other.nominal.pixelSpacingKnown = false;
+  for (PoseJawInput & jaw : other.jaws)
+  {
+    jaw.initialPose.reset();
+  }
+  return other;
+}
+} // namespace itk

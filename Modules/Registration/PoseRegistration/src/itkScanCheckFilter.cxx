@@ -1,0 +1,639 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkScanCheckFilter.h"
+
+#include "itkJawExchangeEvidence.h"
+#include "itkMakeTriangleSurface.h"
+#include "itkRegistrationVerdict.h"
+#include "itkSurfaceParts.h"
+
+#include "vnl/algo/vnl_symmetric_eigensystem.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iomanip>
+#include <limits>
+#include <locale>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+namespace itk
+{
+namespace
+{
+using JawEnum = ToothCode::JawEnum;
+using MeshType = ScanCheckFilter::MeshType;
+using PointType = TriangleSurface::PointType;
+using FindingsType = ScanCheckFilter::FindingsType;
+constexpr auto Suspect = RegistrationStatusEnum::Suspect;
+constexpr auto Failed = RegistrationStatusEnum::Failed;
+
+/** Width of a dental arch, mm, as the verdict judges it too: no arch is narrower, no cast with its base wider. */
+constexpr double NarrowestArch = RegistrationVerdict::Thresholds().minimumArchWidth;
+constexpr double WidestArch = RegistrationVerdict::Thresholds().maximumArchWidth;
+/** What an arch with its gingiva is wide, mm, give or take a third: of several units that could be meant the one that
+ * comes nearest is named first. */
+constexpr double UsualArch = 68.0;
+/** Second longest side of a scan, mm, below which it shows no whole arch. The arch of milk teeth is 28 mm deep without
+ * gingiva, a row of teeth with its gingiva 10 to 20 mm across. */
+constexpr double DepthOfPart = 25.0;
+/** Share of the area that each of two jaws in one file has at least, cosine between their mean normals, and share of a
+ * part's area that its mean normal has where the part is an open shell: jaws face each other, a cast and its base or a
+ * palate scanned apart do not. */
+constexpr double ShareOfJaw = 0.25;
+constexpr double OpposedCosine = -0.5;
+constexpr double OpennessOfShell = 0.2;
+/** Landmarks whose median distance from their own scan is below this lie on it, mm: they are vertices of it or beside
+ * one, whatever the other scan, which may touch it in occlusion, is near to. */
+constexpr double OnTheScan = 0.5;
+/** Landmarks are the other scan's where they are nearer to it by this factor. */
+constexpr double NearerByFactor = 0.5;
+/** windingAgreement (a cosine, 1 for an open shell that faces outward) below which a shell faces inward. Its sign
+ * tells; this far from 0 a hole or a fold does not turn it. */
+constexpr double InwardWinding = -0.2;
+/** Mean distance of one side's landmarks from the midline on the wrong side, mm, from which on the sides are exchanged:
+ * they lie 15 mm or more to their own side, and the midline is found to a millimetre or two. */
+constexpr double WrongSideOffset = 5.0;
+/** Probability from which on the shapes say that the scans are exchanged: more likely than not. */
+constexpr double ProbablyExchanged = 0.5;
+/** Confidence in a dental axis below which it is doubted: the middle of its range from 0 to 1 (Documentation/UMDA.md).
+ */
+constexpr double UnsureAxis = 0.5;
+
+const char *
+Name(JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? "upper" : "lower";
+}
+
+JawEnum
+OtherOf(JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
+}
+
+std::size_t
+ToIndex(JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? 0 : 1;
+}
+
+/** Three digits: what a person reads. */
+std::string
+Number(double value)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(3) << value;
+  return text.str();
+}
+
+/** One jaw's scan as it is looked at. */
+struct Scan
+{
+  JawEnum                                        jaw{ JawEnum::Upper };
+  const MeshType *                               mesh{ nullptr };
+  const DentalJawFrame *                         frame{ nullptr };
+  std::unique_ptr<SurfaceParts>                  parts;
+  TriangleSurface                                surface;
+  std::vector<std::pair<std::string, PointType>> landmarks;
+  FindingsType                                   findings;
+
+  bool
+  IsThere() const
+  {
+    return mesh != nullptr;
+  }
+  void
+  Add(RegistrationStatusEnum severity, const char * code, const std::string & text)
+  {
+    findings.push_back({ severity, code, text, std::nullopt, std::nullopt, "" });
+  }
+  void
+  Add(RegistrationStatusEnum severity,
+      const char *           code,
+      const std::string &    text,
+      double                 value,
+      double                 limit,
+      const char *           unit)
+  {
+    findings.push_back({ severity, code, text, value, limit, unit });
+  }
+};
+
+/** Lengths of a scan along its principal axes, longest first; mm. */
+std::array<double, 3>
+PrincipalLengths(const Scan & scan)
+{
+  const PointType    centroid = scan.surface.AreaCentroid();
+  vnl_matrix<double> covariance(3, 3, 0.0);
+  vnl_matrix<double> axes(3, 3, 0.0);
+  vnl_vector<double> values(3, 0.0);
+  for (std::size_t t = 0; t < scan.surface.triangles.size(); ++t)
+  {
+    if (!scan.parts->IsKept(t))
+    {
+      continue;
+    }
+    const PointType normal = scan.surface.AreaNormal(t);
+    const double    area = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    for (const std::uint32_t corner : scan.surface.triangles[t])
+    {
+      for (unsigned int row = 0; row < 3; ++row)
+      {
+        for (unsigned int column = 0; column < 3; ++column)
+        {
+          covariance(row, column) += area * (scan.surface.points[corner][row] - centroid[row]) *
+                                     (scan.surface.points[corner][column] - centroid[column]);
+        }
+      }
+    }
+  }
+  vnl_symmetric_eigensystem_compute(covariance, axes, values);
+  std::array<double, 3> lengths;
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    const auto extent = scan.parts->ComputeExtent(scan.surface, { { axes(0, k), axes(1, k), axes(2, k) } });
+    lengths[k] = extent.second - extent.first;
+  }
+  std::sort(lengths.begin(), lengths.end(), std::greater<double>());
+  return lengths;
+}
+
+void
+CheckBothJaws(Scan & scan)
+{
+  // Shells that face each other cancel out.
+  std::vector<const SurfaceParts::PartType *> shells;
+  for (const auto & part : scan.parts->GetParts())
+  {
+    const double length =
+      std::sqrt(part.normal[0] * part.normal[0] + part.normal[1] * part.normal[1] + part.normal[2] * part.normal[2]);
+    if (part.area >= ShareOfJaw * scan.parts->GetArea() && length >= OpennessOfShell * part.area)
+    {
+      shells.push_back(&part);
+    }
+  }
+  if (shells.size() != 2)
+  {
+    return;
+  }
+  double dot = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    dot += shells[0]->normal[d] * shells[1]->normal[d];
+    first += shells[0]->normal[d] * shells[0]->normal[d];
+    second += shells[1]->normal[d] * shells[1]->normal[d];
+  }
+  if (dot < OpposedCosine * std::sqrt(first * second))
+  {
+    scan.Add(Suspect,
+             "both-jaws",
+             "the scan seems to hold both jaws, two shells that face each other: export each jaw by itself");
+  }
+}
+
+/** Whether the scan is as large as a whole arch. */
+void
+CheckSize(Scan & scan, double millimetresPerUnit)
+{
+  const std::array<double, 3> lengths = PrincipalLengths(scan);
+  if (lengths[0] >= NarrowestArch && lengths[0] <= WidestArch && lengths[1] < DepthOfPart)
+  {
+    scan.Add(Suspect,
+             "partial-arch",
+             "the scan is " + Number(lengths[0]) + " mm long and " + Number(lengths[1]) +
+               " mm across: it shows a part of an arch, a quadrant perhaps; scan the whole arch",
+             lengths[1],
+             DepthOfPart,
+             "mm");
+    return;
+  }
+  double width = std::sqrt(lengths[0] * lengths[0] + lengths[1] * lengths[1] + lengths[2] * lengths[2]);
+  if (scan.frame->valid)
+  {
+    const auto extent = scan.parts->ComputeExtent(scan.surface, scan.frame->axes[1]);
+    width = extent.second - extent.first;
+  }
+  if (width >= NarrowestArch && width <= WidestArch)
+  {
+    return;
+  }
+  std::string text =
+    "the arch is " + Number(width) + " mm wide, not " + Number(NarrowestArch) + " to " + Number(WidestArch);
+  const double                                inFile = width / millimetresPerUnit;
+  std::vector<std::pair<double, std::string>> fitting;
+  for (const auto & unit : { std::make_pair("mm", 1.0),
+                             std::make_pair("cm", 10.0),
+                             std::make_pair("inch", 25.4),
+                             std::make_pair("m", 1000.0),
+                             std::make_pair("um", 0.001) })
+  {
+    const double fitted = inFile * unit.second;
+    if (fitted >= NarrowestArch && fitted <= WidestArch)
+    {
+      fitting.emplace_back(std::abs(std::log(fitted / UsualArch)), unit.first);
+    }
+  }
+  std::sort(fitting.begin(), fitting.end());
+  for (std::size_t i = 0; i < fitting.size(); ++i)
+  {
+    text += (i == 0 ? "; \"mesh_unit\": \"" : ", or \"") + fitting[i].second + (i == 0 ? "\" would fit" : "\"");
+  }
+  scan.Add(Suspect, "arch-width", text, width, width < NarrowestArch ? NarrowestArch : WidestArch, "mm");
+}
+
+/** Distances from points to the nearest vertex of a scan, mm, in one pass over it. */
+std::vector<double>
+DistancesToScan(const std::vector<std::pair<std::string, PointType>> & points, const MeshType * mesh)
+{
+  const std::size_t                 count = points.size();
+  std::array<std::vector<float>, 3> from;
+  for (const auto & point : points)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      from[d].push_back(static_cast<float>(point.second[d]));
+    }
+  }
+  std::vector<float> best(count, std::numeric_limits<float>::max());
+  for (const auto & vertex : mesh->GetPoints()->CastToSTLConstContainer())
+  {
+    const float p[3] = { vertex[0], vertex[1], vertex[2] };
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const float x = from[0][i] - p[0];
+      const float y = from[1][i] - p[1];
+      const float z = from[2][i] - p[2];
+      const float squared = x * x + y * y + z * z;
+      best[i] = squared < best[i] ? squared : best[i];
+    }
+  }
+  std::vector<double> distances;
+  for (const float squared : best)
+  {
+    distances.push_back(std::sqrt(static_cast<double>(squared)));
+  }
+  return distances;
+}
+
+double
+Median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+/** As many names as a sentence bears. */
+constexpr std::size_t NamesSaid = 4;
+
+/** Landmarks that lie away from their scan, one by one. */
+void
+CheckLandmarkDistances(Scan & scan, const std::vector<double> & distances)
+{
+  const double limit = ScanCheckFilter::MaximumLandmarkDistance;
+  std::string  names;
+  std::size_t  count = 0;
+  double       largest = 0.0;
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    if (distances[i] > limit)
+    {
+      ++count;
+      names += count > NamesSaid ? "" : (count == 1 ? "" : ", ") + scan.landmarks[i].first;
+      largest = std::max(largest, distances[i]);
+    }
+  }
+  if (count == 0)
+  {
+    return;
+  }
+  const double median = Median(distances);
+  if (2 * count > distances.size() && median > limit)
+  {
+    scan.Add(Suspect,
+             "landmarks-off-scan",
+             "the 3-D landmarks are " + Number(median) +
+               " mm away from the scan; are they in the scan's unit and frame, and is it the right scan?",
+             median,
+             limit,
+             "mm");
+    return;
+  }
+  names += count > NamesSaid ? " and " + std::to_string(count - NamesSaid) + " more" : "";
+  scan.Add(Suspect,
+           "landmarks-off-scan",
+           "of the 3-D landmarks " + names + (count == 1 ? " lies " : " lie up to ") + Number(largest) +
+             " mm off the scan and cannot be used: left at (0, 0, 0), or of another tooth or scan?",
+           largest,
+           limit,
+           "mm");
+}
+
+/** \return whether the names could tell whether the scans were exchanged. */
+bool
+CheckNamesAgainstScans(std::array<Scan, 2> & scans)
+{
+  bool told = false;
+  for (Scan & scan : scans)
+  {
+    if (!scan.IsThere() || scan.landmarks.empty())
+    {
+      continue;
+    }
+    told = true;
+    const Scan &              other = scans[ToIndex(OtherOf(scan.jaw))];
+    const std::vector<double> toOwn = DistancesToScan(scan.landmarks, scan.mesh);
+    const double              ownMedian = Median(toOwn);
+    if (other.IsThere() && ownMedian > OnTheScan)
+    {
+      const double otherMedian = Median(DistancesToScan(scan.landmarks, other.mesh));
+      if (otherMedian < NearerByFactor * ownMedian)
+      {
+        const std::string text = std::string("upper and lower scan seem exchanged: the ") + Name(scan.jaw) +
+                                 " landmarks lie on the other scan";
+        for (Scan & each : scans)
+        {
+          each.Add(Suspect, "jaws-exchanged", text, otherMedian, NearerByFactor * ownMedian, "mm");
+        }
+        continue;
+      }
+    }
+    CheckLandmarkDistances(scan, toOwn);
+    // What lies elsewhere says nothing of the sides.
+    for (std::size_t i = toOwn.size(); i-- > 0;)
+    {
+      if (toOwn[i] > ScanCheckFilter::MaximumLandmarkDistance)
+      {
+        scan.landmarks.erase(scan.landmarks.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
+  }
+  return told;
+}
+
+void
+CheckMirroring(Scan & scan)
+{
+  const DentalJawFrame & frame = *scan.frame;
+  // A closed cast has no net normal: its winding says nothing.
+  if (frame.openness > DentalJawFrame::OpennessOfClosedCast && frame.windingAgreement < InwardWinding)
+  {
+    scan.Add(Suspect,
+             "inward-winding",
+             "the surface is wound inward: the scan may be mirrored",
+             frame.windingAgreement,
+             InwardWinding,
+             "");
+  }
+  double right = 0.0;
+  double left = 0.0;
+  int    rights = 0;
+  int    lefts = 0;
+  for (const auto & landmark : scan.landmarks)
+  {
+    double y = 0.0;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      y += frame.axes[1][d] * (landmark.second[d] - frame.origin[d]);
+    }
+    const bool isRight = DentalLandmarkSet<3>::ParseName(landmark.first).IsRight();
+    (isRight ? right : left) += y;
+    ++(isRight ? rights : lefts);
+  }
+  const double rightOffset = rights > 0 ? right / rights : 0.0;
+  const double leftOffset = lefts > 0 ? -left / lefts : 0.0;
+  const double wrong = std::max(rightOffset, leftOffset);
+  if (wrong > WrongSideOffset)
+  {
+    scan.Add(Suspect,
+             "sides-exchanged",
+             "the landmarks named for one side lie on the other: the scan may be mirrored, or the names exchanged",
+             wrong,
+             WrongSideOffset,
+             "mm");
+  }
+}
+
+/** One file named twice. */
+bool
+AreSame(const MeshType & a, const MeshType & b)
+{
+  if (a.GetNumberOfPoints() != b.GetNumberOfPoints())
+  {
+    return false;
+  }
+  for (auto i = a.GetPoints()->Begin(), j = b.GetPoints()->Begin(); i != a.GetPoints()->End(); ++i, ++j)
+  {
+    if (i.Value() != j.Value())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** By shape alone. \return whether the shapes could tell. */
+bool
+CheckShapesForExchange(const DentalFrameResult & frames, std::array<Scan, 2> & scans)
+{
+  const JawExchangeEvidence evidence(frames);
+  // One measure alone never tells.
+  const bool told = evidence.GetMolarWidthDifference().has_value() && evidence.GetOverjet().has_value();
+  if (told && evidence.GetProbability() > ProbablyExchanged)
+  {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "upper and lower scan may be exchanged (probability " << std::setprecision(2) << evidence.GetProbability()
+         << "): the upper arch is " << -*evidence.GetMolarWidthDifference()
+         << " mm narrower than the lower at the first molars and lies " << -*evidence.GetOverjet()
+         << " mm behind it in front";
+    for (Scan & scan : scans)
+    {
+      scan.Add(Suspect, "jaws-exchanged", text.str(), evidence.GetProbability(), ProbablyExchanged, "");
+    }
+  }
+  return told;
+}
+} // namespace
+
+bool
+ScanCheckFilter::IsAlone(const LandmarksType &               landmarks,
+                         const LandmarksType::LandmarkType & landmark,
+                         double                              millimetresPerUnit)
+{
+  const auto & all = landmarks.GetLandmarks();
+  return std::none_of(all.begin(), all.end(), [&](const LandmarksType::LandmarkType & other) {
+    return other.name != landmark.name && other.tooth.GetJaw() == landmark.tooth.GetJaw() &&
+           landmark.point.EuclideanDistanceTo(other.point) * millimetresPerUnit < SamePlace;
+  });
+}
+
+ScanCheckFilter::ScanCheckFilter()
+{
+  this->AddOptionalInputName("UpperMesh", 0);
+  this->AddOptionalInputName("LowerMesh", 1);
+  this->AddRequiredInputName("Frames", 2);
+  this->AddOptionalInputName("Landmarks", 3);
+  this->SetNumberOfRequiredOutputs(2);
+  this->SetNthOutput(0, this->MakeOutput(0));
+  this->SetNthOutput(1, this->MakeOutput(1));
+}
+
+ScanCheckFilter::DataObjectPointer
+ScanCheckFilter::MakeOutput(DataObjectPointerArraySizeType)
+{
+  return DecoratedFindingsType::New().GetPointer();
+}
+
+ScanCheckFilter::DecoratedFindingsType *
+ScanCheckFilter::GetFindingsOutput(JawEnum jaw)
+{
+  return dynamic_cast<DecoratedFindingsType *>(this->ProcessObject::GetOutput(ToIndex(jaw)));
+}
+
+const ScanCheckFilter::FindingsType &
+ScanCheckFilter::GetFindings(JawEnum jaw)
+{
+  return this->GetFindingsOutput(jaw)->Get();
+}
+
+void
+ScanCheckFilter::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  if (this->GetUpperMesh() == nullptr && this->GetLowerMesh() == nullptr)
+  {
+    itkExceptionMacro("There is no scan. Call SetUpperMesh() or SetLowerMesh().");
+  }
+  if (!(m_MillimetresPerUnit > 0.0))
+  {
+    itkExceptionMacro("MillimetresPerUnit is " << m_MillimetresPerUnit
+                                               << "; it must be positive. Call SetMillimetresPerUnit().");
+  }
+}
+
+void
+ScanCheckFilter::GenerateData()
+{
+  const DentalFrameResult & frames = this->GetFrames()->Get();
+  std::array<Scan, 2>       scans;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    Scan & scan = scans[ToIndex(jaw)];
+    scan.jaw = jaw;
+    scan.mesh = jaw == JawEnum::Upper ? this->GetUpperMesh() : this->GetLowerMesh();
+    scan.frame = jaw == JawEnum::Upper ? &frames.upper : &frames.lower;
+    if (!scan.IsThere())
+    {
+      continue;
+    }
+    scan.surface = MakeTriangleSurface(scan.mesh);
+    scan.parts = std::make_unique<SurfaceParts>(scan.surface);
+    if (!scan.frame->valid)
+    {
+      scan.Add(Failed, "no-arch", "the scan has no recognisable dental arch");
+    }
+    if (this->GetLandmarks() != nullptr)
+    {
+      std::string names;
+      std::size_t count = 0;
+      for (const auto & landmark : this->GetLandmarks()->GetLandmarks())
+      {
+        if (landmark.tooth.GetJaw() != jaw)
+        {
+          continue;
+        }
+        if (!IsAlone(*this->GetLandmarks(), landmark, m_MillimetresPerUnit))
+        {
+          ++count;
+          names += count > NamesSaid ? "" : (count == 1 ? "" : ", ") + landmark.name;
+        }
+        else
+        {
+          scan.landmarks.emplace_back(landmark.name,
+                                      PointType{ { landmark.point[0] * m_MillimetresPerUnit,
+                                                   landmark.point[1] * m_MillimetresPerUnit,
+                                                   landmark.point[2] * m_MillimetresPerUnit } });
+        }
+      }
+      if (count > 0)
+      {
+        names += count > NamesSaid ? " and " + std::to_string(count - NamesSaid) + " more" : "";
+        scan.Add(Suspect,
+                 "landmarks-coincide",
+                 "the 3-D landmarks " + names +
+                   " lie at one and the same place and cannot be used: were they left at (0, 0, 0)?");
+      }
+    }
+  }
+  m_NotCheckable.clear();
+  if (scans[0].IsThere() && scans[1].IsThere() && AreSame(*scans[0].mesh, *scans[1].mesh))
+  {
+    for (Scan & scan : scans)
+    {
+      scan.Add(Failed, "same-scan", "upper and lower scan are the same; name the scan of each jaw");
+    }
+  }
+  const bool namesTold = CheckNamesAgainstScans(scans);
+  const bool shapesTold = CheckShapesForExchange(frames, scans);
+  if (!namesTold && !shapesTold)
+  {
+    m_NotCheckable.emplace_back(
+      "whether upper and lower scan were exchanged: there are no 3-D landmarks, and no two jaws in one frame");
+  }
+  for (Scan & scan : scans)
+  {
+    if (scan.IsThere())
+    {
+      CheckBothJaws(scan);
+      CheckSize(scan, m_MillimetresPerUnit);
+    }
+    if (scan.IsThere() && scan.frame->valid)
+    {
+      CheckMirroring(scan);
+      if (scan.frame->confidence < UnsureAxis)
+      {
+        std::ostringstream text;
+        text.imbue(std::locale::classic());
+        text << "the dental axis is unsure (confidence " << std::setprecision(2) << scan.frame->confidence << ")";
+        scan.Add(Suspect, "unsure-axis", text.str(), scan.frame->confidence, UnsureAxis, "");
+      }
+      if (scan.frame->openness <= DentalJawFrame::OpennessOfClosedCast)
+      {
+        m_NotCheckable.push_back(std::string("whether the ") + Name(scan.jaw) +
+                                 " cast was mirrored: a closed body's winding looks the same either way");
+      }
+    }
+    this->GetFindingsOutput(scan.jaw)->Set(scan.IsThere() ? scan.findings : FindingsType());
+  }
+}
+
+void
+ScanCheckFilter::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
+  os << indent << "NotCheckable: " << m_NotCheckable.size() << std::endl;
+}
+} // namespace itk

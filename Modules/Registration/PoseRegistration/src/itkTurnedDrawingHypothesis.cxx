@@ -1,0 +1,131 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkTurnedDrawingHypothesis.h"
+
+#include "itkPoseMetricv4.h"
+
+#include <utility>
+
+namespace itk
+{
+namespace
+{
+/** Quarter turns clockwise, as it is seen (u to the right, v down), about the first pixel: where to is the start's to
+ * find. */
+template <typename TPoint>
+TPoint
+Turn(TPoint point, unsigned int quarterTurns)
+{
+  for (unsigned int i = 0; i < quarterTurns; ++i)
+  {
+    const double u = point[0];
+    point[0] = -point[1];
+    point[1] = u;
+  }
+  return point;
+}
+} // namespace
+
+void
+TurnedDrawingHypothesis::SetQuarterTurns(unsigned int turns)
+{
+  if (turns < 1 || turns > 3)
+  {
+    itkExceptionMacro("SetQuarterTurns() takes 1, 2 or 3, not " << turns << '.');
+  }
+  if (m_QuarterTurns != turns)
+  {
+    m_QuarterTurns = turns;
+    this->Modified();
+  }
+}
+
+std::string
+TurnedDrawingHypothesis::GetCode() const
+{
+  return Code + std::to_string(90 * m_QuarterTurns);
+}
+
+bool
+TurnedDrawingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
+{
+  return result.score > problem.options.poorScore;
+}
+
+std::string
+TurnedDrawingHypothesis::GetObstacle(const PoseProblem & problem) const
+{
+  for (const PoseProblemTerm & term : problem.terms)
+  {
+    if (dynamic_cast<const PoseMetricv4 *>(term.metric.GetPointer()) != nullptr)
+    {
+      return std::string("the added ") + term.metric->GetNameOfClass() + " was drawn on a radiograph of its own";
+    }
+  }
+  return "";
+}
+
+PoseProblem
+TurnedDrawingHypothesis::Apply(const PoseProblem & problem) const
+{
+  // Enough to tell a fit from none, as for the other facing.
+  constexpr unsigned int evaluations = 6;
+  PoseProblem            other = problem;
+  other.options = MakeQuickOptions(problem.options, evaluations);
+  other.completed.reset();
+  other.nominal.principalPointKnown = false;
+  if (m_QuarterTurns != 2)
+  {
+    std::swap(other.nominal.pixelSpacing[0], other.nominal.pixelSpacing[1]);
+  }
+  for (PoseJawInput & jaw : other.jaws)
+  {
+    jaw.initialPose.reset();
+    if (jaw.tracing.IsNotNull())
+    {
+      auto turned = DentalContour::New();
+      for (DentalContour::PolylineType polyline : jaw.tracing->GetPolylines())
+      {
+        for (auto & point : polyline.points)
+        {
+          point = Turn(point, m_QuarterTurns);
+        }
+        turned->AddPolyline(polyline);
+      }
+      jaw.tracing = turned;
+    }
+    if (jaw.landmarks.IsNotNull())
+    {
+      auto turned = CephalometricLandmarkSet::New();
+      for (const auto & landmark : jaw.landmarks->GetLandmarks())
+      {
+        turned->AddLandmark(landmark.name, Turn(landmark.point, m_QuarterTurns), landmark.sigma, landmark.confidence);
+      }
+      jaw.landmarks = turned;
+    }
+  }
+  return other;
+}
+
+void
+TurnedDrawingHypothesis::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "QuarterTurns: " << m_QuarterTurns << std::endl;
+}
+} // namespace itk

@@ -1,0 +1,298 @@
+"""Whether the files of a case belong together: one thing of a right case is changed, and it is right all the same, or said."""
+import hashlib
+import json
+import math
+import struct
+
+import pytest
+
+
+def load(folder):
+    return json.loads((folder / "result.json").read_text())
+
+
+def codes_of(result, jaw):
+    return {finding["code"] for finding in result["jaws"][jaw]["findings"]}
+
+
+@pytest.fixture(scope="module")
+def plain(run, sample, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("plain") / "out"
+    done = run("register", sample / "case.json", "--output", folder, "--no-report")
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+def read_stl(path):
+    data = path.read_bytes()
+    (count,) = struct.unpack_from("<I", data, 80)
+    return [struct.unpack_from("<9f", data, 84 + 50 * i + 12) for i in range(count)]
+
+
+def write_stl(path, triangles):
+    body = b"".join(struct.pack("<3f9fH", 0.0, 0.0, 0.0, *triangle, 0) for triangle in triangles)
+    path.write_bytes(b"\0" * 80 + struct.pack("<I", len(triangles)) + body)
+
+
+def move_tracing(case, move):
+    contours = case.load("contours.json")
+    for jaw in contours["contours"].values():
+        for tooth in jaw:
+            tooth["points"] = [list(move(u, v)) for u, v in tooth["points"]]
+    return contours
+
+
+def test_findings_say_what_reasons_say(run, case, tmp_path):
+    case.change(mesh_unit="cm")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode in (0, 1)
+    for jaw in load(tmp_path / "out")["jaws"].values():
+        assert [finding["text"] for finding in jaw["findings"]] == jaw["reasons"]
+        (width,) = [finding for finding in jaw["findings"] if finding["code"] == "arch-width"]
+        assert width["value"] > width["limit"] == 120.0 and width["unit"] == "mm"
+        assert '"mesh_unit": "mm" would fit' in width["text"]
+        worst = {"ok": 0, "suspect": 1, "failed": 2}
+        assert worst[jaw["status"]] == max(worst[finding["severity"]] for finding in jaw["findings"])
+
+
+def test_a_third_of_the_landmarks_at_the_origin_is_said(run, case, tmp_path):
+    landmarks = case.load("landmarks3d.json")
+    wrong = [name for i, name in enumerate(landmarks) if i % 3 == 0]
+    case.save({name: [0.0, 0.0, 0.0] if name in wrong else place for name, place in landmarks.items()}, "landmarks3d.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    result = load(tmp_path / "out")
+    for jaw in ("upper", "lower"):
+        assert result["jaws"][jaw]["status"] == "suspect"
+        assert codes_of(result, jaw) == {"landmarks-coincide"}
+        (finding,) = result["jaws"][jaw]["findings"]
+        assert any(name in finding["text"] for name in wrong)
+
+
+def test_inches(run, case, plain, tmp_path):
+    for name in ("upper", "lower"):
+        triangles = read_stl(case.folder / f"{name}.stl")
+        write_stl(case.folder / f"{name}.stl", [[x / 25.4 for x in triangle] for triangle in triangles])
+    landmarks = case.load("landmarks3d.json")
+    case.save({name: [x / 25.4 for x in place] for name, place in landmarks.items()}, "landmarks3d.json")
+    done = run("register", case.file, "--output", tmp_path / "mm", "--no-report")
+    assert '"mesh_unit": "inch" would fit' in done.stderr
+    case.change(mesh_unit="inch")
+    done = run("register", case.file, "--output", tmp_path / "inch", "--no-report")
+    assert done.returncode == 0, done.stderr
+    for name, jaw in load(tmp_path / "inch")["jaws"].items():
+        before = load(plain)["jaws"][name]
+        assert jaw["status"] == before["status"]
+        for landmark, (u, v) in jaw["landmarks_px"].items():
+            assert math.hypot(u - before["landmarks_px"][landmark][0], v - before["landmarks_px"][landmark][1]) < 0.2
+
+
+def test_a_speck_far_away_is_not_the_scan(run, case, plain, tmp_path):
+    for name in ("upper", "lower"):
+        triangles = read_stl(case.folder / f"{name}.stl")
+        write_stl(case.folder / f"{name}.stl", [*triangles, (200.0, 200.0, 200.0, 201.0, 200.0, 200.0, 200.0, 201.0, 200.0)])
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    for name, jaw in load(tmp_path / "out")["jaws"].items():
+        assert jaw["status"] == load(plain)["jaws"][name]["status"], jaw["reasons"]
+
+
+@pytest.mark.parametrize("factor", [4.0, 2.0, 0.5])
+def test_a_wrong_spacing_is_told_with_the_right_one(run, case, tmp_path, factor):
+    content = case.load()
+    right = content["cephalogram"]["pixel_spacing_mm"][0]
+    content["cephalogram"]["pixel_spacing_mm"] = [right * factor, right * factor]
+    case.save(content)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 1
+    for jaw in load(tmp_path / "out")["jaws"].values():
+        (finding,) = [each for each in jaw["findings"] if each["code"] == "pixel-spacing"]
+        assert finding["value"] == pytest.approx(right, rel=0.03)
+        assert finding["limit"] == pytest.approx(right * factor)
+
+
+def test_a_tracing_of_a_smaller_copy_is_told(run, case, tmp_path):
+    """Neither spacing nor picture: the radiograph would be twice as long as any."""
+    content = case.load()
+    content["cephalogram"].pop("pixel_spacing_mm")
+    content["cephalogram"].pop("image")
+    content["geometry"].pop("principal_point_px")
+    case.save(content)
+    case.save(move_tracing(case, lambda u, v: (0.5 * u, 0.5 * v)), "contours.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 1
+    result = load(tmp_path / "out")
+    for jaw in ("upper", "lower"):
+        assert "film-size" in codes_of(result, jaw)
+
+
+def test_a_turned_radiograph_is_told(run, case, tmp_path):
+    content = case.load()
+    content["cephalogram"].pop("image")
+    case.save(content)
+    width, height = case.load("contours.json")["image_size"]
+    contours = move_tracing(case, lambda u, v: (v, width - 1 - u))
+    contours["image_size"] = [height, width]
+    case.save(contours, "contours.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 1
+    for jaw in load(tmp_path / "out")["jaws"].values():
+        (finding,) = [each for each in jaw["findings"] if each["code"] == "turned-image"]
+        assert "turned by 90 degrees" in finding["text"]
+
+
+def both_sides(case):
+    """The tracing with every posterior tooth drawn of the other side as well, some pixels away, as magnification has it."""
+    contours = case.load("contours.json")
+    for jaw in contours["contours"].values():
+        for tooth in list(jaw):
+            if int(tooth["code"][2]) > 2:
+                other = tooth["code"][0] + "L" + tooth["code"][2]
+                jaw.append({"code": other, "points": [[u - 12.0, v + 6.0] for u, v in tooth["points"]]})
+    return contours
+
+
+def test_teeth_of_the_other_side_do_not_pull(run, case, plain, tmp_path):
+    case.change(traced_side="right")
+    case.save(both_sides(case), "contours.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert "UL6" in done.stderr and "left out" in done.stderr
+    for name, jaw in load(tmp_path / "out")["jaws"].items():
+        assert jaw["landmarks_px"] == load(plain)["jaws"][name]["landmarks_px"]
+
+
+def test_both_sides_are_both_where_nobody_says(run, case, tmp_path):
+    content = case.load()
+    content.pop("traced_side", None)
+    case.save(content)
+    case.save(both_sides(case), "contours.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert 'taken as "both"' in done.stderr
+    assert load(tmp_path / "out")["traced_side"] == "both"
+
+
+def test_strict_ends_with_one_where_a_jaw_is_suspect(run, case, tmp_path):
+    landmarks = case.load("landmarks3d.json")
+    first = next(iter(landmarks))
+    case.save({**landmarks, first: [0.0, 0.0, 0.0]}, "landmarks3d.json")
+    assert run("register", case.file, "--output", tmp_path / "a", "--no-report").returncode == 0
+    assert run("register", case.file, "--output", tmp_path / "b", "--no-report", "--strict").returncode == 1
+
+
+def test_inputs_are_recorded_with_what_they_hold(sample, plain):
+    inputs = load(plain)["inputs"]
+    case = json.loads((sample / "case.json").read_text())
+    named = {"upper": case["upper"], "contours": case["contours"], "landmarks_2d": case["landmarks_2d"]}
+    named["cephalogram.image"] = case["cephalogram"]["image"]
+    for field, name in named.items():
+        assert inputs[field]["path"] == name
+        assert inputs[field]["sha256"] == hashlib.sha256((sample / name).read_bytes()).hexdigest()
+    assert inputs["case"]["path"] == str(sample / "case.json")
+
+
+def test_summary_has_fit_and_expected_error(run, sample, tmp_path):
+    done = run("register", sample / "case.json", "--output", tmp_path / "out", "--no-report")
+    result = load(tmp_path / "out")
+    for name, jaw in result["jaws"].items():
+        fit, error = jaw["metrics_matched"]["chamfer_px"], jaw["expected_error_px"]
+        assert f"{name}: {jaw['status']}, fit {fit:.1f} px, expected error {error:.1f} px" in done.stdout
+        sigmas = jaw["landmark_sigma_px"].values()
+        assert error == pytest.approx(math.sqrt(math.pi / 2) * sum(sigmas) / len(sigmas))
+
+
+def options_of(case, folder):
+    """A case file's fields as options."""
+    options = []
+    for option, value in (
+        ("--upper", folder / case["upper"]),
+        ("--lower", folder / case["lower"]),
+        ("--contours", folder / case["contours"]),
+        ("--landmarks-3d", folder / case["landmarks_3d"]),
+        ("--landmarks-2d", folder / case["landmarks_2d"]),
+        ("--image", folder / case["cephalogram"]["image"]),
+        ("--mesh-unit", case.get("mesh_unit", "mm")),
+        ("--facing", case["cephalogram"]["facing"]),
+        ("--source-side", case["geometry"]["source_side"]),
+    ):
+        options += [option, value]
+    geometry = case["geometry"]
+    options += ["--spacing", *case["cephalogram"]["pixel_spacing_mm"]]
+    options += ["--distances", geometry["source_to_midsagittal_mm"], geometry["source_to_detector_mm"]]
+    return [*options, "--principal-point", *geometry["principal_point_px"]]
+
+
+def test_options_make_the_same_case_as_a_file(run, sample, plain, tmp_path):
+    case = json.loads((sample / "case.json").read_text())
+    done = run("register", *options_of(case, sample), "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    made = load(tmp_path / "out")
+    for name, jaw in load(plain)["jaws"].items():
+        assert made["jaws"][name]["landmarks_px"] == jaw["landmarks_px"]
+        assert made["jaws"][name]["error"] == jaw["error"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([], ["case", "--upper"]),
+        (["--upper", "missing.stl", "--contours", "c.json"], ["missing.stl", "upper"]),
+        (["--contours", "c.json"], ["neither", "upper"]),
+        (["--upper", "u.stl", "--spacing", "a", "0.1"], ["--spacing", "number"]),
+        (["CASE", "--facing", "left"], ["--facing", "case file"]),
+    ],
+)
+def test_bad_options_name_what_to_give(run, sample, tmp_path, arguments, words):
+    given = [str(sample / "case.json") if argument == "CASE" else argument for argument in arguments]
+    done = run("register", *given, "--output", tmp_path / "out", cwd=tmp_path)
+    assert done.returncode == 2
+    assert len(done.stderr.strip().splitlines()) == 1
+    for word in words:
+        assert word in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_project_places_points_as_the_registration_did(run, sample, plain, tmp_path):
+    landmarks = json.loads((sample / "landmarks3d.json").read_text())
+    done = run("project", plain, "--points", sample / "landmarks3d.json")
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert set(found) == set(landmarks)
+    for jaw, values in load(plain)["jaws"].items():
+        for name, place in values["landmarks_px"].items():
+            assert found[name]["jaw"] == jaw
+            assert found[name]["position"] == pytest.approx(place, abs=1e-6)
+            assert found[name]["sigma_px"] == pytest.approx(values["landmark_sigma_px"][name], rel=1e-6)
+    own = {"apex of a root": landmarks["UR1_tip"]}
+    (tmp_path / "points.json").write_text(json.dumps(own))
+    done = run("project", plain / "result.json", "--points", tmp_path / "points.json")
+    assert done.returncode == 2 and "--jaw" in done.stderr
+    out = tmp_path / "places.json"
+    done = run("project", plain / "result.json", "--points", tmp_path / "points.json", "--jaw", "upper", "--output", out)
+    assert done.returncode == 0 and done.stdout == ""
+    assert json.loads(out.read_text())["apex of a root"]["position"] == found["UR1_tip"]["position"]
+
+
+def test_project_refuses_what_is_no_result_of_this_version(run, sample, plain, tmp_path):
+    result = load(plain)
+    for change, word in (
+        ({"schema": "dentalscr-result/0"}, "dentalscr-result/0"),
+        ({"schema": None}, "no result"),
+        ({"jaws": {"upper": {**result["jaws"]["upper"], "pose": None}}}, "pose"),
+    ):
+        (tmp_path / "result.json").write_text(json.dumps({**result, **change}))
+        done = run("project", tmp_path, "--points", sample / "landmarks3d.json")
+        assert done.returncode == 2 and word in done.stderr, done.stderr
+    done = run("project", sample / "case.json", "--points", sample / "landmarks3d.json")
+    assert done.returncode == 2 and "no result" in done.stderr
+
+
+def test_axis_and_render_warn_as_register_does(run, case, tmp_path):
+    landmarks = case.load("landmarks3d.json")
+    case.save({**landmarks, "UR1_tip": [0.0, 0.0, 300.0]}, "landmarks3d.json")
+    sentence = "UR1_tip lies"
+    assert sentence in run("register", case.file, "--output", tmp_path / "out", "--no-report").stderr
+    assert sentence in run("axis", "--case", case.file, "--output", tmp_path / "axes").stderr
+    findings = json.loads((tmp_path / "axes" / "axis.json").read_text())["upper"]["findings"]
+    assert [finding["code"] for finding in findings] == ["landmarks-off-scan"]
+    assert sentence in run("render", "--case", case.file, "--output", tmp_path / "drr.png").stderr
