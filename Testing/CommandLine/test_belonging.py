@@ -287,6 +287,49 @@ def test_project_refuses_what_is_no_result_of_this_version(run, sample, plain, t
     assert done.returncode == 2 and "no result" in done.stderr
 
 
+def test_a_second_run_goes_on_from_the_first(run, sample, plain, tmp_path):
+    done = run("register", "--from", plain, "--exclude", "UR6,LR6", "--output", tmp_path / "second", "--no-report")
+    assert done.returncode == 0, done.stderr
+    second = load(tmp_path / "second")
+    assert second["control"] == {"exclude": ["UR6", "LR6"], "init": True}
+    assert any("not searched beside a given start" in line for line in second["not_checkable"])
+    for name, jaw in second["jaws"].items():
+        before = load(plain)["jaws"][name]
+        moved = [math.dist(jaw["landmarks_px"][mark], place) for mark, place in before["landmarks_px"].items()]
+        assert 0.01 < max(moved) < 3.0
+        assert jaw["seconds"]["registration"] < before["seconds"]["registration"]
+    # What the second was given stands on, until something else is said.
+    done = run("register", "--from", tmp_path / "second", "--fix", "scale", "--output", tmp_path / "third", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert load(tmp_path / "third")["control"] == {"exclude": ["UR6", "LR6"], "fix": ["scale"], "init": True}
+    freed = tmp_path / "freed"
+    done = run(
+        "register", "--from", tmp_path / "third" / "result.json", "--exclude", "none", "--fix", "none", "--output", freed,
+        "--no-report",
+    )
+    assert done.returncode == 0, done.stderr
+    assert load(freed)["control"] == {"init": True}
+    for name, jaw in load(freed)["jaws"].items():
+        for mark, place in load(plain)["jaws"][name]["landmarks_px"].items():
+            assert math.dist(jaw["landmarks_px"][mark], place) < 0.05
+
+
+def test_going_on_says_what_it_misses(run, case, plain, tmp_path):
+    done = run("register", "--from", tmp_path, "--output", tmp_path / "out")
+    assert done.returncode == 2 and "result.json" in done.stderr
+    assert run("register", case.file, "--output", tmp_path / "first", "--no-report").returncode == 0
+    case.change(traced_side="right", numbering="UR")
+    done = run("register", "--from", tmp_path / "first", "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0 and "has changed since" in done.stderr
+    case.file.rename(case.folder / "moved.json")
+    done = run("register", "--from", tmp_path / "first", "--output", tmp_path / "again", "--no-report")
+    assert done.returncode == 2 and "inputs.case.path" in done.stderr
+    done = run(
+        "register", case.folder / "moved.json", "--from", tmp_path / "first", "--output", tmp_path / "again", "--no-report"
+    )
+    assert done.returncode == 0, done.stderr
+
+
 def test_axis_and_render_warn_as_register_does(run, case, tmp_path):
     landmarks = case.load("landmarks3d.json")
     case.save({**landmarks, "UR1_tip": [0.0, 0.0, 300.0]}, "landmarks3d.json")

@@ -496,7 +496,8 @@ def register(
     fix : sequence of str, optional
         "scale", "rotation", "translation". For a case file or keywords.
     init : path, optional
-        Alignment to start from, for a case file.
+        Alignment to start from, for a case file; or an earlier result's folder: after a "suspect" leave out a tooth, hold
+        something, and go on from there.
     silhouette : "drr" or "mesh"
         Where the paper's silhouette comes from.
     options : dict, optional

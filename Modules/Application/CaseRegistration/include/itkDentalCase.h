@@ -106,14 +106,32 @@ struct DentalCase
   /** Only for measuring errors: nothing that registers reads it. */
   std::string landmarks2DFile;
 
+  /** Where a jaw starts instead of a search, as an earlier result has it. */
+  struct PlacementType
+  {
+    /** Mesh (mm) to cephalostat frame, row-major 3x4. */
+    std::array<double, 12> meshToCephalostat{};
+    /** Factor on the geometry's magnification. */
+    double scale{ 1.0 };
+  };
+
   /** Manual control. The key is the jaw. */
   std::map<ToothCode::JawEnum, SimilarityParameters> initialSimilarity;
   /** Mesh (mm) to cephalostat frame, row-major 3x4, for all jaws. */
   std::optional<std::array<double, 12>> initialPose;
-  std::vector<ToothCode>                excludedTeeth;
-  bool                                  fixScale{ false };
-  bool                                  fixRotation{ false };
-  bool                                  fixTranslation{ false };
+  /** Before the others, for the jaws that it has. */
+  std::map<ToothCode::JawEnum, PlacementType> initialPlacements;
+
+  /** Whether any jaw is to start somewhere. */
+  bool
+  HasStart() const
+  {
+    return initialPose.has_value() || !initialSimilarity.empty() || !initialPlacements.empty();
+  }
+  std::vector<ToothCode> excludedTeeth;
+  bool                   fixScale{ false };
+  bool                   fixRotation{ false };
+  bool                   fixTranslation{ false };
 
   /** What the file has that is not understood or looks odd, a line each. */
   std::vector<std::string> warnings;

@@ -36,7 +36,8 @@ ReadDentalCase(const std::string & fileName);
 CaseRegistration_EXPORT DentalCase
 ParseDentalCase(const std::string & text, const std::string & sourceName, const std::string & folder);
 
-/** Reads an alignment to start from, as the case file's "init", out of a file of its own. \ingroup CaseRegistration */
+/** Reads an alignment to start from, as the case file's "init", out of a file of its own; or takes that of an earlier
+ * result (result.json, or its folder). \ingroup CaseRegistration */
 CaseRegistration_EXPORT void
 ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase);
 

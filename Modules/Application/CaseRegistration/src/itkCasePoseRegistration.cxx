@@ -103,7 +103,7 @@ SetInitialTransforms(const DentalCaseData &               data,
                      CaseResult &                         result)
 {
   const DentalCase & description = data.description;
-  if (!description.initialPose && description.initialSimilarity.empty())
+  if (!description.HasStart())
   {
     return;
   }
@@ -114,6 +114,13 @@ SetInitialTransforms(const DentalCaseData &               data,
   }
   for (const auto & entry : jaws)
   {
+    const auto placement = description.initialPlacements.find(entry.first);
+    if (placement != description.initialPlacements.end())
+    {
+      method->SetInitialTransform(
+        entry.first, MakeTransform(placement->second.meshToCephalostat), placement->second.scale);
+      continue;
+    }
     if (description.initialPose)
     {
       method->SetInitialTransform(entry.first, MakeTransform(*description.initialPose));

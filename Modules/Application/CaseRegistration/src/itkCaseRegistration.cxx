@@ -507,7 +507,7 @@ CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::
   const auto frameOf = [axis](JawEnum jaw) {
     return jaw == JawEnum::Upper ? axis->GetUpperTransformOutput() : axis->GetLowerTransformOutput();
   };
-  if (m_Data->description.initialPose)
+  if (m_Data->description.initialPose || !m_Data->description.initialPlacements.empty())
   {
     m_Result.warnings.push_back(std::string("\"init.pose\" is not used by preset ") + ToString(m_Preset) +
                                 ": it starts from a similarity");

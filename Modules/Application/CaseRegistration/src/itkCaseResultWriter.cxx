@@ -93,6 +93,31 @@ GeometryToJson(const CaseResult & result)
   return json;
 }
 
+/** What a person has set of the registration; empty where nothing. */
+Json
+ControlToJson(const DentalCase & description)
+{
+  Json json = Json::object();
+  for (const ToothCode & tooth : description.excludedTeeth)
+  {
+    json["exclude"].push_back(tooth.GetName());
+  }
+  for (const auto & held : { std::make_pair("scale", description.fixScale),
+                             std::make_pair("rotation", description.fixRotation),
+                             std::make_pair("translation", description.fixTranslation) })
+  {
+    if (held.second)
+    {
+      json["fix"].push_back(held.first);
+    }
+  }
+  if (description.HasStart())
+  {
+    json["init"] = true;
+  }
+  return json;
+}
+
 Json
 FiguresToJson(const ContourFigures & figures)
 {
@@ -478,6 +503,11 @@ CaseResultToJson(const CaseResult & result)
   if (!result.options.empty())
   {
     json["options"] = result.options;
+  }
+  const Json control = ControlToJson(result.data->description);
+  if (!control.empty())
+  {
+    json["control"] = control;
   }
   json["status"] = ToString(result.GetStatus());
   json["inputs"] = Json::object();

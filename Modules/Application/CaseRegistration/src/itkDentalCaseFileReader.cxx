@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkDentalCaseFileReader.h"
 
+#include "itkCaseResultFileReader.h"
+
 #include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
@@ -184,6 +186,38 @@ ReadInit(const JsonNode & init, DentalCase & dentalCase)
       pose->Fail("mirrors the mesh", "the side that the patient faces belongs in \"facing\"");
     }
     dentalCase.initialPose = matrix;
+  }
+}
+
+/** Where a result has its jaws is where they start. */
+void
+ReadResultAsStart(const std::string & fileName, DentalCase & dentalCase)
+{
+  auto reader = CaseResultFileReader::New();
+  reader->SetFileName(fileName);
+  reader->Update();
+  const PoseSolution * solution = reader->GetOutput();
+  for (const ToothCode::JawEnum jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
+  {
+    if (solution->IsRegistered(jaw))
+    {
+      DentalCase::PlacementType placement;
+      const PoseJawResult &     own = solution->GetJaw(jaw);
+      for (unsigned int row = 0; row < 3; ++row)
+      {
+        placement.meshToCephalostat[4 * row + 3] = own.translation[row];
+        for (unsigned int column = 0; column < 3; ++column)
+        {
+          placement.meshToCephalostat[4 * row + column] = own.rotation[3 * row + column];
+        }
+      }
+      placement.scale = std::exp(solution->GetGroup(jaw).parameters[PoseKappa]);
+      dentalCase.initialPlacements[jaw] = placement;
+    }
+  }
+  if (dentalCase.initialPlacements.empty())
+  {
+    itkDentalInputErrorMacro(fileName, "jaws", "none of them was registered", "start from a result that has a jaw");
   }
 }
 
@@ -422,7 +456,18 @@ ToString(OcclusionEnum occlusion)
 void
 ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase)
 {
+  std::error_code error;
+  if (fs::is_directory(fileName, error))
+  {
+    ReadResultAsStart(fileName, dentalCase);
+    return;
+  }
   const JsonDocument document = JsonDocument::ReadFile(fileName);
+  if (document.GetRoot().IsObject() && document.GetRoot().Find("schema"))
+  {
+    ReadResultAsStart(fileName, dentalCase);
+    return;
+  }
   ReadInit(document.GetRoot(), dentalCase);
   const auto & warnings = document.GetWarnings();
   dentalCase.warnings.insert(dentalCase.warnings.end(), warnings.begin(), warnings.end());

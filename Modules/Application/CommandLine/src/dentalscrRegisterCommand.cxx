@@ -18,18 +18,24 @@
 #include "dentalscrCaseOptions.h"
 #include "dentalscrCommands.h"
 
+#include "itkCaseInputFile.h"
 #include "itkCaseLandmarkErrorFilter.h"
 #include "itkCaseRegistration.h"
 #include "itkCaseResultFolderWriter.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseReader.h"
 #include "itkDentalInputError.h"
+#include "itkJsonDocument.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTextFile.h"
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -44,6 +50,7 @@ struct RegisterOptions
   std::string              output;
   std::string              preset{ "robust" };
   std::string              init;
+  std::string              from;
   std::vector<std::string> exclude;
   std::vector<std::string> fix;
   std::string              silhouette{ "drr" };
@@ -165,10 +172,72 @@ ReadCase(const RegisterOptions & options)
   return description;
 }
 
-int
-Register(const RegisterOptions & options, const CommonOptions & common)
+/** Another run of an earlier result's case, from where that one ended. What is given here replaces what it had. */
+RegisterOptions
+ContinueFrom(const RegisterOptions & options)
 {
-  itk::DentalCase description = ReadCase(options);
+  namespace fs = std::filesystem;
+  RegisterOptions continued = options;
+  std::error_code error;
+  const fs::path  folder =
+    fs::is_directory(options.from, error) ? fs::path(options.from) : fs::path(options.from).parent_path();
+  const std::string fileName = fs::is_directory(options.from, error) ? (folder / "result.json").string() : options.from;
+  const auto        root = itk::JsonDocument::ReadFile(fileName).GetRoot();
+  if (!options.init.empty())
+  {
+    itkDentalInputErrorMacro(
+      "command line", "--init", "stands beside --from, which is a start", "leave one of them out");
+  }
+  continued.init = fileName;
+  if (options.caseFile.empty() && options.fields.GetFirstGiven().empty())
+  {
+    const auto inputs = root.Find("inputs");
+    const auto recorded = inputs ? inputs->Find("case") : std::nullopt;
+    if (!recorded)
+    {
+      itkDentalInputErrorMacro(
+        fileName, "inputs.case", "missing: it was made without a case file", "give the case's options again");
+    }
+    continued.caseFile = recorded->Get("path").AsString();
+    if (!fs::is_regular_file(continued.caseFile, error))
+    {
+      recorded->Get("path").Fail("is not there, seen from here",
+                                 "name the case file, or run from the folder that the first run was started in");
+    }
+    if (itk::ComputeFileSHA256(continued.caseFile) != recorded->Get("sha256").AsString())
+    {
+      std::cerr << "dentalscr: warning: " << continued.caseFile << " has changed since " << fileName << '\n';
+    }
+  }
+  // The case file says its own again; what the first run was given beside it stands in its result alone.
+  const auto append = [](const std::optional<itk::JsonNode> & list, std::vector<std::string> & words) {
+    for (std::size_t i = 0; list && i < list->GetSize(); ++i)
+    {
+      words.push_back(list->At(i).AsString());
+    }
+  };
+  const auto control = root.Find("control");
+  if (control && options.exclude.empty())
+  {
+    append(control->Find("exclude"), continued.exclude);
+  }
+  if (control && options.fix.empty())
+  {
+    append(control->Find("fix"), continued.fix);
+  }
+  std::vector<std::string> set;
+  append(root.Find("options"), set);
+  // In this order: the later of two assignments counts.
+  set.insert(set.end(), options.set.begin(), options.set.end());
+  continued.set = set;
+  return continued;
+}
+
+int
+Register(const RegisterOptions & givenOptions, const CommonOptions & common)
+{
+  const RegisterOptions options = givenOptions.from.empty() ? givenOptions : ContinueFrom(givenOptions);
+  itk::DentalCase       description = ReadCase(options);
   if (!options.init.empty())
   {
     itk::ReadInitialAlignment(options.init, description);
@@ -176,13 +245,32 @@ Register(const RegisterOptions & options, const CommonOptions & common)
   Apply("--exclude", [&]() {
     for (const std::string & code : options.exclude)
     {
-      description.excludedTeeth.push_back(
-        itk::ToothCode::FromString(code, description.numbering.value_or(itk::ToothCode::NumberingEnum::Quadrant)));
+      if (code == "none")
+      {
+        description.excludedTeeth.clear();
+        continue;
+      }
+      // UR3 is UR3 in any numbering: a result names its teeth so.
+      const bool isQuadrant = code.size() == 3 && std::isalpha(static_cast<unsigned char>(code[0])) != 0;
+      const auto tooth = itk::ToothCode::FromString(
+        code,
+        isQuadrant ? itk::ToothCode::NumberingEnum::Quadrant
+                   : description.numbering.value_or(itk::ToothCode::NumberingEnum::Quadrant));
+      auto & excluded = description.excludedTeeth;
+      if (std::find(excluded.begin(), excluded.end(), tooth) == excluded.end())
+      {
+        excluded.push_back(tooth);
+      }
     }
   });
   Apply("--fix", [&]() {
     for (const std::string & what : options.fix)
     {
+      if (what == "none")
+      {
+        description.fixScale = description.fixRotation = description.fixTranslation = false;
+        continue;
+      }
       itk::FixParameter(description, what);
     }
   });
@@ -258,8 +346,14 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
     ->capture_default_str();
   command->add_option("--init", options->init, "JSON file with the alignment to start from, as the case's \"init\"");
   options->fields.AddTo(command);
-  command->add_option("--exclude", options->exclude, "Teeth to leave out of the tracing, e.g. UR3,UR4")->delimiter(',');
-  command->add_option("--fix", options->fix, "What to hold at its start: scale, rotation, translation")->delimiter(',');
+  command->add_option("--from",
+                      options->from,
+                      "An earlier result (result.json or its folder): its case again, from where it ended, with its "
+                      "--exclude, --fix and --option unless they are given here");
+  command->add_option("--exclude", options->exclude, "Teeth to leave out of the tracing, e.g. UR3,UR4; none: nobody")
+    ->delimiter(',');
+  command->add_option("--fix", options->fix, "What to hold at its start: scale, rotation, translation; none: nothing")
+    ->delimiter(',');
   command
     ->add_option(
       "--silhouette", options->silhouette, "Where the paper's silhouette comes from: drr, or the mesh exactly")
@@ -280,6 +374,7 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
     "  dentalscr register case.json --output result\n"
     "  dentalscr register --upper upper.stl --lower lower.stl --contours tracing.json --spacing 0.1 0.1 --output "
     "result\n"
+    "  dentalscr register --from result --exclude UR6 --output result2\n"
     "  dentalscr register case.json --output result --preset bounding-box --exclude UR8\n"
     "  dentalscr register case.json --output result --option useRobustKernel=off --option yawStarts=-0.1,0.1\n" +
     DescribeOptions());
