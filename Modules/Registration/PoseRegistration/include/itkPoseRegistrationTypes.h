@@ -187,7 +187,8 @@ struct PoseCandidate
 {
   PoseParameters parameters{ {} };
   /** Minus twice the logarithm of the minimum's posterior weight but for a constant: what minima are ranked by. The
-   * evidence with the noise estimated there, marginal over the pose about the minimum, its priors and the teeth's places.
+   * evidence with the noise estimated there, marginal over the pose about the minimum, its priors and the teeth's
+   * places.
    */
   double deviance{ 0.0 };
   /** Fixed-width cost + code term: what starts are ranked by, and hypotheses compared. */
