@@ -18,7 +18,7 @@
 // A metric of one's own joins the sum that PoseRegistrationMethod minimizes: the incisal edge of the upper scan lies on
 // a horizontal plane of the cephalostat whose height somebody has measured, as far as that measurement goes.
 #include "itkDentalPhantomCaseSource.h"
-#include "itkLeastSquaresMetricv4.h"
+#include "itkLeastSquaresFunctionMetricv4.h"
 #include "itkPoseModel.h"
 #include "itkPoseRegistrationMethod.h"
 #include "itkPoseStateBlocks.h"
@@ -28,70 +28,24 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <vector>
 
-/** One residual: (z of a point under the pose - height of the plane) / sigma, in the cephalostat frame. */
-class PlaneMetric : public itk::LeastSquaresMetricv4
+/** One residual: (z of a point under the pose - height of the plane) / sigma, in the cephalostat frame. The point is in
+ * the dental frame that the pose is of, mm; height and sigma are those of the plane, mm. */
+itk::LeastSquaresMetricv4::Pointer
+MakePlaneMetric(const itk::Point<double, 3> & point, double height, double sigma)
 {
-public:
-  ITK_DISALLOW_COPY_AND_MOVE(PlaneMetric);
-  using Self = PlaneMetric;
-  using Superclass = itk::LeastSquaresMetricv4;
-  using Pointer = itk::SmartPointer<Self>;
-  itkNewMacro(Self);
-  itkTypeMacro(PlaneMetric, LeastSquaresMetricv4);
-  using PointType = itk::Point<double, 3>;
-
-  /** The point, in the dental frame that the pose is of, mm. The macros call Modified(): the registration runs anew. */
-  itkSetMacro(Point, PointType);
-  /** Height of the plane and its standard deviation, mm. */
-  itkSetMacro(Height, double);
-  itkSetMacro(Sigma, double);
-
-  /** What the residuals depend on. A metric of the same block is about the same pose. */
-  BlocksType
-  DeclareBlocks() const override
-  {
-    return { itk::PoseStateBlocks::MakePose() };
-  }
-  itk::SizeValueType
-  GetNumberOfResiduals() const override
-  {
-    return 1;
-  }
-  void
-  ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const override
-  {
-    // x is pitch, roll, yaw, tx, ty, tz; the seventh parameter of a pose, the scale, is not of this block.
+  auto plane = itk::LeastSquaresFunctionMetricv4::New();
+  // What the residuals depend on: the pose is pitch, roll, yaw (rad), tx, ty, tz (mm). The scale is a block of its own.
+  plane->SetBlocks({ itk::PoseStateBlocks::MakePose() });
+  plane->SetFunction([=](const std::vector<double> & x) {
     const itk::PoseModel pose(itk::PoseGeometry(), { { x[0], x[1], x[2], x[3], x[4], x[5], 0.0 } });
     const auto &         r = pose.GetRotation();
-    const double         z = r[6] * m_Point[0] + r[7] * m_Point[1] + r[8] * m_Point[2] + x[5];
-    residuals.set_size(1);
-    residuals[0] = (z - m_Height) / m_Sigma;
-    if (jacobian != nullptr)
-    {
-      this->ComputeJacobianByDifferences(x, *jacobian);
-    }
-  }
-
-protected:
-  PlaneMetric() = default;
-  /** Candidates are refined in several threads, each with a clone of the sum and of its terms. */
-  itk::LightObject::Pointer
-  InternalClone() const override
-  {
-    auto clone = Self::New();
-    clone->CopyState(*this);
-    clone->m_Point = m_Point;
-    clone->m_Height = m_Height;
-    clone->m_Sigma = m_Sigma;
-    return clone.GetPointer();
-  }
-
-private:
-  PointType m_Point;
-  double    m_Height{ 0.0 };
-  double    m_Sigma{ 1.0 };
-};
+    const double         z = r[6] * point[0] + r[7] * point[1] + r[8] * point[2] + x[5];
+    return std::vector<double>{ (z - height) / sigma };
+  });
+  return plane.GetPointer();
+}
 
 int
 main()
@@ -118,10 +72,7 @@ main()
     // The plane goes through the place where the incisal edge truly is, and is known to a tenth of a millimetre.
     const auto   edge = axis->GetIncisalEdge(itk::UMidlineDentalAxisFilterEnums::Jaw::Upper);
     const double height = phantom->GetTrueGeometry(0)->TransformToCephalostat(edge)[2];
-    auto         plane = PlaneMetric::New();
-    plane->SetPoint(axis->GetUpperTransformOutput()->Get()->TransformPoint(edge));
-    plane->SetHeight(height);
-    plane->SetSigma(0.1);
+    const auto   plane = MakePlaneMetric(axis->GetUpperTransformOutput()->Get()->TransformPoint(edge), height, 0.1);
 
     for (const std::string name : { "without", "with" })
     {

@@ -20,6 +20,10 @@ BISECTED = Phantom(71401, options=("--traced-side", "mean"))
 BOTH_SIDES = Phantom(71501, options=("--traced-side", "both"))
 BIASED = Phantom(71601, options=("--tooth-bias", 1.0))
 CLOSED = Phantom(71707, options=("--stone-base",))
+REAL = Phantom(71801, "real")
+REAL_HARD = Phantom(71802, "real-hard")
+PRACTICE = Phantom(71803, "practice")
+STANDARD = Phantom(71804, "standard")
 
 
 def each(*changes):
@@ -255,6 +259,15 @@ RUNS = {
     ),
     "cases: coarse scans": Run(Phantom(71710, triangles=6000)),
     "cases: fine scans": Run(Phantom(71711, triangles=120000)),
+    # The levels that are as bad as reality: arches with traits, whole teeth and landmarks, errors tooth by tooth.
+    "levels: real": Run(REAL),
+    "levels: real, upper jaw alone": Run(REAL, without("lower")),
+    "levels: real-hard, jaws apart": Run(REAL_HARD, fields(occlusion=False)),
+    "levels: practice": Run(PRACTICE),
+    "levels: practice, landmarks alone": Run(
+        PRACTICE, each(without("contours"), members("cephalogram", image_size=[703, 938]))
+    ),
+    "levels: standard": Run(STANDARD),
     # The case file's statements.
     "known: spacing not": typical(without("cephalogram", "pixel_spacing_mm")),
     "known: principal point not": typical(without("geometry", "principal_point_px")),

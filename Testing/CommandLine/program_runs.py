@@ -55,7 +55,7 @@ class EditableCase:
         self.folder = folder
         self.content = json.loads(file.read_text())
         self.truth = file.parent / "truth.json"
-        for field in ("upper", "lower", "contours", "landmarks_3d", "landmarks_2d"):
+        for field in ("upper", "lower", "contours", "cephalometric_landmarks", "landmarks_3d", "landmarks_2d"):
             if field in self.content:
                 self.content[field] = str(file.parent / self.content[field])
         image = self.content.get("cephalogram", {}).get("image")

@@ -111,6 +111,7 @@ def test_nothing_to_measure_with_is_said(run, case, tmp_path):
         (["--study", "sensitivity", "--from", "/nowhere"], "--from"),
         (["--study", "coverage", "--methods", "paper"], "--methods"),
         (["--study", "ablation", "--level", "hard"], "--level"),
+        (["--study", "practice", "--level", "standard"], "--level"),
     ],
 )
 def test_bad_options_are_one_line(run, tmp_path, arguments, word):
@@ -236,6 +237,25 @@ def test_study_of_the_coverage_has_every_kind_of_case(run, tmp_path):
     # 16 landmarks a case, both sides' in one.
     assert int(coverage["all"]["landmarks"]) == 15 * 16
     assert all(0.5 < float(row["coverage_95"]) <= 1.0 for row in coverage.values())
+
+
+def test_study_of_the_practice_has_every_kind_of_input(run, tmp_path):
+    done = run("experiment", "--study", "practice", "--cases", 1, "--no-figures", "--output", tmp_path)
+    assert done.returncode == 0, done.stderr
+    table = rows(tmp_path / "practice.csv")
+    # One case is reported, none is left to set limits by.
+    report = {(row["level"], row["input"]): row for row in table if row["part"] == "report"}
+    assert len(table) == 2 * len(report) == 2 * 2 * 5
+    assert all(row["jaws"] == "0" for row in table if row["part"] == "calibration")
+    for (level, name), row in report.items():
+        assert row["jaws"] == "2", (level, name)
+        if "landmarks" in name:
+            # The middles are measured whether or not the case was given landmarks of the scan.
+            assert row["registered"] == "2", (level, name)
+            # Eight pairs a jaw of regular arches; real ones lack teeth or have more.
+            assert int(row["middles"]) == 16 if level == "standard" else int(row["middles"]) >= 8, (level, name)
+            assert 0.0 < float(row["mean_px"]) <= float(row["worst_px"]), (level, name)
+    assert "1.83 / 4.2" in (tmp_path / "practice.md").read_text()
 
 
 def test_study_of_the_verdict_finds_what_is_wrong(run, tmp_path):

@@ -262,6 +262,7 @@ def test_practice_phantom_has_outlines_landmarks_and_a_frontal_view(run, tmp_pat
     assert "cephalometric_landmarks" not in files["case-outlines.json"]
     view = case["views"][0]
     assert view["direction"] == "frontal" and view["cephalogram"]["patient_left"] == "right"
+    assert files["truth.json"]["views"]["frontal"]["noise_px"]["correlation_length"] == 15.0
     matrices = files["truth.json"]["views"]["frontal"]["projection_3x4"]
     for name, (u, v) in files[view["cephalometric_landmarks"]].items():
         point = files["landmarks3d.json"][name] + [1]

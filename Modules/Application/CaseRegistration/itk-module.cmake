@@ -1,3 +1,6 @@
+# ITK's transform IO is linked by the part that is loaded with the first transform that is written (src/CMakeLists.txt). It is
+# named here because in a static build that part is in this module; the shared library uses nothing of it, and the linker
+# leaves it out.
 itk_module(CaseRegistration
   DEPENDS
     DentalCommon

@@ -1,3 +1,5 @@
+# ITKIOGDCM is linked by the part that is loaded with the first DICOM file (src/CMakeLists.txt). It is named here because in a
+# static build that part is in this module; the shared library uses nothing of it, and the linker leaves it out.
 itk_module(Cephalogram
   DEPENDS
     CephalometricGeometry

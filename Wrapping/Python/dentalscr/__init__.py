@@ -16,6 +16,7 @@ from ._core import (
     CorrelatedNoiseModel,
     DentalPhantomParameters,
     ExchangedJawsHypothesis,
+    ExchangedLandmarksHypothesis,
     ExperimentStudy,
     GemanMcClureKernel,
     Image,
@@ -26,6 +27,7 @@ from ._core import (
     LeastSquaresSumMetricv4,
     Mesh,
     MetricHold,
+    MillimetreLandmarksHypothesis,
     Motion,
     Numbering,
     OtherFacingHypothesis,
@@ -190,6 +192,7 @@ from ._phantom import (
 )
 from ._pose import (
     FindLandmarkCounterparts,
+    FindToothCrowns,
     JawVerdict,
     LandmarkCounterpart,
     LandmarkCounterpartFilter,
@@ -211,6 +214,8 @@ from ._pose import (
     RegistrationVerdicts,
     SilhouettePoseMetricv4,
     VerdictReason,
+    ToothCrown,
+    ToothCrownFilter,
 )
 from ._process import ProcessObject
 from ._registration import (
@@ -293,9 +298,11 @@ __all__ = [
     "Error",
     "EventEnum",
     "ExchangedJawsHypothesis",
+    "ExchangedLandmarksHypothesis",
     "ExperimentStudy",
     "FilterError",
     "FindLandmarkCounterparts",
+    "FindToothCrowns",
     "GemanMcClureKernel",
     "GeometryPlacement",
     "GeometryPlacementFilter",
@@ -339,6 +346,7 @@ __all__ = [
     "MidlineSideMeshFilter",
     "MidsagittalPlane",
     "MidsagittalPlaneFilter",
+    "MillimetreLandmarksHypothesis",
     "MirrorPlane",
     "Motion",
     "Numbering",
@@ -421,6 +429,8 @@ __all__ = [
     "SurfaceDRROutput",
     "SurfaceSplatWidth",
     "SurfaceSplatWidthCalculator",
+    "ToothCrown",
+    "ToothCrownFilter",
     "ToothLabelFileReader",
     "TracedSide",
     "TracingPixelSpacing",

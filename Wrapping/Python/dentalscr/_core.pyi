@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothLabelFileReader', 'TracedSide', 'TracingPixelSpacingFilter', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'TracedSide', 'TracingPixelSpacingFilter', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -4281,7 +4281,7 @@ class PoseSolution(DataObject):
         """
     def GetOutcomes(self, jaw: Jaw | str) -> dict[str, PoseHypothesisOutcome]:
         """
-        {code: PoseHypothesisOutcome} of the hypotheses that were tried beside the result: other-side, and where the fit is poor facing and jaws-exchanged.
+        {code: PoseHypothesisOutcome} of the hypotheses that were tried beside the result: other-side, and where the fit is poor facing and jaws-exchanged, of landmarks landmarks-exchanged and landmarks-mm.
         """
     def GetPose(self, jaw: Jaw | str) -> list[float]:
         """
@@ -4362,6 +4362,18 @@ class OtherFacingHypothesis(PoseHypothesis):
 class ExchangedJawsHypothesis(PoseHypothesis):
     """
     Upper and lower scan were exchanged.
+    """
+    def __init__(self) -> None:
+        ...
+class ExchangedLandmarksHypothesis(PoseHypothesis):
+    """
+    The landmarks' names are of the other jaw.
+    """
+    def __init__(self) -> None:
+        ...
+class MillimetreLandmarksHypothesis(PoseHypothesis):
+    """
+    The landmarks are in millimetres, not in pixels.
     """
     def __init__(self) -> None:
         ...
@@ -4653,6 +4665,42 @@ class LandmarkCounterpartFilter(ProcessObject):
     def _SetLowerMesh(self, mesh: Mesh | None) -> None:
         ...
     def _SetScanLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
+        ...
+    def _SetUpperFrame(self, transform: VersorRigid3DTransform | None) -> None:
+        ...
+    def _SetUpperMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class ToothCrownFilter(ProcessObject):
+    """
+    Cuts the crowns of the teeth that an analysis has outlined out of the scans.
+    """
+    def GetLabels(self, jaw: Jaw | str) -> list[int]:
+        ...
+    def GetMillimetresPerUnit(self) -> float:
+        ...
+    def GetMissing(self) -> list[str]:
+        """
+        Names of teeth of the tracings whose crowns were not found.
+        """
+    def SetLabels(self, jaw: Jaw | str, labels: typing.Sequence[int]) -> None:
+        """
+        FDI number by point of the jaw's mesh, 0 gingiva; empty: none.
+        """
+    def SetMillimetresPerUnit(self, value: float) -> None:
+        ...
+    def _GetCrowns(self) -> dict[str, typing.Any]:
+        ...
+    def _SetLowerContour(self, contour: Contour | None) -> None:
+        ...
+    def _SetLowerFrame(self, transform: VersorRigid3DTransform | None) -> None:
+        ...
+    def _SetLowerMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def _SetScanLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
+        ...
+    def _SetUpperContour(self, contour: Contour | None) -> None:
         ...
     def _SetUpperFrame(self, transform: VersorRigid3DTransform | None) -> None:
         ...
@@ -5227,10 +5275,13 @@ class ExperimentStudy:
       Coverage
 
       Verdict
+
+      Practice
     """
     Ablation: typing.ClassVar[ExperimentStudy]
     Capture: typing.ClassVar[ExperimentStudy]
     Coverage: typing.ClassVar[ExperimentStudy]
+    Practice: typing.ClassVar[ExperimentStudy]
     Sensitivity: typing.ClassVar[ExperimentStudy]
     Tables: typing.ClassVar[ExperimentStudy]
     Verdict: typing.ClassVar[ExperimentStudy]

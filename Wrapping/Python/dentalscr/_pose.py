@@ -396,6 +396,68 @@ def FindLandmarkCounterparts(landmarks: Any, **inputs: Any) -> Dict[str, Landmar
     return LandmarkCounterpartFilter().Execute(landmarks, **inputs)
 
 
+class ToothCrown(NamedTuple):
+    """The crown of one tooth, cut out of a scan."""
+
+    #: (n, 3), mesh frame, mm.
+    points: Array
+    #: (m, 3) indices into the points.
+    triangles: Array
+    #: How far the cut may be from the crown along the arch, standard deviation, mm.
+    sigmaAlong: float
+    #: How far its ends may be from the crown's, mm.
+    sigmaWidth: float
+    #: How it was found: "tooth labels", "landmarks_3d", "its place along the arch".
+    source: str
+
+
+class ToothCrownFilter(ProcessObject, _core.ToothCrownFilter):
+    """Cuts the crowns of the teeth that an analysis has outlined out of the scans."""
+
+    def Execute(
+        self,
+        upperContour: Optional[ContourLike] = None,
+        lowerContour: Optional[ContourLike] = None,
+        upperMesh: Optional[MeshLike] = None,
+        lowerMesh: Optional[MeshLike] = None,
+        upperFrame: Optional[TransformLike] = None,
+        lowerFrame: Optional[TransformLike] = None,
+        scanLandmarks: Optional[LandmarksLike] = None,
+    ) -> Dict[str, ToothCrown]:
+        """Cuts out each tooth with a code in a contour, and its fellow of the other side.
+
+        Parameters
+        ----------
+        upperContour, lowerContour : contour-like, optional
+            Outlines, of which only the codes of the teeth are read.
+        upperMesh, lowerMesh : mesh-like, optional
+            Scans, mm.
+        upperFrame, lowerFrame : transform-like, optional
+            Mesh to dental frame, of :func:`UMidlineDentalAxis`.
+        scanLandmarks : landmarks-like, optional
+            Landmarks of the scans in the frame of the mesh files; ``SetMillimetresPerUnit`` says in what unit.
+
+        Returns
+        -------
+        dict
+            Name of the tooth to :class:`ToothCrown`; ``GetMissing`` names those that were not found.
+        """
+        self._SetUpperContour(None if upperContour is None else as_contour(upperContour))
+        self._SetLowerContour(None if lowerContour is None else as_contour(lowerContour))
+        self._SetUpperMesh(None if upperMesh is None else as_mesh(upperMesh))
+        self._SetLowerMesh(None if lowerMesh is None else as_mesh(lowerMesh))
+        self._SetUpperFrame(as_rigid(upperFrame))
+        self._SetLowerFrame(as_rigid(lowerFrame))
+        self._SetScanLandmarks({} if scanLandmarks is None else as_landmarks(scanLandmarks, 3))
+        self._Update()
+        return {name: ToothCrown(*found) for name, found in self._GetCrowns().items()}
+
+
+def FindToothCrowns(**inputs: Any) -> Dict[str, ToothCrown]:
+    """The crowns of teeth that an analysis has outlined; see :class:`ToothCrownFilter`."""
+    return ToothCrownFilter().Execute(**inputs)
+
+
 class MatchedContourFilter(ProcessObject, _core.MatchedContourFilter):
     """The part of a moving contour that has a tracing beside it, in pieces."""
 

@@ -34,7 +34,8 @@ WrapExperiment(py::module_ & module)
                         { "Sensitivity", StudyEnum::Sensitivity },
                         { "Ablation", StudyEnum::Ablation },
                         { "Coverage", StudyEnum::Coverage },
-                        { "Verdict", StudyEnum::Verdict } },
+                        { "Verdict", StudyEnum::Verdict },
+                        { "Practice", StudyEnum::Practice } },
                       "What an experiment asks.");
   ProcessClass<ExperimentType>(module, "CohortExperiment", "Methods on a cohort: tables, statistics, plot data.")
     .def(New<ExperimentType>())

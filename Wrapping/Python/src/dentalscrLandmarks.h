@@ -109,7 +109,14 @@ FromCephalometricDict(const py::dict & landmarks)
     {
       throw std::invalid_argument("landmark " + name + " is not 2 numbers");
     }
-    result->AddLandmark(name, point, number("sigma_px", 0.0), number("confidence", -1.0));
+    const double sigma = number("sigma_px", 0.0);
+    // 0 stands for "nobody said one", which whoever writes it does not mean.
+    if (entry.contains("sigma_px") && !(sigma > 0.0))
+    {
+      throw std::invalid_argument("the sigma_px of landmark " + name + " is " + std::to_string(sigma) +
+                                  ", no standard deviation: give pixels above 0, or leave it out");
+    }
+    result->AddLandmark(name, point, sigma, number("confidence", -1.0));
   }
   return result;
 }

@@ -20,11 +20,13 @@
 
 #include "itkContourTransformFilter.h"
 #include "itkExchangedJawsHypothesis.h"
+#include "itkExchangedLandmarksHypothesis.h"
 #include "itkGeometryPlacementFilter.h"
 #include "itkLandmarkMatrixProjectionFilter.h"
 #include "itkLandmarkCounterpartFilter.h"
 #include "itkLandmarkProjectionFilter.h"
 #include "itkMatchedContourFilter.h"
+#include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 #include "itkPoseRegistrationMethod.h"
@@ -32,6 +34,7 @@
 #include "itkPoseStartSearch.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
+#include "itkToothCrownFilter.h"
 #include "itkSimilarityPlacementFilter.h"
 #include "itkSurfaceSplatWidthCalculator.h"
 #include "itkTracingPixelSpacingFilter.h"
@@ -141,6 +144,33 @@ VisitFields(itk::PoseJawResult & jaw, TField && field)
   field(jaw.otherSideCodes);
   field(jaw.contour);
   field(jaw.contourPoints);
+  std::size_t landmarks = jaw.landmarks.size();
+  field(landmarks);
+  jaw.landmarks.resize(landmarks);
+  for (itk::PoseLandmarkFit & landmark : jaw.landmarks)
+  {
+    field(landmark.name);
+    field(landmark.residual);
+    field(landmark.distance);
+    field(landmark.weight);
+  }
+  std::size_t outlines = jaw.outlines.size();
+  field(outlines);
+  jaw.outlines.resize(outlines);
+  for (itk::PoseOutlineFit & outline : jaw.outlines)
+  {
+    field(outline.name);
+    field(outline.shift);
+    field(outline.distance);
+    field(outline.weight);
+    field(outline.matchedShare);
+    field(outline.isTemplate);
+  }
+  field(jaw.unusedOutlines);
+  field(jaw.tracingFailure);
+  field(jaw.placedByOther);
+  field(jaw.middleSigma);
+  field(jaw.largestMiddleSigma);
 }
 template <typename TField>
 void
@@ -176,6 +206,7 @@ VisitFields(itk::PoseGroupResult & group, TField && field)
   field(group.converged);
   field(group.stopCondition);
   field(group.bisected);
+  field(group.untried);
   std::map<std::string, std::pair<double, double>> outcomes;
   for (const auto & outcome : group.outcomes)
   {
@@ -594,7 +625,7 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       py::arg("jaw"),
       "{code: PoseHypothesisOutcome} of the hypotheses that were tried beside the result: other-side, and where the "
       "fit "
-      "is poor facing and jaws-exchanged.")
+      "is poor facing and jaws-exchanged, of landmarks landmarks-exchanged and landmarks-mm.")
     .def(
       "GetNoiseLevels",
       [](const SolutionType & self, JawEnum jaw) {
@@ -665,6 +696,12 @@ WrapParts(py::module_ & module)
   wrapHypothesis(itk::OtherFacingHypothesis::Pointer(), "OtherFacingHypothesis", "The patient faces the other way.");
   wrapHypothesis(
     itk::ExchangedJawsHypothesis::Pointer(), "ExchangedJawsHypothesis", "Upper and lower scan were exchanged.");
+  wrapHypothesis(itk::ExchangedLandmarksHypothesis::Pointer(),
+                 "ExchangedLandmarksHypothesis",
+                 "The landmarks' names are of the other jaw.");
+  wrapHypothesis(itk::MillimetreLandmarksHypothesis::Pointer(),
+                 "MillimetreLandmarksHypothesis",
+                 "The landmarks are in millimetres, not in pixels.");
 
   using StartType = itk::PoseStart;
   using SearchType = itk::PoseStartSearch;
@@ -947,6 +984,69 @@ WrapDownstream(py::module_ & module)
       }
       return unused;
     });
+
+  using CrownType = itk::ToothCrownFilter;
+  ProcessClass<CrownType>(
+    module, "ToothCrownFilter", "Cuts the crowns of the teeth that an analysis has outlined out of the scans.")
+    .def(New<CrownType>())
+    .def("_SetUpperContour", &CrownType::SetUpperContour, py::arg("contour"))
+    .def("_SetLowerContour", &CrownType::SetLowerContour, py::arg("contour"))
+    .def("_SetUpperMesh", &CrownType::SetUpperMesh, py::arg("mesh"))
+    .def("_SetLowerMesh", &CrownType::SetLowerMesh, py::arg("mesh"))
+    .def(
+      "_SetUpperFrame",
+      [](CrownType & self, const RigidType * transform) { self.SetUpperFrame(ToFrame(transform)); },
+      py::arg("transform"))
+    .def(
+      "_SetLowerFrame",
+      [](CrownType & self, const RigidType * transform) { self.SetLowerFrame(ToFrame(transform)); },
+      py::arg("transform"))
+    .def(
+      "_SetScanLandmarks",
+      [](CrownType & self, const py::dict & landmarks) { self.SetScanLandmarks(FromDict<3>(landmarks)); },
+      py::arg("landmarks"))
+    .def("SetLabels",
+         &CrownType::SetLabels,
+         py::arg("jaw"),
+         py::arg("labels"),
+         "FDI number by point of the jaw's mesh, 0 gingiva; empty: none.")
+    .def("GetLabels", &CrownType::GetLabels, py::arg("jaw"))
+    .dentalscrProperty(CrownType, MillimetresPerUnit)
+    .def("_GetCrowns",
+         [](CrownType & self) {
+           py::dict result;
+           for (const auto & crown : self.GetOutput()->GetCrowns())
+           {
+             std::vector<double>        points;
+             std::vector<std::uint32_t> triangles;
+             for (const auto & point : crown.surface->points)
+             {
+               points.insert(points.end(), point.begin(), point.end());
+             }
+             for (const auto & triangle : crown.surface->triangles)
+             {
+               triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+             }
+             result[py::str(crown.tooth.GetName())] = py::make_tuple(
+               MakeArray<double>(points, { static_cast<py::ssize_t>(crown.surface->points.size()), 3 }),
+               MakeArray<std::uint32_t>(triangles, { static_cast<py::ssize_t>(crown.surface->triangles.size()), 3 }),
+               crown.sigmaAlong,
+               crown.sigmaWidth,
+               crown.source);
+           }
+           return result;
+         })
+    .def(
+      "GetMissing",
+      [](const CrownType & self) {
+        std::vector<std::string> missing;
+        for (const itk::ToothCode & tooth : self.GetMissing())
+        {
+          missing.push_back(tooth.GetName());
+        }
+        return missing;
+      },
+      "Names of teeth of the tracings whose crowns were not found.");
 
   using MatchedType = itk::MatchedContourFilter;
   ProcessClass<MatchedType>(

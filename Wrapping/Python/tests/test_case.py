@@ -155,6 +155,8 @@ def test_landmarks_that_are_none_are_named(ds, sample):
         make({"Is": (1, 2), "U1_tip": (1, 2)})
     with pytest.raises(ds.ArgumentError, match="sigma"):
         make({"U1_tip": {"position": (1, 2), "sigma": 2.0}})
+    with pytest.raises(ds.ArgumentError, match="sigma_px of landmark U1_tip"):
+        make({"U1_tip": {"position": (1, 2), "sigma_px": 0}})
     with pytest.raises(ds.InputError, match="U1_tip"):
         make({"U1_tip": (5700, 6430)})
     with pytest.raises(TypeError, match="landmarks"):

@@ -79,7 +79,7 @@ def test_every_process_object_has_its_procedural_twin(ds):
     others = {
         "CaseRegistration": "register", "CaseResultFolderWriter": "WriteCaseResult", "DentalCaseReader": "ReadCase",
         "CephalogramFileReader": "ReadCephalogram", "CaseLandmarkErrorFilter": "MeasureCaseLandmarkErrors",
-        "LandmarkCounterpartFilter": "FindLandmarkCounterparts",
+        "LandmarkCounterpartFilter": "FindLandmarkCounterparts", "ToothCrownFilter": "FindToothCrowns",
         "CephalometricLandmarkFileReader": "ReadCephalometricLandmarks",
         "CohortExperiment": "RunCohortExperiment", "DentalContourFileReader": "ReadContours",
         "SurfaceSplatWidthCalculator": "SurfaceSplatWidth",

@@ -94,6 +94,18 @@ def test_solution_is_the_callers_own(ds, phantom, axes):
     assert first.GetPose("upper") == pose and first is not second and not second.HasJaw("lower")
 
 
+def test_a_pickled_solution_knows_which_jaw_the_other_placed(ds, phantom, axes):
+    """The bite counts in such a jaw's uncertainty, and its verdict is by the middles of both sides."""
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    method.SetOptions(make_quick_options(ds))
+    solution = method.Execute(phantom.geometry, phantom.upper.mesh, phantom.upper.tracing, phantom.lower.mesh, None)
+    again = pickle.loads(pickle.dumps(solution))
+    point = next(iter(phantom.lower.landmarks3D.values()))
+    assert np.array_equal(again.ComputeCovariance("lower", point), solution.ComputeCovariance("lower", point))
+    assert ds.RegistrationVerdict(again).lower == ds.RegistrationVerdict(solution).lower
+
+
 def test_solution_and_options_pickle(ds, phantom, solution):
     other = pickle.loads(pickle.dumps(solution))
     assert pickle.dumps(other) == pickle.dumps(solution)
@@ -246,6 +258,8 @@ def test_hypotheses_are_what_was_added(ds, phantom, axes):
         method.AddHypothesis(ds.OtherSideHypothesis())
     assert ds.OtherFacingHypothesis().GetCode() == "facing"
     assert ds.ExchangedJawsHypothesis().GetCode() == "jaws-exchanged"
+    assert ds.ExchangedLandmarksHypothesis().GetCode() == "landmarks-exchanged"
+    assert ds.MillimetreLandmarksHypothesis().GetCode() == "landmarks-mm"
 
 
 def test_ready_command_logs_any_registration(ds, phantom, axes):

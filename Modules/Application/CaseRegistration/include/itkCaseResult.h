@@ -110,6 +110,23 @@ struct UsedLandmark
   double weight{ 1.0 };
 };
 
+/** An outline of a whole tooth that was registered with. */
+struct UsedOutline
+{
+  /** "U1", "L6". */
+  std::string name;
+  /** How far the hand shifted it, as far as can be told: drawn minus predicted, pixels. */
+  std::array<double, 2> shift{ { 0.0, 0.0 } };
+  /** Shift, turn and size together, in standard deviations of a shift. */
+  double distance{ 0.0 };
+  /** What the robust kernel left of it, 1 to 0. */
+  double weight{ 1.0 };
+  /** Share of its crown's points that lie on the scan's outline. */
+  double matchedShare{ 1.0 };
+  /** Its shape is another tooth's, as a stock template's is: only tip and axis counted. */
+  bool isTemplate{ false };
+};
+
 /** One of several alignments that fit: a minimum of the method's criterion. */
 struct AlignmentCandidate
 {
@@ -145,6 +162,8 @@ struct JawResult
   std::vector<MiddlePrediction> middles;
   /** In the order of their file; empty where only contours were registered. */
   std::vector<UsedLandmark> usedLandmarks;
+  /** Outlines of whole teeth that this jaw was registered with. */
+  std::vector<UsedOutline> usedOutlines;
   /** "upper" or "lower": the jaw that placed this one, of which nothing was drawn; "" where it has drawings. */
   std::string placedBy;
   /** Only where landmarks were marked in the radiograph. */
@@ -184,7 +203,9 @@ struct CaseResult
   /** The geometry as it was used: estimates filled in. */
   CephalometricGeometry::Pointer geometry;
   /** Where both jaws are in one frame, mm. */
-  bool                     jawsShareFrame{ false };
+  bool jawsShareFrame{ false };
+  /** What the scans show of it, whatever the case says; empty where there is one jaw. */
+  std::string              occlusionFound;
   std::optional<double>    overjet;
   std::optional<double>    overbite;
   std::vector<std::string> warnings;

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkCaseChecks.h"
 
+#include "itkJawExchangeEvidence.h"
 #include "itkRegistrationVerdict.h"
 
 #include <algorithm>
@@ -49,12 +50,8 @@ constexpr double InwardWinding = -0.2;
 /** Mean distance of one side's landmarks from the midline on the wrong side, mm, from which on the sides are exchanged:
  * they lie 15 mm or more to their own side, and the midline is found to a millimetre or two. */
 constexpr double WrongSideOffset = 5.0;
-/** mm that an upper arch, normally the wider by some millimetres, may be narrower than the lower and lie behind it, as
- * in a crossbite and in a class III. */
-constexpr double ReversedWidth = 2.0;
-constexpr double ReversedOverjet = 1.0;
-/** mm narrower that no crossbite makes an upper arch: one tooth's width over both sides. */
-constexpr double HugelyReversedWidth = 6.0;
+/** Probability from which on the shapes say that the scans are exchanged: more likely than not. */
+constexpr double ProbablyExchanged = 0.5;
 /** Confidence in a dental axis below which it is doubted: the middle of its range from 0 to 1 (Documentation/UMDA.md).
  */
 constexpr double UnsureAxis = 0.5;
@@ -283,33 +280,26 @@ CheckSameScan(const DentalCaseData & data, CaseResult & result)
   }
 }
 
-/** By shape alone: the upper arch is the wider one and overlaps the lower in front. */
+/** By shape alone. \return whether the shapes could tell. */
 bool
 CheckShapesForExchange(const DentalFrameResult & frames, CaseResult & result)
 {
-  if (!frames.upper.valid || !frames.lower.valid)
+  const JawExchangeEvidence evidence(frames);
+  // One measure alone never tells.
+  const bool told = evidence.GetMolarWidthDifference().has_value() && evidence.GetOverjet().has_value();
+  if (told && evidence.GetProbability() > ProbablyExchanged)
   {
-    return false;
-  }
-  const double widthDifference = frames.upper.archWidth - frames.lower.archWidth;
-  const bool   isNarrower = widthDifference < -ReversedWidth;
-  const bool   liesBehind = frames.jawsShareFrame && frames.overjet < -ReversedOverjet;
-  // A crossbite reverses the one, a class III the other: either alone does not tell unless it is large.
-  if ((isNarrower && liesBehind) || widthDifference < -HugelyReversedWidth)
-  {
+    std::ostringstream reason;
+    reason << "upper and lower scan may be exchanged (probability " << std::setprecision(2) << evidence.GetProbability()
+           << "): the upper arch is " << -*evidence.GetMolarWidthDifference()
+           << " mm narrower than the lower at the first molars and lies " << -*evidence.GetOverjet()
+           << " mm behind it in front";
     for (auto & entry : result.jaws)
     {
-      std::ostringstream reason;
-      reason << "upper and lower scan may be exchanged: the upper arch is " << std::setprecision(2) << -widthDifference
-             << " mm narrower than the lower";
-      if (liesBehind)
-      {
-        reason << " and lies " << -frames.overjet << " mm behind it";
-      }
       entry.second.AddReason(CaseStatusEnum::Suspect, reason.str());
     }
   }
-  return frames.jawsShareFrame;
+  return told;
 }
 } // namespace
 

@@ -19,6 +19,8 @@
 
 #include "itkWritePicture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -51,11 +53,66 @@ MakeTextLines(const CaseResult & result, const JawResult & jaw)
                     " px = " + Number(jaw.error->mean * millimetres, 2) + " mm on the detector, mean of " +
                     std::to_string(jaw.error->count));
   }
+  std::string used;
+  for (const UsedLandmark & landmark : jaw.usedLandmarks)
+  {
+    used += (used.empty() ? "registered with " : ", ") + landmark.name + " (" +
+            Number(std::hypot(landmark.residual[0], landmark.residual[1]), 1) + " px)";
+  }
+  if (!used.empty())
+  {
+    lines.push_back(used);
+  }
   for (const std::string & reason : jaw.reasons)
   {
     lines.push_back(reason);
   }
   return lines;
+}
+
+/** The landmarks that were registered with: a cross where each was marked, a ring where its counterpart on the scan is
+ * projected to, and a line between. They are no errors, and so no landmarks of the overlay, which counts these. */
+DentalContour::Pointer
+DrawUsedLandmarks(const CaseResult & result, const JawResult & jaw)
+{
+  using PointType = DentalContour::PointType;
+  constexpr double       ringRadius = 0.8;
+  constexpr double       crossArm = 1.1;
+  constexpr unsigned int ringPoints = 16;
+  constexpr double       fullCircle = 6.283185307179586;
+  auto                   drawing = DentalContour::New();
+  const auto             spacing = result.geometry->GetPixelSpacing();
+  const auto             moved = [&](const PointType & from, double u, double v) {
+    PointType point = from;
+    point[0] += u / spacing[0];
+    point[1] += v / spacing[1];
+    return point;
+  };
+  for (const UsedLandmark & used : jaw.usedLandmarks)
+  {
+    const auto * mark = result.data->cephalometricLandmarks->Find(used.name);
+    if (mark == nullptr)
+    {
+      continue;
+    }
+    const PointType marked = mark->point;
+    PointType       projected = marked;
+    projected[0] -= used.residual[0];
+    projected[1] -= used.residual[1];
+    for (const double slant : { -1.0, 1.0 })
+    {
+      drawing->AddPolyline({ moved(marked, -crossArm, -slant * crossArm), moved(marked, crossArm, slant * crossArm) });
+    }
+    std::vector<PointType> ring;
+    for (unsigned int i = 0; i < ringPoints; ++i)
+    {
+      const double angle = fullCircle * i / ringPoints;
+      ring.push_back(moved(projected, ringRadius * std::cos(angle), ringRadius * std::sin(angle)));
+    }
+    drawing->AddPolyline(ring, ToothCode(), true);
+    drawing->AddPolyline({ marked, projected });
+  }
+  return drawing;
 }
 } // namespace
 
@@ -78,6 +135,13 @@ MakeCaseOverlay(const CaseResult & result, ToothCode::JawEnum jawName)
     overlay->SetMovingContour(number++,
                               contour->second,
                               contour->first == "whole" ? "silhouette of the whole scan" : "contour that was matched");
+  }
+  if (!jaw.usedLandmarks.empty() && result.data->cephalometricLandmarks.IsNotNull())
+  {
+    // Behind the contours, and never number 0.
+    overlay->SetMovingContour(std::max(1u, number),
+                              DrawUsedLandmarks(result, jaw),
+                              "registered with: mark (cross) and its place on the scan (ring)");
   }
   auto                          predicted = DentalLandmarkSet<2>::New();
   std::map<std::string, double> sigmas;

@@ -27,10 +27,10 @@
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkParallelFor.h"
 #include "itkPixelSpacingVerdict.h"
-#include "itkPoseModel.h"
 #include "itkPoseRegistrationMethod.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
+#include "itkToothCrownFilter.h"
 
 #include "itkTimeProbe.h"
 
@@ -148,39 +148,15 @@ SetInitialTransforms(const DentalCaseData &               data,
   }
 }
 
-/** The result's way of writing a projection: from the mesh file's unit. */
 std::array<double, 12>
-FromFileUnit(std::array<double, 12> projection, double millimetresPerUnit)
+ToRows(const PoseSolution::ProjectionMatrixType & projection)
 {
+  std::array<double, 12> rows;
   for (unsigned int i = 0; i < 12; ++i)
   {
-    projection[i] *= i % 4 < 3 ? millimetresPerUnit : 1.0;
+    rows[i] = projection(i / 4, i % 4);
   }
-  return projection;
-}
-
-/** The minima of a jaw's group that are places of their own: what ends less than a working pixel from the best is not.
- */
-std::vector<AlignmentCandidate>
-ListCandidates(const PoseSolution * solution, JawEnum jaw, double millimetresPerUnit)
-{
-  const PoseGeometry &            geometry = solution->GetResult().geometry;
-  std::vector<AlignmentCandidate> candidates;
-  for (const PoseCandidate & minimum : solution->GetGroup(jaw).candidates)
-  {
-    if (!candidates.empty() && minimum.distance < 1.0)
-    {
-      continue;
-    }
-    AlignmentCandidate candidate;
-    candidate.projection = FromFileUnit(
-      PoseModel(geometry, minimum.parameters).GetPixelProjection(solution->GetJaw(jaw).frame), millimetresPerUnit);
-    candidate.score = minimum.score;
-    candidate.distance =
-      minimum.distance * PoseWorkingPixel / (0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]));
-    candidates.push_back(candidate);
-  }
-  return candidates;
+  return rows;
 }
 
 /** The paper's figures between a jaw's tracing and a contour. */
@@ -345,6 +321,44 @@ FindCounterparts(const DentalCaseData & data, AxisType * axis, CaseResult & resu
   return counterparts;
 }
 
+/** The crowns that the outlines of a standard tracing are compared with. */
+ToothCrownSet::Pointer
+FindCrowns(const DentalCaseData & data, AxisType * axis)
+{
+  auto filter = ToothCrownFilter::New();
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    const auto & input = data.GetJaw(jaw);
+    if (input.mesh.IsNull() || input.contour.IsNull())
+    {
+      continue;
+    }
+    filter->SetLabels(jaw, input.labels);
+    if (jaw == JawEnum::Upper)
+    {
+      filter->SetUpperContour(input.contour);
+      filter->SetUpperMesh(input.mesh);
+      filter->SetUpperFrame(FrameOf(axis, jaw));
+    }
+    else
+    {
+      filter->SetLowerContour(input.contour);
+      filter->SetLowerMesh(input.mesh);
+      filter->SetLowerFrame(FrameOf(axis, jaw));
+    }
+  }
+  if (data.landmarks3D.IsNotNull())
+  {
+    filter->SetScanLandmarks(data.landmarks3D);
+    filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  }
+  filter->SetExcludedTeeth(data.description.excludedTeeth);
+  filter->Update();
+  ToothCrownSet::Pointer crowns = filter->GetOutput();
+  crowns->DisconnectPipeline();
+  return crowns;
+}
+
 /** Whether a jaw has something to register with: a tracing, or a landmark that was found on its scan. */
 bool
 HasEvidence(const DentalCaseData & data, const LandmarkCounterpartSet * counterparts, JawEnum jaw)
@@ -429,18 +443,17 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   {
     return;
   }
+  const auto isTraced = [&](const auto & entry) { return CountTracingPoints(data.GetJaw(entry.first).contour) > 0; };
+  if (data.description.tracedSide == TracedSideEnum::Standard && std::any_of(jaws.begin(), jaws.end(), isTraced))
+  {
+    method->SetToothCrowns(FindCrowns(data, axis));
+  }
   for (const auto & entry : jaws)
   {
     const auto &      input = data.GetJaw(entry.first);
     MeshType::Pointer mesh = input.mesh;
     DentalContour *   tracing = input.contour.GetPointer();
     const bool        hasLandmarks = counterparts.IsNotNull() && HasCounterpart(counterparts, entry.first);
-    if (hasLandmarks && data.description.tracedSide == TracedSideEnum::Standard && CountTracingPoints(tracing) > 0)
-    {
-      result.warnings.push_back("the outlines of whole teeth of the " + ToName(entry.first) +
-                                " jaw are not registered with: its landmarks alone place it");
-      tracing = nullptr;
-    }
     // Beside landmarks a few points are too few to be a tracing; a jaw that the other one places has none at all.
     if (CountTracingPoints(tracing) < (hasLandmarks ? MinimumTracingPoints : 1))
     {
@@ -571,6 +584,15 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
                                     landmark.distance,
                                     landmark.weight });
     }
+    for (const PoseOutlineFit & outline : poseJaw.outlines)
+    {
+      jaw.usedOutlines.push_back(
+        { outline.name, outline.shift, outline.distance, outline.weight, outline.matchedShare, outline.isTemplate });
+    }
+    for (const std::string & unused : poseJaw.unusedOutlines)
+    {
+      result.warnings.push_back("outline " + unused);
+    }
     for (const auto & reason : verdict->GetVerdict(entry.first).reasons)
     {
       // Said already by the checks of the input.
@@ -579,7 +601,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
         jaw.AddReason(ToCaseStatus(reason.severity), reason.text);
       }
     }
-    jaw.projection = FromFileUnit(poseJaw.projection, unit);
+    jaw.projection = ToRows(solution->GetProjectionMatrix(entry.first, unit));
     jaw.meshToCephalostat = ToRows(method->GetTransform(entry.first));
     jaw.meshToUMDA = ToRows(FrameOf(axis, entry.first)->Get());
 
@@ -623,7 +645,10 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       { { "prior_tension_sd", *std::max_element(group.priorTension.begin(), group.priorTension.end()) },
         { "ambiguity_margin", group.margin },
         { "similarity_rms_px", similarity->GetRMS() } });
-    jaw.candidates = ListCandidates(solution, entry.first, unit);
+    for (const auto & alternative : solution->GetAlternatives(entry.first, unit))
+    {
+      jaw.candidates.push_back({ ToRows(alternative.projection), alternative.score, alternative.distance });
+    }
 
     TimeProbe contourProbe;
     contourProbe.Start();

@@ -422,6 +422,10 @@ CaseRegistration::GenerateData()
   axisProbe.Stop();
   this->EnterStage("checks", 0.3F);
   m_Result.jawsShareFrame = frames.jawsShareFrame;
+  if (frames.occlusionFinding != DentalFrameEnums::OcclusionFinding::NotTested)
+  {
+    m_Result.occlusionFound = DescribeOcclusion(frames);
+  }
   if (frames.jawsShareFrame && m_Preset == CasePresetEnum::Robust && m_PoseOptions.useJointPose)
   {
     this->PlaceBesideTheOther();

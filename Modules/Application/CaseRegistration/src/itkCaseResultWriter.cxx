@@ -159,6 +159,14 @@ JawToJson(const JawResult & jaw)
                                                 { "residual_sd", landmark.distance },
                                                 { "weight", landmark.weight } };
     }
+    for (const UsedOutline & outline : jaw.usedOutlines)
+    {
+      json["outlines_used"][outline.name] = { { "shift_px", outline.shift },
+                                              { "residual_sd", outline.distance },
+                                              { "weight", outline.weight },
+                                              { "matched_share", outline.matchedShare },
+                                              { "template", outline.isTemplate } };
+    }
     if (!sigmas.empty())
     {
       json["landmark_sigma_px"] = sigmas;
@@ -421,6 +429,10 @@ CaseResultToJson(const CaseResult & result)
   }
   json["geometry"] = GeometryToJson(result);
   json["jaws_share_frame"] = result.jawsShareFrame;
+  if (!result.occlusionFound.empty())
+  {
+    json["occlusion_found"] = result.occlusionFound;
+  }
   if (result.overjet && result.overbite)
   {
     json["overjet_mm"] = *result.overjet;

@@ -27,12 +27,22 @@
 #include <set>
 #include <string>
 
-/** A case with landmarks and no tracing. */
+/** A case as a cephalometric analysis has it: landmarks, outlines of whole teeth, or both. */
 struct LandmarkCase : PhantomCase
 {
   using Mark = itk::DentalPhantomStandardTracing::Landmark;
 
-  explicit LandmarkCase(std::uint64_t seed, const std::string & level = "standard", double errors = 1.0)
+  enum class EvidenceEnum
+  {
+    Landmarks,
+    Outlines,
+    Both
+  };
+
+  explicit LandmarkCase(std::uint64_t       seed,
+                        const std::string & level = "standard",
+                        double              errors = 1.0,
+                        EvidenceEnum        evidence = EvidenceEnum::Landmarks)
     : PhantomCase(MakeSource(seed, level))
   {
     data->description.tracedSide = itk::TracedSideEnum::Standard;
@@ -46,9 +56,32 @@ struct LandmarkCase : PhantomCase
       }
       data->cephalometricLandmarks->AddLandmark(mark.name, point);
     }
+    if (evidence == EvidenceEnum::Outlines)
+    {
+      data->cephalometricLandmarks = nullptr;
+    }
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
       data->GetJaw(jaw).contour = nullptr;
+      if (evidence != EvidenceEnum::Landmarks)
+      {
+        auto outlines = itk::DentalContour::New();
+        for (const auto & outline : source->GetStandardTracing()->GetOutlines(jaw == JawEnum::Upper ? 0 : 1))
+        {
+          std::vector<itk::DentalContour::PointType> points;
+          for (std::size_t i = 0; i < outline.exact.size(); ++i)
+          {
+            itk::DentalContour::PointType point;
+            for (unsigned int d = 0; d < 2; ++d)
+            {
+              point[d] = outline.exact[i][d] + errors * (outline.drawn[i][d] - outline.exact[i][d]);
+            }
+            points.push_back(point);
+          }
+          outlines->AddPolyline(points, itk::ToothCode(outline.fdi), true);
+        }
+        data->GetJaw(jaw).contour = outlines;
+      }
     }
   }
 

@@ -18,7 +18,6 @@
 #include "itkCaseRegistration.h"
 
 #include "itkCaseRegistrationTestCase.h"
-#include "../src/itkCasePoseRegistration.h"
 
 #include "itkCommand.h"
 
@@ -34,6 +33,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -507,29 +507,21 @@ TEST(CaseRegistration, TheScalesPriorFollowsTheSpacingsSource)
 
 TEST(CaseRegistration, WithoutAJointFrameNoJointPoseIsAskedFor)
 {
+  // Scans that were made in occlusion. Told that they were not, they have no joint frame, and a pose each.
   const PhantomCase phantom(5);
-  auto              axis = itk::UMidlineDentalAxisFilter<itk::DentalCaseData::MeshType>::New();
-  axis->SetUpperMesh(phantom.data->upper.mesh);
-  axis->SetLowerMesh(phantom.data->lower.mesh);
-  axis->Update();
-  ASSERT_NE(axis->GetJointTransformOutput()->Get(), nullptr);
-  const auto pitches = [&]() {
-    itk::CaseResult result;
-    result.jaws[JawEnum::Upper];
-    result.jaws[JawEnum::Lower];
-    result.data = phantom.data;
-    result.geometry = itk::CephalometricGeometry::New();
-    result.geometry->CopyParameters(phantom.data->geometry);
-    itk::CasePoseSettings settings;
-    settings.run = [](itk::ProcessObject * process) { process->Update(); };
-    itk::RegisterCaseByPose(*phantom.data, axis, settings, result);
-    return std::array<double, 2>{ { Detail(result.jaws[JawEnum::Upper], "pitch_rad"),
-                                    Detail(result.jaws[JawEnum::Lower], "pitch_rad") } };
+  const auto        pitches = [&phantom](itk::OcclusionEnum occlusion) {
+    auto data = std::make_shared<itk::DentalCaseData>(*phantom.data);
+    data->description.occlusion = occlusion;
+    auto registration = itk::CaseRegistration::New();
+    registration->SetData(data);
+    registration->Update();
+    const auto & jaws = registration->GetResult().jaws;
+    return std::array<double, 2>{ { Detail(jaws.at(JawEnum::Upper), "pitch_rad"),
+                                    Detail(jaws.at(JawEnum::Lower), "pitch_rad") } };
   };
-  const auto joint = pitches();
+  const auto joint = pitches(itk::OcclusionEnum::Check);
   EXPECT_EQ(joint[0], joint[1]);
-  axis->GetJointTransformOutput()->Set(nullptr);
-  const auto apart = pitches();
+  const auto apart = pitches(itk::OcclusionEnum::No);
   EXPECT_NE(apart[0], apart[1]);
 }
 

@@ -119,6 +119,14 @@ Axis(const AxisOptions & options, const CommonOptions & common)
   }
   const auto & frames = filter->GetFrame();
   json << ",\n \"jaws_share_frame\": " << (frames.jawsShareFrame ? "true" : "false");
+  if (frames.occlusionFinding != itk::DentalFrameEnums::OcclusionFinding::NotTested)
+  {
+    json << ",\n \"occlusion_found\": \"" << itk::DescribeOcclusion(frames) << '"';
+    if (!common.quiet)
+    {
+      std::cout << itk::DescribeOcclusion(frames) << '\n';
+    }
+  }
   if (frames.jawsShareFrame)
   {
     json << ",\n \"overjet_mm\": " << frames.overjet << ",\n \"overbite_mm\": " << frames.overbite;

@@ -103,6 +103,7 @@ Experiment(const ExperimentOptions & options, const CommonOptions & common)
                        : options.study == "ablation"    ? ExperimentType::StudyEnum::Ablation
                        : options.study == "coverage"    ? ExperimentType::StudyEnum::Coverage
                        : options.study == "verdict"     ? ExperimentType::StudyEnum::Verdict
+                       : options.study == "practice"    ? ExperimentType::StudyEnum::Practice
                                                         : ExperimentType::StudyEnum::Tables);
   experiment->SetNumberOfStarts(options.starts);
   experiment->SetDrawFigures(!options.noFigures);
@@ -154,7 +155,8 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
       ->add_option(
         "--cases",
         options->cases,
-        "Number of simulated cases. Studies: 8 (capture, sensitivity), 34 (ablation), 40 (verdict), 200 (coverage)")
+        "Number of simulated cases. Studies: 8 (capture, sensitivity), 34 (ablation), 40 (verdict), 120 (practice), "
+        "200 (coverage)")
       ->check(CLI::Range(1u, 100000u))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Of the first case; the same seed gives the same bits")
@@ -179,8 +181,8 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
     ->add_option("--study",
                  options->study,
                  "Instead of the tables: capture (range and success rate), sensitivity, or of preset robust: ablation, "
-                 "coverage (and accuracy), verdict")
-    ->check(CLI::IsMember({ "capture", "sensitivity", "ablation", "coverage", "verdict" }));
+                 "coverage (and accuracy), verdict, practice (landmarks and standard tracings)")
+    ->check(CLI::IsMember({ "capture", "sensitivity", "ablation", "coverage", "verdict", "practice" }));
   command->add_option("--starts", options->starts, "Starts a case and jaw in the study of the capture range")
     ->check(CLI::Range(10u, 100000u))
     ->capture_default_str();
@@ -193,12 +195,16 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
                   "  dentalscr experiment --study capture --methods all --output capture\n"
                   "  dentalscr experiment --study coverage --output coverage\n");
   command->callback([options, cases, level, &common, &run]() {
-    const bool aboutRobust =
-      options->study == "ablation" || options->study == "coverage" || options->study == "verdict";
+    const bool aboutRobust = options->study == "ablation" || options->study == "coverage" ||
+                             options->study == "verdict" || options->study == "practice";
     options->levelIsRefused = aboutRobust && level->count() > 0;
     if (!options->study.empty() && cases->count() == 0)
     {
-      options->cases = options->study == "coverage" ? 200 : options->study == "verdict" ? 40 : aboutRobust ? 34 : 8;
+      options->cases = options->study == "coverage"   ? 200
+                       : options->study == "practice" ? 120
+                       : options->study == "verdict"  ? 40
+                       : aboutRobust                  ? 34
+                                                      : 8;
     }
     run = [options, &common]() { return Experiment(*options, common); };
   });

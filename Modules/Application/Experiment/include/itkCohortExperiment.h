@@ -53,7 +53,9 @@ public:
     /** Accuracy of preset robust, coverage of its regions, its verdict, on every kind of case. */
     Coverage,
     /** Its verdict on good cases of every kind and on wrong inputs. */
-    Verdict
+    Verdict,
+    /** What it makes of the landmarks and standard tracings that every clinic has, by kind of input. */
+    Practice
   };
 };
 
@@ -99,7 +101,7 @@ public:
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** Default Typical. Ablation, Coverage and Verdict have levels of their own. */
+  /** Default Typical. Ablation, Coverage, Verdict and Practice have levels of their own. */
   itkSetEnumMacro(Level, CohortEnum);
   itkGetEnumMacro(Level, CohortEnum);
 
@@ -121,7 +123,7 @@ public:
   itkGetConstMacro(NumberOfStarts, unsigned int);
 
   /** Names of methods and groups; see SelectExperimentMethods(). Default "default"; Sensitivity takes its own default.
-   * Ablation, Coverage and Verdict are about preset robust alone and take none. */
+   * Ablation, Coverage, Verdict and Practice are about preset robust alone and take none. */
   void
   SetMethods(const std::vector<std::string> & names);
   const std::vector<std::string> &

@@ -55,7 +55,10 @@ struct Experiment_EXPORT ExperimentRecord
     std::array<double, 4>     similarity{ { 0.0, 0.0, 0.0, 0.0 } };
     ContourFigures            whole;
     std::vector<LandmarkType> landmarks;
-    double                    seconds{ 0.0 };
+    /** Predicted standard deviation an axis of the middle of both sides, pixels of 0.25 mm, over incisors and first
+     * molars: what the verdict judges where landmarks alone placed the jaw. Absent elsewhere. */
+    std::optional<double> middleSigma;
+    double                seconds{ 0.0 };
 
     /** Mean error; absent without landmarks. */
     std::optional<double>

@@ -60,6 +60,8 @@ NameOf(StudyEnum study)
       return "coverage";
     case StudyEnum::Verdict:
       return "verdict";
+    case StudyEnum::Practice:
+      return "practice";
     default:
       return "tables";
   }
@@ -69,7 +71,8 @@ NameOf(StudyEnum study)
 bool
 IsAboutRobust(StudyEnum study)
 {
-  return study == StudyEnum::Ablation || study == StudyEnum::Coverage || study == StudyEnum::Verdict;
+  return study == StudyEnum::Ablation || study == StudyEnum::Coverage || study == StudyEnum::Verdict ||
+         study == StudyEnum::Practice;
 }
 
 [[noreturn]] void
@@ -162,6 +165,8 @@ CohortExperiment::MakePlan() const
       return MakeCoveragePlan(cohort);
     case StudyEnum::Verdict:
       return MakeVerdictPlan(cohort);
+    case StudyEnum::Practice:
+      return MakePracticePlan(cohort);
     default:
       return MakeTablesPlan(cohort, methods);
   }

@@ -288,10 +288,19 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
   data->sources.principalPoint = ValueSourceEnum::Given;
   data->spacingVerdict = "UserGiven";
   data->spacingProvenance = "simulated";
-  // A standard tracing's molars stand in the middle of the two sides, which a bisected tracing's do, too.
-  data->description.tracedSide = said == TracedSideEnum::Standard ? TracedSideEnum::Mean : said;
+  data->description.tracedSide = said;
   data->landmarks3D = DentalLandmarkSet<3>::New();
   auto marked = DentalLandmarkSet<2>::New();
+  if (source->GetStandardTracing() != nullptr)
+  {
+    data->cephalometricLandmarks = CephalometricLandmarkSet::New();
+    for (const auto & mark : source->GetStandardTracing()->GetLandmarks())
+    {
+      CephalometricLandmarkSet::PointType point;
+      std::copy(mark.drawn.begin(), mark.drawn.end(), point.Begin());
+      data->cephalometricLandmarks->AddLandmark(mark.name, point);
+    }
+  }
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
     auto & input = jaw == 0 ? data->upper : data->lower;

@@ -139,6 +139,8 @@ std::unique_ptr<ExperimentPlan>
 MakeCoveragePlan(const ExperimentCohort & cohort);
 std::unique_ptr<ExperimentPlan>
 MakeVerdictPlan(const ExperimentCohort & cohort);
+std::unique_ptr<ExperimentPlan>
+MakePracticePlan(const ExperimentCohort & cohort);
 } // namespace itk
 
 #endif

@@ -67,6 +67,13 @@ ExperimentRecord::Add(const std::string & method, const CaseResult & result)
     {
       record.seconds += stage.first == "registration" ? stage.second : 0.0;
     }
+    for (const auto & detail : jaw.details)
+    {
+      if (detail.first == "middle_sigma_px")
+      {
+        record.middleSigma = detail.second;
+      }
+    }
     if (jaw.registered)
     {
       record.similarity = {
@@ -155,6 +162,10 @@ ExperimentRecord::ToJson(const std::string & key) const
         { "landmarks", landmarks },
         { "seconds", jaw.seconds }
       };
+      if (jaw.middleSigma)
+      {
+        json["methods"][method.first][entry.first]["middle_sigma_px"] = *jaw.middleSigma;
+      }
     }
   }
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -186,6 +197,10 @@ ExperimentRecord::FromJson(const std::string & text, const std::string & key)
       const auto contour = item.at("contour_px").get<std::array<double, 4>>();
       jaw.whole = { contour[0], contour[1], contour[2], contour[3] };
       jaw.seconds = item.at("seconds").get<double>();
+      if (item.contains("middle_sigma_px"))
+      {
+        jaw.middleSigma = item.at("middle_sigma_px").get<double>();
+      }
       for (const Json & each : item.at("landmarks"))
       {
         LandmarkType landmark;

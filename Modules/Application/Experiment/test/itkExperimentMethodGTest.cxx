@@ -206,6 +206,35 @@ TEST(ExperimentCase, KnowsAsMuchAsItsVariationSays)
   }
 }
 
+TEST(ExperimentCase, AStandardTracingComesWithItsLandmarks)
+{
+  const auto standard = itk::MakePhantomExperimentCase(7, CohortEnum::Standard, false);
+  EXPECT_EQ(standard.data->description.tracedSide, itk::TracedSideEnum::Standard);
+  ASSERT_TRUE(standard.data->cephalometricLandmarks.IsNotNull());
+  for (const char * name : { "U1_tip", "U6_MB", "L1_tip", "L6_MB" })
+  {
+    const auto * drawn = standard.data->cephalometricLandmarks->Find(name);
+    ASSERT_NE(drawn, nullptr) << name;
+    // A reader's hand is not exact.
+    const auto * exact = standard.marked->Find(std::string(name, 1) + "R" + (name + 1));
+    ASSERT_NE(exact, nullptr) << name;
+    EXPECT_GT(drawn->point.EuclideanDistanceTo(exact->point), 0.01) << name;
+    EXPECT_LT(drawn->point.EuclideanDistanceTo(exact->point), 40.0) << name;
+  }
+  EXPECT_TRUE(itk::MakePhantomExperimentCase(7, CohortEnum::Ideal, false).data->cephalometricLandmarks.IsNull());
+}
+
+TEST(ExperimentRecord, KeepsTheUncertaintyOfTheMiddleWhereThereIsOne)
+{
+  itk::ExperimentRecord record;
+  record.methods["robust"]["upper"].middleSigma = 2.25;
+  record.methods["robust"]["lower"].registered = true;
+  const auto read = itk::ExperimentRecord::FromJson(record.ToJson("key"), "key");
+  ASSERT_NE(read.Find("robust", "upper"), nullptr);
+  EXPECT_EQ(read.Find("robust", "upper")->middleSigma, 2.25);
+  EXPECT_FALSE(read.Find("robust", "lower")->middleSigma.has_value());
+}
+
 TEST(ExperimentCase, MistakesAreMadeAsTheyAreCalled)
 {
   using MistakeEnum = itk::ExperimentMistakeEnums::Mistake;

@@ -17,8 +17,14 @@
  *=========================================================================*/
 #include "itkPoseModel.h"
 
+#include "itkPoseFrameOperations.h"
+
+#include "itkAffineTransform.h"
+#include "itkVersorRigid3DTransform.h"
+
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace
@@ -119,4 +125,60 @@ TEST(PoseModel, SolvedTranslationBringsThePointThere)
   itk::PoseModel(Geometry(1.0, 1.0), moved).Project(p, w);
   EXPECT_NEAR(w[0], target[0], 1e-9);
   EXPECT_NEAR(w[1], target[1], 1e-9);
+}
+
+TEST(PoseModel, AFrameGoesToTheMeshAndBackForPointsAndForMotions)
+{
+  auto                transform = itk::VersorRigid3DTransform<double>::New();
+  itk::Versor<double> versor;
+  versor.Set(0.1, -0.3, 0.2, 0.8);
+  transform->SetRotation(versor);
+  const double shiftOfFrame[3] = { 4.0, -7.0, 2.5 };
+  transform->SetTranslation(itk::Vector<double, 3>(shiftOfFrame));
+  const auto                  frame = itk::ToPoseFrame(*transform);
+  const std::array<double, 3> mesh{ { 12.0, -5.0, 31.0 } };
+  const auto                  dental = itk::ToDentalFrame(frame, mesh);
+  const auto                  expected = transform->TransformPoint(itk::Point<double, 3>(mesh.data()));
+  const auto                  back = itk::ToMeshFrame(frame, dental);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    // Rounding of sums of three products of numbers up to 40.
+    EXPECT_NEAR(dental[d], expected[d], 1e-12);
+    EXPECT_NEAR(back[d], mesh[d], 1e-12);
+  }
+
+  // A motion of dental points is one of mesh points: the same place at the end, and the way back gives the motion
+  // again.
+  std::array<double, 9>       rotation;
+  const itk::PoseModel        model(itk::PoseGeometry(), pose);
+  const std::array<double, 3> shift{ { pose[itk::PoseTx], pose[itk::PoseTx + 1], pose[itk::PoseTx + 2] } };
+  std::array<double, 3>       translation;
+  itk::ToMeshMotion(frame, model.GetRotation(), shift, rotation, translation);
+  auto ofMesh = itk::AffineTransform<double, 3>::New();
+  auto matrix = ofMesh->GetMatrix();
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    double ofDental = shift[i];
+    double placed = translation[i];
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      ofDental += model.GetRotation()[3 * i + j] * dental[j];
+      placed += rotation[3 * i + j] * mesh[j];
+      matrix(i, j) = rotation[3 * i + j];
+    }
+    EXPECT_NEAR(placed, ofDental, 1e-12);
+  }
+  ofMesh->SetMatrix(matrix);
+  ofMesh->SetOffset(itk::Vector<double, 3>(translation.data()));
+  std::array<double, 9> again;
+  std::array<double, 3> shiftAgain;
+  itk::ToDentalMotion(frame, *ofMesh, again, shiftAgain);
+  for (unsigned int i = 0; i < 9; ++i)
+  {
+    EXPECT_NEAR(again[i], model.GetRotation()[i], 1e-14);
+  }
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(shiftAgain[i], shift[i], 1e-12);
+  }
 }

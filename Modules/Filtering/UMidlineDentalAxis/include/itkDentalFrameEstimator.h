@@ -25,6 +25,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <string>
 
 namespace itk
 {
@@ -41,6 +42,26 @@ public:
     Off,
     On,
     Check
+  };
+
+  /** What the occlusion test found. Both jaws must look at each other, one arch must lie over the other within a few
+   * mm, and neither may lie inside the other. */
+  enum class OcclusionFinding : std::uint8_t
+  {
+    /** There are no two jaws with a frame. */
+    NotTested,
+    /** All that two jaws in one frame show was seen. */
+    InOcclusion,
+    /** The occlusal sides do not face each other. */
+    NotOpposed,
+    /** The crowns are farther from the other jaw than any open bite or spacer. */
+    FarApart,
+    /** The upper jaw is not above the lower, or the crowns overlap by more than any overbite. */
+    NotOverEachOther,
+    /** Seen along the vertical, one arch lies beside the other. */
+    ArchesBesideEachOther,
+    /** The jaws lie inside each other. */
+    Interpenetrating
   };
 };
 
@@ -92,6 +113,9 @@ struct UMidlineDentalAxis_EXPORT DentalJawFrame
   /** Length of the baseline, and from its midpoint to the incisal edge along x. */
   double archWidth{ 0.0 };
   double archDepth{ 0.0 };
+  /** Across the arch between the buccal cusps at the first molars, 25 to 33 mm behind the incisal edge; mm. 0 where
+   * there are no crowns on one side. Unlike archWidth it does not depend on where the scan's crowns end. */
+  double molarWidth{ 0.0 };
   /** [0, 1]; Documentation/UMDA.md says what it is made of. Below 0.5 a person should look. */
   double confidence{ 0.0 };
   /** The factors of the confidence: vertical sign, flatness of the crowns, U-shape, symmetry. */
@@ -119,7 +143,8 @@ struct UMidlineDentalAxis_EXPORT DentalFrameResult
   /** Whether the jaws were treated as in one frame. */
   bool jawsShareFrame{ false };
   /** Of the occlusion test, made whenever both jaws are there: its outcome and what it saw. */
-  bool occlusionPlausible{ false };
+  bool                               occlusionPlausible{ false };
+  DentalFrameEnums::OcclusionFinding occlusionFinding{ DentalFrameEnums::OcclusionFinding::NotTested };
   /** 12th percentile of the distances between samples of one jaw and the other jaw, mm: the closeness of contact. */
   double contactDistance{ 0.0 };
   /** Lower to upper centroid along z, mm. */
@@ -129,6 +154,10 @@ struct UMidlineDentalAxis_EXPORT DentalFrameResult
   /** Upper above lower crown plane along z, and between the U's centres across it; mm. */
   double crownPlaneGap{ 0.0 };
   double archCentreDistance{ 0.0 };
+  /** Median distance between the two rings of crowns, seen along z; mm. */
+  double archDistance{ 0.0 };
+  /** Share of the samples near the other jaw that lie more than 1 mm inside it. */
+  double interpenetration{ 0.0 };
   /** Between the jaws' own estimates of z, and of x; degrees. */
   double verticalDisagreement{ 0.0 };
   double anteriorDisagreement{ 0.0 };
@@ -151,6 +180,10 @@ struct UMidlineDentalAxis_EXPORT DentalFrameResult
  * A jaw without a usable surface comes back with valid == false; nothing is thrown. */
 UMidlineDentalAxis_EXPORT DentalFrameResult
 EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower, const DentalFrameOptions & options);
+
+/** What the occlusion test found, as a sentence for a person, with the figures that decided. */
+UMidlineDentalAxis_EXPORT std::string
+                          DescribeOcclusion(const DentalFrameResult & result);
 } // namespace itk
 
 #endif

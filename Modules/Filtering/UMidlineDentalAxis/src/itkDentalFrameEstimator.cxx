@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <sstream>
 
 namespace itk
 {
@@ -34,6 +35,11 @@ namespace
 constexpr std::size_t MinimumTriangles = 100;
 /** Specks and degenerate triangles give none. */
 constexpr std::size_t MinimumSamples = 100;
+/** Length of the net area normal over the area from which on a body is open and can show that it is wound inward. */
+constexpr double LeastNetNormal = 0.1;
+/** Lead of OcclusalLook() for the other direction from which on a shell counts as wound inward. Phantoms of level real
+ * lead by 0.4 or more for the right one. */
+constexpr double LeastLead = 0.2;
 } // namespace
 
 DentalFrameResult
@@ -76,7 +82,8 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
     if (!result.occlusionPlausible && options.jawsShareFrame != DentalFrameEnums::JawsShareFrame::Off)
     {
       // One jaw's own estimate may have the wrong sign: a closed cast has no net normal, an inward winding a reversed
-      // one. Contact decides, if everything fits then.
+      // one. Contact decides, if everything fits then. But only a shell that by its own shape looks wound inward is
+      // turned: two scans that were each moved to the origin touch in any orientation.
       std::array<std::array<Jaw, 2>, 2> trials{ { { { jaws[0], jaws[0] } }, { { jaws[1], jaws[1] } } } };
       for (unsigned int j = 0; j < 2; ++j)
       {
@@ -87,14 +94,22 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
             trial.samples, j == 0 ? -1.0 * contact.direction : contact.direction, 2.0, options, trial.margin);
         }
       }
+      std::array<bool, 2> mayTurn{ { false, false } };
+      for (unsigned int j = 0; j < 2; ++j)
+      {
+        if (Norm(jaws[j].samples.netNormal) >= LeastNetNormal)
+        {
+          const std::vector<Vector3> rim = FindRim(*jaws[j].surface);
+          mayTurn[j] = OcclusalLook(trials[j][1], rim) > OcclusalLook(jaws[j], rim) + LeastLead;
+        }
+      }
       for (unsigned int variant = 0; variant < 4 && !result.occlusionPlausible && !aborted(); ++variant)
       {
         Jaw &             first = trials[0][variant & 1u];
         Jaw &             second = trials[1][variant >> 1];
         DentalFrameResult tested = result;
-        // Only an open shell shows that it is wound inward.
-        if ((first.turned && Norm(first.samples.netNormal) < 0.1) ||
-            (second.turned && Norm(second.samples.netNormal) < 0.1) || !VerticalsFit(first, second, contact, tested))
+        if ((first.turned && !mayTurn[0]) || (second.turned && !mayTurn[1]) ||
+            !VerticalsFit(first, second, contact, tested))
         {
           continue;
         }
@@ -252,5 +267,42 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
     result.joint = result.upper.valid ? result.upper : result.lower;
   }
   return result;
+}
+
+std::string
+DescribeOcclusion(const DentalFrameResult & result)
+{
+  using FindingEnum = DentalFrameEnums::OcclusionFinding;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.setf(std::ios::fixed);
+  text.precision(1);
+  switch (result.occlusionFinding)
+  {
+    case FindingEnum::InOcclusion:
+      text << "the jaws face each other, their crowns " << result.crownDistance << " mm apart, one arch over the other";
+      break;
+    case FindingEnum::NotOpposed:
+      text << "the occlusal sides do not face each other: they are " << result.verticalDisagreement
+           << " degrees off that";
+      break;
+    case FindingEnum::FarApart:
+      text << "the jaws are too far apart: their crowns by " << result.crownDistance << " mm";
+      break;
+    case FindingEnum::NotOverEachOther:
+      text << "the upper jaw is not above the lower: its crowns lie " << -result.crownPlaneGap << " mm below those";
+      break;
+    case FindingEnum::ArchesBesideEachOther:
+      text << "one arch lies beside the other: by " << result.archDistance << " mm";
+      break;
+    case FindingEnum::Interpenetrating:
+      text.precision(0);
+      text << "the jaws lie inside each other: " << 100.0 * result.interpenetration
+           << " % of what is near the other one";
+      break;
+    default:
+      text << "there are no two jaws to compare";
+  }
+  return text.str();
 }
 } // namespace itk

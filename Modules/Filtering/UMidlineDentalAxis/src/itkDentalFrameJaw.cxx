@@ -25,6 +25,15 @@ namespace itk
 {
 namespace DentalFrameKernel
 {
+namespace
+{
+/** mm behind the incisal edge where first molars are, in either jaw: their mesiobuccal cusps at 25 to 30. */
+constexpr double MolarsFrom = 25.0;
+constexpr double MolarsTo = 33.0;
+/** Samples of a side from which on its width is measured: the occlusal surface of half a molar has some thirty. */
+constexpr std::size_t FewestMolarSamples = 8;
+} // namespace
+
 OrientedPointSet
 MirrorSet(const Jaw & jaw, const DentalFrameOptions & options)
 {
@@ -152,6 +161,21 @@ Describe(const Jaw & jaw, DentalJawFrame & frame)
   }
   frame.archWidth = Norm(frame.baselineLeft - frame.baselineRight);
   frame.archDepth = Dot(frame.incisalEdge - frame.midpoint, frame.axes[0]);
+  std::vector<double> left;
+  std::vector<double> right;
+  for (const std::uint32_t i : jaw.vertical.crowns)
+  {
+    const Vector3 d = jaw.samples.points[i] - frame.incisalEdge;
+    const double  behind = -Dot(d, frame.axes[0]);
+    if (behind > MolarsFrom && behind < MolarsTo)
+    {
+      const double across = Dot(jaw.samples.points[i] - arch.centre, frame.axes[1]);
+      (across > 0.0 ? left : right).push_back(std::abs(across));
+    }
+  }
+  frame.molarWidth = left.size() < FewestMolarSamples || right.size() < FewestMolarSamples
+                       ? 0.0
+                       : Quantile(left, 0.95) + Quantile(right, 0.95);
   frame.openness = Norm(jaw.samples.netNormal);
   frame.windingAgreement = frame.openness > 0.0 ? (jaw.turned ? -1.0 : 1.0) *
                                                     Dot(jaw.samples.netNormal, jaw.vertical.direction) / frame.openness

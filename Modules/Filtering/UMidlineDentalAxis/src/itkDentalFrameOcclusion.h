@@ -20,6 +20,7 @@
 
 #include "itkDentalFrameJaw.h"
 
+#include <cstdint>
 #include <vector>
 
 // Whether two scans lie in one frame with teeth that can meet: contact between them is the one sign of the vertical
@@ -35,12 +36,22 @@ struct Contact
   double              distance{ 0.0 };
   std::vector<double> upperDistances;
   std::vector<double> lowerDistances;
+  /** The sample of the other jaw that each is nearest to. */
+  std::vector<std::uint32_t> upperNearest;
+  std::vector<std::uint32_t> lowerNearest;
 };
 
 /** The contact band: samples of each jaw near the other. Its flattest direction is vertical whatever base, palate and
  * trimming the meshes have. */
 Contact
 FindContact(const Samples & upper, const Samples & lower);
+
+/** How much the jaw's vertical looks like the occlusal direction, from what no winding can spoil: the roughness of its
+ * crowns relative to the mean, less twice the share of them at the border of the shell. On phantoms of level real 0.5
+ * or more for the occlusal direction and 0.1 or less for the opposite one, where the crowns are taken for the border of
+ * the gingiva or a smooth palate. The rim is FindRim()'s; 0 where there is none. */
+double
+OcclusalLook(const Jaw & jaw, const std::vector<Vector3> & rim);
 
 /** Fills in what the jaws' verticals say about occlusion. The limits are wide: an open bite of 6 mm or casts set apart
  * pass, meshes in frames of their own do not. */

@@ -41,24 +41,11 @@ Find(std::vector<std::uint32_t> & parent, std::uint32_t i)
   }
   return i;
 }
-} // namespace
 
-double
-Quantile(std::vector<double> values, double fraction)
+/** Of each point the first that lies at the same place, by open addressing: it stands for all of them. */
+std::vector<std::uint32_t>
+Weld(const TriangleSurface & surface)
 {
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto k = std::min(values.size() - 1, static_cast<std::size_t>(fraction * static_cast<double>(values.size())));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k), values.end());
-  return values[k];
-}
-
-Samples
-TakeSamples(const TriangleSurface & surface, unsigned int count)
-{
-  // Open addressing: of repeated points the first stands for all.
   const std::size_t          size = surface.points.size();
   std::vector<std::uint32_t> first(size);
   {
@@ -92,12 +79,68 @@ TakeSamples(const TriangleSurface & surface, unsigned int count)
       first[i] = table[slot];
     }
   }
+  return first;
+}
+} // namespace
 
-  const std::size_t          triangles = surface.triangles.size();
-  std::vector<double>        areas(triangles, 0.0);
-  std::vector<Vector3>       faces(triangles);
-  std::vector<Vector3>       normals(size, Vector3{ 0.0, 0.0, 0.0 });
-  std::vector<std::uint32_t> parent(size);
+std::vector<Vector3>
+FindRim(const TriangleSurface & surface)
+{
+  const std::vector<std::uint32_t> first = Weld(surface);
+  std::vector<std::uint64_t>       edges;
+  edges.reserve(3 * surface.triangles.size());
+  for (const auto & triangle : surface.triangles)
+  {
+    for (unsigned int e = 0; e < 3; ++e)
+    {
+      const std::uint64_t a = first[triangle[e]];
+      const std::uint64_t b = first[triangle[(e + 1) % 3]];
+      if (a != b)
+      {
+        edges.push_back(std::min(a, b) << 32 | std::max(a, b));
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Vector3> rim;
+  for (std::size_t i = 0; i < edges.size();)
+  {
+    std::size_t next = i + 1;
+    while (next < edges.size() && edges[next] == edges[i])
+    {
+      ++next;
+    }
+    if (next == i + 1)
+    {
+      rim.push_back(0.5 * (surface.points[edges[i] >> 32] + surface.points[edges[i] & 0xffffffffu]));
+    }
+    i = next;
+  }
+  return rim;
+}
+
+double
+Quantile(std::vector<double> values, double fraction)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto k = std::min(values.size() - 1, static_cast<std::size_t>(fraction * static_cast<double>(values.size())));
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k), values.end());
+  return values[k];
+}
+
+Samples
+TakeSamples(const TriangleSurface & surface, unsigned int count)
+{
+  const std::size_t                size = surface.points.size();
+  const std::vector<std::uint32_t> first = Weld(surface);
+  const std::size_t                triangles = surface.triangles.size();
+  std::vector<double>              areas(triangles, 0.0);
+  std::vector<Vector3>             faces(triangles);
+  std::vector<Vector3>             normals(size, Vector3{ 0.0, 0.0, 0.0 });
+  std::vector<std::uint32_t>       parent(size);
   for (std::uint32_t i = 0; i < size; ++i)
   {
     parent[i] = i;

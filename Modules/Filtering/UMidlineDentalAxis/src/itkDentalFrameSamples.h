@@ -49,6 +49,11 @@ struct Samples
 Samples
 TakeSamples(const TriangleSurface & surface, unsigned int count);
 
+/** Middles of the edges that belong to one triangle alone, repeated points welded: the border of an open shell, and the
+ * borders of its holes. */
+std::vector<Vector3>
+FindRim(const TriangleSurface & surface);
+
 /** The value below which the given fraction of the values lies; 0 for none. */
 double
 Quantile(std::vector<double> values, double fraction);

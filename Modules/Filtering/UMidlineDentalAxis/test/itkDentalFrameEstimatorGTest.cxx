@@ -15,7 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "itkDentalFrameTestSupport.h"
+#include "itkDentalFrameCohort.h"
 #include "itkParallelFor.h"
 
 #include <gtest/gtest.h>
@@ -341,6 +341,54 @@ TEST(DentalFrameEstimator, OcclusionIsSeenAndJawsInFramesOfTheirOwnAreToldApart)
     }
   }
   EXPECT_EQ(wrong, 0u);
+}
+
+TEST(DentalFrameEstimator, RealArchesShareAFrameInEveryArrangementInWhichTheyDo)
+{
+  // Seed 1016 was taken to be in occlusion with a jaw turned over while the winding was believed to be wrong first, as
+  // 46 of 89 pairs of real arches were; 1000 has an arch whose mirror plane is found badly.
+  for (const std::uint64_t seed : { 1000u, 1016u, 1024u, 1029u })
+  {
+    const ScannedPair pair = MakeScannedPair(seed, "real");
+    for (const Arrangement arrangement : Arrangements)
+    {
+      const ArrangedPair arranged = Arrange(pair, arrangement, seed);
+      const auto         result = itk::EstimateDentalFrame(&arranged.jaws[0], &arranged.jaws[1], {});
+      EXPECT_EQ(result.jawsShareFrame, arranged.share)
+        << NameOf(arrangement) << ", seed " << seed << ": " << itk::DescribeOcclusion(result);
+      EXPECT_EQ(result.occlusionFinding == itk::DentalFrameEnums::OcclusionFinding::InOcclusion, arranged.share);
+      for (unsigned int jaw = 0; jaw < 2; ++jaw)
+      {
+        // Turned over it would be some 180 degrees.
+        EXPECT_LT(AxisErrors(jaw == 0 ? result.upper : result.lower, arranged.motions[jaw])[2], 15.0)
+          << NameOf(arrangement) << ", seed " << seed << ", jaw " << jaw;
+      }
+    }
+  }
+}
+
+TEST(DentalFrameEstimator, WhatTheOcclusionTestFoundIsSaid)
+{
+  const auto jaws = MakePhantom(302);
+  const auto moved = [&](const Vector3 & by) {
+    Motion motion;
+    motion.translation = by;
+    return Moved(jaws[0], motion);
+  };
+  using FindingEnum = itk::DentalFrameEnums::OcclusionFinding;
+  const auto find = [&](const itk::TriangleSurface & upper, const itk::TriangleSurface & lower) {
+    return itk::EstimateDentalFrame(&upper, &lower, {});
+  };
+  const auto together = find(jaws[0], jaws[1]);
+  EXPECT_EQ(together.occlusionFinding, FindingEnum::InOcclusion);
+  EXPECT_LT(together.interpenetration, 0.02);
+  EXPECT_EQ(itk::DescribeOcclusion(together).rfind("the jaws face each other", 0), 0u);
+  // Casts are exported some millimetres apart; 20 mm are no bite.
+  EXPECT_EQ(find(moved({ 0, 0, 4 }), jaws[1]).occlusionFinding, FindingEnum::InOcclusion);
+  EXPECT_EQ(find(moved({ 0, 0, 20 }), jaws[1]).occlusionFinding, FindingEnum::FarApart);
+  EXPECT_EQ(find(moved({ 0, 0, -5 }), jaws[1]).occlusionFinding, FindingEnum::Interpenetrating);
+  EXPECT_EQ(find(jaws[1], jaws[1]).occlusionFinding, FindingEnum::NotOpposed);
+  EXPECT_EQ(itk::EstimateDentalFrame(&jaws[0], nullptr, {}).occlusionFinding, FindingEnum::NotTested);
 }
 
 TEST(DentalFrameEstimator, InwardWindingOfAPairIsSeenByContactAndDoesNotTurnTheAxes)

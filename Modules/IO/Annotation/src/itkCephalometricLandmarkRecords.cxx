@@ -194,6 +194,11 @@ ReadList(const JsonNode & root, AnnotationRecords & records, const IsDentalLandm
     {
       landmark.confidence = ReadConfidence(entry);
     }
+    // No program is known to write one, but who adds it by hand means it.
+    if (const auto sigma = entry.Find("sigma_px"))
+    {
+      landmark.sigma = ReadSigma(*sigma);
+    }
     records.landmarks.push_back(std::move(landmark));
   }
 }

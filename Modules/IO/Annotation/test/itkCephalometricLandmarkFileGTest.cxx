@@ -240,12 +240,22 @@ TEST(CephalometricLandmarkFileReader, WhatIsNoDentalLandmarkIsNotLookedAt)
   EXPECT_TRUE(itk::Contains(reader->GetWarnings()[1], "left out: Sella, N, patient"));
 }
 
+TEST(CephalometricLandmarkFileReader, ASigmaBesideADetectorsPlaceIsRead)
+{
+  const auto reader =
+    Read("detector.json", R"({"landmarks": [{"name": "U1_tip", "x": 1, "y": 2, "peak": 0.5, "sigma_px": 3}]})");
+  EXPECT_EQ(reader->GetOutput()->Find("U1_tip")->sigma, 3.0);
+  EXPECT_EQ(reader->GetOutput()->Find("U1_tip")->confidence, 0.5);
+}
+
 TEST(CephalometricLandmarkFileReader, NamesTheFieldThatIsWrong)
 {
   EXPECT_EQ(ErrorOf("a.json", R"({"U1_tip": [1, 2], "U6_MB": [1, 2, 3]})").GetField(), "U6_MB");
   EXPECT_EQ(ErrorOf("a.json", R"({"U1_tip": [1, "2"]})").GetField(), "U1_tip[1]");
   EXPECT_EQ(ErrorOf("a.json", R"({"U1_tip": {"sigma_px": 1}})").GetField(), "U1_tip.position");
   EXPECT_EQ(ErrorOf("a.json", R"({"U1_tip": {"position": [1, 2], "sigma_px": 0}})").GetField(), "U1_tip.sigma_px");
+  EXPECT_EQ(ErrorOf("a.json", R"({"landmarks": [{"name": "U1", "x": 1, "y": 2, "sigma_px": 0}]})").GetField(),
+            "landmarks[0].sigma_px");
   EXPECT_EQ(ErrorOf("a.json", R"({"landmarks": [{"name": "U1", "x": 1, "y": 2, "confidence": 68}]})").GetField(),
             "landmarks[0].confidence");
   EXPECT_EQ(ErrorOf("a.json", R"({"landmarks": [{"name": "U1", "x": 1, "y": 2, "confidence": "fair"}]})").GetField(),

@@ -72,7 +72,8 @@ public:
     /** How far the landmark may be from there, standard deviation along the occlusal plane and across it, mm. */
     double sigmaAlong{ 0.0 };
     double sigmaAcross{ 0.0 };
-    /** How it was found, for a person: "landmarks_3d". */
+    /** How it was found, for a person: "landmarks_3d"; where the two points were found differently "landmarks_3d and
+     * tooth labels", the right one's first. */
     std::string source;
   };
 

@@ -147,6 +147,12 @@ public:
   void
   ClearCovariances();
 
+  /** Positions (1 to 8) of teeth of which outlines are registered with as well, drawn by the same hand: the errors of
+   * their marks are shared to ToothOutlinePoseMetricv4::SharedErrorShare, and their variances, as said, larger by it.
+   */
+  void
+  SetOutlinedTeeth(const std::vector<unsigned int> & positions);
+
   /** Of the kernel as well. */
   ModifiedTimeType
   GetMTime() const override;
@@ -252,6 +258,7 @@ private:
 
   double                                m_Sigma{ 4.0 };
   std::map<std::string, CovarianceType> m_Covariances;
+  std::vector<unsigned int>             m_OutlinedTeeth;
   RobustKernel::ConstPointer            m_RobustKernel;
   double                                m_KernelWidthInSigmas{ 4.0 };
   /** Constant and shared by clones. */

@@ -19,6 +19,7 @@
 
 #include "itkPoseSilhouetteKernel.h"
 #include "itkSquaresKernel.h"
+#include "itkToothOutlinePoseMetricv4.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,16 @@ LandmarkPoseMetricv4::ClearCovariances()
 {
   m_Covariances.clear();
   this->Modified();
+}
+
+void
+LandmarkPoseMetricv4::SetOutlinedTeeth(const std::vector<unsigned int> & positions)
+{
+  if (m_OutlinedTeeth != positions)
+  {
+    m_OutlinedTeeth = positions;
+    this->Modified();
+  }
 }
 
 void
@@ -219,7 +230,10 @@ LandmarkPoseMetricv4::PairCounterparts(const LandmarkCounterpartSet &   moving,
     {
       const double mark = landmark.sigma > 0.0 ? landmark.sigma : factor * reader[axis] / geometry.pixelSpacing[axis];
       const double scan = magnification * own[axis] / geometry.pixelSpacing[axis];
-      covariance(axis, axis) = mark * mark + scan * scan;
+      const bool   outlined =
+        std::find(m_OutlinedTeeth.begin(), m_OutlinedTeeth.end(), landmark.meaning.position) != m_OutlinedTeeth.end();
+      const double shared = outlined ? 1.0 + ToothOutlinePoseMetricv4::SharedErrorShare : 1.0;
+      covariance(axis, axis) = shared * mark * mark + scan * scan;
     }
     const auto given = m_Covariances.find(name);
     this->SetWhitening(given != m_Covariances.end() ? given->second : covariance, pair);
@@ -528,6 +542,7 @@ LandmarkPoseMetricv4::InternalClone() const
   clone->SetMovingObject(this->GetMovingObject());
   clone->m_Sigma = m_Sigma;
   clone->m_Covariances = m_Covariances;
+  clone->m_OutlinedTeeth = m_OutlinedTeeth;
   clone->m_RobustKernel = m_RobustKernel;
   clone->m_KernelWidthInSigmas = m_KernelWidthInSigmas;
   clone->m_Pairs = m_Pairs;
@@ -543,6 +558,7 @@ LandmarkPoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "Sigma: " << m_Sigma << std::endl;
   os << indent << "Covariances: " << m_Covariances.size() << std::endl;
+  os << indent << "OutlinedTeeth: " << m_OutlinedTeeth.size() << std::endl;
   itkPrintSelfObjectMacro(RobustKernel);
   os << indent << "KernelWidthInSigmas: " << m_KernelWidthInSigmas << std::endl;
   os << indent << "Pairs: " << (m_Pairs ? m_Pairs->size() : 0) << std::endl;

@@ -117,8 +117,7 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &              
   if (settings.tracedSide == TracedSideEnum::Standard)
   {
     m_Failure =
-      "a standard tracing, of whole teeth, is none of the crowns' outlines; give the analysis's landmarks, or "
-      "trace crowns";
+      "a standard tracing, of whole teeth, is none of the crowns' outline; ToothOutlinePoseMetricv4 registers with it";
     return;
   }
   const DentalContour::PolylinesType selected = this->SelectPolylines(polylines);

@@ -47,6 +47,10 @@ public:
   GetCode() const override;
   bool
   IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const override;
+  /** There are not two jaws with a tracing, or a term of the user's reads their pose: it is about a dental frame that
+   * turns over with the jaws. */
+  std::string
+  GetObstacle(const PoseProblem & problem) const override;
   PoseProblem
   Apply(const PoseProblem & problem) const override;
 

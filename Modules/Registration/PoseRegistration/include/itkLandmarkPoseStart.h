@@ -22,15 +22,18 @@
 
 #include "itkLandmarkPoseMetricv4.h"
 #include "itkPoseStart.h"
+#include "itkToothOutlinePoseMetricv4.h"
 
 #include <vector>
 
 namespace itk
 {
 /** \class LandmarkPoseStart
- * \brief Starts from landmarks: the similarity in the plane of the picture that brings those of the scan to the marks.
+ * \brief Starts from landmarks and from whole teeth: the similarity in the plane of the picture that brings those of
+ * the scan to what is drawn.
  *
- * Looks at the terms of the metric that are LandmarkPoseMetricv4 and read the blocks "pose" and "scale". Of four marks
+ * Looks at the terms of the metric that are LandmarkPoseMetricv4 or ToothOutlinePoseMetricv4, whose crowns have their
+ * centres for marks, and read the blocks "pose" and "scale". Of four marks
  * or more each is left out once, so that one of the starts is without a gross error wherever it may be. One mark gives
  * the shift alone.
  *
@@ -55,6 +58,10 @@ public:
   /** The landmark terms of a metric or a sum that read the method's own blocks, in their order. */
   static std::vector<const LandmarkPoseMetricv4 *>
   FindTerms(const LeastSquaresMetricv4 & metric);
+
+  /** The same of the terms of whole teeth. */
+  static std::vector<const ToothOutlinePoseMetricv4 *>
+  FindOutlineTerms(const LeastSquaresMetricv4 & metric);
 
 protected:
   LandmarkPoseStart() = default;

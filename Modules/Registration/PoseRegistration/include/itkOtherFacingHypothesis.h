@@ -47,6 +47,10 @@ public:
   GetCode() const override;
   bool
   IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const override;
+  /** A term of the user's has a radiograph of its own (PoseMetricv4), which would go on facing as it did. Any other may
+   * stay: it is about the patient, and the frames are the same. */
+  std::string
+  GetObstacle(const PoseProblem & problem) const override;
   PoseProblem
   Apply(const PoseProblem & problem) const override;
 

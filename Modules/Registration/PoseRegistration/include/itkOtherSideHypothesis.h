@@ -47,6 +47,10 @@ public:
   GetCode() const override;
   bool
   IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const override;
+  /** The tracing is of no side, or sides are not selected. Terms of the user's may stay: frames and radiograph are the
+   * same. */
+  std::string
+  GetObstacle(const PoseProblem & problem) const override;
   PoseProblem
   Apply(const PoseProblem & problem) const override;
   bool

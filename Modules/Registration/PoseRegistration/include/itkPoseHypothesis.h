@@ -35,6 +35,8 @@ namespace itk
  * RegistrationVerdict names those of the toolkit that explain the evidence better; what a user's own means is for the
  * user to say, by comparing its score with the group's or by its deviance.
  *
+ * PoseRegistrationMethodBase::TryHypothesis() runs one alone, however good the fit is, and gives its outcome.
+ *
  * \ingroup PoseRegistration
  */
 class PoseRegistration_EXPORT PoseHypothesis : public Object
@@ -59,6 +61,14 @@ public:
   /** Whether to try it. It is never tried beside a given start or held values: any free search would look better. */
   virtual bool
   IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const = 0;
+
+  /** Why the question cannot be asked of this problem, as the rest of a sentence; empty, as by default, where it can.
+   * A term of the user's that would mean something else under the hypothesis is such a reason, unless Apply() exchanges
+   * it or leaves it out: a trial against a term that is about another frame fails whatever the truth is. Where the
+   * hypothesis is worth trying, the reason stands in PoseGroupResult::untried and among what the verdict calls not
+   * checkable. */
+  virtual std::string
+  GetObstacle(const PoseProblem & problem) const;
 
   /** The other question. The problem is that of one group. */
   virtual PoseProblem

@@ -18,6 +18,7 @@
 #ifndef itkPoseProblem_h
 #define itkPoseProblem_h
 
+#include "itkLeastSquaresMetricv4.h"
 #include "itkPoseRegistrationTypes.h"
 
 #include <optional>
@@ -25,6 +26,16 @@
 
 namespace itk
 {
+/** \struct PoseProblemTerm
+ * \brief A further term of the sum that is minimized, and the jaw whose sum it belongs to; Unknown: to every sum.
+ * \ingroup PoseRegistration
+ */
+struct PoseProblemTerm
+{
+  LeastSquaresMetricv4::Pointer metric;
+  ToothCode::JawEnum            jaw{ ToothCode::JawEnum::Unknown };
+};
+
 /** \struct PoseProblem
  * \brief A question to a pose registration: the jaws, the geometry, how to go about it.
  * \ingroup PoseRegistration
@@ -37,6 +48,9 @@ struct PoseProblem
   /** With what was not known filled in: made from the jaws where absent. */
   std::optional<PoseGeometry> completed;
   PoseRegistrationOptions     options;
+  /** What a user has added to the jaws' own evidence. A hypothesis under which one of them would mean something else
+   * exchanges it or leaves it out, or says that it cannot be asked (PoseHypothesis::GetObstacle()). */
+  std::vector<PoseProblemTerm> terms;
 };
 } // namespace itk
 

@@ -33,11 +33,15 @@
 #include "itkSimpleDataObjectDecorator.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace itk
 {
+class PoseIterationMonitor;
+class PoseRegistrationEngine;
+
 /** \class PoseRegistrationMethodBase
  * \brief All of PoseRegistrationMethod but the type of the meshes.
  * \ingroup PoseRegistration
@@ -82,6 +86,10 @@ public:
   itkGetInputMacro(CephalometricLandmarks, CephalometricLandmarkSet);
   itkSetInputMacro(LandmarkCounterparts, LandmarkCounterpartSet);
   itkGetInputMacro(LandmarkCounterparts, LandmarkCounterpartSet);
+  /** The crowns that outlines of whole teeth are compared with (ToothCrownFilter), meshes' frames; needed where the
+   * option tracedSide is Standard and a contour is set. */
+  itkSetInputMacro(ToothCrowns, ToothCrownSet);
+  itkGetInputMacro(ToothCrowns, ToothCrownSet);
   itkSetInputMacro(Geometry, GeometryType);
   itkGetInputMacro(Geometry, GeometryType);
 
@@ -179,12 +187,22 @@ public:
     return m_TermJaws;
   }
 
-  /** OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis by default. What came of one stands in the
+  /** By default OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis, ExchangedLandmarksHypothesis and
+   * MillimetreLandmarksHypothesis. What came of one stands in the
    * solution's PoseGroupResult::outcomes under its code; codes therefore differ. */
   void
   AddHypothesis(const PoseHypothesis * hypothesis);
   void
   ClearHypotheses();
+
+  /** Runs a hypothesis alone, beside the solution of the group that a jaw is of, however good the fit is and whether or
+   * not it was added: what it gives is what would stand in the solution's outcomes. Updates the registration first
+   * where that is due. Sends the IterationEvents of the trial, and ends with ProcessAborted where an observer aborts.
+   *
+   * Throws where the jaw was not registered, where the method has a start or held values (any free search would look
+   * better), and where PoseHypothesis::GetObstacle() says why the question cannot be asked. */
+  PoseHypothesisOutcome
+  TryHypothesis(const PoseHypothesis * hypothesis, JawEnum jaw);
 
   /** Of the terms, the hypotheses and the start as well: a change of one of them runs the registration again. */
   ModifiedTimeType
@@ -281,12 +299,18 @@ private:
     RigidTransformType::ConstPointer transform;
     double                           scaleFactor{ 1.0 };
   };
+  struct AnsweredType;
 
   const ContourType *
   GetContour(JawEnum jaw) const;
   /** A contour, or a landmark that has a counterpart. */
   bool
   HasDrawing(JawEnum jaw) const;
+  /** With the parts of this object; events that no stage sends are its own to connect. */
+  void
+  ConnectParts(PoseRegistrationEngine & engine, PoseIterationMonitor & monitor) const;
+  [[noreturn]] void
+  ThrowAborted();
   void
   UpdateFrames(const std::array<TriangleSurface, NumberOfJaws> & surfaces);
   void
@@ -310,6 +334,8 @@ private:
   MetricType::Pointer                       m_Metric;
   bool                                      m_JawsShareFrame{ false };
   std::array<PoseFrame, NumberOfJaws>       m_Frames;
+  /** What hypotheses are tried beside: of the solution that stands, without the surfaces. */
+  std::unique_ptr<AnsweredType> m_Answered;
 };
 } // namespace itk
 

@@ -20,6 +20,7 @@
 
 #include "itkCephalometricLandmarkSet.h"
 #include "itkLandmarkCounterpartSet.h"
+#include "itkToothCrownSet.h"
 #include "itkPoseFitStatistics.h"
 #include "itkDentalContour.h"
 #include "itkPoseTypes.h"
@@ -56,6 +57,9 @@ struct PoseJawInput
   CephalometricLandmarkSet::ConstPointer landmarks;
   /** Of this jaw's landmarks, mesh frame, mm; null where there are none. */
   LandmarkCounterpartSet::ConstPointer counterparts;
+  /** What outlines of whole teeth are compared with (traced side Standard), mesh frame, mm; null where there are none.
+   */
+  ToothCrownSet::ConstPointer crowns;
   /** Start instead of the global search, of this jaw's frame; before PoseRegistrationOptions::initialPose. Of jaws that
    * share a pose the first that has one speaks. */
   std::optional<PoseParameters> initialPose;
@@ -212,6 +216,23 @@ struct PoseLandmarkFit
   double weight{ 1.0 };
 };
 
+/** How an outline of a whole tooth that was registered with is explained at the solution. */
+struct PoseOutlineFit
+{
+  /** "U1", "L6". */
+  std::string name;
+  /** How far the hand shifted it, as far as can be told: drawn minus predicted, pixels of the radiograph. */
+  std::array<double, 2> shift{ { 0.0, 0.0 } };
+  /** Shift, turn and size together, in standard deviations of a shift. */
+  double distance{ 0.0 };
+  /** What the robust kernel leaves of it, 1 to 0. */
+  double weight{ 1.0 };
+  /** Share of its crown's points that lie on the scan's outline. */
+  double matchedShare{ 1.0 };
+  /** Its shape is another tooth's, as a stock template's is: only tip and axis count. */
+  bool isTemplate{ false };
+};
+
 /** Result for one jaw. */
 struct PoseJawResult
 {
@@ -230,6 +251,10 @@ struct PoseJawResult
   PoseFitStatistics fit;
   /** Of the landmarks of this jaw. */
   std::vector<PoseLandmarkFit> landmarks;
+  /** Of the outlines of whole teeth of this jaw. */
+  std::vector<PoseOutlineFit> outlines;
+  /** Outlines that were not registered with, and why. */
+  std::vector<std::string> unusedOutlines;
   /** Why its tracing was not used, where landmarks placed it nevertheless; "" where it was. */
   std::string tracingFailure;
   /** Neither tracing nor landmarks: the other jaw, whose frame it shares, placed it. */
@@ -296,6 +321,9 @@ struct PoseGroupResult
   /** By the code of the hypothesis ("other-side"): of each that was tried, the method's own and a user's alike. What is
    * not there was not tried. */
   std::map<std::string, PoseHypothesisOutcome> outcomes;
+  /** By the code of the hypothesis: why one that was worth trying could not be asked (PoseHypothesis::GetObstacle()).
+   */
+  std::map<std::string, std::string> untried;
 
   /** Null where that hypothesis was not tried. */
   const PoseHypothesisOutcome *

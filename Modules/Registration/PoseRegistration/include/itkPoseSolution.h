@@ -28,6 +28,9 @@
 #include "itkToothCode.h"
 #include "itkVersorRigid3DTransform.h"
 
+#include <array>
+#include <vector>
+
 namespace itk
 {
 /** \class PoseSolution
@@ -88,9 +91,27 @@ public:
   const PoseGroupResult &
   GetGroup(JawEnum jaw) const;
 
-  /** Mesh frame, mm, to homogeneous continuous pixel index. */
+  /** Points of the mesh in the unit of its file (1: mm, as the mesh was registered) to homogeneous continuous pixel
+   * index. */
   ProjectionMatrixType
-  GetProjectionMatrix(JawEnum jaw) const;
+  GetProjectionMatrix(JawEnum jaw, double millimetresPerUnit = 1.0) const;
+
+  /** A minimum of the criterion that is a place of its own. */
+  struct AlternativeType
+  {
+    /** As GetProjectionMatrix() gives that of the solution. */
+    ProjectionMatrixType projection;
+    /** Fixed-width cost and code term, which minima are ranked by. */
+    double score{ 0.0 };
+    /** Root mean square distance of the moving contours to those of the solution, pixels of the radiograph. */
+    double distance{ 0.0 };
+  };
+
+  /** The solution itself, then the other minima of the jaw's group by their score. What ended within a pixel of the
+   * working plane (0.25 mm) of the solution is the same place, reached twice, and is left out. */
+  std::vector<AlternativeType>
+  GetAlternatives(JawEnum jaw, double millimetresPerUnit = 1.0) const;
+
   PixelIndexType
   ProjectPoint(JawEnum jaw, const PointType & point) const;
   /** Covariance, square pixels, of the projection of a point. */
@@ -123,6 +144,9 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
+  static ProjectionMatrixType
+  ToProjectionMatrix(const std::array<double, 12> & rows, double millimetresPerUnit);
+
   PoseRegistrationResult  m_Result;
   PoseRegistrationOptions m_Options;
 };

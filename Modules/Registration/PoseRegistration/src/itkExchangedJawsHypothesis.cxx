@@ -17,6 +17,9 @@
  *=========================================================================*/
 #include "itkExchangedJawsHypothesis.h"
 
+#include "itkPoseStateBlocks.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace itk
@@ -27,12 +30,41 @@ ExchangedJawsHypothesis::GetCode() const
   return Code;
 }
 
+namespace
+{
+/** The names of landmarks say their jaw: what is exchanged here are the tracings. */
+bool
+CanExchange(const PoseProblem & problem)
+{
+  return problem.jaws.size() == 2 && (problem.jaws[0].tracing.IsNotNull() || problem.jaws[1].tracing.IsNotNull());
+}
+} // namespace
+
 bool
 ExchangedJawsHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
 {
-  // The names of landmarks say their jaw: what is exchanged here are the tracings.
-  return problem.jaws.size() == 2 && (problem.jaws[0].tracing.IsNotNull() || problem.jaws[1].tracing.IsNotNull()) &&
-         result.score > problem.options.poorScore;
+  return CanExchange(problem) && result.score > problem.options.poorScore;
+}
+
+std::string
+ExchangedJawsHypothesis::GetObstacle(const PoseProblem & problem) const
+{
+  if (!CanExchange(problem))
+  {
+    return "two jaws that share a pose, and a tracing of at least one of them, are needed";
+  }
+  for (const PoseProblemTerm & term : problem.terms)
+  {
+    const auto blocks = term.metric->DeclareBlocks();
+    if (std::any_of(blocks.begin(), blocks.end(), [](const auto & block) {
+          return block.name == PoseStateBlocks::MakePose().name;
+        }))
+    {
+      return std::string("the added ") + term.metric->GetNameOfClass() +
+             " is about the jaws' dental frame, which turns over with them";
+    }
+  }
+  return "";
 }
 
 PoseProblem

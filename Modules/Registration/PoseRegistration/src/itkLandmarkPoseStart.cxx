@@ -31,14 +31,15 @@ namespace
 {
 using CorrespondenceType = LandmarkPoseMetricv4::CorrespondenceType;
 
+template <typename TTerm>
 void
-AppendTerms(const LeastSquaresMetricv4 & metric, std::vector<const LandmarkPoseMetricv4 *> & found)
+AppendTerms(const LeastSquaresMetricv4 & metric, std::vector<const TTerm *> & found)
 {
-  if (const auto * landmarks = dynamic_cast<const LandmarkPoseMetricv4 *>(&metric))
+  if (const auto * term = dynamic_cast<const TTerm *>(&metric))
   {
-    if (landmarks->GetPoseBlock() == std::string("pose") && landmarks->GetScaleBlock() == std::string("scale"))
+    if (term->GetPoseBlock() == std::string("pose") && term->GetScaleBlock() == std::string("scale"))
     {
-      found.push_back(landmarks);
+      found.push_back(term);
     }
   }
   else if (const auto * sum = dynamic_cast<const LeastSquaresSumMetricv4 *>(&metric))
@@ -139,6 +140,14 @@ LandmarkPoseStart::FindTerms(const LeastSquaresMetricv4 & metric)
   return found;
 }
 
+std::vector<const ToothOutlinePoseMetricv4 *>
+LandmarkPoseStart::FindOutlineTerms(const LeastSquaresMetricv4 & metric)
+{
+  std::vector<const ToothOutlinePoseMetricv4 *> found;
+  AppendTerms(metric, found);
+  return found;
+}
+
 std::vector<PoseStart::StartType>
 LandmarkPoseStart::Search(const LeastSquaresMetricv4 & metric, const RequestType & request) const
 {
@@ -149,6 +158,14 @@ LandmarkPoseStart::Search(const LeastSquaresMetricv4 & metric, const RequestType
     geometry = term->GetTransform()->GetPoseGeometry();
     const auto own = term->GetCorrespondences();
     correspondences.insert(correspondences.end(), own.begin(), own.end());
+  }
+  for (const ToothOutlinePoseMetricv4 * term : FindOutlineTerms(metric))
+  {
+    geometry = term->GetTransform()->GetPoseGeometry();
+    for (const auto & own : term->GetCorrespondences())
+    {
+      correspondences.push_back({ own.first, own.second });
+    }
   }
   std::vector<StartType> starts;
   if (correspondences.empty())

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkOtherFacingHypothesis.h"
 
+#include "itkPoseMetricv4.h"
+
 namespace itk
 {
 std::string
@@ -29,6 +31,19 @@ bool
 OtherFacingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
 {
   return result.score > problem.options.poorScore;
+}
+
+std::string
+OtherFacingHypothesis::GetObstacle(const PoseProblem & problem) const
+{
+  for (const PoseProblemTerm & term : problem.terms)
+  {
+    if (dynamic_cast<const PoseMetricv4 *>(term.metric.GetPointer()) != nullptr)
+    {
+      return std::string("the added ") + term.metric->GetNameOfClass() + " has a radiograph with a facing of its own";
+    }
+  }
+  return "";
 }
 
 PoseProblem

@@ -33,6 +33,14 @@ OtherSideHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupR
          (options.tracedSide == TracedSideEnum::Right || options.tracedSide == TracedSideEnum::Left);
 }
 
+std::string
+OtherSideHypothesis::GetObstacle(const PoseProblem & problem) const
+{
+  return this->IsWorthTrying(problem, PoseGroupResult())
+           ? ""
+           : "the tracing is of no side that could be the other one, or useSideSelection is off";
+}
+
 PoseProblem
 OtherSideHypothesis::Apply(const PoseProblem & problem) const
 {

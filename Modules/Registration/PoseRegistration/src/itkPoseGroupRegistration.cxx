@@ -133,6 +133,10 @@ struct ObserverGuard
 constexpr double EvidenceShare = 0.2;
 constexpr double KnownShare = 0.4;
 
+/** Of a point, in comparisons of models: so small that a point which fits somewhat counts as before, so large that one
+ * which fits nowhere costs 3 log 10. */
+constexpr double SmallestWeight = 1e-3;
+
 ResidualNoiseModel::ConstPointer
 MakeNoiseModel(double correlationLength)
 {
@@ -627,8 +631,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   }
   // Of those that went to the end, each at its own estimate of the noise: hard noise blurs the fixed width's score, and
   // a wrong place that a wide prior allows explains a tracing with levels that no hand has.
-  m_Monitor.ForEach(
-    pool.size(), threads, [&](std::size_t i) { pool[i].deviance = this->ComputeDeviance(pool[i], true); });
+  m_Monitor.ForEach(pool.size(), threads, [&](std::size_t i) { pool[i].deviance = this->ComputePosterior(pool[i]); });
   std::stable_sort(
     pool.begin(), pool.end(), [](const CandidateType & a, const CandidateType & b) { return a.deviance < b.deviance; });
   m_Stages(PoseStageEnum::Uncertainty);
@@ -727,28 +730,24 @@ PoseGroupRegistration::ComputeCovariance(const MetricType & reference, const std
 }
 
 double
-PoseGroupRegistration::ComputeDeviance() const
+PoseGroupRegistration::ComputeDeviance(const MetricType & metric, const PositionType & solution)
 {
-  CandidateType candidate = this->MakeCandidate(m_Solution);
-  m_Metric->GetNoiseLevels(candidate.noise);
-  return this->ComputeDeviance(candidate, false);
+  const MetricType::Pointer clone = metric.Clone();
+  clone->SetValues(solution);
+  clone->Hold(MetricType::HoldEnum::Nothing);
+  clone->SetKernelWidth(PoseSilhouetteKernel::FitWidth);
+  return clone->EstimateNoise(SmallestWeight);
 }
 
 double
-PoseGroupRegistration::ComputeDeviance(const CandidateType & candidate, bool withPriors) const
+PoseGroupRegistration::ComputePosterior(const CandidateType & candidate) const
 {
-  // So small that a point which fits somewhat counts as before, so large that one which fits nowhere costs 3 log 10.
-  constexpr double          smallestWeight = 1e-3;
   const MetricType::Pointer metric = this->CloneAt(candidate.x);
   metric->Hold(MetricType::HoldEnum::Nothing);
   this->Settle(*metric, candidate);
   metric->SetKernelWidth(PoseSilhouetteKernel::FitWidth);
   // Marginal over the pose, by Laplace: the data at the minimum, and how much room there is about it.
-  const double evidence = metric->EstimateNoise(smallestWeight);
-  if (!withPriors)
-  {
-    return evidence;
-  }
+  const double evidence = metric->EstimateNoise(SmallestWeight);
   // What has no noise to estimate, the priors and landmarks, by its own criterion: the evidence has its squares, and
   // neither the tails of a prior nor what a landmark is charged that was let go.
   double known = 0.0;

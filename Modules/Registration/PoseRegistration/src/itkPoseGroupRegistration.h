@@ -81,10 +81,10 @@ public:
     return m_Solution;
   }
 
-  /** Minus twice the log likelihood of the evidence at the solution, for the comparison of models: a point that fits
-   * nowhere counts against a model, it does not drop out. */
-  double
-  ComputeDeviance() const;
+  /** Minus twice the log likelihood of the evidence at a solution of the metric that found it, for the comparison of
+   * models: a point that fits nowhere counts against a model, it does not drop out. */
+  static double
+  ComputeDeviance(const MetricType & metric, const PositionType & solution);
 
 private:
   /** A pose on its way. */
@@ -129,10 +129,9 @@ private:
   /** Puts a metric where a candidate ended, with its noise. */
   void
   Settle(MetricType & metric, const CandidateType & candidate) const;
-  /** Minus twice the logarithm of what a minimum weighs: of the likelihood of its evidence, and with priors of the
-   * posterior. */
+  /** Minus twice the logarithm of what a minimum weighs: its posterior, with the mass about it. */
   double
-  ComputeDeviance(const CandidateType & candidate, bool withPriors) const;
+  ComputePosterior(const CandidateType & candidate) const;
   /** Of the minima together, each by its weight. */
   std::array<double, 49>
   ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const;

@@ -19,6 +19,12 @@
 
 namespace itk
 {
+std::string
+PoseHypothesis::GetObstacle(const PoseProblem &) const
+{
+  return "";
+}
+
 PoseRegistrationOptions
 PoseHypothesis::MakeQuickOptions(const PoseRegistrationOptions & options, unsigned int maximumEvaluations)
 {

@@ -20,10 +20,12 @@
 #include "itkFindSilhouettes.h"
 #include "itkGemanMcClureKernel.h"
 #include "itkLandmarkPoseStart.h"
+#include "itkPoseFrameOperations.h"
 #include "itkSquaresKernel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -32,34 +34,6 @@ namespace itk
 {
 namespace
 {
-using Vector3 = std::array<double, 3>;
-
-Vector3
-ToDentalFrame(const PoseFrame & frame, const Vector3 & p)
-{
-  const Vector3 d{ { p[0] - frame.origin[0], p[1] - frame.origin[1], p[2] - frame.origin[2] } };
-  Vector3       q;
-  for (int k = 0; k < 3; ++k)
-  {
-    q[k] = frame.rotation[3 * k] * d[0] + frame.rotation[3 * k + 1] * d[1] + frame.rotation[3 * k + 2] * d[2];
-  }
-  return q;
-}
-
-Vector3
-ToMeshFrame(const PoseFrame & frame, const Vector3 & p)
-{
-  Vector3 q = frame.origin;
-  for (int a = 0; a < 3; ++a)
-  {
-    for (int b = 0; b < 3; ++b)
-    {
-      q[a] += frame.rotation[3 * b + a] * p[b];
-    }
-  }
-  return q;
-}
-
 std::shared_ptr<const TriangleSurface>
 ToDentalFrame(const TriangleSurface & surface, const PoseFrame & frame)
 {
@@ -68,8 +42,7 @@ ToDentalFrame(const TriangleSurface & surface, const PoseFrame & frame)
   moved->points.resize(surface.points.size());
   for (std::size_t i = 0; i < surface.points.size(); ++i)
   {
-    const Vector3 p{ { surface.points[i][0], surface.points[i][1], surface.points[i][2] } };
-    const Vector3 q = ToDentalFrame(frame, p);
+    const auto q = ToDentalFrame(frame, { { surface.points[i][0], surface.points[i][1], surface.points[i][2] } });
     for (int k = 0; k < 3; ++k)
     {
       moved->points[i][k] = q[k];
@@ -182,17 +155,61 @@ MeasureLandmarks(const PoseProblem & problem, double & depth)
   return extent;
 }
 
+/** The outlines of whole teeth that have a crown; depth: how far the crowns lie apart along x, mm. */
+DrawingExtent
+MeasureOutlines(const PoseProblem & problem, double & depth)
+{
+  DrawingExtent extent;
+  double        front = -1e300, back = 1e300;
+  for (const PoseJawInput & jaw : problem.jaws)
+  {
+    if (jaw.tracing.IsNull() || jaw.crowns.IsNull())
+    {
+      continue;
+    }
+    for (const auto & polyline : jaw.tracing->GetPolylines())
+    {
+      const auto * crown = polyline.code.IsKnown() ? jaw.crowns->Find(polyline.code) : nullptr;
+      if (crown == nullptr || IsExcluded(problem.options, polyline.code.GetFDI()))
+      {
+        continue;
+      }
+      double middle[2] = { 0.0, 0.0 };
+      for (const auto & p : polyline.points)
+      {
+        middle[0] += p[0] / static_cast<double>(polyline.points.size());
+        middle[1] += p[1] / static_cast<double>(polyline.points.size());
+      }
+      extent.Add(middle);
+      const auto   centroid = crown->surface->AreaCentroid();
+      const double x = ToDentalFrame(jaw.frame, { { centroid[0], centroid[1], centroid[2] } })[0];
+      front = std::max(front, x);
+      back = std::min(back, x);
+    }
+  }
+  depth = std::max(0.0, front - back);
+  return extent;
+}
+
 /** Fills in what is not known: the principal point by the drawing's centroid, the spacing from the arch's length. */
 PoseGeometry
 CompleteGeometry(const PoseProblem & problem)
 {
   PoseGeometry  geometry = problem.nominal;
-  DrawingExtent extent = MeasureTracings(problem);
   double        depth = 0.0;
-  const bool    landmarksAlone = extent.IsEmpty();
-  if (landmarksAlone)
+  DrawingExtent extent;
+  if (problem.options.tracedSide != TracedSideEnum::Standard)
+  {
+    extent = MeasureTracings(problem);
+  }
+  const bool byTeeth = extent.IsEmpty();
+  if (byTeeth)
   {
     extent = MeasureLandmarks(problem, depth);
+  }
+  if (extent.IsEmpty())
+  {
+    extent = MeasureOutlines(problem, depth);
   }
   if (extent.IsEmpty())
   {
@@ -208,7 +225,7 @@ CompleteGeometry(const PoseProblem & problem)
     // scale settles the rest.
     for (const PoseJawInput & jaw : problem.jaws)
     {
-      if (jaw.surface == nullptr || landmarksAlone)
+      if (jaw.surface == nullptr || byTeeth)
       {
         continue;
       }
@@ -249,23 +266,13 @@ CheckGeometry(const PoseGeometry & geometry)
 void
 PlaceJaw(const PoseGeometry & geometry, const PoseParameters & parameters, PoseJawResult & result)
 {
-  const PoseModel   model(geometry, parameters);
-  const PoseFrame & frame = result.frame;
-  const auto &      r = model.GetRotation();
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      result.rotation[3 * i + j] =
-        r[3 * i] * frame.rotation[j] + r[3 * i + 1] * frame.rotation[3 + j] + r[3 * i + 2] * frame.rotation[6 + j];
-    }
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    result.translation[i] = parameters[PoseTx + i] - result.rotation[3 * i] * frame.origin[0] -
-                            result.rotation[3 * i + 1] * frame.origin[1] - result.rotation[3 * i + 2] * frame.origin[2];
-  }
-  result.projection = model.GetPixelProjection(frame);
+  const PoseModel model(geometry, parameters);
+  ToMeshMotion(result.frame,
+               model.GetRotation(),
+               { { parameters[PoseTx], parameters[PoseTx + 1], parameters[PoseTx + 2] } },
+               result.rotation,
+               result.translation);
+  result.projection = model.GetPixelProjection(result.frame);
 }
 
 bool
@@ -340,6 +347,23 @@ DescribeFit(const SilhouettePoseMetricv4 &               metric,
     }
   }
 }
+/** The outlines of whole teeth of a jaw at the solution. */
+void
+DescribeOutlines(const ToothOutlinePoseMetricv4 &               metric,
+                 const ToothOutlinePoseMetricv4::PositionType & x,
+                 PoseJawResult &                                jaw)
+{
+  for (const auto & residual : metric.ComputeOutlineResiduals(x))
+  {
+    jaw.outlines.push_back({ residual.name,
+                             residual.shift,
+                             residual.distance,
+                             residual.weight,
+                             residual.matchedShare,
+                             residual.isTemplate });
+  }
+}
+
 /** The landmarks of a jaw at the solution. */
 void
 DescribeLandmarks(const LandmarkPoseMetricv4 &               metric,
@@ -432,7 +456,7 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
         }
         for (auto & point : counterpart.points)
         {
-          const Vector3 q = ToDentalFrame(input.frame, { { point[0], point[1], point[2] } });
+          const auto q = ToDentalFrame(input.frame, { { point[0], point[1], point[2] } });
           std::copy(q.begin(), q.end(), point.Begin());
         }
         counterparts->Add(counterpart);
@@ -451,6 +475,11 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     }
     if (input.tracing.IsNull())
     {
+      continue;
+    }
+    if (options.tracedSide == TracedSideEnum::Standard)
+    {
+      this->PrepareOutlines(input, options, transform, jaws[j], result.jaws[j]);
       continue;
     }
     jaws[j].metric = SilhouettePoseMetricv4::New();
@@ -494,6 +523,66 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
   return jaws;
 }
 
+void
+PoseRegistrationEngine::PrepareOutlines(const PoseJawInput &               input,
+                                        const PoseRegistrationOptions &    options,
+                                        const CephalometricPoseTransform * transform,
+                                        JawType &                          jaw,
+                                        PoseJawResult &                    result) const
+{
+  const auto crowns = ToothCrownSet::New();
+  if (input.crowns.IsNotNull())
+  {
+    for (ToothCrownSet::CrownType crown : input.crowns->GetCrowns())
+    {
+      if (crown.tooth.GetJaw() == input.jaw)
+      {
+        crown.surface = ToDentalFrame(*crown.surface, input.frame);
+        crowns->Add(crown);
+      }
+    }
+  }
+  auto metric = ToothOutlinePoseMetricv4::New();
+  metric->SetTransform(transform);
+  metric->SetCrowns(crowns);
+  metric->SetFixedContour(input.tracing);
+  metric->SetJaw(input.jaw);
+  metric->SetExcludedTeeth(options.excludedTeeth);
+  std::vector<unsigned int> marked;
+  if (jaw.landmarks.IsNotNull())
+  {
+    for (const auto & landmark : input.landmarks->GetLandmarks())
+    {
+      if (landmark.meaning.jaw == input.jaw &&
+          jaw.landmarks->GetCounterparts()->Find(CephalometricLandmarkSet::MakeName(landmark.meaning)) != nullptr)
+      {
+        marked.push_back(landmark.meaning.position);
+      }
+    }
+    metric->SetMarkedTeeth(marked);
+    // What a textbook's place gets wrong, landmark and crown get wrong alike: both together were worse than one.
+    constexpr double surestPlaceOfATextbook = 1.0;
+    metric->SetMaximumCutSigma(surestPlaceOfATextbook);
+  }
+  metric->Prepare();
+  for (const auto & unused : metric->GetUnused())
+  {
+    result.unusedOutlines.push_back(unused.name + ": " + unused.reason);
+  }
+  if (metric->GetFailure().empty())
+  {
+    jaw.outlines = metric;
+    if (jaw.landmarks.IsNotNull())
+    {
+      jaw.landmarks->SetOutlinedTeeth(metric->GetTeethPositions());
+    }
+  }
+  else if (jaw.landmarks.IsNull())
+  {
+    result.failure = metric->GetFailure();
+  }
+}
+
 PoseRegistrationEngine::MetricType::Pointer
 PoseRegistrationEngine::MakeMetric(const PoseProblem &              problem,
                                    const PoseGeometry &             geometry,
@@ -511,29 +600,28 @@ PoseRegistrationEngine::MakeMetric(const PoseProblem &              problem,
   PosePriors(problem.options, geometry.pixelSpacingKnown).AddTo(*sum);
   for (const std::size_t j : members)
   {
+    if (jaws[j].outlines.IsNotNull())
+    {
+      sum->AddMetric(jaws[j].outlines, MetricType::SettingsEnum::Own);
+    }
     if (jaws[j].landmarks.IsNotNull())
     {
-      // The errors of marks are known: neither the width nor the levels that a tracing's points go through are theirs.
+      // The errors of marks and of whole teeth are known: neither the width nor the levels that a tracing's points go
+      // through are theirs.
       sum->AddMetric(jaws[j].landmarks, MetricType::SettingsEnum::Own);
     }
   }
-  for (const TermType & term : terms)
+  for (const PoseProblemTerm & term : problem.terms)
   {
-    const bool belongs =
-      term.jaw == ToothCode::JawEnum::Unknown ||
-      std::any_of(members.begin(), members.end(), [&](std::size_t j) { return problem.jaws[j].jaw == term.jaw; });
-    if (belongs)
-    {
-      // What a user has set of kernel and noise is the user's.
-      sum->AddMetric(term.metric, MetricType::SettingsEnum::Own);
-    }
+    // What a user has set of kernel and noise is the user's.
+    sum->AddMetric(term.metric, MetricType::SettingsEnum::Own);
   }
   sum->Initialize();
   return sum;
 }
 
 PoseRegistrationResult
-PoseRegistrationEngine::Run(const PoseProblem & problem) const
+PoseRegistrationEngine::Run(const PoseProblem & problem, std::vector<GroupType> * answered) const
 {
   const PoseRegistrationOptions & options = problem.options;
   PoseRegistrationResult          result;
@@ -575,10 +663,17 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
     PoseProblem                      own = problem;
     own.completed = result.geometry;
     own.jaws.clear();
+    own.terms.clear();
     for (const std::size_t j : members)
     {
       own.jaws.push_back(problem.jaws[j]);
     }
+    std::copy_if(
+      problem.terms.begin(), problem.terms.end(), std::back_inserter(own.terms), [&own](const PoseProblemTerm & term) {
+        return term.jaw == ToothCode::JawEnum::Unknown ||
+               std::any_of(
+                 own.jaws.begin(), own.jaws.end(), [&](const PoseJawInput & jaw) { return jaw.jaw == term.jaw; });
+      });
     const auto started = std::find_if(
       own.jaws.begin(), own.jaws.end(), [](const PoseJawInput & jaw) { return jaw.initialPose.has_value(); });
     if (started != own.jaws.end())
@@ -589,7 +684,7 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
     PoseGroupResult group;
     group.jaws = members;
     group.bisected = IsBisected(options.tracedSide);
-    const MetricType::Pointer metric = this->MakeMetric(problem, result.geometry, jaws, members);
+    const MetricType::Pointer metric = this->MakeMetric(own, result.geometry, jaws, members);
     if (groupObserver)
     {
       groupObserver(index, static_cast<unsigned int>(groups.size()), metric);
@@ -624,7 +719,12 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
       result.groups.push_back(std::move(group));
       continue;
     }
-    this->TryHypotheses(own, result.geometry, registration, index, group);
+    const GroupType answer{ own, registration.GetMetric(), registration.GetSolution(), index };
+    this->TryHypotheses(answer, group);
+    if (answered != nullptr)
+    {
+      answered->push_back(answer);
+    }
     if (monitor->IsAborted())
     {
       result.aborted = true;
@@ -632,8 +732,10 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
     }
     const auto  silhouettes = FindSilhouettes(*metric, registration.GetSolution());
     const auto  landmarks = LandmarkPoseStart::FindTerms(*metric);
+    const auto  outlines = LandmarkPoseStart::FindOutlineTerms(*metric);
     std::size_t nextSilhouette = 0;
     std::size_t nextLandmarks = 0;
+    std::size_t nextOutlines = 0;
     for (std::size_t m = 0; m < members.size(); ++m)
     {
       PoseJawResult & jaw = result.jaws[members[m]];
@@ -649,9 +751,13 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
         const FoundSilhouette & found = silhouettes[nextSilhouette++];
         DescribeFit(*found.metric, found.position, group.covariance, result.geometry, jaw);
       }
+      const std::vector<double> pose(group.parameters.begin(), group.parameters.end());
+      if (prepared.outlines.IsNotNull())
+      {
+        DescribeOutlines(*outlines[nextOutlines++], pose, jaw);
+      }
       if (prepared.landmarks.IsNotNull())
       {
-        const std::vector<double> pose(group.parameters.begin(), group.parameters.end());
         DescribeLandmarks(*landmarks[nextLandmarks++], pose, jaw);
       }
       DescribeMiddle(
@@ -662,17 +768,18 @@ PoseRegistrationEngine::Run(const PoseProblem & problem) const
   return result;
 }
 
-void
-PoseRegistrationEngine::TryHypotheses(const PoseProblem &           problem,
-                                      const PoseGeometry &          geometry,
-                                      const PoseGroupRegistration & registration,
-                                      unsigned int                  index,
-                                      PoseGroupResult &             result) const
+std::string
+PoseRegistrationEngine::GetObstacle(const PoseProblem & problem)
 {
   const PoseRegistrationOptions & options = problem.options;
-  // Beside a given start or held parameters any free search looks better.
-  if (!options.checkHypotheses || options.useInitialPose || options.fixRotation || options.fixScale ||
-      options.fixTranslation)
+  const bool isHeld = options.useInitialPose || options.fixRotation || options.fixScale || options.fixTranslation;
+  return isHeld ? "beside a given start or held values any free search looks better" : "";
+}
+
+void
+PoseRegistrationEngine::TryHypotheses(const GroupType & group, PoseGroupResult & result) const
+{
+  if (!group.problem.options.checkHypotheses || !GetObstacle(group.problem).empty())
   {
     return;
   }
@@ -682,58 +789,77 @@ PoseRegistrationEngine::TryHypotheses(const PoseProblem &           problem,
     {
       return;
     }
-    if (!hypothesis->IsWorthTrying(problem, result))
+    if (!hypothesis->IsWorthTrying(group.problem, result))
     {
       continue;
     }
-    PoseProblem question = hypothesis->Apply(problem);
-    question.options.useJointPose = true;
-    PoseRegistrationResult answer;
-    answer.geometry = question.completed ? *question.completed : CompleteGeometry(question);
-    answer.jaws.resize(question.jaws.size());
-    const std::vector<JawType> jaws = this->PrepareJaws(question, answer.geometry, answer);
-    std::vector<std::size_t>   members;
-    for (std::size_t j = 0; j < jaws.size(); ++j)
+    const std::string obstacle = hypothesis->GetObstacle(group.problem);
+    if (!obstacle.empty())
     {
-      if (answer.jaws[j].failure.empty() && jaws[j].HasEvidence())
-      {
-        members.push_back(j);
-      }
+      result.untried[hypothesis->GetCode()] = obstacle;
+      continue;
     }
-    PoseHypothesis::OutcomeType outcome;
-    if (!members.empty() && !monitor->IsAborted())
+    const auto outcome = this->TryHypothesis(group, *hypothesis);
+    if (!outcome)
     {
-      PoseGroupResult           group;
-      const MetricType::Pointer metric = this->MakeMetric(question, answer.geometry, jaws, members);
-      PoseGroupRegistration     other(
-        question.options,
-        geometry.pixelSpacingKnown,
-        metric,
-        parts,
-        optimizer,
-        start,
-        *monitor,
-        [](PoseStageEnum) {},
-        index,
-        true);
-      if (!other.Run(group))
-      {
-        return;
-      }
-      if (!group.candidates.empty())
-      {
-        outcome.score = group.score;
-        if (hypothesis->GetComparesDeviance())
-        {
-          std::array<double, 2> deviance{};
-          monitor->ForEach(2, options.numberOfThreads, [&](std::size_t k) {
-            deviance[k] = (k == 0 ? registration : other).ComputeDeviance();
-          });
-          outcome.deviance = deviance[1] - deviance[0];
-        }
-      }
+      return;
     }
-    result.outcomes[hypothesis->GetCode()] = outcome;
+    result.outcomes[hypothesis->GetCode()] = *outcome;
   }
+}
+
+std::optional<PoseHypothesisOutcome>
+PoseRegistrationEngine::TryHypothesis(const GroupType & group, const PoseHypothesis & hypothesis) const
+{
+  PoseProblem question = hypothesis.Apply(group.problem);
+  question.options.useJointPose = true;
+  PoseRegistrationResult answer;
+  answer.geometry = question.completed ? *question.completed : CompleteGeometry(question);
+  answer.jaws.resize(question.jaws.size());
+  const std::vector<JawType> jaws = this->PrepareJaws(question, answer.geometry, answer);
+  std::vector<std::size_t>   members;
+  for (std::size_t j = 0; j < jaws.size(); ++j)
+  {
+    if (answer.jaws[j].failure.empty() && jaws[j].HasEvidence())
+    {
+      members.push_back(j);
+    }
+  }
+  PoseHypothesisOutcome outcome;
+  if (members.empty() || monitor->IsAborted())
+  {
+    return outcome;
+  }
+  PoseGroupResult           result;
+  const MetricType::Pointer metric = this->MakeMetric(question, answer.geometry, jaws, members);
+  PoseGroupRegistration     other(
+    question.options,
+    group.problem.completed->pixelSpacingKnown,
+    metric,
+    parts,
+    optimizer,
+    start,
+    *monitor,
+    [](PoseStageEnum) {},
+    group.index,
+    true);
+  if (!other.Run(result))
+  {
+    return std::nullopt;
+  }
+  if (!result.candidates.empty())
+  {
+    outcome.score = result.score;
+    if (hypothesis.GetComparesDeviance())
+    {
+      std::array<double, 2> deviance{};
+      monitor->ForEach(2, group.problem.options.numberOfThreads, [&](std::size_t k) {
+        deviance[k] = k == 0 ? PoseGroupRegistration::ComputeDeviance(*group.metric, group.solution)
+                             : PoseGroupRegistration::ComputeDeviance(*other.GetMetric(), other.GetSolution());
+      });
+      outcome.deviance = deviance[1] - deviance[0];
+    }
+  }
+  return outcome;
 }
 } // namespace itk

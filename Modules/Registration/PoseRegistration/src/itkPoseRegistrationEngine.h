@@ -24,9 +24,12 @@
 #include "itkPoseProblem.h"
 
 #include "itkSilhouettePoseMetricv4.h"
+#include "itkToothOutlinePoseMetricv4.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace itk
@@ -45,49 +48,67 @@ public:
   PoseGroupRegistration::OptimizerType::Pointer optimizer;
   PoseStart::ConstPointer                       start;
   std::vector<PoseHypothesis::ConstPointer>     hypotheses;
-  /** A further term: of the sum of the group that has the jaw, of every group's where it is Unknown. */
-  struct TermType
-  {
-    LeastSquaresMetricv4::Pointer metric;
-    ToothCode::JawEnum            jaw{ ToothCode::JawEnum::Unknown };
-  };
-  std::vector<TermType>  terms;
-  PoseIterationMonitor * monitor{ nullptr };
-  GroupObserverType      groupObserver;
-  StageObserverType      stageObserver;
+  PoseIterationMonitor *                        monitor{ nullptr };
+  GroupObserverType                             groupObserver;
+  StageObserverType                             stageObserver;
 
-  /** Throws std::invalid_argument for a geometry that cannot be. */
+  /** A group that was registered: what a hypothesis is tried beside. */
+  struct GroupType
+  {
+    /** Of this group alone, with the geometry that it was registered with; surfaces are the caller's. */
+    PoseProblem problem;
+    /** At the solution. */
+    MetricType::Pointer      metric;
+    MetricType::PositionType solution;
+    unsigned int             index{ 0 };
+  };
+
+  /** Throws std::invalid_argument for a geometry that cannot be.
+   * \param groups where not null, takes what TryHypothesis() needs of each group that was registered. */
   PoseRegistrationResult
-  Run(const PoseProblem & problem) const;
+  Run(const PoseProblem & problem, std::vector<GroupType> * groups = nullptr) const;
+
+  /** Runs one hypothesis beside a group, whatever it is worth; to be asked only where nothing stands against it
+   * (PoseHypothesis::GetObstacle()). Nothing on abort. */
+  std::optional<PoseHypothesisOutcome>
+  TryHypothesis(const GroupType & group, const PoseHypothesis & hypothesis) const;
+
+  /** Why no hypothesis is tried beside the problem of a group, as a sentence; empty where they are. */
+  static std::string
+  GetObstacle(const PoseProblem & problem);
 
 private:
-  /** A jaw with its terms: of its tracing, of its landmarks; null where there is nothing to match. */
+  /** A jaw with its terms: of its tracing, of its outlines of whole teeth, of its landmarks; null where there is
+   * nothing to match. */
   struct JawType
   {
     std::shared_ptr<const TriangleSurface> surface;
     SilhouettePoseMetricv4::Pointer        metric;
+    ToothOutlinePoseMetricv4::Pointer      outlines;
     LandmarkPoseMetricv4::Pointer          landmarks;
 
     bool
     HasEvidence() const
     {
-      return metric.IsNotNull() || landmarks.IsNotNull();
+      return metric.IsNotNull() || outlines.IsNotNull() || landmarks.IsNotNull();
     }
   };
 
   std::vector<JawType>
   PrepareJaws(const PoseProblem & problem, const PoseGeometry & geometry, PoseRegistrationResult & result) const;
+  void
+  PrepareOutlines(const PoseJawInput &               input,
+                  const PoseRegistrationOptions &    options,
+                  const CephalometricPoseTransform * transform,
+                  JawType &                          jaw,
+                  PoseJawResult &                    result) const;
   MetricType::Pointer
   MakeMetric(const PoseProblem &              problem,
              const PoseGeometry &             geometry,
              const std::vector<JawType> &     jaws,
              const std::vector<std::size_t> & members) const;
   void
-  TryHypotheses(const PoseProblem &           problem,
-                const PoseGeometry &          geometry,
-                const PoseGroupRegistration & registration,
-                unsigned int                  group,
-                PoseGroupResult &             result) const;
+  TryHypotheses(const GroupType & group, PoseGroupResult & result) const;
 };
 } // namespace itk
 

@@ -19,9 +19,12 @@
 
 #include "itkDentalFrameEstimator.h"
 #include "itkExchangedJawsHypothesis.h"
+#include "itkExchangedLandmarksHypothesis.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
+#include "itkPoseFrameOperations.h"
 #include "itkPoseRegistrationEngine.h"
 #include "itkPoseRegistrationOptionTable.h"
 #include "itkPoseStartSearch.h"
@@ -43,25 +46,7 @@ ToIndex(JawEnum jaw)
   return jaw == JawEnum::Upper ? 0 : 1;
 }
 
-PoseFrame
-ToFrame(const VersorRigid3DTransform<double> & transform)
-{
-  // q = R p + b = R (p - o), o = -R' b.
-  PoseFrame    frame;
-  const auto & rotation = transform.GetMatrix();
-  const auto & offset = transform.GetOffset();
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    frame.origin[row] = 0.0;
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      frame.rotation[3 * row + column] = rotation(row, column);
-      frame.origin[row] -= rotation(column, row) * offset[column];
-    }
-  }
-  return frame;
-}
-
+/** Without a transform between them, whose rounding would move the origin. */
 PoseFrame
 ToFrame(const DentalJawFrame & jaw)
 {
@@ -78,27 +63,23 @@ ToFrame(const DentalJawFrame & jaw)
 PoseParameters
 ToParameters(const VersorRigid3DTransform<double> & transform, double scaleFactor, const PoseFrame & frame)
 {
-  Matrix<double, 3, 3> rotation;
-  Vector<double, 3>    translation;
-  const auto &         matrix = transform.GetMatrix();
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    translation[row] = transform.GetOffset()[row];
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation(row, column) = 0.0;
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        rotation(row, column) += matrix(row, d) * frame.rotation[3 * column + d];
-      }
-      translation[row] += matrix(row, column) * frame.origin[column];
-    }
-  }
+  std::array<double, 9> rows;
+  std::array<double, 3> shift;
+  ToDentalMotion(frame, transform, rows, shift);
+  Matrix<double, 3, 3>    rotation;
+  const Vector<double, 3> translation(shift.data());
+  std::copy(rows.begin(), rows.end(), rotation.GetVnlMatrix().data_block());
   auto pose = CephalometricPoseTransform::New();
   pose->SetParametersFromRotation(rotation, translation, std::log(scaleFactor));
   return pose->GetPoseParameters();
 }
 } // namespace
+
+/** The groups of the last run. */
+struct PoseRegistrationMethodBase::AnsweredType
+{
+  std::vector<PoseRegistrationEngine::GroupType> groups;
+};
 
 PoseRegistrationMethodBase::PoseRegistrationMethodBase()
   : m_Optimizer(LevenbergMarquardtOptimizerv4::New().GetPointer())
@@ -106,7 +87,9 @@ PoseRegistrationMethodBase::PoseRegistrationMethodBase()
 {
   m_Hypotheses = { OtherSideHypothesis::New().GetPointer(),
                    OtherFacingHypothesis::New().GetPointer(),
-                   ExchangedJawsHypothesis::New().GetPointer() };
+                   ExchangedJawsHypothesis::New().GetPointer(),
+                   ExchangedLandmarksHypothesis::New().GetPointer(),
+                   MillimetreLandmarksHypothesis::New().GetPointer() };
   this->AddRequiredInputName("Geometry", 0);
   this->AddOptionalInputName("UpperMesh", 1);
   this->AddOptionalInputName("LowerMesh", 2);
@@ -117,6 +100,7 @@ PoseRegistrationMethodBase::PoseRegistrationMethodBase()
   this->AddOptionalInputName("JointFrame", 7);
   this->AddOptionalInputName("CephalometricLandmarks", 8);
   this->AddOptionalInputName("LandmarkCounterparts", 9);
+  this->AddOptionalInputName("ToothCrowns", 10);
   this->SetNumberOfRequiredOutputs(1 + 2 * NumberOfJaws);
   for (unsigned int i = 0; i < 1 + 2 * NumberOfJaws; ++i)
   {
@@ -124,6 +108,7 @@ PoseRegistrationMethodBase::PoseRegistrationMethodBase()
   }
 }
 
+// Here, where what it holds is known.
 PoseRegistrationMethodBase::~PoseRegistrationMethodBase() = default;
 
 PoseRegistrationMethodBase::DataObjectPointer
@@ -384,6 +369,12 @@ PoseRegistrationMethodBase::VerifyPreconditions() ITKv5_CONST
                                                                   "call ClearMetrics().");
     }
   }
+  if (m_Options.tracedSide == TracedSideEnum::Standard && this->GetToothCrowns() == nullptr &&
+      (this->GetUpperContour() != nullptr || this->GetLowerContour() != nullptr))
+  {
+    itkExceptionMacro("The outlines of a standard tracing are of whole teeth: call SetToothCrowns() with what "
+                      "ToothCrownFilter cuts out of the scans.");
+  }
   if (m_Optimizer.IsNull())
   {
     itkExceptionMacro("No optimizer: call SetOptimizer(), with a LevenbergMarquardtOptimizerv4 for example.");
@@ -401,7 +392,7 @@ PoseRegistrationMethodBase::UpdateFrames(const std::array<TriangleSurface, Numbe
   m_JawsShareFrame = joint != nullptr && joint->Get() != nullptr;
   if (m_JawsShareFrame)
   {
-    m_Frames = { { ToFrame(*joint->Get()), ToFrame(*joint->Get()) } };
+    m_Frames.fill(ToPoseFrame(*joint->Get()));
     return;
   }
   const std::array<const DecoratedTransformType *, NumberOfJaws> given{ { this->GetUpperFrame(),
@@ -413,7 +404,7 @@ PoseRegistrationMethodBase::UpdateFrames(const std::array<TriangleSurface, Numbe
     const auto frame = given[ToIndex(jaw)];
     if (frame != nullptr && frame->Get() != nullptr)
     {
-      m_Frames[ToIndex(jaw)] = ToFrame(*frame->Get());
+      m_Frames[ToIndex(jaw)] = ToPoseFrame(*frame->Get());
     }
     else if (needed)
     {
@@ -512,6 +503,7 @@ PoseRegistrationMethodBase::GenerateData()
     PoseJawInput input;
     input.landmarks = this->GetCephalometricLandmarks();
     input.counterparts = this->GetLandmarkCounterparts();
+    input.crowns = this->GetToothCrowns();
     input.surface = &surfaces[ToIndex(jaw)];
     input.frame = m_Frames[ToIndex(jaw)];
     input.jaw = jaw;
@@ -543,15 +535,12 @@ PoseRegistrationMethodBase::GenerateData()
   PoseIterationMonitor   monitor([this](const IterationType & iteration) { this->Report(iteration); },
                                [this]() { return this->GetAbortGenerateData(); });
   PoseRegistrationEngine engine;
-  engine.parts = { m_RobustKernel, m_NoiseModel, m_CovarianceNoiseModel };
-  engine.optimizer = m_Optimizer;
-  engine.start = m_Start;
+  this->ConnectParts(engine, monitor);
   engine.hypotheses = m_Hypotheses;
   for (std::size_t t = 0; t < m_Terms.size(); ++t)
   {
-    engine.terms.push_back({ m_Terms[t], m_TermJaws[t] });
+    problem.terms.push_back({ m_Terms[t], m_TermJaws[t] });
   }
-  engine.monitor = &monitor;
   engine.groupObserver = [this](unsigned int, unsigned int numberOfGroups, MetricType * metric) {
     m_NumberOfLevels = 4 * numberOfGroups;
     // One to look at: the group's own is cloned in other threads while observers are told.
@@ -568,9 +557,11 @@ PoseRegistrationMethodBase::GenerateData()
     this->UpdateProgress(static_cast<float>(m_CurrentLevel) / static_cast<float>(m_NumberOfLevels));
   };
   PoseRegistrationResult result;
+  auto                   answered = std::make_unique<AnsweredType>();
+  m_Answered.reset();
   try
   {
-    result = engine.Run(problem);
+    result = engine.Run(problem, &answered->groups);
   }
   catch (const std::invalid_argument & error)
   {
@@ -579,11 +570,17 @@ PoseRegistrationMethodBase::GenerateData()
   if (result.aborted || this->GetAbortGenerateData())
   {
     this->ResetPipeline();
-    ProcessAborted aborted(__FILE__, __LINE__);
-    aborted.SetLocation(ITK_LOCATION);
-    aborted.SetDescription("The registration was aborted.");
-    throw aborted;
+    this->ThrowAborted();
   }
+  for (auto & group : answered->groups)
+  {
+    for (PoseJawInput & jaw : group.problem.jaws)
+    {
+      // They end with this call; TryHypothesis() makes them anew.
+      jaw.surface = nullptr;
+    }
+  }
+  m_Answered = std::move(answered);
 
   PoseRegistrationOptions used = m_Options;
   used.useInitialPose = problem.options.useInitialPose;
@@ -598,6 +595,69 @@ PoseRegistrationMethodBase::GenerateData()
     }
   }
   this->UpdateProgress(1.0f);
+}
+
+void
+PoseRegistrationMethodBase::ConnectParts(PoseRegistrationEngine & engine, PoseIterationMonitor & monitor) const
+{
+  engine.parts = { m_RobustKernel, m_NoiseModel, m_CovarianceNoiseModel };
+  engine.optimizer = m_Optimizer;
+  engine.start = m_Start;
+  engine.monitor = &monitor;
+}
+
+void
+PoseRegistrationMethodBase::ThrowAborted()
+{
+  ProcessAborted aborted(__FILE__, __LINE__);
+  aborted.SetLocation(ITK_LOCATION);
+  aborted.SetDescription("The registration was aborted.");
+  throw aborted;
+}
+
+PoseHypothesisOutcome
+PoseRegistrationMethodBase::TryHypothesis(const PoseHypothesis * hypothesis, JawEnum jaw)
+{
+  if (hypothesis == nullptr)
+  {
+    itkExceptionMacro("TryHypothesis() was given no hypothesis.");
+  }
+  this->Update();
+  // Its message says why a jaw was not registered.
+  this->GetOutput()->GetGroup(jaw);
+  const auto &                      groups = m_Answered->groups;
+  const auto                        found = std::find_if(groups.begin(), groups.end(), [jaw](const auto & group) {
+    return std::any_of(group.problem.jaws.begin(), group.problem.jaws.end(), [jaw](const PoseJawInput & input) {
+      return input.jaw == jaw;
+    });
+  });
+  PoseRegistrationEngine::GroupType group = *found;
+  for (const std::string & obstacle :
+       { PoseRegistrationEngine::GetObstacle(group.problem), hypothesis->GetObstacle(group.problem) })
+  {
+    if (!obstacle.empty())
+    {
+      itkExceptionMacro("The hypothesis \"" << hypothesis->GetCode() << "\" cannot be tried: " << obstacle << ".");
+    }
+  }
+  std::array<TriangleSurface, NumberOfJaws> surfaces;
+  for (PoseJawInput & input : group.problem.jaws)
+  {
+    surfaces[ToIndex(input.jaw)] = this->MakeSurface(input.jaw);
+    input.surface = &surfaces[ToIndex(input.jaw)];
+  }
+  this->AbortGenerateDataOff();
+  PoseIterationMonitor   monitor([this](const IterationType & iteration) { this->Report(iteration); },
+                               [this]() { return this->GetAbortGenerateData(); });
+  PoseRegistrationEngine engine;
+  this->ConnectParts(engine, monitor);
+  const auto outcome = engine.TryHypothesis(group, *hypothesis);
+  if (!outcome || this->GetAbortGenerateData())
+  {
+    this->AbortGenerateDataOff();
+    this->ThrowAborted();
+  }
+  return *outcome;
 }
 
 void

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkPoseSolution.h"
 
+#include "itkPoseFrameOperations.h"
 #include "itkPoseModel.h"
 
 #include <cmath>
@@ -96,16 +97,44 @@ PoseSolution::GetGroup(JawEnum jaw) const
 }
 
 PoseSolution::ProjectionMatrixType
-PoseSolution::GetProjectionMatrix(JawEnum jaw) const
+PoseSolution::ToProjectionMatrix(const std::array<double, 12> & rows, double millimetresPerUnit)
 {
-  this->GetGroup(jaw);
   ProjectionMatrixType matrix;
-  const auto &         rows = this->GetJaw(jaw).projection;
   for (unsigned int i = 0; i < 12; ++i)
   {
-    matrix(i / 4, i % 4) = rows[i];
+    matrix(i / 4, i % 4) = rows[i] * (i % 4 < 3 ? millimetresPerUnit : 1.0);
   }
   return matrix;
+}
+
+PoseSolution::ProjectionMatrixType
+PoseSolution::GetProjectionMatrix(JawEnum jaw, double millimetresPerUnit) const
+{
+  this->GetGroup(jaw);
+  return ToProjectionMatrix(this->GetJaw(jaw).projection, millimetresPerUnit);
+}
+
+std::vector<PoseSolution::AlternativeType>
+PoseSolution::GetAlternatives(JawEnum jaw, double millimetresPerUnit) const
+{
+  constexpr double             samePlace = 1.0;
+  const PoseGeometry &         geometry = m_Result.geometry;
+  const double                 pixel = 0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]);
+  std::vector<AlternativeType> alternatives;
+  for (const PoseCandidate & minimum : this->GetGroup(jaw).candidates)
+  {
+    if (!alternatives.empty() && minimum.distance < samePlace)
+    {
+      continue;
+    }
+    AlternativeType alternative;
+    alternative.projection = ToProjectionMatrix(
+      PoseModel(geometry, minimum.parameters).GetPixelProjection(this->GetJaw(jaw).frame), millimetresPerUnit);
+    alternative.score = minimum.score;
+    alternative.distance = minimum.distance * PoseWorkingPixel / pixel;
+    alternatives.push_back(alternative);
+  }
+  return alternatives;
 }
 
 PoseSolution::PixelIndexType
@@ -127,18 +156,9 @@ PoseSolution::CovarianceType
 PoseSolution::ComputeCovariance(JawEnum jaw, const PointType & point) const
 {
   const PoseGroupResult & group = this->GetGroup(jaw);
-  const PoseFrame &       frame = this->GetJaw(jaw).frame;
-  double                  p[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    p[k] = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      p[k] += frame.rotation[3 * k + c] * (point[c] - frame.origin[c]);
-    }
-  }
-  double w[2], jacobian[14];
-  PoseModel(m_Result.geometry, group.parameters).ProjectWithJacobian(p, w, jacobian);
+  const auto              p = ToDentalFrame(this->GetJaw(jaw).frame, { { point[0], point[1], point[2] } });
+  double                  w[2], jacobian[14];
+  PoseModel(m_Result.geometry, group.parameters).ProjectWithJacobian(p.data(), w, jacobian);
   // From the working plane to pixels.
   const double scale[2] = { PoseWorkingPixel * m_Result.geometry.facingSign / m_Result.geometry.pixelSpacing[0],
                             PoseWorkingPixel / m_Result.geometry.pixelSpacing[1] };

@@ -18,6 +18,8 @@
 #include "itkRegistrationVerdict.h"
 
 #include "itkExchangedJawsHypothesis.h"
+#include "itkExchangedLandmarksHypothesis.h"
+#include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 
@@ -172,19 +174,26 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
   std::vector<std::string> ownApart;
   double                   sum = 0.0;
   std::size_t              kept = 0;
+  const auto               judge = [&](const std::string & name, double distance) {
+    if (distance > thresholds.landmarkApart)
+    {
+      apart.push_back(name);
+    }
+    else
+    {
+      sum += distance * distance;
+      ++kept;
+    }
+  };
   for (const std::size_t j : group.jaws)
   {
     for (const PoseLandmarkFit & landmark : result.jaws[j].landmarks)
     {
-      if (landmark.distance > thresholds.landmarkApart)
-      {
-        apart.push_back(landmark.name);
-      }
-      else
-      {
-        sum += landmark.distance * landmark.distance;
-        ++kept;
-      }
+      judge("landmark " + landmark.name, landmark.distance);
+    }
+    for (const PoseOutlineFit & outline : result.jaws[j].outlines)
+    {
+      judge("outline " + outline.name, outline.distance);
     }
   }
   // As many against as for: none of them is a gross error among good ones.
@@ -209,7 +218,7 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
     Add(verdict,
         StatusEnum::Suspect,
         "landmark-apart",
-        "landmark " + Join(apart) + (apart.size() == 1 ? " lies" : " lie") +
+        "" + Join(apart) + (apart.size() == 1 ? " lies" : " lie") +
           " far from where everything else puts it and was left out: is it the right tooth and point?");
   }
   if (kept > 0 && std::sqrt(sum / (2.0 * static_cast<double>(kept))) > thresholds.suspectLandmarkRatio)
@@ -304,7 +313,9 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
       JudgeFit(jaw.fit, thresholds, verdict);
       JudgeUncertainty(jaw.fit, group, thresholds, verdict);
     }
-    const auto hasLandmarks = [&](std::size_t other) { return !result.jaws[other].landmarks.empty(); };
+    const auto hasLandmarks = [&](std::size_t other) {
+      return !result.jaws[other].landmarks.empty() || !result.jaws[other].outlines.empty();
+    };
     const bool byLandmarks = std::any_of(group.jaws.begin(), group.jaws.end(), hasLandmarks);
     if (byLandmarks)
     {
@@ -409,7 +420,33 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result, const Thres
     {
       Add(verdict, StatusEnum::Failed, "jaws-exchanged", "upper and lower scan seem to be exchanged");
     }
-    if (fitsBetter(OtherFacingHypothesis::Code))
+    // Names that are exchanged fit the other facing a little better as well: the best reading is the one that is named.
+    const auto fitsBetterThan = [&](const char * code, const char * other) {
+      const PoseHypothesisOutcome * outcome = group.FindOutcome(code);
+      const PoseHypothesisOutcome * rival = group.FindOutcome(other);
+      return fitsBetter(code) && (rival == nullptr || outcome->score < rival->score);
+    };
+    const bool exchangedNames = fitsBetterThan(ExchangedLandmarksHypothesis::Code, OtherFacingHypothesis::Code) &&
+                                fitsBetterThan(ExchangedLandmarksHypothesis::Code, MillimetreLandmarksHypothesis::Code);
+    const bool millimetres = fitsBetterThan(MillimetreLandmarksHypothesis::Code, OtherFacingHypothesis::Code) &&
+                             fitsBetterThan(MillimetreLandmarksHypothesis::Code, ExchangedLandmarksHypothesis::Code);
+    if (exchangedNames)
+    {
+      Add(
+        verdict,
+        StatusEnum::Failed,
+        "landmarks-exchanged",
+        "the names of upper and lower landmarks seem to be exchanged: each fits better as the same point of the other "
+        "jaw; write U for L and L for U in their names");
+    }
+    if (millimetres)
+    {
+      Add(verdict,
+          StatusEnum::Failed,
+          "landmarks-mm",
+          "the landmarks seem to be in mm: divided by the pixel spacing they fit; give pixels of the radiograph");
+    }
+    if (fitsBetter(OtherFacingHypothesis::Code) && !exchangedNames && !millimetres)
     {
       Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`");
     }
@@ -461,6 +498,13 @@ RegistrationVerdict::GetNotCheckable(const PoseRegistrationResult & result, cons
   {
     lines.emplace_back(
       "exchanged jaws, facing, other side, other minima: not searched beside a given start or held values");
+  }
+  for (const PoseGroupResult & group : result.groups)
+  {
+    for (const auto & hypothesis : group.untried)
+    {
+      lines.push_back("hypothesis \"" + hypothesis.first + "\": not tried, " + hypothesis.second);
+    }
   }
   if (IsBisected(options.tracedSide))
   {

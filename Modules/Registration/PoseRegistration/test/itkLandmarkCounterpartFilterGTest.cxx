@@ -179,6 +179,20 @@ TEST(LandmarkCounterpartFilter, AToothOfOneSideAloneIsLessCertain)
   EXPECT_GT(found->sigmaAlong, 1.0);
 }
 
+TEST(LandmarkCounterpartFilter, NamesWhatFoundEachOfTwoTeeth)
+{
+  Phantom phantom(13);
+  auto    oneSide = itk::DentalLandmarkSet<3>::New();
+  oneSide->AddLandmark("UR6_MB", phantom.landmarks->Find("UR6_MB")->point);
+  phantom.Mark({ "U6_MB" });
+  phantom.filter->SetScanLandmarks(oneSide);
+  phantom.filter->Update();
+  const auto * found = phantom.filter->GetOutput()->Find("U6_MB");
+  ASSERT_NE(found, nullptr);
+  ASSERT_EQ(found->points.size(), 2u);
+  EXPECT_EQ(found->source, "landmarks_3d and its place along the arch");
+}
+
 TEST(LandmarkCounterpartFilter, ExcludedTeethHaveNone)
 {
   Phantom phantom(13);

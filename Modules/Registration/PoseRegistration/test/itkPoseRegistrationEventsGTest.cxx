@@ -18,6 +18,7 @@
 #include "itkPoseRegistrationTestCase.h"
 
 #include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkOtherSideHypothesis.h"
 #include "itkPoseStartSearch.h"
 #include "itkRegistrationIterationCommand.h"
 
@@ -371,6 +372,35 @@ INSTANTIATE_TEST_SUITE_P(
       "OptimizerStopped", true, [](const IterationType & i) { return i.stage == itk::PoseStageEnum::Candidates; } },
     Moment{ "OptimizerStoppedInHypothesis", true, [](const IterationType & i) { return i.hypothesis; } }),
   [](const auto & info) { return std::string(info.param.name); });
+
+TEST(PoseRegistrationEvents, AHypothesisThatRunsAloneTellsItsStepsAndCanBeAborted)
+{
+  const auto method = MakeMethod(Typical().geometry);
+  const auto side = itk::OtherSideHypothesis::New();
+  method->ClearHypotheses();
+  method->Update();
+  std::size_t steps = 0;
+  bool        abort = false;
+  method->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {
+    ++steps;
+    EXPECT_TRUE(method->GetCurrentIteration().hypothesis);
+    if (abort)
+    {
+      method->AbortGenerateDataOn();
+    }
+  });
+  const auto first = method->TryHypothesis(side, MethodType::JawEnum::Upper);
+  EXPECT_GT(steps, 10u);
+  const std::size_t all = steps;
+  steps = 0;
+  abort = true;
+  EXPECT_THROW(method->TryHypothesis(side, MethodType::JawEnum::Upper), itk::ProcessAborted);
+  EXPECT_LT(steps, all);
+  method->RemoveAllObservers();
+  const auto again = method->TryHypothesis(side, MethodType::JawEnum::Upper);
+  EXPECT_EQ(again.score, first.score);
+  EXPECT_EQ(again.deviance, first.deviance);
+}
 
 TEST(PoseRegistrationEvents, AbortTellsObserversOfIt)
 {

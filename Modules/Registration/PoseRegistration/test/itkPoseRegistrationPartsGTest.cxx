@@ -20,15 +20,18 @@
 
 #include "itkCorrelatedNoiseModel.h"
 #include "itkExchangedJawsHypothesis.h"
+#include "itkExchangedLandmarksHypothesis.h"
 #include "itkFindSilhouettes.h"
 #include "itkGemanMcClureKernel.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 #include "itkParameterPriorMetricv4.h"
 #include "itkPosePriors.h"
 #include "itkPoseStartSearch.h"
 #include "itkPoseStateBlocks.h"
+#include "itkRegistrationVerdict.h"
 #include "itkSilhouettePoseMetricv4.h"
 #include "itkSquaresKernel.h"
 
@@ -36,10 +39,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <vector>
 
 // The parts of a registration that a user may exchange or add.
@@ -221,6 +226,10 @@ ExerciseBasicObjectMethods()
   ITK_EXERCISE_BASIC_OBJECT_METHODS(facing, OtherFacingHypothesis, PoseHypothesis);
   const auto jaws = itk::ExchangedJawsHypothesis::New();
   ITK_EXERCISE_BASIC_OBJECT_METHODS(jaws, ExchangedJawsHypothesis, PoseHypothesis);
+  const auto millimetres = itk::MillimetreLandmarksHypothesis::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(millimetres, MillimetreLandmarksHypothesis, PoseHypothesis);
+  const auto landmarks = itk::ExchangedLandmarksHypothesis::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(landmarks, ExchangedLandmarksHypothesis, PoseHypothesis);
   return EXIT_SUCCESS;
 }
 } // namespace
@@ -243,7 +252,7 @@ TEST(PoseRegistrationParts, DefaultsAreThoseOfThePreset)
   EXPECT_EQ(method->GetCurrentLevel(), 0u);
   std::ostringstream text;
   method->Print(text);
-  EXPECT_TRUE(Contains(text.str(), "Hypotheses: other-side facing jaws-exchanged"));
+  EXPECT_TRUE(Contains(text.str(), "Hypotheses: other-side facing jaws-exchanged landmarks-exchanged landmarks-mm"));
   const auto search = itk::PoseStartSearch::New();
   EXPECT_NEAR(search->GetRotationRange(), 32.0 * 0.017453292519943295, 1e-15);
   EXPECT_NEAR(search->GetRotationStep(), 4.0 * 0.017453292519943295, 1e-15);
@@ -510,8 +519,171 @@ TEST(PoseRegistrationParts, HypothesesTurnTheQuestionIntoAnother)
   EXPECT_EQ(other.jaws[1].jaw, itk::ToothCode::JawEnum::Upper);
   EXPECT_EQ(other.jaws[0].tracing.GetPointer(), problem.jaws[1].tracing.GetPointer());
   EXPECT_EQ(other.jaws[0].frame.rotation[8], -1.0) << "it stands on its head";
+
+  const auto landmarks = itk::ExchangedLandmarksHypothesis::New();
+  EXPECT_EQ(landmarks->GetCode(), "landmarks-exchanged");
+  EXPECT_FALSE(landmarks->IsWorthTrying(problem, result)) << "there are none";
+  auto                                     marks = itk::CephalometricLandmarkSet::New();
+  itk::CephalometricLandmarkSet::PointType point;
+  point.Fill(1.0);
+  marks->AddLandmark("Is", point, 2.5, 0.5);
+  point.Fill(2.0);
+  marks->AddLandmark("UL6_MB", point);
+  for (auto & jaw : problem.jaws)
+  {
+    jaw.landmarks = marks;
+    jaw.counterparts = itk::LandmarkCounterpartSet::New();
+  }
+  EXPECT_FALSE(landmarks->IsWorthTrying(problem, result)) << "a tracing says its jaw by itself";
+  auto untraced = problem;
+  untraced.jaws[0].tracing = nullptr;
+  untraced.jaws[1].tracing = nullptr;
+  EXPECT_TRUE(landmarks->IsWorthTrying(untraced, result));
+  const auto renamed = landmarks->Apply(untraced).jaws[1].landmarks;
+  ASSERT_EQ(renamed->GetNumberOfLandmarks(), 2u);
+  ASSERT_NE(renamed->Find("L1_tip"), nullptr);
+  EXPECT_EQ(renamed->Find("L1_tip")->sigma, 2.5);
+  EXPECT_EQ(renamed->Find("L1_tip")->confidence, 0.5);
+  ASSERT_NE(renamed->Find("LL6_MB"), nullptr) << "the side stays";
+  EXPECT_EQ(renamed->Find("LL6_MB")->point, point);
+
+  const auto millimetres = itk::MillimetreLandmarksHypothesis::New();
+  EXPECT_FALSE(millimetres->IsWorthTrying(problem, result)) << "a tracing says its unit by its size";
+  untraced.nominal.pixelSpacingKnown = true;
+  untraced.nominal.pixelSpacing = { { 0.25, 0.5 } };
+  EXPECT_TRUE(millimetres->IsWorthTrying(untraced, result));
+  const auto pixels = millimetres->Apply(untraced).jaws[0].landmarks;
+  EXPECT_DOUBLE_EQ(pixels->Find("U1_tip")->point[0], 4.0);
+  EXPECT_DOUBLE_EQ(pixels->Find("U1_tip")->point[1], 2.0);
+  untraced.nominal.pixelSpacingKnown = false;
+  EXPECT_FALSE(millimetres->IsWorthTrying(untraced, result)) << "there is nothing to divide by";
+
   problem.jaws.resize(1);
   EXPECT_FALSE(exchanged->IsWorthTrying(problem, result)) << "there is nothing to exchange it with";
+  untraced.jaws.resize(1);
+  EXPECT_FALSE(landmarks->IsWorthTrying(untraced, result));
+}
+
+TEST(PoseRegistrationParts, AHypothesisRunsAloneAndGivesWhatItGivesBesideTheResult)
+{
+  const auto method = MakeMethod();
+  method->ClearHypotheses();
+  const auto   alone = method->TryHypothesis(itk::OtherSideHypothesis::New(), JawEnum::Upper);
+  const auto * beside = Plain().groups[0].FindOutcome("other-side");
+  ASSERT_NE(beside, nullptr);
+  EXPECT_EQ(alone.score, beside->score) << "the same bits";
+  EXPECT_EQ(alone.deviance, beside->deviance);
+  EXPECT_TRUE(method->GetOutput()->GetResult().groups[0].outcomes.empty()) << "the solution stays as it was";
+  EXPECT_EQ(method->GetOutput()->GetResult().groups[0].parameters, Plain().groups[0].parameters);
+
+  // One that a good fit makes not worth trying is tried nevertheless, and is as bad as it should be.
+  const auto exchanged = method->TryHypothesis(itk::ExchangedJawsHypothesis::New(), JawEnum::Lower);
+  EXPECT_GT(exchanged.score, Plain().groups[0].score + 0.1);
+  EXPECT_EQ(exchanged.deviance, 0.0) << "its likelihood is not asked for";
+
+  // A registration that stands does not run again; a changed one does.
+  unsigned int runs = 0;
+  method->AddObserver(itk::StartEvent(), [&](const itk::EventObject &) { ++runs; });
+  method->TryHypothesis(SameAgain::New(), JawEnum::Upper);
+  EXPECT_EQ(runs, 0u);
+  method->SetTracedSide(itk::TracedSideEnum::Left);
+  EXPECT_NE(method->TryHypothesis(itk::OtherSideHypothesis::New(), JawEnum::Upper).deviance, alone.deviance);
+  EXPECT_EQ(runs, 1u);
+}
+
+TEST(PoseRegistrationParts, AHypothesisThatCannotBeAskedSaysWhy)
+{
+  const auto side = itk::OtherSideHypothesis::New();
+  const auto facing = itk::OtherFacingHypothesis::New();
+  const auto exchanged = itk::ExchangedJawsHypothesis::New();
+  const auto messageOf = [](MethodType * method, const itk::PoseHypothesis * hypothesis) {
+    return MessageOfCall([&] { method->TryHypothesis(hypothesis, JawEnum::Upper); });
+  };
+  const auto method = MakeMethod();
+  EXPECT_TRUE(Contains(messageOf(method, nullptr), "TryHypothesis() was given no hypothesis"));
+  itk::PoseRegistrationOptions options;
+  options.useSideSelection = false;
+  method->SetOptions(options);
+  const std::string noSide = messageOf(method, side);
+  EXPECT_TRUE(Contains(noSide, "\"other-side\" cannot be tried: the tracing is of no side")) << noSide;
+  options = itk::PoseRegistrationOptions();
+  options.useJointPose = false;
+  method->SetOptions(options);
+  EXPECT_TRUE(Contains(messageOf(method, exchanged), "two jaws that share a pose"));
+  options.fixScale = true;
+  method->SetOptions(options);
+  EXPECT_TRUE(Contains(messageOf(method, side), "beside a given start or held values"));
+  method->SetLowerContour(nullptr);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { method->TryHypothesis(side, JawEnum::Lower); }), "lower jaw"));
+}
+
+TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
+{
+  // The patient said to face the other way: a poor fit, so that every hypothesis is worth trying.
+  itk::PoseGeometry geometry = Typical().geometry;
+  geometry.facingSign = -geometry.facingSign;
+  const auto method = PoseRegistrationTestCase::MakeMethod(Typical().jaws, geometry, itk::PoseRegistrationOptions());
+  using Codes = std::vector<std::string>;
+  const auto codesOf = [](const auto & entries) {
+    Codes codes;
+    for (const auto & entry : entries)
+    {
+      codes.push_back(entry.first);
+    }
+    return codes;
+  };
+  const auto notTried = [&] {
+    const auto lines =
+      itk::RegistrationVerdict::GetNotCheckable(method->GetOutput()->GetResult(), method->GetOptions());
+    return std::count_if(
+      lines.begin(), lines.end(), [](const std::string & line) { return Contains(line, "\": not tried, the added "); });
+  };
+  method->Update();
+  itk::PoseGroupResult group = method->GetOutput()->GetResult().groups[0];
+  EXPECT_EQ(codesOf(group.outcomes), (Codes{ "facing", "jaws-exchanged", "other-side" }));
+  EXPECT_TRUE(group.untried.empty());
+  EXPECT_EQ(notTried(), 0);
+
+  // About the patient: whichever way the patient faces, but not of a frame that stands on its head.
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Unknown })
+  {
+    method->ClearMetrics();
+    method->AddMetric(MakePosePrior(itk::PoseTz, 0.0, 100.0), jaw);
+    method->Update();
+    group = method->GetOutput()->GetResult().groups[0];
+    EXPECT_EQ(codesOf(group.outcomes), (Codes{ "facing", "other-side" }));
+    ASSERT_EQ(codesOf(group.untried), (Codes{ "jaws-exchanged" }));
+    EXPECT_EQ(group.untried.begin()->second,
+              "the added ParameterPriorMetricv4 is about the jaws' dental frame, which turns over with them");
+    EXPECT_EQ(notTried(), 1);
+  }
+
+  // With a radiograph of its own: facing is a matter of both.
+  auto view = itk::SilhouettePoseMetricv4::New();
+  auto transform = itk::CephalometricPoseTransform::New();
+  transform->SetPoseGeometry(geometry);
+  view->SetTransform(transform);
+  view->SetFixedContour(Typical().contours[0]);
+  view->SetMovingSurface(
+    dynamic_cast<const itk::SilhouettePoseMetricv4 &>(*method->GetModifiableMetric()->GetMetric(0)).GetMovingSurface());
+  method->ClearMetrics();
+  method->AddMetric(view);
+  method->Update();
+  group = method->GetOutput()->GetResult().groups[0];
+  EXPECT_EQ(codesOf(group.outcomes), (Codes{ "other-side" }));
+  EXPECT_EQ(codesOf(group.untried), (Codes{ "facing", "jaws-exchanged" }));
+  EXPECT_EQ(notTried(), 2);
+
+  // A block that is no pose is nothing that turns.
+  method->ClearMetrics();
+  auto scale = itk::ParameterPriorMetricv4::New();
+  scale->SetBlock(itk::PoseStateBlocks::MakeScale());
+  scale->SetPriors({ { 0.0, 1.0, 0.0 } });
+  method->AddMetric(scale);
+  method->Update();
+  group = method->GetOutput()->GetResult().groups[0];
+  EXPECT_TRUE(group.untried.empty());
+  EXPECT_EQ(group.outcomes.size(), 3u);
 }
 
 TEST(PoseRegistrationParts, JawsWithPosesOfTheirOwnAreGroupsOfTheirOwn)

@@ -21,6 +21,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace
@@ -120,6 +121,49 @@ TEST(PoseSolution, MovingContourHoldsAllThatCouldBeMatched)
   ASSERT_EQ(contour->GetNumberOfPoints(), 3u);
   EXPECT_EQ(contour->GetPolylines()[0].points[2][0], 3.5);
   EXPECT_FALSE(contour->GetPolylines()[0].closed);
+}
+
+TEST(PoseSolution, AlternativesAreMinimaThatArePlacesOfTheirOwnInTheUnitThatIsAskedFor)
+{
+  itk::PoseRegistrationResult result = PoseSolutionTestCase::MakeResult();
+  itk::PoseGroupResult &      group = result.groups[0];
+  itk::PoseCandidate          best;
+  best.parameters = group.parameters;
+  best.score = 0.1;
+  group.candidates = { best, best, best };
+  // A second way to the same place, just within a working pixel of it, and a place of its own.
+  group.candidates[1].distance = 0.99;
+  group.candidates[1].score = 0.11;
+  group.candidates[2].distance = 8.0;
+  group.candidates[2].score = 0.2;
+  group.candidates[2].parameters[itk::PoseTx] += 2.0;
+  const auto solution = SolutionType::New();
+  solution->SetResult(result, itk::PoseRegistrationOptions());
+  const auto alternatives = solution->GetAlternatives(JawEnum::Upper);
+  ASSERT_EQ(alternatives.size(), 2u);
+  EXPECT_EQ(alternatives[0].projection, solution->GetProjectionMatrix(JawEnum::Upper));
+  EXPECT_EQ(alternatives[0].score, 0.1);
+  EXPECT_EQ(alternatives[0].distance, 0.0);
+  EXPECT_EQ(alternatives[1].score, 0.2);
+  // 8 px of 0.25 mm are 2 mm on the detector, whose pixels of 0.31 by 0.19 mm are 0.25 mm in the mean.
+  EXPECT_NEAR(alternatives[1].distance, 8.0, 1e-12);
+  EXPECT_NE(alternatives[1].projection, alternatives[0].projection);
+
+  // A point of a file in metres: its coordinates are a thousandth, its place on the radiograph is the same.
+  const auto metres = solution->GetAlternatives(JawEnum::Upper, 1000.0)[1].projection;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    double inMetres = metres(row, 3);
+    double inMillimetres = alternatives[1].projection(row, 3);
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      const double point = 10.0 + 3.0 * column;
+      inMetres += metres(row, column) * point / 1000.0;
+      inMillimetres += alternatives[1].projection(row, column) * point;
+    }
+    EXPECT_NEAR(inMetres, inMillimetres, 1e-9 * std::abs(inMillimetres)) << row;
+  }
+  EXPECT_TRUE(solution->GetAlternatives(JawEnum::Lower).empty()) << "made by hand, without minima";
 }
 
 TEST(PoseSolution, GraftCopiesAndInitializeForgets)

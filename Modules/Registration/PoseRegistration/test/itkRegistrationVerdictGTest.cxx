@@ -313,6 +313,20 @@ MakeLimits()
       [](Result & r, double x) { r.groups[0].outcomes["jaws-exchanged"].score = r.groups[0].score - x; },
       {},
       { { "jaws-exchanged", Failed } } },
+    { "HypothesisGainOfExchangedLandmarks",
+      &Thresholds::hypothesisGain,
+      0.03,
+      true,
+      [](Result & r, double x) { r.groups[0].outcomes["landmarks-exchanged"].score = r.groups[0].score - x; },
+      {},
+      { { "landmarks-exchanged", Failed } } },
+    { "HypothesisGainOfLandmarksInMillimetres",
+      &Thresholds::hypothesisGain,
+      0.03,
+      true,
+      [](Result & r, double x) { r.groups[0].outcomes["landmarks-mm"].score = r.groups[0].score - x; },
+      {},
+      { { "landmarks-mm", Failed } } },
     { "HypothesisGainOfTheOtherFacing",
       &Thresholds::hypothesisGain,
       0.03,
@@ -516,6 +530,23 @@ TEST(RegistrationVerdict, HypothesesAreNamedByWhatToCheck)
   reason = evaluate([](itk::PoseGroupResult & g) { g.outcomes["jaws-exchanged"].score = 0.2; });
   EXPECT_EQ(reason.code, "jaws-exchanged");
   EXPECT_TRUE(Contains(reason.text, "upper and lower scan")) << reason.text;
+  reason = evaluate([](itk::PoseGroupResult & g) { g.outcomes["landmarks-exchanged"].score = 0.2; });
+  EXPECT_EQ(reason.code, "landmarks-exchanged");
+  EXPECT_TRUE(Contains(reason.text, "names of upper and lower landmarks")) << reason.text;
+  reason = evaluate([](itk::PoseGroupResult & g) { g.outcomes["landmarks-mm"].score = 0.2; });
+  EXPECT_EQ(reason.code, "landmarks-mm");
+  EXPECT_TRUE(Contains(reason.text, "in mm")) << reason.text;
+  // Of readings that fit better the best: exchanged names fit the other facing a little better, too.
+  reason = evaluate([](itk::PoseGroupResult & g) {
+    g.outcomes["landmarks-exchanged"].score = 0.1;
+    g.outcomes["facing"].score = 0.2;
+  });
+  EXPECT_EQ(reason.code, "landmarks-exchanged");
+  reason = evaluate([](itk::PoseGroupResult & g) {
+    g.outcomes["landmarks-exchanged"].score = 0.2;
+    g.outcomes["facing"].score = 0.1;
+  });
+  EXPECT_EQ(reason.code, "facing");
   reason = evaluate([](itk::PoseGroupResult & g) { g.outcomes["facing"].score = 0.2; });
   EXPECT_EQ(reason.code, "facing");
   EXPECT_TRUE(Contains(reason.text, "`facing`")) << reason.text;
@@ -653,7 +684,8 @@ TEST(RegistrationVerdict, ALandmarkThatStandsApartIsNamedForEveryJawOfItsPose)
   result.jaws[1].landmarks[1].distance = limits.landmarkApart + 0.01;
   auto traced = result;
   traced.jaws[0].fit = MakeGoodResult().jaws[0].fit;
-  EXPECT_TRUE(Contains(Verdict::Evaluate(traced).at(0).reasons.front().text, "L1_tip and L6_MB lie far"));
+  EXPECT_TRUE(
+    Contains(Verdict::Evaluate(traced).at(0).reasons.front().text, "landmark L1_tip and landmark L6_MB lie far"));
   // One that is left has nothing that confirms it.
   result.jaws[0].landmarks[0].distance = limits.landmarkApart + 0.01;
   EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "landmarks-disagree", Failed } }));

@@ -21,6 +21,7 @@
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileWriter.h"
 #include "itkDentalPhantomPicture.h"
+#include "itkDentalPhantomTracer.h"
 #include "itkJsonNumber.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkOpenMeshMeshIO.h"
@@ -255,6 +256,45 @@ TraitText(const DentalPhantomCaseSource & source)
   return text + "\n ],\n";
 }
 
+/** What a source was told beside its level, where it is not what a new source has: with seed, level and these a case
+ * can be made again. Facing, the source's side, the size of the picture and the traced side stand in the case itself.
+ */
+std::string
+SettingsText(const DentalPhantomCaseSource & source)
+{
+  const auto  plain = DentalPhantomCaseSource::New();
+  std::string text;
+  const auto  add = [&text](const char * name, const std::string & value) {
+    text += std::string(text.empty() ? "" : ", ") + JsonString(name) + ": " + value;
+  };
+  const auto addNumber = [&](const char * name, double value, double otherwise) {
+    if (value != otherwise)
+    {
+      add(name, JsonNumber(value));
+    }
+  };
+  addNumber("tooth_bias", source.GetToothBias(), plain->GetToothBias());
+  addNumber("drop_out_fraction", source.GetDropOutFraction(), plain->GetDropOutFraction());
+  addNumber("additional_yaw_rad", source.GetAdditionalYaw(), plain->GetAdditionalYaw());
+  addNumber("additional_roll_rad", source.GetAdditionalRoll(), plain->GetAdditionalRoll());
+  addNumber("upper_number_of_points", source.GetUpperNumberOfPoints(), plain->GetUpperNumberOfPoints());
+  addNumber("lower_number_of_points", source.GetLowerNumberOfPoints(), plain->GetLowerNumberOfPoints());
+  if (source.GetStoneBase() != plain->GetStoneBase())
+  {
+    add("stone_base", source.GetStoneBase() ? "true" : "false");
+  }
+  if (!source.GetMissingTeeth().empty())
+  {
+    std::string teeth;
+    for (const unsigned int tooth : source.GetMissingTeeth())
+    {
+      teeth += (teeth.empty() ? "" : ", ") + std::to_string(tooth);
+    }
+    add("missing_teeth", "[" + teeth + "]");
+  }
+  return text.empty() ? text : ",\n \"settings\": {" + text + "}";
+}
+
 /** The drawings before their errors, the frontal view's answer and the parameters, where the level is none of the first
  * three, whose truth.json stays what it was. */
 std::string
@@ -305,7 +345,11 @@ DrawingText(const DentalPhantomCaseSource & source)
               PixelText({ { landmark.point[0], landmark.point[1] } });
       separator = ",\n";
     }
-    text += "\n }}}";
+    // A hand of its own: the lateral tracing's correlation length is drawn, this one's is the tracer's.
+    const DentalPhantomLevel & level = source.GetLevel();
+    text += "\n },\n \"noise_px\": {\"correlated\": " + JsonNumber(level.correlatedNoise) +
+            ", \"white\": " + JsonNumber(level.whiteNoise) +
+            ", \"correlation_length\": " + JsonNumber(DentalPhantomTracer::Noise().correlationLength) + "}}}";
   }
   // Side, frame and resolution stand in the case itself; what else differs from the first three tables is told.
   DentalPhantomLevel level = source.GetLevel();
@@ -564,7 +608,7 @@ DentalPhantomCaseWriter::WriteFiles(const std::string & directory)
         << " \"projection_3x4\": {\n"
         << "  \"upper\": " << MatrixText(source.GetTrueGeometry(0)->GetProjectionMatrix()) << ",\n"
         << "  \"lower\": " << MatrixText(source.GetTrueGeometry(1)->GetProjectionMatrix()) << "\n"
-        << " }" << DrawingText(source) << "\n"
+        << " }" << SettingsText(source) << DrawingText(source) << "\n"
         << "}\n";
   WriteFileAtomically(base + "truth.json", truth.str());
 }

@@ -198,6 +198,45 @@ TEST(DentalPhantomCaseWriter, TruthSaysWhatWasUsed)
   EXPECT_EQ(source->GetAcquisition().correlationLength, itk::DentalPhantomStandardTracing::CorrelationLength);
 }
 
+TEST(DentalPhantomCaseWriter, TruthTellsWhatTheSourceWasToldBesideItsLevel)
+{
+  const auto source = SmallCase();
+  const auto writer = WriterType::New();
+  writer->SetCaseSource(source);
+  const std::string folder = Folder("phantom-settings");
+  writer->SetDirectoryName(folder);
+  writer->Write();
+  EXPECT_FALSE(itk::JsonDocument::ReadFile(folder + "/truth.json").GetRoot().Find("settings"))
+    << "nothing but level and seed";
+  source->SetToothBias(0.5);
+  source->SetDropOutFraction(0.25);
+  source->SetAdditionalYaw(0.01);
+  source->SetAdditionalRoll(-0.02);
+  source->SetMissingTeeth({ 26, 36 });
+  source->SetUpperNumberOfPoints(60);
+  source->SetLowerNumberOfPoints(50);
+  source->StoneBaseOn();
+  auto level = source->GetLevel();
+  level.frontalView = true;
+  source->SetLevel(level);
+  writer->Write();
+  const auto document = itk::JsonDocument::ReadFile(folder + "/truth.json");
+  const auto settings = document.GetRoot().Get("settings");
+  EXPECT_EQ(settings.Get("tooth_bias").AsNumber(), 0.5);
+  EXPECT_EQ(settings.Get("drop_out_fraction").AsNumber(), 0.25);
+  EXPECT_EQ(settings.Get("additional_yaw_rad").AsNumber(), 0.01);
+  EXPECT_EQ(settings.Get("additional_roll_rad").AsNumber(), -0.02);
+  EXPECT_EQ(settings.Get("missing_teeth").At(1).AsInteger(0, 100), 36);
+  EXPECT_EQ(settings.Get("upper_number_of_points").AsInteger(0, 100), 60);
+  EXPECT_EQ(settings.Get("lower_number_of_points").AsInteger(0, 100), 50);
+  EXPECT_TRUE(settings.Get("stone_base").AsBoolean());
+  // The frontal tracing drifts by the tracer's length whatever the lateral one's is.
+  const auto noise = document.GetRoot().Get("views").Get("frontal").Get("noise_px");
+  EXPECT_EQ(noise.Get("correlation_length").AsNumber(), 15.0);
+  EXPECT_EQ(noise.Get("correlated").AsNumber(), source->GetLevel().correlatedNoise);
+  EXPECT_NE(document.GetRoot().Get("noise_px").Get("correlation_length").AsNumber(), 15.0);
+}
+
 TEST(DentalPhantomCaseWriter, ReplacesAnEarlierCaseAndLeavesOtherFilesAlone)
 {
   const std::string folder = Folder("phantom-again");

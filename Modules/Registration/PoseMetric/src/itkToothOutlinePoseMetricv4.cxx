@@ -1,0 +1,684 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkToothOutlinePoseMetricv4.h"
+
+#include "itkContourNoiseModel.h"
+#include "itkPoseContourIndex.h"
+#include "itkPoseMatching.h"
+#include "itkPoseToothContourModel.h"
+#include "itkWholeToothOutline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+constexpr std::size_t NoMatch = PoseContourIndex::None;
+constexpr std::size_t NumberOfErrors = 6;
+/** Positions of front teeth, of which an analysis draws the most prominent; behind them it draws between the images. */
+constexpr unsigned int LastFrontTooth = 3;
+/** px a unit normal in the matching, as of a tracing's points (PoseSilhouetteSettings::orientationWeight). */
+constexpr double OrientationWeight = 8.0;
+/** Smallest width of the points' robust kernel, px: 1 mm, what lies further from its tooth's outline is not of it. */
+constexpr double PointWidth = 4.0;
+/** The width follows the spread of the points where it is larger, far from the solution: so many standard deviations,
+ * which are 1.48 medians. */
+constexpr double WidthInSigmas = 2.5;
+constexpr double SigmaOfMedian = 1.48;
+/** Width of the teeth's robust kernel, standard deviations, as of landmarks. */
+constexpr double ToothWidthInSigmas = 4.0;
+/** No weight is quite 0: the covariance is inverted. */
+constexpr double SmallestWeight = 1e-4;
+/** Component along the arch of a normal above which its point is at an end of the tooth. */
+constexpr double CutFacing = 0.5;
+/** By which the deviance of a jaw's templates has to be less: three of ten readers use templates, and what is not quite
+ * a tooth's shape may also be how its crown was cut out of the scan. */
+constexpr double TemplatePenalty = 12.0;
+/** Rounds of weights and errors in one update: each settles the other, and optimizer runs follow. */
+constexpr int Rounds = 3;
+
+double
+GemanMcClure(double squaredDistance, double width)
+{
+  const double a = width * width / (width * width + squaredDistance);
+  return a * a;
+}
+} // namespace
+
+void
+ToothOutlinePoseMetricv4::SetErrors(const ErrorsType & errors)
+{
+  if (!(errors.along > 0.0) || !(errors.across > 0.0) || !(errors.turn > 0.0) || !(errors.size > 0.0) ||
+      !(errors.templateTurn > 0.0) || !(errors.templateSize > 0.0) || !(errors.lingual > 0.0) ||
+      !(errors.drift > 0.0) || !(errors.jitter > 0.0))
+  {
+    itkExceptionMacro("Errors of outlines are standard deviations and must be positive: see SetErrors().");
+  }
+  m_Errors = errors;
+  this->Modified();
+}
+
+void
+ToothOutlinePoseMetricv4::SetMarkedTeeth(const std::vector<unsigned int> & positions)
+{
+  if (m_MarkedTeeth != positions)
+  {
+    m_MarkedTeeth = positions;
+    this->Modified();
+  }
+}
+
+void
+ToothOutlinePoseMetricv4::SetExcludedTeeth(const std::vector<std::uint8_t> & teeth)
+{
+  if (m_ExcludedTeeth != teeth)
+  {
+    m_ExcludedTeeth = teeth;
+    this->Modified();
+  }
+}
+
+void
+ToothOutlinePoseMetricv4::Prepare()
+{
+  Superclass::InitializeTerm();
+  if (this->GetCrowns() == nullptr)
+  {
+    itkExceptionMacro("No crowns of the scan: call SetCrowns() with a ToothCrownSet in its dental frame, as "
+                      "ToothCrownFilter finds them.");
+  }
+  if (this->GetFixedContour() == nullptr)
+  {
+    itkExceptionMacro("No outlines: call SetFixedContour() with the tracing of this jaw.");
+  }
+  m_Failure.clear();
+  m_Unused.clear();
+  m_Noise.clear();
+  m_LastPosition.clear();
+  m_Hold = HoldEnum::Nothing;
+  const PoseGeometry & geometry = this->GetTransform()->GetPoseGeometry();
+  const bool           upper = m_Jaw == JawEnum::Upper;
+  const double         perMillimetre = 1.0 / PoseWorkingPixel;
+  const double         magnification = geometry.sourceToDetector / geometry.sourceToMidsagittal;
+  auto                 teeth = std::make_shared<TeethType>();
+  for (const auto & polyline : this->GetFixedContour()->GetPolylines())
+  {
+    const unsigned int position = polyline.code.GetPosition();
+    ToothType          tooth;
+    tooth.name = (upper ? "U" : "L") + std::to_string(position);
+    if (!polyline.code.IsKnown())
+    {
+      m_Unused.push_back({ "without a code", "nothing says which tooth it is of" });
+      continue;
+    }
+    if (std::find(m_ExcludedTeeth.begin(), m_ExcludedTeeth.end(), polyline.code.GetFDI()) != m_ExcludedTeeth.end())
+    {
+      m_Unused.push_back({ tooth.name, "its tooth is excluded" });
+      continue;
+    }
+    const auto sameName = [&](const ToothType & other) { return other.name == tooth.name; };
+    if (std::any_of(teeth->begin(), teeth->end(), sameName))
+    {
+      m_Unused.push_back({ tooth.name, "there is an outline of this tooth already" });
+      continue;
+    }
+    const auto outline = std::make_shared<const WholeToothOutline>(geometry, polyline, m_Jaw);
+    if (!outline->GetFailure().empty())
+    {
+      m_Unused.push_back({ tooth.name, outline->GetFailure() });
+      continue;
+    }
+    std::vector<std::shared_ptr<const TriangleSurface>> crowns;
+    double                                              sigmaAlong = 0.0;
+    double                                              sigmaWidth = 0.0;
+    for (const unsigned int quadrant : { upper ? 1U : 4U, upper ? 2U : 3U })
+    {
+      if (const auto * crown = this->GetCrowns()->Find(ToothCode(static_cast<std::uint8_t>(10 * quadrant + position))))
+      {
+        crowns.push_back(crown->surface);
+        sigmaAlong = std::max(sigmaAlong, crown->sigmaAlong);
+        sigmaWidth = std::max(sigmaWidth, crown->sigmaWidth);
+      }
+    }
+    if (crowns.empty())
+    {
+      m_Unused.push_back({ tooth.name, "its crown was not found on the scan" });
+      continue;
+    }
+    if (sigmaAlong > m_MaximumCutSigma)
+    {
+      m_Unused.push_back(
+        { tooth.name,
+          "its crown is known by a textbook's place along the arch alone, of which its landmark tells as "
+          "much: give tooth labels or landmarks_3d" });
+      continue;
+    }
+    const bool front = position <= LastFrontTooth;
+    tooth.outline = outline;
+    tooth.model = std::make_shared<const PoseToothContourModel>(
+      crowns, front ? LandmarkCounterpartSet::RuleEnum::Foremost : LandmarkCounterpartSet::RuleEnum::Middle, m_Jaw);
+    const bool   marked = std::find(m_MarkedTeeth.begin(), m_MarkedTeeth.end(), position) != m_MarkedTeeth.end();
+    const double shared = marked ? 1.0 + SharedErrorShare : 1.0;
+    const double along = std::hypot(m_Errors.along, magnification * sigmaAlong) * perMillimetre;
+    const double across = m_Errors.across * perMillimetre;
+    const double lingual = m_Errors.lingual * perMillimetre;
+    const double width = magnification * sigmaWidth * perMillimetre;
+    const auto   makeWay = [&](const std::array<double, 2> & origin, const std::array<double, 4> & sigmas) {
+      WayType way;
+      way.origin = origin;
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        way.variances[c] = (c < 2 ? shared : 1.0) * sigmas[c] * sigmas[c];
+      }
+      way.variances[4] = lingual * lingual;
+      way.variances[5] = width * width;
+      return way;
+    };
+    // A template is moved, turned and scaled by the hand as well, which moves its reference point.
+    const double arm[2] = { outline->GetReference()[0] - outline->GetCentroid()[0],
+                            outline->GetReference()[1] - outline->GetCentroid()[1] };
+    tooth.ways = { { makeWay(outline->GetCentroid(), { { along, across, m_Errors.turn, m_Errors.size } }),
+                     makeWay(outline->GetReference(),
+                             { { std::hypot(along, std::hypot(m_Errors.turn * arm[1], m_Errors.size * arm[0])),
+                                 std::hypot(across, std::hypot(m_Errors.turn * arm[0], m_Errors.size * arm[1])),
+                                 m_Errors.templateTurn,
+                                 m_Errors.templateSize } }) } };
+    teeth->push_back(tooth);
+  }
+  m_Teeth = teeth;
+  if (teeth->empty())
+  {
+    m_Failure = m_Unused.empty() ? "the tracing has no outline" : "no outline of a whole tooth can be matched";
+    for (const UnusedType & unused : m_Unused)
+    {
+      m_Failure += (&unused == &m_Unused.front() ? ": " : "; ") + unused.name + ": " + unused.reason;
+    }
+  }
+}
+
+void
+ToothOutlinePoseMetricv4::InitializeTerm()
+{
+  this->Prepare();
+  if (!m_Failure.empty())
+  {
+    itkExceptionMacro("The outlines of the " << (m_Jaw == JawEnum::Upper ? "upper" : "lower")
+                                             << " jaw cannot be matched: " << m_Failure << '.');
+  }
+}
+
+const ToothOutlinePoseMetricv4::TeethType &
+ToothOutlinePoseMetricv4::GetTeeth() const
+{
+  if (!m_Teeth)
+  {
+    itkExceptionMacro("The metric is not prepared: call Initialize() or Prepare().");
+  }
+  return *m_Teeth;
+}
+
+std::vector<unsigned int>
+ToothOutlinePoseMetricv4::GetTeethPositions() const
+{
+  std::vector<unsigned int> positions;
+  for (const ToothType & tooth : this->GetTeeth())
+  {
+    positions.push_back(tooth.outline->GetPosition());
+  }
+  return positions;
+}
+
+SizeValueType
+ToothOutlinePoseMetricv4::GetNumberOfResiduals() const
+{
+  SizeValueType count = 0;
+  for (const ToothType & tooth : this->GetTeeth())
+  {
+    count += tooth.outline->GetPoints().size();
+  }
+  return count;
+}
+
+void
+ToothOutlinePoseMetricv4::Evaluate(std::size_t number, const PositionType & x, EvaluationType & at) const
+{
+  const ToothType &    tooth = this->GetTeeth()[number];
+  const PoseGeometry & geometry = this->GetTransform()->GetPoseGeometry();
+  const PoseModel      model(geometry, ToPoseParameters(x));
+  if (m_Hold != HoldEnum::Nothing)
+  {
+    at.contour = m_Held[number].contour;
+    PoseContourModel::Reproject(at.contour, PoseModel(geometry, ToPoseParameters(m_HeldPosition)), model);
+  }
+  else
+  {
+    at.contour = tooth.model->Compute(model);
+  }
+  const auto &      points = tooth.outline->GetPoints();
+  const auto &      normals = tooth.outline->GetNormals();
+  const std::size_t n = points.size();
+  at.residual.assign(n, 0.0);
+  if (m_Hold == HoldEnum::Matches)
+  {
+    at.match = m_Held[number].match;
+    at.nu = m_Held[number].nu;
+    at.nv = m_Held[number].nv;
+    at.facing = m_Held[number].facing;
+  }
+  else
+  {
+    const PoseContourIndex index(at.contour);
+    at.match.assign(n, NoMatch);
+    at.nu.assign(n, 0.0);
+    at.nv.assign(n, 1.0);
+    at.facing.assign(n, 0.0);
+    for (std::size_t i = 0; i < n && !index.Empty(); ++i)
+    {
+      const std::size_t j =
+        index.Nearest(points[i][0], points[i][1], normals[i][0], normals[i][1], OrientationWeight * OrientationWeight);
+      at.match[i] = j;
+      at.nu[i] = at.contour.nu[j];
+      at.nv[i] = at.contour.nv[j];
+      const auto & direction = index.GetDirection(j);
+      at.facing[i] = PoseMatching::FacingWeight(direction[0] * normals[i][0] + direction[1] * normals[i][1]);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (at.match[i] != NoMatch)
+    {
+      at.residual[i] =
+        at.nu[i] * (points[i][0] - at.contour.u[at.match[i]]) + at.nv[i] * (points[i][1] - at.contour.v[at.match[i]]);
+    }
+  }
+}
+
+const std::vector<ToothOutlinePoseMetricv4::EvaluationType> &
+ToothOutlinePoseMetricv4::EvaluateAll(const PositionType & x) const
+{
+  if (m_LastPosition != x || m_Last.size() != this->GetTeeth().size())
+  {
+    m_LastPosition.clear();
+    m_Last.resize(this->GetTeeth().size());
+    for (std::size_t t = 0; t < m_Last.size(); ++t)
+    {
+      this->Evaluate(t, x, m_Last[t]);
+    }
+    m_LastPosition = x;
+  }
+  if (m_Noise.empty())
+  {
+    m_Noise = this->ComputeNoises(m_Last);
+  }
+  return m_Last;
+}
+
+void
+ToothOutlinePoseMetricv4::Factorize(const ToothType & tooth, NoiseType & noise) const
+{
+  const std::size_t n = noise.weights.size();
+  const auto &      arc = tooth.outline->GetArc();
+  const auto &      normals = tooth.outline->GetNormals();
+  noise.factor.assign(n * n, 0.0);
+  const double drift2 = m_Errors.drift * m_Errors.drift;
+  const double jitter2 = m_Errors.jitter * m_Errors.jitter;
+  for (std::size_t j = 0; j < n; ++j)
+  {
+    for (std::size_t i = j; i < n; ++i)
+    {
+      const double d = (arc[i] - arc[j]) / DriftLength;
+      double k = drift2 * std::exp(-0.5 * d * d) * (normals[i][0] * normals[j][0] + normals[i][1] * normals[j][1]);
+      for (std::size_t c = 0; c < NumberOfErrors; ++c)
+      {
+        k += noise.basis[c * n + i] * noise.basis[c * n + j] * tooth.ways[noise.way].variances[c] / noise.weight;
+      }
+      noise.factor[j * n + i] = k;
+    }
+    noise.factor[j * n + j] += jitter2 / std::max(noise.weights[j], SmallestWeight);
+  }
+  if (!ContourNoiseModel::Factor(noise.factor.data(), n))
+  {
+    itkExceptionMacro("The covariance of the outline of " << tooth.name
+                                                          << " is not positive definite: see SetErrors().");
+  }
+}
+
+double
+ToothOutlinePoseMetricv4::ComputeDistance(const ToothType & tooth, const NoiseType & noise)
+{
+  double sum = 0.0;
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    sum += noise.errors[c] * noise.errors[c] / tooth.ways[noise.way].variances[c];
+  }
+  return std::sqrt(0.5 * sum);
+}
+
+std::vector<ToothOutlinePoseMetricv4::NoiseType>
+ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at) const
+{
+  std::vector<NoiseType> byHand, byTemplate;
+  double                 difference = TemplatePenalty;
+  for (std::size_t t = 0; t < at.size(); ++t)
+  {
+    byHand.push_back(this->ComputeNoise(this->GetTeeth()[t], at[t], 0));
+    byTemplate.push_back(this->ComputeNoise(this->GetTeeth()[t], at[t], 1));
+    difference += byTemplate.back().deviance - byHand.back().deviance;
+  }
+  return difference < 0.0 ? byTemplate : byHand;
+}
+
+ToothOutlinePoseMetricv4::NoiseType
+ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const EvaluationType & at, std::size_t way) const
+{
+  const WholeToothOutline & outline = *tooth.outline;
+  const std::size_t         n = outline.GetPoints().size();
+  const auto &              origin = tooth.ways[way].origin;
+  NoiseType                 noise;
+  noise.way = way;
+  noise.basis.assign(NumberOfErrors * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double a = outline.GetPoints()[i][0] - origin[0];
+    const double b = outline.GetPoints()[i][1] - origin[1];
+    noise.basis[i] = at.nu[i];
+    noise.basis[n + i] = at.nv[i];
+    noise.basis[2 * n + i] = at.nv[i] * a - at.nu[i] * b;
+    noise.basis[3 * n + i] = at.nu[i] * a + at.nv[i] * b;
+    noise.basis[4 * n + i] = outline.GetLingual()[i];
+    // Where the outline faces along the arch it is the cut that ends the crown; a front tooth's faces are its own.
+    const double facing = std::abs(outline.GetNormals()[i][0]);
+    noise.basis[5 * n + i] =
+      outline.GetPosition() > LastFrontTooth ? std::max(0.0, (facing - CutFacing) / (1.0 - CutFacing)) : 0.0;
+  }
+  noise.weights = at.facing;
+  std::vector<double> left(n);
+  for (int round = 0; round < Rounds; ++round)
+  {
+    noise.weight = 1.0;
+    this->Factorize(tooth, noise);
+    // The tooth's own errors given the residuals: S B' K^-1 r.
+    std::vector<double> z = at.residual;
+    ContourNoiseModel::Whiten(noise.factor.data(), n, z.data(), 1);
+    ContourNoiseModel::WhitenTransposed(noise.factor.data(), n, z.data(), 1);
+    left = at.residual;
+    for (std::size_t c = 0; c < NumberOfErrors; ++c)
+    {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        sum += noise.basis[c * n + i] * z[i];
+      }
+      noise.errors[c] = tooth.ways[way].variances[c] * sum;
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        left[i] -= noise.basis[c * n + i] * noise.errors[c];
+      }
+    }
+    std::vector<double> sizes;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      if (at.facing[i] > 0.0)
+      {
+        sizes.push_back(std::abs(left[i]));
+      }
+    }
+    double median = 0.0;
+    if (!sizes.empty())
+    {
+      std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
+      median = sizes[sizes.size() / 2];
+    }
+    const double width = std::max(PointWidth, WidthInSigmas * SigmaOfMedian * median);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      // Past the end of the contour the distance along it.
+      double beyond = 0.0;
+      if (at.match[i] != NoMatch)
+      {
+        const auto & p = outline.GetPoints()[i];
+        beyond = PoseMatching::BeyondEnd(at.nu[i] * (p[1] - at.contour.v[at.match[i]]) -
+                                         at.nv[i] * (p[0] - at.contour.u[at.match[i]]));
+        // As far as the tooth is shifted its points may be.
+        beyond = std::max(0.0, beyond - std::hypot(noise.errors[0], noise.errors[1]));
+      }
+      noise.weights[i] = at.facing[i] * GemanMcClure(left[i] * left[i] + beyond * beyond, width);
+    }
+  }
+  const double distance = ComputeDistance(tooth, noise);
+  noise.weight = GemanMcClure(distance * distance, ToothWidthInSigmas);
+  this->Factorize(tooth, noise);
+  // With what the kernel leaves of the tooth: a gross error is none of the other way's successes.
+  std::vector<double> z = at.residual;
+  ContourNoiseModel::Whiten(noise.factor.data(), n, z.data(), 1);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    noise.deviance += z[i] * z[i] + 2.0 * std::log(noise.factor[i * n + i]);
+  }
+  return noise;
+}
+
+void
+ToothOutlinePoseMetricv4::UpdateNoiseCorrelation(const PositionType & x)
+{
+  m_Noise.clear();
+  this->EvaluateAll(x);
+}
+
+void
+ToothOutlinePoseMetricv4::ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const
+{
+  const auto &    teeth = this->EvaluateAll(x);
+  const PoseModel model(this->GetTransform()->GetPoseGeometry(), ToPoseParameters(x));
+  residuals.set_size(static_cast<unsigned int>(this->GetNumberOfResiduals()));
+  if (jacobian != nullptr)
+  {
+    jacobian->set_size(residuals.size(), NumberOfPoseParameters);
+  }
+  unsigned int row = 0;
+  for (std::size_t t = 0; t < teeth.size(); ++t)
+  {
+    const EvaluationType & at = teeth[t];
+    const std::size_t      n = at.residual.size();
+    std::vector<double>    whitened = at.residual;
+    ContourNoiseModel::Whiten(m_Noise[t].factor.data(), n, whitened.data(), 1);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      residuals[row + static_cast<unsigned int>(i)] = whitened[i];
+    }
+    if (jacobian != nullptr)
+    {
+      std::vector<double> columns(NumberOfPoseParameters * n, 0.0);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        if (at.match[i] == NoMatch)
+        {
+          continue;
+        }
+        double own[14];
+        PoseMatching::ComputeSampleJacobian(model, at.contour, at.match[i], own);
+        for (std::size_t a = 0; a < NumberOfPoseParameters; ++a)
+        {
+          columns[a * n + i] = -(at.nu[i] * own[a] + at.nv[i] * own[7 + a]);
+        }
+      }
+      ContourNoiseModel::Whiten(m_Noise[t].factor.data(), n, columns.data(), NumberOfPoseParameters);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        for (unsigned int a = 0; a < NumberOfPoseParameters; ++a)
+        {
+          (*jacobian)(row + static_cast<unsigned int>(i), a) = columns[a * n + i];
+        }
+      }
+    }
+    row += static_cast<unsigned int>(n);
+  }
+}
+
+void
+ToothOutlinePoseMetricv4::AddSquaredMotion(const PositionType & from,
+                                           const PositionType & to,
+                                           double &             sum,
+                                           double &             count) const
+{
+  const PoseGeometry & geometry = this->GetTransform()->GetPoseGeometry();
+  const PoseModel      before(geometry, ToPoseParameters(from));
+  const PoseModel      after(geometry, ToPoseParameters(to));
+  for (const ToothType & tooth : this->GetTeeth())
+  {
+    double a[2] = { 0.0, 0.0 };
+    double b[2] = { 0.0, 0.0 };
+    before.Project(tooth.model->GetCentre().data(), a);
+    after.Project(tooth.model->GetCentre().data(), b);
+    sum += (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+    count += 1.0;
+  }
+}
+
+std::vector<ToothOutlinePoseMetricv4::ResidualType>
+ToothOutlinePoseMetricv4::ComputeOutlineResiduals(const PositionType & x) const
+{
+  const PoseGeometry &      geometry = this->GetTransform()->GetPoseGeometry();
+  const auto &              teeth = this->EvaluateAll(x);
+  const auto                noises = this->ComputeNoises(teeth);
+  std::vector<ResidualType> residuals;
+  for (std::size_t t = 0; t < teeth.size(); ++t)
+  {
+    const ToothType & tooth = this->GetTeeth()[t];
+    const NoiseType & noise = noises[t];
+    // A shift in the working plane, in pixels of the radiograph.
+    const auto origin = PoseModel::ToPixel(geometry, { { 0.0, 0.0 } });
+    const auto end = PoseModel::ToPixel(geometry, { { noise.errors[0], noise.errors[1] } });
+    double     matched = 0.0;
+    for (const double weight : noise.weights)
+    {
+      matched += weight > 0.25 ? 1.0 : 0.0;
+    }
+    residuals.push_back({ tooth.name,
+                          { { end[0] - origin[0], end[1] - origin[1] } },
+                          ComputeDistance(tooth, noise),
+                          noise.weight,
+                          matched / static_cast<double>(noise.weights.size()),
+                          noise.way == 1 });
+  }
+  return residuals;
+}
+
+std::vector<std::pair<ToothOutlinePoseMetricv4::TransformType::InputPointType,
+                      ToothOutlinePoseMetricv4::TransformType::OutputPointType>>
+ToothOutlinePoseMetricv4::GetCorrespondences() const
+{
+  std::vector<std::pair<TransformType::InputPointType, TransformType::OutputPointType>> correspondences;
+  const PoseGeometry & geometry = this->GetTransform()->GetPoseGeometry();
+  for (const ToothType & tooth : this->GetTeeth())
+  {
+    std::array<double, 2> middle{};
+    for (const auto & p : tooth.outline->GetPoints())
+    {
+      middle[0] += p[0] / static_cast<double>(tooth.outline->GetPoints().size());
+      middle[1] += p[1] / static_cast<double>(tooth.outline->GetPoints().size());
+    }
+    const auto                     pixel = PoseModel::ToPixel(geometry, middle);
+    TransformType::InputPointType  moving;
+    TransformType::OutputPointType fixed;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      moving[d] = tooth.model->GetCentre()[d];
+    }
+    fixed[0] = pixel[0];
+    fixed[1] = pixel[1];
+    correspondences.emplace_back(moving, fixed);
+  }
+  return correspondences;
+}
+
+void
+ToothOutlinePoseMetricv4::AddFit(const PositionType & x, RegistrationFit & fit) const
+{
+  // As of landmarks, by what is known of a hand's errors, and by the share of an outline that no crown explains.
+  for (const ResidualType & residual : this->ComputeOutlineResiduals(x))
+  {
+    const double unit = ToothWidthInSigmas * ToothWidthInSigmas;
+    const double near = unit / (unit + residual.distance * residual.distance);
+    fit.cost += 1.0 - near * residual.matchedShare;
+    ++fit.numberOfPoints;
+  }
+}
+
+void
+ToothOutlinePoseMetricv4::Hold(HoldEnum what)
+{
+  m_Hold = HoldEnum::Nothing;
+  m_LastPosition.clear();
+  if (what != HoldEnum::Nothing)
+  {
+    m_HeldPosition = this->GetState().GetValues();
+    m_Held = this->EvaluateAll(m_HeldPosition);
+  }
+  else
+  {
+    m_Held.clear();
+  }
+  m_Hold = what;
+  m_LastPosition.clear();
+}
+
+LightObject::Pointer
+ToothOutlinePoseMetricv4::InternalClone() const
+{
+  auto clone = Self::New();
+  clone->SetFixedObject(this->GetFixedObject());
+  clone->SetMovingObject(this->GetMovingObject());
+  clone->m_Jaw = m_Jaw;
+  clone->m_Errors = m_Errors;
+  clone->m_MarkedTeeth = m_MarkedTeeth;
+  clone->m_MaximumCutSigma = m_MaximumCutSigma;
+  clone->m_ExcludedTeeth = m_ExcludedTeeth;
+  clone->m_Failure = m_Failure;
+  clone->m_Unused = m_Unused;
+  clone->m_Teeth = m_Teeth;
+  clone->m_Hold = m_Hold;
+  clone->m_HeldPosition = m_HeldPosition;
+  clone->m_Held = m_Held;
+  clone->m_Noise = m_Noise;
+  clone->CopyPose(*this);
+  return clone.GetPointer();
+}
+
+void
+ToothOutlinePoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Jaw: " << static_cast<int>(m_Jaw) << std::endl;
+  os << indent << "Errors: " << m_Errors.along << " x " << m_Errors.across << " mm, " << m_Errors.turn << " rad, "
+     << m_Errors.size << ", lingual " << m_Errors.lingual << " mm, drift " << m_Errors.drift << " px, jitter "
+     << m_Errors.jitter << " px" << std::endl;
+  os << indent << "MarkedTeeth: " << m_MarkedTeeth.size() << std::endl;
+  os << indent << "MaximumCutSigma: " << m_MaximumCutSigma << std::endl;
+  os << indent << "ExcludedTeeth: " << m_ExcludedTeeth.size() << std::endl;
+  os << indent << "Failure: " << m_Failure << std::endl;
+  os << indent << "Unused: " << m_Unused.size() << std::endl;
+  os << indent << "Teeth: " << (m_Teeth ? m_Teeth->size() : 0) << std::endl;
+  os << indent << "Hold: " << static_cast<int>(m_Hold) << ", held " << m_Held.size() << " at " << m_HeldPosition.size()
+     << std::endl;
+  os << indent << "Noise: " << m_Noise.size() << ", last " << m_Last.size() << " at " << m_LastPosition.size()
+     << std::endl;
+}
+} // namespace itk

@@ -1,0 +1,195 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkWholeToothOutline.h"
+
+#include "itkContourResampling.h"
+#include "itkPoseModel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+/** Share of a tooth's length that is its crown: first to third tooth, and those behind them. */
+constexpr double UpperFrontShare = 10.5 / 23.5;
+constexpr double LowerFrontShare = 9.0 / 21.5;
+constexpr double UpperBackShare = 7.5 / 20.0;
+constexpr double LowerBackShare = 7.5 / 21.5;
+/** Of the crown from its occlusal end: what gingiva leaves free. */
+constexpr double FreeShare = 0.9;
+/** Shortest and longest tooth with its root, mm: a lower central incisor of 16 mm and a canine of 33 are known, a hand
+ * and the magnification add to that. */
+constexpr double ShortestTooth = 13.0;
+constexpr double LongestTooth = 40.0;
+/** A molar with its roots is twice as long as it is wide, an incisor thrice. A crown alone is as wide as it is high. */
+constexpr double SmallestElongation = 1.3;
+/** px over which the lingual side begins behind the incisal edge, 1.5 mm. */
+constexpr double EdgeLength = 6.0;
+/** Points to either side whose chord is a point's tangent: 5 px, over which a tracing's directions are taken. */
+constexpr std::size_t TangentReach = 2;
+
+double
+ShareOf(ToothCode::JawEnum jaw, unsigned int position)
+{
+  const bool upper = jaw == ToothCode::JawEnum::Upper;
+  return position <= 3 ? (upper ? UpperFrontShare : LowerFrontShare) : (upper ? UpperBackShare : LowerBackShare);
+}
+} // namespace
+
+WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometry,
+                                     const DentalContour::PolylineType & polyline,
+                                     ToothCode::JawEnum                  jaw)
+  : m_Position(polyline.code.GetPosition())
+{
+  std::vector<PointType> drawn;
+  for (const auto & pixel : polyline.points)
+  {
+    drawn.push_back(PoseModel::ToWorkingPlane(geometry, { { pixel[0], pixel[1] } }));
+  }
+  if (drawn.size() < 8)
+  {
+    m_Failure = "it has " + std::to_string(drawn.size()) + " points, at least 8 are needed";
+    return;
+  }
+  const double length = ComputePolylineLength(drawn, true);
+  const double gap = std::hypot(drawn.front()[0] - drawn.back()[0], drawn.front()[1] - drawn.back()[1]);
+  if (!polyline.closed && gap > 0.1 * length)
+  {
+    m_Failure = "it is not closed";
+    return;
+  }
+  const auto             count = static_cast<std::size_t>(std::max(8L, std::lround(length / Spacing)));
+  std::vector<PointType> points;
+  for (const ContourPosition & place : ResamplePolyline(drawn, true, count))
+  {
+    const PointType & a = drawn[place.segment];
+    const PointType & b = drawn[(place.segment + 1) % drawn.size()];
+    points.push_back({ { a[0] + place.share * (b[0] - a[0]), a[1] + place.share * (b[1] - a[1]) } });
+  }
+  if (points.empty())
+  {
+    m_Failure = "all its points are one";
+    return;
+  }
+  // The long axis of the line as a wire.
+  for (const PointType & p : points)
+  {
+    m_Centroid[0] += p[0] / static_cast<double>(count);
+    m_Centroid[1] += p[1] / static_cast<double>(count);
+  }
+  double uu = 0.0, uv = 0.0, vv = 0.0;
+  for (const PointType & p : points)
+  {
+    const double a = p[0] - m_Centroid[0];
+    const double b = p[1] - m_Centroid[1];
+    uu += a * a;
+    uv += a * b;
+    vv += b * b;
+  }
+  const double angle = 0.5 * std::atan2(2.0 * uv, uu - vv);
+  m_Axis = { { std::cos(angle), std::sin(angle) } };
+  const double occlusal = jaw == ToothCode::JawEnum::Upper ? 1.0 : -1.0;
+  if (occlusal * m_Axis[1] < 0.0)
+  {
+    m_Axis = { { -m_Axis[0], -m_Axis[1] } };
+  }
+  const auto along = [&](const PointType & p) {
+    return (p[0] - m_Centroid[0]) * m_Axis[0] + (p[1] - m_Centroid[1]) * m_Axis[1];
+  };
+  // Perpendicular to the axis, anterior.
+  PointType anterior{ { -m_Axis[1], m_Axis[0] } };
+  if (anterior[0] < 0.0)
+  {
+    anterior = { { -anterior[0], -anterior[1] } };
+  }
+  const auto across = [&](const PointType & p) {
+    return (p[0] - m_Centroid[0]) * anterior[0] + (p[1] - m_Centroid[1]) * anterior[1];
+  };
+  double low = 0.0, high = 0.0, back = 0.0, front = 0.0;
+  for (const PointType & p : points)
+  {
+    low = std::min(low, along(p));
+    high = std::max(high, along(p));
+    back = std::min(back, across(p));
+    front = std::max(front, across(p));
+  }
+  m_Length = high - low;
+  if (m_Length < SmallestElongation * (front - back))
+  {
+    m_Failure = "it is about as wide as it is long: is it a crown without its root?";
+    return;
+  }
+  const double millimetres = m_Length * PoseWorkingPixel * geometry.sourceToMidsagittal / geometry.sourceToDetector;
+  if (geometry.pixelSpacingKnown && (millimetres < ShortestTooth || millimetres > LongestTooth))
+  {
+    m_Failure = "it is " + std::to_string(std::lround(millimetres)) +
+                " mm long, and no tooth is: is it a root without its crown, or is pixel_spacing_mm wrong?";
+    return;
+  }
+  // From the root's end around, so that the crown is one run.
+  std::rotate(points.begin(),
+              std::min_element(points.begin(),
+                               points.end(),
+                               [&](const PointType & a, const PointType & b) { return along(a) < along(b); }),
+              points.end());
+  double area = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const PointType & a = points[i];
+    const PointType & b = points[(i + 1) % count];
+    area += a[0] * b[1] - a[1] * b[0];
+  }
+  const double sign = area > 0.0 ? 1.0 : -1.0;
+  const double neck = high - FreeShare * ShareOf(jaw, m_Position) * m_Length;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (along(points[i]) < neck)
+    {
+      continue;
+    }
+    const PointType & a = points[(i + count - TangentReach) % count];
+    const PointType & b = points[(i + TangentReach) % count];
+    const double      chord = std::max(1e-9, std::hypot(b[0] - a[0], b[1] - a[1]));
+    const PointType   normal{ { sign * (b[1] - a[1]) / chord, -sign * (b[0] - a[0]) / chord } };
+    double            lingual = 0.0;
+    if (m_Position <= 3 && normal[0] * anterior[0] + normal[1] * anterior[1] < 0.0)
+    {
+      lingual = std::min(1.0, (high - along(points[i])) / EdgeLength);
+    }
+    m_Arc.push_back(m_Points.empty() ? 0.0
+                                     : m_Arc.back() + std::hypot(points[i][0] - m_Points.back()[0],
+                                                                 points[i][1] - m_Points.back()[1]));
+    m_Points.push_back(points[i]);
+    m_Normals.push_back(normal);
+    m_Lingual.push_back(lingual);
+  }
+  m_Reference = *std::max_element(
+    m_Points.begin(), m_Points.end(), [&](const PointType & a, const PointType & b) { return along(a) < along(b); });
+  if (m_Position > 3)
+  {
+    m_Reference = { { 0.0, 0.0 } };
+    for (const PointType & p : m_Points)
+    {
+      m_Reference[0] += p[0] / static_cast<double>(m_Points.size());
+      m_Reference[1] += p[1] / static_cast<double>(m_Points.size());
+    }
+  }
+}
+} // namespace itk

@@ -1,0 +1,418 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkToothOutlinePoseMetricv4.h"
+
+#include "itkCephalometricPoseTransform.h"
+#include "itkLeastSquaresMetricChecker.h"
+#include "itkLeastSquaresSumMetricv4.h"
+#include "itkLevenbergMarquardtOptimizerv4.h"
+#include "itkMeshSilhouette.h"
+#include "itkPoseModel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+// Teeth are upright ellipsoids, whose lower third is the crown: the outline of a whole tooth is that of the ellipsoid,
+// so that crown and outline agree exactly where both are, and the answer is known.
+
+namespace
+{
+using MetricType = itk::ToothOutlinePoseMetricv4;
+using TransformType = itk::CephalometricPoseTransform;
+using JawEnum = itk::ToothCode::JawEnum;
+
+const double Truth[7] = { 0.08, 0.0, 0.0, 55.0, 0.0, -40.0, 0.0 };
+
+struct Tooth
+{
+  std::uint8_t fdi;
+  double       centre[3];
+  double       radii[3];
+};
+/** An upper jaw: the left incisor stands 1 mm further forward, the left molar 2 mm further back. */
+const Tooth Teeth[4] = { { 11, { 24.0, -4.0, 8.0 }, { 3.5, 4.0, 11.5 } },
+                         { 21, { 25.0, 4.0, 8.0 }, { 3.5, 4.0, 11.5 } },
+                         { 16, { -14.0, -24.0, 8.0 }, { 5.0, 5.5, 10.5 } },
+                         { 26, { -16.0, 24.0, 8.0 }, { 5.0, 5.5, 10.5 } } };
+
+/** Points with z below the share of the height are kept. */
+itk::TriangleSurface
+MakeEllipsoid(const Tooth & tooth, double keptShare)
+{
+  constexpr unsigned int rows = 48;
+  constexpr unsigned int columns = 64;
+  itk::TriangleSurface   surface;
+  for (unsigned int i = 0; i <= rows; ++i)
+  {
+    const double polar = M_PI * i / rows;
+    for (unsigned int j = 0; j < columns; ++j)
+    {
+      const double azimuth = 2.0 * M_PI * j / columns;
+      surface.points.push_back({ { tooth.centre[0] + tooth.radii[0] * std::sin(polar) * std::cos(azimuth),
+                                   tooth.centre[1] + tooth.radii[1] * std::sin(polar) * std::sin(azimuth),
+                                   tooth.centre[2] - tooth.radii[2] * std::cos(polar) } });
+    }
+  }
+  for (unsigned int i = 0; i < rows; ++i)
+  {
+    if (1.0 - std::cos(M_PI * (i + 1) / rows) > 2.0 * keptShare)
+    {
+      break;
+    }
+    for (unsigned int j = 0; j < columns; ++j)
+    {
+      const unsigned int next = (j + 1) % columns;
+      surface.triangles.push_back({ { i * columns + j, i * columns + next, (i + 1) * columns + j } });
+      surface.triangles.push_back({ { i * columns + next, (i + 1) * columns + next, (i + 1) * columns + j } });
+    }
+  }
+  return surface;
+}
+
+itk::ToothCrownSet::Pointer
+MakeCrowns()
+{
+  auto crowns = itk::ToothCrownSet::New();
+  for (const Tooth & tooth : Teeth)
+  {
+    crowns->Add({ itk::ToothCode(tooth.fdi),
+                  std::make_shared<const itk::TriangleSurface>(MakeEllipsoid(tooth, 0.5)),
+                  0.0,
+                  0.0,
+                  "made" });
+  }
+  return crowns;
+}
+
+TransformType::Pointer
+MakeTransform(const double * parameters)
+{
+  auto geometry = itk::CephalometricGeometry::New();
+  geometry->SetPixelSpacing(itk::CephalometricGeometry::PixelSpacingType(0.2));
+  auto transform = TransformType::New();
+  transform->SetGeometry(geometry);
+  TransformType::ParametersType values(7);
+  std::copy_n(parameters, 7, values.begin());
+  transform->SetParameters(values);
+  return transform;
+}
+
+using PointsType = std::vector<itk::DentalContour::PointType>;
+
+/** The outline of the whole of a tooth, at the truth. */
+PointsType
+MakeOutline(const Tooth & tooth)
+{
+  itk::PoseParameters pose{ {} };
+  std::copy_n(Truth, 7, pose.begin());
+  const auto                geometry = MakeTransform(Truth)->GetPoseGeometry();
+  const itk::PoseModel      model(geometry, pose);
+  const itk::MeshSilhouette silhouette(MakeEllipsoid(tooth, 1.0));
+  const auto                boundary = silhouette.ComputeOuterBoundary(model.GetProjection());
+  PointsType                points;
+  for (const auto & sample : itk::ResampleSilhouetteLoop(boundary.loops.at(0), model.GetProjection(), 90))
+  {
+    const auto pixel = itk::PoseModel::ToPixel(geometry, { { sample.u, sample.v } });
+    points.emplace_back(pixel.data());
+  }
+  return points;
+}
+
+/** Of the foremost incisor, and the middle of both molars' outlines, which are alike. */
+PointsType
+MakeDrawing(bool molar)
+{
+  if (!molar)
+  {
+    return MakeOutline(Teeth[1]);
+  }
+  PointsType       right = MakeOutline(Teeth[2]);
+  const PointsType left = MakeOutline(Teeth[3]);
+  double           shift[2] = { 0.0, 0.0 };
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    for (std::size_t i = 0; i < right.size(); ++i)
+    {
+      shift[d] += 0.5 * (left[i][d] - right[i][d]) / static_cast<double>(right.size());
+    }
+  }
+  for (auto & p : right)
+  {
+    p[0] += shift[0];
+    p[1] += shift[1];
+  }
+  return right;
+}
+
+PointsType
+Moved(PointsType points, double u, double v)
+{
+  for (auto & p : points)
+  {
+    p[0] += u;
+    p[1] += v;
+  }
+  return points;
+}
+
+itk::DentalContour::Pointer
+MakeTracing(const PointsType & incisor, const PointsType & molar, std::uint8_t molarCode = 16)
+{
+  auto tracing = itk::DentalContour::New();
+  tracing->AddPolyline(incisor, itk::ToothCode(11), true);
+  tracing->AddPolyline(molar, itk::ToothCode(molarCode), true);
+  return tracing;
+}
+
+MetricType::Pointer
+MakeMetric(const itk::DentalContour * tracing, const double * start = Truth)
+{
+  auto metric = MetricType::New();
+  metric->SetTransform(MakeTransform(start));
+  metric->SetCrowns(MakeCrowns());
+  metric->SetFixedContour(tracing);
+  return metric;
+}
+
+/** Pitch, tx and tz; the scale, which two teeth do not tell, is known. */
+std::vector<double>
+Register(MetricType * metric)
+{
+  auto sum = itk::LeastSquaresSumMetricv4::New();
+  sum->AddMetric(metric, itk::LeastSquaresSumMetricv4::SettingsEnum::Own);
+  sum->Initialize();
+  sum->SetBlockFree("pose", { true, false, false, true, false, true });
+  sum->SetBlockFree("scale", false);
+  for (int round = 0; round < 6; ++round)
+  {
+    sum->UpdateNoiseCorrelation(sum->GetState().GetValues());
+    auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
+    optimizer->SetMetric(sum);
+    optimizer->StartOptimization();
+  }
+  return sum->GetState().GetValues();
+}
+
+/** px of 0.25 mm between the images of a point midway at two positions. */
+double
+DistanceAt(const double x, const std::vector<double> & position)
+{
+  const auto          geometry = MakeTransform(Truth)->GetPoseGeometry();
+  itk::PoseParameters truth{ {} };
+  itk::PoseParameters found{ {} };
+  std::copy_n(Truth, 7, truth.begin());
+  std::copy_n(position.begin(), 7, found.begin());
+  const double p[3] = { x, 0.0, -2.0 };
+  double       a[2], b[2];
+  itk::PoseModel(geometry, truth).Project(p, a);
+  itk::PoseModel(geometry, found).Project(p, b);
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+std::string
+MessageOfInitialize(MetricType * metric)
+{
+  try
+  {
+    metric->Initialize();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    return error.GetDescription();
+  }
+  return "";
+}
+} // namespace
+
+TEST(ToothOutlinePoseMetricv4, OutlinesBringTheScanToTheirPlace)
+{
+  const auto   tracing = MakeTracing(MakeDrawing(false), MakeDrawing(true));
+  const double start[7] = { 0.10, 0.0, 0.0, 56.5, 0.0, -41.0, 0.0 };
+  const auto   position = Register(MakeMetric(tracing, start));
+  // A seventh of a millimetre: outlines of 90 points cut corners by a tenth of a pixel, and two
+  // molars at two depths are not quite alike.
+  EXPECT_LT(DistanceAt(24.0, position), 0.6);
+  EXPECT_LT(DistanceAt(-15.0, position), 0.6);
+}
+
+TEST(ToothOutlinePoseMetricv4, TheForemostIncisorIsMeantAndTheSideOfACodeIsNot)
+{
+  const auto metric = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true)));
+  metric->Initialize();
+  const auto position = metric->GetState().GetValues();
+  const auto residuals = metric->ComputeOutlineResiduals(position);
+  ASSERT_EQ(residuals.size(), 2u);
+  EXPECT_EQ(residuals[0].name, "U1");
+  EXPECT_EQ(residuals[1].name, "U6");
+  for (const auto & residual : residuals)
+  {
+    // The right incisor, whose code it has, would be 5 px away.
+    EXPECT_LT(std::hypot(residual.shift[0], residual.shift[1]), 0.7) << residual.name;
+    EXPECT_FALSE(residual.isTemplate) << residual.name;
+    EXPECT_GT(residual.weight, 0.99) << residual.name;
+    EXPECT_GT(residual.matchedShare, 0.9) << residual.name;
+  }
+  const auto other = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true), 26));
+  other->Initialize();
+  EXPECT_EQ(metric->ComputeValue(position), other->ComputeValue(position));
+}
+
+TEST(ToothOutlinePoseMetricv4, DerivativesAreThoseOfTheResiduals)
+{
+  // Off the truth by some pixels, and outlines that a hand has moved each its own way.
+  const double start[7] = { 0.09, 0.01, -0.01, 55.6, 0.5, -40.4, 0.005 };
+  const auto   metric =
+    MakeMetric(MakeTracing(Moved(MakeDrawing(false), 3.0, -2.0), Moved(MakeDrawing(true), -2.0, 1.0)), start);
+  metric->Initialize();
+  LeastSquaresMetricChecker::Check(*metric);
+}
+
+TEST(ToothOutlinePoseMetricv4, PointsOfAToothAreNotAsManyMeasurements)
+{
+  const auto metric = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true)));
+  metric->Initialize();
+  MetricType::VectorType residuals;
+  MetricType::MatrixType jacobian;
+  metric->ComputeResiduals(metric->GetState().GetValues(), residuals, &jacobian);
+  EXPECT_GT(residuals.size(), 40u);
+  double information[2] = { 0.0, 0.0 };
+  for (unsigned int i = 0; i < residuals.size(); ++i)
+  {
+    information[0] += jacobian(i, 3) * jacobian(i, 3);
+    information[1] += jacobian(i, 5) * jacobian(i, 5);
+  }
+  // Two teeth, each known to its own shift at best: a millimetre at the teeth is 1.1 on the detector.
+  const auto & errors = metric->GetErrors();
+  const double magnification = 1674.0 / 1524.0;
+  EXPECT_LT(information[0], 2.0 * std::pow(magnification / errors.along, 2));
+  EXPECT_LT(information[1], 2.0 * std::pow(magnification / errors.across, 2));
+  // Turn and size take some of it, as the crown is not at the tooth's middle; more than a third is left.
+  EXPECT_GT(information[0], 0.7 * std::pow(magnification / errors.along, 2));
+  EXPECT_GT(information[1], 0.7 * std::pow(magnification / errors.across, 2));
+}
+
+TEST(ToothOutlinePoseMetricv4, AToothThatIsMarkedAsWellCountsLess)
+{
+  const auto traced = MakeTracing(Moved(MakeDrawing(false), 6.0, 4.0), MakeDrawing(true));
+  const auto alone = MakeMetric(traced);
+  const auto marked = MakeMetric(traced);
+  marked->SetMarkedTeeth({ 1 });
+  alone->Initialize();
+  marked->Initialize();
+  const auto   x = alone->GetState().GetValues();
+  const double ratio = marked->ComputeValue(x) / alone->ComputeValue(x);
+  EXPECT_LT(ratio, 1.0);
+  EXPECT_GT(ratio, 1.0 / (1.0 + MetricType::SharedErrorShare) - 0.01);
+}
+
+TEST(ToothOutlinePoseMetricv4, AGrossErrorOfOneOutlineIsToldAndBounded)
+{
+  // 6 mm on the detector: a neighbour's outline. The scale is known and the pitch held, so that one tooth suffices.
+  const auto metric = MakeMetric(MakeTracing(MakeDrawing(false), Moved(MakeDrawing(true), 30.0, 0.0)));
+  metric->Initialize();
+  const auto residuals = metric->ComputeOutlineResiduals(metric->GetState().GetValues());
+  EXPECT_GT(residuals[1].distance, 4.0);
+  EXPECT_LT(residuals[1].weight, 0.25);
+  EXPECT_GT(residuals[0].weight, 0.99);
+  // As far as can be told: errors of hands are small, and a part of it is taken for a turn.
+  EXPECT_NEAR(residuals[1].shift[0], 30.0, 9.0);
+}
+
+TEST(ToothOutlinePoseMetricv4, AStockTemplateIsToldAndDoesNotPullTheTip)
+{
+  // Another's teeth, placed by their occlusal ends: a quarter larger, and leaning by five degrees.
+  const auto asTemplate = [](PointsType outline) {
+    const auto tip =
+      *std::max_element(outline.begin(), outline.end(), [](const auto & a, const auto & b) { return a[1] < b[1]; });
+    for (auto & p : outline)
+    {
+      const double u = 1.25 * (p[0] - tip[0]);
+      const double v = 1.25 * (p[1] - tip[1]);
+      p[0] = tip[0] + std::cos(0.087) * u - std::sin(0.087) * v;
+      p[1] = tip[1] + std::sin(0.087) * u + std::cos(0.087) * v;
+    }
+    return outline;
+  };
+  const auto metric = MakeMetric(MakeTracing(asTemplate(MakeDrawing(false)), asTemplate(MakeDrawing(true))));
+  metric->Initialize();
+  const auto residuals = metric->ComputeOutlineResiduals(metric->GetState().GetValues());
+  EXPECT_TRUE(residuals[0].isTemplate);
+  EXPECT_TRUE(residuals[1].isTemplate);
+  // A hand's own error is 0.6 mm, 3 px of 0.2 mm; about the outline's centroid, 60 px away, the tip would move by 15.
+  EXPECT_LT(std::hypot(residuals[0].shift[0], residuals[0].shift[1]), 3.0);
+}
+
+TEST(ToothOutlinePoseMetricv4, SaysWhichOutlinesAreNotUsedAndWhy)
+{
+  const PointsType incisor = MakeDrawing(false);
+  auto             tracing = itk::DentalContour::New();
+  tracing->AddPolyline(incisor, itk::ToothCode(11), true);
+  tracing->AddPolyline(Moved(incisor, 2.0, 0.0), itk::ToothCode(21), true);
+  tracing->AddPolyline(Moved(incisor, 4.0, 0.0), itk::ToothCode(), true);
+  tracing->AddPolyline(Moved(incisor, 6.0, 0.0), itk::ToothCode(14), true);
+  PointsType open(incisor.begin(), incisor.begin() + 45);
+  tracing->AddPolyline(open, itk::ToothCode(12), false);
+  PointsType root = incisor;
+  for (auto & p : root)
+  {
+    p[0] = incisor[0][0] + 0.4 * (p[0] - incisor[0][0]);
+    p[1] = incisor[0][1] + 0.4 * (p[1] - incisor[0][1]);
+  }
+  tracing->AddPolyline(root, itk::ToothCode(13), true);
+  PointsType circle;
+  for (unsigned int i = 0; i < 40; ++i)
+  {
+    const double place[2] = { 300.0 + 30.0 * std::cos(M_PI * i / 20.0), 300.0 + 30.0 * std::sin(M_PI * i / 20.0) };
+    circle.emplace_back(place);
+  }
+  tracing->AddPolyline(circle, itk::ToothCode(16), true);
+  const auto metric = MakeMetric(tracing);
+  metric->Initialize();
+  EXPECT_EQ(metric->GetTeethPositions(), std::vector<unsigned int>{ 1 });
+  std::string all;
+  for (const auto & unused : metric->GetUnused())
+  {
+    all += unused.name + ": " + unused.reason + "\n";
+  }
+  EXPECT_NE(all.find("U1: there is an outline of this tooth already"), std::string::npos) << all;
+  EXPECT_NE(all.find("without a code: nothing says"), std::string::npos) << all;
+  EXPECT_NE(all.find("U4: its crown was not found"), std::string::npos) << all;
+  EXPECT_NE(all.find("U2: it is not closed"), std::string::npos) << all;
+  EXPECT_NE(all.find("U3: it is 9 mm long"), std::string::npos) << all;
+  EXPECT_NE(all.find("U6: it is about as wide as it is long"), std::string::npos) << all;
+}
+
+TEST(ToothOutlinePoseMetricv4, MissingInputsNameTheCallToMake)
+{
+  const auto tracing = MakeTracing(MakeDrawing(false), MakeDrawing(true));
+  auto       metric = MakeMetric(tracing);
+  metric->SetCrowns(nullptr);
+  EXPECT_NE(MessageOfInitialize(metric).find("SetCrowns()"), std::string::npos);
+  metric = MakeMetric(nullptr);
+  EXPECT_NE(MessageOfInitialize(metric).find("SetFixedContour()"), std::string::npos);
+  metric = MakeMetric(tracing);
+  metric->SetExcludedTeeth({ 11, 16 });
+  EXPECT_NE(MessageOfInitialize(metric).find("U1: its tooth is excluded"), std::string::npos);
+  MetricType::ErrorsType errors;
+  errors.turn = 0.0;
+  EXPECT_THROW(metric->SetErrors(errors), itk::ExceptionObject);
+}

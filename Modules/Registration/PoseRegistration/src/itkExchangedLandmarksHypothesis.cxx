@@ -1,0 +1,79 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkExchangedLandmarksHypothesis.h"
+
+#include <algorithm>
+
+namespace itk
+{
+namespace
+{
+/** The same point of the other jaw. */
+std::string
+NameOfOtherJaw(const CephalometricLandmarkSet::LandmarkType & landmark)
+{
+  using JawEnum = ToothCode::JawEnum;
+  CephalometricLandmarkSet::MeaningType meaning = landmark.meaning;
+  meaning.jaw = meaning.jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
+  if (meaning.tooth.IsKnown())
+  {
+    // Right: 1 and 4, left: 2 and 3.
+    meaning.tooth = ToothCode(10 * (5 - meaning.tooth.GetQuadrant()) + meaning.tooth.GetPosition());
+  }
+  return CephalometricLandmarkSet::MakeName(meaning);
+}
+} // namespace
+
+std::string
+ExchangedLandmarksHypothesis::GetCode() const
+{
+  return Code;
+}
+
+bool
+ExchangedLandmarksHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
+{
+  return problem.jaws.size() == 2 && result.score > PoorScore &&
+         std::all_of(problem.jaws.begin(), problem.jaws.end(), [](const PoseJawInput & jaw) {
+           return jaw.tracing.IsNull() && jaw.landmarks.IsNotNull() && jaw.counterparts.IsNotNull();
+         });
+}
+
+PoseProblem
+ExchangedLandmarksHypothesis::Apply(const PoseProblem & problem) const
+{
+  PoseProblem other = problem;
+  // As many steps as the result has had: the two are compared closely, and landmarks are quickly projected.
+  other.options = MakeQuickOptions(problem.options, problem.options.maximumEvaluations);
+  for (PoseJawInput & jaw : other.jaws)
+  {
+    jaw.initialPose.reset();
+    if (jaw.landmarks.IsNull())
+    {
+      continue;
+    }
+    const auto exchanged = CephalometricLandmarkSet::New();
+    for (const auto & landmark : jaw.landmarks->GetLandmarks())
+    {
+      exchanged->AddLandmark(NameOfOtherJaw(landmark), landmark.point, landmark.sigma, landmark.confidence);
+    }
+    jaw.landmarks = exchanged;
+  }
+  return other;
+}
+} // namespace itk

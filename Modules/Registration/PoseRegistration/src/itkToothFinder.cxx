@@ -1,0 +1,533 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkToothFinder.h"
+
+#include "itkKeepTriangles.h"
+#include "itkMakeTriangleSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace itk
+{
+namespace
+{
+using FeatureEnum = ToothFinder::FeatureEnum;
+
+// Errors of counterparts, mm, along the occlusal plane and across it.
+/** A scan's landmark is a click on a cusp. */
+constexpr double ClickSigma = 0.2;
+/** The highest labelled point of a tooth's part is its cusp or near it; worn ones have none. */
+constexpr double LabelSigmaAlong = 0.6;
+constexpr double LabelSigmaAcross = 0.4;
+/** The arch's front is an incisal edge whose middle may be another tooth's; canines and premolars stand in between. */
+constexpr double EdgeSigmaAlong = 0.6;
+constexpr double EdgeSigmaAcross = 0.5;
+/** Teeth are some 7 % wider or narrower than the textbook's, all of a mouth alike: 2 mm at the first molar; gaps and
+ * crowding move it as well. */
+constexpr double ArchSigmaAlong = 2.2;
+constexpr double ArchSigmaAcross = 0.7;
+/** Edges and cusps are not lower than this below the highest point near them, mm; gingiva and palate are. */
+constexpr double CuspRange = 2.5;
+/** A contact derived from the cusps, and the middle of an occlusal surface. */
+constexpr double DerivedSigmaAlong = 0.6;
+constexpr double DerivedSigmaAcross = 0.8;
+/** A molar's point of which nobody said which lies between the mesial contact and the middle of the surface. */
+constexpr double UnspecifiedSigmaAlong = 2.0;
+constexpr double UnspecifiedSigmaAcross = 0.8;
+/** Distances of a first molar's points, mm: mesiobuccal cusp to the mesial contact, along and down; cusps to the floor
+ * of the occlusal surface. */
+constexpr double CuspToContact = 2.4;
+constexpr double ContactBelowCusp = 2.5;
+constexpr double FloorBelowCusps = 1.5;
+
+// How a crown is cut out of a scan without labels.
+/** Triangles below which it is no crown but a scrap. */
+constexpr std::size_t MinimumCrownTriangles = 20;
+/** mm along the arch: labels end within a point of the contact. */
+constexpr double LabelledCrownSigma = 0.2;
+/** mm at either end: teeth are 7 % wider or narrower than the textbook's, and crowded or spaced. */
+constexpr double CutWidthSigma = 0.8;
+/** mm along the arch, of the cut itself: a tooth's cusps are not quite where a textbook has them on it. */
+constexpr double CutSigma = 0.4;
+/** mm from the arch's curve across it: half a crown. Palate and cheek lie further off. */
+constexpr double FrontCutReach = 8.0;
+constexpr double MolarCutReach = 7.0;
+/** mm from its highest point: about as much of a crown as gingiva leaves free. */
+constexpr double FrontCutHeight = 7.0;
+constexpr double BackCutHeight = 5.0;
+/** A lower first molar has a third buccal cusp, the distal one, behind the other two, whose middle lies this share of
+ * the width before the tooth's (Wheeler's dental anatomy: tips some 2.8, 6.7 and 9.5 mm from the mesial end of 11). */
+constexpr double FiveCuspShare = 0.08;
+/** On the error of a place after textbook widths: teeth of a mouth are wide or narrow in both jaws alike, and a
+ * landmark of the same tooth is looked for at the same place, so that four measurements tell no more than one: each
+ * counts a quarter.
+ */
+constexpr double TextbookFactor = 2.0;
+/** Buccal cusps lie this share of a molar's width before and behind its middle. */
+constexpr double BuccalCuspShare = 0.24;
+
+const char *
+SuffixOf(FeatureEnum feature, unsigned int position)
+{
+  switch (feature)
+  {
+    case FeatureEnum::Tip:
+      return "tip";
+    case FeatureEnum::Cusp:
+      return position == 3 ? "cusp" : "B";
+    case FeatureEnum::MesiobuccalCusp:
+      return "MB";
+    case FeatureEnum::DistobuccalCusp:
+      return "DB";
+    case FeatureEnum::MesiolingualCusp:
+      return "ML";
+    default:
+      return "DL";
+  }
+}
+
+void
+Widen(std::optional<ToothFinder::PlaceType> & place, double along, double across)
+{
+  if (place)
+  {
+    place->sigmaAlong = std::hypot(place->sigmaAlong, along);
+    place->sigmaAcross = std::hypot(place->sigmaAcross, across);
+  }
+}
+
+/** How far a feature lies from the tooth's middle toward the back, in widths of the tooth. */
+double
+ShareBehindMiddle(FeatureEnum feature)
+{
+  return feature == FeatureEnum::MesiobuccalCusp || feature == FeatureEnum::MesiolingualCusp   ? -BuccalCuspShare
+         : feature == FeatureEnum::DistobuccalCusp || feature == FeatureEnum::DistolingualCusp ? BuccalCuspShare
+                                                                                               : 0.0;
+}
+} // namespace
+
+ToothFinder::ToothFinder(const MeshType *          mesh,
+                         const FrameType *         frame,
+                         const LabelsType &        labels,
+                         const ScanLandmarksType * landmarks,
+                         double                    millimetresPerUnit,
+                         JawEnum                   jaw)
+  : m_Mesh(mesh)
+  , m_Frame(frame)
+  , m_Labels(labels)
+  , m_Landmarks(landmarks)
+  , m_MillimetresPerUnit(millimetresPerUnit)
+  , m_Jaw(jaw)
+{}
+
+std::optional<ToothFinder::PlaceType>
+ToothFinder::Find(const ToothCode & tooth, FeatureEnum feature)
+{
+  if (feature == FeatureEnum::Unspecified)
+  {
+    std::optional<PlaceType> place = this->Find(tooth, FeatureEnum::MesiobuccalCusp);
+    Widen(place, UnspecifiedSigmaAlong, UnspecifiedSigmaAcross);
+    return place;
+  }
+  if (feature == FeatureEnum::MesialContact || feature == FeatureEnum::OcclusalMiddle)
+  {
+    return this->FindDerived(tooth, feature);
+  }
+  if (const auto clicked = this->FindClicked(tooth, feature))
+  {
+    return PlaceType{ *clicked, ClickSigma, ClickSigma, "landmarks_3d" };
+  }
+  if (auto labelled = this->FindLabelled(tooth, feature))
+  {
+    return labelled;
+  }
+  return this->FindAlongArch(tooth, feature);
+}
+
+std::optional<ToothFinder::PointType>
+ToothFinder::FindClicked(const ToothCode & tooth, FeatureEnum feature) const
+{
+  if (m_Landmarks == nullptr)
+  {
+    return {};
+  }
+  const auto * landmark = m_Landmarks->Find(tooth.GetName() + '_' + SuffixOf(feature, tooth.GetPosition()));
+  if (landmark == nullptr)
+  {
+    return {};
+  }
+  PointType point;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    point[d] = landmark->point[d] * m_MillimetresPerUnit;
+  }
+  return point;
+}
+
+ToothFinder::PointType
+ToothFinder::Below(const PointType & point, double distance) const
+{
+  if (m_Frame == nullptr)
+  {
+    return point;
+  }
+  PointType place = m_Frame->TransformPoint(point);
+  place[2] += m_Jaw == JawEnum::Upper ? distance : -distance;
+  return m_Frame->GetInverseTransform()->TransformPoint(place);
+}
+
+std::optional<ToothFinder::PlaceType>
+ToothFinder::FindDerived(const ToothCode & tooth, FeatureEnum feature)
+{
+  std::optional<PlaceType> front = this->Find(tooth, FeatureEnum::MesiobuccalCusp);
+  if (!front || tooth.GetPosition() < 6)
+  {
+    return {};
+  }
+  const std::optional<PlaceType> back = this->Find(tooth, FeatureEnum::DistobuccalCusp);
+  const auto                     along = back ? front->point - back->point : PointType::VectorType();
+  const double                   length = back ? along.GetNorm() : 0.0;
+  if (feature == FeatureEnum::MesialContact)
+  {
+    if (length > 1.0)
+    {
+      front->point += along * (CuspToContact / length);
+    }
+    front->point = this->Below(front->point, ContactBelowCusp);
+    Widen(front, length > 1.0 ? DerivedSigmaAlong : CuspToContact, DerivedSigmaAcross);
+    return front;
+  }
+  if (length > 1.0)
+  {
+    front->point -= along * 0.5;
+  }
+  front->point = this->Below(front->point, FloorBelowCusps);
+  Widen(front, length > 1.0 ? DerivedSigmaAlong : UnspecifiedSigmaAlong, DerivedSigmaAcross);
+  return front;
+}
+
+void
+ToothFinder::Prepare()
+{
+  if (m_Surface || m_Mesh == nullptr || m_Frame == nullptr)
+  {
+    return;
+  }
+  m_Surface = std::make_unique<TriangleSurface>(MakeTriangleSurface(m_Mesh));
+  for (auto & p : m_Surface->points)
+  {
+    PointType point;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      point[d] = p[d];
+    }
+    point = m_Frame->TransformPoint(point);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      p[d] = static_cast<float>(point[d]);
+    }
+  }
+  m_Arch = PoseArch(*m_Surface, m_Jaw);
+}
+
+double
+ToothFinder::Height(std::size_t i) const
+{
+  return m_Jaw == JawEnum::Upper ? -m_Surface->points[i][2] : m_Surface->points[i][2];
+}
+
+ToothFinder::PointType
+ToothFinder::ToMesh(std::size_t i) const
+{
+  PointType point;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    point[d] = m_Surface->points[i][d];
+  }
+  return m_Frame->GetInverseTransform()->TransformPoint(point);
+}
+
+std::optional<ToothFinder::PlaceType>
+ToothFinder::FindLabelled(const ToothCode & tooth, FeatureEnum feature)
+{
+  if (m_Labels.empty())
+  {
+    return {};
+  }
+  this->Prepare();
+  if (!m_Surface || !m_Arch.IsValid() || m_Labels.size() != m_Surface->points.size())
+  {
+    return {};
+  }
+  std::vector<std::size_t> points;
+  std::vector<double>      arcs;
+  for (std::size_t i = 0; i < m_Labels.size(); ++i)
+  {
+    if (m_Labels[i] == tooth.GetFDI())
+    {
+      points.push_back(i);
+      arcs.push_back(std::abs(m_Arch.Arc(m_Surface->points[i][0], m_Surface->points[i][1])));
+    }
+  }
+  if (points.size() < 10)
+  {
+    return {};
+  }
+  const auto   range = std::minmax_element(arcs.begin(), arcs.end());
+  const double middle = 0.5 * (*range.first + *range.second);
+  const double width = *range.second - *range.first;
+  const double share = ShareBehindMiddle(feature);
+  return this->FindPeak(
+    points, arcs, middle + share * width, feature, LabelSigmaAlong, LabelSigmaAcross, "tooth labels");
+}
+
+std::optional<ToothFinder::PlaceType>
+ToothFinder::FindAlongArch(const ToothCode & tooth, FeatureEnum feature)
+{
+  this->Prepare();
+  if (!m_Surface || !m_Arch.IsValid() || tooth.GetPosition() > 7)
+  {
+    return {};
+  }
+  const double width = PoseArch::ExpectedWidth(tooth.GetFDI());
+  const double target = PoseArch::CurveShare * (PoseArch::ExpectedArc(tooth.GetFDI()) + ShareBehindMiddle(feature) * width);
+  std::vector<std::size_t> points;
+  std::vector<double>      arcs;
+  for (std::size_t i = 0; i < m_Surface->points.size(); ++i)
+  {
+    const auto & p = m_Surface->points[i];
+    // Right is the side of negative y.
+    if ((p[1] < 0.0F) != tooth.IsRight())
+    {
+      continue;
+    }
+    const double arc = std::abs(m_Arch.Arc(p[0], p[1]));
+    if (std::abs(arc - target) < (feature == FeatureEnum::Tip ? 0.25 : 0.5) * width)
+    {
+      points.push_back(i);
+      arcs.push_back(arc);
+    }
+  }
+  const bool incisor = tooth.GetPosition() == 1;
+  return this->FindPeak(points,
+                        arcs,
+                        target,
+                        feature,
+                        incisor ? EdgeSigmaAlong : ArchSigmaAlong * target / 36.0,
+                        incisor ? EdgeSigmaAcross : ArchSigmaAcross,
+                        "its place along the arch");
+}
+
+std::optional<ToothFinder::PlaceType>
+ToothFinder::FindPeak(const std::vector<std::size_t> & points,
+                      const std::vector<double> &      arcs,
+                      double                           target,
+                      FeatureEnum                      feature,
+                      double                           sigmaAlong,
+                      double                           sigmaAcross,
+                      const char *                     source) const
+{
+  // Half the distance of two cusps.
+  constexpr double         neighbourhood = 1.7;
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const double first = this->Height(points[a]);
+    const double second = this->Height(points[b]);
+    return first > second || (first == second && points[a] < points[b]);
+  });
+  const bool buccal =
+    feature == FeatureEnum::MesiobuccalCusp || feature == FeatureEnum::DistobuccalCusp || feature == FeatureEnum::Cusp;
+  const bool  lingual = feature == FeatureEnum::MesiolingualCusp || feature == FeatureEnum::DistolingualCusp;
+  const auto  none = m_Surface->points.size();
+  std::size_t best = none;
+  double      bestDistance = 0.0;
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    const auto & p = m_Surface->points[points[order[k]]];
+    if (this->Height(points[order[k]]) < this->Height(points[order.front()]) - CuspRange)
+    {
+      break;
+    }
+    const bool isPeak =
+      std::none_of(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k), [&](std::size_t other) {
+        const auto & q = m_Surface->points[points[other]];
+        return std::hypot(q[0] - p[0], q[1] - p[1]) < neighbourhood;
+      });
+    if (!isPeak)
+    {
+      continue;
+    }
+    // Of an incisor's edge the highest is meant, whatever its place.
+    if (feature == FeatureEnum::Tip)
+    {
+      best = points[order[k]];
+      break;
+    }
+    const double offset = m_Arch.Offset(p[0], p[1]);
+    if ((buccal && offset < 0.0) || (lingual && offset > 0.0))
+    {
+      continue;
+    }
+    const double distance = std::abs(arcs[order[k]] - target);
+    if (best == none || distance < bestDistance)
+    {
+      best = points[order[k]];
+      bestDistance = distance;
+    }
+  }
+  if (best == none)
+  {
+    return {};
+  }
+  return PlaceType{ this->ToMesh(best), sigmaAlong, sigmaAcross, source };
+}
+
+double
+ToothFinder::Arc(const PointType & meshPoint) const
+{
+  const PointType p = m_Frame->TransformPoint(meshPoint);
+  return m_Arch.Arc(p[0], p[1]);
+}
+
+std::shared_ptr<const TriangleSurface>
+ToothFinder::CutOut(const std::vector<std::uint8_t> & pointMarks) const
+{
+  std::vector<std::uint8_t> marks(m_Surface->triangles.size(), 0);
+  for (std::size_t t = 0; t < marks.size(); ++t)
+  {
+    const auto & corners = m_Surface->triangles[t];
+    marks[t] = pointMarks[corners[0]] != 0 && pointMarks[corners[1]] != 0 && pointMarks[corners[2]] != 0 ? 1 : 0;
+  }
+  auto       crown = std::make_shared<TriangleSurface>(KeepTriangles(*m_Surface, marks));
+  const auto toMesh = m_Frame->GetInverseTransform();
+  for (auto & p : crown->points)
+  {
+    PointType point;
+    std::copy(p.begin(), p.end(), point.Begin());
+    point = toMesh->TransformPoint(point);
+    std::copy(point.Begin(), point.End(), p.begin());
+  }
+  return crown;
+}
+
+std::optional<ToothCrownSet::CrownType>
+ToothFinder::FindCrown(const ToothCode & tooth)
+{
+  this->Prepare();
+  if (!m_Surface || !m_Arch.IsValid())
+  {
+    return {};
+  }
+  if (m_Labels.size() == m_Surface->points.size())
+  {
+    std::vector<std::uint8_t> marks(m_Labels.size(), 0);
+    for (std::size_t i = 0; i < m_Labels.size(); ++i)
+    {
+      marks[i] = m_Labels[i] == tooth.GetFDI() ? 1 : 0;
+    }
+    auto crown = this->CutOut(marks);
+    if (crown->triangles.size() >= MinimumCrownTriangles)
+    {
+      return ToothCrownSet::CrownType{
+        tooth, std::move(crown), LabelledCrownSigma, LabelledCrownSigma, "tooth labels"
+      };
+    }
+    if (std::any_of(m_Labels.begin(), m_Labels.end(), [](std::uint8_t label) { return label != 0; }))
+    {
+      // Labels that do not have the tooth say that it is not there.
+      return {};
+    }
+  }
+  return this->CutAlongArch(tooth);
+}
+
+std::optional<ToothCrownSet::CrownType>
+ToothFinder::CutAlongArch(const ToothCode & tooth)
+{
+  const double width = PoseArch::ExpectedWidth(tooth.GetFDI());
+  if (!(width > 0.0))
+  {
+    return {};
+  }
+  const bool               molar = tooth.GetPosition() >= 6;
+  const FeatureEnum        feature = molar                      ? FeatureEnum::MesiobuccalCusp
+                                     : tooth.GetPosition() <= 2 ? FeatureEnum::Tip
+                                                                : FeatureEnum::Cusp;
+  std::optional<PlaceType> front = this->Find(tooth, feature);
+  if (!front)
+  {
+    return {};
+  }
+  double middle = std::abs(this->Arc(front->point));
+  double sigma = front->sigmaAlong;
+  if (molar)
+  {
+    const std::optional<PlaceType> back = this->Find(tooth, FeatureEnum::DistobuccalCusp);
+    if (back && std::abs(this->Arc(back->point)) > middle)
+    {
+      middle = 0.5 * (middle + std::abs(this->Arc(back->point)));
+      if (m_Jaw == JawEnum::Lower && tooth.GetPosition() == 6 && m_Landmarks != nullptr &&
+          this->FindClicked(tooth, FeatureEnum::DistobuccalCusp))
+      {
+        middle += FiveCuspShare * width;
+      }
+      sigma = std::max(sigma, back->sigmaAlong);
+    }
+    else
+    {
+      middle += BuccalCuspShare * width;
+      sigma = std::hypot(sigma, DerivedSigmaAlong);
+    }
+  }
+  if (m_Landmarks == nullptr || !this->FindClicked(tooth, feature))
+  {
+    sigma *= TextbookFactor;
+  }
+  const double              reach = molar ? MolarCutReach : FrontCutReach;
+  double                    top = -1e300;
+  std::vector<std::uint8_t> marks(m_Surface->points.size(), 0);
+  for (std::size_t i = 0; i < marks.size(); ++i)
+  {
+    const auto & p = m_Surface->points[i];
+    // Right is the side of negative y.
+    if ((p[1] < 0.0) == tooth.IsRight() && std::abs(std::abs(m_Arch.Arc(p[0], p[1])) - middle) < 0.5 * width &&
+        std::abs(m_Arch.Offset(p[0], p[1])) < reach)
+    {
+      marks[i] = 1;
+      top = std::max(top, this->Height(i));
+    }
+  }
+  const double height = molar || tooth.GetPosition() > 3 ? BackCutHeight : FrontCutHeight;
+  for (std::size_t i = 0; i < marks.size(); ++i)
+  {
+    if (this->Height(i) < top - height)
+    {
+      marks[i] = 0;
+    }
+  }
+  auto crown = this->CutOut(marks);
+  if (crown->triangles.size() < MinimumCrownTriangles)
+  {
+    return {};
+  }
+  return ToothCrownSet::CrownType{ tooth, std::move(crown), std::hypot(sigma, CutSigma), CutWidthSigma, front->source };
+}
+} // namespace itk
