@@ -319,7 +319,13 @@ TEST(ToothOutlinePoseMetricv4, AToothThatIsMarkedAsWellCountsLess)
   alone->Initialize();
   marked->Initialize();
   const auto   x = alone->GetState().GetValues();
-  const double ratio = marked->ComputeValue(x) / alone->ComputeValue(x);
+  // Of the residuals alone: wider errors cost both the same charge or more.
+  const auto squares = [&x](const MetricType & metric) {
+    MetricType::VectorType residuals;
+    metric.ComputeResiduals(x, residuals, nullptr);
+    return residuals.squared_magnitude();
+  };
+  const double ratio = squares(*marked) / squares(*alone);
   EXPECT_LT(ratio, 1.0);
   EXPECT_GT(ratio, 1.0 / (1.0 + MetricType::SharedErrorShare) - 0.01);
 }
@@ -335,6 +341,33 @@ TEST(ToothOutlinePoseMetricv4, AGrossErrorOfOneOutlineIsToldAndBounded)
   EXPECT_GT(residuals[0].weight, 0.99);
   // As far as can be told: errors of hands are small, and a part of it is taken for a turn.
   EXPECT_NEAR(residuals[1].shift[0], 30.0, 9.0);
+}
+
+TEST(ToothOutlinePoseMetricv4, WhatAPositionLetsGoIsChargedFor)
+{
+  // The scan further and further forward, the matches and weights each its own: the teeth are let go, and their squared
+  // residuals alone would have the position that is 24 mm off be better than the one that is 2 mm off.
+  const auto metric = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true)));
+  metric->Initialize();
+  double value = metric->ComputeValue(metric->GetState().GetValues());
+  // Nearly all of it is charged for points that are matched with a crown's end.
+  const double           atTruth = value;
+  std::vector<double>    squares;
+  MetricType::VectorType residuals;
+  for (const double shift : { 2.0, 4.0, 8.0, 16.0, 24.0 })
+  {
+    double start[7];
+    std::copy_n(Truth, 7, start);
+    start[3] += shift;
+    const std::vector<double> x(start, start + 7);
+    metric->UpdateNoiseCorrelation(x);
+    metric->ComputeResiduals(x, residuals, nullptr);
+    squares.push_back(residuals.squared_magnitude());
+    EXPECT_GT(metric->ComputeValue(x), value) << shift << " mm";
+    value = metric->ComputeValue(x);
+    EXPECT_GT(value - squares.back(), atTruth) << shift << " mm";
+  }
+  EXPECT_LT(squares.back(), squares.front());
 }
 
 TEST(ToothOutlinePoseMetricv4, AStockTemplateIsToldAndDoesNotPullTheTip)
