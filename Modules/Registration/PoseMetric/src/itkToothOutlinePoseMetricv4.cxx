@@ -660,17 +660,25 @@ ToothOutlinePoseMetricv4::GetCorrespondences() const
   return correspondences;
 }
 
+double
+ToothOutlinePoseMetricv4::ComputeToothDeviance(const PositionType & x) const
+{
+  constexpr double unit = ToothWidthInSigmas * ToothWidthInSigmas;
+  double           deviance = 0.0;
+  for (const ResidualType & residual : this->ComputeOutlineResiduals(x))
+  {
+    const double near = unit / (unit + residual.distance * residual.distance);
+    deviance += unit * (1.0 - near * residual.matchedShare);
+  }
+  return deviance;
+}
+
 void
 ToothOutlinePoseMetricv4::AddFit(const PositionType & x, RegistrationFit & fit) const
 {
-  // As of landmarks, by what is known of a hand's errors, and by the share of an outline that no crown explains.
-  for (const ResidualType & residual : this->ComputeOutlineResiduals(x))
-  {
-    const double unit = ToothWidthInSigmas * ToothWidthInSigmas;
-    const double near = unit / (unit + residual.distance * residual.distance);
-    fit.cost += 1.0 - near * residual.matchedShare;
-    ++fit.numberOfPoints;
-  }
+  // As of landmarks, of which one that is not explained at all costs 1.
+  fit.cost += this->ComputeToothDeviance(x) / (ToothWidthInSigmas * ToothWidthInSigmas);
+  fit.numberOfPoints += this->GetTeeth().size();
 }
 
 void

@@ -26,6 +26,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -345,29 +346,49 @@ TEST(ToothOutlinePoseMetricv4, AGrossErrorOfOneOutlineIsToldAndBounded)
 
 TEST(ToothOutlinePoseMetricv4, WhatAPositionLetsGoIsChargedFor)
 {
-  // The scan further and further forward, the matches and weights each its own: the teeth are let go, and their squared
-  // residuals alone would have the position that is 24 mm off be better than the one that is 2 mm off.
+  // The scan further and further forward, matches and weights each its own: the teeth are let go, and by their squared
+  // residuals alone the position that is 24 mm off would be better than the one that is 2 mm off.
   const auto metric = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true)));
   metric->Initialize();
-  double value = metric->ComputeValue(metric->GetState().GetValues());
-  // Nearly all of it is charged for points that are matched with a crown's end.
-  const double           atTruth = value;
-  std::vector<double>    squares;
-  MetricType::VectorType residuals;
-  for (const double shift : { 2.0, 4.0, 8.0, 16.0, 24.0 })
+  std::vector<double> values, squares, deviances;
+  for (const double shift : { 0.0, 2.0, 4.0, 8.0, 16.0, 24.0 })
   {
-    double start[7];
-    std::copy_n(Truth, 7, start);
-    start[3] += shift;
-    const std::vector<double> x(start, start + 7);
+    std::vector<double> x(Truth, Truth + 7);
+    x[3] += shift;
     metric->UpdateNoiseCorrelation(x);
+    MetricType::VectorType residuals;
     metric->ComputeResiduals(x, residuals, nullptr);
+    values.push_back(metric->ComputeValue(x));
     squares.push_back(residuals.squared_magnitude());
-    EXPECT_GT(metric->ComputeValue(x), value) << shift << " mm";
-    value = metric->ComputeValue(x);
-    EXPECT_GT(value - squares.back(), atTruth) << shift << " mm";
+    deviances.push_back(metric->ComputeToothDeviance(x));
   }
-  EXPECT_LT(squares.back(), squares.front());
+  EXPECT_LT(squares.back(), squares[1]) << "the claims need teeth that are let go";
+  EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+  EXPECT_TRUE(std::is_sorted(deviances.begin(), deviances.end()));
+  // A tooth at its place, but for corners that are cut; and two that are let go, at 16 each.
+  EXPECT_LT(deviances.front(), 2.0);
+  EXPECT_GT(deviances.back(), 28.0);
+  EXPECT_LE(deviances.back(), 32.0);
+}
+
+TEST(ToothOutlinePoseMetricv4, AnOutlineIsOneMeasurementAmongPositions)
+{
+  // A line that is more ragged than the metric knows hands to draw, by 3 px of 0.25 mm from point to point.
+  const auto ragged = [](PointsType outline) {
+    for (std::size_t i = 0; i < outline.size(); ++i)
+    {
+      outline[i][1] += i % 2 == 0 ? 4.0 : -4.0;
+    }
+    return outline;
+  };
+  const auto smooth = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true)));
+  const auto rough = MakeMetric(MakeTracing(ragged(MakeDrawing(false)), ragged(MakeDrawing(true))));
+  smooth->Initialize();
+  rough->Initialize();
+  const auto x = smooth->GetState().GetValues();
+  const double added = rough->ComputeToothDeviance(x) - smooth->ComputeToothDeviance(x);
+  EXPECT_LT(added, 16.0) << "less than what one tooth costs that is let go";
+  EXPECT_GT(rough->ComputeValue(x) - smooth->ComputeValue(x), 4.0 * added);
 }
 
 TEST(ToothOutlinePoseMetricv4, AStockTemplateIsToldAndDoesNotPullTheTip)

@@ -29,6 +29,7 @@
 #include "itkLBFGSBOptimizerv4.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkSquaresKernel.h"
+#include "itkToothOutlinePoseMetricv4.h"
 
 #include <algorithm>
 #include <cmath>
@@ -749,15 +750,21 @@ PoseGroupRegistration::ComputePosterior(const CandidateType & candidate) const
   // Marginal over the pose, by Laplace: the data at the minimum, and how much room there is about it.
   const double evidence = metric->EstimateNoise(SmallestWeight);
   // What has no noise to estimate, the priors and landmarks, by its own criterion: the evidence has its squares, and
-  // neither the tails of a prior nor what a landmark is charged that was let go.
+  // neither the tails of a prior nor what a landmark is charged that was let go. Outlines of teeth count as so many
+  // landmarks.
   double known = 0.0;
   for (SizeValueType t = 0; t < metric->GetNumberOfMetrics(); ++t)
   {
     const LeastSquaresMetricv4 & term = *metric->GetMetric(t);
-    if (dynamic_cast<const SilhouettePoseMetricv4 *>(&term) == nullptr ||
-        metric->GetMetricSettings(t) == MetricType::SettingsEnum::Own)
+    const PositionType           position = metric->GetTermPosition(t, candidate.x);
+    if (const auto * outlines = dynamic_cast<const ToothOutlinePoseMetricv4 *>(&term))
     {
-      known += term.ComputeValue(metric->GetTermPosition(t, candidate.x));
+      known += outlines->ComputeToothDeviance(position);
+    }
+    else if (dynamic_cast<const SilhouettePoseMetricv4 *>(&term) == nullptr ||
+             metric->GetMetricSettings(t) == MetricType::SettingsEnum::Own)
+    {
+      known += term.ComputeValue(position);
     }
   }
   ContourNoiseLevels levels;
