@@ -28,10 +28,10 @@ namespace itk
 /** \class PoseToothPlaces
  * \brief How far along the dental arch the teeth of a tracing are to be expected, to tell a slip by one tooth.
  *
- * As far as the first premolar by textbook widths, which are all that is known: incisors stand one behind the other in
- * a lateral view. Behind it by the distances between the teeth as they were drawn. So an extracted tooth moves those
- * behind it by what is left of its gap, a milk molar by its own width, and neither looks like a slip. Third molars have
- * no place: where they stand is not settled.
+ * By textbook widths, and as far as the first premolar. Behind it arches differ: an extracted tooth moves those behind
+ * it by what is left of its gap, a milk molar by its own width, and by a textbook either looks like a slip. These teeth
+ * have no place, but for the foremost of them where neither canine nor first premolar is drawn. Nothing is lost by
+ * that: a slip moves all teeth alike. Third molars have no place either: where they stand is not settled.
  *
  * \ingroup PoseMetric
  */
@@ -39,7 +39,7 @@ class PoseMetric_EXPORT PoseToothPlaces
 {
 public:
   PoseToothPlaces() = default;
-  PoseToothPlaces(const PoseGeometry & geometry, const PoseTracing & tracing);
+  explicit PoseToothPlaces(const PoseTracing & tracing);
 
   /** Arc length of PoseArch from the midline to the middle of the tooth with this position in its quadrant, mm; 0 where
    * it was not drawn, or has no place. */

@@ -213,9 +213,9 @@ public:
 
   /** Minus twice the logarithm of what the outlines say for a position among others, each as one measurement, as a
    * landmark is: the sum of 16 (1 - m 16 / (16 + d^2)) with a tooth's distance d and matched share m (ResidualType). It
-   * is d^2 of a small d, and 16 of a tooth that is let go. The value is too sure of itself for that: a template's shape,
-   * or a crown's that was cut elsewhere, leaves all of its points residuals beyond what a hand's line has, and it counts
-   * each of them. */
+   * is d^2 of a small d, and 16 of a tooth that is let go. The value is too sure of itself for that: a template's
+   * shape, or a crown's that was cut elsewhere, leaves all of its points residuals beyond what a hand's line has, and
+   * it counts each of them. */
   double
   ComputeToothDeviance(const PositionType & x) const;
 

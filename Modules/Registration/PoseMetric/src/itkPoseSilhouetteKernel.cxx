@@ -197,7 +197,7 @@ PoseSilhouetteKernel::AddStrand(const DentalContour::PolylinesType &  polylines,
 {
   Strand strand;
   strand.tracing = PoseTracing(m_Settings.geometry, polylines, m_Settings.jaw, m_Settings.maximumTracingPoints);
-  strand.places = PoseToothPlaces(m_Settings.geometry, strand.tracing);
+  strand.places = PoseToothPlaces(strand.tracing);
   strand.models = std::move(models);
   if (strand.tracing.Size() > 0)
   {

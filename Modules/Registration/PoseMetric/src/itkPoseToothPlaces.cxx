@@ -19,61 +19,32 @@
 
 #include "itkPoseArch.h"
 
-#include <cmath>
-
 namespace itk
 {
 namespace
 {
-/** The arch turns most at the canine: of the way from its middle to the next drawn tooth's the side view shows this
- * share, above and below (phantoms with the traits of real arches: 0.78 and 0.61, sd 0.14). Behind it, all of it. */
-constexpr double       UpperShareBehindCanine = 0.78;
-constexpr double       LowerShareBehindCanine = 0.62;
 constexpr unsigned int Canine = 3;
+constexpr unsigned int FirstPremolar = 4;
 } // namespace
 
-PoseToothPlaces::PoseToothPlaces(const PoseGeometry & geometry, const PoseTracing & tracing)
+PoseToothPlaces::PoseToothPlaces(const PoseTracing & tracing)
 {
-  struct Drawn
+  for (const std::uint8_t tooth : tracing.tooth)
   {
-    double       u{ 0.0 };
-    double       v{ 0.0 };
-    double       points{ 0.0 };
-    std::uint8_t tooth{ 0 };
-  };
-  std::array<Drawn, 8> drawn{};
-  for (std::size_t i = 0; i < tracing.Size(); ++i)
-  {
-    if (PoseArch::ExpectedArc(tracing.tooth[i]) > 0.0)
+    const double arc = PoseArch::ExpectedArc(tooth);
+    if (arc > 0.0)
     {
-      Drawn & tooth = drawn[tracing.tooth[i] % 10];
-      tooth.u += tracing.u[i];
-      tooth.v += tracing.v[i];
-      tooth.points += 1.0;
-      tooth.tooth = tracing.tooth[i];
+      m_Arc[tooth % 10] = PoseArch::CurveShare * arc;
     }
   }
-  // From the working plane to the arch, which lies about the midsagittal plane.
-  const double millimetres = PoseWorkingPixel * geometry.sourceToMidsagittal / geometry.sourceToDetector;
-  unsigned int previous = 0;
-  for (unsigned int position = 1; position < drawn.size(); ++position)
+  bool hasPlace = false;
+  for (unsigned int position = Canine; position < m_Arc.size(); ++position)
   {
-    Drawn & tooth = drawn[position];
-    if (tooth.points == 0.0)
+    if (position > FirstPremolar && hasPlace)
     {
-      continue;
+      m_Arc[position] = 0.0;
     }
-    tooth.u /= tooth.points;
-    tooth.v /= tooth.points;
-    m_Arc[position] = PoseArch::CurveShare * PoseArch::ExpectedArc(tooth.tooth);
-    if (position > Canine + 1 && previous >= Canine)
-    {
-      const Drawn & before = drawn[previous];
-      const bool    upper = tooth.tooth < 30;
-      const double  share = previous > Canine ? 1.0 : upper ? UpperShareBehindCanine : LowerShareBehindCanine;
-      m_Arc[position] = m_Arc[previous] + millimetres * std::hypot(tooth.u - before.u, tooth.v - before.v) / share;
-    }
-    previous = position;
+    hasPlace = hasPlace || m_Arc[position] > 0.0;
   }
 }
 } // namespace itk

@@ -21,34 +21,32 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
+#include <vector>
 
 namespace
 {
-constexpr double PixelsPerMillimetre = 1674.0 / 1524.0 / 0.25;
-
-/** Teeth drawn as horizontal lines of 2 mm, by FDI number the distance of their middle behind the central incisor in
- * the side view, mm. */
+/** Teeth drawn as short lines, one behind the other, by FDI number. */
 itk::PoseToothPlaces
-Place(const std::map<std::uint8_t, double> & teeth)
+Place(const std::vector<std::uint8_t> & teeth)
 {
   itk::DentalContour::PolylinesType lines;
-  for (const auto & tooth : teeth)
+  double                            u = 400.0;
+  for (const std::uint8_t tooth : teeth)
   {
     itk::DentalContour::PolylineType line;
-    for (int i = -4; i <= 4; ++i)
+    for (int i = 0; i < 9; ++i)
     {
       itk::DentalContour::PointType point;
-      point[0] = 400.0 - PixelsPerMillimetre * (tooth.second + 0.25 * i);
+      point[0] = u - i;
       point[1] = 100.0;
       line.points.push_back(point);
     }
-    line.code = itk::ToothCode(tooth.first);
+    u -= 30.0;
+    line.code = itk::ToothCode(tooth);
     lines.push_back(line);
   }
-  const itk::PoseGeometry geometry;
-  const auto jaw = teeth.begin()->first < 30 ? itk::ToothCode::JawEnum::Upper : itk::ToothCode::JawEnum::Lower;
-  return { geometry, itk::PoseTracing(geometry, lines, jaw) };
+  const auto jaw = teeth.front() < 30 ? itk::ToothCode::JawEnum::Upper : itk::ToothCode::JawEnum::Lower;
+  return itk::PoseToothPlaces(itk::PoseTracing(itk::PoseGeometry(), lines, jaw));
 }
 
 double
@@ -56,46 +54,44 @@ Textbook(std::uint8_t tooth)
 {
   return itk::PoseArch::CurveShare * itk::PoseArch::ExpectedArc(tooth);
 }
-
-/** mm: of rounding alone. */
-constexpr double Exact = 1e-9;
 } // namespace
 
 TEST(PoseToothPlaces, AreTheTextbooksAsFarAsTheFirstPremolar)
 {
-  const auto places = Place({ { 11, 0.0 }, { 12, 2.0 }, { 13, 5.0 }, { 14, 9.0 } });
+  const auto places = Place({ 11, 12, 13, 14 });
   for (const std::uint8_t tooth : { 11, 12, 13, 14 })
   {
-    EXPECT_NEAR(places.GetArc(tooth % 10), Textbook(tooth), Exact) << int(tooth);
+    EXPECT_EQ(places.GetArc(tooth % 10), Textbook(tooth)) << int(tooth);
+    EXPECT_GT(places.GetArc(tooth % 10), 0.0) << int(tooth);
   }
   EXPECT_EQ(places.GetArc(5), 0.0) << "was not drawn";
   EXPECT_EQ(places.GetArc(9), 0.0) << "is none";
 }
 
-TEST(PoseToothPlaces, BehindTheFirstPremolarAreAsFarApartAsTheyWereDrawn)
+TEST(PoseToothPlaces, TeethBehindTheFirstPremolarHaveNone)
 {
-  // A milk molar of 10 mm in the second premolar's place pushes the molars back by 3 mm.
-  const auto places = Place({ { 43, 5.0 }, { 44, 10.0 }, { 45, 18.5 }, { 46, 29.0 }, { 47, 40.0 } });
-  EXPECT_NEAR(places.GetArc(5), Textbook(44) + 8.5, 1e-6);
-  EXPECT_NEAR(places.GetArc(6), Textbook(44) + 19.0, 1e-6);
-  EXPECT_NEAR(places.GetArc(7), Textbook(44) + 30.0, 1e-6);
+  const auto places = Place({ 41, 42, 43, 44, 45, 46, 47 });
+  EXPECT_EQ(places.GetArc(4), Textbook(44));
+  for (const unsigned int position : { 5, 6, 7 })
+  {
+    EXPECT_EQ(places.GetArc(position), 0.0) << position;
+  }
 }
 
-TEST(PoseToothPlaces, OfAnExtractedPremolarKnowWhetherItsGapIsClosed)
+TEST(PoseToothPlaces, BehindAnExtractedFirstPremolarTeethHaveNone)
 {
-  // The canine's middle is 5 mm back, the second premolar's 6 mm or 12 mm behind it: closed or kept open. The side view
-  // shows 0.78 of that way.
-  const double closed = Place({ { 13, 5.0 }, { 15, 11.0 }, { 16, 20.0 } }).GetArc(6);
-  const double open = Place({ { 13, 5.0 }, { 15, 17.0 }, { 16, 26.0 } }).GetArc(6);
-  EXPECT_NEAR(open - closed, 6.0 / 0.78, 1e-6);
-  EXPECT_NEAR(closed, Textbook(13) + 6.0 / 0.78 + 9.0, 1e-6);
-  EXPECT_LT(closed, Textbook(16) - 4.0) << "the textbook's place would look like a slip";
+  // Its gap may be closed.
+  const auto places = Place({ 13, 15, 16 });
+  EXPECT_EQ(places.GetArc(3), Textbook(13));
+  EXPECT_EQ(places.GetArc(5), 0.0);
+  EXPECT_EQ(places.GetArc(6), 0.0);
 }
 
-TEST(PoseToothPlaces, WithoutTheCanineAreTheTextbooks)
+TEST(PoseToothPlaces, WithoutCanineAndFirstPremolarTheForemostToothBehindHasTheTextbooks)
 {
-  const auto places = Place({ { 11, 0.0 }, { 16, 25.0 }, { 17, 36.0 }, { 18, 46.0 } });
-  EXPECT_NEAR(places.GetArc(6), Textbook(16), Exact);
-  EXPECT_NEAR(places.GetArc(7), Textbook(16) + 11.0, 1e-6);
+  const auto places = Place({ 11, 16, 17, 18 });
+  EXPECT_EQ(places.GetArc(1), Textbook(11));
+  EXPECT_EQ(places.GetArc(6), Textbook(16));
+  EXPECT_EQ(places.GetArc(7), 0.0);
   EXPECT_EQ(places.GetArc(8), 0.0) << "a third molar's place is not settled";
 }

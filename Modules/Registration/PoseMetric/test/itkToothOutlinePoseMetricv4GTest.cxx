@@ -319,7 +319,7 @@ TEST(ToothOutlinePoseMetricv4, AToothThatIsMarkedAsWellCountsLess)
   marked->SetMarkedTeeth({ 1 });
   alone->Initialize();
   marked->Initialize();
-  const auto   x = alone->GetState().GetValues();
+  const auto x = alone->GetState().GetValues();
   // Of the residuals alone: wider errors cost both the same charge or more.
   const auto squares = [&x](const MetricType & metric) {
     MetricType::VectorType residuals;
@@ -385,7 +385,7 @@ TEST(ToothOutlinePoseMetricv4, AnOutlineIsOneMeasurementAmongPositions)
   const auto rough = MakeMetric(MakeTracing(ragged(MakeDrawing(false)), ragged(MakeDrawing(true))));
   smooth->Initialize();
   rough->Initialize();
-  const auto x = smooth->GetState().GetValues();
+  const auto   x = smooth->GetState().GetValues();
   const double added = rough->ComputeToothDeviance(x) - smooth->ComputeToothDeviance(x);
   EXPECT_LT(added, 16.0) << "less than what one tooth costs that is let go";
   EXPECT_GT(rough->ComputeValue(x) - smooth->ComputeValue(x), 4.0 * added);

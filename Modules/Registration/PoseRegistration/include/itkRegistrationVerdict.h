@@ -90,13 +90,13 @@ public:
     /** Estimated drift of the tracing: nobody draws worse. */
     double suspectSmoothSigma{ 3.0 };
     /** At the tracing, and anywhere on the outline. Not judged on bisected tracings. With a standard deviation of 2.4
-     * an axis a hundred times the probability of more than 8 px is that of less than 2: there a wrong ok, which weighs a
-     * hundred false alarms, costs as much as the alarm. */
+     * an axis a hundred times the probability of more than 8 px is that of less than 2: there a wrong ok, which weighs
+     * a hundred false alarms, costs as much as the alarm. */
     double suspectPredictedSigma{ 2.4 };
-    double suspectExtrapolatedSigma{ 4.5 };
+    double suspectExtrapolatedSigma{ 5.5 };
     double failedPredictedSigma{ 20.0 };
-    /** mm along the arch: codes that are off by a tooth put the teeth 6.3 mm (below) or 6.9 (above) from their places
-     * on average, which right ones miss with a standard deviation of 1.1 to 1.9 mm. */
+    /** mm along the arch: codes that are off by a tooth have the teeth 6 mm (below) or 7 (above) from their places,
+     * which right ones miss with a standard deviation of 1.0 to 1.4 mm, by 3.9 at most. */
     double suspectCodeOffset{ 5.0 };
     /** Odds of 4.5 against the best other place. */
     double suspectMargin{ 0.78 };

@@ -767,11 +767,7 @@ PoseGroupRegistration::ComputePosterior(const CandidateType & candidate) const
       known += term.ComputeValue(position);
     }
   }
-  ContourNoiseLevels levels;
-  if (!metric->GetNoiseLevels(levels))
-  {
-    return known;
-  }
+  // Without a tracing the evidence has nothing whose noise is to be estimated, and is 0.
   const double places = m_Options.codeWeight > 0.0 ? candidate.codeTerm / m_Options.codeSigma : 0.0;
   return EvidenceShare * evidence + KnownShare * known + places * places;
 }

@@ -307,7 +307,8 @@ ToothFinder::FindAlongArch(const ToothCode & tooth, FeatureEnum feature)
     return {};
   }
   const double width = PoseArch::ExpectedWidth(tooth.GetFDI());
-  const double target = PoseArch::CurveShare * (PoseArch::ExpectedArc(tooth.GetFDI()) + ShareBehindMiddle(feature) * width);
+  const double target =
+    PoseArch::CurveShare * (PoseArch::ExpectedArc(tooth.GetFDI()) + ShareBehindMiddle(feature) * width);
   std::vector<std::size_t> points;
   std::vector<double>      arcs;
   for (std::size_t i = 0; i < m_Surface->points.size(); ++i)

@@ -192,7 +192,7 @@ MakeLimits()
       { { "uncertain", Suspect } } },
     { "SuspectExtrapolatedSigma",
       &Thresholds::suspectExtrapolatedSigma,
-      4.5,
+      5.5,
       true,
       [](Result & r, double x) { r.jaws[0].fit.extrapolatedSigma = x; },
       {},
