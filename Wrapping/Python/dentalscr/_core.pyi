@@ -3601,6 +3601,14 @@ class PoseRegistrationOptions:
     def coarseTolerance(self, arg1: float) -> None:
         ...
     @property
+    def codeSigma(self) -> float:
+        """
+        sd of the codes' places in the last choice, mm
+        """
+    @codeSigma.setter
+    def codeSigma(self, arg1: float) -> None:
+        ...
+    @property
     def codeWeight(self) -> float:
         """
         weight of the tooth codes' places; 0: off
@@ -4179,6 +4187,11 @@ class PoseCandidate:
     def cost(self) -> float:
         ...
     @property
+    def deviance(self) -> float:
+        """
+        What candidates are ranked by: minus twice the logarithm of their posterior weight.
+        """
+    @property
     def distance(self) -> float:
         """
         Of its contour from the best candidate's, px of 0.25 mm.
@@ -4191,7 +4204,7 @@ class PoseCandidate:
     @property
     def score(self) -> float:
         """
-        What candidates are ranked by: cost and code term.
+        Cost and code term: what starts are ranked by.
         """
 class PoseHypothesisOutcome:
     """
@@ -4246,7 +4259,7 @@ class PoseSolution(DataObject):
         """
     def GetMargin(self, jaw: Jaw | str) -> float:
         """
-        Score of the best candidate that lies elsewhere, minus the best's; 1 where there is none.
+        1 minus the odds of the best candidate that lies elsewhere; 1 where there is none.
         """
     def GetMovingContour(self, jaw: Jaw | str) -> Contour:
         """

@@ -180,6 +180,7 @@ void
 VisitFields(itk::PoseCandidate & candidate, TField && field)
 {
   field(candidate.parameters);
+  field(candidate.deviance);
   field(candidate.score);
   field(candidate.cost);
   field(candidate.codeTerm);
@@ -442,7 +443,10 @@ WrapSolution(py::module_ & module)
   using CandidateType = itk::PoseCandidate;
   py::class_<CandidateType>(module, "PoseCandidate", "One minimum of the criterion.")
     .def_readonly("parameters", &CandidateType::parameters, "pitch, roll, yaw (rad), tx, ty, tz (mm), kappa.")
-    .def_readonly("score", &CandidateType::score, "What candidates are ranked by: cost and code term.")
+    .def_readonly("deviance",
+                  &CandidateType::deviance,
+                  "What candidates are ranked by: minus twice the logarithm of their posterior weight.")
+    .def_readonly("score", &CandidateType::score, "Cost and code term: what starts are ranked by.")
     .def_readonly("cost", &CandidateType::cost)
     .def_readonly("codeTerm", &CandidateType::codeTerm)
     .def_readonly("distance", &CandidateType::distance, "Of its contour from the best candidate's, px of 0.25 mm.")
@@ -623,7 +627,7 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       "GetMargin",
       [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).margin; },
       py::arg("jaw"),
-      "Score of the best candidate that lies elsewhere, minus the best's; 1 where there is none.")
+      "1 minus the odds of the best candidate that lies elsewhere; 1 where there is none.")
     .def(
       "GetOutcomes",
       [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).outcomes; },

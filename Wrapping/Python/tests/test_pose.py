@@ -72,7 +72,7 @@ def test_solution_has_covariance_candidates_and_fit(ds, phantom, solution):
     assert solution.GetPoseCovariance("upper").shape == (7, 7)
     candidates = solution.GetCandidates("upper")
     assert candidates[0].parameters == solution.GetPose("upper") and candidates[0].distance == 0.0
-    assert [c.score for c in candidates] == sorted(c.score for c in candidates)
+    assert [c.deviance for c in candidates] == sorted(c.deviance for c in candidates)
     assert solution.GetScore("upper") == candidates[0].score
     assert solution.GetFit("upper")["inlierShare"] > 0.9
     contour = solution.GetMovingContour("upper")

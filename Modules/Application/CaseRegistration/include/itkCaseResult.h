@@ -124,7 +124,7 @@ struct AlignmentCandidate
 {
   /** As JawResult::projection. */
   std::array<double, 12> projection{};
-  /** What candidates are ranked by, lower is better. */
+  /** How well it fits, lower is better; candidates are ranked by their posterior (PoseCandidate::deviance). */
   double score{ 0.0 };
   /** Root mean square distance of the moving contours from those of the best candidate, pixels of the radiograph. */
   double distance{ 0.0 };

@@ -36,7 +36,7 @@ struct PoseFitStatistics
   double inlierShare{ 0.0 };
   /** Share of the moving contour that has a tracing beside it: the overlap the other way. */
   double overlap{ 0.0 };
-  /** Mean of (arc of tooth - expected arc of its code), mm; 0 without codes. */
+  /** Mean of (arc of tooth - arc at which its code has it, PoseToothPlaces), mm; 0 without codes. */
   double codeOffset{ 0.0 };
   bool   hasCodes{ false };
   /** Root mean square over the matched points of the predicted sigma an axis, px. */

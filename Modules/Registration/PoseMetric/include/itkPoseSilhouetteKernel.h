@@ -24,6 +24,7 @@
 #include "itkPoseFitStatistics.h"
 #include "itkDentalContour.h"
 #include "itkPoseReverseDirection.h"
+#include "itkPoseToothPlaces.h"
 #include "itkPoseTracing.h"
 #include "itkTracedSide.h"
 #include "itkTriangleSurface.h"
@@ -96,6 +97,7 @@ public:
   struct Strand
   {
     PoseTracing                           tracing;
+    PoseToothPlaces                       places;
     std::vector<const PoseContourModel *> models;
     /** Counts nothing unless it is asked for. */
     PoseReverseDirection reverse;

@@ -50,7 +50,12 @@ class WholeToothOutline;
  *
  * where the columns of B are what a shift along and across the occlusal plane, a turn and a change of size, an offset
  * of the palatal or lingual side and the width to which the crown was cut do to r; S are their variances (Errors
- * below); G is the correlation of a hand's drift and W are the points' weights. The value is the sum of r' K^-1 r.
+ * below); G is the correlation of a hand's drift and W are the points' weights. The value is the sum of
+ *
+ *   r' K^-1 r + log |K| - log |K0|,
+ *
+ * minus twice the logarithm of a likelihood: what is let go makes K large, and is charged for by that. K0 is the K of a
+ * tooth that is drawn and matched without a fault, which no pose changes.
  * The picture's axes stand for those of the occlusal plane, from which heads tip them by some degrees.
  *
  * Teeth are drawn in one of two ways, by one hand all alike, and the likelier one is taken. A hand that follows the
@@ -207,6 +212,14 @@ public:
   std::vector<ResidualType>
   ComputeOutlineResiduals(const PositionType & x) const;
 
+  /** Minus twice the logarithm of what the outlines say for a position among others, each as one measurement, as a
+   * landmark is: the sum of 16 (1 - m 16 / (16 + d^2)) with a tooth's distance d and matched share m (ResidualType). It
+   * is d^2 of a small d, and 16 of a tooth that is let go. The value is too sure of itself for that: a template's
+   * shape, or a crown's that was cut elsewhere, leaves all of its points residuals beyond what a hand's line has, and
+   * it counts each of them. */
+  double
+  ComputeToothDeviance(const PositionType & x) const;
+
   /** The centre of each outline's crown with that of the scan's, for a start; dental frame mm, pixels. */
   std::vector<std::pair<TransformType::InputPointType, TransformType::OutputPointType>>
   GetCorrespondences() const;
@@ -215,6 +228,10 @@ public:
   GetNumberOfResiduals() const override;
   void
   ComputeResiduals(const PositionType & x, VectorType & residuals, MatrixType * jacobian) const override;
+  /** The sum of the squared residuals and the charges, which are held as W, S and the way of drawing are: the slope is
+   * that of the squared residuals. */
+  double
+  ComputeValue(const PositionType & x) const override;
   void
   AddSquaredMotion(const PositionType & from, const PositionType & to, double & sum, double & count) const override;
   void
@@ -251,6 +268,8 @@ private:
     std::shared_ptr<const PoseToothContourModel> model;
     /** By hand, by a template. */
     std::array<WayType, 2> ways;
+    /** log |K0|. */
+    double logDeterminant{ 0.0 };
   };
   using TeethType = std::vector<ToothType>;
 
@@ -279,6 +298,8 @@ private:
     double                weight{ 1.0 };
     /** Which of the tooth's ways. */
     std::size_t way{ 0 };
+    /** log |K| - log |K0|, and on the first tooth what templates have to be better by. */
+    double charge{ 0.0 };
     /** Minus twice the log likelihood of the residuals, but for a constant. */
     double deviance{ 0.0 };
   };
@@ -292,8 +313,13 @@ private:
   ComputeNoises(const std::vector<EvaluationType> & at) const;
   NoiseType
   ComputeNoise(const ToothType & tooth, const EvaluationType & at, std::size_t way) const;
+  /** B of the noise's way of drawing. */
+  static void
+  MakeBasis(const ToothType & tooth, const EvaluationType & at, NoiseType & noise);
   void
   Factorize(const ToothType & tooth, NoiseType & noise) const;
+  static double
+  ComputeLogDeterminant(const NoiseType & noise);
   /** Shift, turn and size of a tooth in standard deviations. */
   static double
   ComputeDistance(const ToothType & tooth, const NoiseType & noise);

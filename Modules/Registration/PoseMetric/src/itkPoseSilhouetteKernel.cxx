@@ -197,6 +197,7 @@ PoseSilhouetteKernel::AddStrand(const DentalContour::PolylinesType &  polylines,
 {
   Strand strand;
   strand.tracing = PoseTracing(m_Settings.geometry, polylines, m_Settings.jaw, m_Settings.maximumTracingPoints);
+  strand.places = PoseToothPlaces(strand.tracing);
   strand.models = std::move(models);
   if (strand.tracing.Size() > 0)
   {
@@ -400,10 +401,10 @@ PoseSilhouetteKernel::ComputeStatistics(std::size_t s, const PoseContour & conto
     inliers += lin.facing[i] > 0.5 && d < FitWidth ? tracing.weight[i] : 0.0;
     squares += lin.squaredDistance[i];
     distances.push_back(d);
-    const double expected = PoseArch::ExpectedArc(tracing.tooth[i]);
+    const unsigned int position = tracing.tooth[i] % 10;
+    const double       expected = m_Strands[s].places.GetArc(position);
     if (expected > 0.0 && m_Arch.IsValid() && lin.match[i] != NoMatch)
     {
-      const int    position = tracing.tooth[i] % 10;
       const auto & rim = contour.rim[lin.match[i]];
       arcSum[position] += std::abs(m_Arch.Arc(rim[0], rim[1]));
       arcCount[position] += 1.0;

@@ -200,6 +200,19 @@ ToothOutlinePoseMetricv4::Prepare()
                                  std::hypot(across, std::hypot(m_Errors.turn * arm[0], m_Errors.size * arm[1])),
                                  m_Errors.templateTurn,
                                  m_Errors.templateSize } }) } };
+    // Of a tooth that is drawn and matched without a fault: its crown's normals are those of the outline.
+    const std::size_t n = outline->GetPoints().size();
+    EvaluationType    faultless;
+    for (const auto & normal : outline->GetNormals())
+    {
+      faultless.nu.push_back(normal[0]);
+      faultless.nv.push_back(normal[1]);
+    }
+    NoiseType reference;
+    reference.weights.assign(n, 1.0);
+    MakeBasis(tooth, faultless, reference);
+    this->Factorize(tooth, reference);
+    tooth.logDeterminant = ComputeLogDeterminant(reference);
     teeth->push_back(tooth);
   }
   m_Teeth = teeth;
@@ -361,6 +374,41 @@ ToothOutlinePoseMetricv4::Factorize(const ToothType & tooth, NoiseType & noise) 
 }
 
 double
+ToothOutlinePoseMetricv4::ComputeLogDeterminant(const NoiseType & noise)
+{
+  const std::size_t n = noise.weights.size();
+  double            sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    sum += 2.0 * std::log(noise.factor[i * n + i]);
+  }
+  return sum;
+}
+
+void
+ToothOutlinePoseMetricv4::MakeBasis(const ToothType & tooth, const EvaluationType & at, NoiseType & noise)
+{
+  const WholeToothOutline & outline = *tooth.outline;
+  const std::size_t         n = outline.GetPoints().size();
+  const auto &              origin = tooth.ways[noise.way].origin;
+  noise.basis.assign(NumberOfErrors * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double a = outline.GetPoints()[i][0] - origin[0];
+    const double b = outline.GetPoints()[i][1] - origin[1];
+    noise.basis[i] = at.nu[i];
+    noise.basis[n + i] = at.nv[i];
+    noise.basis[2 * n + i] = at.nv[i] * a - at.nu[i] * b;
+    noise.basis[3 * n + i] = at.nu[i] * a + at.nv[i] * b;
+    noise.basis[4 * n + i] = outline.GetLingual()[i];
+    // Where the outline faces along the arch it is the cut that ends the crown; a front tooth's faces are its own.
+    const double facing = std::abs(outline.GetNormals()[i][0]);
+    noise.basis[5 * n + i] =
+      outline.GetPosition() > LastFrontTooth ? std::max(0.0, (facing - CutFacing) / (1.0 - CutFacing)) : 0.0;
+  }
+}
+
+double
 ToothOutlinePoseMetricv4::ComputeDistance(const ToothType & tooth, const NoiseType & noise)
 {
   double sum = 0.0;
@@ -382,7 +430,12 @@ ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at) 
     byTemplate.push_back(this->ComputeNoise(this->GetTeeth()[t], at[t], 1));
     difference += byTemplate.back().deviance - byHand.back().deviance;
   }
-  return difference < 0.0 ? byTemplate : byHand;
+  if (difference < 0.0)
+  {
+    byTemplate.front().charge += TemplatePenalty;
+    return byTemplate;
+  }
+  return byHand;
 }
 
 ToothOutlinePoseMetricv4::NoiseType
@@ -390,24 +443,9 @@ ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const Evaluation
 {
   const WholeToothOutline & outline = *tooth.outline;
   const std::size_t         n = outline.GetPoints().size();
-  const auto &              origin = tooth.ways[way].origin;
   NoiseType                 noise;
   noise.way = way;
-  noise.basis.assign(NumberOfErrors * n, 0.0);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const double a = outline.GetPoints()[i][0] - origin[0];
-    const double b = outline.GetPoints()[i][1] - origin[1];
-    noise.basis[i] = at.nu[i];
-    noise.basis[n + i] = at.nv[i];
-    noise.basis[2 * n + i] = at.nv[i] * a - at.nu[i] * b;
-    noise.basis[3 * n + i] = at.nu[i] * a + at.nv[i] * b;
-    noise.basis[4 * n + i] = outline.GetLingual()[i];
-    // Where the outline faces along the arch it is the cut that ends the crown; a front tooth's faces are its own.
-    const double facing = std::abs(outline.GetNormals()[i][0]);
-    noise.basis[5 * n + i] =
-      outline.GetPosition() > LastFrontTooth ? std::max(0.0, (facing - CutFacing) / (1.0 - CutFacing)) : 0.0;
-  }
+  MakeBasis(tooth, at, noise);
   noise.weights = at.facing;
   std::vector<double> left(n);
   for (int round = 0; round < Rounds; ++round)
@@ -465,12 +503,14 @@ ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const Evaluation
   const double distance = ComputeDistance(tooth, noise);
   noise.weight = GemanMcClure(distance * distance, ToothWidthInSigmas);
   this->Factorize(tooth, noise);
+  noise.charge = ComputeLogDeterminant(noise) - tooth.logDeterminant;
   // With what the kernel leaves of the tooth: a gross error is none of the other way's successes.
   std::vector<double> z = at.residual;
   ContourNoiseModel::Whiten(noise.factor.data(), n, z.data(), 1);
-  for (std::size_t i = 0; i < n; ++i)
+  noise.deviance = noise.charge;
+  for (const double residual : z)
   {
-    noise.deviance += z[i] * z[i] + 2.0 * std::log(noise.factor[i * n + i]);
+    noise.deviance += residual * residual;
   }
   return noise;
 }
@@ -530,6 +570,17 @@ ToothOutlinePoseMetricv4::ComputeResiduals(const PositionType & x, VectorType & 
     }
     row += static_cast<unsigned int>(n);
   }
+}
+
+double
+ToothOutlinePoseMetricv4::ComputeValue(const PositionType & x) const
+{
+  double value = Superclass::ComputeValue(x);
+  for (const NoiseType & noise : m_Noise)
+  {
+    value += noise.charge;
+  }
+  return value;
 }
 
 void
@@ -609,17 +660,25 @@ ToothOutlinePoseMetricv4::GetCorrespondences() const
   return correspondences;
 }
 
+double
+ToothOutlinePoseMetricv4::ComputeToothDeviance(const PositionType & x) const
+{
+  constexpr double unit = ToothWidthInSigmas * ToothWidthInSigmas;
+  double           deviance = 0.0;
+  for (const ResidualType & residual : this->ComputeOutlineResiduals(x))
+  {
+    const double near = unit / (unit + residual.distance * residual.distance);
+    deviance += unit * (1.0 - near * residual.matchedShare);
+  }
+  return deviance;
+}
+
 void
 ToothOutlinePoseMetricv4::AddFit(const PositionType & x, RegistrationFit & fit) const
 {
-  // As of landmarks, by what is known of a hand's errors, and by the share of an outline that no crown explains.
-  for (const ResidualType & residual : this->ComputeOutlineResiduals(x))
-  {
-    const double unit = ToothWidthInSigmas * ToothWidthInSigmas;
-    const double near = unit / (unit + residual.distance * residual.distance);
-    fit.cost += 1.0 - near * residual.matchedShare;
-    ++fit.numberOfPoints;
-  }
+  // As of landmarks, of which one that is not explained at all costs 1.
+  fit.cost += this->ComputeToothDeviance(x) / (ToothWidthInSigmas * ToothWidthInSigmas);
+  fit.numberOfPoints += this->GetTeeth().size();
 }
 
 void

@@ -26,6 +26,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -318,8 +319,14 @@ TEST(ToothOutlinePoseMetricv4, AToothThatIsMarkedAsWellCountsLess)
   marked->SetMarkedTeeth({ 1 });
   alone->Initialize();
   marked->Initialize();
-  const auto   x = alone->GetState().GetValues();
-  const double ratio = marked->ComputeValue(x) / alone->ComputeValue(x);
+  const auto x = alone->GetState().GetValues();
+  // Of the residuals alone: wider errors cost both the same charge or more.
+  const auto squares = [&x](const MetricType & metric) {
+    MetricType::VectorType residuals;
+    metric.ComputeResiduals(x, residuals, nullptr);
+    return residuals.squared_magnitude();
+  };
+  const double ratio = squares(*marked) / squares(*alone);
   EXPECT_LT(ratio, 1.0);
   EXPECT_GT(ratio, 1.0 / (1.0 + MetricType::SharedErrorShare) - 0.01);
 }
@@ -335,6 +342,53 @@ TEST(ToothOutlinePoseMetricv4, AGrossErrorOfOneOutlineIsToldAndBounded)
   EXPECT_GT(residuals[0].weight, 0.99);
   // As far as can be told: errors of hands are small, and a part of it is taken for a turn.
   EXPECT_NEAR(residuals[1].shift[0], 30.0, 9.0);
+}
+
+TEST(ToothOutlinePoseMetricv4, WhatAPositionLetsGoIsChargedFor)
+{
+  // The scan further and further forward, matches and weights each its own: the teeth are let go, and by their squared
+  // residuals alone the position that is 24 mm off would be better than the one that is 2 mm off.
+  const auto metric = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true)));
+  metric->Initialize();
+  std::vector<double> values, squares, deviances;
+  for (const double shift : { 0.0, 2.0, 4.0, 8.0, 16.0, 24.0 })
+  {
+    std::vector<double> x(Truth, Truth + 7);
+    x[3] += shift;
+    metric->UpdateNoiseCorrelation(x);
+    MetricType::VectorType residuals;
+    metric->ComputeResiduals(x, residuals, nullptr);
+    values.push_back(metric->ComputeValue(x));
+    squares.push_back(residuals.squared_magnitude());
+    deviances.push_back(metric->ComputeToothDeviance(x));
+  }
+  EXPECT_LT(squares.back(), squares[1]) << "the claims need teeth that are let go";
+  EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+  EXPECT_TRUE(std::is_sorted(deviances.begin(), deviances.end()));
+  // A tooth at its place, but for corners that are cut; and two that are let go, at 16 each.
+  EXPECT_LT(deviances.front(), 2.0);
+  EXPECT_GT(deviances.back(), 28.0);
+  EXPECT_LE(deviances.back(), 32.0);
+}
+
+TEST(ToothOutlinePoseMetricv4, AnOutlineIsOneMeasurementAmongPositions)
+{
+  // A line that is more ragged than the metric knows hands to draw, by 3 px of 0.25 mm from point to point.
+  const auto ragged = [](PointsType outline) {
+    for (std::size_t i = 0; i < outline.size(); ++i)
+    {
+      outline[i][1] += i % 2 == 0 ? 4.0 : -4.0;
+    }
+    return outline;
+  };
+  const auto smooth = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true)));
+  const auto rough = MakeMetric(MakeTracing(ragged(MakeDrawing(false)), ragged(MakeDrawing(true))));
+  smooth->Initialize();
+  rough->Initialize();
+  const auto   x = smooth->GetState().GetValues();
+  const double added = rough->ComputeToothDeviance(x) - smooth->ComputeToothDeviance(x);
+  EXPECT_LT(added, 16.0) << "less than what one tooth costs that is let go";
+  EXPECT_GT(rough->ComputeValue(x) - smooth->ComputeValue(x), 4.0 * added);
 }
 
 TEST(ToothOutlinePoseMetricv4, AStockTemplateIsToldAndDoesNotPullTheTip)

@@ -113,6 +113,9 @@ struct PoseRegistrationOptions
   unsigned int startsPerYaw{ 4 };
   /** Weight of the tooth codes' arc positions in the choice among candidates, px-free cost a mm; 0: off. */
   double codeWeight{ 0.02 };
+  /** Standard deviation of the teeth's mean distance along the arch from where their codes put them, mm, in the last
+   * choice. */
+  double codeSigma{ 2.0 };
   /** Regenerate the outline at each evaluation, or keep that of the start. */
   bool         regenerateOutline{ true };
   unsigned int maximumEvaluations{ 14 };
@@ -187,7 +190,12 @@ struct PoseRegistrationOptions
 struct PoseCandidate
 {
   PoseParameters parameters{ {} };
-  /** Fixed-width cost + code term: what candidates are ranked by. */
+  /** Minus twice the logarithm of the minimum's posterior weight but for a constant: what minima are ranked by. The
+   * evidence with the noise estimated there, marginal over the pose about the minimum, its priors and the teeth's
+   * places.
+   */
+  double deviance{ 0.0 };
+  /** Fixed-width cost + code term: what starts are ranked by, and hypotheses compared. */
   double score{ 0.0 };
   double cost{ 0.0 };
   double codeTerm{ 0.0 };
@@ -303,7 +311,8 @@ struct PoseGroupResult
   std::array<double, 7>      priorTension{ {} };
   double                     score{ 1.0 };
   std::vector<PoseCandidate> candidates;
-  /** Score of the best candidate that is elsewhere minus the best's; 1 where there is none. */
+  /** 1 - the odds of the best candidate that is elsewhere against the best, exp(-difference of deviances / 2): 0 where
+   * they are equal, 1 where there is none. */
   double       margin{ 1.0 };
   unsigned int evaluations{ 0 };
   bool         converged{ false };

@@ -72,13 +72,17 @@ public:
     double failedInlierShare{ 0.50 };
     /** Estimated drift of the tracing: nobody draws worse. */
     double suspectSmoothSigma{ 3.0 };
-    /** At the tracing, and anywhere on the outline. Not judged on bisected tracings. */
-    double suspectPredictedSigma{ 3.0 };
-    double suspectExtrapolatedSigma{ 4.5 };
+    /** At the tracing, and anywhere on the outline. Not judged on bisected tracings. With a standard deviation of 2.4
+     * an axis a hundred times the probability of more than 8 px is that of less than 2: there a wrong ok, which weighs
+     * a hundred false alarms, costs as much as the alarm. */
+    double suspectPredictedSigma{ 2.4 };
+    double suspectExtrapolatedSigma{ 5.5 };
     double failedPredictedSigma{ 20.0 };
-    /** mm along the arch: a tooth is some 7 mm wide, and the textbook's place is missed by up to 4 mm. */
-    double suspectCodeOffset{ 5.5 };
-    double suspectMargin{ 0.03 };
+    /** mm along the arch: codes that are off by a tooth have the teeth 6 mm (below) or 7 (above) from their places,
+     * which right ones miss with a standard deviation of 1.0 to 1.4 mm, by 3.9 at most. */
+    double suspectCodeOffset{ 5.0 };
+    /** Odds of 4.5 against the best other place. */
+    double suspectMargin{ 0.78 };
     /** rad, 30.9 degrees, either way. Rotations up to 32 degrees (0.56) are searched: beyond this one a pose stands at
      * the edge. */
     double suspectPitch{ 0.54 };

@@ -28,6 +28,7 @@
 #include "itkResidualNoiseModel.h"
 #include "itkRobustKernel.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -97,6 +98,7 @@ private:
     double             cost{ 1.0 };
     double             codeTerm{ 0.0 };
     double             score{ 1.0 };
+    double             deviance{ 0.0 };
   };
   /** How a candidate is refined. */
   struct ScheduleType
@@ -124,6 +126,15 @@ private:
                  std::size_t                        maximum) const;
   double
   Distance(const MetricType & metric, const PositionType & from, const PositionType & to) const;
+  /** Puts a metric where a candidate ended, with its noise. */
+  void
+  Settle(MetricType & metric, const CandidateType & candidate) const;
+  /** Minus twice the logarithm of what a minimum weighs: its posterior, with the mass about it. */
+  double
+  ComputePosterior(const CandidateType & candidate) const;
+  /** Of the minima together, each by its weight. */
+  std::array<double, 49>
+  ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const;
   MetricType::Pointer
   CloneAt(const PositionType & x) const;
   CandidateType

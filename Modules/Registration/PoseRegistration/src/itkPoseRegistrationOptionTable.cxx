@@ -77,6 +77,7 @@ Rows()
     { "yawStarts", "yaw of the global starts, rad", &Options::yawStarts, -0.8, 0.8 },
     { "startsPerYaw", "candidates kept a yaw", &Options::startsPerYaw, 1.0, 100.0 },
     { "codeWeight", "weight of the tooth codes' places; 0: off", &Options::codeWeight, 0.0, Large },
+    { "codeSigma", "sd of the codes' places in the last choice, mm", &Options::codeSigma, 0.01, Large },
     { "regenerateOutline", "make the outline anew as the pose moves", &Options::regenerateOutline },
     { "maximumEvaluations", "evaluations of the refinement", &Options::maximumEvaluations, 1.0, 1000.0 },
     { "rollSigma", "prior, rad; 0: fixed", &Options::rollSigma, 0.0, Large },

@@ -44,9 +44,6 @@ constexpr double EdgeSigmaAcross = 0.5;
  * crowding move it as well. */
 constexpr double ArchSigmaAlong = 2.2;
 constexpr double ArchSigmaAcross = 0.7;
-/** The arch's curve is through the middle of the crowns and smooth, and so shorter than the row of the teeth's widths
- * (phantoms: 0.94 to 0.96 at the first molars). */
-constexpr double ArchCurveShare = 0.95;
 /** Edges and cusps are not lower than this below the highest point near them, mm; gingiva and palate are. */
 constexpr double CuspRange = 2.5;
 /** A contact derived from the cusps, and the middle of an occlusal surface. */
@@ -335,7 +332,8 @@ ToothFinder::FindAlongArch(const ToothCode & tooth, FeatureEnum feature)
     return {};
   }
   const double width = PoseArch::ExpectedWidth(tooth.GetFDI());
-  const double target = ArchCurveShare * (PoseArch::ExpectedArc(tooth.GetFDI()) + ShareBehindMiddle(feature) * width);
+  const double target =
+    PoseArch::CurveShare * (PoseArch::ExpectedArc(tooth.GetFDI()) + ShareBehindMiddle(feature) * width);
   std::vector<std::size_t> points;
   std::vector<double>      arcs;
   for (std::size_t i = 0; i < m_Surface->points.size(); ++i)

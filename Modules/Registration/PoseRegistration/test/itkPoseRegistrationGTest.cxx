@@ -21,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -69,6 +70,47 @@ TEST(PoseRegistration, IsBelowTwoPixelsWithNoiseAndAPoseAndKnowsIt)
     EXPECT_LT(result.jaws[jaw].fit.predictedSigma, 3.0);
   }
   EXPECT_EQ(result.groups.size(), 1u);
+}
+
+TEST(PoseRegistration, MinimaAreRankedByTheirPosteriorAndTheCovarianceHoldsThoseThatMayBeTrue)
+{
+  unsigned int reordered = 0, mixed = 0;
+  for (const std::uint64_t seed : { 304, 305, 306 })
+  {
+    const PoseRegistrationTestCase c(seed, CohortEnum::Hard, SideEnum::Right);
+    for (const unsigned int jaw : { 0u, 1u })
+    {
+      const itk::PoseRegistrationOptions options;
+      const auto                         result = PoseRegistrationTestCase::Run({ c.jaws[jaw] }, c.geometry, options);
+      const auto &                       group = result.groups[0];
+      const auto &                       best = group.candidates[0];
+      EXPECT_EQ(best.parameters, group.parameters);
+      double margin = 1.0;
+      for (std::size_t i = 1; i < group.candidates.size(); ++i)
+      {
+        const itk::PoseCandidate & other = group.candidates[i];
+        EXPECT_GE(other.deviance, group.candidates[i - 1].deviance);
+        reordered += other.score < group.candidates[i - 1].score ? 1 : 0;
+        const double odds = std::exp(-0.5 * (other.deviance - best.deviance));
+        margin = other.distance > options.placeDistance ? std::min(margin, 1.0 - odds) : margin;
+        if (odds < 0.01 || other.distance < 1.0)
+        {
+          continue;
+        }
+        // Of four minima at the most, the best of which weighs 1: a share of a quarter of its odds, or more.
+        ++mixed;
+        for (unsigned int k = 0; k < 7; ++k)
+        {
+          const double apart = other.parameters[k] - best.parameters[k];
+          EXPECT_GT(group.covariance[8 * k], 0.25 * odds * apart * apart) << "seed " << seed << ", parameter " << k;
+        }
+      }
+      // Rounding.
+      EXPECT_NEAR(group.margin, margin, 1e-12);
+    }
+  }
+  EXPECT_GT(reordered, 0u) << "the claims need minima that the score ranks in another order";
+  EXPECT_GT(mixed, 0u) << "and minima that may be the true ones";
 }
 
 TEST(PoseRegistration, RegionsContainTheTruthAsOftenAsTheySay)
