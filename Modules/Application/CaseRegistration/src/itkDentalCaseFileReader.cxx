@@ -100,6 +100,41 @@ PositiveNumber(const JsonNode & node, const char * remedy)
   return value;
 }
 
+/** A file's name, or an object of a file a tooth or jaw. */
+void
+ReadContourFiles(const JsonNode & root, const fs::path & directory, DentalCase & dentalCase)
+{
+  const auto node = root.Find("contours");
+  if (!node || !node->IsObject())
+  {
+    return;
+  }
+  for (const auto & [code, file] : node->GetMembers())
+  {
+    if (!file.IsString())
+    {
+      node->Fail("is no file's name, nor an object of a file a tooth",
+                 R"(name the tracing, or masks of one tooth or jaw each: {"UR1": "mask.png"})");
+    }
+    if (ToothCode::JawFromString(code) == ToothCode::JawEnum::Unknown && !ToothCode::FromSidelessString(code).IsKnown())
+    {
+      try
+      {
+        ToothCode::FromString(code, dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant));
+      }
+      catch (const std::invalid_argument & error)
+      {
+        file.Fail(error.what(), "name a tooth, \"upper\" or \"lower\" before the file");
+      }
+    }
+    dentalCase.contourClassFiles.emplace_back(code, FindFile(*node, code, directory));
+  }
+  if (dentalCase.contourClassFiles.empty())
+  {
+    node->Fail("names no file", R"(name masks of one tooth or jaw each: {"UR1": "mask.png"})");
+  }
+}
+
 bool
 IsLeft(const JsonNode & node)
 {
@@ -222,6 +257,7 @@ ReadCephalogram(const JsonNode & node, const fs::path & directory, DentalCase & 
       plane->Fail("\"" + text + "\" is neither \"detector\" nor \"midsagittal\"", "write one of them");
     }
     dentalCase.spacingAtMidsagittalPlane = text == "midsagittal";
+    dentalCase.spacingPlaneIsGiven = true;
   }
   if (const auto facing = node.Find("facing"))
   {
@@ -430,6 +466,7 @@ ReadDentalCase(const std::string & fileName)
                                 "geometry",
                                 "contours",
                                 "cephalometric_landmarks",
+                                "markups_spacing_mm",
                                 "traced_side",
                                 "numbering",
                                 "landmarks_3d",
@@ -497,6 +534,21 @@ ReadDentalCase(const std::string & fileName)
   {
     dentalCase.numbering = Interpret(*numbering, ToothCode::NumberingFromString);
   }
+  ReadContourFiles(root, directory, dentalCase);
+  if (const auto spacing = root.Find("markups_spacing_mm"))
+  {
+    const std::vector<double> numbers = spacing->AsNumbers(2, "[u, v]");
+    for (const double number : numbers)
+    {
+      // 1 mm is what Slicer gives a picture without a spacing.
+      if (!(number > 0.001 && number < 5.0))
+      {
+        spacing->Fail(std::to_string(number) + " mm a pixel is not possible",
+                      "give the spacing that the radiograph had in Slicer (its Volumes module shows it)");
+      }
+    }
+    dentalCase.markupsSpacing = { { numbers[0], numbers[1] } };
+  }
   std::vector<std::string> landmarkWarnings;
   ReadCephalometricLandmarks(root, directory, dentalCase, landmarkWarnings);
   if (const auto cephalogram = root.Find("cephalogram"))
@@ -528,6 +580,11 @@ ReadDentalCase(const std::string & fileName)
         {
           code.Fail(error.what(), "");
         }
+      }
+      else if (const ToothCode sideless = ToothCode::FromSidelessString(code.AsString()); sideless.IsKnown())
+      {
+        dentalCase.excludedTeeth.push_back(sideless);
+        dentalCase.excludedTeeth.push_back(sideless.GetContralateral());
       }
       else
       {

@@ -159,7 +159,8 @@ Register(const RegisterOptions & options, const CommonOptions & common)
       registration->SetOption(assignment);
     }
   });
-  if (description.contoursFile.empty() && registration->GetPreset() != itk::CasePresetEnum::Robust)
+  if (description.contoursFile.empty() && description.contourClassFiles.empty() &&
+      registration->GetPreset() != itk::CasePresetEnum::Robust)
   {
     itkDentalInputErrorMacro(options.caseFile,
                              "contours",
