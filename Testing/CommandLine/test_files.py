@@ -32,16 +32,20 @@ def tiff_int32(rows):
     ]
     directory = struct.pack("<H", len(tags))
     for tag, kind, value in tags:
-        directory += struct.pack("<HHI", tag, kind, 1) + struct.pack("<HH" if kind == 3 else "<I", *((value, 0) if kind == 3 else (value,)))
+        directory += struct.pack("<HHI", tag, kind, 1)
+        directory += struct.pack("<HH", value, 0) if kind == 3 else struct.pack("<I", value)
     return b"II*\0" + struct.pack("<I", 8 + len(pixels)) + pixels + directory + struct.pack("<I", 0)
 
 
 def two_discs():
     """FDI 11 at (30, 40) and 81 at (70, 40), radius 12."""
-    return [
-        [11 if (u - 30) ** 2 + (v - 40) ** 2 <= 144 else 81 if (u - 70) ** 2 + (v - 40) ** 2 <= 144 else 0 for u in range(100)]
-        for v in range(80)
-    ]
+    rows = [[0] * 100 for _ in range(80)]
+    for v in range(80):
+        for u in range(100):
+            for label, centre in ((11, 30), (81, 70)):
+                if (u - centre) ** 2 + (v - 40) ** 2 <= 144:
+                    rows[v][u] = label
+    return rows
 
 
 def contours_of(run, tmp_path, name, content):

@@ -389,6 +389,20 @@ OcclusionFromString(const std::string & text)
 }
 
 void
+ExcludeTooth(DentalCase & dentalCase, const std::string & text)
+{
+  const ToothCode sideless = ToothCode::FromSidelessString(text);
+  if (sideless.IsKnown())
+  {
+    dentalCase.excludedTeeth.push_back(sideless);
+    dentalCase.excludedTeeth.push_back(sideless.GetContralateral());
+    return;
+  }
+  dentalCase.excludedTeeth.push_back(
+    ToothCode::FromString(text, dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant)));
+}
+
+void
 FixParameter(DentalCase & dentalCase, const std::string & text)
 {
   if (text == "scale")
@@ -565,31 +579,16 @@ ReadDentalCase(const std::string & fileName)
   }
   if (const auto exclude = root.Find("exclude"))
   {
-    const auto numbering = dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant);
     for (std::size_t i = 0; i < exclude->GetSize(); ++i)
     {
       const JsonNode code = exclude->At(i);
-      if (code.IsNumber())
+      try
       {
-        const std::string text = std::to_string(code.AsInteger(0, 99));
-        try
-        {
-          dentalCase.excludedTeeth.push_back(ToothCode::FromString(text, numbering));
-        }
-        catch (const std::invalid_argument & error)
-        {
-          code.Fail(error.what(), "");
-        }
+        ExcludeTooth(dentalCase, code.IsNumber() ? std::to_string(code.AsInteger(0, 99)) : code.AsString());
       }
-      else if (const ToothCode sideless = ToothCode::FromSidelessString(code.AsString()); sideless.IsKnown())
+      catch (const std::invalid_argument & error)
       {
-        dentalCase.excludedTeeth.push_back(sideless);
-        dentalCase.excludedTeeth.push_back(sideless.GetContralateral());
-      }
-      else
-      {
-        dentalCase.excludedTeeth.push_back(
-          Interpret(code, [numbering](const std::string & text) { return ToothCode::FromString(text, numbering); }));
+        code.Fail(error.what(), "");
       }
     }
   }

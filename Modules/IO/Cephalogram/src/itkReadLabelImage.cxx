@@ -163,6 +163,13 @@ ComputeLuminance(const Pixels & pixels, std::size_t i)
 Image<std::uint16_t, 2>::Pointer
 ReadLabelImage(const std::string & fileName)
 {
+  if (DetectRadiographFileFormat(fileName) == RadiographFileFormatEnum::JPEG)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             "",
+                             "is a JPEG picture, which does not keep the numbers of labels",
+                             "save the label map as PNG or TIFF");
+  }
   const Pixels pixels = ReadPixels(fileName);
   const auto   image = MakeImage<Image<std::uint16_t, 2>>(pixels.size);
   for (std::size_t i = 0; i < pixels.size[0] * pixels.size[1]; ++i)
