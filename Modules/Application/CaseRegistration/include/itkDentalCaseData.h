@@ -28,7 +28,9 @@
 #include "itkMesh.h"
 
 #include <cstdint>
+#include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace itk
@@ -93,6 +95,10 @@ struct DentalCaseData
   DentalLandmarkSet<3>::Pointer landmarks3D;
   /** Marked on the radiograph, to register with; null where none were given. */
   CephalometricLandmarkSet::Pointer cephalometricLandmarks;
+  /** Contours whose codes do not say their side: U1, L6. */
+  std::size_t sidelessContours{ 0 };
+  /** mm a pixel and origin (mm) of the grid in which markups lie; nothing where nobody knows. */
+  std::optional<std::array<double, 4>> markupsGrid;
   /** The files that all this was read from, the case file first. */
   std::vector<CaseInputFile> inputs;
   std::vector<std::string>   warnings;

@@ -18,6 +18,7 @@
 #include "itkCaseLandmarkErrorFilter.h"
 
 #include "itkCaseResultWriter.h"
+#include "itkDentalCaseLoader.h"
 #include "itkDentalLandmarkFileReader.h"
 
 #include <filesystem>
@@ -78,6 +79,7 @@ CaseLandmarkErrorFilter::GenerateData()
     {
       reader->SetNumbering(*description.numbering);
     }
+    PrepareReader(*result.data, *reader);
     reader->Update();
     // Nothing before this has opened the file.
     result.inputs.push_back(MakeCaseInputFile(

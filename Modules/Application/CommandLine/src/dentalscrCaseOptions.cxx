@@ -68,6 +68,7 @@ CaseOptions::AddTo(CLI::App * command)
       0 },
     { "--landmarks-3d", "landmarks_3d", "Landmarks of the scans", {}, 0 },
     { "--landmarks-2d", "landmarks_2d", "Landmarks marked on the radiograph, to measure errors by", {}, 0 },
+    { "--markups-spacing", "markups_spacing_mm", "Of tracings and landmarks in mm: mm a pixel, u v", {}, 2 },
     { "--traced-side", "traced_side", "right, left, mean, both or standard", {}, 0 },
     { "--numbering", "numbering", "Of the teeth: UR, FDI or universal", {}, 0 },
     { "--image", "cephalogram.image", "The radiograph (PNG, JPEG, TIFF, BMP, NRRD, MetaImage, DICOM)", {}, 0 },

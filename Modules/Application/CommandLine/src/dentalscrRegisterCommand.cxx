@@ -29,8 +29,6 @@
 #include "itkMultiThreaderBase.h"
 #include "itkTextFile.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -250,17 +248,7 @@ Register(const RegisterOptions & givenOptions, const CommonOptions & common)
         description.excludedTeeth.clear();
         continue;
       }
-      // UR3 is UR3 in any numbering: a result names its teeth so.
-      const bool isQuadrant = code.size() == 3 && std::isalpha(static_cast<unsigned char>(code[0])) != 0;
-      const auto tooth = itk::ToothCode::FromString(
-        code,
-        isQuadrant ? itk::ToothCode::NumberingEnum::Quadrant
-                   : description.numbering.value_or(itk::ToothCode::NumberingEnum::Quadrant));
-      auto & excluded = description.excludedTeeth;
-      if (std::find(excluded.begin(), excluded.end(), tooth) == excluded.end())
-      {
-        excluded.push_back(tooth);
-      }
+      itk::ExcludeTooth(description, code);
     }
   });
   Apply("--fix", [&]() {
@@ -286,7 +274,8 @@ Register(const RegisterOptions & givenOptions, const CommonOptions & common)
       registration->SetOption(assignment);
     }
   });
-  if (description.contoursFile.empty() && registration->GetPreset() != itk::CasePresetEnum::Robust)
+  if (description.contoursFile.empty() && description.contourClassFiles.empty() &&
+      registration->GetPreset() != itk::CasePresetEnum::Robust)
   {
     itkDentalInputErrorMacro(description.fileName,
                              "contours",

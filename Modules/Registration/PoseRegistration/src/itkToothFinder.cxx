@@ -332,6 +332,10 @@ ToothFinder::FindAlongArch(const ToothCode & tooth, FeatureEnum feature)
     return {};
   }
   const double width = PoseArch::ExpectedWidth(tooth.GetFDI());
+  if (!(width > 0.0))
+  {
+    return {};
+  }
   const double target =
     PoseArch::CurveShare * (PoseArch::ExpectedArc(tooth.GetFDI()) + ShareBehindMiddle(feature) * width);
   std::vector<std::size_t> points;
