@@ -330,6 +330,72 @@ def test_going_on_says_what_it_misses(run, case, plain, tmp_path):
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("4711_shell_occlusion_u.stl", "4711_shell_occlusion_l.stl"),
+        ("Smith UpperJawScan.stl", "Smith LowerJawScan.stl"),
+        ("case-upperjaw.stl", "case-lowerjaw.stl"),
+        ("MAXILLA.stl", "Unterkiefer.stl"),
+    ],
+)
+def test_new_makes_a_case_of_a_folder(run, sample, plain, tmp_path, names):
+    folder = tmp_path / "Müller, 17"
+    folder.mkdir()
+    case = json.loads((sample / "case.json").read_text())
+    for source, name in (
+        (case["upper"], names[0]),
+        (case["lower"], names[1]),
+        (case["contours"], "tracing.json"),
+        (case["landmarks_3d"], "a.json"),
+        (case["landmarks_2d"], "b.json"),
+        (case["cephalogram"]["image"], "picture.png"),
+    ):
+        (folder / name).write_bytes((sample / source).read_bytes())
+    (folder / "4711_shell_lockedocclusion_ul.ply").write_bytes(b"ply")
+    (folder / "bill.pdf").write_bytes(b"%PDF-1.4")
+    done = run("new", folder)
+    assert done.returncode == 0, done.stderr
+    made = json.loads((folder / "case.json").read_text())
+    notes = made.pop("_notes")
+    assert made == {
+        "upper": names[0],
+        "lower": names[1],
+        "cephalogram": {"image": "picture.png"},
+        "contours": "tracing.json",
+        "landmarks_3d": "a.json",
+        "landmarks_2d": "b.json",
+    }
+    for name in (*names, "tracing.json", "a.json", "b.json", "picture.png", "4711_shell_lockedocclusion_ul.ply", "bill.pdf"):
+        assert any(note.startswith(name + ": ") for note in notes), name
+    assert any("pixel_spacing_mm" in note for note in notes)
+    # It registers, with a warning about what nobody knows and none about the notes.
+    done = run("register", folder / "case.json", "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert "_notes" not in done.stderr
+    done = run("new", folder)
+    assert done.returncode == 2 and "--force" in done.stderr
+    assert run("new", folder, "--force", "--output", tmp_path / "other.json").returncode == 0
+    assert json.loads((tmp_path / "other.json").read_text())["upper"] == f"Müller, 17/{names[0]}"
+
+
+def test_new_guesses_no_jaw(run, sample, tmp_path):
+    """A public tool that looked for a u took lower jaws for upper ones."""
+    stl = (sample / "upper.stl").read_bytes()
+    for name in ("uno.stl", "lu.stl", "u.stl", "jaw_l.stl", "upper_lower.stl"):
+        (tmp_path / name).write_bytes(stl)
+    done = run("new", tmp_path)
+    assert done.returncode == 2 and "no scan whose jaw is known" in done.stderr
+    assert not (tmp_path / "case.json").exists()
+    for name in ("upper.stl", "upper2-maxilla.stl", "lower situ.stl"):
+        (tmp_path / name).write_bytes(stl)
+    assert run("new", tmp_path).returncode == 0
+    made = json.loads((tmp_path / "case.json").read_text())
+    assert "upper" not in made and made["lower"] == "lower situ.stl"
+    assert any(note.startswith("upper.stl: not used: one of 2") for note in made["_notes"])
+    assert any("still to be given" in note for note in made["_notes"])
+
+
 def test_axis_and_render_warn_as_register_does(run, case, tmp_path):
     landmarks = case.load("landmarks3d.json")
     case.save({**landmarks, "UR1_tip": [0.0, 0.0, 300.0]}, "landmarks3d.json")

@@ -18,11 +18,13 @@
 #include "itkDentalCaseFileReader.h"
 
 #include "itkCaseResultFileReader.h"
-
 #include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <sstream>

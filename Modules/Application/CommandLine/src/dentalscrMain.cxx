@@ -86,6 +86,7 @@ Main(int argc, const char * const * argv)
 
   RunFunction run;
   AddRegisterCommand(program, common, run);
+  AddNewCommand(program, common, run);
   AddAxisCommand(program, common, run);
   AddRenderCommand(program, common, run);
   AddContourCommand(program, common, run);

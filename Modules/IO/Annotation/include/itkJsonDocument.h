@@ -102,7 +102,8 @@ public:
   /** In the order of the file. */
   std::vector<std::pair<std::string, JsonNode>>
   GetMembers() const;
-  /** Adds a warning to the document for every member that is not named. */
+  /** Adds a warning to the document for every member that is not named, but for those whose names begin with "_": these
+   * are a person's own notes. */
   void
   WarnAboutUnknownFields(std::initializer_list<const char *> known) const;
   /** @} */

@@ -375,7 +375,9 @@ JsonNode::WarnAboutUnknownFields(std::initializer_list<const char *> known) cons
 {
   for (const auto & [key, member] : this->GetMembers())
   {
-    if (std::find(known.begin(), known.end(), key) == known.end())
+    // A name that begins so is a person's own: "_notes".
+    const bool isOwn = !key.empty() && key[0] == '_';
+    if (!isOwn && std::find(known.begin(), known.end(), key) == known.end())
     {
       member.Warn("unknown field, ignored");
     }

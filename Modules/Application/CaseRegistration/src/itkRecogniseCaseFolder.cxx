@@ -1,0 +1,478 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkRecogniseCaseFolder.h"
+
+#include "itkCephalogramFileReader.h"
+#include "itkCephalometricLandmarkFileReader.h"
+#include "itkDentalContourFileReader.h"
+#include "itkDentalInputError.h"
+#include "itkDentalLandmarkFileReader.h"
+#include "itkForeignFile.h"
+#include "itkJsonDocument.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace itk
+{
+namespace
+{
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+const std::set<std::string> ScanExtensions{ ".stl", ".ply", ".obj", ".off", ".vtk", ".vtp" };
+const std::set<std::string> PictureExtensions{ ".png",  ".jpg", ".jpeg", ".tif", ".tiff",  ".bmp",
+                                               ".nrrd", ".mha", ".mhd",  ".dcm", ".dicom", ".ima" };
+const std::set<std::string> DrawingExtensions{ ".json", ".csv", ".tsv", ".txt", ".xml" };
+
+const std::set<std::string> UpperWords{ "upper",   "upperjaw",  "upperjawscan", "upperarch",
+                                        "maxilla", "maxillary", "maxillar",     "oberkiefer" };
+const std::set<std::string> LowerWords{ "lower",    "lowerjaw",   "lowerjawscan", "lowerarch",
+                                        "mandible", "mandibular", "mandibula",    "unterkiefer" };
+const std::set<std::string> BothWords{ "lockedocclusion", "bite", "bitescan", "buccal" };
+/** A scan before the teeth were prepared: it has teeth that the other one has not. */
+const std::set<std::string> EarlierWords{ "situ", "preop", "prep", "preparation", "preprep" };
+const std::set<std::string> RadiographWords{ "ceph",          "cephalogram",    "cephalo",
+                                             "cephalometric", "cephalometry",   "lateral",
+                                             "radiograph",    "teleradiograph", "teleradiography",
+                                             "xray" };
+/** Pictures that are made of a radiograph. */
+const std::set<std::string> DerivedWords{ "overlay", "mask", "masks", "label", "labels", "seg", "segmentation", "drr" };
+
+std::string
+ToLower(std::string text)
+{
+  std::transform(
+    text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/** Words of a name: between what is neither letter nor digit, and where a small letter is followed by a capital one.
+ * The whole of what stands between two signs is a word as well: "UpperJaw" is upper, jaw and upperjaw. */
+Words
+SplitWords(const std::string & name)
+{
+  Words       words;
+  std::string part;
+  std::string whole;
+  const auto  add = [&words](std::string & word) {
+    if (!word.empty())
+    {
+      words.push_back(ToLower(word));
+    }
+    word.clear();
+  };
+  for (std::size_t i = 0; i <= name.size(); ++i)
+  {
+    const auto c = i < name.size() ? static_cast<unsigned char>(name[i]) : static_cast<unsigned char>('.');
+    if (std::isalnum(c) == 0)
+    {
+      const bool several = whole.size() > part.size();
+      add(part);
+      if (several)
+      {
+        add(whole);
+      }
+      whole.clear();
+      continue;
+    }
+    if (!part.empty() && std::islower(static_cast<unsigned char>(part.back())) != 0 && std::isupper(c) != 0)
+    {
+      add(part);
+    }
+    part += static_cast<char>(c);
+    whole += static_cast<char>(c);
+  }
+  return words;
+}
+
+bool
+HasAny(const Words & words, const std::set<std::string> & known)
+{
+  return std::any_of(words.begin(), words.end(), [&](const std::string & word) { return known.count(word) != 0; });
+}
+
+/** iTero names its jaws by a letter behind two words. */
+bool
+EndsLikeITero(const Words & words, const char * letter)
+{
+  const std::size_t n = words.size();
+  return n >= 3 && words[n - 3] == "shell" && words[n - 2] == "occlusion" && words[n - 1] == letter;
+}
+
+/** What a reader makes of a file; nothing where it refuses it. */
+template <typename TRead>
+bool
+Reads(const TRead & read)
+{
+  try
+  {
+    return read();
+  }
+  catch (const ExceptionObject &)
+  {
+    return false;
+  }
+}
+
+/** Candidates for one field. */
+struct Candidates
+{
+  std::vector<std::string> files;
+  std::vector<std::string> reasons;
+};
+
+std::string
+NameOf(const std::string & file)
+{
+  return fs::path(file).filename().string();
+}
+
+/** A JSON file of this toolkit that is none of the things to draw with. */
+std::string
+DescribeOwnJson(const std::string & file)
+{
+  std::string kind;
+  Reads([&]() {
+    const auto root = JsonDocument::ReadFile(file).GetRoot();
+    const bool isCase = root.IsObject() && (root.Find("upper") || root.Find("lower")) &&
+                        (root.Find("contours") || root.Find("cephalometric_landmarks") || root.Find("cephalogram"));
+    const auto contours = root.IsObject() ? root.Find("contours") : std::nullopt;
+    if (root.IsObject() && root.Find("schema"))
+    {
+      kind = "a result or a record of this toolkit";
+    }
+    else if (isCase && !(contours && contours->IsObject()))
+    {
+      kind = "a case file";
+    }
+    return true;
+  });
+  return kind;
+}
+
+class Recogniser
+{
+public:
+  explicit Recogniser(const std::string & folder)
+  {
+    std::error_code error;
+    if (!fs::is_directory(folder, error))
+    {
+      itkDentalInputErrorMacro(folder, "", "is no folder", "name the folder with the patient's files");
+    }
+    for (const auto & entry : fs::directory_iterator(folder))
+    {
+      if (entry.is_regular_file(error) && entry.path().filename().string()[0] != '.')
+      {
+        m_Files.push_back(entry.path().string());
+      }
+    }
+    std::sort(m_Files.begin(), m_Files.end());
+  }
+
+  RecognisedCase
+  Run()
+  {
+    Words drawings;
+    for (const std::string & file : m_Files)
+    {
+      const std::string extension = ToLower(fs::path(file).extension().string());
+      if (ScanExtensions.count(extension) != 0)
+      {
+        this->LookAtScan(file);
+      }
+      else if (PictureExtensions.count(extension) != 0)
+      {
+        this->LookAtPicture(file);
+      }
+      else if (DrawingExtensions.count(extension) != 0)
+      {
+        drawings.push_back(file);
+      }
+      else
+      {
+        this->Note(file, "not used: it is of no kind that is read");
+      }
+    }
+    this->Settle("upper");
+    this->Settle("lower");
+    this->SettlePicture();
+    for (const std::string & file : drawings)
+    {
+      this->LookAtDrawing(file);
+    }
+    for (const char * field : { "contours", "cephalometric_landmarks", "landmarks_3d", "landmarks_2d" })
+    {
+      this->Settle(field);
+    }
+    this->SayWhatIsMissing();
+    return m_Case;
+  }
+
+private:
+  void
+  Note(const std::string & file, const std::string & text)
+  {
+    m_Case.notes.push_back(NameOf(file) + ": " + text);
+  }
+
+  void
+  Add(const std::string & field, const std::string & file, const std::string & reason)
+  {
+    m_Candidates[field].files.push_back(file);
+    m_Candidates[field].reasons.push_back(reason);
+  }
+
+  void
+  LookAtScan(const std::string & file)
+  {
+    const Words words = SplitWords(fs::path(file).stem().string());
+    const bool  upper = HasAny(words, UpperWords) || EndsLikeITero(words, "u");
+    const bool  lower = HasAny(words, LowerWords) || EndsLikeITero(words, "l");
+    if (HasAny(words, BothWords))
+    {
+      this->Note(file, "not used: by its name it holds both jaws, or how they bite");
+    }
+    else if (upper == lower)
+    {
+      this->Note(file,
+                 upper ? "not used: its name has words of both jaws"
+                       : "not used: no word of its name tells the jaw; write it as \"upper\" or \"lower\" of the case");
+    }
+    else if (HasAny(words, EarlierWords))
+    {
+      m_Earlier[upper ? "upper" : "lower"].push_back(file);
+    }
+    else
+    {
+      this->Add(
+        upper ? "upper" : "lower", file, upper ? "upper, by a word of its name" : "lower, by a word of its name");
+    }
+  }
+
+  void
+  LookAtPicture(const std::string & file)
+  {
+    try
+    {
+      RefuseForeignFile(file, FilePurposeEnum::Radiograph);
+    }
+    catch (const DentalInputError & error)
+    {
+      this->Note(file, "not used: " + error.GetOneLine());
+      return;
+    }
+    const Words words = SplitWords(fs::path(file).stem().string());
+    if (HasAny(words, DerivedWords))
+    {
+      this->Note(file, "not used: by its name it was made of a radiograph and is none");
+      return;
+    }
+    (HasAny(words, RadiographWords) ? m_Radiographs : m_OtherPictures).push_back(file);
+  }
+
+  void
+  SettlePicture()
+  {
+    const bool                       named = !m_Radiographs.empty();
+    const std::vector<std::string> & files = named ? m_Radiographs : m_OtherPictures;
+    for (const std::string & file : files)
+    {
+      this->Add("cephalogram.image",
+                file,
+                named ? "the radiograph, by a word of its name" : "the radiograph, as there is no other picture");
+    }
+    if (named)
+    {
+      for (const std::string & file : m_OtherPictures)
+      {
+        this->Note(file, "not used: another picture is named as the radiograph");
+      }
+    }
+    this->Settle("cephalogram.image");
+    const std::string image = m_Case.Find("cephalogram.image");
+    if (image.empty())
+    {
+      return;
+    }
+    auto reader = CephalogramFileReader::New();
+    reader->SetFileName(image);
+    try
+    {
+      reader->UpdateOutputInformation();
+      m_ImageSize = reader->GetOutput()->GetLargestPossibleRegion().GetSize();
+      m_HasSpacing = reader->HasPixelSpacing();
+    }
+    catch (const ExceptionObject & error)
+    {
+      this->Note(image, std::string("cannot be read: ") + error.GetDescription());
+    }
+  }
+
+  void
+  LookAtDrawing(const std::string & file)
+  {
+    const std::string own = DescribeOwnJson(file);
+    if (!own.empty())
+    {
+      this->Note(file, "not used: it is " + own);
+      return;
+    }
+    bool sided = false;
+    if (Reads([&]() {
+          auto reader = DentalContourFileReader::New();
+          reader->SetFileName(file);
+          reader->SetImageSize(m_ImageSize);
+          reader->SetImageFileName(m_Case.Find("cephalogram.image"));
+          // Whatever a millimetre is: this is about what the file holds.
+          AnnotationFileReaderBase::VectorType spacing;
+          spacing.Fill(1.0);
+          reader->SetMarkupsSpacing(spacing);
+          reader->Update();
+          return reader->GetUpperOutput()->GetNumberOfPoints() + reader->GetLowerOutput()->GetNumberOfPoints() > 0;
+        }))
+    {
+      this->Add("contours", file, "a tracing: it holds curves with tooth codes");
+    }
+    else if (Reads([&]() {
+               auto reader = DentalLandmarkFileReader<3>::New();
+               reader->SetFileName(file);
+               reader->Update();
+               return reader->GetOutput()->GetNumberOfLandmarks() > 0;
+             }))
+    {
+      this->Add("landmarks_3d", file, "landmarks of the scans: points with three coordinates");
+    }
+    else if (Reads([&]() {
+               auto reader = CephalometricLandmarkFileReader::New();
+               reader->SetFileName(file);
+               reader->Update();
+               const auto & landmarks = reader->GetOutput()->GetLandmarks();
+               sided = std::all_of(landmarks.begin(), landmarks.end(), [](const auto & landmark) {
+                 return landmark.meaning.tooth.IsKnown();
+               });
+               return !landmarks.empty();
+             }))
+    {
+      if (sided)
+      {
+        this->Add(
+          "landmarks_2d",
+          file,
+          "landmarks of the radiograph whose names tell their sides: they measure errors and are not registered "
+          "with; to register with them call the field cephalometric_landmarks");
+      }
+      else
+      {
+        this->Add("cephalometric_landmarks", file, "landmarks of a cephalometric analysis, to register with");
+      }
+    }
+    else
+    {
+      this->Note(file, "not used: neither a tracing nor landmarks can be read from it");
+    }
+  }
+
+  /** One candidate is taken, of several none. */
+  void
+  Settle(const std::string & field)
+  {
+    Candidates & candidates = m_Candidates[field];
+    if (candidates.files.empty() && m_Earlier[field].size() == 1)
+    {
+      this->Add(
+        field, m_Earlier[field].front(), field + ", by a word of its name, before preparation, as there is no other");
+      m_Earlier[field].clear();
+    }
+    for (const std::string & file : m_Earlier[field])
+    {
+      this->Note(file, "not used: by its name it was scanned before the teeth were prepared");
+    }
+    m_Earlier[field].clear();
+    if (candidates.files.size() == 1)
+    {
+      m_Case.files.emplace_back(field, candidates.files.front());
+      this->Note(candidates.files.front(), candidates.reasons.front());
+      return;
+    }
+    for (const std::string & file : candidates.files)
+    {
+      this->Note(file,
+                 "not used: one of " + std::to_string(candidates.files.size()) + " that could be \"" + field +
+                   "\"; write the right one into the case");
+    }
+  }
+
+  void
+  SayWhatIsMissing()
+  {
+    const auto has = [this](const char * field) { return !m_Case.Find(field).empty(); };
+    if (!has("upper") && !has("lower"))
+    {
+      m_Case.notes.emplace_back("still to be given: \"upper\" or \"lower\", the scans");
+    }
+    if (!has("contours") && !has("cephalometric_landmarks"))
+    {
+      m_Case.notes.emplace_back(
+        "still to be given: \"contours\" or \"cephalometric_landmarks\", what was drawn on the radiograph");
+    }
+    if (!m_HasSpacing)
+    {
+      m_Case.notes.emplace_back("worth giving: \"pixel_spacing_mm\" of \"cephalogram\", which no file tells; without "
+                                "it the scale is estimated");
+    }
+    m_Case.notes.emplace_back(
+      "taken for granted: the patient faces right and the right side was traced; else give \"facing\" "
+      "and \"traced_side\"");
+  }
+
+  std::vector<std::string>                        m_Files;
+  std::vector<std::string>                        m_Radiographs;
+  std::vector<std::string>                        m_OtherPictures;
+  std::map<std::string, Candidates>               m_Candidates;
+  std::map<std::string, std::vector<std::string>> m_Earlier;
+  Size<2>                                         m_ImageSize{ { 0, 0 } };
+  bool                                            m_HasSpacing{ false };
+  RecognisedCase                                  m_Case;
+};
+} // namespace
+
+std::string
+RecognisedCase::Find(const std::string & field) const
+{
+  for (const auto & file : files)
+  {
+    if (file.first == field)
+    {
+      return file.second;
+    }
+  }
+  return "";
+}
+
+RecognisedCase
+RecogniseCaseFolder(const std::string & folder)
+{
+  return Recogniser(folder).Run();
+}
+} // namespace itk
