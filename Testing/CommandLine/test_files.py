@@ -260,14 +260,22 @@ def test_a_ruler_in_the_tracing_is_the_spacing_where_none_is_given(run, case, tm
         f'<polyline label="{ruler[0]}" points="20.5,20.5;20.5,{20.5 + length!r}"/></image></annotations>',
     )
     (case.folder / "cvat.xml").write_text(text)
-    cephalogram = {key: value for key, value in content["cephalogram"].items() if key != "pixel_spacing_mm"}
-    case.change(contours="cvat.xml", cephalogram=cephalogram)
-    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
-    assert done.returncode in (0, 1), done.stderr
-    said = json.loads((tmp_path / "out" / "result.json").read_text())["geometry"]["pixel_spacing_mm"]
-    assert said["value"] == pytest.approx([spacing, spacing], rel=1e-6)
-    assert said["verdict"] == "Calibrated"
-    assert "Calibration_30mm" in json.dumps(said)
+    unknown = {"pixel_spacing_mm", "spacing_plane"}
+    cephalogram = {key: value for key, value in content["cephalogram"].items() if key not in unknown}
+    for plane, expected in ((None, spacing), ("detector", spacing / magnification)):
+        case.change(contours="cvat.xml", cephalogram=dict(cephalogram, **({"spacing_plane": plane} if plane else {})))
+        output = tmp_path / f"out-{plane}"
+        done = run("register", case.file, "--output", output, "--no-report")
+        assert done.returncode in (0, 1), done.stderr
+        said = json.loads((output / "result.json").read_text())["geometry"]["pixel_spacing_mm"]
+        assert said["value"] == pytest.approx([expected, expected], rel=1e-6)
+        assert said["verdict"] == "Calibrated"
+        assert "Calibration_30mm" in json.dumps(said)
+    # One that the case gives goes before, and a ruler that is far off it is said.
+    far = dict(content["cephalogram"], pixel_spacing_mm=[2.0 * spacing, 2.0 * spacing])
+    case.change(cephalogram=far)
+    done = run("register", case.file, "--output", tmp_path / "far", "--no-report")
+    assert "Calibration_30mm" in done.stderr, done.stderr
 
 
 def filled(size, points):

@@ -111,6 +111,7 @@ ReadContourFiles(const JsonNode & root, const fs::path & directory, DentalCase &
   const auto node = root.Find("contours");
   if (!node || !node->IsObject())
   {
+    dentalCase.contoursFile = FindFile(root, "contours", directory);
     return;
   }
   for (const auto & [code, file] : node->GetMembers())
@@ -594,7 +595,6 @@ InterpretDentalCase(const JsonDocument & document, const std::string & fileName,
                              "missing, and so are cephalometric_landmarks",
                              "name the file with the tracing or the one with the landmarks");
   }
-  dentalCase.contoursFile = FindFile(root, "contours", directory);
   dentalCase.landmarks3DFile = FindFile(root, "landmarks_3d", directory);
   dentalCase.landmarks2DFile = FindFile(root, "landmarks_2d", directory);
 

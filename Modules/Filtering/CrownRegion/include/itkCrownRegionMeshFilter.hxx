@@ -114,7 +114,9 @@ CrownRegionMeshFilter<TMesh>::CollectLabels() const -> MaskType
                                  << " number. Call SetLabelNumbering(), or UseLabelsOff() where the point data are no "
                                     "tooth labels.");
     }
-    ++((ToothCode(fdi).GetJaw() == JawEnum::Upper) == (m_Jaw == JawEnum::Upper) ? ofThisJaw : ofOtherJaw);
+    ++((ToothCode(static_cast<unsigned int>(fdi)).GetJaw() == ToothCode::JawEnum::Upper) == (m_Jaw == JawEnum::Upper)
+         ? ofThisJaw
+         : ofOtherJaw);
     labels.push_back(static_cast<std::uint8_t>(fdi));
   }
   if (!any)

@@ -95,11 +95,11 @@ AppendPolyline(const std::string &                           field,
   records.polylines.push_back(std::move(polyline));
 }
 
-/** Outlines of one thing without the specks beside it. */
+/** Outlines of one thing without the specks beside it; adds its label to those that have some. */
 void
-AppendOutlines(const std::string &                  fileName,
-               const std::string &                  label,
+AppendOutlines(const std::string &                  label,
                const DentalContour::PolylinesType & outlines,
+               std::vector<std::string> &           speckled,
                AnnotationRecords &                  records)
 {
   double largest = 0.0;
@@ -119,8 +119,16 @@ AppendOutlines(const std::string &                  fileName,
   }
   if (specks > 0)
   {
-    records.warnings.push_back(fileName + ": label " + label + ": " + std::to_string(specks) +
-                               " specks beside it are left out");
+    speckled.push_back(label);
+  }
+}
+
+void
+WarnOfSpecks(const std::string & fileName, const std::vector<std::string> & speckled, AnnotationRecords & records)
+{
+  if (!speckled.empty())
+  {
+    records.warnings.push_back(fileName + ": labels: specks are left out beside " + ListNames(speckled));
   }
 }
 
@@ -156,10 +164,11 @@ TakeTeethAlone(const std::string & fileName, LabelImageType * image, AnnotationR
   }
   if (teeth == 0 || doubtful)
   {
+    // Two tones are a mask or drawn lines, of which nothing says what they show.
     const std::string line =
-      values.size() <= 2 ? "of drawn lines or of a mask name one a tooth or jaw: \"contours\": {\"UR1\": \"mask.png\"}"
-                         : "map the labels to FDI numbers, or name one mask a tooth: \"contours\": {\"UR1\": "
-                           "\"mask.png\"}";
+      values.size() <= 2
+        ? R"(save masks or drawn lines as one file a tooth or jaw: "contours": {"upper": "upper.png", "UR1": "ur1.png"})"
+        : R"(map the labels to FDI numbers, or save one mask a tooth: "contours": {"UR1": "ur1.png"})";
     itkDentalInputErrorMacro(fileName, "", "has labels that are no FDI tooth numbers: " + ListNames(others), line);
   }
   if (!foreign.empty())
@@ -185,11 +194,13 @@ ReadLabelImageRecords(const std::string & fileName)
   {
     outlines[outline.code].push_back(outline);
   }
+  std::vector<std::string> speckled;
   for (const auto & [code, parts] : outlines)
   {
     // A label is an FDI number, whatever the numbering of codes.
-    AppendOutlines(fileName, "FDI " + std::to_string(code.GetFDI()), parts, records);
+    AppendOutlines("FDI " + std::to_string(code.GetFDI()), parts, speckled, records);
   }
+  WarnOfSpecks(fileName, speckled, records);
   return records;
 }
 
@@ -222,11 +233,13 @@ ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & f
     }
     else
     {
-      const std::size_t first = records.polylines.size();
-      AppendOutlines(fileName,
-                     label,
+      const std::size_t        first = records.polylines.size();
+      std::vector<std::string> speckled;
+      AppendOutlines(label,
                      TraceOutlines<MaskImageType>(image, SilhouetteContourFilterEnums::Content::MergedLabels),
+                     speckled,
                      records);
+      WarnOfSpecks(fileName, speckled, records);
       for (std::size_t i = first; i < records.polylines.size(); ++i)
       {
         records.polylines[i].codeField = "contours." + label;
