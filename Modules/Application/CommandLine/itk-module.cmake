@@ -1,5 +1,6 @@
 itk_module(CommandLine
   DEPENDS
+    Batch
     CaseRegistration
     DentalPhantom
     Experiment

@@ -25,6 +25,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,12 @@ public:
   std::string
   GetValue(const std::string & option) const;
 
+  /** Of all options, without dashes; and of these the ones whose value is the name of a file. */
+  static std::set<std::string>
+  GetNames();
+  static std::set<std::string>
+  GetFileNames();
+
   /** The case that they make; the names of files are from the current directory. Throws DentalInputError. */
   itk::DentalCase
   Read() const;
@@ -63,8 +70,13 @@ private:
     std::vector<std::string> values;
     /** 0 for words, else how many numbers. */
     std::size_t numbers{ 0 };
+    /** Whether the word is the name of a file. */
+    bool isFile{ false };
   };
-  std::vector<FieldType> m_Fields;
+  static std::vector<FieldType>
+  MakeFields();
+
+  std::vector<FieldType> m_Fields{ MakeFields() };
 };
 } // namespace dentalscr
 

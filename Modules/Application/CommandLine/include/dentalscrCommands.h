@@ -44,6 +44,8 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
 CommandLine_EXPORT void
 AddNewCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 CommandLine_EXPORT void
+AddBatchCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
+CommandLine_EXPORT void
 AddAxisCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 CommandLine_EXPORT void
 AddRenderCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);

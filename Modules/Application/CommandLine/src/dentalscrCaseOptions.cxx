@@ -49,41 +49,78 @@ ToNumber(const std::string & text, const char * option)
 }
 } // namespace
 
-void
-CaseOptions::AddTo(CLI::App * command)
+std::vector<CaseOptions::FieldType>
+CaseOptions::MakeFields()
 {
-  m_Fields = {
-    { "--upper", "upper", "Upper scan (STL, PLY, OBJ, OFF, VTK, VTP)", {}, 0 },
-    { "--lower", "lower", "Lower scan", {}, 0 },
-    { "--upper-labels", "upper_labels", "Tooth labels of the upper scan", {}, 0 },
-    { "--lower-labels", "lower_labels", "Tooth labels of the lower scan", {}, 0 },
-    { "--crowns", "crowns", "How crowns are found: off, labels or shape", {}, 0 },
-    { "--mesh-unit", "mesh_unit", "Unit of the scans: mm, cm, inch, m or um", {}, 0 },
-    { "--occlusion", "occlusion", "Jaws in one frame: true, false or check", {}, 0 },
-    { "--contours", "contours", "The tracing", {}, 0 },
+  return {
+    { "--upper", "upper", "Upper scan (STL, PLY, OBJ, OFF, VTK, VTP)", {}, 0, true },
+    { "--lower", "lower", "Lower scan", {}, 0, true },
+    { "--upper-labels", "upper_labels", "Tooth labels of the upper scan", {}, 0, true },
+    { "--lower-labels", "lower_labels", "Tooth labels of the lower scan", {}, 0, true },
+    { "--crowns", "crowns", "How crowns are found: off, labels or shape", {}, 0, false },
+    { "--mesh-unit", "mesh_unit", "Unit of the scans: mm, cm, inch, m or um", {}, 0, false },
+    { "--occlusion", "occlusion", "Jaws in one frame: true, false or check", {}, 0, false },
+    { "--contours", "contours", "The tracing", {}, 0, true },
     { "--cephalometric-landmarks",
       "cephalometric_landmarks",
       "Landmarks to register with; beside a case file in place of the case's",
       {},
-      0 },
-    { "--landmarks-3d", "landmarks_3d", "Landmarks of the scans", {}, 0 },
-    { "--landmarks-2d", "landmarks_2d", "Landmarks marked on the radiograph, to measure errors by", {}, 0 },
-    { "--markups-spacing", "markups_spacing_mm", "Of tracings and landmarks in mm: mm a pixel, u v", {}, 2 },
-    { "--traced-side", "traced_side", "right, left, mean, both or standard", {}, 0 },
-    { "--numbering", "numbering", "Of the teeth: UR, FDI or universal", {}, 0 },
-    { "--image", "cephalogram.image", "The radiograph (PNG, JPEG, TIFF, BMP, NRRD, MetaImage, DICOM)", {}, 0 },
-    { "--image-size", "cephalogram.image_size", "Its width and height where there is no image, pixels", {}, 2 },
-    { "--spacing", "cephalogram.pixel_spacing_mm", "Pixel spacing, mm: u v", {}, 2 },
-    { "--spacing-plane", "cephalogram.spacing_plane", "Where it holds: detector or midsagittal", {}, 0 },
-    { "--facing", "cephalogram.facing", "Where the face looks in the image: right or left", {}, 0 },
-    { "--source-side", "geometry.source_side", "The patient's side at which the source is: right or left", {}, 0 },
-    { "--distances", "", "Source to midsagittal plane and to detector, mm (default 1524 1674)", {}, 2 },
+      0,
+      true },
+    { "--landmarks-3d", "landmarks_3d", "Landmarks of the scans", {}, 0, true },
+    { "--landmarks-2d", "landmarks_2d", "Landmarks marked on the radiograph, to measure errors by", {}, 0, true },
+    { "--markups-spacing", "markups_spacing_mm", "Of tracings and landmarks in mm: mm a pixel, u v", {}, 2, false },
+    { "--traced-side", "traced_side", "right, left, mean, both or standard", {}, 0, false },
+    { "--numbering", "numbering", "Of the teeth: UR, FDI or universal", {}, 0, false },
+    { "--image", "cephalogram.image", "The radiograph (PNG, JPEG, TIFF, BMP, NRRD, MetaImage, DICOM)", {}, 0, true },
+    { "--image-size", "cephalogram.image_size", "Its width and height where there is no image, pixels", {}, 2, false },
+    { "--spacing", "cephalogram.pixel_spacing_mm", "Pixel spacing, mm: u v", {}, 2, false },
+    { "--spacing-plane", "cephalogram.spacing_plane", "Where it holds: detector or midsagittal", {}, 0, false },
+    { "--facing", "cephalogram.facing", "Where the face looks in the image: right or left", {}, 0, false },
+    { "--source-side",
+      "geometry.source_side",
+      "The patient's side at which the source is: right or left",
+      {},
+      0,
+      false },
+    { "--distances", "", "Source to midsagittal plane and to detector, mm (default 1524 1674)", {}, 2, false },
     { "--principal-point",
       "geometry.principal_point_px",
       "Where the central ray meets the detector, pixels: u v",
       {},
-      2 }
+      2,
+      false }
   };
+}
+
+std::set<std::string>
+CaseOptions::GetNames()
+{
+  std::set<std::string> names;
+  for (const FieldType & field : MakeFields())
+  {
+    names.insert(std::string(field.option).substr(2));
+  }
+  return names;
+}
+
+std::set<std::string>
+CaseOptions::GetFileNames()
+{
+  std::set<std::string> names;
+  for (const FieldType & field : MakeFields())
+  {
+    if (field.isFile)
+    {
+      names.insert(std::string(field.option).substr(2));
+    }
+  }
+  return names;
+}
+
+void
+CaseOptions::AddTo(CLI::App * command)
+{
   for (FieldType & field : m_Fields)
   {
     auto * option = command->add_option(field.option, field.values, field.help)->group("Case without a case file");

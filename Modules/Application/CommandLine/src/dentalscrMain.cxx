@@ -87,6 +87,7 @@ Main(int argc, const char * const * argv)
   RunFunction run;
   AddRegisterCommand(program, common, run);
   AddNewCommand(program, common, run);
+  AddBatchCommand(program, common, run);
   AddAxisCommand(program, common, run);
   AddRenderCommand(program, common, run);
   AddContourCommand(program, common, run);

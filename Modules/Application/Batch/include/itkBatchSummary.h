@@ -1,0 +1,67 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkBatchSummary_h
+#define itkBatchSummary_h
+
+#include "BatchExport.h"
+#include "itkBatchRecord.h"
+
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \class BatchSummary
+ * \brief Many cases on a page and in tables: summary.csv, summary.json and index.html of a batch.
+ *
+ * One row a case and jaw: case, jaw, status, codes of the findings, distance of the tracing from what it lies on,
+ * expected error (both pixels), seconds, and what a table of cases had besides. A case without a result has one row,
+ * without a jaw, and says why. Text that a spreadsheet would run (it begins with = + - @ or a tab) has an apostrophe
+ * before it in the CSV.
+ *
+ * \ingroup Batch
+ */
+class Batch_EXPORT BatchSummary
+{
+public:
+  explicit BatchSummary(std::vector<BatchRecord> records)
+    : m_Records(std::move(records))
+  {}
+
+  std::string
+  ToCSV() const;
+  std::string
+  ToJson() const;
+  /** One self-contained page but for the pictures, which it shows from the cases' folders. */
+  std::string
+  ToPage() const;
+
+  /** All three, each whole or not at all. Throws DentalInputError. */
+  void
+  Write(const std::string & folder, bool page) const;
+
+  /** What a spreadsheet takes for text and nothing else. */
+  static std::string
+  Defuse(const std::string & text);
+
+private:
+  std::vector<BatchRecord> m_Records;
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,383 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkBatchCaseList.h"
+
+#include "itkDentalInputError.h"
+#include "itkJsonDocument.h"
+#include "itkTextFile.h"
+
+#include <csv.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+namespace itk
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/** Whether a JSON file says what a case file says; a damaged one may be one, and says so when it is registered. */
+bool
+IsCaseFile(const fs::path & path)
+{
+  try
+  {
+    const auto root = JsonDocument::ReadFile(path.string()).GetRoot();
+    return root.IsObject() && !root.Find("schema") && (root.Find("upper") || root.Find("lower")) &&
+           (root.Find("contours") || root.Find("cephalometric_landmarks"));
+  }
+  catch (const ExceptionObject &)
+  {
+    return false;
+  }
+}
+
+/** A name that can be a folder's: of the way to a file, without what cannot stand in one name. */
+std::string
+MakeId(const fs::path & way)
+{
+  std::string id;
+  for (const auto & part : way)
+  {
+    if (part != "." && part != ".." && part != "/")
+    {
+      id += (id.empty() ? "" : "_") + part.string();
+    }
+  }
+  return id;
+}
+
+/** After the folder of a case.json, after any other file's own name. */
+BatchCase
+MakeCase(const fs::path & file, const fs::path & from)
+{
+  const fs::path relative = from.empty() ? file : file.lexically_relative(from);
+  BatchCase      made;
+  const bool     isPlain = file.filename() == "case.json";
+  fs::path       way = isPlain ? relative.parent_path() : relative.parent_path() / relative.stem();
+  if (from.empty())
+  {
+    way = isPlain ? fs::absolute(file).lexically_normal().parent_path().filename() : file.stem();
+  }
+  else if (way.empty())
+  {
+    way = fs::absolute(from).lexically_normal().filename();
+  }
+  made.id = MakeId(way);
+  made.arguments = { file.string() };
+  return made;
+}
+
+/** A table as libcsv reads it. */
+class Table
+{
+public:
+  Table(const std::string & text, const std::string & fileName)
+  {
+    csv_parser parser;
+    if (csv_init(&parser, CSV_APPEND_NULL) != 0)
+    {
+      itkDentalInputErrorMacro(fileName, "", "cannot be read: not enough memory", "close other programs");
+    }
+    // What is no comma in half of Europe.
+    const std::size_t end = text.find('\n');
+    const std::string header = text.substr(0, end);
+    if (header.find(',') == std::string::npos && header.find(';') != std::string::npos)
+    {
+      csv_set_delim(&parser, ';');
+    }
+    const std::size_t first = text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
+    const std::size_t count = text.size() - first;
+    const std::size_t parsed = csv_parse(&parser, text.data() + first, count, &Table::OnCell, &Table::OnRow, this);
+    csv_fini(&parser, &Table::OnCell, &Table::OnRow, this);
+    const int problem = csv_error(&parser);
+    csv_free(&parser);
+    if (parsed != count)
+    {
+      itkDentalInputErrorMacro(fileName, "", std::string("is no table: ") + csv_strerror(problem), "save it as CSV");
+    }
+  }
+
+  std::vector<std::vector<std::string>> rows;
+
+private:
+  static void
+  OnCell(void * cell, std::size_t size, void * self)
+  {
+    static_cast<Table *>(self)->m_Row.emplace_back(cell == nullptr ? "" : static_cast<const char *>(cell), size);
+  }
+  static void
+  OnRow(int, void * self)
+  {
+    auto * const table = static_cast<Table *>(self);
+    table->rows.push_back(table->m_Row);
+    table->m_Row.clear();
+  }
+
+  std::vector<std::string> m_Row;
+};
+
+std::vector<std::string>
+SplitAtBlanks(const std::string & text)
+{
+  std::vector<std::string> words;
+  std::string              word;
+  for (const char c : text + ' ')
+  {
+    if (c != ' ')
+    {
+      word += c;
+    }
+    else if (!word.empty())
+    {
+      words.push_back(word);
+      word.clear();
+    }
+  }
+  return words;
+}
+} // namespace
+
+void
+BatchCaseList::SetOptionNames(const std::set<std::string> & options, const std::set<std::string> & files)
+{
+  m_Options = options;
+  m_Files = files;
+}
+
+void
+BatchCaseList::AddFolder(const std::string & folder, std::vector<BatchCase> & cases) const
+{
+  std::vector<fs::path> found;
+  std::error_code       error;
+  for (fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
+       it != end;
+       it.increment(error))
+  {
+    if (error)
+    {
+      break;
+    }
+    if (it->is_directory(error) && it->path().filename().string()[0] == '.')
+    {
+      it.disable_recursion_pending();
+    }
+    else if (it->path().filename() == "case.json" && it->is_regular_file(error))
+    {
+      found.push_back(it->path());
+    }
+  }
+  if (found.empty())
+  {
+    for (const auto & entry : fs::directory_iterator(folder, error))
+    {
+      if (entry.path().extension() == ".json" && entry.is_regular_file(error) && IsCaseFile(entry.path()))
+      {
+        found.push_back(entry.path());
+      }
+    }
+  }
+  if (found.empty())
+  {
+    itkDentalInputErrorMacro(folder,
+                             "",
+                             "holds no case: neither a case.json below it nor case files in it",
+                             "make case files, as with dentalscr new, or name a table of cases");
+  }
+  std::sort(found.begin(), found.end());
+  for (const fs::path & file : found)
+  {
+    cases.push_back(MakeCase(file, folder));
+  }
+}
+
+void
+BatchCaseList::AddTable(const std::string & fileName, std::vector<BatchCase> & cases)
+{
+  const Table table(ReadTextFile(fileName, "a table of cases"), fileName);
+  if (table.rows.size() < 2)
+  {
+    itkDentalInputErrorMacro(fileName, "", "has no row of a case", "give a header and a row a case");
+  }
+  const std::vector<std::string> & header = table.rows.front();
+  const fs::path                   folder = fs::path(fileName).parent_path();
+  const bool                       hasFile = std::find(header.begin(), header.end(), "case") != header.end();
+  bool                             hasField = false;
+  for (const std::string & column : header)
+  {
+    const bool isField = m_Options.count(column) != 0;
+    hasField = hasField || isField;
+    if (column != "case" && column != "id" && (!isField || hasFile))
+    {
+      m_Warnings.push_back(
+        fileName + ": column \"" + column + "\" is " +
+        (isField ? "not used beside \"case\", and handed through" : "not known, and handed through"));
+    }
+  }
+  if (!hasFile && !hasField)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             "",
+                             "has neither a column \"case\" nor columns of options (upper, lower, contours, ...)",
+                             "name the columns in the first row");
+  }
+  for (std::size_t i = 1; i < table.rows.size(); ++i)
+  {
+    const std::vector<std::string> & row = table.rows[i];
+    const std::string                place = "row " + std::to_string(i + 1);
+    if (row.size() > header.size())
+    {
+      itkDentalInputErrorMacro(fileName,
+                               place,
+                               "has " + std::to_string(row.size()) + " cells under " + std::to_string(header.size()) +
+                                 " names",
+                               "give as many");
+    }
+    BatchCase   made;
+    std::string file;
+    for (std::size_t k = 0; k < row.size(); ++k)
+    {
+      const std::string & column = header[k];
+      const std::string & cell = row[k];
+      if (column == "id")
+      {
+        made.id = cell;
+      }
+      else if (column == "case")
+      {
+        file = cell;
+      }
+      else if (!hasFile && m_Options.count(column) != 0)
+      {
+        if (!cell.empty())
+        {
+          made.arguments.push_back("--" + column);
+          if (m_Files.count(column) != 0)
+          {
+            made.arguments.push_back((fs::absolute(folder) / cell).lexically_normal().string());
+          }
+          else
+          {
+            const auto words = SplitAtBlanks(cell);
+            made.arguments.insert(made.arguments.end(), words.begin(), words.end());
+          }
+        }
+      }
+      else
+      {
+        made.columns.emplace_back(column, cell);
+      }
+    }
+    if (hasFile)
+    {
+      if (file.empty())
+      {
+        itkDentalInputErrorMacro(fileName, place, "has no case", "name a case file, or take the row out");
+      }
+      const BatchCase named = MakeCase((folder / file).lexically_normal(), "");
+      made.arguments = named.arguments;
+      made.id = made.id.empty() ? named.id : made.id;
+    }
+    if (made.id.empty())
+    {
+      made.id = "row" + std::to_string(i + 1);
+    }
+    if (made.id.find('/') != std::string::npos || made.id[0] == '.')
+    {
+      itkDentalInputErrorMacro(
+        fileName, place, "the id \"" + made.id + "\" can't be a folder's name", "choose another");
+    }
+    cases.push_back(made);
+  }
+}
+
+void
+BatchCaseList::AddPattern(const std::string & pattern, std::vector<BatchCase> & cases) const
+{
+  glob_t                found{};
+  std::vector<fs::path> paths;
+  if (glob(pattern.c_str(), GLOB_TILDE, nullptr, &found) == 0)
+  {
+    paths.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  }
+  globfree(&found);
+  std::size_t count = 0;
+  for (const fs::path & path : paths)
+  {
+    std::error_code error;
+    const fs::path  file = fs::is_directory(path, error) ? path / "case.json" : path;
+    if (fs::is_regular_file(file, error))
+    {
+      cases.push_back(MakeCase(file, ""));
+      ++count;
+    }
+  }
+  if (count == 0)
+  {
+    itkDentalInputErrorMacro(pattern,
+                             "",
+                             "is no file and no folder, and as a pattern matches no case",
+                             "name a folder, a table of cases, or a pattern in quotes");
+  }
+}
+
+std::vector<BatchCase>
+BatchCaseList::Find(const std::vector<std::string> & inputs)
+{
+  m_Warnings.clear();
+  std::vector<BatchCase> cases;
+  for (const std::string & input : inputs)
+  {
+    std::error_code   error;
+    const std::string extension = fs::path(input).extension().string();
+    if (fs::is_directory(input, error))
+    {
+      this->AddFolder(input, cases);
+    }
+    else if (fs::is_regular_file(input, error) && (extension == ".csv" || extension == ".CSV"))
+    {
+      this->AddTable(input, cases);
+    }
+    else if (fs::is_regular_file(input, error))
+    {
+      cases.push_back(MakeCase(input, ""));
+    }
+    else
+    {
+      this->AddPattern(input, cases);
+    }
+  }
+  std::map<std::string, const BatchCase *> names;
+  for (const BatchCase & one : cases)
+  {
+    const auto added = names.emplace(one.id, &one);
+    if (!added.second)
+    {
+      itkDentalInputErrorMacro("batch",
+                               one.id,
+                               "is the name of two cases, " + added.first->second->arguments.back() + " and " +
+                                 one.arguments.back(),
+                               "name them by a column \"id\" of a table of cases");
+    }
+  }
+  return cases;
+}
+} // namespace itk

@@ -1,0 +1,431 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkBatchRunner.h"
+
+#include "itkCaseInputFile.h"
+#include "itkDentalInputError.h"
+#include "itkJsonDocument.h"
+#include "itkTextFile.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <thread>
+
+namespace itk
+{
+namespace
+{
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+/** How often a runner looks whether a process has ended: short against a registration, long against a look. */
+constexpr auto PollInterval = std::chrono::milliseconds(10);
+
+double
+SecondsSince(const Clock::time_point & start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/** One owner of a folder, for as long as it lives: the system lets go of it however the owner ends. */
+class FolderLock
+{
+public:
+  explicit FolderLock(const fs::path & folder)
+    : m_File(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
+  {
+    if (m_File < 0)
+    {
+      itkDentalInputErrorMacro(
+        folder.string(), "", std::string("can't be written: ") + std::strerror(errno), "choose another output folder");
+    }
+    if (flock(m_File, LOCK_EX | LOCK_NB) != 0)
+    {
+      close(m_File);
+      itkDentalInputErrorMacro(folder.parent_path().string(),
+                               "--output",
+                               "another batch is at work in it",
+                               "wait for it, or choose another output folder");
+    }
+  }
+  ~FolderLock() { close(m_File); }
+  FolderLock(const FolderLock &) = delete;
+  FolderLock &
+  operator=(const FolderLock &) = delete;
+
+private:
+  int m_File;
+};
+
+/** The last line that a process has said. */
+std::string
+LastLine(const fs::path & log)
+{
+  try
+  {
+    std::string text = ReadTextFile(log.string(), "a log");
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\r'))
+    {
+      text.pop_back();
+    }
+    return text.substr(text.rfind('\n') + 1);
+  }
+  catch (const DentalInputError &)
+  {
+    return {};
+  }
+}
+
+/** Whether every file that a result was made of is what it was. */
+bool
+InputsAreUnchanged(const JsonNode & root, const BatchCase & one)
+{
+  const auto inputs = root.Find("inputs");
+  if (!inputs)
+  {
+    return false;
+  }
+  // Of a case file its names are relative to it, of options to where the program runs.
+  const auto     recorded = inputs->Find("case");
+  const fs::path folder = recorded ? fs::path(one.arguments.front()).parent_path() : fs::path();
+  for (const auto & member : inputs->GetMembers())
+  {
+    const std::string path = member.second.Get("path").AsString();
+    const fs::path    file = member.first == "case" ? fs::path(one.arguments.front()) : folder / path;
+    std::error_code   error;
+    if (!fs::is_regular_file(file, error) || ComputeFileSHA256(file.string()) != member.second.Get("sha256").AsString())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace
+
+struct BatchRunner::ChildType
+{
+  pid_t             process{ 0 };
+  std::size_t       index{ 0 };
+  Clock::time_point start;
+};
+
+void
+BatchRunner::SetCases(const std::vector<BatchCase> & cases)
+{
+  m_Cases = cases;
+  this->Modified();
+}
+
+void
+BatchRunner::SetArguments(const std::vector<std::string> & arguments)
+{
+  m_Arguments = arguments;
+  this->Modified();
+}
+
+std::vector<BatchRecord>
+BatchRunner::GetRecords() const
+{
+  std::vector<BatchRecord> records;
+  for (std::size_t i = 0; i < m_Records.size(); ++i)
+  {
+    if (m_IsDone[i])
+    {
+      records.push_back(m_Records[i]);
+    }
+  }
+  return records;
+}
+
+double
+BatchRunner::GetSecondsLeft() const
+{
+  if (m_NumberOfRunCases == 0)
+  {
+    return -1.0;
+  }
+  return m_SecondsSinceStart / static_cast<double>(m_NumberOfRunCases) *
+         static_cast<double>(m_Cases.size() - m_NumberOfFinishedCases);
+}
+
+void
+BatchRunner::Update()
+{
+  this->SetAbortGenerateData(false);
+  this->VerifyPreconditions();
+  this->InvokeEvent(StartEvent());
+  this->GenerateData();
+  this->InvokeEvent(EndEvent());
+}
+
+void
+BatchRunner::VerifyPreconditions() ITKv5_CONST
+{
+  if (m_Program.empty() || m_OutputFolder.empty())
+  {
+    itkExceptionMacro("There is no program or no folder. Call SetProgram() and SetOutputFolder().");
+  }
+  if (m_Cases.empty())
+  {
+    itkExceptionMacro("There is no case. Call SetCases().");
+  }
+}
+
+bool
+BatchRunner::KeepEarlier(std::size_t index)
+{
+  const BatchCase & one = m_Cases[index];
+  const fs::path    folder = fs::path(m_OutputFolder) / one.id;
+  const fs::path    recordFile = fs::path(m_OutputFolder) / ".batch" / (one.id + ".json");
+  std::error_code   error;
+  if (!fs::exists(recordFile, error) || !fs::exists(folder / "result.json", error))
+  {
+    return false;
+  }
+  try
+  {
+    const auto               root = JsonDocument::ReadFile(recordFile.string()).GetRoot();
+    std::vector<std::string> arguments;
+    const auto               recorded = root.Get("arguments");
+    for (std::size_t i = 0; i < recorded.GetSize(); ++i)
+    {
+      arguments.push_back(recorded.At(i).AsString());
+    }
+    std::vector<std::string> now = one.arguments;
+    now.insert(now.end(), m_Arguments.begin(), m_Arguments.end());
+    const auto exitCode = root.Get("exit_code").AsInteger(0, 255);
+    if (arguments != now || exitCode > 1 ||
+        !InputsAreUnchanged(JsonDocument::ReadFile((folder / "result.json").string()).GetRoot(), one))
+    {
+      return false;
+    }
+    BatchRecord & record = m_Records[index];
+    record.ReadResult(folder.string());
+    record.exitCode = static_cast<int>(exitCode);
+    record.seconds = root.Get("seconds").AsNumber();
+    record.isKept = true;
+    return true;
+  }
+  catch (const DentalInputError &)
+  {
+    // Not whole: as good as not there.
+    return false;
+  }
+}
+
+void
+BatchRunner::Start(std::size_t index, ChildType & child) const
+{
+  const BatchCase & one = m_Cases[index];
+  const fs::path    records = fs::path(m_OutputFolder) / ".batch";
+  std::error_code   error;
+  // From here until it is written anew there is no record: killed in between, the case is run again.
+  fs::remove(records / (one.id + ".json"), error);
+  std::vector<std::string> words{ m_Program, "register" };
+  words.insert(words.end(), one.arguments.begin(), one.arguments.end());
+  words.insert(words.end(), m_Arguments.begin(), m_Arguments.end());
+  words.insert(words.end(), { "--output", (fs::path(m_OutputFolder) / one.id).string(), "--quiet" });
+  std::vector<char *> pointers;
+  for (std::string & word : words)
+  {
+    pointers.push_back(&word[0]);
+  }
+  pointers.push_back(nullptr);
+  const std::string log = (records / (one.id + ".log")).string();
+  const pid_t       parent = getpid();
+  child.index = index;
+  child.start = Clock::now();
+  child.process = fork();
+  if (child.process == 0)
+  {
+    // Between fork and exec only what a signal handler may do. It ends with its runner, however that ends.
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != parent)
+    {
+      _exit(126);
+    }
+    const int nothing = open("/dev/null", O_RDWR);
+    const int said = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (nothing < 0 || said < 0 || dup2(nothing, 0) < 0 || dup2(nothing, 1) < 0 || dup2(said, 2) < 0)
+    {
+      _exit(126);
+    }
+    execv(pointers[0], pointers.data());
+    _exit(127);
+  }
+  if (child.process < 0)
+  {
+    itkExceptionMacro("No process can be started: " << std::strerror(errno));
+  }
+}
+
+void
+BatchRunner::Finish(std::size_t index, int exitCode, double seconds)
+{
+  const BatchCase & one = m_Cases[index];
+  const fs::path    folder = fs::path(m_OutputFolder) / one.id;
+  const fs::path    records = fs::path(m_OutputFolder) / ".batch";
+  BatchRecord &     record = m_Records[index];
+  record.exitCode = exitCode;
+  record.seconds = seconds;
+  if (exitCode == 0 || exitCode == 1)
+  {
+    record.ReadResult(folder.string());
+  }
+  else
+  {
+    const std::string said = LastLine(records / (one.id + ".log"));
+    record.message = exitCode == 2     ? said
+                     : exitCode == 127 ? "the program " + m_Program + " can't be started"
+                     : exitCode > 128
+                       ? "the program was ended by signal " + std::to_string(exitCode - 128) + ": " + said
+                       : "the program ended with " + std::to_string(exitCode) + ": " + said;
+    // Of an earlier run, which is not this case's any more.
+    std::error_code error;
+    fs::remove(folder / "result.json", error);
+  }
+  std::vector<std::string> arguments = one.arguments;
+  arguments.insert(arguments.end(), m_Arguments.begin(), m_Arguments.end());
+  const Json json = {
+    { "arguments", arguments }, { "exit_code", exitCode }, { "seconds", seconds }, { "message", record.message }
+  };
+  WriteFileAtomically((records / (one.id + ".json")).string(),
+                      json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
+}
+
+void
+BatchRunner::GenerateData()
+{
+  std::error_code error;
+  const fs::path  records = fs::path(m_OutputFolder) / ".batch";
+  fs::create_directories(records, error);
+  if (error)
+  {
+    itkDentalInputErrorMacro(
+      m_OutputFolder, "", "can't be written: " + error.message(), "choose another output folder");
+  }
+  const FolderLock lock(records);
+  m_Records.assign(m_Cases.size(), BatchRecord());
+  m_IsDone.assign(m_Cases.size(), false);
+  m_NumberOfFinishedCases = 0;
+  m_NumberOfRunCases = 0;
+  for (std::size_t i = 0; i < m_Cases.size(); ++i)
+  {
+    m_Records[i].one = m_Cases[i];
+  }
+  const auto             beginning = Clock::now();
+  const auto             cores = std::max(1u, std::thread::hardware_concurrency());
+  const auto             jobs = m_NumberOfJobs > 0 ? m_NumberOfJobs : cores;
+  std::size_t            next = 0;
+  std::vector<ChildType> children;
+  const auto             endAll = [&]() {
+    for (const ChildType & child : children)
+    {
+      kill(child.process, SIGTERM);
+    }
+    for (const ChildType & child : children)
+    {
+      waitpid(child.process, nullptr, 0);
+    }
+    children.clear();
+  };
+  const auto done = [&](std::size_t index) {
+    m_IsDone[index] = true;
+    ++m_NumberOfFinishedCases;
+    m_Record = m_Records[index];
+    m_SecondsSinceStart = SecondsSince(beginning);
+    this->UpdateProgress(static_cast<float>(m_NumberOfFinishedCases) / static_cast<float>(m_Cases.size()));
+    this->InvokeEvent(IterationEvent());
+  };
+  try
+  {
+    while (m_NumberOfFinishedCases < m_Cases.size())
+    {
+      while (next < m_Cases.size() && children.size() < jobs)
+      {
+        const std::size_t index = next++;
+        if (m_Resume && this->KeepEarlier(index))
+        {
+          done(index);
+          continue;
+        }
+        children.emplace_back();
+        this->Start(index, children.back());
+      }
+      for (std::size_t k = 0; k < children.size();)
+      {
+        int status = 0;
+        if (waitpid(children[k].process, &status, WNOHANG) == 0)
+        {
+          ++k;
+          continue;
+        }
+        const ChildType child = children[k];
+        children.erase(children.begin() + static_cast<std::ptrdiff_t>(k));
+        const int exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        this->Finish(child.index, exitCode, SecondsSince(child.start));
+        ++m_NumberOfRunCases;
+        done(child.index);
+      }
+      this->InvokeEvent(ProgressEvent());
+      if (this->GetAbortGenerateData())
+      {
+        throw ProcessAborted(__FILE__, __LINE__);
+      }
+      if (!children.empty())
+      {
+        std::this_thread::sleep_for(PollInterval);
+      }
+    }
+  }
+  catch (...)
+  {
+    endAll();
+    throw;
+  }
+}
+
+void
+BatchRunner::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Cases: " << m_Cases.size() << std::endl;
+  os << indent << "Arguments: " << m_Arguments.size() << std::endl;
+  os << indent << "Program: " << m_Program << std::endl;
+  os << indent << "OutputFolder: " << m_OutputFolder << std::endl;
+  os << indent << "NumberOfJobs: " << m_NumberOfJobs << std::endl;
+  os << indent << "Resume: " << (m_Resume ? "On" : "Off") << std::endl;
+  os << indent << "NumberOfFinishedCases: " << m_NumberOfFinishedCases << std::endl;
+  os << indent << "NumberOfRunCases: " << m_NumberOfRunCases << std::endl;
+  os << indent << "SecondsSinceStart: " << m_SecondsSinceStart << std::endl;
+  os << indent << "Record: " << m_Record.one.id << std::endl;
+}
+} // namespace itk

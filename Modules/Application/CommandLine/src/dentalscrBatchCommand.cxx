@@ -1,0 +1,206 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrCaseOptions.h"
+#include "dentalscrCommandTools.h"
+#include "dentalscrCommands.h"
+
+#include "itkBatchCaseList.h"
+#include "itkBatchRunner.h"
+#include "itkBatchSummary.h"
+#include "itkCommand.h"
+#include "itkDentalInputError.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <thread>
+
+namespace dentalscr
+{
+namespace
+{
+struct BatchOptions
+{
+  std::vector<std::string> inputs;
+  std::string              output;
+  std::string              preset{ "robust" };
+  std::vector<std::string> set;
+  unsigned int             jobs{ 0 };
+  bool                     resume{ false };
+  bool                     strict{ false };
+  bool                     noReport{ false };
+  bool                     noPage{ false };
+};
+
+std::string
+ToClock(double seconds)
+{
+  std::ostringstream text;
+  const auto         whole = static_cast<long long>(seconds + 0.5);
+  if (whole >= 3600)
+  {
+    text << whole / 3600 << " h " << std::setw(2) << std::setfill('0') << whole % 3600 / 60 << " min";
+  }
+  else
+  {
+    text << whole / 60 << ':' << std::setw(2) << std::setfill('0') << whole % 60;
+  }
+  return text.str();
+}
+
+/** "37/100, 2 failed, 0:42 left". */
+std::string
+DescribeProgress(const itk::BatchRunner & runner, std::size_t failed)
+{
+  std::ostringstream text;
+  text << runner.GetNumberOfFinishedCases() << '/' << runner.GetNumberOfCases() << " cases";
+  if (failed > 0)
+  {
+    text << ", " << failed << " failed";
+  }
+  if (runner.GetSecondsLeft() >= 0.0)
+  {
+    text << ", " << ToClock(runner.GetSecondsLeft()) << " left";
+  }
+  return text.str();
+}
+
+int
+Batch(const BatchOptions & options, const CommonOptions & common)
+{
+  itk::BatchCaseList list;
+  list.SetOptionNames(CaseOptions::GetNames(), CaseOptions::GetFileNames());
+  const auto cases = list.Find(options.inputs);
+  for (const std::string & warning : list.GetWarnings())
+  {
+    std::cerr << "dentalscr: warning: " << warning << '\n';
+  }
+  const unsigned int cores = std::max(1u, std::thread::hardware_concurrency());
+  const unsigned int jobs = options.jobs > 0 ? options.jobs : common.threads > 0 ? common.threads : cores;
+  // Cores that no case needs serve the others; the results are the same.
+  std::vector<std::string> arguments{
+    "--preset", options.preset, "--threads", std::to_string(std::max(1u, cores / jobs))
+  };
+  for (const std::string & assignment : options.set)
+  {
+    arguments.insert(arguments.end(), { "--option", assignment });
+  }
+  if (options.noReport)
+  {
+    arguments.emplace_back("--no-report");
+  }
+  auto runner = itk::BatchRunner::New();
+  runner->SetCases(cases);
+  runner->SetArguments(arguments);
+  std::error_code error;
+  runner->SetProgram(std::filesystem::read_symlink("/proc/self/exe", error).string());
+  runner->SetOutputFolder(options.output);
+  runner->SetNumberOfJobs(jobs);
+  runner->SetResume(options.resume);
+
+  // Tables that grow while it runs: a long batch can be looked at.
+  constexpr auto interval = std::chrono::seconds(10);
+  auto           written = std::chrono::steady_clock::now();
+  std::size_t    failed = 0;
+  runner->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {
+    const std::string status = runner->GetRecord().GetStatus();
+    failed += status == "failed" || status == "unusable" ? 1 : 0;
+    if (status == "unusable")
+    {
+      std::cerr << "dentalscr: " << runner->GetRecord().one.id << ": " << runner->GetRecord().message << '\n';
+    }
+    if (std::chrono::steady_clock::now() - written > interval)
+    {
+      written = std::chrono::steady_clock::now();
+      itk::BatchSummary(runner->GetRecords()).Write(options.output, !options.noPage);
+    }
+  });
+  bool aborted = false;
+  {
+    const InterruptGuard guard(runner);
+    const ProgressLine   progress(
+      runner, [&]() { return DescribeProgress(*runner, failed); }, common.quiet);
+    try
+    {
+      runner->Update();
+    }
+    catch (const itk::ProcessAborted &)
+    {
+      aborted = true;
+    }
+  }
+  const auto records = runner->GetRecords();
+  itk::BatchSummary(records).Write(options.output, !options.noPage);
+  if (aborted)
+  {
+    throw itk::ProcessAborted(__FILE__, __LINE__);
+  }
+  std::size_t counts[4] = { 0, 0, 0, 0 };
+  std::size_t kept = 0;
+  for (const auto & record : records)
+  {
+    const std::string status = record.GetStatus();
+    ++counts[status == "ok" ? 0 : status == "suspect" ? 1 : status == "failed" ? 2 : 3];
+    kept += record.isKept ? 1 : 0;
+  }
+  if (!common.quiet)
+  {
+    std::cout << records.size() << " cases: " << counts[0] << " ok, " << counts[1] << " suspect, " << counts[2]
+              << " failed, " << counts[3] << " unusable";
+    if (kept > 0)
+    {
+      std::cout << " (" << kept << " kept from before)";
+    }
+    std::cout << "\nwritten to " << options.output << std::endl;
+  }
+  return counts[3] > 0                                        ? UnusableInput
+         : counts[2] > 0 || (options.strict && counts[1] > 0) ? SomeFailed
+                                                              : AllRegistered;
+}
+} // namespace
+
+void
+AddBatchCommand(CLI::App & program, const CommonOptions & common, RunFunction & run)
+{
+  auto   options = std::make_shared<BatchOptions>();
+  auto * command = program.add_subcommand("batch", "Registers many cases, and sums them up in tables and a page");
+  command
+    ->add_option("cases", options->inputs, "Folders with a case.json below, a table cases.csv, case files, or patterns")
+    ->required();
+  command->add_option("-o,--output", options->output, "Folder: one a case, summary.csv, summary.json, index.html")
+    ->required();
+  command->add_option("--jobs", options->jobs, "Cases at a time (default: one a core)")->check(CLI::Range(1u, 1024u));
+  command->add_flag("--resume", options->resume, "Keep what an earlier batch has done of cases that have not changed");
+  command->add_flag("--strict", options->strict, "End with 1 where a jaw is suspect, too");
+  command->add_option("--preset", options->preset, "As of register")->capture_default_str();
+  command->add_option("--option", options->set, "As of register, any number of times");
+  command->add_flag("--no-report", options->noReport, "Write no overlays and no scans");
+  command->add_flag("--no-page", options->noPage, "Write no index.html");
+  command->footer(
+    "Exit code: 0 every jaw registered, 1 a jaw failed, 2 a case was unusable; one bad case never stops the rest.\n"
+    "Examples:\n"
+    "  dentalscr batch patients --output results --jobs 2\n"
+    "  dentalscr batch cases.csv --output results --resume\n"
+    "  dentalscr batch 'archive/*/case.json' --output results --no-report\n");
+  command->callback([options, &common, &run]() { run = [options, &common]() { return Batch(*options, common); }; });
+}
+} // namespace dentalscr

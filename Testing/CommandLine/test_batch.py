@@ -1,0 +1,192 @@
+"""Many cases at once: what breaks one leaves the others alone, and nothing is done twice."""
+import csv
+import json
+import os
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+
+COLUMNS = ["case", "jaw", "status", "findings", "matched_px", "expected_error_px", "seconds", "message"]
+
+
+def rows_of(folder):
+    with open(folder / "summary.csv", newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def times_of(folder):
+    return {path.parent.name: path.stat().st_mtime_ns for path in folder.glob("*/result.json")}
+
+
+@pytest.fixture(scope="module")
+def patients(run, tmp_path_factory):
+    """Three good cases in folders of two clinics, one of which lies deeper, and one whose scan is no scan."""
+    folder = tmp_path_factory.mktemp("cohort") / "patients"
+    for i, name in enumerate(("north/p1", "north/p2", "south/p1")):
+        done = run(
+            "phantom", "--level", "typical", "--seed", 40 + i, "--triangles", 6000, "--no-radiograph", "--output", folder / name
+        )
+        assert done.returncode == 0, done.stderr
+    shutil.copytree(folder / "north/p1", folder / "south/=cmd|bad")
+    (folder / "south/=cmd|bad/upper.stl").write_bytes(b"PK\x03\x04 a zip")
+    # The only thing that nobody looks at while a case registers.
+    return folder
+
+
+@pytest.fixture(scope="module")
+def batch(run, patients, tmp_path_factory):
+    output = tmp_path_factory.mktemp("batch") / "out"
+    done = run("batch", patients, "--output", output, "--jobs", 2, "--no-report")
+    assert done.returncode == 2, done.stderr
+    assert "zip" in done.stderr.lower() and "4 cases: 3 ok" in done.stdout, (done.stdout, done.stderr)
+    return output
+
+
+def test_summaries_have_a_row_a_case_and_jaw(batch):
+    rows = rows_of(batch)
+    assert list(rows[0]) == COLUMNS
+    # What a spreadsheet would run has an apostrophe before it; the files below have their names as they are.
+    assert [(row["case"], row["jaw"]) for row in rows if row["status"] != "unusable"] == [
+        (case, jaw) for case in ("north_p1", "north_p2", "south_p1") for jaw in ("upper", "lower")
+    ]
+    (bad,) = [row for row in rows if row["status"] == "unusable"]
+    assert bad["case"] == "south_=cmd|bad" and bad["jaw"] == "" and "upper.stl" in bad["message"]
+    summary = json.loads((batch / "summary.json").read_text())
+    assert summary["schema"] == "dentalscr-batch/1" and summary["cases"] == 4
+    for row, other in zip(rows, summary["rows"]):
+        assert row["status"] == other["status"] and row["findings"].split() == other["findings"]
+        if row["matched_px"]:
+            result = json.loads((batch / row["case"] / "result.json").read_text())["jaws"][row["jaw"]]
+            assert float(row["matched_px"]) == result["metrics_matched"]["chamfer_px"] == other["matched_px"]
+            assert float(row["expected_error_px"]) == result["expected_error_px"] == other["expected_error_px"]
+    assert not list(batch.glob("**/.*part*"))
+
+
+def test_page_holds_the_rows_and_asks_nothing_of_the_network(batch):
+    page = (batch / "index.html").read_text()
+    data = page.split('<script type="application/json" id="data">')[1].split("</script>")[0]
+    assert json.loads(data)["rows"] == json.loads((batch / "summary.json").read_text())["rows"]
+    assert "http" not in page.replace("http://www.w3.org/2000/svg", "")
+
+
+def test_result_is_that_of_a_single_run(run, patients, batch, tmp_path):
+    done = run("register", patients / "north/p2/case.json", "--output", tmp_path / "one", "--no-report")
+    assert done.returncode == 0
+    one = json.loads((tmp_path / "one/result.json").read_text())
+    many = json.loads((batch / "north_p2/result.json").read_text())
+    for jaw in ("upper", "lower"):
+        assert one["jaws"][jaw]["landmarks_px"] == many["jaws"][jaw]["landmarks_px"]
+
+
+def test_resumed_it_repeats_nothing_but_what_has_changed(run, patients, batch, tmp_path):
+    cases, output = tmp_path / "patients", tmp_path / "out"
+    shutil.copytree(patients, cases)
+    shutil.rmtree(cases / "south" / "=cmd|bad")
+    arguments = ("batch", cases, "--output", output, "--no-report")
+    assert run(*arguments).returncode == 0
+    before = times_of(output)
+    done = run(*arguments, "--resume")
+    assert done.returncode == 0 and "3 kept from before" in done.stdout
+    assert times_of(output) == before
+    contours = json.loads((cases / "north/p2/contours.json").read_text())
+    contours["contours"]["upper"].pop()
+    (cases / "north/p2/contours.json").write_text(json.dumps(contours))
+    assert "2 kept from before" in run(*arguments, "--resume").stdout
+    after = times_of(output)
+    assert {name for name in after if after[name] != before[name]} == {"north_p2"}
+    # Other arguments are another question.
+    assert "kept" not in run(*arguments, "--resume", "--option", "useRobustKernel=off").stdout
+
+
+def test_killed_and_started_again_it_loses_nothing(program, run, patients, tmp_path):
+    output = tmp_path / "out"
+    arguments = ["batch", str(patients), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"]
+    process = subprocess.Popen([str(program), *arguments], stderr=subprocess.DEVNULL)
+    deadline = time.monotonic() + 120
+    while not list(output.glob("*/result.json")) and time.monotonic() < deadline:
+        time.sleep(0.01)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    # Its process ends with it, and the folder is free again.
+    time.sleep(1.0)
+    before = times_of(output)
+    assert before
+    done = run(*arguments[:-1], "--resume")
+    assert done.returncode == 2
+    after = times_of(output)
+    assert set(after) == {"north_p1", "north_p2", "south_p1"}
+    recorded = [name for name in before if after[name] == before[name]]
+    assert len(recorded) >= len(before) - 1, "what was recorded stands; the one that was at work may be run again"
+
+
+def test_one_owner_of_a_folder_at_a_time(program, run, patients, tmp_path):
+    output = tmp_path / "out"
+    process = subprocess.Popen(
+        [str(program), "batch", str(patients), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"],
+        stderr=subprocess.DEVNULL,
+    )
+    while not (output / ".batch" / "lock").exists():
+        time.sleep(0.01)
+    time.sleep(0.1)
+    done = run("batch", patients, "--output", output)
+    assert done.returncode == 2 and "another batch is at work" in done.stderr
+    process.send_signal(signal.SIGINT)
+    process.wait(timeout=60)
+    assert run("batch", patients, "--output", output, "--no-report", "--resume").returncode == 2
+
+
+def test_tables_name_cases_by_file_or_by_options(run, patients, tmp_path):
+    case = json.loads((patients / "north/p1/case.json").read_text())
+    table = tmp_path / "cases.csv"
+    rows = ["id;case;age", f"first;{patients}/north/p1/case.json;12", f"=2+3;{patients}/north/p2/case.json;-1"]
+    table.write_text("\n".join(rows))
+    done = run("batch", table, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0 and 'column "age" is not known' in done.stderr
+    found = rows_of(tmp_path / "out")
+    assert {(row["case"], row["age"]) for row in found} == {("first", "12"), ("'=2+3", "'-1")}
+    assert (tmp_path / "out" / "=2+3" / "result.json").exists()
+    spacing = " ".join(str(value) for value in case["cephalogram"]["pixel_spacing_mm"])
+    relative = os.path.relpath(patients / "north/p1", tmp_path)
+    table.write_text(
+        "id,upper,lower,contours,spacing\n"
+        f'a,"{relative}/{case["upper"]}",{relative}/{case["lower"]},{relative}/{case["contours"]},{spacing}\n'
+    )
+    done = run("batch", table, "--output", tmp_path / "fields", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert "kept" in run("batch", table, "--output", tmp_path / "fields", "--no-report", "--resume").stdout
+
+
+@pytest.mark.parametrize(
+    ("content", "word"),
+    [
+        ("", "no row of a case"),
+        ("a,b\n1,2\n", 'neither a column "case"'),
+        ("case\n\n", "no row of a case"),
+        ("case\na.json,b\n", "2 cells under 1"),
+        ("id,case\nx,a.json\nx,b.json\n", "name of two cases"),
+        ("id,case\na/b,a.json\n", "can't be a folder's name"),
+    ],
+)
+def test_bad_tables_are_one_line(run, tmp_path, content, word):
+    (tmp_path / "cases.csv").write_text(content)
+    done = run("batch", tmp_path / "cases.csv", "--output", tmp_path / "out")
+    assert done.returncode == 2 and word in done.stderr, done.stderr
+    assert len([line for line in done.stderr.splitlines() if "warning" not in line]) == 1
+    assert not (tmp_path / "out" / "summary.csv").exists()
+
+
+def test_nothing_to_do_is_said(run, tmp_path):
+    (tmp_path / "empty").mkdir()
+    for what, word in ((tmp_path / "empty", "holds no case"), (tmp_path / "none*", "matches no case")):
+        done = run("batch", what, "--output", tmp_path / "out")
+        assert done.returncode == 2 and word in done.stderr
+
+
+def test_a_pattern_finds_cases(run, patients, tmp_path):
+    done = run("batch", f"{patients}/north/*", "--output", tmp_path / "out", "--no-report", "--no-page")
+    assert done.returncode == 0, done.stderr
+    assert {row["case"] for row in rows_of(tmp_path / "out")} == {"p1", "p2"}
+    assert not (tmp_path / "out" / "index.html").exists()
