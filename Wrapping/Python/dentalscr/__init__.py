@@ -82,6 +82,7 @@ from ._core import (
     tooth_fdi,
     tooth_name,
 )
+from ._batch import BatchItem, batch
 from ._case import (
     Case,
     CaseRegistration,
@@ -255,6 +256,7 @@ __all__ = [
     "AnnotationFileFormat",
     "AnnotationPixelOrigin",
     "ArgumentError",
+    "BatchItem",
     "Case",
     "CaseRegistration",
     "CaseResult",
@@ -466,6 +468,7 @@ __all__ = [
     "experiment_methods",
     "from_itk",
     "from_sitk",
+    "batch",
     "register",
     "sitkAbortEvent",
     "sitkAnyEvent",

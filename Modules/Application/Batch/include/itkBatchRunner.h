@@ -58,9 +58,14 @@ public:
 
   void
   SetCases(const std::vector<BatchCase> & cases);
-  /** The program dentalscr. */
-  itkSetStringMacro(Program);
-  itkGetStringMacro(Program);
+  /** The program dentalscr, and what stands before its verb: "python3", "-m", "dentalscr" is one as well. */
+  void
+  SetProgram(const std::vector<std::string> & words);
+  const std::vector<std::string> &
+  GetProgram() const
+  {
+    return m_Program;
+  }
   /** For every case: options of `register`. */
   void
   SetArguments(const std::vector<std::string> & arguments);
@@ -122,7 +127,7 @@ private:
 
   std::vector<BatchCase>   m_Cases;
   std::vector<std::string> m_Arguments;
-  std::string              m_Program;
+  std::vector<std::string> m_Program;
   std::string              m_OutputFolder;
   unsigned int             m_NumberOfJobs{ 0 };
   bool                     m_Resume{ false };

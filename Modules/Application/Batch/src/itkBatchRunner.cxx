@@ -145,6 +145,13 @@ BatchRunner::SetCases(const std::vector<BatchCase> & cases)
 }
 
 void
+BatchRunner::SetProgram(const std::vector<std::string> & words)
+{
+  m_Program = words;
+  this->Modified();
+}
+
+void
 BatchRunner::SetArguments(const std::vector<std::string> & arguments)
 {
   m_Arguments = arguments;
@@ -249,7 +256,8 @@ BatchRunner::Start(std::size_t index, ChildType & child) const
   std::error_code   error;
   // From here until it is written anew there is no record: killed in between, the case is run again.
   fs::remove(records / (one.id + ".json"), error);
-  std::vector<std::string> words{ m_Program, "register" };
+  std::vector<std::string> words = m_Program;
+  words.emplace_back("register");
   words.insert(words.end(), one.arguments.begin(), one.arguments.end());
   words.insert(words.end(), m_Arguments.begin(), m_Arguments.end());
   words.insert(words.end(), { "--output", (fs::path(m_OutputFolder) / one.id).string(), "--quiet" });
@@ -278,7 +286,7 @@ BatchRunner::Start(std::size_t index, ChildType & child) const
     {
       _exit(126);
     }
-    execv(pointers[0], pointers.data());
+    execvp(pointers[0], pointers.data());
     _exit(127);
   }
   if (child.process < 0)
@@ -304,7 +312,7 @@ BatchRunner::Finish(std::size_t index, int exitCode, double seconds)
   {
     const std::string said = LastLine(records / (one.id + ".log"));
     record.message = exitCode == 2     ? said
-                     : exitCode == 127 ? "the program " + m_Program + " can't be started"
+                     : exitCode == 127 ? "the program " + m_Program.front() + " can't be started"
                      : exitCode > 128
                        ? "the program was ended by signal " + std::to_string(exitCode - 128) + ": " + said
                        : "the program ended with " + std::to_string(exitCode) + ": " + said;
@@ -419,7 +427,7 @@ BatchRunner::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "Cases: " << m_Cases.size() << std::endl;
   os << indent << "Arguments: " << m_Arguments.size() << std::endl;
-  os << indent << "Program: " << m_Program << std::endl;
+  os << indent << "Program: " << (m_Program.empty() ? "(none)" : m_Program.front()) << std::endl;
   os << indent << "OutputFolder: " << m_OutputFolder << std::endl;
   os << indent << "NumberOfJobs: " << m_NumberOfJobs << std::endl;
   os << indent << "Resume: " << (m_Resume ? "On" : "Off") << std::endl;

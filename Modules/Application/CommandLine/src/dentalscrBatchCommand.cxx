@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -65,6 +66,32 @@ ToClock(double seconds)
     text << whole / 60 << ':' << std::setw(2) << std::setfill('0') << whole % 60;
   }
   return text.str();
+}
+
+/** This program, to be started once more: also where Python has it (python3 -m dentalscr, or its script). */
+std::vector<std::string>
+FindProgram()
+{
+  std::error_code          error;
+  const auto               file = std::filesystem::read_symlink("/proc/self/exe", error);
+  std::vector<std::string> program{ file.string() };
+  if (file.filename().string().rfind("python", 0) == 0)
+  {
+    std::ifstream            line("/proc/self/cmdline", std::ios::binary);
+    std::vector<std::string> words;
+    for (std::string word; std::getline(line, word, '\0');)
+    {
+      words.push_back(word);
+    }
+    const auto self = std::find_if(words.begin(), words.end(), [](const std::string & word) {
+      return std::filesystem::path(word).filename() == "dentalscr";
+    });
+    if (self != words.end() && self != words.begin())
+    {
+      program.insert(program.end(), words.begin() + 1, self + 1);
+    }
+  }
+  return program;
 }
 
 /** "37/100, 2 failed, 0:42 left". */
@@ -111,8 +138,7 @@ Batch(const BatchOptions & options, const CommonOptions & common)
   auto runner = itk::BatchRunner::New();
   runner->SetCases(cases);
   runner->SetArguments(arguments);
-  std::error_code error;
-  runner->SetProgram(std::filesystem::read_symlink("/proc/self/exe", error).string());
+  runner->SetProgram(FindProgram());
   runner->SetOutputFolder(options.output);
   runner->SetNumberOfJobs(jobs);
   runner->SetResume(options.resume);
