@@ -162,7 +162,7 @@ def test_tables_name_cases_by_file_or_by_options(run, patients, tmp_path):
 @pytest.mark.parametrize(
     ("content", "word"),
     [
-        ("", "no row of a case"),
+        ("", "is empty"),
         ("a,b\n1,2\n", 'neither a column "case"'),
         ("case\n\n", "no row of a case"),
         ("case\na.json,b\n", "2 cells under 1"),
