@@ -50,7 +50,8 @@ class WholeToothOutline;
  *
  * where the columns of B are what a shift along and across the occlusal plane, a turn and a change of size, an offset
  * of the palatal or lingual side and the width to which the crown was cut do to r; S are their variances (Errors
- * below); G is the correlation of a hand's drift and W are the points' weights. The value is the sum of
+ * below); G is the correlation of a hand's drift and W are the points' weights. The picture's axes stand for those of
+ * the occlusal plane, from which heads tip them by some degrees. The value is the sum of
  *
  *   r' K^-1 r + log |K| - log |K0|,
  *
