@@ -931,6 +931,8 @@ def test_gradient_of_a_silhouette_is_that_of_its_differences(silhouettes, soluti
     metric.Initialize()
     assert metric.GetFit()[0]["inlierShare"] > 0.5
     start = metric.GetParameters()
+    # Matches that move on their own jump from point to point of an outline with corners.
+    metric.Hold("Matches")
     metric.GetValue()
     gradient = -metric.GetDerivative()
     assert gradient.shape == start.shape == (2,)
@@ -939,8 +941,9 @@ def test_gradient_of_a_silhouette_is_that_of_its_differences(silhouettes, soluti
         for step in (-1e-3, 1e-3):
             metric.SetParameters(start + step * np.eye(2)[k])
             values.append(metric.GetValue())
-        # The nearest point of an outline with corners jumps now and then.
-        assert (values[1] - values[0]) / 2e-3 == pytest.approx(gradient[k], rel=0.05)
+        # Of second order, and of a function without jumps.
+        assert (values[1] - values[0]) / 2e-3 == pytest.approx(gradient[k], rel=1e-4, abs=1e-4 * np.linalg.norm(gradient))
+    metric.Hold("Nothing")
 
 
 def test_silhouette_takes_kernel_and_noise_model(ds, silhouettes):
