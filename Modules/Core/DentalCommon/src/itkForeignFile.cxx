@@ -19,6 +19,7 @@
 
 #include "itkDentalInputError.h"
 
+#include <filesystem>
 #include <fstream>
 
 namespace itk
@@ -192,6 +193,12 @@ FindElement(const std::string & text)
 void
 RefuseForeignFile(const std::string & fileName, FilePurposeEnum purpose)
 {
+  // A pipe would be waited for, and what was read of it is gone.
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(fileName, ignored))
+  {
+    return;
+  }
   std::string   head(4096, '\0');
   std::ifstream file(fileName, std::ios::binary);
   file.read(&head[0], static_cast<std::streamsize>(head.size()));

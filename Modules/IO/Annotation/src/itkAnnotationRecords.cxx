@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -187,6 +188,12 @@ FormatFromFile(const std::string & fileName)
   if (named != Format::Automatic)
   {
     return named;
+  }
+  // A pipe can be read once only: it is taken for JSON.
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(fileName, ignored))
+  {
+    return Format::Automatic;
   }
   const char first = FirstCharacter(fileName);
   if (first == '{' || first == '[')

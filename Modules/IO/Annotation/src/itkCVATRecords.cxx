@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -280,6 +281,12 @@ ReadSize(const std::string & fileName, const Picture & picture, const char * nam
 bool
 IsXMLFile(const std::string & fileName)
 {
+  // A pipe can be read once only.
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(fileName, ignored))
+  {
+    return false;
+  }
   std::string   head(512, '\0');
   std::ifstream file(fileName, std::ios::binary);
   file.read(&head[0], static_cast<std::streamsize>(head.size()));

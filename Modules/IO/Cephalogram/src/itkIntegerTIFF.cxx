@@ -86,7 +86,7 @@ ReadLayout(TIFF * file)
 bool
 IsInteger(const Layout & layout)
 {
-  return (layout.bits == 32 || layout.bits == 64) && layout.samples == 1 &&
+  return layout.bits == 32 && layout.samples == 1 &&
          (layout.format == SAMPLEFORMAT_UINT || layout.format == SAMPLEFORMAT_INT);
 }
 
@@ -102,11 +102,7 @@ At(const unsigned char * bytes, std::size_t i)
 double
 GetValue(const Layout & layout, const unsigned char * bytes, std::size_t i)
 {
-  if (layout.bits == 32)
-  {
-    return layout.format == SAMPLEFORMAT_INT ? At<std::int32_t>(bytes, i) : At<std::uint32_t>(bytes, i);
-  }
-  return layout.format == SAMPLEFORMAT_INT ? At<std::int64_t>(bytes, i) : At<std::uint64_t>(bytes, i);
+  return layout.format == SAMPLEFORMAT_INT ? At<std::int32_t>(bytes, i) : At<std::uint32_t>(bytes, i);
 }
 } // namespace
 

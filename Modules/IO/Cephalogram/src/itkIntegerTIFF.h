@@ -24,7 +24,7 @@
 
 namespace itk
 {
-/** Not installed. Whether a file is a TIFF of one value a pixel in whole numbers of 32 or 64 bits: what NumPy, and with
+/** Not installed. Whether a file is a TIFF of one value a pixel in whole numbers of 32 bits: what NumPy, and with
  * it most label maps, is made of by default. ITK 5.2 takes it for 8 bits and fills it with noughts. */
 bool
 IsIntegerTIFF(const std::string & fileName);

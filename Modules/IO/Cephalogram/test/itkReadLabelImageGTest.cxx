@@ -75,7 +75,7 @@ IntegerTIFF(unsigned int bits, bool isSigned, bool negative = false)
 
 TEST(ReadLabelImage, WholeNumbersOfEveryWidthInTIFF)
 {
-  for (const unsigned int bits : { 8u, 16u, 32u, 64u })
+  for (const unsigned int bits : { 8u, 16u, 32u })
   {
     for (const bool isSigned : { false, true })
     {
