@@ -27,10 +27,14 @@
 namespace itk
 {
 /** \class ToothCode
- * \brief One permanent tooth, kept as its FDI number (ISO 3950), or unknown.
+ * \brief One tooth, kept as its FDI number (ISO 3950), or unknown.
  *
- * FDI: UR = 11..18, UL = 21..28, LL = 31..38, LR = 41..48. Universal: 1..16 = UR8..UR1, UL1..UL8; 17..32 = LL8..LL1,
- * LR1..LR8.
+ * Permanent teeth: FDI UR = 11..18, UL = 21..28, LL = 31..38, LR = 41..48; universal 1..16 = UR8..UR1, UL1..UL8, 17..32
+ * = LL8..LL1, LR1..LR8. Primary teeth: FDI 51..55, 61..65, 71..75, 81..85 in the same quadrants, named URA..URE and so
+ * on; universal A..J = URE..URA, ULA..ULE, K..T = LLE..LLA, LRA..LRE.
+ *
+ * People spell codes in many ways. FromString() and JawFromString() are the one place that knows them
+ * (Documentation/FileFormats.md has the table); what is not in it is no code, whatever it looks like.
  *
  * \ingroup DentalContour
  */
@@ -63,13 +67,29 @@ public:
   /** An unknown tooth. */
   ToothCode() = default;
 
-  /** Throws std::invalid_argument where FDI has no such permanent tooth; 0 is the unknown tooth. */
+  /** Throws std::invalid_argument where FDI has no such tooth; 0 is the unknown tooth. */
   explicit ToothCode(unsigned int fdi);
 
-  /** Reads a code. "" is the unknown tooth. "UR1"-style codes are read under every numbering, digits as the numbering
-   * says and as FDI under Quadrant. Throws std::invalid_argument that names the text and what was expected. */
+  /** Reads a code. "" is the unknown tooth. "UR1" and "URA" are read under every numbering, digits as the numbering
+   * says and as FDI under Quadrant, the letters A to T under Universal alone. Case and blanks around it do not matter;
+   * "UR-1", "1.1" (FDI), "#11", "tooth 11" and "FDI 11" are read too. Throws std::invalid_argument that names the text
+   * and what was expected. */
   static ToothCode
   FromString(const std::string & text, NumberingEnum numbering = NumberingEnum::Quadrant);
+
+  /** Whether a text has the form of a code, even where there is no such tooth ("19", "UR9"): it was meant as one, while
+   * "soft tissue" was not. */
+  static bool
+  IsWrittenAsCode(const std::string & text);
+
+  /** Reads a code that does not say its side, such as U1 or L6, spelled as freely as those of FromString(): the tooth
+   * of the right side, or unknown where the text is none. */
+  static ToothCode
+  FromSidelessString(const std::string & text);
+
+  /** "upper", "Maxilla", "lower jaw", "mandible", ...: the jaw, or Unknown where the text names none. */
+  static JawEnum
+  JawFromString(const std::string & text);
 
   /** "UR", "FDI" or "universal", as in a case file. Throws std::invalid_argument otherwise. */
   static NumberingEnum
@@ -86,13 +106,18 @@ public:
   {
     return m_FDI != 0;
   }
-  /** 1 (UR) .. 4 (LR); 0 where unknown. */
+  bool
+  IsPrimary() const
+  {
+    return m_FDI > 50;
+  }
+  /** 1 (UR), 2 (UL), 3 (LL), 4 (LR), of primary teeth too; 0 where unknown. */
   unsigned int
   GetQuadrant() const
   {
-    return m_FDI / 10u;
+    return this->IsPrimary() ? m_FDI / 10u - 4u : m_FDI / 10u;
   }
-  /** 1 central incisor .. 8 third molar; 0 where unknown. */
+  /** 1 central incisor .. 8 third molar, of a primary tooth 1 .. 5 second molar; 0 where unknown. */
   unsigned int
   GetPosition() const
   {
@@ -116,10 +141,13 @@ public:
   /** The same tooth of the other side. */
   ToothCode
   GetContralateral() const;
-  /** 1..32; 0 where unknown. */
+  /** 1..32; 0 where unknown and for primary teeth, which have letters. */
   unsigned int
   GetUniversal() const;
-  /** "UR1"; "" where unknown. */
+  /** "1".."32", of primary teeth "A".."T"; "" where unknown. */
+  std::string
+  GetUniversalName() const;
+  /** "UR1", of a primary tooth "URA"; "" where unknown. */
   std::string
   GetName() const;
 

@@ -23,12 +23,21 @@ namespace itk
 {
 namespace
 {
+using JawEnum = ToothCode::JawEnum;
+using NumberingEnum = ToothCode::NumberingEnum;
+
 constexpr const char * QuadrantNames[] = { "", "UR", "UL", "LL", "LR" };
 
 bool
 IsPermanentTooth(unsigned int fdi)
 {
   return fdi / 10 >= 1 && fdi / 10 <= 4 && fdi % 10 >= 1 && fdi % 10 <= 8;
+}
+
+bool
+IsPrimaryTooth(unsigned int fdi)
+{
+  return fdi / 10 >= 5 && fdi / 10 <= 8 && fdi % 10 >= 1 && fdi % 10 <= 5;
 }
 
 unsigned int
@@ -45,25 +54,123 @@ FDIFromUniversal(unsigned int number)
   return number <= 24 ? 30 + (25 - number) : 40 + (number - 24);
 }
 
+/** 0 is A. */
+unsigned int
+FDIFromUniversalLetter(unsigned int letter)
+{
+  const unsigned int place = letter % 5;
+  switch (letter / 5)
+  {
+    case 0:
+      return 50 + (5 - place);
+    case 1:
+      return 60 + (place + 1);
+    case 2:
+      return 70 + (5 - place);
+    default:
+      return 80 + (place + 1);
+  }
+}
+
 bool
 IsDigits(const std::string & text)
 {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-char
-UpperCase(char character)
+bool
+StartsWith(const std::string & text, const std::string & start)
 {
-  return character >= 'a' && character <= 'z' ? static_cast<char>(character - 'a' + 'A') : character;
+  return text.compare(0, start.size(), start) == 0;
 }
+
+std::string
+WithoutEnds(const std::string & text, const char * characters)
+{
+  const std::size_t first = text.find_first_not_of(characters);
+  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(characters) - first + 1);
+}
+
+std::string
+LowerCase(std::string text)
+{
+  for (char & character : text)
+  {
+    character = character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
+  }
+  return text;
+}
+
+/** A code without what people write around it. */
+struct SpelledCode
+{
+  std::string   text;
+  NumberingEnum numbering;
+};
+
+SpelledCode
+Spell(const std::string & text, NumberingEnum numbering)
+{
+  SpelledCode code{ LowerCase(WithoutEnds(text, " \t\r\n")), numbering };
+  for (const char * word : { "tooth", "fdi", "#" })
+  {
+    if (StartsWith(code.text, word) && code.text.size() > std::string(word).size())
+    {
+      code.numbering = std::string(word) == "fdi" ? NumberingEnum::FDI : code.numbering;
+      code.text = WithoutEnds(code.text.substr(std::string(word).size()), " _-");
+    }
+  }
+  // "1.1" is quadrant and position of FDI, whatever the numbering of digits is.
+  if (code.text.size() == 3 && code.text[1] == '.' && IsDigits(code.text.substr(0, 1) + code.text[2]))
+  {
+    code.text.erase(1, 1);
+    code.numbering = NumberingEnum::FDI;
+  }
+  return code;
+}
+
+/** 1..4 where the text starts with a quadrant's letters, which are taken off with one character between them and the
+ * rest; else 0. */
+unsigned int
+TakeQuadrant(std::string & text)
+{
+  for (unsigned int quadrant = 1; quadrant <= 4; ++quadrant)
+  {
+    if (StartsWith(text, LowerCase(QuadrantNames[quadrant])))
+    {
+      text.erase(0, text.size() > 3 && (text[2] == ' ' || text[2] == '-' || text[2] == '_') ? 3 : 2);
+      return quadrant;
+    }
+  }
+  return 0;
+}
+
+struct JawWord
+{
+  const char * word;
+  JawEnum      jaw;
+};
+
+/** Whole words only: public tools that look for a letter take lower jaws for upper ones. */
+constexpr JawWord JawWords[] = {
+  { "upper", JawEnum::Upper },           { "upper jaw", JawEnum::Upper },
+  { "upper arch", JawEnum::Upper },      { "upper teeth", JawEnum::Upper },
+  { "maxilla", JawEnum::Upper },         { "maxillary", JawEnum::Upper },
+  { "maxillary arch", JawEnum::Upper },  { "maxillary teeth", JawEnum::Upper },
+  { "lower", JawEnum::Lower },           { "lower jaw", JawEnum::Lower },
+  { "lower arch", JawEnum::Lower },      { "lower teeth", JawEnum::Lower },
+  { "mandible", JawEnum::Lower },        { "mandibular", JawEnum::Lower },
+  { "mandibular arch", JawEnum::Lower }, { "mandibular teeth", JawEnum::Lower },
+};
 } // namespace
 
 ToothCode::ToothCode(unsigned int fdi)
   : m_FDI(static_cast<uint8_t>(fdi))
 {
-  if (fdi != 0 && !IsPermanentTooth(fdi))
+  if (fdi != 0 && !IsPermanentTooth(fdi) && !IsPrimaryTooth(fdi))
   {
-    throw std::invalid_argument("FDI has no permanent tooth " + std::to_string(fdi) + " (11-18, 21-28, 31-38, 41-48)");
+    throw std::invalid_argument("FDI has no tooth " + std::to_string(fdi) +
+                                " (11-18, 21-28, 31-38, 41-48; primary 51-55, 61-65, 71-75, 81-85)");
   }
 }
 
@@ -74,21 +181,23 @@ ToothCode::FromString(const std::string & text, NumberingEnum numbering)
   {
     return ToothCode();
   }
-  if (text.size() == 3 && text[2] >= '1' && text[2] <= '8')
+  SpelledCode code = Spell(text, numbering);
+  if (const unsigned int quadrant = TakeQuadrant(code.text))
   {
-    const std::string quadrant{ UpperCase(text[0]), UpperCase(text[1]) };
-    for (unsigned int q = 1; q <= 4; ++q)
+    const char place = code.text.size() == 1 ? code.text[0] : ' ';
+    if (place >= '1' && place <= '8')
     {
-      if (quadrant == QuadrantNames[q])
-      {
-        return ToothCode(10 * q + static_cast<unsigned int>(text[2] - '0'));
-      }
+      return ToothCode(10 * quadrant + static_cast<unsigned int>(place - '0'));
+    }
+    if (place >= 'a' && place <= 'e')
+    {
+      return ToothCode(10 * (quadrant + 4) + static_cast<unsigned int>(place - 'a') + 1);
     }
   }
-  if (IsDigits(text) && text.size() <= 2)
+  else if (IsDigits(code.text) && code.text.size() <= 2)
   {
-    const auto number = static_cast<unsigned int>(std::stoul(text));
-    if (numbering == NumberingEnum::Universal)
+    const auto number = static_cast<unsigned int>(std::stoul(code.text));
+    if (code.numbering == NumberingEnum::Universal)
     {
       if (number < 1 || number > 32)
       {
@@ -97,14 +206,56 @@ ToothCode::FromString(const std::string & text, NumberingEnum numbering)
       return ToothCode(FDIFromUniversal(number));
     }
     // Without a numbering two-digit codes are FDI, always.
-    if (!IsPermanentTooth(number))
+    if (!IsPermanentTooth(number) && !IsPrimaryTooth(number))
     {
       throw std::invalid_argument("FDI has no tooth \"" + text +
-                                  "\" (11-18, 21-28, 31-38, 41-48); is the numbering \"universal\"?");
+                                  "\" (11-18, 21-28, 31-38, 41-48, primary 51-55 to 81-85); is the numbering "
+                                  "\"universal\"?");
     }
     return ToothCode(number);
   }
+  else if (code.numbering == NumberingEnum::Universal && code.text.size() == 1 && code.text[0] >= 'a' &&
+           code.text[0] <= 't')
+  {
+    return ToothCode(FDIFromUniversalLetter(static_cast<unsigned int>(code.text[0] - 'a')));
+  }
   throw std::invalid_argument("\"" + text + "\" is no tooth code (UR1-UR8, UL, LL, LR, or digits in FDI or universal)");
+}
+
+bool
+ToothCode::IsWrittenAsCode(const std::string & text)
+{
+  SpelledCode code = Spell(text, NumberingEnum::Quadrant);
+  return TakeQuadrant(code.text) > 0 ? code.text.size() <= 1 : IsDigits(code.text);
+}
+
+ToothCode
+ToothCode::FromSidelessString(const std::string & text)
+{
+  const std::string code = Spell(text, NumberingEnum::Quadrant).text;
+  if (code.size() != 2 || (code[0] != 'u' && code[0] != 'l') || code[1] < '1' || code[1] > '8')
+  {
+    return ToothCode();
+  }
+  return ToothCode((code[0] == 'u' ? 10u : 40u) + static_cast<unsigned int>(code[1] - '0'));
+}
+
+ToothCode::JawEnum
+ToothCode::JawFromString(const std::string & text)
+{
+  std::string word = LowerCase(WithoutEnds(text, " \t\r\n"));
+  for (char & character : word)
+  {
+    character = character == '_' || character == '-' ? ' ' : character;
+  }
+  for (const JawWord & known : JawWords)
+  {
+    if (word == known.word)
+    {
+      return known.jaw;
+    }
+  }
+  return JawEnum::Unknown;
 }
 
 ToothCode::NumberingEnum
@@ -149,21 +300,24 @@ ToothCode::GetGroup() const
   {
     return GroupEnum::Unknown;
   }
-  return position <= 3 ? GroupEnum::IncisorsAndCanines : position <= 5 ? GroupEnum::Premolars : GroupEnum::Molars;
+  // Behind the canine a child has molars only.
+  return position <= 3                         ? GroupEnum::IncisorsAndCanines
+         : position <= 5 && !this->IsPrimary() ? GroupEnum::Premolars
+                                               : GroupEnum::Molars;
 }
 
 ToothCode
 ToothCode::GetContralateral() const
 {
   constexpr unsigned int other[] = { 0, 2, 1, 4, 3 };
-  return ToothCode(10 * other[this->GetQuadrant()] + this->GetPosition());
+  return ToothCode(10 * (other[this->GetQuadrant()] + (this->IsPrimary() ? 4 : 0)) + this->GetPosition());
 }
 
 unsigned int
 ToothCode::GetUniversal() const
 {
   const unsigned int position = this->GetPosition();
-  switch (this->GetQuadrant())
+  switch (this->IsPrimary() ? 0 : this->GetQuadrant())
   {
     case 1:
       return 9 - position;
@@ -179,9 +333,27 @@ ToothCode::GetUniversal() const
 }
 
 std::string
+ToothCode::GetUniversalName() const
+{
+  for (unsigned int letter = 0; this->IsPrimary() && letter < 20; ++letter)
+  {
+    if (FDIFromUniversalLetter(letter) == m_FDI)
+    {
+      return std::string(1, static_cast<char>('A' + letter));
+    }
+  }
+  return this->IsKnown() ? std::to_string(this->GetUniversal()) : std::string();
+}
+
+std::string
 ToothCode::GetName() const
 {
-  return this->IsKnown() ? QuadrantNames[this->GetQuadrant()] + std::to_string(this->GetPosition()) : std::string();
+  if (!this->IsKnown())
+  {
+    return std::string();
+  }
+  const std::string quadrant = QuadrantNames[this->GetQuadrant()];
+  return quadrant + static_cast<char>((this->IsPrimary() ? 'A' - 1 : '0') + this->GetPosition());
 }
 
 std::ostream &

@@ -109,12 +109,14 @@ CrownRegionMeshFilter<TMesh>::CollectLabels() const -> MaskType
     }
     if (fdi == 0)
     {
-      itkExceptionMacro("Point " << it.Index() << " has the data " << value << ", which is no permanent tooth's "
+      itkExceptionMacro("Point " << it.Index() << " has the data " << value << ", which is no tooth's "
                                  << (universal ? "universal" : "FDI")
                                  << " number. Call SetLabelNumbering(), or UseLabelsOff() where the point data are no "
                                     "tooth labels.");
     }
-    ++((fdi / 10 <= 2) == (m_Jaw == JawEnum::Upper) ? ofThisJaw : ofOtherJaw);
+    ++((ToothCode(static_cast<unsigned int>(fdi)).GetJaw() == ToothCode::JawEnum::Upper) == (m_Jaw == JawEnum::Upper)
+         ? ofThisJaw
+         : ofOtherJaw);
     labels.push_back(static_cast<std::uint8_t>(fdi));
   }
   if (!any)

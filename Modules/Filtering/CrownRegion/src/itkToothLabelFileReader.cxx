@@ -108,18 +108,17 @@ ToothLabelFileReader::TakeLabels(const std::vector<double> & values, NumberingEn
       catch (const std::invalid_argument &)
       {
         std::ostringstream problem;
-        problem << "is " << values[i] << ", which is no permanent tooth's " << (universal ? "universal" : "FDI")
-                << " number";
+        problem << "is " << values[i] << ", which is no tooth's " << (universal ? "universal" : "FDI") << " number";
         fail(i,
              problem.str(),
              universal ? "give 1 to 32, 0 or 33 for gingiva"
-                       : "give 11 to 48, 0 for gingiva; or say that the numbering is universal");
+                       : "give 11 to 48 (primary 51 to 85), 0 for gingiva; or say that the numbering is universal");
       }
     }
     labels[i] = static_cast<std::uint8_t>(known[value]);
     if (labels[i] != 0)
     {
-      ++ofJaw[labels[i] / 10 <= 2 ? 0 : 1];
+      ++ofJaw[ToothCode(labels[i]).GetJaw() == JawEnum::Upper ? 0 : 1];
     }
   }
   m_NumbersOfJaw = ofJaw;

@@ -275,12 +275,6 @@ PlaceJaw(const PoseGeometry & geometry, const PoseParameters & parameters, PoseJ
   result.projection = model.GetPixelProjection(result.frame);
 }
 
-bool
-IsLeft(std::uint8_t tooth)
-{
-  return tooth / 10 == 2 || tooth / 10 == 3;
-}
-
 /** What the verdict wants to know of a jaw besides the fit. */
 void
 DescribeJaw(const PoseJawInput &            input,
@@ -309,7 +303,7 @@ DescribeJaw(const PoseJawInput &            input,
   {
     const std::uint8_t tooth = polyline.code.GetFDI();
     all += polyline.points.size();
-    const bool wrong = tooth != 0 && IsLeft(tooth) == (options.tracedSide == TracedSideEnum::Right);
+    const bool wrong = tooth != 0 && polyline.code.IsLeft() == (options.tracedSide == TracedSideEnum::Right);
     other += wrong ? polyline.points.size() : 0;
   }
   if (all > 0 && (options.tracedSide == TracedSideEnum::Right || options.tracedSide == TracedSideEnum::Left))

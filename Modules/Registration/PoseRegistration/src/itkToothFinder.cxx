@@ -310,6 +310,10 @@ ToothFinder::FindAlongArch(const ToothCode & tooth, FeatureEnum feature)
     return {};
   }
   const double width = PoseArch::ExpectedWidth(tooth.GetFDI());
+  if (!(width > 0.0))
+  {
+    return {};
+  }
   const double target = ArchCurveShare * (PoseArch::ExpectedArc(tooth.GetFDI()) + ShareBehindMiddle(feature) * width);
   std::vector<std::size_t> points;
   std::vector<double>      arcs;
