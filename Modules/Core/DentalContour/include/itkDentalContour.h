@@ -57,6 +57,18 @@ public:
 
   using PointType = Superclass::PointType;
 
+  /** What of a tooth was drawn. */
+  enum class OutlineEnum : uint8_t
+  {
+    /** Nobody said it. */
+    Unspecified,
+    Crown,
+    /** Crown and root. */
+    Tooth,
+    /** The labial side alone. */
+    Labial
+  };
+
   /** One stretch of contour. A closed one does not repeat its first point. */
   struct PolylineType
   {
@@ -65,12 +77,17 @@ public:
     std::vector<PointType> points;
     /** Weights of the points, 1 = full, 0 = ignored (uncertain tracing); empty means all 1. */
     std::vector<double> weights;
+    /** Drawing errors of the points, standard deviations an axis in pixels, 0 where nobody said one; empty means all
+     * 0. */
+    std::vector<double> sigmas{};
+    OutlineEnum         outline{ OutlineEnum::Unspecified };
   };
 
   using PolylinesType = std::vector<PolylineType>;
 
   /** Appends a polyline. Throws where a point is not finite, where weights are given but are not one a point in [0, 1],
-   * or where a closed polyline has fewer than 3 points. An empty polyline adds nothing. */
+   * where sigmas are given but are not one a point and finite, or where a closed polyline has fewer than 3 points. An
+   * empty polyline adds nothing. */
   void
   AddPolyline(const PolylineType & polyline);
   void
@@ -92,6 +109,18 @@ public:
   double
   GetPointWeight(PointIdentifier id) const;
 
+  /** Drawing error of a point, pixels; 0 where none was given. */
+  double
+  GetPointSigma(PointIdentifier id) const;
+
+  /** What of its tooth the polyline of a point shows. */
+  OutlineEnum
+  GetPointOutline(PointIdentifier id) const;
+
+  /** "crown", "tooth" or "labial", as in a tracing's file. Throws std::invalid_argument otherwise. */
+  static OutlineEnum
+  OutlineFromString(const std::string & text);
+
   void
   Initialize() override;
 
@@ -106,8 +135,14 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  std::vector<double> m_PointWeights;
+  std::vector<double>      m_PointWeights;
+  std::vector<double>      m_PointSigmas;
+  std::vector<OutlineEnum> m_PointOutlines;
 };
+
+/** "crown", "tooth", "labial", or "unspecified". \ingroup DentalContour */
+DentalContour_EXPORT std::ostream &
+                     operator<<(std::ostream & os, DentalContour::OutlineEnum outline);
 } // namespace itk
 
 #endif

@@ -21,9 +21,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace itk
 {
+namespace
+{
+/** Appends what a polyline says of its points, or what holds where it says nothing. Nothing is kept as long as nobody
+ * says anything. */
+template <typename TValue>
+void
+AppendValues(std::vector<TValue> &       values,
+             std::size_t                 first,
+             std::size_t                 count,
+             const std::vector<TValue> & given,
+             TValue                      otherwise)
+{
+  if (given.empty() && values.empty())
+  {
+    return;
+  }
+  values.resize(first, otherwise);
+  if (given.empty())
+  {
+    values.resize(first + count, otherwise);
+  }
+  else
+  {
+    values.insert(values.end(), given.begin(), given.end());
+  }
+}
+} // namespace
+
 void
 DentalContour::AddPolyline(const std::vector<PointType> & points, ToothCode code, bool closed)
 {
@@ -60,6 +89,18 @@ DentalContour::AddPolyline(const PolylineType & polyline)
       itkExceptionMacro("A point's weight " << weight << " is not in [0, 1].");
     }
   }
+  if (!polyline.sigmas.empty() && polyline.sigmas.size() != polyline.points.size())
+  {
+    itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << polyline.sigmas.size()
+                                       << " sigmas; give one a point or none.");
+  }
+  for (const double sigma : polyline.sigmas)
+  {
+    if (!(sigma >= 0.0) || !std::isfinite(sigma))
+    {
+      itkExceptionMacro("A point's sigma " << sigma << " is no standard deviation in pixels.");
+    }
+  }
   const PointIdentifier first = this->GetNumberOfPoints();
   const auto            count = static_cast<PointIdentifier>(polyline.points.size());
   for (PointIdentifier i = 0; i < count; ++i)
@@ -67,18 +108,13 @@ DentalContour::AddPolyline(const PolylineType & polyline)
     this->SetPoint(first + i, polyline.points[i]);
     this->SetPointData(first + i, polyline.code.GetFDI());
   }
-  if (!polyline.weights.empty() || !m_PointWeights.empty())
-  {
-    m_PointWeights.resize(first, 1.0);
-    if (polyline.weights.empty())
-    {
-      m_PointWeights.resize(first + count, 1.0);
-    }
-    else
-    {
-      m_PointWeights.insert(m_PointWeights.end(), polyline.weights.begin(), polyline.weights.end());
-    }
-  }
+  AppendValues(m_PointWeights, first, count, polyline.weights, 1.0);
+  AppendValues(m_PointSigmas, first, count, polyline.sigmas, 0.0);
+  AppendValues(m_PointOutlines,
+               first,
+               count,
+               std::vector<OutlineEnum>(polyline.outline == OutlineEnum::Unspecified ? 0 : count, polyline.outline),
+               OutlineEnum::Unspecified);
   const PointIdentifier segments = polyline.closed ? count : count - 1;
   CellIdentifier        cellId = this->GetNumberOfCells();
   for (PointIdentifier i = 0; i < segments; ++i)
@@ -108,6 +144,11 @@ DentalContour::GetPolylines() const -> std::vector<PolylineType>
     {
       polyline.weights.push_back(this->GetPointWeight(id));
     }
+    if (!m_PointSigmas.empty())
+    {
+      polyline.sigmas.push_back(this->GetPointSigma(id));
+    }
+    polyline.outline = this->GetPointOutline(id);
     used[id] = true;
   };
   const auto * cells = this->GetCells();
@@ -190,11 +231,59 @@ DentalContour::GetPointWeight(PointIdentifier id) const
   return id < m_PointWeights.size() ? m_PointWeights[id] : 1.0;
 }
 
+double
+DentalContour::GetPointSigma(PointIdentifier id) const
+{
+  return id < m_PointSigmas.size() ? m_PointSigmas[id] : 0.0;
+}
+
+DentalContour::OutlineEnum
+DentalContour::GetPointOutline(PointIdentifier id) const
+{
+  return id < m_PointOutlines.size() ? m_PointOutlines[id] : OutlineEnum::Unspecified;
+}
+
+DentalContour::OutlineEnum
+DentalContour::OutlineFromString(const std::string & text)
+{
+  if (text == "crown")
+  {
+    return OutlineEnum::Crown;
+  }
+  if (text == "tooth")
+  {
+    return OutlineEnum::Tooth;
+  }
+  if (text == "labial")
+  {
+    return OutlineEnum::Labial;
+  }
+  throw std::invalid_argument("\"" + text + "\" is no outline (\"crown\", \"tooth\" or \"labial\")");
+}
+
+std::ostream &
+operator<<(std::ostream & os, DentalContour::OutlineEnum outline)
+{
+  switch (outline)
+  {
+    case DentalContour::OutlineEnum::Crown:
+      return os << "crown";
+    case DentalContour::OutlineEnum::Tooth:
+      return os << "tooth";
+    case DentalContour::OutlineEnum::Labial:
+      return os << "labial";
+    default:
+      return os << "unspecified";
+  }
+}
+
 void
 DentalContour::Initialize()
 {
   Superclass::Initialize();
   m_PointWeights.clear();
+  m_PointSigmas.clear();
+  m_PointOutlines.clear();
 }
 
 void
@@ -203,6 +292,8 @@ DentalContour::Graft(const DataObject * data)
   Superclass::Graft(data);
   const auto * contour = dynamic_cast<const Self *>(data);
   m_PointWeights = contour == nullptr ? std::vector<double>() : contour->m_PointWeights;
+  m_PointSigmas = contour == nullptr ? std::vector<double>() : contour->m_PointSigmas;
+  m_PointOutlines = contour == nullptr ? std::vector<OutlineEnum>() : contour->m_PointOutlines;
 }
 
 void
@@ -210,5 +301,7 @@ DentalContour::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "PointWeights: " << m_PointWeights.size() << std::endl;
+  os << indent << "PointSigmas: " << m_PointSigmas.size() << std::endl;
+  os << indent << "PointOutlines: " << m_PointOutlines.size() << std::endl;
 }
 } // namespace itk

@@ -22,6 +22,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
 
 namespace
 {
@@ -118,4 +119,45 @@ TEST(DentalContour, RefusesWhatIsNoContour)
   polyline.weights = { 1.0 };
   EXPECT_THROW(contour->AddPolyline(polyline), itk::ExceptionObject);
   EXPECT_EQ(contour->GetNumberOfPoints(), 0u);
+}
+
+TEST(DentalContour, CarriesSigmasAndKindsWhereGiven)
+{
+  using OutlineEnum = ContourType::OutlineEnum;
+  const auto contour = ContourType::New();
+  contour->AddPolyline({ P(0, 0), P(1, 0) });
+  EXPECT_TRUE(contour->GetPolylines()[0].sigmas.empty());
+  ContourType::PolylineType tooth;
+  tooth.points = { P(5, 0), P(6, 0), P(6, 5) };
+  tooth.closed = true;
+  tooth.sigmas = { 0.5, 1.0, 2.0 };
+  tooth.outline = OutlineEnum::Tooth;
+  contour->AddPolyline(tooth);
+  contour->AddPolyline({ P(9, 0), P(9, 1) });
+  EXPECT_EQ(contour->GetPointSigma(0), 0.0);
+  EXPECT_EQ(contour->GetPointSigma(4), 2.0);
+  EXPECT_EQ(contour->GetPointSigma(6), 0.0);
+  const auto polylines = contour->GetPolylines();
+  ASSERT_EQ(polylines.size(), 3u);
+  EXPECT_EQ(polylines[0].outline, OutlineEnum::Unspecified);
+  EXPECT_EQ(polylines[1].outline, OutlineEnum::Tooth);
+  EXPECT_EQ(polylines[1].sigmas, tooth.sigmas);
+  EXPECT_EQ(polylines[2].outline, OutlineEnum::Unspecified);
+
+  const auto copy = ContourType::New();
+  copy->Graft(contour);
+  EXPECT_EQ(copy->GetPointSigma(4), 2.0);
+  EXPECT_EQ(copy->GetPointOutline(4), OutlineEnum::Tooth);
+  contour->Initialize();
+  EXPECT_EQ(contour->GetPointSigma(4), 0.0);
+
+  for (const double bad : { -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
+  {
+    ContourType::PolylineType polyline;
+    polyline.points = { P(0, 0) };
+    polyline.sigmas = { bad };
+    EXPECT_THROW(contour->AddPolyline(polyline), itk::ExceptionObject);
+  }
+  EXPECT_EQ(ContourType::OutlineFromString("labial"), OutlineEnum::Labial);
+  EXPECT_THROW(ContourType::OutlineFromString("root"), std::invalid_argument);
 }

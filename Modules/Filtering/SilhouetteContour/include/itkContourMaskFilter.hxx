@@ -89,6 +89,7 @@ ContourMaskFilter<TMaskImage>::GenerateData()
     const std::size_t           start = polyline.closed ? static_cast<std::size_t>(firstDropped - keep.begin()) : 0;
     DentalContour::PolylineType stretch;
     stretch.code = polyline.code;
+    stretch.outline = polyline.outline;
     for (std::size_t i = 0; i <= count; ++i)
     {
       const std::size_t k = (start + i) % count;
@@ -99,6 +100,10 @@ ContourMaskFilter<TMaskImage>::GenerateData()
         {
           stretch.weights.push_back(polyline.weights[k]);
         }
+        if (!polyline.sigmas.empty())
+        {
+          stretch.sigmas.push_back(polyline.sigmas[k]);
+        }
         continue;
       }
       if (stretch.points.size() >= m_MinimumNumberOfPoints)
@@ -107,6 +112,7 @@ ContourMaskFilter<TMaskImage>::GenerateData()
       }
       stretch.points.clear();
       stretch.weights.clear();
+      stretch.sigmas.clear();
     }
   }
 }

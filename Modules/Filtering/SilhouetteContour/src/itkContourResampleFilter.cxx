@@ -88,12 +88,17 @@ ContourResampleFilter::GenerateData()
     const auto &                polyline = polylines[l];
     DentalContour::PolylineType resampled;
     resampled.code = polyline.code;
+    resampled.outline = polyline.outline;
     if (!(lengths[l] > 0.0))
     {
       resampled.points.push_back(polyline.points.front());
       if (!polyline.weights.empty())
       {
         resampled.weights.push_back(polyline.weights.front());
+      }
+      if (!polyline.sigmas.empty())
+      {
+        resampled.sigmas.push_back(polyline.sigmas.front());
       }
       output->AddPolyline(resampled);
       continue;
@@ -113,6 +118,11 @@ ContourResampleFilter::GenerateData()
       {
         resampled.weights.push_back((1.0 - position.share) * polyline.weights[from] +
                                     position.share * polyline.weights[to]);
+      }
+      if (!polyline.sigmas.empty())
+      {
+        resampled.sigmas.push_back((1.0 - position.share) * polyline.sigmas[from] +
+                                   position.share * polyline.sigmas[to]);
       }
     }
     output->AddPolyline(resampled);

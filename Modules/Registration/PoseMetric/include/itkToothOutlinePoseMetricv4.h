@@ -59,6 +59,10 @@ class WholeToothOutline;
  * (WholeToothOutline::GetReference()), which that leaves where it is. Taken for the tooth's own shape it would pull the
  * tip by millimetres.
  *
+ * Where an outline's points have sigmas (DentalContour::PolylineType), their root mean square stands for the hand's
+ * part of a shift's error, and turn and size change in proportion. An outline that is said to be of a crown or of a
+ * labial side is not used; one that is said to be of a tooth is not doubted for its proportions.
+ *
  * W, S and the way of drawing are made by UpdateNoiseCorrelation(), between runs of an optimizer, and held: a point
  * counts less where it lies apart from its tooth's others, by the Geman-McClure kernel on what the tooth's own errors
  * leave of r, and S is widened by the same kernel where the tooth as a whole lies further off than hands draw: one

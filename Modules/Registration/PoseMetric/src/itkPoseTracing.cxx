@@ -39,6 +39,21 @@ constexpr double DirectionReach = 15.0;
 /** Weight of a lone polyline's direction beside the lengths of gaps, px: it breaks a tie and decides nothing else. */
 constexpr double TieBreak = 1e-3;
 
+/** px of 0.25 mm: what a hand's jitter is where the file does not say it (ContourNoiseLevels). A sigma of the file
+ * stands in its place: the jitter's variance is divided by the weight. */
+constexpr double UsualSigma = 0.6;
+/** Weight of the best hand: below half a usual error it is the outline of the scan that is wrong, not the hand. */
+constexpr double LargestWeight = 4.0;
+
+/** The weight of a point by what the file says of it; scale: px of 0.25 mm in a pixel. */
+double
+ComputeWeight(const DentalContour::PolylineType & polyline, std::size_t i, double scale)
+{
+  const double weight = polyline.weights.empty() ? 1.0 : polyline.weights[i];
+  const double sigma = polyline.sigmas.empty() ? 0.0 : scale * polyline.sigmas[i];
+  return sigma > 0.0 ? weight * std::min(LargestWeight, UsualSigma * UsualSigma / (sigma * sigma)) : weight;
+}
+
 struct Strand
 {
   std::vector<Point2> points;
@@ -147,11 +162,12 @@ PoseTracing::PoseTracing(const PoseGeometry &                 geometry,
     }
     Strand strand;
     strand.tooth = polyline.code.GetFDI();
-    strand.weights = polyline.weights;
-    strand.weights.resize(polyline.points.size(), 1.0);
-    for (const auto & pixel : polyline.points)
+    const double scale = 0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]) / PoseWorkingPixel;
+    for (std::size_t i = 0; i < polyline.points.size(); ++i)
     {
+      const auto & pixel = polyline.points[i];
       strand.points.push_back(PoseModel::ToWorkingPlane(geometry, { { pixel[0], pixel[1] } }));
+      strand.weights.push_back(ComputeWeight(polyline, i, scale));
     }
     if (polyline.closed)
     {

@@ -60,6 +60,46 @@ GemanMcClure(double squaredDistance, double width)
   const double a = width * width / (width * width + squaredDistance);
   return a * a;
 }
+
+/** mm by which a tooth's outline and its crown differ where no hand is wrong: part of a shift's error. */
+constexpr double OutlineSigma = 0.25;
+
+/** The drawing error that the file gives an outline, mm on the detector; 0 where it gives none. */
+double
+ComputeSigma(const DentalContour::PolylineType & polyline, const PoseGeometry & geometry)
+{
+  double squares = 0.0, count = 0.0;
+  for (const double sigma : polyline.sigmas)
+  {
+    squares += sigma * sigma;
+    count += sigma > 0.0 ? 1.0 : 0.0;
+  }
+  return count > 0.0 ? std::sqrt(squares / count * 0.5 *
+                                 (geometry.pixelSpacing[0] * geometry.pixelSpacing[0] +
+                                  geometry.pixelSpacing[1] * geometry.pixelSpacing[1]))
+                     : 0.0;
+}
+
+/** The errors of a hand of which the file says how far it is off with the tooth: what the points of one tooth share,
+ * they do not average away, and who is off in place is off in turn and size. */
+ToothOutlinePoseMetricv4::ErrorsType
+WithSigma(ToothOutlinePoseMetricv4::ErrorsType errors, double sigma)
+{
+  if (sigma > 0.0)
+  {
+    const auto   own = [](double error) { return std::max(0.0, error * error - OutlineSigma * OutlineSigma); };
+    const double usual = std::sqrt(0.5 * (own(errors.along) + own(errors.across)));
+    if (usual > 0.0)
+    {
+      const double share = sigma / usual;
+      errors.along = std::hypot(share * std::sqrt(own(errors.along)), OutlineSigma);
+      errors.across = std::hypot(share * std::sqrt(own(errors.across)), OutlineSigma);
+      errors.turn *= share;
+      errors.size *= share;
+    }
+  }
+  return errors;
+}
 } // namespace
 
 void
@@ -150,7 +190,8 @@ ToothOutlinePoseMetricv4::Prepare()
     double                                              sigmaWidth = 0.0;
     for (const unsigned int quadrant : { upper ? 1U : 4U, upper ? 2U : 3U })
     {
-      if (const auto * crown = this->GetCrowns()->Find(ToothCode(static_cast<std::uint8_t>(10 * quadrant + position))))
+      const unsigned int tens = quadrant + (polyline.code.IsPrimary() ? 4U : 0U);
+      if (const auto * crown = this->GetCrowns()->Find(ToothCode(10 * tens + position)))
       {
         crowns.push_back(crown->surface);
         sigmaAlong = std::max(sigmaAlong, crown->sigmaAlong);
@@ -174,13 +215,14 @@ ToothOutlinePoseMetricv4::Prepare()
     tooth.outline = outline;
     tooth.model = std::make_shared<const PoseToothContourModel>(
       crowns, front ? LandmarkCounterpartSet::RuleEnum::Foremost : LandmarkCounterpartSet::RuleEnum::Middle, m_Jaw);
-    const bool   marked = std::find(m_MarkedTeeth.begin(), m_MarkedTeeth.end(), position) != m_MarkedTeeth.end();
-    const double shared = marked ? 1.0 + SharedErrorShare : 1.0;
-    const double along = std::hypot(m_Errors.along, magnification * sigmaAlong) * perMillimetre;
-    const double across = m_Errors.across * perMillimetre;
-    const double lingual = m_Errors.lingual * perMillimetre;
-    const double width = magnification * sigmaWidth * perMillimetre;
-    const auto   makeWay = [&](const std::array<double, 2> & origin, const std::array<double, 4> & sigmas) {
+    const ErrorsType errors = WithSigma(m_Errors, ComputeSigma(polyline, geometry));
+    const bool       marked = std::find(m_MarkedTeeth.begin(), m_MarkedTeeth.end(), position) != m_MarkedTeeth.end();
+    const double     shared = marked ? 1.0 + SharedErrorShare : 1.0;
+    const double     along = std::hypot(errors.along, magnification * sigmaAlong) * perMillimetre;
+    const double     across = errors.across * perMillimetre;
+    const double     lingual = m_Errors.lingual * perMillimetre;
+    const double     width = magnification * sigmaWidth * perMillimetre;
+    const auto       makeWay = [&](const std::array<double, 2> & origin, const std::array<double, 4> & sigmas) {
       WayType way;
       way.origin = origin;
       for (std::size_t c = 0; c < 4; ++c)
@@ -194,10 +236,10 @@ ToothOutlinePoseMetricv4::Prepare()
     // A template is moved, turned and scaled by the hand as well, which moves its reference point.
     const double arm[2] = { outline->GetReference()[0] - outline->GetCentroid()[0],
                             outline->GetReference()[1] - outline->GetCentroid()[1] };
-    tooth.ways = { { makeWay(outline->GetCentroid(), { { along, across, m_Errors.turn, m_Errors.size } }),
+    tooth.ways = { { makeWay(outline->GetCentroid(), { { along, across, errors.turn, errors.size } }),
                      makeWay(outline->GetReference(),
-                             { { std::hypot(along, std::hypot(m_Errors.turn * arm[1], m_Errors.size * arm[0])),
-                                 std::hypot(across, std::hypot(m_Errors.turn * arm[0], m_Errors.size * arm[1])),
+                             { { std::hypot(along, std::hypot(errors.turn * arm[1], errors.size * arm[0])),
+                                 std::hypot(across, std::hypot(errors.turn * arm[0], errors.size * arm[1])),
                                  m_Errors.templateTurn,
                                  m_Errors.templateSize } }) } };
     teeth->push_back(tooth);

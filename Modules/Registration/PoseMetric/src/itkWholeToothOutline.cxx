@@ -63,6 +63,13 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
   {
     drawn.push_back(PoseModel::ToWorkingPlane(geometry, { { pixel[0], pixel[1] } }));
   }
+  if (polyline.outline == DentalContour::OutlineEnum::Crown || polyline.outline == DentalContour::OutlineEnum::Labial)
+  {
+    m_Failure = polyline.outline == DentalContour::OutlineEnum::Crown
+                  ? "it is of a crown without its root, as its \"outline\" says"
+                  : "it is of a labial side alone, as its \"outline\" says";
+    return;
+  }
   if (drawn.size() < 8)
   {
     m_Failure = "it has " + std::to_string(drawn.size()) + " points, at least 8 are needed";
@@ -131,7 +138,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     front = std::max(front, across(p));
   }
   m_Length = high - low;
-  if (m_Length < SmallestElongation * (front - back))
+  if (polyline.outline != DentalContour::OutlineEnum::Tooth && m_Length < SmallestElongation * (front - back))
   {
     m_Failure = "it is about as wide as it is long: is it a crown without its root?";
     return;

@@ -99,3 +99,25 @@ TEST(PoseTracing, ClosedCrownKeepsItsOcclusalPart)
     EXPECT_GT(tracing.nu[i] * tracing.u[i] + tracing.nv[i] * tracing.v[i], 0.0);
   }
 }
+
+TEST(PoseTracing, ASigmaOfTheFileStandsForTheUsualJitterAndAWeightDividesIt)
+{
+  itk::PoseGeometry geometry;
+  // Half a working pixel: 1.2 px of the picture are the usual 0.6 of the working plane.
+  geometry.pixelSpacing = { { 0.125, 0.125 } };
+  itk::DentalContour::PolylineType line;
+  for (int i = 0; i < 5; ++i)
+  {
+    line.points.push_back(MakePoint(50.0 - i, 7.0));
+  }
+  line.weights = { 1.0, 1.0, 0.5, 1.0, 1.0 };
+  line.sigmas = { 1.2, 2.4, 2.4, 0.0, 0.01 };
+  const itk::PoseTracing tracing(geometry, { line }, itk::ToothCode::JawEnum::Upper);
+  ASSERT_EQ(tracing.Size(), 5u);
+  EXPECT_NEAR(tracing.weight[0], 1.0, 1e-12);
+  EXPECT_NEAR(tracing.weight[1], 0.25, 1e-12);
+  EXPECT_NEAR(tracing.weight[2], 0.125, 1e-12);
+  // Nobody said one, and one that no hand has.
+  EXPECT_NEAR(tracing.weight[3], 1.0, 1e-12);
+  EXPECT_NEAR(tracing.weight[4], 4.0, 1e-12);
+}

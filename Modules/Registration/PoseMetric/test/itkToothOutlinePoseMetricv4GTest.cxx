@@ -401,6 +401,59 @@ TEST(ToothOutlinePoseMetricv4, SaysWhichOutlinesAreNotUsedAndWhy)
   EXPECT_NE(all.find("U6: it is about as wide as it is long"), std::string::npos) << all;
 }
 
+TEST(ToothOutlinePoseMetricv4, ASigmaOfTheFileIsTheHandsErrorOfTheWholeTooth)
+{
+  const auto value = [](double sigma) {
+    auto tracing = itk::DentalContour::New();
+    for (const bool molar : { false, true })
+    {
+      itk::DentalContour::PolylineType outline;
+      outline.code = itk::ToothCode(molar ? 16 : 11);
+      outline.closed = true;
+      outline.points = molar ? MakeDrawing(true) : Moved(MakeDrawing(false), 4.0, 3.0);
+      outline.sigmas.assign(sigma > 0.0 ? outline.points.size() : 0, sigma);
+      tracing->AddPolyline(outline);
+    }
+    const auto metric = MakeMetric(tracing);
+    metric->Initialize();
+    return metric->ComputeValue(metric->GetState().GetValues());
+  };
+  // Default errors are of a hand of 0.56 mm, which is 2.26 px of 0.25 mm.
+  const double usual = value(0.0);
+  const double spacing = MakeTransform(Truth)->GetPoseGeometry().pixelSpacing[0];
+  EXPECT_NEAR(value(0.5639 / spacing), usual, 0.005 * usual);
+  EXPECT_LT(value(2.0 * 0.5639 / spacing), 0.8 * usual);
+  EXPECT_GT(value(0.5 * 0.5639 / spacing), 1.2 * usual);
+}
+
+TEST(ToothOutlinePoseMetricv4, WhatTheFileSaysOfAnOutlineGoesBeforeItsShape)
+{
+  const auto use = [](const PointsType & points, std::uint8_t tooth, itk::DentalContour::OutlineEnum kind) {
+    itk::DentalContour::PolylineType outline;
+    outline.code = itk::ToothCode(tooth);
+    outline.closed = true;
+    outline.points = points;
+    outline.outline = kind;
+    auto tracing = itk::DentalContour::New();
+    tracing->AddPolyline(outline);
+    const auto metric = MakeMetric(tracing);
+    return MessageOfInitialize(metric);
+  };
+  using OutlineEnum = itk::DentalContour::OutlineEnum;
+  EXPECT_EQ(use(MakeDrawing(false), 11, OutlineEnum::Unspecified), "");
+  EXPECT_EQ(use(MakeDrawing(false), 11, OutlineEnum::Tooth), "");
+  EXPECT_NE(use(MakeDrawing(false), 11, OutlineEnum::Crown).find("of a crown without its root"), std::string::npos);
+  EXPECT_NE(use(MakeDrawing(false), 11, OutlineEnum::Labial).find("of a labial side alone"), std::string::npos);
+  PointsType circle;
+  for (unsigned int i = 0; i < 40; ++i)
+  {
+    const double place[2] = { 300.0 + 30.0 * std::cos(M_PI * i / 20.0), 300.0 + 30.0 * std::sin(M_PI * i / 20.0) };
+    circle.emplace_back(place);
+  }
+  EXPECT_NE(use(circle, 16, OutlineEnum::Unspecified).find("about as wide as it is long"), std::string::npos);
+  EXPECT_EQ(use(circle, 16, OutlineEnum::Tooth).find("about as wide as it is long"), std::string::npos);
+}
+
 TEST(ToothOutlinePoseMetricv4, MissingInputsNameTheCallToMake)
 {
   const auto tracing = MakeTracing(MakeDrawing(false), MakeDrawing(true));
