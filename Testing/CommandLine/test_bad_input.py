@@ -24,7 +24,7 @@ def change_stl(case, function, name="upper.stl"):
 
 STL_CHANGES = {
     "truncated": lambda data: data[: len(data) // 2],
-    "over-long": lambda data: data + b"\0" * 17,
+    "a facet too many": lambda data: data + b"\0" * 50,
     "wrong count": lambda data: data[:80] + struct.pack("<I", 12345678) + data[84:],
     "header only": lambda data: data[:84],
     "short header": lambda data: data[:40],

@@ -37,11 +37,15 @@ struct MeshOpenMesh_EXPORT WeldedTriangles
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::size_t                               numberOfFacets{ 0 };
   std::size_t                               numberOfDegenerateFacets{ 0 };
+  /** Bytes behind the facets that were not looked at. */
+  std::size_t numberOfTrailingBytes{ 0 };
 };
 
 /** Decodes and welds a binary STL in memory: points are one where their 96 bits are, with -0 taken as 0; they are
- * numbered in order of first appearance. Throws a SurfaceMeshFileError where the size is not 84 + 50 n, a coordinate is
- * not finite, or no facet is left. */
+ * numbered in order of first appearance. Some programs append a block of their own (colours, a
+ * signature), which is not looked at: bytes behind the facets that are no further facets by their number, and fewer
+ * than the facets' own. Throws a SurfaceMeshFileError where the size is not 84 + 50 n otherwise, a coordinate is not
+ * finite, or no facet is left. */
 MeshOpenMesh_EXPORT WeldedTriangles
 ParseBinarySTL(const char * bytes, std::size_t size);
 

@@ -26,15 +26,17 @@
 #include "itkMeshFileWriter.h"
 
 #include <string>
+#include <vector>
 
 namespace itk
 {
 /** Reads a surface through the stock MeshFileReader with OpenMeshMeshIO; no factory needs to be registered. Coordinates
  * stay in the file's unit. Throws a DentalInputError, whose GetOneLine() is fit for a user, for whatever is wrong: also
- * for missing files and unknown formats, where the stock reader's own message has many lines. */
+ * for missing files and unknown formats, where the stock reader's own message has many lines. What is odd about the
+ * file is added to warnings where they are wanted, each "file: what". */
 template <typename TMesh>
 typename TMesh::Pointer
-ReadDentalMesh(const std::string & fileName);
+ReadDentalMesh(const std::string & fileName, std::vector<std::string> * warnings = nullptr);
 
 /** Writes a surface, binary where the format has it (STL, PLY). The format is the extension's. The file appears whole
  * or not at all. Throws a DentalInputError. */

@@ -29,7 +29,7 @@ namespace itk
 {
 template <typename TMesh>
 typename TMesh::Pointer
-ReadDentalMesh(const std::string & fileName)
+ReadDentalMesh(const std::string & fileName, std::vector<std::string> * warnings)
 {
   static_assert(TMesh::PointDimension == 3, "A surface has points in three dimensions.");
   if (fileName.empty())
@@ -40,6 +40,10 @@ ReadDentalMesh(const std::string & fileName)
   meshIO->SetFileName(fileName);
   meshIO->ReadMeshInformation();
   const SurfaceMeshFile & surface = *meshIO->GetSurface();
+  if (warnings != nullptr && !surface.warning.empty())
+  {
+    warnings->push_back(fileName + ": " + surface.warning);
+  }
 
   // What the stock reader makes of it, without its buffers and a time stamp for each point and cell.
   auto       mesh = TMesh::New();
@@ -94,9 +98,9 @@ WriteDentalMesh(const TMesh * mesh, const std::string & fileName)
 }
 
 extern template Mesh<float, 3>::Pointer
-ReadDentalMesh<Mesh<float, 3>>(const std::string &);
+ReadDentalMesh<Mesh<float, 3>>(const std::string &, std::vector<std::string> *);
 extern template Mesh<double, 3>::Pointer
-ReadDentalMesh<Mesh<double, 3>>(const std::string &);
+ReadDentalMesh<Mesh<double, 3>>(const std::string &, std::vector<std::string> *);
 extern template void
 WriteDentalMesh<Mesh<float, 3>>(const Mesh<float, 3> *, const std::string &);
 extern template void

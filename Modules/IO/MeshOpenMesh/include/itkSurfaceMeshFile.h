@@ -73,6 +73,8 @@ struct MeshOpenMesh_EXPORT SurfaceMeshFile
    * empty. */
   std::vector<double> vertexLabels;
   std::string         vertexLabelName;
+  /** What is odd about the file, in words; "" where nothing is. */
+  std::string warning;
 
   std::size_t
   GetNumberOfPoints() const

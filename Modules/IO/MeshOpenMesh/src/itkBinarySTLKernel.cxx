@@ -236,7 +236,9 @@ CheckedFacetCount(const char * bytes, std::size_t size)
   }
   const std::uint64_t count = LoadLittleEndian(bytes + 80);
   const std::uint64_t expected = HeaderSize + FacetSize * count;
-  if (size != expected)
+  // A whole number of facets too many means that the count is wrong; so does a rest that is larger than what it counts.
+  const bool trailing = size > expected && (size - expected) % FacetSize != 0 && size - expected <= FacetSize * count;
+  if (size != expected && !trailing)
   {
     throw SurfaceMeshFileError("",
                                std::string(size < expected ? "is truncated" : "is too long") + ": " +
@@ -283,6 +285,7 @@ ParseBinarySTL(const char * bytes, std::size_t size)
   const std::size_t facets = CheckedFacetCount(bytes, size);
   WeldedTriangles   result;
   result.numberOfFacets = facets;
+  result.numberOfTrailingBytes = size - HeaderSize - FacetSize * facets;
   ReserveHuge(result.triangles, facets);
   result.triangles.resize(facets);
   // A closed surface has half as many points as triangles.

@@ -18,6 +18,7 @@
 #include "itkOpenMeshMeshIO.h"
 
 #include "itkDentalInputError.h"
+#include "itkForeignFile.h"
 #include "itkOpenMeshWriter.h"
 #include "itkReadDentalMesh.h"
 #include "itkSurfaceMeshFile.h"
@@ -166,6 +167,8 @@ OpenMeshMeshIO::ReadMeshInformation()
   }
   catch (const SurfaceMeshFileError & error)
   {
+    // What it is says more than what it is not.
+    RefuseForeignFile(m_FileName, FilePurposeEnum::Scan);
     itkDentalInputErrorMacro(m_FileName, error.field, error.problem, error.remedy);
   }
   catch (const std::bad_alloc &)
@@ -397,9 +400,9 @@ OpenMeshMeshIO::PrintSelf(std::ostream & os, Indent indent) const
 }
 
 template Mesh<float, 3>::Pointer
-ReadDentalMesh<Mesh<float, 3>>(const std::string &);
+ReadDentalMesh<Mesh<float, 3>>(const std::string &, std::vector<std::string> *);
 template Mesh<double, 3>::Pointer
-ReadDentalMesh<Mesh<double, 3>>(const std::string &);
+ReadDentalMesh<Mesh<double, 3>>(const std::string &, std::vector<std::string> *);
 template void
 WriteDentalMesh<Mesh<float, 3>>(const Mesh<float, 3> *, const std::string &);
 template void

@@ -52,6 +52,11 @@ ParseSurfaceMesh(const char * bytes, std::size_t size, const std::string & fileN
       surface.triangles = std::move(welded.triangles);
       surface.numberOfFacesInFile = welded.numberOfFacets;
       surface.numberOfDegenerateFaces = welded.numberOfDegenerateFacets;
+      if (welded.numberOfTrailingBytes > 0)
+      {
+        surface.warning = "has " + std::to_string(welded.numberOfTrailingBytes) + " bytes behind its " +
+                          std::to_string(welded.numberOfFacets) + " facets, which are not looked at";
+      }
       break;
     }
     case MeshFileFormatEnum::AsciiSTL:

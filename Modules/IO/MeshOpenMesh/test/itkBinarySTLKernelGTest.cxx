@@ -154,13 +154,30 @@ TEST(BinarySTLKernel, NamesTheSizeExpectedAndFound)
 {
   const std::string whole = mesh_file_bytes::BinarySTL(mesh_file_bytes::TetrahedronFacets());
   EXPECT_EQ(MessageOf(whole.substr(0, 200)), "is truncated: 4 facets need 284 bytes, the file has 200");
-  EXPECT_EQ(MessageOf(whole + "x"), "is too long: 4 facets need 284 bytes, the file has 285");
+  // One facet too many, or more than there is of facets: the count cannot be right.
+  EXPECT_EQ(MessageOf(whole + std::string(50, 'x')), "is too long: 4 facets need 284 bytes, the file has 334");
+  EXPECT_EQ(MessageOf(whole + std::string(201, 'x')), "is too long: 4 facets need 284 bytes, the file has 485");
   EXPECT_EQ(MessageOf(whole.substr(0, 84)), "is truncated: 4 facets need 284 bytes, the file has 84");
   EXPECT_EQ(MessageOf(whole.substr(0, 40)), "has 40 bytes; a binary STL has at least 84");
   EXPECT_EQ(MessageOf(mesh_file_bytes::BinarySTL({})), "has no triangles");
   std::string huge = whole;
   huge.replace(80, 4, "\xff\xff\xff\xff");
   EXPECT_EQ(MessageOf(huge), "is truncated: 4294967295 facets need 214748364834 bytes, the file has 284");
+}
+
+TEST(BinarySTLKernel, BytesBehindTheFacetsAreCountedAndNotLookedAt)
+{
+  const std::string whole = mesh_file_bytes::BinarySTL(mesh_file_bytes::TetrahedronFacets());
+  const auto        plain = itk::ParseBinarySTL(whole.data(), whole.size());
+  EXPECT_EQ(plain.numberOfTrailingBytes, 0u);
+  for (const std::size_t more : { std::size_t{ 1 }, std::size_t{ 49 }, std::size_t{ 199 } })
+  {
+    const std::string longer = whole + std::string(more, '\xff');
+    const auto        welded = itk::ParseBinarySTL(longer.data(), longer.size());
+    EXPECT_EQ(welded.numberOfTrailingBytes, more);
+    EXPECT_EQ(welded.points, plain.points);
+    EXPECT_EQ(welded.triangles, plain.triangles);
+  }
 }
 
 TEST(BinarySTLKernel, NamesTheFacetThatIsNotFinite)

@@ -1,0 +1,245 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkForeignFile.h"
+
+#include "itkDentalInputError.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace itk
+{
+namespace
+{
+/** Where a kind's signature stands. */
+enum class PlaceEnum : uint8_t
+{
+  /** The file's first bytes. */
+  Start,
+  /** The first bytes behind blanks and a byte order mark, in lower case. */
+  Text,
+  /** The first element of XML, whatever its prolog, in lower case. */
+  Element,
+  /** Anywhere in the first bytes of a ZIP archive. */
+  Archive
+};
+
+/** Bits of purposes that a kind cannot serve. */
+constexpr unsigned int Scan = 1;
+constexpr unsigned int Radiograph = 2;
+constexpr unsigned int Tracing = 4;
+constexpr unsigned int Landmarks = 8;
+constexpr unsigned int Drawn = Tracing | Landmarks;
+constexpr unsigned int Any = 15;
+
+struct Kind
+{
+  PlaceEnum    place;
+  std::string  signature;
+  unsigned int refused;
+  const char * name;
+  /** What to do about it; null: what the purpose wants. */
+  const char * remedy;
+};
+
+const std::string Nul(1, '\0');
+
+/** In the order in which they are tried. */
+const Kind Kinds[] = {
+  { PlaceEnum::Element,
+    "hps",
+    Any,
+    "a 3Shape scan (HPS; no DICOM in spite of its name)",
+    "export the scan from the 3Shape software as STL or PLY: HPS is closed and often encrypted" },
+  { PlaceEnum::Archive, "xl/", Any, "an Excel workbook", "save the sheet as CSV with the columns label,x,y" },
+  { PlaceEnum::Archive, "[content_types].xml", Any, "an Office document", "save a table as CSV (label,x,y)" },
+  { PlaceEnum::Archive, "3d/3dmodel.model", Any, "a 3MF model", "export STL or PLY" },
+  { PlaceEnum::Archive,
+    "index.json",
+    Any,
+    "a ZIP archive with an index.json, such as WebCeph's .wceph",
+    "export the points as CSV with the columns label,x,y" },
+  { PlaceEnum::Start, "PK\x03\x04", Any, "a ZIP archive", "unpack it and name the file in it" },
+  { PlaceEnum::Start, "Rar!", Any, "a RAR archive", "unpack it and name the file in it" },
+  { PlaceEnum::Start, "7z\xbc\xaf\x27\x1c", Any, "a 7-Zip archive", "unpack it and name the file in it" },
+  { PlaceEnum::Start, "\x1f\x8b", Any, "a gzip archive", "unpack it and name the file in it" },
+  { PlaceEnum::Start, "\xd0\xcf\x11\xe0", Any, "an old Excel or Office document", "save the table as CSV (label,x,y)" },
+  { PlaceEnum::Start, "%PDF", Any, "a PDF document", nullptr },
+  { PlaceEnum::Element,
+    "svg",
+    Any,
+    "an SVG drawing",
+    "trace in labelme, CVAT or 3D Slicer, or save one mask image a tooth (PNG)" },
+  { PlaceEnum::Element, "html", Any, "a web page", "download the file itself" },
+  { PlaceEnum::Text, "<!doctype html", Any, "a web page", "download the file itself" },
+  { PlaceEnum::Text, "# markups fiducial file", Any, "Slicer's old .fcsv table", "save the markups as .mrk.json" },
+  { PlaceEnum::Start, "\xff\xfe", Drawn, "text in UTF-16", "save it as UTF-8" },
+  { PlaceEnum::Start, "\xfe\xff", Drawn, "text in UTF-16", "save it as UTF-8" },
+  { PlaceEnum::Start, "\x89HDF", Any, "an HDF5 file", nullptr },
+  { PlaceEnum::Start, "glTF", Any, "a glTF model", "export STL or PLY" },
+  { PlaceEnum::Start, "\x89PNG", Scan | Landmarks, "a PNG picture", nullptr },
+  { PlaceEnum::Start, "\xff\xd8\xff", Scan | Landmarks, "a JPEG picture", nullptr },
+  { PlaceEnum::Start, "II*" + Nul, Scan | Landmarks, "a TIFF picture", nullptr },
+  { PlaceEnum::Start, "MM" + Nul + "*", Scan | Landmarks, "a TIFF picture", nullptr },
+  { PlaceEnum::Start, "GIF8", Any, "a GIF picture", "save it as PNG" },
+  { PlaceEnum::Start, "NRRD000", Scan | Landmarks, "a NRRD image", nullptr },
+  { PlaceEnum::Text, "ply", Radiograph | Drawn, "a PLY mesh", nullptr },
+  { PlaceEnum::Text, "solid ", Radiograph | Drawn, "an STL mesh", nullptr },
+  { PlaceEnum::Text, "# vtk datafile", Radiograph | Drawn, "a VTK file", nullptr },
+  { PlaceEnum::Element, "annotations", Scan | Radiograph, "a tracing (CVAT)", nullptr },
+  { PlaceEnum::Element, "vtkfile", Radiograph | Drawn, "a VTK mesh", nullptr },
+  { PlaceEnum::Text, "{", Scan | Radiograph, "a JSON file", nullptr },
+  { PlaceEnum::Text, "[{", Scan | Radiograph, "a JSON file", nullptr },
+};
+
+unsigned int
+BitOf(FilePurposeEnum purpose)
+{
+  switch (purpose)
+  {
+    case FilePurposeEnum::Scan:
+      return Scan;
+    case FilePurposeEnum::Radiograph:
+      return Radiograph;
+    case FilePurposeEnum::Tracing:
+      return Tracing;
+    default:
+      return Landmarks;
+  }
+}
+
+const char *
+NameOf(FilePurposeEnum purpose)
+{
+  switch (purpose)
+  {
+    case FilePurposeEnum::Scan:
+      return "no scan";
+    case FilePurposeEnum::Radiograph:
+      return "no radiograph";
+    case FilePurposeEnum::Tracing:
+      return "no tracing";
+    default:
+      return "no table of landmarks";
+  }
+}
+
+const char *
+RemedyOf(FilePurposeEnum purpose)
+{
+  switch (purpose)
+  {
+    case FilePurposeEnum::Scan:
+      return "name the scan as STL, PLY, OBJ, OFF, VTK or VTP";
+    case FilePurposeEnum::Radiograph:
+      return "name the radiograph as PNG, JPEG, TIFF, BMP, NRRD, MetaImage or DICOM";
+    case FilePurposeEnum::Tracing:
+      return "name the tracing: JSON (own, labelme, COCO, VIA, Label Studio, Supervisely, 3D Slicer), CVAT XML, CSV "
+             "with "
+             "label,x,y, or a label map";
+    default:
+      return "name the landmarks: JSON or CSV with label,x,y";
+  }
+}
+
+std::string
+LowerCase(std::string text)
+{
+  for (char & character : text)
+  {
+    character = character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
+  }
+  return text;
+}
+
+/** Name of the first element of what may be XML; "" where there is none. */
+std::string
+FindElement(const std::string & text)
+{
+  std::size_t place = 0;
+  while ((place = text.find('<', place)) != std::string::npos && place + 1 < text.size())
+  {
+    if (text[place + 1] != '?' && text[place + 1] != '!')
+    {
+      const std::size_t end = text.find_first_of(" \t\r\n/>", place + 1);
+      return text.substr(place + 1, end == std::string::npos ? end : end - place - 1);
+    }
+    const bool comment = text.compare(place, 4, "<!--") == 0;
+    place = text.find(comment ? "-->" : ">", place);
+    if (place == std::string::npos)
+    {
+      break;
+    }
+  }
+  return std::string();
+}
+} // namespace
+
+void
+RefuseForeignFile(const std::string & fileName, FilePurposeEnum purpose)
+{
+  // A pipe would be waited for, and what was read of it is gone.
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(fileName, ignored))
+  {
+    return;
+  }
+  std::string   head(4096, '\0');
+  std::ifstream file(fileName, std::ios::binary);
+  file.read(&head[0], static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount() > 0 ? file.gcount() : 0));
+
+  std::string       text = LowerCase(head.compare(0, 3, "\xef\xbb\xbf") == 0 ? head.substr(3) : head);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  text.erase(0, first == std::string::npos ? text.size() : first);
+  const std::string element = !text.empty() && text[0] == '<' ? FindElement(text) : std::string();
+  const bool        archive = head.compare(0, 4, "PK\x03\x04") == 0;
+  const auto        fits = [&](const Kind & kind) {
+    switch (kind.place)
+    {
+      case PlaceEnum::Start:
+        return head.compare(0, kind.signature.size(), kind.signature) == 0;
+      case PlaceEnum::Text:
+        return text.compare(0, kind.signature.size(), kind.signature) == 0;
+      case PlaceEnum::Element:
+        return element == kind.signature;
+      default:
+        return archive && text.find(kind.signature) != std::string::npos;
+    }
+  };
+  const auto refuse = [&](const char * name, const char * remedy) {
+    itkDentalInputErrorMacro(
+      fileName, "", std::string("is ") + name + ", " + NameOf(purpose), remedy != nullptr ? remedy : RemedyOf(purpose));
+  };
+  for (const Kind & kind : Kinds)
+  {
+    if (fits(kind))
+    {
+      if ((kind.refused & BitOf(purpose)) != 0)
+      {
+        refuse(kind.name, kind.remedy);
+      }
+      return;
+    }
+  }
+  if ((BitOf(purpose) & (Scan | Landmarks)) != 0 && head.size() > 132 && head.compare(128, 4, "DICM") == 0)
+  {
+    refuse("a DICOM image", nullptr);
+  }
+}
+} // namespace itk

@@ -1,0 +1,102 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkForeignFile.h"
+
+#include "itkTestFile.h"
+
+#include <gtest/gtest.h>
+
+using Purpose = itk::FilePurposeEnum;
+
+namespace
+{
+/** The refusal in words, or "" where the file is let through. */
+std::string
+Refusal(const std::string & name, const std::string & content, Purpose purpose)
+{
+  const std::string path = itk::WriteTestFile(name, content);
+  try
+  {
+    itk::RefuseForeignFile(path, purpose);
+  }
+  catch (const itk::DentalInputError & error)
+  {
+    return error.GetProblem() + "; " + error.GetRemedy();
+  }
+  return "";
+}
+
+const std::string Hps =
+  "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- 3Shape -->\n<HPS version=\"1.1\"><Packed_geometry>"
+  "<Schema>CE</Schema></Packed_geometry></HPS>";
+const std::string Workbook =
+  std::string("PK\x03\x04\x14\0\x06\0", 8) + "[Content_Types].xml" + std::string(20, '\0') + "xl/workbook.xml";
+} // namespace
+
+TEST(ForeignFile, IsNamedForWhatItIsWithWhatToExportInstead)
+{
+  struct Row
+  {
+    const char * name;
+    std::string  content;
+    const char * is;
+    const char * remedy;
+  };
+  const Row rows[] = {
+    { "upper.dcm", Hps, "3Shape", "STL or PLY" },
+    { "points.xlsx", Workbook, "Excel", "CSV" },
+    { "scan.zip", std::string("PK\x03\x04\x14\0\0\0", 8) + "upper.stl", "ZIP", "unpack" },
+    { "case.wceph", std::string("PK\x03\x04\x14\0\0\0", 8) + "index.json", "WebCeph", "CSV" },
+    { "old.xls", "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "Excel", "CSV" },
+    { "trace.svg", "<?xml version='1.0'?>\n<!DOCTYPE svg>\n<svg width='10'>", "SVG", "labelme" },
+    { "report.pdf", "%PDF-1.7\n", "PDF", "name the" },
+    { "page.html", "\n<!DOCTYPE HTML>\n<html>", "web page", "download" },
+    { "F.fcsv", "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n", ".fcsv", ".mrk.json" },
+  };
+  for (const Row & row : rows)
+  {
+    for (const Purpose purpose : { Purpose::Scan, Purpose::Tracing, Purpose::Landmarks, Purpose::Radiograph })
+    {
+      const std::string refusal = Refusal(row.name, row.content, purpose);
+      EXPECT_TRUE(itk::Contains(refusal, row.is)) << row.name << ": " << refusal;
+      EXPECT_TRUE(itk::Contains(refusal, row.remedy)) << row.name << ": " << refusal;
+    }
+  }
+}
+
+TEST(ForeignFile, WhatServesThePurposeIsLetThrough)
+{
+  EXPECT_EQ(Refusal("contours.json", "{\"contours\": {}}", Purpose::Tracing), "");
+  EXPECT_EQ(Refusal("labels.png", "\x89PNG\r\n\x1a\n", Purpose::Tracing), "");
+  EXPECT_EQ(Refusal("upper.ply", "ply\nformat ascii 1.0\n", Purpose::Scan), "");
+  EXPECT_EQ(Refusal("upper.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\">", Purpose::Scan), "");
+  EXPECT_EQ(Refusal("cvat.xml", "<?xml version=\"1.0\"?>\n<annotations>", Purpose::Landmarks), "");
+  EXPECT_EQ(Refusal("upper.stl", std::string(84, '\0'), Purpose::Scan), "");
+  EXPECT_EQ(Refusal("empty", "", Purpose::Scan), "");
+  // What is missing is for the reader to say.
+  EXPECT_NO_THROW(itk::RefuseForeignFile(itk::TestFolder() + "/no_such_file", Purpose::Scan));
+}
+
+TEST(ForeignFile, WhatServesAnotherPurposeIsNamed)
+{
+  EXPECT_TRUE(itk::Contains(Refusal("a", "\x89PNG\r\n\x1a\n", Purpose::Scan), "a PNG picture, no scan"));
+  EXPECT_TRUE(itk::Contains(Refusal("b", "{\"contours\": {}}", Purpose::Radiograph), "a JSON file, no radiograph"));
+  EXPECT_TRUE(itk::Contains(Refusal("c", "ply\nformat ascii 1.0\n", Purpose::Tracing), "a PLY mesh, no tracing"));
+  EXPECT_TRUE(itk::Contains(Refusal("d", std::string(128, '\0') + "DICM" + std::string(10, '\0'), Purpose::Scan),
+                            "a DICOM image"));
+}
