@@ -113,6 +113,20 @@ public:
   PixelSpacingType
   GetDetectorPixelSpacing(double sourceToDetector, double sourceToMidsagittal) const;
 
+  /** Spacing and origin (mm) that other programs built on ITK, 3D Slicer for one, give the picture by its header: not
+   * what they are worth, but what positions in millimetres on the picture were made with. Known of DICOM, NRRD and
+   * MetaImage whose axes are those of the picture; the other formats are loaded in several ways. The getters throw
+   * where there is none. */
+  bool
+  HasHeaderSpacing() const
+  {
+    return m_HeaderSpacing.has_value();
+  }
+  PixelSpacingType
+  GetHeaderSpacing() const;
+  PixelSpacingType
+  GetHeaderOrigin() const;
+
   /** mm, (0018,1110). The getter throws where there is none. */
   bool
   HasSourceToDetectorDistance() const
@@ -186,6 +200,8 @@ private:
   ReadDicomTags();
   void
   ReadHeaderSpacing();
+  void
+  ReadHeaderGrid();
   std::optional<double>
   ReadPositiveTag(const char * key, const char * name);
   std::optional<std::array<double, 2>>
@@ -204,6 +220,8 @@ private:
   PixelSpacingVerdictEnum         m_PixelSpacingVerdict{ PixelSpacingVerdictEnum::Unknown };
   SpacingPlaneEnum                m_SpacingPlane{ SpacingPlaneEnum::Unknown };
   std::optional<PixelSpacingType> m_PixelSpacing;
+  std::optional<PixelSpacingType> m_HeaderSpacing;
+  PixelSpacingType                m_HeaderOrigin;
   std::optional<double>           m_SourceToDetectorDistance;
   std::optional<double>           m_SourceToMidsagittalDistance;
   std::optional<double>           m_MagnificationFactor;

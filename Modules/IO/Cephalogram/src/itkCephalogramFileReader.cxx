@@ -18,35 +18,18 @@
 #include "itkCephalogramFileReader.h"
 
 #include "itkDentalInputError.h"
-#include "itkDicomImageIO.h"
+#include "itkIntegerTIFF.h"
 #include "itkRadiographFileFormat.h"
+#include "itkRadiographImageIO.h"
 #include "itkRadiographText.h"
 
-#include "itkBMPImageIO.h"
-#include "itkJPEGImageIO.h"
 #include "itkMetaDataObject.h"
-#include "itkMetaImageIO.h"
-#include "itkNrrdImageIO.h"
-#include "itkPNGImageIO.h"
-#include "itkTIFFImageIO.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <limits>
-#include <memory>
-#include <new>
 #include <sstream>
 #include <type_traits>
-
-// Of the libtiff inside ITK, whose header is not installed; weak, as an ITK on the system's libtiff has not these
-// names.
-extern "C" {
-using TIFFHandler = void (*)(const char *, const char *, va_list);
-__attribute__((weak)) TIFFHandler
-itk_TIFFSetWarningHandler(TIFFHandler handler);
-__attribute__((weak)) TIFFHandler
-itk_TIFFSetErrorHandler(TIFFHandler handler);
-}
 
 namespace itk
 {
@@ -54,109 +37,6 @@ namespace
 {
 using Format = RadiographFileFormatEnum;
 using RadiographText::ToString;
-
-/** ITK's readers warn on stderr, of MONOCHROME1 for one, and so do GDCM and libtiff; a library does not print. */
-class SilencedWarnings
-{
-public:
-  SilencedWarnings()
-    : m_Before(Object::GetGlobalWarningDisplay())
-    , m_Dicom(GetLoadedDicomImageIO())
-  {
-    Object::SetGlobalWarningDisplay(false);
-    if (m_Dicom != nullptr)
-    {
-      m_GDCMWarning = m_Dicom->setWarnings(false);
-      m_GDCMError = m_Dicom->setErrors(false);
-    }
-    if (itk_TIFFSetWarningHandler != nullptr && itk_TIFFSetErrorHandler != nullptr)
-    {
-      m_TIFFWarning = itk_TIFFSetWarningHandler(nullptr);
-      m_TIFFError = itk_TIFFSetErrorHandler(nullptr);
-    }
-  }
-  ~SilencedWarnings()
-  {
-    Object::SetGlobalWarningDisplay(m_Before);
-    if (m_Dicom != nullptr)
-    {
-      m_Dicom->setWarnings(m_GDCMWarning);
-      m_Dicom->setErrors(m_GDCMError);
-    }
-    if (itk_TIFFSetWarningHandler != nullptr && itk_TIFFSetErrorHandler != nullptr)
-    {
-      itk_TIFFSetWarningHandler(m_TIFFWarning);
-      itk_TIFFSetErrorHandler(m_TIFFError);
-    }
-  }
-  SilencedWarnings(const SilencedWarnings &) = delete;
-  SilencedWarnings &
-  operator=(const SilencedWarnings &) = delete;
-
-private:
-  bool                 m_Before;
-  const DicomImageIO * m_Dicom;
-  bool                 m_GDCMWarning{ false };
-  bool                 m_GDCMError{ false };
-  TIFFHandler          m_TIFFWarning{ nullptr };
-  TIFFHandler          m_TIFFError{ nullptr };
-};
-
-ImageIOBase::Pointer
-MakeImageIO(Format format)
-{
-  switch (format)
-  {
-    case Format::PNG:
-      return PNGImageIO::New().GetPointer();
-    case Format::JPEG:
-      return JPEGImageIO::New().GetPointer();
-    case Format::TIFF:
-      return TIFFImageIO::New().GetPointer();
-    case Format::BMP:
-      return BMPImageIO::New().GetPointer();
-    case Format::NRRD:
-      return NrrdImageIO::New().GetPointer();
-    case Format::MetaImage:
-      return MetaImageIO::New().GetPointer();
-    default: {
-      const ImageIOBase::Pointer io = LoadDicomImageIO().create();
-      // The pointer holds a reference too.
-      io->UnRegister();
-      return io;
-    }
-  }
-}
-
-/** Calls the reader's code and turns what it throws into an input error. */
-template <typename TFunction>
-void
-CallImageIO(const std::string & fileName, const std::string & format, const TFunction & function)
-{
-  const std::string problem = "cannot be read as " + format;
-  const char *      remedy = "the file may be truncated or damaged: copy or export it again";
-  try
-  {
-    const SilencedWarnings silenced;
-    function();
-  }
-  catch (const DentalInputError &)
-  {
-    throw;
-  }
-  catch (const std::bad_alloc &)
-  {
-    itkDentalInputErrorMacro(fileName, "", problem + ": not enough memory", remedy);
-  }
-  catch (const ExceptionObject & error)
-  {
-    itkDentalInputErrorMacro(fileName, "", problem + ": " + std::string(error.GetDescription()).substr(0, 200), remedy);
-  }
-  catch (const std::exception & error)
-  {
-    itkDentalInputErrorMacro(fileName, "", problem + ": " + std::string(error.what()).substr(0, 200), remedy);
-  }
-}
 
 /** The grey level that a white-is-zero TIFF's 0 stands for; ITK's reader leaves such a file a negative. */
 float
@@ -269,6 +149,42 @@ CephalogramFileReader::GetPixelSpacing() const -> PixelSpacingType
                                                    "pixel, or UpdateOutputInformation() if the file was not read yet.");
   }
   return *m_PixelSpacing;
+}
+
+auto
+CephalogramFileReader::GetHeaderSpacing() const -> PixelSpacingType
+{
+  if (!m_HeaderSpacing)
+  {
+    itkExceptionMacro("The header of \"" << m_FileName << "\" tells no spacing: see HasHeaderSpacing().");
+  }
+  return *m_HeaderSpacing;
+}
+
+auto
+CephalogramFileReader::GetHeaderOrigin() const -> PixelSpacingType
+{
+  this->GetHeaderSpacing();
+  return m_HeaderOrigin;
+}
+
+void
+CephalogramFileReader::ReadHeaderGrid()
+{
+  PixelSpacingType spacing;
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    spacing[i] = m_ImageIO->GetSpacing(i);
+    m_HeaderOrigin[i] = m_ImageIO->GetOrigin(i);
+    const std::vector<double> direction = m_ImageIO->GetDirection(i);
+    // Negated so that what is not finite is refused.
+    if (!(spacing[i] > 0.0) || !std::isfinite(spacing[i]) || !std::isfinite(m_HeaderOrigin[i]) ||
+        direction.size() < 2 || direction[i] != 1.0)
+    {
+      return;
+    }
+  }
+  m_HeaderSpacing = spacing;
 }
 
 auto
@@ -405,6 +321,7 @@ CephalogramFileReader::GenerateOutputInformation()
   m_PixelSpacingVerdict = PixelSpacingVerdictEnum::Unknown;
   m_SpacingPlane = SpacingPlaneEnum::Unknown;
   m_PixelSpacing.reset();
+  m_HeaderSpacing.reset();
   m_SourceToDetectorDistance.reset();
   m_SourceToMidsagittalDistance.reset();
   m_MagnificationFactor.reset();
@@ -415,9 +332,9 @@ CephalogramFileReader::GenerateOutputInformation()
   const Format format = DetectRadiographFileFormat(m_FileName);
   m_FileFormat = itk::ToString(format);
   VerifyRadiographFileIsComplete(m_FileName, format, MaximumNumberOfPixels);
-  m_ImageIO = MakeImageIO(format);
+  m_ImageIO = MakeRadiographImageIO(format);
   m_ImageIO->SetFileName(m_FileName);
-  CallImageIO(m_FileName, m_FileFormat, [this] { m_ImageIO->ReadImageInformation(); });
+  CallRadiographImageIO(m_FileName, m_FileFormat, [this] { m_ImageIO->ReadImageInformation(); });
 
   const unsigned int        dimensions = m_ImageIO->GetNumberOfDimensions();
   OutputImageType::SizeType size{ { 0, 0 } };
@@ -461,10 +378,12 @@ CephalogramFileReader::GenerateOutputInformation()
   {
     case Format::DICOM:
       this->ReadDicomTags();
+      this->ReadHeaderGrid();
       break;
     case Format::NRRD:
     case Format::MetaImage:
       this->ReadHeaderSpacing();
+      this->ReadHeaderGrid();
       break;
     default:
       m_Provenance["pixel_spacing"] = m_FileFormat + " has no pixel spacing; a resolution in dots per inch is not one";
@@ -525,10 +444,18 @@ CephalogramFileReader::GenerateData()
     region.SetSize(i, m_ImageIO->GetDimensions(i));
   }
   bool finite = true;
-  CallImageIO(m_FileName, m_FileFormat, [&] {
+  CallRadiographImageIO(m_FileName, m_FileFormat, [&] {
     m_ImageIO->SetIORegion(region);
     // Zeros, so that a reader that leaves a part out leaves no memory of others.
     std::vector<char> buffer(static_cast<std::size_t>(m_ImageIO->GetImageSizeInBytes()), 0);
+    if (IsIntegerTIFF(m_FileName))
+    {
+      const std::vector<double> values = ReadIntegerTIFF(m_FileName, size[0], size[1]);
+      std::transform(values.begin(), values.end(), output->GetBufferPointer(), [](double value) {
+        return static_cast<float>(value);
+      });
+      return;
+    }
     m_ImageIO->Read(buffer.data());
     finite = ConvertToGrey(m_ImageIO->GetComponentType(),
                            buffer.data(),
@@ -575,6 +502,8 @@ CephalogramFileReader::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "PixelSpacingVerdict: " << m_PixelSpacingVerdict << std::endl;
   os << indent << "SpacingPlane: " << m_SpacingPlane << std::endl;
   print("PixelSpacing", m_PixelSpacing);
+  print("HeaderSpacing", m_HeaderSpacing);
+  os << indent << "HeaderOrigin: " << m_HeaderOrigin << std::endl;
   print("SourceToDetectorDistance", m_SourceToDetectorDistance);
   print("SourceToMidsagittalDistance", m_SourceToMidsagittalDistance);
   print("MagnificationFactor", m_MagnificationFactor);

@@ -19,6 +19,7 @@
 
 #include "itkDentalInputError.h"
 #include "itkDicomFileCheck.h"
+#include "itkForeignFile.h"
 #include "itkJPEGFileCheck.h"
 
 #include <algorithm>
@@ -516,6 +517,7 @@ DetectRadiographFileFormat(const std::string & fileName)
   {
     return Format::BMP;
   }
+  RefuseForeignFile(fileName, FilePurposeEnum::Radiograph);
   itkDentalInputErrorMacro(
     fileName, "", "is no image of a known format", "use PNG, JPEG, TIFF, BMP, NRRD, MetaImage or DICOM");
 }

@@ -1,0 +1,56 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkReadLabelImage_h
+#define itkReadLabelImage_h
+
+#include "CephalogramExport.h"
+
+#include "itkImage.h"
+
+#include <cstdint>
+#include <string>
+
+namespace itk
+{
+/** A label map in the pixel grid of a radiograph: PNG (grey or palette, whose index is the label), TIFF (whole numbers
+ * of up to 32 bits), BMP, NRRD, MetaImage or DICOM. What an image viewer needs colours for is a number here: a colour
+ * picture is an error unless its colours are grey.
+ *
+ * Spacing and origin are those of pixels, whatever the file says. Throws DentalInputError for what
+ * CephalogramFileReader refuses, and for pixels that are no whole number from 0 to 65535.
+ *
+ * \ingroup Cephalogram */
+Cephalogram_EXPORT Image<std::uint16_t, 2>::Pointer
+                   ReadLabelImage(const std::string & fileName);
+
+/** A picture of two tones, a mask or drawn lines, as 1 where something is drawn and 0 elsewhere. The rarer tone is what
+ * is drawn, so that white on black and black on white are read alike; colours count by their luminance. Throws as
+ * ReadLabelImage(), and where all pixels are alike.
+ *
+ * \ingroup Cephalogram */
+Cephalogram_EXPORT Image<std::uint8_t, 2>::Pointer
+                   ReadMaskImage(const std::string & fileName);
+
+/** Whether a file begins as an image that these functions take. False for a file that cannot be opened.
+ *
+ * \ingroup Cephalogram */
+Cephalogram_EXPORT bool
+IsImageFile(const std::string & fileName);
+} // namespace itk
+
+#endif

@@ -1,0 +1,39 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkRadiographImageIO_h
+#define itkRadiographImageIO_h
+
+#include "itkRadiographFileFormat.h"
+
+#include "itkImageIOBase.h"
+
+#include <functional>
+#include <string>
+
+namespace itk
+{
+/** Not installed: the decoder of a format. GDCM is loaded with the first DICOM file. */
+ImageIOBase::Pointer
+MakeRadiographImageIO(RadiographFileFormatEnum format);
+
+/** Calls a decoder's code, silences what it prints, and turns what it throws into an input error. */
+void
+CallRadiographImageIO(const std::string & fileName, const std::string & format, const std::function<void()> & function);
+} // namespace itk
+
+#endif
