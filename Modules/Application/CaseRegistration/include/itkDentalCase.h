@@ -27,6 +27,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace itk
@@ -87,6 +88,7 @@ struct DentalCase
   std::optional<std::array<unsigned int, 2>>           imageSize;
   std::optional<std::array<double, 2>>                 pixelSpacing;
   bool                                                 spacingAtMidsagittalPlane{ false };
+  bool                                                 spacingPlaneIsGiven{ false };
   std::optional<CephalometricGeometry::FacingEnum>     facing;
   std::optional<double>                                sourceToMidsagittal;
   std::optional<double>                                sourceToDetector;
@@ -94,6 +96,10 @@ struct DentalCase
   std::optional<std::array<double, 2>>                 principalPoint;
 
   std::string contoursFile;
+  /** Masks or drawn lines of one tooth or jaw each, in place of contoursFile: code and file. */
+  std::vector<std::pair<std::string, std::string>> contourClassFiles;
+  /** mm a pixel that the radiograph had where markups were made on it, whose positions are in mm. */
+  std::optional<std::array<double, 2>> markupsSpacing;
   /** A file of landmarks to register with; "" where none is named. */
   std::string cephalometricLandmarksFile;
   /** The landmarks themselves, where the case file holds them; else null. */

@@ -27,7 +27,9 @@
 #include "itkMesh.h"
 
 #include <cstdint>
+#include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace itk
@@ -92,8 +94,12 @@ struct DentalCaseData
   DentalLandmarkSet<3>::Pointer landmarks3D;
   /** Marked on the radiograph, to register with; null where none were given. */
   CephalometricLandmarkSet::Pointer cephalometricLandmarks;
-  std::vector<std::string>          warnings;
-  double                            readSeconds{ 0.0 };
+  /** Contours whose codes do not say their side: U1, L6. */
+  std::size_t sidelessContours{ 0 };
+  /** mm a pixel and origin (mm) of the grid in which markups lie; nothing where nobody knows. */
+  std::optional<std::array<double, 4>> markupsGrid;
+  std::vector<std::string>             warnings;
+  double                               readSeconds{ 0.0 };
 
   const JawType &
   GetJaw(JawEnum jaw) const

@@ -43,6 +43,10 @@ CaseRegistration_EXPORT OcclusionEnum
 OcclusionFromString(const std::string & text);
 CaseRegistration_EXPORT CrownsEnum
 CrownsFromString(const std::string & text);
+/** Adds a tooth to those that are left out, by its code in the case's numbering; a code without a side (U6) is both
+ * sides' tooth. */
+CaseRegistration_EXPORT void
+ExcludeTooth(DentalCase & dentalCase, const std::string & text);
 /** Adds "scale", "rotation" or "translation" to the case's fixed parameters. */
 CaseRegistration_EXPORT void
 FixParameter(DentalCase & dentalCase, const std::string & text);

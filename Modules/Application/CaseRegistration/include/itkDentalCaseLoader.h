@@ -19,6 +19,7 @@
 #define itkDentalCaseLoader_h
 
 #include "CaseRegistrationExport.h"
+#include "itkAnnotationFileReaderBase.h"
 #include "itkDentalCaseData.h"
 
 #include <memory>
@@ -32,6 +33,13 @@ namespace itk
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT std::shared_ptr<DentalCaseData>
                         LoadDentalCase(const DentalCase & description);
+
+/** Tells a reader of files on the radiograph what a case knows: the radiograph's name, and how many mm markups have a
+ * pixel.
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+PrepareReader(const DentalCaseData & data, AnnotationFileReaderBase & reader);
 
 /** Throws DentalInputError for a landmark that lies outside the image by more than a tenth of it: a hand or a detector
  * misses by less, a wrong unit or another copy of the image by more. `prefix` stands before the landmark's name in the

@@ -18,6 +18,7 @@
 #include "itkCaseLandmarkErrorFilter.h"
 
 #include "itkCaseResultWriter.h"
+#include "itkDentalCaseLoader.h"
 #include "itkDentalLandmarkFileReader.h"
 
 namespace itk
@@ -76,6 +77,7 @@ CaseLandmarkErrorFilter::GenerateData()
     {
       reader->SetNumbering(*description.numbering);
     }
+    PrepareReader(*result.data, *reader);
     reader->Update();
     result.warnings.insert(result.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
     MeasureLandmarkErrors(result, reader->GetOutput());

@@ -87,7 +87,11 @@ SpacingSourceOf(const DentalCaseData & data)
 {
   std::ostringstream detector;
   detector << PixelSpacingVerdictEnum::Detector;
-  return data.sources.pixelSpacing == ValueSourceEnum::DICOM && data.spacingVerdict != detector.str()
+  // A ruler that somebody traced is as sure of its plane as a calibration in DICOM.
+  std::ostringstream calibrated;
+  calibrated << PixelSpacingVerdictEnum::Calibrated;
+  return (data.sources.pixelSpacing == ValueSourceEnum::DICOM && data.spacingVerdict != detector.str()) ||
+             data.spacingVerdict == calibrated.str()
            ? ScalePrior::SpacingSource::Dicom
            : ScalePrior::SpacingSource::Given;
 }

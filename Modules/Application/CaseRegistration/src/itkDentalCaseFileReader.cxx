@@ -100,6 +100,42 @@ PositiveNumber(const JsonNode & node, const char * remedy)
   return value;
 }
 
+/** A file's name, or an object of a file a tooth or jaw. */
+void
+ReadContourFiles(const JsonNode & root, const fs::path & directory, DentalCase & dentalCase)
+{
+  const auto node = root.Find("contours");
+  if (!node || !node->IsObject())
+  {
+    dentalCase.contoursFile = FindFile(root, "contours", directory);
+    return;
+  }
+  for (const auto & [code, file] : node->GetMembers())
+  {
+    if (!file.IsString())
+    {
+      node->Fail("is no file's name, nor an object of a file a tooth",
+                 R"(name the tracing, or masks of one tooth or jaw each: {"UR1": "mask.png"})");
+    }
+    if (ToothCode::JawFromString(code) == ToothCode::JawEnum::Unknown && !ToothCode::FromSidelessString(code).IsKnown())
+    {
+      try
+      {
+        ToothCode::FromString(code, dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant));
+      }
+      catch (const std::invalid_argument & error)
+      {
+        file.Fail(error.what(), "name a tooth, \"upper\" or \"lower\" before the file");
+      }
+    }
+    dentalCase.contourClassFiles.emplace_back(code, FindFile(*node, code, directory));
+  }
+  if (dentalCase.contourClassFiles.empty())
+  {
+    node->Fail("names no file", R"(name masks of one tooth or jaw each: {"UR1": "mask.png"})");
+  }
+}
+
 bool
 IsLeft(const JsonNode & node)
 {
@@ -222,6 +258,7 @@ ReadCephalogram(const JsonNode & node, const fs::path & directory, DentalCase & 
       plane->Fail("\"" + text + "\" is neither \"detector\" nor \"midsagittal\"", "write one of them");
     }
     dentalCase.spacingAtMidsagittalPlane = text == "midsagittal";
+    dentalCase.spacingPlaneIsGiven = true;
   }
   if (const auto facing = node.Find("facing"))
   {
@@ -353,6 +390,20 @@ OcclusionFromString(const std::string & text)
 }
 
 void
+ExcludeTooth(DentalCase & dentalCase, const std::string & text)
+{
+  const ToothCode sideless = ToothCode::FromSidelessString(text);
+  if (sideless.IsKnown())
+  {
+    dentalCase.excludedTeeth.push_back(sideless);
+    dentalCase.excludedTeeth.push_back(sideless.GetContralateral());
+    return;
+  }
+  dentalCase.excludedTeeth.push_back(
+    ToothCode::FromString(text, dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant)));
+}
+
+void
 FixParameter(DentalCase & dentalCase, const std::string & text)
 {
   if (text == "scale")
@@ -430,6 +481,7 @@ ReadDentalCase(const std::string & fileName)
                                 "geometry",
                                 "contours",
                                 "cephalometric_landmarks",
+                                "markups_spacing_mm",
                                 "traced_side",
                                 "numbering",
                                 "landmarks_3d",
@@ -468,7 +520,6 @@ ReadDentalCase(const std::string & fileName)
                              "missing, and so are cephalometric_landmarks",
                              "name the file with the tracing or the one with the landmarks");
   }
-  dentalCase.contoursFile = FindFile(root, "contours", directory);
   dentalCase.landmarks3DFile = FindFile(root, "landmarks_3d", directory);
   dentalCase.landmarks2DFile = FindFile(root, "landmarks_2d", directory);
 
@@ -497,6 +548,21 @@ ReadDentalCase(const std::string & fileName)
   {
     dentalCase.numbering = Interpret(*numbering, ToothCode::NumberingFromString);
   }
+  ReadContourFiles(root, directory, dentalCase);
+  if (const auto spacing = root.Find("markups_spacing_mm"))
+  {
+    const std::vector<double> numbers = spacing->AsNumbers(2, "[u, v]");
+    for (const double number : numbers)
+    {
+      // 1 mm is what Slicer gives a picture without a spacing.
+      if (!(number > 0.001 && number < 5.0))
+      {
+        spacing->Fail(std::to_string(number) + " mm a pixel is not possible",
+                      "give the spacing that the radiograph had in Slicer (its Volumes module shows it)");
+      }
+    }
+    dentalCase.markupsSpacing = { { numbers[0], numbers[1] } };
+  }
   std::vector<std::string> landmarkWarnings;
   ReadCephalometricLandmarks(root, directory, dentalCase, landmarkWarnings);
   if (const auto cephalogram = root.Find("cephalogram"))
@@ -513,26 +579,16 @@ ReadDentalCase(const std::string & fileName)
   }
   if (const auto exclude = root.Find("exclude"))
   {
-    const auto numbering = dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant);
     for (std::size_t i = 0; i < exclude->GetSize(); ++i)
     {
       const JsonNode code = exclude->At(i);
-      if (code.IsNumber())
+      try
       {
-        const std::string text = std::to_string(code.AsInteger(0, 99));
-        try
-        {
-          dentalCase.excludedTeeth.push_back(ToothCode::FromString(text, numbering));
-        }
-        catch (const std::invalid_argument & error)
-        {
-          code.Fail(error.what(), "");
-        }
+        ExcludeTooth(dentalCase, code.IsNumber() ? std::to_string(code.AsInteger(0, 99)) : code.AsString());
       }
-      else
+      catch (const std::invalid_argument & error)
       {
-        dentalCase.excludedTeeth.push_back(
-          Interpret(code, [numbering](const std::string & text) { return ToothCode::FromString(text, numbering); }));
+        code.Fail(error.what(), "");
       }
     }
   }

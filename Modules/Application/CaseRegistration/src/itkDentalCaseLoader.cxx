@@ -58,14 +58,14 @@ Print(PixelSpacingVerdictEnum verdict)
 }
 
 DentalCaseData::MeshType::Pointer
-LoadMesh(const std::string & fileName, double millimetresPerUnit)
+LoadMesh(const std::string & fileName, double millimetresPerUnit, std::vector<std::string> & warnings)
 {
   if (fileName.empty())
   {
     return nullptr;
   }
   auto mesh = IsVTKSurfaceFileName(fileName) ? ReadVTKMesh<DentalCaseData::MeshType>(fileName)
-                                             : ReadDentalMesh<DentalCaseData::MeshType>(fileName);
+                                             : ReadDentalMesh<DentalCaseData::MeshType>(fileName, &warnings);
   if (millimetresPerUnit != 1.0)
   {
     for (auto it = mesh->GetPoints()->Begin(); it != mesh->GetPoints()->End(); ++it)
@@ -206,12 +206,104 @@ SettleGeometry(const CephalogramFileReader * reader, DentalCaseData & data)
       reader != nullptr ? reader->GetProvenance().at("pixel_spacing") : "no radiograph and no spacing given";
   }
 }
+/** In what grid markups in mm lie: as the case says, else as the radiograph's header does. */
+void
+SettleMarkupsGrid(const CephalogramFileReader * reader, DentalCaseData & data)
+{
+  std::array<double, 4> grid{ { 0.0, 0.0, 0.0, 0.0 } };
+  const bool            header = reader != nullptr && reader->HasHeaderSpacing();
+  if (!header && !data.description.markupsSpacing)
+  {
+    return;
+  }
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    grid[i] = data.description.markupsSpacing ? (*data.description.markupsSpacing)[i] : reader->GetHeaderSpacing()[i];
+    grid[2 + i] = header ? reader->GetHeaderOrigin()[i] : 0.0;
+  }
+  data.markupsGrid = grid;
+}
+
+/** Throws where a file of markups, in mm, was read and nobody knows how many mm a pixel has. */
+void
+RequireMarkupsGrid(const DentalCaseData & data, const AnnotationFileReaderBase & reader)
+{
+  if (reader.GetReadFileFormat() == AnnotationFileFormatEnum::SlicerMarkups && !data.markupsGrid)
+  {
+    itkDentalInputErrorMacro(
+      data.description.fileName,
+      "markups_spacing_mm",
+      std::string("missing: the markups of \"") + reader.GetFileName() + "\" are in mm",
+      "add the spacing [u, v] that the radiograph had in Slicer: [1, 1] where its Volumes module "
+      "shows none, as of PNG and JPEG");
+  }
+}
+
+/** A line along a ruler is the spacing where nobody gave one. */
+void
+SettleCalibration(const DentalContourFileReader & contourReader, DentalCaseData & data)
+{
+  const DentalContourFileReader::CalibrationType * longest = nullptr;
+  for (const auto & calibration : contourReader.GetCalibrations())
+  {
+    if (calibration.pixels > 0.0 && (longest == nullptr || calibration.pixels > longest->pixels))
+    {
+      longest = &calibration;
+    }
+  }
+  if (longest == nullptr)
+  {
+    return;
+  }
+  // A ruler hangs or is held where the patient's midline is, unless the case says that it lay on the detector.
+  const DentalCase & description = data.description;
+  const bool         midsagittal = !description.spacingPlaneIsGiven || description.spacingAtMidsagittalPlane;
+  const double       factor =
+    midsagittal ? data.geometry->GetSourceToDetectorDistance() / data.geometry->GetSourceToMidsagittalDistance() : 1.0;
+  const double       found = factor * longest->millimetres / longest->pixels;
+  std::ostringstream text;
+  text << "line \"" << longest->label << "\" of the tracing: " << longest->millimetres << " mm on " << longest->pixels
+       << " px"
+       << (midsagittal ? ", taken for the midsagittal plane, converted to the detector's" : ", detector plane");
+  if (data.geometry->HasPixelSpacing())
+  {
+    // Beyond what a ruler's plane and two ends leave open.
+    constexpr double tolerance = 0.15;
+    const double     given = 0.5 * (data.geometry->GetPixelSpacing()[0] + data.geometry->GetPixelSpacing()[1]);
+    if (std::abs(found / given - 1.0) > tolerance)
+    {
+      std::ostringstream warning;
+      warning << description.fileName << ": cephalogram.pixel_spacing_mm: " << given
+              << " mm a pixel on the detector, but " << text.str() << " makes it " << found;
+      data.warnings.push_back(warning.str());
+    }
+    return;
+  }
+  if (!(found > 0.001 && found < 5.0))
+  {
+    itkDentalInputErrorMacro(contourReader.GetFileName(),
+                             longest->label,
+                             "makes a pixel " + std::to_string(found) + " mm, which is not possible",
+                             "draw the line from end to end of the ruler that its label names");
+  }
+  CephalometricGeometry::PixelSpacingType spacing;
+  spacing.Fill(found);
+  data.geometry->SetPixelSpacing(spacing);
+  data.sources.pixelSpacing = ValueSourceEnum::Given;
+  data.spacingVerdict = Print(PixelSpacingVerdictEnum::Calibrated);
+  data.spacingProvenance = text.str();
+}
+
 void
 LoadContours(DentalCaseData & data)
 {
   const DentalCase & description = data.description;
   auto               contourReader = DentalContourFileReader::New();
-  contourReader->SetFileName(description.contoursFile);
+  contourReader->SetFileName(description.contourClassFiles.empty() ? description.contoursFile : description.fileName);
+  contourReader->SetClassFiles(description.contourClassFiles);
+  contourReader->SetSidelessCodesAreLeft(description.tracedSideIsGiven &&
+                                         description.tracedSide == TracedSideEnum::Left);
+  PrepareReader(data, *contourReader);
   if (description.numbering)
   {
     contourReader->SetNumbering(*description.numbering);
@@ -221,7 +313,18 @@ LoadContours(DentalCaseData & data)
     contourReader->SetImageSize({ { data.imageSize[0], data.imageSize[1] } });
   }
   contourReader->Update();
+  RequireMarkupsGrid(data, *contourReader);
   Append(data.warnings, contourReader->GetWarnings());
+  data.sidelessContours = contourReader->GetNumberOfSidelessCodes();
+  if (data.sidelessContours > 0 && description.tracedSide == TracedSideEnum::Both)
+  {
+    itkDentalInputErrorMacro(description.fileName,
+                             "traced_side",
+                             "is \"both\", but " + std::to_string(data.sidelessContours) +
+                               " contours have codes without a side (U1, L6)",
+                             "give each contour the code of its side, or write \"standard\"");
+  }
+  SettleCalibration(*contourReader, data);
   data.imageSize = { { static_cast<unsigned int>(contourReader->GetReadImageSize()[0]),
                        static_cast<unsigned int>(contourReader->GetReadImageSize()[1]) } };
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
@@ -284,7 +387,9 @@ LoadCephalometricLandmarks(DentalCaseData & data)
     auto reader = CephalometricLandmarkFileReader::New();
     reader->SetFileName(description.cephalometricLandmarksFile);
     reader->SetNumbering(description.numbering.value_or(ToothCode::NumberingEnum::Quadrant));
+    PrepareReader(data, *reader);
     reader->Update();
+    RequireMarkupsGrid(data, *reader);
     Append(data.warnings, reader->GetWarnings());
     data.cephalometricLandmarks = reader->GetOutput();
     data.cephalometricLandmarks->DisconnectPipeline();
@@ -341,6 +446,7 @@ ComputeElongation(const DentalContour::PolylineType & polyline)
 bool
 IsStandardTracing(const DentalCaseData & data)
 {
+  using OutlineEnum = DentalContour::OutlineEnum;
   constexpr double  minimumElongation = 2.0;
   unsigned int      incisors = 0;
   unsigned int      molars = 0;
@@ -360,8 +466,11 @@ IsStandardTracing(const DentalCaseData & data)
       const unsigned int position = polyline.code.GetPosition();
       const bool         incisor = position == 1 || position == 2;
       const bool         molar = position >= 6;
+      // What the file says of an outline goes before its shape.
+      const bool said = polyline.outline != OutlineEnum::Unspecified;
       if (!polyline.closed || !(incisor || molar) || seen.count(polyline.code.GetContralateral().GetFDI()) > 0 ||
-          (incisor && ComputeElongation(polyline) < minimumElongation))
+          (said && polyline.outline != OutlineEnum::Tooth) ||
+          (!said && incisor && ComputeElongation(polyline) < minimumElongation))
       {
         return false;
       }
@@ -373,6 +482,23 @@ IsStandardTracing(const DentalCaseData & data)
   return incisors > 0 && molars > 0;
 }
 } // namespace
+
+void
+PrepareReader(const DentalCaseData & data, AnnotationFileReaderBase & reader)
+{
+  reader.SetImageFileName(data.description.imageFile);
+  if (data.markupsGrid)
+  {
+    AnnotationFileReaderBase::VectorType spacing, origin;
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      spacing[i] = (*data.markupsGrid)[i];
+      origin[i] = (*data.markupsGrid)[2 + i];
+    }
+    reader.SetMarkupsSpacing(spacing);
+    reader.SetMarkupsOrigin(origin);
+  }
+}
 
 void
 CheckLandmarksInImage(const CephalometricLandmarkSet &    landmarks,
@@ -432,11 +558,13 @@ SettleTracedSide(DentalCaseData & data)
       return;
     }
   }
-  if (landmarksAlone || IsStandardTracing(data))
+  const bool sideless = data.sidelessContours > 0;
+  if (landmarksAlone || sideless || IsStandardTracing(data))
   {
     description.tracedSide = TracedSideEnum::Standard;
     data.warnings.push_back(description.fileName + ": traced_side: is not given; taken as \"standard\", because " +
                             (landmarksAlone ? "there are landmarks of a cephalometric analysis and no tracing"
+                             : sideless     ? "codes of the tracing (U1, L6) do not say their side"
                                             : "whole incisors and molars alone are traced"));
   }
 }
@@ -462,8 +590,9 @@ LoadDentalCase(const DentalCase & description)
   }
   SettleImageSize(*data);
   SettleGeometry(imageReader, *data);
+  SettleMarkupsGrid(imageReader, *data);
 
-  if (!description.contoursFile.empty())
+  if (!description.contoursFile.empty() || !description.contourClassFiles.empty())
   {
     LoadContours(*data);
   }
@@ -483,12 +612,13 @@ LoadDentalCase(const DentalCase & description)
     data->landmarks3D->DisconnectPipeline();
   }
   // Both at once; of two errors the upper jaw's is told.
-  std::array<std::exception_ptr, 2> errors;
+  std::array<std::exception_ptr, 2>       errors;
+  std::array<std::vector<std::string>, 2> meshWarnings;
   ParallelFor(2, MultiThreaderBase::GetGlobalDefaultNumberOfThreads(), [&](std::size_t jaw) {
     try
     {
-      (jaw == 0 ? data->upper : data->lower).mesh =
-        LoadMesh(jaw == 0 ? description.upperFile : description.lowerFile, description.millimetresPerUnit);
+      (jaw == 0 ? data->upper : data->lower).mesh = LoadMesh(
+        jaw == 0 ? description.upperFile : description.lowerFile, description.millimetresPerUnit, meshWarnings[jaw]);
     }
     catch (...)
     {
@@ -501,6 +631,10 @@ LoadDentalCase(const DentalCase & description)
     {
       std::rethrow_exception(error);
     }
+  }
+  for (const auto & warnings : meshWarnings)
+  {
+    Append(data->warnings, warnings);
   }
   LoadLabels(*data);
   probe.Stop();

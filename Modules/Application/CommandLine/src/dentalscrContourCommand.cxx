@@ -21,8 +21,9 @@
 #include "itkContourResampleFilter.h"
 #include "itkDentalContourFileWriter.h"
 #include "itkDentalInputError.h"
-#include "itkImageFileReader.h"
+#include "itkImage.h"
 #include "itkMeshSilhouetteContourSource.h"
+#include "itkReadLabelImage.h"
 #include "itkSilhouetteContourFilter.h"
 
 #include <iostream>
@@ -69,16 +70,8 @@ Resample(itk::DentalContour * contour, unsigned int points)
 void
 ContoursOfLabels(const ContourOptions & options, itk::DentalContour * contours[2], itk::Size<2> & size)
 {
-  using LabelType = itk::Image<unsigned short, 2>;
-  LabelType::Pointer labels;
-  try
-  {
-    labels = itk::ReadImage<LabelType>(options.labels);
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    itkDentalInputErrorMacro(options.labels, "", "is no readable label image", "name a 2-D image of whole numbers");
-  }
+  using LabelType = itk::Image<std::uint16_t, 2>;
+  const LabelType::Pointer labels = itk::ReadLabelImage(options.labels);
   size = labels->GetLargestPossibleRegion().GetSize();
   using FilterType = itk::SilhouetteContourFilter<LabelType>;
   auto filter = FilterType::New();
@@ -92,11 +85,17 @@ ContoursOfLabels(const ContourOptions & options, itk::DentalContour * contours[2
   }
   catch (const itk::ExceptionObject &)
   {
+    // The one thing that can be wrong with an image that was read: its numbers.
     itkDentalInputErrorMacro(options.labels,
                              "",
                              options.wholeLabels ? "has no outline" : "has labels that are no FDI tooth numbers",
                              options.wholeLabels ? "name an image with pixels that are not 0"
                                                  : "use --whole for one outline around everything that is not 0");
+  }
+  if (filter->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    itkDentalInputErrorMacro(
+      options.labels, "", "has no label: all its pixels are 0", "name the label map of the teeth");
   }
   const auto contour = Resample(filter->GetOutput(), options.points);
   for (const auto & polyline : contour->GetPolylines())

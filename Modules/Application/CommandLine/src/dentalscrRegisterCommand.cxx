@@ -137,8 +137,7 @@ Register(const RegisterOptions & options, const CommonOptions & common)
   Apply("--exclude", [&]() {
     for (const std::string & code : options.exclude)
     {
-      description.excludedTeeth.push_back(
-        itk::ToothCode::FromString(code, description.numbering.value_or(itk::ToothCode::NumberingEnum::Quadrant)));
+      itk::ExcludeTooth(description, code);
     }
   });
   Apply("--fix", [&]() {
@@ -159,7 +158,8 @@ Register(const RegisterOptions & options, const CommonOptions & common)
       registration->SetOption(assignment);
     }
   });
-  if (description.contoursFile.empty() && registration->GetPreset() != itk::CasePresetEnum::Robust)
+  if (description.contoursFile.empty() && description.contourClassFiles.empty() &&
+      registration->GetPreset() != itk::CasePresetEnum::Robust)
   {
     itkDentalInputErrorMacro(options.caseFile,
                              "contours",

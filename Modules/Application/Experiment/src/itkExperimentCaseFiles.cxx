@@ -139,6 +139,10 @@ DigestExperimentCase(const std::string & fileName)
   try
   {
     const DentalCase description = ReadDentalCase(fileName);
+    for (const auto & classFile : description.contourClassFiles)
+    {
+      digest.AddFile(classFile.second);
+    }
     for (const std::string & name : { description.upperFile,
                                       description.lowerFile,
                                       description.upperLabelsFile,

@@ -28,15 +28,16 @@ namespace itk
 /** What an annotation file is written in. \ingroup Annotation */
 enum class AnnotationFileFormatEnum : uint8_t
 {
-  /** Names that end in .csv, .tsv or .txt are CSV. Of JSON, what has "markups" is Slicer's, "shapes" labelme's, all
-   * else the toolkit's own. CephalometricLandmarkFileReader recognises its further formats by what they hold. */
+  /** Names that end in .csv, .tsv or .txt are CSV; all else is recognised by what it holds. JSON that is nobody else's
+   * is the toolkit's own. */
   Automatic,
   /** contours.json, landmarks2d.json, landmarks3d.json of Documentation/FileFormats.md. */
   DentalSCR,
   /** 3D Slicer's .mrk.json. */
   SlicerMarkups,
   Labelme,
-  /** Lines "label,x,y" or "label,x,y,z"; empty lines and lines that start with '#' are skipped, a header too. */
+  /** Lines "label,x,y" or "label,x,y,z", or columns in the order that a header names; comma, semicolon or tab, decimal
+   * point or comma. Empty lines and lines that start with '#' are skipped. */
   CSV,
   /** JSON of the data sets Aariz and CEPHA29, cephalometric landmarks only. */
   Aariz,
@@ -45,13 +46,26 @@ enum class AnnotationFileFormatEnum : uint8_t
   /** CSV of the challenge CL-Detection 2023, "file,scale,p1x,p1y..p38y", cephalometric landmarks only. */
   CLDetection,
   /** Text of the challenge ISBI 2015: 19 lines "x,y", then class codes; cephalometric landmarks only. */
-  ISBI2015
+  ISBI2015,
+  /** XML "CVAT for images 1.1". */
+  CVAT,
+  /** JSON with "images", "annotations" and "categories": polygons and keypoints. */
+  COCO,
+  /** JSON of the VGG Image Annotator, an export or a whole project. */
+  VIA,
+  /** JSON of Label Studio; its coordinates are per cent of the picture. */
+  LabelStudio,
+  /** JSON of Supervisely, a file a picture. */
+  Supervisely,
+  /** A label map, one mask a class, or drawn lines; contours only. */
+  LabelImage
 };
 
 /** Where a 2-D annotation's (0, 0) is. \ingroup Annotation */
 enum class AnnotationPixelOriginEnum : uint8_t
 {
-  /** Corner for labelme, Centre for all others. */
+  /** Corner for labelme, CVAT, COCO, VIA, Label Studio and Supervisely, which draw on a canvas; Centre for all others.
+   */
   FormatDefault,
   /** The centre of the first pixel, as ITK's continuous index has it. */
   Centre,

@@ -71,6 +71,11 @@ public:
   itkSetEnumMacro(PixelOrigin, PixelOriginEnum);
   itkGetEnumMacro(PixelOrigin, PixelOriginEnum);
 
+  /** The radiograph's file, of which only the name counts: COCO, CVAT, VIA and Label Studio put the annotations of many
+   * pictures into one file. Not needed where there is one picture in it. */
+  itkSetStringMacro(ImageFileName);
+  itkGetStringMacro(ImageFileName);
+
   /** 2-D only: spacing and origin (mm) that the radiograph had in Slicer, whose markups are in mm. Default (1, 1) and
    * (0, 0), as Slicer loads a picture without spacing. */
   itkSetMacro(MarkupsSpacing, VectorType);
@@ -109,6 +114,7 @@ protected:
 
 private:
   std::string              m_FileName;
+  std::string              m_ImageFileName;
   FileFormatEnum           m_FileFormat{ FileFormatEnum::Automatic };
   NumberingEnum            m_Numbering{ NumberingEnum::Quadrant };
   PixelOriginEnum          m_PixelOrigin{ PixelOriginEnum::FormatDefault };

@@ -24,14 +24,23 @@
 
 #include "itkSize.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace itk
 {
 /** \class DentalContourFileReader
  * \brief Reads the tracing on a radiograph: one itk::DentalContour a jaw, in continuous pixel indices.
  *
- * Reads contours.json (Documentation/FileFormats.md) and, as far as they hold curves, Slicer markups, labelme files and
- * CSV with a line `label,x,y` a point. In these a curve's label is its tooth code, which also tells its jaw, or "upper"
- * or "lower".
+ * Reads contours.json (Documentation/FileFormats.md) and, as far as they hold curves, Slicer markups, the files of
+ * labelme, CVAT, COCO, VIA, Label Studio and Supervisely, CSV with a line `label,x,y` a point, and label maps of FDI
+ * numbers. In these a curve's label is its tooth code, which also tells its jaw, or a jaw ("upper", "mandible").
+ * SetClassFiles() takes pictures of one tooth or jaw each instead. Labels are read as ToothCode::FromString() does;
+ * curves that are neither tooth nor jaw are left out with a warning that names them, and a file of which nothing is a
+ * tooth is an error.
+ *
+ * A line of known length that was drawn along a ruler ("Calibration_30mm") is no contour: see GetCalibrations().
  *
  * Strict: a code that the numbering has not, a code of the other jaw, a point that is not two finite numbers, a weight
  * outside [0, 1], an image size that contradicts SetImageSize(), no image size at all, or more than 10 % of the points
@@ -60,6 +69,17 @@ public:
   itkTypeMacro(DentalContourFileReader, AnnotationFileReaderBase);
 
   using ImageSizeType = Size<2>;
+  /** A tooth code or jaw, and the picture in which it alone is filled or drawn. */
+  using ClassFilesType = std::vector<std::pair<std::string, std::string>>;
+
+  /** A line along a ruler. */
+  struct CalibrationType
+  {
+    std::string label;
+    double      millimetres{ 0.0 };
+    /** Between its ends. */
+    double pixels{ 0.0 };
+  };
 
   /** Points that a jaw needs to be registered. */
   static constexpr SizeValueType MinimumNumberOfPoints = 5;
@@ -69,6 +89,21 @@ public:
   /** Width and height of the radiograph, where there is one. Default (0, 0): not known, the file has to say it. */
   itkSetMacro(ImageSize, ImageSizeType);
   itkGetConstReferenceMacro(ImageSize, ImageSizeType);
+
+  /** Masks or drawn lines, one a tooth or jaw, in place of one file. Default none. */
+  void
+  SetClassFiles(const ClassFilesType & files);
+  const ClassFilesType &
+  GetClassFiles() const
+  {
+    return m_ClassFiles;
+  }
+
+  /** The side of codes that do not say one (U1, L6). Default off: right, as good as left where the middle of both sides
+   * was drawn. */
+  itkSetMacro(SidelessCodesAreLeft, bool);
+  itkGetConstMacro(SidelessCodesAreLeft, bool);
+  itkBooleanMacro(SidelessCodesAreLeft);
 
   /** The contour of a jaw; empty where the jaw is not traced. */
   DentalContour *
@@ -94,6 +129,14 @@ public:
   itkGetEnumMacro(ReadNumbering, NumberingEnum);
   /** Of both jaws. A pixel reaches half a pixel to each side of its index. */
   itkGetConstMacro(NumberOfPointsOutside, SizeValueType);
+  /** How many contours have a code without a side. */
+  itkGetConstMacro(NumberOfSidelessCodes, SizeValueType);
+  /** What was drawn along rulers. */
+  const std::vector<CalibrationType> &
+  GetCalibrations() const
+  {
+    return m_Calibrations;
+  }
   /** @} */
 
 protected:
@@ -105,6 +148,8 @@ protected:
   MakeOutput(DataObjectPointerArraySizeType index) override;
 
   void
+  VerifyPreconditions() ITKv5_CONST override;
+  void
   GenerateData() override;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
@@ -114,6 +159,11 @@ private:
   ImageSizeType m_ReadImageSize;
   NumberingEnum m_ReadNumbering{ NumberingEnum::Quadrant };
   SizeValueType m_NumberOfPointsOutside{ 0 };
+  SizeValueType m_NumberOfSidelessCodes{ 0 };
+  bool          m_SidelessCodesAreLeft{ false };
+
+  ClassFilesType               m_ClassFiles;
+  std::vector<CalibrationType> m_Calibrations;
 };
 } // namespace itk
 

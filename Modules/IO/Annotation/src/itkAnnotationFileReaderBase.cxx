@@ -21,6 +21,27 @@
 
 namespace itk
 {
+namespace
+{
+/** On a canvas (0, 0) is the picture's corner. */
+bool
+DrawsOnCanvas(AnnotationFileFormatEnum format)
+{
+  switch (format)
+  {
+    case AnnotationFileFormatEnum::Labelme:
+    case AnnotationFileFormatEnum::CVAT:
+    case AnnotationFileFormatEnum::COCO:
+    case AnnotationFileFormatEnum::VIA:
+    case AnnotationFileFormatEnum::LabelStudio:
+    case AnnotationFileFormatEnum::Supervisely:
+      return true;
+    default:
+      return false;
+  }
+}
+} // namespace
+
 AnnotationFileReaderBase::AnnotationFileReaderBase()
 {
   m_MarkupsSpacing.Fill(1.0);
@@ -60,10 +81,10 @@ AnnotationFileReaderBase::Warn(const std::string & field, const std::string & te
 double
 AnnotationFileReaderBase::ToPixelIndex(double coordinate, unsigned int axis) const
 {
-  const bool fromCorner =
-    m_ReadFileFormat != FileFormatEnum::DentalSCR &&
-    (m_PixelOrigin == PixelOriginEnum::Corner ||
-     (m_PixelOrigin == PixelOriginEnum::FormatDefault && m_ReadFileFormat == FileFormatEnum::Labelme));
+  const bool fromCorner = m_ReadFileFormat != FileFormatEnum::DentalSCR &&
+                          m_ReadFileFormat != FileFormatEnum::LabelImage &&
+                          (m_PixelOrigin == PixelOriginEnum::Corner ||
+                           (m_PixelOrigin == PixelOriginEnum::FormatDefault && DrawsOnCanvas(m_ReadFileFormat)));
   const double shift = fromCorner ? -0.5 : 0.0;
   const bool   inMillimetres = m_ReadFileFormat == FileFormatEnum::SlicerMarkups;
   return (inMillimetres ? (coordinate - m_MarkupsOrigin[axis]) / m_MarkupsSpacing[axis] : coordinate) + shift;
@@ -74,6 +95,7 @@ AnnotationFileReaderBase::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << m_FileName << std::endl;
+  os << indent << "ImageFileName: " << m_ImageFileName << std::endl;
   os << indent << "FileFormat: " << m_FileFormat << std::endl;
   os << indent << "Numbering: " << m_Numbering << std::endl;
   os << indent << "PixelOrigin: " << m_PixelOrigin << std::endl;

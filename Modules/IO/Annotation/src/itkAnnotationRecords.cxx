@@ -18,12 +18,19 @@
 #include "itkAnnotationRecords.h"
 
 #include "itkAnnotationText.h"
+#include "itkCVATRecords.h"
 #include "itkDentalInputError.h"
+#include "itkForeignAnnotationRecords.h"
+#include "itkForeignFile.h"
 #include "itkJsonDocument.h"
+#include "itkLabelImageRecords.h"
+#include "itkReadLabelImage.h"
 #include "itkTextFile.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 namespace itk
@@ -49,8 +56,20 @@ operator<<(std::ostream & os, AnnotationFileFormatEnum format)
       return os << "LandmarkDetector";
     case AnnotationFileFormatEnum::CLDetection:
       return os << "CLDetection";
-    default:
+    case AnnotationFileFormatEnum::ISBI2015:
       return os << "ISBI2015";
+    case AnnotationFileFormatEnum::CVAT:
+      return os << "CVAT";
+    case AnnotationFileFormatEnum::COCO:
+      return os << "COCO";
+    case AnnotationFileFormatEnum::VIA:
+      return os << "VIA";
+    case AnnotationFileFormatEnum::LabelStudio:
+      return os << "LabelStudio";
+    case AnnotationFileFormatEnum::Supervisely:
+      return os << "Supervisely";
+    default:
+      return os << "LabelImage";
   }
 }
 
@@ -87,7 +106,8 @@ FormatFromName(const std::string & fileName)
 void
 RefuseCephalometricFormat(const std::string & fileName, Format format)
 {
-  if (format > Format::CSV)
+  if (format == Format::Aariz || format == Format::LandmarkDetector || format == Format::CLDetection ||
+      format == Format::ISBI2015)
   {
     std::ostringstream problem;
     problem << "format " << format << " has only the landmarks of a cephalometric analysis";
@@ -96,14 +116,91 @@ RefuseCephalometricFormat(const std::string & fileName, Format format)
   }
 }
 
-Format
-FormatFromContent(const JsonNode & root)
+/** "Calibration_30mm" is 30; 0 for any other label. */
+double
+ParseCalibration(const std::string & label)
 {
-  if (root.IsObject() && root.Find("markups"))
+  const std::string text = LowerCase(Trim(label));
+  std::size_t       begin = std::string::npos;
+  for (const char * word : { "calibration", "calib", "ruler", "scale bar", "scale_bar", "scale" })
   {
-    return Format::SlicerMarkups;
+    if (text.compare(0, std::string(word).size(), word) == 0)
+    {
+      begin = text.find_first_not_of(" _-:", std::string(word).size());
+      break;
+    }
   }
-  return root.IsObject() && root.Find("shapes") ? Format::Labelme : Format::DentalSCR;
+  if (begin == std::string::npos)
+  {
+    return 0.0;
+  }
+  const std::size_t end = std::min(text.find_first_not_of("0123456789.", begin), text.size());
+  const std::size_t unit = text.find_first_not_of(" _-", end);
+  double            length = 0.0;
+  if (unit == std::string::npos || !ParseNumber(text.substr(begin, end - begin), length))
+  {
+    return 0.0;
+  }
+  return text.substr(unit) == "mm" ? length : text.substr(unit) == "cm" ? 10.0 * length : 0.0;
+}
+
+/** Takes the lines of known length out of what was drawn: they are no teeth. A ruler is straight, so that its ends tell
+ * its length. */
+void
+TakeCalibrations(AnnotationRecords & records)
+{
+  std::vector<AnnotationPolyline> contours;
+  for (AnnotationPolyline & polyline : records.polylines)
+  {
+    const double millimetres = polyline.points.size() >= 2 ? ParseCalibration(polyline.label) : 0.0;
+    if (!(millimetres > 0.0))
+    {
+      contours.push_back(std::move(polyline));
+      continue;
+    }
+    AnnotationCalibration calibration{ polyline.field, polyline.label, millimetres, {} };
+    for (std::size_t d = 0; d < 2; ++d)
+    {
+      calibration.pixels[d] = polyline.points.back()[d] - polyline.points.front()[d];
+    }
+    records.calibrations.push_back(std::move(calibration));
+  }
+  records.polylines = std::move(contours);
+}
+
+/** First character that is no blank, behind a byte order mark; 0 where there is none. */
+char
+FirstCharacter(const std::string & fileName)
+{
+  char          bytes[512];
+  std::ifstream file(fileName, std::ios::binary);
+  file.read(bytes, sizeof(bytes));
+  std::string       head(bytes, static_cast<std::size_t>(file.gcount() > 0 ? file.gcount() : 0));
+  const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  return first == std::string::npos ? '\0' : head[first];
+}
+
+/** What a file is before it is parsed: Automatic for JSON, whose content tells more. */
+Format
+FormatFromFile(const std::string & fileName)
+{
+  const Format named = FormatFromName(fileName);
+  if (named != Format::Automatic)
+  {
+    return named;
+  }
+  // A pipe can be read once only: it is taken for JSON.
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(fileName, ignored))
+  {
+    return Format::Automatic;
+  }
+  const char first = FirstCharacter(fileName);
+  if (first == '{' || first == '[')
+  {
+    return Format::Automatic;
+  }
+  return first == '<' ? Format::CVAT : IsImageFile(fileName) ? Format::LabelImage : Format::Automatic;
 }
 
 // ---- the toolkit's own ------------------------------------------------------------------------------------------
@@ -119,6 +216,34 @@ ReadCode(const JsonNode & node)
   return node.IsNull() ? std::string() : node.AsString();
 }
 
+/** One number for all points, or one a point. */
+void
+ReadSigmas(const JsonNode & node, std::size_t count, std::vector<double> & sigmas)
+{
+  const auto check = [](const JsonNode & value) {
+    const double sigma = value.AsNumber();
+    if (!(sigma > 0.0))
+    {
+      std::ostringstream problem;
+      problem << "is " << sigma << ", no standard deviation";
+      value.Fail(problem.str(), "give pixels above 0, or leave the field out");
+    }
+    return sigma;
+  };
+  if (node.IsArray())
+  {
+    node.AsNumbers(count, "(one a point)");
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      sigmas.push_back(check(node.At(i)));
+    }
+  }
+  else
+  {
+    sigmas.assign(count, check(node));
+  }
+}
+
 AnnotationPolyline
 ReadPolyline(const JsonNode & node, const std::string & jaw)
 {
@@ -126,7 +251,7 @@ ReadPolyline(const JsonNode & node, const std::string & jaw)
   polyline.field = node.GetPath();
   polyline.codeField = node.GetPath() + ".code";
   polyline.jaw = jaw;
-  node.WarnAboutUnknownFields({ "code", "points", "closed", "weights" });
+  node.WarnAboutUnknownFields({ "code", "points", "closed", "weights", "sigma_px", "outline" });
   if (const auto code = node.Find("code"))
   {
     polyline.label = ReadCode(*code);
@@ -153,6 +278,21 @@ ReadPolyline(const JsonNode & node, const std::string & jaw)
         weights->At(i).Fail("is " + std::to_string(polyline.weights[i]) + ", not in [0, 1]",
                             "use 1 for a certain point and 0 for one to be ignored");
       }
+    }
+  }
+  if (const auto sigma = node.Find("sigma_px"))
+  {
+    ReadSigmas(*sigma, count, polyline.sigmas);
+  }
+  if (const auto outline = node.Find("outline"))
+  {
+    try
+    {
+      polyline.outline = DentalContour::OutlineFromString(outline->AsString());
+    }
+    catch (const std::invalid_argument & error)
+    {
+      outline->Fail(error.what(), "write one of them, or leave the field out");
     }
   }
   return polyline;
@@ -362,8 +502,86 @@ struct CSVRow
   std::array<double, 3> point;
 };
 
+/** Where a table has what. */
+struct CSVColumns
+{
+  std::size_t label{ 0 };
+  std::size_t first[3] = { 1, 2, 3 };
+  /** Where there is one; else as many columns as coordinates. */
+  std::optional<std::size_t> unit;
+  /** Named by a header: further columns are nobody's business. */
+  bool named{ false };
+};
+
+bool
+IsOneOf(const std::string & text, std::initializer_list<const char *> words)
+{
+  return std::any_of(words.begin(), words.end(), [&](const char * word) { return text == word; });
+}
+
+/** Takes the columns from a header; false where the line is none. */
+bool
+ReadHeader(const std::string &              fileName,
+           const std::string &              field,
+           const std::vector<std::string> & cells,
+           unsigned int                     dimension,
+           CSVColumns &                     columns)
+{
+  std::optional<std::size_t> label;
+  std::optional<std::size_t> axes[3];
+  std::optional<std::size_t> unit;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const std::string cell = LowerCase(cells[i]);
+    // Of an axis "x", "x_px", "x (px)", "x [mm]" are read; what follows is its unit.
+    const std::size_t end = cell.find_first_of(" _([");
+    const std::string axis = cell.substr(0, end);
+    const std::string rest =
+      end == std::string::npos ? std::string() : cell.substr(cell.find_first_not_of(" _([", end));
+    const bool pixels = IsOneOf(rest, { "", "px", "px)", "px]", "pixel", "pixels" });
+    const bool millimetres = IsOneOf(rest, { "mm", "mm)", "mm]" });
+    const int  number = IsOneOf(axis, { "x", "u" }) ? 0 : IsOneOf(axis, { "y", "v" }) ? 1 : axis == "z" ? 2 : -1;
+    if (number >= 0 && (pixels || millimetres) && !axes[number])
+    {
+      if (dimension == 2 && millimetres)
+      {
+        itkDentalInputErrorMacro(fileName,
+                                 field,
+                                 "the column \"" + cells[i].substr(0, 40) + "\" is in mm",
+                                 "convert the coordinates to pixels");
+      }
+      axes[number] = i;
+    }
+    else if (IsOneOf(cell, { "label", "name", "code", "tooth", "landmark", "point", "symbol", "class", "title" }) &&
+             !label)
+    {
+      label = i;
+    }
+    else if (IsOneOf(cell, { "unit", "units" }))
+    {
+      unit = i;
+    }
+  }
+  if (!axes[0] || !axes[1] || (dimension == 3 && !axes[2]))
+  {
+    return false;
+  }
+  if (!label)
+  {
+    itkDentalInputErrorMacro(fileName, field, "is a header without a column of labels", "name that column \"label\"");
+  }
+  columns.label = *label;
+  for (unsigned int d = 0; d < dimension; ++d)
+  {
+    columns.first[d] = *axes[d];
+  }
+  columns.unit = unit;
+  columns.named = true;
+  return true;
+}
+
 std::vector<CSVRow>
-ReadCSV(const std::string & fileName, unsigned int dimension)
+ReadCSV(const std::string & fileName, unsigned int dimension, std::vector<std::string> & warnings)
 {
   std::string text = ReadTextFile(fileName, "CSV");
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0)
@@ -373,6 +591,7 @@ ReadCSV(const std::string & fileName, unsigned int dimension)
   const std::string   form = dimension == 2 ? "label,x,y" : "label,x,y,z";
   const std::string   unit = dimension == 2 ? "px" : "mm";
   std::vector<CSVRow> rows;
+  CSVColumns          columns;
   char                separator = 0;
   std::size_t         lineNumber = 0;
   for (std::size_t begin = 0; begin < text.size();)
@@ -400,33 +619,58 @@ ReadCSV(const std::string & fileName, unsigned int dimension)
       }
     }
     const std::vector<std::string> cells = Split(line, separator);
-    if (first && cells.size() >= 3 && LowerCase(cells[0]) == "label" && LowerCase(cells[1]) == "x")
+    if (first && ReadHeader(fileName, field, cells, dimension, columns))
     {
       continue;
     }
-    if (cells.size() != dimension + 1 && cells.size() != dimension + 2)
+    const std::size_t last = columns.named ? std::max({ columns.label,
+                                                        columns.first[0],
+                                                        columns.first[1],
+                                                        dimension == 3 ? columns.first[2] : std::size_t{ 0 },
+                                                        columns.unit.value_or(0) })
+                                           : dimension;
+    if (columns.named ? cells.size() <= last : cells.size() != dimension + 1 && cells.size() != dimension + 2)
     {
       itkDentalInputErrorMacro(fileName,
                                field,
-                               "has " + std::to_string(cells.size()) + " columns, expected " + form +
-                                 " and perhaps a unit",
+                               "has " + std::to_string(cells.size()) + " columns, expected " +
+                                 (columns.named ? "those of the header" : form + " and perhaps a unit"),
                                "correct the line");
     }
-    CSVRow row{ field, cells[0], {} };
+    CSVRow       row{ field, cells[columns.label], {} };
+    unsigned int numbers = 0;
     for (unsigned int i = 0; i < dimension; ++i)
     {
-      if (!ParseNumber(cells[i + 1], row.point[i]))
+      numbers += ParseTableNumber(cells[columns.first[i]], row.point[i]) ? 1 : 0;
+    }
+    if (first && numbers == 0 && !NamesToothOrJaw(row.label))
+    {
+      warnings.push_back(fileName + ": " + field + ": taken for a header, as it has no numbers");
+      continue;
+    }
+    for (unsigned int i = 0; i < dimension; ++i)
+    {
+      const std::string & cell = cells[columns.first[i]];
+      if (!ParseTableNumber(cell, row.point[i]))
       {
         itkDentalInputErrorMacro(
-          fileName, field, "\"" + cells[i + 1].substr(0, 40) + "\" is no number", "use numbers with a decimal point");
+          fileName, field, "\"" + cell.substr(0, 40) + "\" is no number", "use numbers with a decimal point");
       }
     }
-    if (cells.size() == dimension + 2 && cells.back() != unit && !cells.back().empty())
+    if (!columns.unit && !columns.named && cells.size() == dimension + 2)
     {
-      itkDentalInputErrorMacro(fileName,
-                               field,
-                               "the unit \"" + cells.back().substr(0, 40) + "\" is not \"" + unit + "\"",
-                               "convert the coordinates");
+      columns.unit = dimension + 1;
+    }
+    if (columns.unit && *columns.unit < cells.size())
+    {
+      const std::string & cell = cells[*columns.unit];
+      if (LowerCase(cell) != unit && !cell.empty())
+      {
+        itkDentalInputErrorMacro(fileName,
+                                 field,
+                                 "the unit \"" + cell.substr(0, 40) + "\" is not \"" + unit + "\"",
+                                 "convert the coordinates");
+      }
     }
     rows.push_back(std::move(row));
   }
@@ -434,32 +678,56 @@ ReadCSV(const std::string & fileName, unsigned int dimension)
 }
 } // namespace
 
+AnnotationFileFormatEnum
+AnnotationFormatFromContent(const JsonNode & root)
+{
+  if (root.IsObject() && root.Find("markups"))
+  {
+    return Format::SlicerMarkups;
+  }
+  if (root.IsObject() && root.Find("shapes"))
+  {
+    return Format::Labelme;
+  }
+  return RecognizeForeignAnnotation(root);
+}
+
 AnnotationRecords
-ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format)
+ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName)
 {
   RefuseCephalometricFormat(fileName, format);
+  RefuseForeignFile(fileName, FilePurposeEnum::Tracing);
   AnnotationRecords records;
-  records.format = format == Format::Automatic ? FormatFromName(fileName) : format;
-  if (records.format == Format::CSV)
+  records.format = format == Format::Automatic ? FormatFromFile(fileName) : format;
+  switch (records.format)
   {
-    for (CSVRow & row : ReadCSV(fileName, 2))
-    {
-      if (records.polylines.empty() || records.polylines.back().label != row.label)
+    case Format::CSV:
+      for (CSVRow & row : ReadCSV(fileName, 2, records.warnings))
       {
-        records.polylines.emplace_back();
-        records.polylines.back().field = row.field;
-        records.polylines.back().codeField = row.field;
-        records.polylines.back().label = row.label;
+        if (records.polylines.empty() || records.polylines.back().label != row.label)
+        {
+          records.polylines.emplace_back();
+          records.polylines.back().field = row.field;
+          records.polylines.back().codeField = row.field;
+          records.polylines.back().label = row.label;
+        }
+        records.polylines.back().points.push_back(row.point);
       }
-      records.polylines.back().points.push_back(row.point);
-    }
-    return records;
+      return records;
+    case Format::LabelImage:
+      return ReadLabelImageRecords(fileName);
+    case Format::CVAT:
+      records = ReadCVATRecords(fileName, imageName);
+      TakeCalibrations(records);
+      return records;
+    default:
+      break;
   }
   const JsonDocument document = JsonDocument::ReadFile(fileName);
   const JsonNode     root = document.GetRoot();
   if (records.format == Format::Automatic)
   {
-    records.format = FormatFromContent(root);
+    records.format = AnnotationFormatFromContent(root);
   }
   switch (records.format)
   {
@@ -469,54 +737,91 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
     case Format::Labelme:
       ReadLabelme(root, records, false);
       break;
+    case Format::COCO:
+    case Format::VIA:
+    case Format::LabelStudio:
+    case Format::Supervisely:
+      ReadForeignAnnotation(root, imageName, records);
+      break;
     default:
       ReadOwnContours(root, records);
   }
-  records.warnings = document.GetWarnings();
+  if (records.format != Format::DentalSCR && records.format != Format::SlicerMarkups)
+  {
+    TakeCalibrations(records);
+  }
+  records.warnings.insert(records.warnings.begin(), document.GetWarnings().begin(), document.GetWarnings().end());
   return records;
 }
 
 AnnotationRecords
-ReadLandmarkRecords(const std::string & fileName, AnnotationFileFormatEnum format, unsigned int dimension)
+ReadLandmarkRecords(const std::string &      fileName,
+                    AnnotationFileFormatEnum format,
+                    unsigned int             dimension,
+                    const std::string &      imageName)
 {
   RefuseCephalometricFormat(fileName, format);
+  RefuseForeignFile(fileName, FilePurposeEnum::Landmarks);
   if (format == Format::Automatic)
   {
-    format = FormatFromName(fileName);
+    format = FormatFromFile(fileName);
   }
+  AnnotationRecords records;
+  records.format = format;
   if (format == Format::CSV)
   {
-    AnnotationRecords records;
-    records.format = format;
-    for (CSVRow & row : ReadCSV(fileName, dimension))
+    for (CSVRow & row : ReadCSV(fileName, dimension, records.warnings))
     {
       records.landmarks.push_back({ row.field, row.label, row.point });
     }
     return records;
   }
+  if (format == Format::CVAT || format == Format::LabelImage)
+  {
+    if (dimension != 2 || format == Format::LabelImage)
+    {
+      itkDentalInputErrorMacro(fileName,
+                               "",
+                               dimension != 2 ? "is a file of a picture, which has no 3-D landmarks"
+                                              : "is an image, which has no landmarks with names",
+                               "name the right file");
+    }
+    return ReadCVATRecords(fileName, imageName);
+  }
   const JsonDocument document = JsonDocument::ReadFile(fileName);
-  AnnotationRecords  records = ReadLandmarkRecords(document.GetRoot(), format, dimension);
-  records.warnings = document.GetWarnings();
+  records = ReadLandmarkRecords(document.GetRoot(), format, dimension, imageName);
+  records.warnings.insert(records.warnings.begin(), document.GetWarnings().begin(), document.GetWarnings().end());
   return records;
 }
 
 AnnotationRecords
-ReadLandmarkRecords(const JsonNode & root, AnnotationFileFormatEnum format, unsigned int dimension)
+ReadLandmarkRecords(const JsonNode &         root,
+                    AnnotationFileFormatEnum format,
+                    unsigned int             dimension,
+                    const std::string &      imageName)
 {
   AnnotationRecords records;
-  records.format = format == Format::Automatic ? FormatFromContent(root) : format;
+  records.format = format == Format::Automatic ? AnnotationFormatFromContent(root) : format;
+  const bool foreign = records.format != Format::SlicerMarkups && records.format != Format::DentalSCR;
+  if (foreign && dimension != 2)
+  {
+    std::ostringstream problem;
+    problem << "a file of " << records.format << " has no 3-D landmarks";
+    itkDentalInputErrorMacro(root.GetFileName(), "", problem.str(), "name the right file");
+  }
   switch (records.format)
   {
     case Format::SlicerMarkups:
       ReadSlicerLandmarks(root, records);
       break;
     case Format::Labelme:
-      if (dimension != 2)
-      {
-        itkDentalInputErrorMacro(
-          root.GetFileName(), "shapes", "a labelme file has no 3-D landmarks", "name the right file");
-      }
       ReadLabelme(root, records, true);
+      break;
+    case Format::COCO:
+    case Format::VIA:
+    case Format::LabelStudio:
+    case Format::Supervisely:
+      ReadForeignAnnotation(root, imageName, records);
       break;
     default:
       ReadOwnLandmarks(root, records, dimension);

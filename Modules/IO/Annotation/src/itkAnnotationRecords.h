@@ -19,6 +19,7 @@
 #define itkAnnotationRecords_h
 
 #include "itkAnnotationFileFormat.h"
+#include "itkDentalContour.h"
 
 #include <array>
 #include <cstddef>
@@ -43,6 +44,18 @@ struct AnnotationPolyline
   bool                               closed{ false };
   std::vector<std::array<double, 3>> points;
   std::vector<double>                weights;
+  /** Drawing errors, px; one a point, or empty. */
+  std::vector<double>        sigmas;
+  DentalContour::OutlineEnum outline{ DentalContour::OutlineEnum::Unspecified };
+};
+
+/** A line of known length that somebody drew along a ruler. */
+struct AnnotationCalibration
+{
+  std::string           field;
+  std::string           label;
+  double                millimetres{ 0.0 };
+  std::array<double, 2> pixels{ { 0.0, 0.0 } };
 };
 
 struct AnnotationLandmark
@@ -65,22 +78,34 @@ struct AnnotationRecords
   std::string                               numberingField;
   std::vector<AnnotationPolyline>           polylines;
   std::vector<AnnotationLandmark>           landmarks;
+  std::vector<AnnotationCalibration>        calibrations;
   /** Names of landmarks that were not wanted. */
   std::vector<std::string> leftOut;
   std::vector<std::string> warnings;
 };
 
-/** Every polyline of a file. Throws DentalInputError. */
+/** Every polyline of a file. Where the file is of several pictures, imageName tells which is meant. Throws
+ * DentalInputError. */
 AnnotationRecords
-ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format);
+ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName);
 
 /** Every landmark of a file, with `dimension` coordinates. Throws DentalInputError. */
 AnnotationRecords
-ReadLandmarkRecords(const std::string & fileName, AnnotationFileFormatEnum format, unsigned int dimension);
+ReadLandmarkRecords(const std::string &      fileName,
+                    AnnotationFileFormatEnum format,
+                    unsigned int             dimension,
+                    const std::string &      imageName);
 
 /** The same of JSON that was read; its warnings stay with its document. */
 AnnotationRecords
-ReadLandmarkRecords(const JsonNode & root, AnnotationFileFormatEnum format, unsigned int dimension);
+ReadLandmarkRecords(const JsonNode &         root,
+                    AnnotationFileFormatEnum format,
+                    unsigned int             dimension,
+                    const std::string &      imageName);
+
+/** What JSON is by what it holds; DentalSCR where it is nobody else's. Lists of landmarks are not looked at. */
+AnnotationFileFormatEnum
+AnnotationFormatFromContent(const JsonNode & root);
 } // namespace itk
 
 #endif

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkAnnotationText.h"
 
+#include "itkToothCode.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -61,7 +63,21 @@ Split(const std::string & line, char separator)
   std::vector<std::string> cells;
   for (std::size_t begin = 0;;)
   {
-    const std::size_t end = line.find(separator, begin);
+    std::size_t end = line.find(separator, begin);
+    // A quoted cell ends with a quote before a separator or the end of the line.
+    const std::size_t first = line.find_first_not_of(" \t", begin);
+    if (separator != '\t' && first != std::string::npos && line[first] == '"')
+    {
+      std::size_t quote = line.find('"', first + 1);
+      while (quote != std::string::npos && quote + 1 < line.size() && line[quote + 1] == '"')
+      {
+        quote = line.find('"', quote + 2);
+      }
+      if (quote != std::string::npos)
+      {
+        end = line.find(separator, quote);
+      }
+    }
     cells.push_back(Trim(line.substr(begin, end == std::string::npos ? end : end - begin)));
     if (end == std::string::npos)
     {
@@ -77,5 +93,48 @@ ParseNumber(const std::string & text, double & value)
   const char * const end = text.data() + text.size();
   const auto         result = std::from_chars(text.data(), end, value);
   return result.ec == std::errc() && result.ptr == end && std::isfinite(value);
+}
+
+bool
+ParseTableNumber(const std::string & text, double & value)
+{
+  if (ParseNumber(text, value))
+  {
+    return true;
+  }
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || text.find('.') != std::string::npos)
+  {
+    return false;
+  }
+  std::string point = text;
+  point[comma] = '.';
+  return ParseNumber(point, value);
+}
+
+std::string
+ListNames(const std::vector<std::string> & names)
+{
+  constexpr std::size_t limit = 8;
+  std::string           text;
+  for (std::size_t i = 0; i < std::min(names.size(), limit); ++i)
+  {
+    text += (i == 0 ? "" : ", ") + names[i].substr(0, 40);
+  }
+  return names.size() > limit ? text + " and " + std::to_string(names.size() - limit) + " more" : text;
+}
+
+bool
+NamesToothOrJaw(const std::string & label)
+{
+  return ToothCode::IsWrittenAsCode(label) || ToothCode::FromSidelessString(label).IsKnown() ||
+         ToothCode::JawFromString(label) != ToothCode::JawEnum::Unknown;
+}
+
+std::string
+ChooseLabel(const std::vector<std::string> & labels)
+{
+  const auto tooth = std::find_if(labels.begin(), labels.end(), NamesToothOrJaw);
+  return tooth != labels.end() ? *tooth : labels.empty() ? std::string() : labels.front();
 }
 } // namespace itk

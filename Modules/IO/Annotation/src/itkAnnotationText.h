@@ -36,12 +36,28 @@ EndsWith(const std::string & text, const std::string & end);
 std::string
 Trim(const std::string & text);
 
+/** Cells of a line, trimmed. A cell in quotes may hold the separator, as spreadsheets write it. */
 std::vector<std::string>
 Split(const std::string & line, char separator);
 
 /** Whether the whole text is one finite number with a decimal point. */
 bool
 ParseNumber(const std::string & text, double & value);
+/** The same, or one with a decimal comma and no point: half of Europe's spreadsheets write them. */
+bool
+ParseTableNumber(const std::string & text, double & value);
+
+/** Names in one line; of a long list only the beginning, as 29 names are nothing that anybody reads. */
+std::string
+ListNames(const std::vector<std::string> & names);
+
+/** Whether a label names a tooth or a jaw, in whatever numbering and spelling. */
+bool
+NamesToothOrJaw(const std::string & label);
+
+/** Of several labels of one thing the first that names a tooth or a jaw, else the first; "" where there is none. */
+std::string
+ChooseLabel(const std::vector<std::string> & labels);
 /** @} */
 } // namespace itk
 

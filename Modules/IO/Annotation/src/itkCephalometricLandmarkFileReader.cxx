@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkCephalometricLandmarkFileReader.h"
 
+#include "itkAnnotationText.h"
 #include "itkCephalometricLandmarkRecords.h"
 #include "itkDentalInputError.h"
 
@@ -27,22 +28,6 @@
 
 namespace itk
 {
-namespace
-{
-/** Of a long list only the beginning: 29 names are no line that anybody reads. */
-std::string
-ListNames(const std::vector<std::string> & names)
-{
-  constexpr std::size_t limit = 8;
-  std::string           text;
-  for (std::size_t i = 0; i < std::min(names.size(), limit); ++i)
-  {
-    text += (i == 0 ? "" : ", ") + names[i].substr(0, 40);
-  }
-  return names.size() > limit ? text + " and " + std::to_string(names.size() - limit) + " more" : text;
-}
-} // namespace
-
 CephalometricLandmarkFileReader::CephalometricLandmarkFileReader()
 {
   this->SetNumberOfRequiredOutputs(1);
@@ -104,9 +89,10 @@ CephalometricLandmarkFileReader::GenerateData()
   const auto        isDental = [this](const std::string & name) {
     return CephalometricLandmarkSet::ParseName(this->NameFromNumber(name)).position > 0;
   };
-  AnnotationRecords records = m_JsonNode
-                                ? ReadCephalometricLandmarkRecords(*m_JsonNode, this->GetFileFormat(), isDental)
-                                : ReadCephalometricLandmarkRecords(fileName, this->GetFileFormat(), isDental);
+  const std::string imageName = this->GetImageFileName();
+  AnnotationRecords records =
+    m_JsonNode ? ReadCephalometricLandmarkRecords(*m_JsonNode, this->GetFileFormat(), isDental, imageName)
+               : ReadCephalometricLandmarkRecords(fileName, this->GetFileFormat(), isDental, imageName);
   this->StartReading(records.format, std::move(records.warnings));
 
   const auto landmarks = CephalometricLandmarkSet::New();

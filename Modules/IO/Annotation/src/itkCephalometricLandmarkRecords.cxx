@@ -18,7 +18,9 @@
 #include "itkCephalometricLandmarkRecords.h"
 
 #include "itkAnnotationText.h"
+#include "itkCVATRecords.h"
 #include "itkDentalInputError.h"
+#include "itkForeignFile.h"
 #include "itkJsonDocument.h"
 #include "itkTextFile.h"
 
@@ -372,8 +374,10 @@ LeaveOutOthers(AnnotationRecords & records, const IsDentalLandmarkType & isDenta
 AnnotationRecords
 ReadCephalometricLandmarkRecords(const std::string &          fileName,
                                  AnnotationFileFormatEnum     format,
-                                 const IsDentalLandmarkType & isDental)
+                                 const IsDentalLandmarkType & isDental,
+                                 const std::string &          imageName)
 {
+  RefuseForeignFile(fileName, FilePurposeEnum::Landmarks);
   const std::string name = LowerCase(fileName);
   const bool        table = EndsWith(name, ".csv") || EndsWith(name, ".tsv") || EndsWith(name, ".txt");
   if (format == Format::CSV || format == Format::CLDetection || format == Format::ISBI2015 ||
@@ -391,41 +395,51 @@ ReadCephalometricLandmarkRecords(const std::string &          fileName,
         ReadCLDetection(fileName, lines, records);
         break;
       default:
-        records = ReadLandmarkRecords(fileName, Format::CSV, 2);
+        records = ReadLandmarkRecords(fileName, Format::CSV, 2, imageName);
         LeaveOutOthers(records, isDental);
     }
     return records;
   }
+  if (format == Format::CVAT || (format == Format::Automatic && IsXMLFile(fileName)))
+  {
+    AnnotationRecords records = ReadLandmarkRecords(fileName, Format::CVAT, 2, imageName);
+    LeaveOutOthers(records, isDental);
+    return records;
+  }
   const JsonDocument document = JsonDocument::ReadFile(fileName);
-  AnnotationRecords  records = ReadCephalometricLandmarkRecords(document.GetRoot(), format, isDental);
-  records.warnings = document.GetWarnings();
+  AnnotationRecords  records = ReadCephalometricLandmarkRecords(document.GetRoot(), format, isDental, imageName);
+  records.warnings.insert(records.warnings.begin(), document.GetWarnings().begin(), document.GetWarnings().end());
   return records;
 }
 
 AnnotationRecords
 ReadCephalometricLandmarkRecords(const JsonNode &             root,
                                  AnnotationFileFormatEnum     format,
-                                 const IsDentalLandmarkType & isDental)
+                                 const IsDentalLandmarkType & isDental,
+                                 const std::string &          imageName)
 {
-  if (!root.IsObject())
+  AnnotationRecords records;
+  records.format = format == Format::Automatic ? FormatFromContent(root) : format;
+  if (records.format == Format::Automatic && AnnotationFormatFromContent(root) != Format::DentalSCR)
+  {
+    records.format = AnnotationFormatFromContent(root);
+  }
+  if (!root.IsObject() && records.format != Format::LabelStudio)
   {
     root.Fail("is no JSON object", R"(landmarks are {"U1_tip": [u, v], "L1_tip": [u, v]})");
   }
-  AnnotationRecords records;
-  records.format = format == Format::Automatic ? FormatFromContent(root) : format;
   if (records.format == Format::Aariz || records.format == Format::LandmarkDetector)
   {
     ReadList(root, records, isDental);
     return records;
   }
-  const bool foreign = records.format != Format::Automatic || root.Find("markups") || root.Find("shapes");
-  if (records.format == Format::DentalSCR || !foreign)
+  if (records.format == Format::DentalSCR || records.format == Format::Automatic)
   {
     records.format = Format::DentalSCR;
     ReadOwn(root, records, isDental);
     return records;
   }
-  records = ReadLandmarkRecords(root, records.format, 2);
+  records = ReadLandmarkRecords(root, records.format, 2, imageName);
   LeaveOutOthers(records, isDental);
   return records;
 }

@@ -34,13 +34,15 @@ using IsDentalLandmarkType = std::function<bool(const std::string &)>;
 AnnotationRecords
 ReadCephalometricLandmarkRecords(const std::string &          fileName,
                                  AnnotationFileFormatEnum     format,
-                                 const IsDentalLandmarkType & isDental);
+                                 const IsDentalLandmarkType & isDental,
+                                 const std::string &          imageName);
 
 /** The same of JSON that was read; its warnings stay with its document. */
 AnnotationRecords
 ReadCephalometricLandmarkRecords(const JsonNode &             root,
                                  AnnotationFileFormatEnum     format,
-                                 const IsDentalLandmarkType & isDental);
+                                 const IsDentalLandmarkType & isDental,
+                                 const std::string &          imageName);
 } // namespace itk
 
 #endif

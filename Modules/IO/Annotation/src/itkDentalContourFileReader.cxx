@@ -18,9 +18,12 @@
 #include "itkDentalContourFileReader.h"
 
 #include "itkAnnotationRecords.h"
+#include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
+#include "itkLabelImageRecords.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -67,31 +70,61 @@ CombineNumberings(const std::string & fileName, const AnnotationRecords & record
   return stated;
 }
 
+/** What a label means. */
+struct MeaningType
+{
+  JawEnum   jaw{ JawEnum::Unknown };
+  ToothCode code;
+  bool      sideless{ false };
+  /** Neither a tooth nor a jaw: a soft-tissue line, for one. */
+  bool isOther{ false };
+};
+
 /** Takes a curve's tooth and jaw from its label and from where it stood. */
-JawEnum
+MeaningType
 InterpretLabel(const std::string &        fileName,
                const AnnotationPolyline & polyline,
                NumberingEnum              numbering,
-               ToothCode &                code)
+               bool                       sidelessIsLeft)
 {
-  JawEnum jaw = polyline.jaw == "upper" ? JawEnum::Upper : polyline.jaw == "lower" ? JawEnum::Lower : JawEnum::Unknown;
-  if (jaw == JawEnum::Unknown && (polyline.label == "upper" || polyline.label == "lower"))
+  MeaningType   meaning;
+  const JawEnum stated = polyline.jaw == "upper"   ? JawEnum::Upper
+                         : polyline.jaw == "lower" ? JawEnum::Lower
+                                                   : JawEnum::Unknown;
+  const JawEnum word = ToothCode::JawFromString(polyline.label);
+  meaning.jaw = stated;
+  if (word != JawEnum::Unknown && (stated == JawEnum::Unknown || stated == word))
   {
-    code = ToothCode();
-    return polyline.label == "upper" ? JawEnum::Upper : JawEnum::Lower;
+    meaning.jaw = word;
+    return meaning;
   }
-  try
+  meaning.code = ToothCode::FromSidelessString(polyline.label);
+  meaning.sideless = meaning.code.IsKnown();
+  if (meaning.sideless && sidelessIsLeft)
   {
-    code = ToothCode::FromString(polyline.label, numbering);
+    meaning.code = meaning.code.GetContralateral();
   }
-  catch (const std::invalid_argument & error)
+  if (!meaning.sideless)
   {
-    itkDentalInputErrorMacro(fileName, polyline.codeField, error.what(), "correct the code or the numbering");
+    try
+    {
+      meaning.code = ToothCode::FromString(polyline.label, numbering);
+    }
+    catch (const std::invalid_argument & error)
+    {
+      // What was meant as a code is a mistake, or the numbering is another one.
+      if (word != JawEnum::Unknown || ToothCode::IsWrittenAsCode(polyline.label))
+      {
+        itkDentalInputErrorMacro(fileName, polyline.codeField, error.what(), "correct the code or the numbering");
+      }
+      meaning.isOther = true;
+      return meaning;
+    }
   }
-  if (jaw == JawEnum::Unknown)
+  if (meaning.jaw == JawEnum::Unknown)
   {
-    jaw = code.GetJaw();
-    if (jaw == JawEnum::Unknown)
+    meaning.jaw = meaning.code.GetJaw();
+    if (meaning.jaw == JawEnum::Unknown)
     {
       itkDentalInputErrorMacro(fileName,
                                polyline.codeField,
@@ -99,15 +132,29 @@ InterpretLabel(const std::string &        fileName,
                                "label it with a tooth code, \"upper\" or \"lower\"");
     }
   }
-  else if (code.IsKnown() && code.GetJaw() != jaw)
+  else if (meaning.code.IsKnown() && meaning.code.GetJaw() != meaning.jaw)
   {
     itkDentalInputErrorMacro(fileName,
                              polyline.codeField,
-                             "\"" + polyline.label + "\" (" + code.GetName() + ") is no tooth of the " + polyline.jaw +
-                               " jaw",
+                             "\"" + polyline.label + "\" (" + meaning.code.GetName() + ") is no tooth of the " +
+                               polyline.jaw + " jaw",
                              "check for swapped jaws, or correct the code or the numbering");
   }
-  return jaw;
+  return meaning;
+}
+
+/** Without what is repeated or what a point of it says. */
+void
+DropLastPoint(DentalContour::PolylineType & polyline)
+{
+  polyline.points.pop_back();
+  for (std::vector<double> * values : { &polyline.weights, &polyline.sigmas })
+  {
+    if (!values->empty())
+    {
+      values->pop_back();
+    }
+  }
 }
 } // namespace
 
@@ -145,14 +192,43 @@ DentalContourFileReader::GetOutput(JawEnum jaw) const
 }
 
 void
+DentalContourFileReader::SetClassFiles(const ClassFilesType & files)
+{
+  if (m_ClassFiles != files)
+  {
+    m_ClassFiles = files;
+    this->Modified();
+  }
+}
+
+void
+DentalContourFileReader::VerifyPreconditions() ITKv5_CONST
+{
+  if (m_ClassFiles.empty())
+  {
+    Superclass::VerifyPreconditions();
+  }
+}
+
+void
 DentalContourFileReader::GenerateData()
 {
   this->StartReading(FileFormatEnum::Automatic, {});
   m_NumberOfPointsOutside = 0;
-  const std::string fileName = this->GetFileName();
-  AnnotationRecords records = ReadContourRecords(fileName, this->GetFileFormat());
+  m_NumberOfSidelessCodes = 0;
+  m_Calibrations.clear();
+  const std::string fileName = m_ClassFiles.empty() ? this->GetFileName() : m_ClassFiles.front().second;
+  AnnotationRecords records = m_ClassFiles.empty()
+                                ? ReadContourRecords(fileName, this->GetFileFormat(), this->GetImageFileName())
+                                : ReadClassImageRecords(m_ClassFiles);
   m_ReadNumbering = CombineNumberings(fileName, records, this->GetNumbering());
   this->StartReading(records.format, std::move(records.warnings));
+
+  for (const AnnotationCalibration & calibration : records.calibrations)
+  {
+    m_Calibrations.push_back(
+      { calibration.label, calibration.millimetres, std::hypot(calibration.pixels[0], calibration.pixels[1]) });
+  }
 
   ImageSizeType stated{ { 0, 0 } };
   if (records.imageSize)
@@ -179,12 +255,25 @@ DentalContourFileReader::GenerateData()
   std::set<ToothCode> seen;
   // The outputs stay empty until all is known to be right.
   std::vector<std::pair<JawEnum, DentalContour::PolylineType>> polylines;
+  std::vector<std::string>                                     others;
+  std::string                                                  firstOther;
   for (const AnnotationPolyline & record : records.polylines)
   {
+    const MeaningType meaning = InterpretLabel(fileName, record, m_ReadNumbering, m_SidelessCodesAreLeft);
+    if (meaning.isOther)
+    {
+      firstOther = others.empty() ? record.codeField : firstOther;
+      others.push_back(record.label);
+      continue;
+    }
+    const JawEnum               jaw = meaning.jaw;
     DentalContour::PolylineType polyline;
-    const JawEnum               jaw = InterpretLabel(fileName, record, m_ReadNumbering, polyline.code);
+    polyline.code = meaning.code;
+    m_NumberOfSidelessCodes += meaning.sideless && !record.points.empty() ? 1 : 0;
     polyline.closed = record.closed;
     polyline.weights = record.weights;
+    polyline.sigmas = record.sigmas;
+    polyline.outline = record.outline;
     polyline.points.reserve(record.points.size());
     for (const std::array<double, 3> & position : record.points)
     {
@@ -205,11 +294,7 @@ DentalContourFileReader::GenerateData()
     // Tools differ in whether a closed contour repeats its first point; ours does not.
     if (polyline.closed && polyline.points.size() > 1 && polyline.points.front() == polyline.points.back())
     {
-      polyline.points.pop_back();
-      if (!polyline.weights.empty())
-      {
-        polyline.weights.pop_back();
-      }
+      DropLastPoint(polyline);
     }
     if (polyline.closed && !polyline.points.empty() && polyline.points.size() < 3)
     {
@@ -225,6 +310,18 @@ DentalContourFileReader::GenerateData()
     polylines.emplace_back(jaw, std::move(polyline));
   }
 
+  if (!others.empty() && polylines.empty())
+  {
+    itkDentalInputErrorMacro(fileName,
+                             firstOther,
+                             "\"" + others.front().substr(0, 40) + "\" is no tooth" +
+                               (others.size() > 1 ? ", and nothing else in the file is: " + ListNames(others) : ""),
+                             "label contours with tooth codes (UR1, 11, U6), \"upper\" or \"lower\"");
+  }
+  if (!others.empty())
+  {
+    this->Warn("contours", "no teeth, left out: " + ListNames(others));
+  }
   if (m_NumberOfPointsOutside > 0)
   {
     const std::string text = std::to_string(m_NumberOfPointsOutside) + " of " + std::to_string(pointCount) +
@@ -266,6 +363,10 @@ DentalContourFileReader::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "ImageSize: " << m_ImageSize << std::endl;
   os << indent << "ReadImageSize: " << m_ReadImageSize << std::endl;
   os << indent << "ReadNumbering: " << m_ReadNumbering << std::endl;
+  os << indent << "ClassFiles: " << m_ClassFiles.size() << std::endl;
+  os << indent << "SidelessCodesAreLeft: " << (m_SidelessCodesAreLeft ? "On" : "Off") << std::endl;
+  os << indent << "NumberOfSidelessCodes: " << m_NumberOfSidelessCodes << std::endl;
+  os << indent << "Calibrations: " << m_Calibrations.size() << std::endl;
   os << indent << "NumberOfPointsOutside: " << m_NumberOfPointsOutside << std::endl;
 }
 } // namespace itk

@@ -20,6 +20,7 @@
 #include "itkJsonNumber.h"
 #include "itkTextFile.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace itk
@@ -38,10 +39,31 @@ CodeText(ToothCode code, ToothCode::NumberingEnum numbering)
     case ToothCode::NumberingEnum::FDI:
       return std::to_string(code.GetFDI());
     case ToothCode::NumberingEnum::Universal:
-      return std::to_string(code.GetUniversal());
+      return code.GetUniversalName();
     default:
       return code.GetName();
   }
+}
+
+/** One number where all are alike; nothing where a point has none, as the file cannot say that of a single point. */
+void
+AppendSigmas(std::ostream & os, const std::vector<double> & sigmas)
+{
+  if (sigmas.empty() || std::count(sigmas.begin(), sigmas.end(), 0.0) > 0)
+  {
+    return;
+  }
+  os << ", \"sigma_px\": ";
+  if (std::count(sigmas.begin(), sigmas.end(), sigmas.front()) == static_cast<std::ptrdiff_t>(sigmas.size()))
+  {
+    os << JsonNumber(sigmas.front());
+    return;
+  }
+  for (std::size_t i = 0; i < sigmas.size(); ++i)
+  {
+    os << (i == 0 ? "[" : ", ") << JsonNumber(sigmas[i]);
+  }
+  os << ']';
 }
 
 void
@@ -72,6 +94,11 @@ AppendJaw(std::ostream & os, const char * jaw, const DentalContour & contour, To
       }
       os << ']';
     }
+    if (polyline.outline != DentalContour::OutlineEnum::Unspecified)
+    {
+      os << ", \"outline\": \"" << polyline.outline << '"';
+    }
+    AppendSigmas(os, polyline.sigmas);
     os << '}';
     separator = ",\n";
   }

@@ -82,7 +82,8 @@ DentalLandmarkFileReader<VDimension>::GenerateData()
 {
   this->StartReading(FileFormatEnum::Automatic, {});
   const std::string fileName = this->GetFileName();
-  AnnotationRecords records = ReadLandmarkRecords(fileName, this->GetFileFormat(), VDimension);
+  AnnotationRecords records =
+    ReadLandmarkRecords(fileName, this->GetFileFormat(), VDimension, this->GetImageFileName());
   this->StartReading(records.format, std::move(records.warnings));
 
   const auto landmarks = LandmarkSetType::New();

@@ -417,3 +417,53 @@ TEST(DentalContourFileReader, PrintsItself)
   DentalContourFileWriter::New()->Print(os);
   EXPECT_TRUE(itk::Contains(os.str(), "contours.json") && itk::Contains(os.str(), "NumberOfPointsOutside"));
 }
+
+TEST(DentalContourFileReader, OutlineAndSigmaAreReadAndWritten)
+{
+  const auto reader = MakeReader(R"({"image_size": [100, 100], "contours": {"upper": [
+    {"code": "UR1", "closed": true, "outline": "tooth", "sigma_px": 2.5, "points": [[1, 1], [9, 1], [9, 9], [1, 1]]},
+    {"code": "UR2", "outline": "labial", "sigma_px": [0.5, 1.5], "points": [[1, 1], [9, 1]]},
+    {"code": "UR3", "points": [[3, 3], [4, 4]]}]}})");
+  reader->Update();
+  EXPECT_TRUE(reader->GetWarnings().empty());
+  const auto polylines = reader->GetUpperOutput()->GetPolylines();
+  using OutlineEnum = itk::DentalContour::OutlineEnum;
+  ASSERT_EQ(polylines.size(), 3u);
+  EXPECT_EQ(polylines[0].outline, OutlineEnum::Tooth);
+  EXPECT_EQ(polylines[0].sigmas, std::vector<double>({ 2.5, 2.5, 2.5 }));
+  EXPECT_EQ(polylines[1].outline, OutlineEnum::Labial);
+  EXPECT_EQ(polylines[1].sigmas, std::vector<double>({ 0.5, 1.5 }));
+  EXPECT_EQ(polylines[2].outline, OutlineEnum::Unspecified);
+  EXPECT_EQ(polylines[2].sigmas, std::vector<double>({ 0.0, 0.0 }));
+
+  const auto writer = itk::DentalContourFileWriter::New();
+  writer->SetUpper(reader->GetUpperOutput());
+  writer->SetImageSize({ { 100, 100 } });
+  writer->SetFileName(itk::TestFolder() + "/written.json");
+  writer->Write();
+  const auto again = DentalContourFileReader::New();
+  again->SetFileName(itk::TestFolder() + "/written.json");
+  again->Update();
+  const auto written = again->GetUpperOutput()->GetPolylines();
+  ASSERT_EQ(written.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(written[i].sigmas, polylines[i].sigmas);
+    EXPECT_EQ(written[i].outline, polylines[i].outline);
+  }
+}
+
+TEST(DentalContourFileReader, OutlineAndSigmaThatAreNoneAreRefusedByField)
+{
+  const auto field = [](const std::string & members) {
+    const auto reader =
+      MakeReader(R"({"image_size": [9, 9], "contours": {"upper": [{"code": "UR1", "points": [[1, 1], [2, 2]], )" +
+                 members + "}]}}");
+    return itk::ExpectInputError([&] { reader->Update(); }).GetField();
+  };
+  EXPECT_EQ(field(R"("outline": "root")"), "contours.upper[0].outline");
+  EXPECT_EQ(field(R"("sigma_px": 0)"), "contours.upper[0].sigma_px");
+  EXPECT_EQ(field(R"("sigma_px": -1)"), "contours.upper[0].sigma_px");
+  EXPECT_EQ(field(R"("sigma_px": [1])"), "contours.upper[0].sigma_px");
+  EXPECT_EQ(field(R"("sigma_px": [1, 0])"), "contours.upper[0].sigma_px[1]");
+}

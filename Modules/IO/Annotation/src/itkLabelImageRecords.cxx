@@ -1,0 +1,251 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkLabelImageRecords.h"
+
+#include "itkAnnotationText.h"
+#include "itkDentalInputError.h"
+#include "itkDrawnLines.h"
+#include "itkReadLabelImage.h"
+#include "itkSilhouetteContourFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace itk
+{
+namespace
+{
+using LabelImageType = Image<std::uint16_t, 2>;
+using MaskImageType = Image<std::uint8_t, 2>;
+
+/** Share of a tooth's largest part below which another one is a speck that a brush left. */
+constexpr double SpeckShare = 0.05;
+/** Above the largest FDI number: a class that is no tooth (bone, 255), while a smaller number may be a tooth that is
+ * counted in another way. */
+constexpr std::uint16_t LargestFDI = 85;
+
+std::array<std::size_t, 2>
+GetSize(const ImageBase<2> & image)
+{
+  const auto size = image.GetLargestPossibleRegion().GetSize();
+  return { { size[0], size[1] } };
+}
+
+/** Twice the area that a closed polyline encloses. */
+double
+ComputeArea(const DentalContour::PolylineType & polyline)
+{
+  double            area = 0.0;
+  const std::size_t count = polyline.points.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto & a = polyline.points[i];
+    const auto & b = polyline.points[(i + 1) % count];
+    area += a[0] * b[1] - a[1] * b[0];
+  }
+  return std::abs(area);
+}
+
+template <typename TImage>
+DentalContour::PolylinesType
+TraceOutlines(const TImage * image, typename SilhouetteContourFilter<TImage>::ContentEnum content)
+{
+  auto filter = SilhouetteContourFilter<TImage>::New();
+  filter->SetInput(image);
+  filter->SetContent(content);
+  // Specks are left out below, where they can be counted; two large parts are two contours.
+  filter->SetLargestPartOnly(false);
+  filter->Update();
+  return filter->GetOutput()->GetPolylines();
+}
+
+void
+AppendPolyline(const std::string &                           field,
+               const std::string &                           label,
+               bool                                          closed,
+               const std::vector<DentalContour::PointType> & points,
+               AnnotationRecords &                           records)
+{
+  AnnotationPolyline polyline;
+  polyline.field = field;
+  polyline.codeField = field;
+  polyline.label = label;
+  polyline.closed = closed;
+  for (const auto & point : points)
+  {
+    polyline.points.push_back({ { point[0], point[1], 0.0 } });
+  }
+  records.polylines.push_back(std::move(polyline));
+}
+
+/** Outlines of one thing without the specks beside it; adds its label to those that have some. */
+void
+AppendOutlines(const std::string &                  label,
+               const DentalContour::PolylinesType & outlines,
+               std::vector<std::string> &           speckled,
+               AnnotationRecords &                  records)
+{
+  double largest = 0.0;
+  for (const auto & outline : outlines)
+  {
+    largest = std::max(largest, ComputeArea(outline));
+  }
+  std::size_t specks = 0;
+  for (const auto & outline : outlines)
+  {
+    if (ComputeArea(outline) < SpeckShare * largest)
+    {
+      ++specks;
+      continue;
+    }
+    AppendPolyline("label " + label, label, true, outline.points, records);
+  }
+  if (specks > 0)
+  {
+    speckled.push_back(label);
+  }
+}
+
+void
+WarnOfSpecks(const std::string & fileName, const std::vector<std::string> & speckled, AnnotationRecords & records)
+{
+  if (!speckled.empty())
+  {
+    records.warnings.push_back(fileName + ": labels: specks are left out beside " + ListNames(speckled));
+  }
+}
+
+/** Throws where a label may be a tooth that is counted otherwise, or where none is one; others are left out. */
+void
+TakeTeethAlone(const std::string & fileName, LabelImageType * image, AnnotationRecords & records)
+{
+  std::uint16_t * const    pixels = image->GetBufferPointer();
+  const std::size_t        count = image->GetLargestPossibleRegion().GetNumberOfPixels();
+  std::set<std::uint16_t>  values(pixels, pixels + count);
+  std::vector<std::string> others;
+  std::size_t              teeth = 0;
+  values.erase(0);
+  std::set<std::uint16_t> foreign;
+  bool                    doubtful = false;
+  for (const std::uint16_t value : values)
+  {
+    try
+    {
+      ToothCode code(value);
+      ++teeth;
+    }
+    catch (const std::invalid_argument &)
+    {
+      others.push_back(std::to_string(value));
+      foreign.insert(value);
+      doubtful = doubtful || value <= LargestFDI;
+    }
+  }
+  if (values.empty())
+  {
+    itkDentalInputErrorMacro(fileName, "", "has no label: all its pixels are 0", "name the label map of the teeth");
+  }
+  if (teeth == 0 || doubtful)
+  {
+    // Two tones are a mask or drawn lines, of which nothing says what they show.
+    const std::string line =
+      values.size() <= 2
+        ? R"(save masks or drawn lines as one file a tooth or jaw: "contours": {"upper": "upper.png", "UR1": "ur1.png"})"
+        : R"(map the labels to FDI numbers, or save one mask a tooth: "contours": {"UR1": "ur1.png"})";
+    itkDentalInputErrorMacro(fileName, "", "has labels that are no FDI tooth numbers: " + ListNames(others), line);
+  }
+  if (!foreign.empty())
+  {
+    records.warnings.push_back(fileName + ": labels: no teeth, left out: " + ListNames(others));
+    std::replace_if(
+      pixels, pixels + count, [&](std::uint16_t value) { return foreign.count(value) > 0; }, std::uint16_t{ 0 });
+  }
+}
+} // namespace
+
+AnnotationRecords
+ReadLabelImageRecords(const std::string & fileName)
+{
+  AnnotationRecords             records;
+  const LabelImageType::Pointer image = ReadLabelImage(fileName);
+  records.format = AnnotationFileFormatEnum::LabelImage;
+  records.imageSize = GetSize(*image);
+  records.imageSizeField = "size";
+  TakeTeethAlone(fileName, image, records);
+  std::map<ToothCode, DentalContour::PolylinesType> outlines;
+  for (const auto & outline : TraceOutlines<LabelImageType>(image, SilhouetteContourFilterEnums::Content::ToothLabels))
+  {
+    outlines[outline.code].push_back(outline);
+  }
+  std::vector<std::string> speckled;
+  for (const auto & [code, parts] : outlines)
+  {
+    // A label is an FDI number, whatever the numbering of codes.
+    AppendOutlines("FDI " + std::to_string(code.GetFDI()), parts, speckled, records);
+  }
+  WarnOfSpecks(fileName, speckled, records);
+  return records;
+}
+
+AnnotationRecords
+ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & files)
+{
+  AnnotationRecords records;
+  records.format = AnnotationFileFormatEnum::LabelImage;
+  for (const auto & [label, fileName] : files)
+  {
+    const MaskImageType::Pointer image = ReadMaskImage(fileName);
+    if (records.imageSize && *records.imageSize != GetSize(*image))
+    {
+      itkDentalInputErrorMacro(fileName,
+                               "size",
+                               "is " + std::to_string(GetSize(*image)[0]) + " x " + std::to_string(GetSize(*image)[1]) +
+                                 ", but \"" + files.front().second + "\" is " +
+                                 std::to_string((*records.imageSize)[0]) + " x " +
+                                 std::to_string((*records.imageSize)[1]),
+                               "save all masks in the radiograph's pixel grid");
+    }
+    records.imageSize = GetSize(*image);
+    records.imageSizeField = "size";
+    if (DrawnLines::AreDrawn(image))
+    {
+      for (const auto & line : DrawnLines::Trace(image))
+      {
+        AppendPolyline("contours." + label, label, line.closed, line.points, records);
+      }
+    }
+    else
+    {
+      const std::size_t        first = records.polylines.size();
+      std::vector<std::string> speckled;
+      AppendOutlines(label,
+                     TraceOutlines<MaskImageType>(image, SilhouetteContourFilterEnums::Content::MergedLabels),
+                     speckled,
+                     records);
+      WarnOfSpecks(fileName, speckled, records);
+      for (std::size_t i = first; i < records.polylines.size(); ++i)
+      {
+        records.polylines[i].codeField = "contours." + label;
+      }
+    }
+  }
+  return records;
+}
+} // namespace itk

@@ -1,0 +1,39 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkLabelImageRecords_h
+#define itkLabelImageRecords_h
+
+#include "itkAnnotationRecords.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace itk
+{
+/** The outlines of the teeth in a label map of FDI numbers; not installed. Throws DentalInputError. */
+AnnotationRecords
+ReadLabelImageRecords(const std::string & fileName);
+
+/** Pictures of one class each, a label and a file: the outline of what is filled, or thin lines as they were drawn.
+ * Throws DentalInputError. */
+AnnotationRecords
+ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & files);
+} // namespace itk
+
+#endif

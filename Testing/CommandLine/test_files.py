@@ -1,0 +1,373 @@
+"""Files as people have them: every form of one tracing gives the answer that contours.json gives."""
+import json
+import struct
+import zlib
+
+import pytest
+
+WIDTH, HEIGHT = 703, 938
+
+
+def png(rows, palette=None):
+    """A grey PNG of 8 bits, or one with a palette, without any library."""
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    colours = b"" if palette is None else chunk(b"PLTE", bytes(value for colour in palette for value in colour))
+    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 0 if palette is None else 3, 0, 0, 0)
+    pixels = zlib.compress(b"".join(b"\0" + bytes(row) for row in rows))
+    return (
+        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + colours + chunk(b"IDAT", pixels) + chunk(b"IEND", b"")
+    )
+
+
+def tiff_int32(rows):
+    """A TIFF of signed whole numbers of 32 bits, as NumPy's default type is written."""
+    width, height = len(rows[0]), len(rows)
+    pixels = b"".join(struct.pack(f"<{width}i", *row) for row in rows)
+    tags = [
+        (256, 4, width), (257, 4, height), (258, 3, 32), (259, 3, 1), (262, 3, 1), (273, 4, 8), (277, 3, 1),
+        (278, 4, height), (279, 4, len(pixels)), (339, 3, 2),
+    ]
+    directory = struct.pack("<H", len(tags))
+    for tag, kind, value in tags:
+        directory += struct.pack("<HHI", tag, kind, 1)
+        directory += struct.pack("<HH", value, 0) if kind == 3 else struct.pack("<I", value)
+    return b"II*\0" + struct.pack("<I", 8 + len(pixels)) + pixels + directory + struct.pack("<I", 0)
+
+
+def two_discs():
+    """FDI 11 at (30, 40) and 81 at (70, 40), radius 12."""
+    rows = [[0] * 100 for _ in range(80)]
+    for v in range(80):
+        for u in range(100):
+            for label, centre in ((11, 30), (81, 70)):
+                if (u - centre) ** 2 + (v - 40) ** 2 <= 144:
+                    rows[v][u] = label
+    return rows
+
+
+def contours_of(run, tmp_path, name, content):
+    (tmp_path / name).write_bytes(content)
+    done = run("contour", "--labels", tmp_path / name, "--output", tmp_path / "c.json")
+    assert done.returncode == 0, done.stderr
+    return json.loads((tmp_path / "c.json").read_text())
+
+
+def test_labels_are_numbers_whatever_the_file_keeps_them_in(run, tmp_path):
+    rows = two_discs()
+    grey = contours_of(run, tmp_path, "grey.png", png(rows))
+    assert [polyline["code"] for polyline in grey["contours"]["upper"]] == ["UR1"]
+    assert [polyline["code"] for polyline in grey["contours"]["lower"]] == ["LRA"]
+    # A palette's colours are for the eye: its index is the label.
+    palette = [((37 * i) % 256, (91 * i) % 256, (13 * i) % 256) for i in range(256)]
+    assert contours_of(run, tmp_path, "palette.png", png(rows, palette)) == grey
+    assert contours_of(run, tmp_path, "int32.tif", tiff_int32(rows)) == grey
+    nrrd = b"NRRD0004\ntype: uint16\ndimension: 2\nsizes: 100 80\nencoding: raw\nendian: little\n\n"
+    nrrd += b"".join(struct.pack("<100H", *row) for row in rows)
+    assert contours_of(run, tmp_path, "labels.nrrd", nrrd) == grey
+
+
+def test_labels_that_are_none_are_refused_in_words(run, tmp_path):
+    nothing = [[0] * 10] * 10
+    negative = [[-1] * 10] * 10
+    for name, content, words in (
+        ("empty.png", png(nothing), "all its pixels are 0"),
+        ("negative.tif", tiff_int32(negative), "value -1"),
+        ("cut.tif", tiff_int32(negative)[:100], "truncated"),
+        ("scan.stl", b"solid x\nendsolid x\n", "STL mesh"),
+    ):
+        (tmp_path / name).write_bytes(content)
+        done = run("contour", "--labels", tmp_path / name, "--output", tmp_path / "c.json")
+        assert done.returncode == 2, done.stdout
+        assert words in done.stderr, done.stderr
+
+
+@pytest.fixture(scope="module")
+def landmarks(run, sample, tmp_path_factory):
+    """Of the sample as it is."""
+    output = tmp_path_factory.mktemp("files") / "out"
+    done = run("register", sample / "case.json", "--output", output, "--no-report")
+    assert done.returncode == 0, done.stderr
+    return {name: jaw["landmarks_px"] for name, jaw in json.loads((output / "result.json").read_text())["jaws"].items()}
+
+
+def difference(landmarks, result):
+    """Largest distance of a landmark's place from the sample's own, pixels."""
+    return max(
+        ((place[0] - here[0]) ** 2 + (place[1] - here[1]) ** 2) ** 0.5
+        for name, jaw in landmarks.items()
+        for place, here in ((jaw[point], result["jaws"][name]["landmarks_px"][point]) for point in jaw)
+    )
+
+
+def tracing_of(case):
+    tracing = json.loads((case.folder / "contours.json").read_text())
+    return tracing["image_size"], [
+        (polyline["code"], polyline["points"])
+        for jaw in tracing["contours"].values()
+        for polyline in jaw
+        if polyline["points"]
+    ]
+
+
+def from_corner(points):
+    return [[u + 0.5, v + 0.5] for u, v in points]
+
+
+def as_cvat(size, polylines):
+    shapes = "".join(
+        f'<polyline label="tooth {code}" points="{";".join(f"{u!r},{v!r}" for u, v in from_corner(points))}"/>'
+        for code, points in polylines
+    )
+    return (
+        '<?xml version="1.0" encoding="utf-8"?><annotations><version>1.1</version>'
+        f'<image id="0" name="ceph.png" width="{size[0]}" height="{size[1]}">{shapes}'
+        '<polyline label="soft tissue" points="1.0,1.0;2.0,2.0"/></image></annotations>'
+    )
+
+
+def as_via(size, polylines):
+    regions = [
+        {
+            "shape_attributes": {
+                "name": "polyline",
+                "all_points_x": [u for u, _ in from_corner(points)],
+                "all_points_y": [v for _, v in from_corner(points)],
+            },
+            "region_attributes": {"tooth": code},
+        }
+        for code, points in polylines
+    ]
+    return json.dumps({"ceph.png1": {"filename": "ceph.png", "size": 1, "regions": regions, "file_attributes": {}}})
+
+
+def as_label_studio(size, polylines):
+    result = [
+        {
+            "original_width": size[0],
+            "original_height": size[1],
+            "image_rotation": 0,
+            "type": "polygonlabels",
+            "value": {
+                "points": [[100.0 * u / size[0], 100.0 * v / size[1]] for u, v in from_corner(points)],
+                "closed": False,
+                "polygonlabels": [code.lower()],
+            },
+        }
+        for code, points in polylines
+    ]
+    return json.dumps([{"data": {"image": "ceph.png"}, "annotations": [{"result": result}]}])
+
+
+def as_supervisely(size, polylines):
+    objects = [
+        {"classTitle": code, "geometryType": "line", "points": {"exterior": from_corner(points), "interior": []}}
+        for code, points in polylines
+    ]
+    return json.dumps({"size": {"width": size[0], "height": size[1]}, "objects": objects})
+
+
+def as_german_table(size, polylines):
+    lines = ["Zahn;x (px);y (px)"]
+    lines[0] = "label;x (px);y (px)"
+    lines += [f"{code};{u!r};{v!r}".replace(".", ",") for code, points in polylines for u, v in points]
+    return "\n".join(lines) + "\n"
+
+
+FORMS = {
+    "cvat.xml": as_cvat,
+    "via.json": as_via,
+    "label_studio.json": as_label_studio,
+    "supervisely.json": as_supervisely,
+    "table.csv": as_german_table,
+}
+
+
+@pytest.mark.parametrize("name", FORMS)
+def test_a_tracing_gives_one_answer_in_every_form(run, case, tmp_path, landmarks, name):
+    size, polylines = tracing_of(case)
+    (case.folder / name).write_text(FORMS[name](size, polylines))
+    case.change(contours=name)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    # The same numbers but for the last digits that per cent and half pixels cost.
+    assert difference(landmarks, result) < 1e-3
+
+
+def markups(polylines, spacing, system="LPS"):
+    sign = 1.0 if system == "LPS" else -1.0
+    return json.dumps(
+        {
+            "markups": [
+                {
+                    "type": "Curve",
+                    "name": code,
+                    "coordinateSystem": system,
+                    "coordinateUnits": "mm",
+                    "controlPoints": [
+                        {"position": [sign * u * spacing, sign * v * spacing, 0.0], "positionStatus": "defined"}
+                        for u, v in points
+                    ],
+                }
+                for code, points in polylines
+            ]
+        }
+    )
+
+
+def test_markups_in_millimetres_need_the_spacing_that_they_were_made_with(run, case, tmp_path, landmarks):
+    size, polylines = tracing_of(case)
+    (case.folder / "ceph.mrk.json").write_text(markups(polylines, 0.25, "RAS"))
+    case.change(contours="ceph.mrk.json")
+    done = run("register", case.file, "--output", tmp_path / "none", "--no-report")
+    assert done.returncode == 2, done.stdout
+    assert "markups_spacing_mm" in done.stderr
+    case.change(markups_spacing_mm=[0.25, 0.25])
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert difference(landmarks, json.loads((tmp_path / "out" / "result.json").read_text())) < 1e-3
+
+
+def test_markups_take_the_spacing_of_an_image_that_has_one(run, case, tmp_path, landmarks):
+    size, polylines = tracing_of(case)
+    header = (
+        f"NRRD0004\ntype: uchar\ndimension: 2\nsizes: {size[0]} {size[1]}\nspacings: 0.2 0.2\nencoding: raw\n\n"
+    ).encode()
+    (case.folder / "ceph.nrrd").write_bytes(header + bytes(size[0] * size[1]))
+    (case.folder / "ceph.mrk.json").write_text(markups(polylines, 0.2))
+    cephalogram = dict(case.load()["cephalogram"], image="ceph.nrrd")
+    case.change(contours="ceph.mrk.json", cephalogram=cephalogram)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert difference(landmarks, json.loads((tmp_path / "out" / "result.json").read_text())) < 1e-3
+
+
+def test_a_ruler_in_the_tracing_is_the_spacing_where_none_is_given(run, case, tmp_path):
+    content = case.load()
+    geometry = content["geometry"]
+    spacing = content["cephalogram"]["pixel_spacing_mm"][0]
+    magnification = geometry["source_to_detector_mm"] / geometry["source_to_midsagittal_mm"]
+    size, polylines = tracing_of(case)
+    # 30 mm in the midsagittal plane, which the rays enlarge on the detector.
+    length = 30.0 * magnification / spacing
+    ruler = ("Calibration_30mm", [[20.0, 20.0], [20.0, 20.0 + length]])
+    text = as_cvat(size, polylines).replace("</image>", "")
+    text = text.replace(
+        "</annotations>",
+        f'<polyline label="{ruler[0]}" points="20.5,20.5;20.5,{20.5 + length!r}"/></image></annotations>',
+    )
+    (case.folder / "cvat.xml").write_text(text)
+    unknown = {"pixel_spacing_mm", "spacing_plane"}
+    cephalogram = {key: value for key, value in content["cephalogram"].items() if key not in unknown}
+    for plane, expected in ((None, spacing), ("detector", spacing / magnification)):
+        case.change(contours="cvat.xml", cephalogram=dict(cephalogram, **({"spacing_plane": plane} if plane else {})))
+        output = tmp_path / f"out-{plane}"
+        done = run("register", case.file, "--output", output, "--no-report")
+        assert done.returncode in (0, 1), done.stderr
+        said = json.loads((output / "result.json").read_text())["geometry"]["pixel_spacing_mm"]
+        assert said["value"] == pytest.approx([expected, expected], rel=1e-6)
+        assert said["verdict"] == "Calibrated"
+        assert "Calibration_30mm" in json.dumps(said)
+    # One that the case gives goes before, and a ruler that is far off it is said.
+    far = dict(content["cephalogram"], pixel_spacing_mm=[2.0 * spacing, 2.0 * spacing])
+    case.change(cephalogram=far)
+    done = run("register", case.file, "--output", tmp_path / "far", "--no-report")
+    assert "Calibration_30mm" in done.stderr, done.stderr
+
+
+def filled(size, points):
+    """A mask of what a closed polyline encloses, by crossings of each row."""
+    rows = [[0] * size[0] for _ in range(size[1])]
+    for v in range(size[1]):
+        crossings = sorted(
+            a[0] + (v - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+            for a, b in zip(points, points[1:] + points[:1])
+            if (a[1] <= v) != (b[1] <= v)
+        )
+        for left, right in zip(crossings[::2], crossings[1::2]):
+            for u in range(max(0, int(left) + 1), min(size[0], int(right) + 1)):
+                rows[v][u] = 255
+    return rows
+
+
+def test_one_mask_a_tooth_and_drawn_lines_are_read_by_the_case(run, case, tmp_path):
+    size, polylines = tracing_of(case)
+    files = {}
+    for code, points in polylines:
+        # The line as a pen of one pixel would draw it, black on white.
+        rows = [[255] * size[0] for _ in range(size[1])]
+        for a, b in zip(points, points[1:]):
+            steps = max(1, int(2 * max(abs(b[0] - a[0]), abs(b[1] - a[1]))))
+            for k in range(steps + 1):
+                u = round(a[0] + k / steps * (b[0] - a[0]))
+                v = round(a[1] + k / steps * (b[1] - a[1]))
+                rows[v][u] = 0
+        files[code] = f"line_{code}.png"
+        (case.folder / files[code]).write_bytes(png(rows))
+    case.change(contours=files)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    # Half a pixel of a line's pixels, and the two ends: the landmarks stay within what the answer itself claims.
+    for jaw in result["jaws"].values():
+        assert jaw["status"] in ("ok", "suspect"), jaw["reasons"]
+        assert jaw["error"]["mean_px"] < 2.5, jaw["error"]
+
+    case.change(contours={"UR1": files[polylines[0][0]], "chin": files[polylines[0][0]]})
+    done = run("register", case.file, "--output", tmp_path / "bad")
+    assert done.returncode == 2
+    assert "contours.chin" in done.stderr
+    (case.folder / "small.png").write_bytes(png(filled([40, 40], [[5, 5], [30, 5], [30, 30], [5, 30]])))
+    case.change(contours={"UR1": "small.png"})
+    done = run("register", case.file, "--output", tmp_path / "bad")
+    assert done.returncode == 2
+    assert "40 x 40" in done.stderr
+
+
+def test_a_scan_that_is_none_is_named_for_what_it_is(run, case, tmp_path):
+    for name, content, words in (
+        ("upper.dcm", b'<?xml version="1.0"?><HPS version="1.1"></HPS>', "3Shape"),
+        ("upper.zip", b"PK\x03\x04\x14\0\0\0upper.stl", "ZIP"),
+        ("upper.pdf", b"%PDF-1.4\n", "PDF"),
+    ):
+        (case.folder / name).write_bytes(content)
+        case.change(upper=name)
+        done = run("register", case.file, "--output", tmp_path / "out")
+        assert done.returncode == 2
+        assert words in done.stderr, done.stderr
+        assert "STL" in done.stderr or "unpack" in done.stderr, done.stderr
+
+
+def test_bytes_behind_a_binary_stl_are_left_alone_and_named(run, case, tmp_path, landmarks):
+    path = case.folder / "upper.stl"
+    path.write_bytes(path.read_bytes() + b"COLOR=\x01\x02")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert "8 bytes behind its" in done.stderr
+    assert difference(landmarks, json.loads((tmp_path / "out" / "result.json").read_text())) == 0.0
+
+
+def test_codes_in_words_and_without_a_side(run, case, tmp_path, landmarks):
+    tracing = json.loads((case.folder / "contours.json").read_text())
+    spelled = {"U": "1.", "L": "4."}
+    for jaw in tracing["contours"].values():
+        for polyline in jaw:
+            code = polyline["code"]
+            polyline["code"] = f" tooth {spelled[code[0]]}{code[2]}" if code[1] == "R" else code.lower()
+    (case.folder / "contours.json").write_text(json.dumps(tracing))
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert difference(landmarks, json.loads((tmp_path / "out" / "result.json").read_text())) == 0.0
+
+    for jaw in tracing["contours"].values():
+        for polyline in jaw:
+            polyline["code"] = "U" if jaw is tracing["contours"]["upper"] else "L"
+            polyline["code"] += "1"
+    (case.folder / "contours.json").write_text(json.dumps(tracing))
+    case.change(traced_side="both")
+    done = run("register", case.file, "--output", tmp_path / "bad")
+    assert done.returncode == 2
+    assert "traced_side" in done.stderr
