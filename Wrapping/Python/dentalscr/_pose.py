@@ -184,6 +184,9 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
         upperContour: Optional[ContourLike] = None,
         lower: Optional[MeshLike] = None,
         lowerContour: Optional[ContourLike] = None,
+        cephalometricLandmarks: Optional[Any] = None,
+        counterparts: Optional[Dict[str, LandmarkCounterpart]] = None,
+        toothCrowns: Optional[Dict[str, ToothCrown]] = None,
     ) -> _core.PoseSolution:
         """Registers one jaw or both.
 
@@ -195,7 +198,22 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
             mm, any orientation.
         upperContour, lowerContour : contour-like, optional
             The tracing of each jaw, continuous pixel indices.
+        cephalometricLandmarks : dict or path, optional
+            Marked on the radiograph, as the argument of :class:`Case`; they need ``counterparts``.
+        counterparts : dict, optional
+            Of ``FindLandmarkCounterparts()``.
+        toothCrowns : dict, optional
+            Of ``FindToothCrowns()``: outlines of whole teeth (traced side "standard") are compared with them.
         """
+        if (cephalometricLandmarks is None) != (counterparts is None):
+            raise ArgumentError(
+                "landmarks and where they are on the scans belong together: give cephalometricLandmarks and the "
+                "counterparts that FindLandmarkCounterparts() finds"
+            )
+        given = None if cephalometricLandmarks is None else as_cephalometric_landmarks(cephalometricLandmarks)
+        self._SetCephalometricLandmarks(ReadCephalometricLandmarks(given) if isinstance(given, str) else given)
+        self._SetLandmarkCounterparts(None if counterparts is None else dict(counterparts))
+        self._SetToothCrowns(None if toothCrowns is None else dict(toothCrowns))
         self._SetGeometry(as_geometry(geometry))
         self._SetUpperMesh(None if upper is None else as_mesh(upper))
         self._SetLowerMesh(None if lower is None else as_mesh(lower))
@@ -228,6 +246,9 @@ def PoseRegistration(
     lowerContour: Optional[ContourLike] = None,
     frames: Optional[DentalAxes] = None,
     options: Optional[_core.PoseRegistrationOptions] = None,
+    cephalometricLandmarks: Optional[Any] = None,
+    counterparts: Optional[Dict[str, LandmarkCounterpart]] = None,
+    toothCrowns: Optional[Dict[str, ToothCrown]] = None,
     **settings: Any,
 ) -> _core.PoseSolution:
     """The robust registration; see :class:`PoseRegistrationMethod`.
@@ -240,6 +261,8 @@ def PoseRegistration(
     frames : DentalAxes, optional
         Of ``UMidlineDentalAxis(upper, lower, refineMidline=True)``; estimated without it.
     options : PoseRegistrationOptions, optional
+    cephalometricLandmarks, counterparts, toothCrowns
+        As those of :meth:`PoseRegistrationMethod.Execute`.
     **settings
         ``tracedSide``, ``principalPointKnown``, ...
     """
@@ -248,7 +271,9 @@ def PoseRegistration(
     if options is not None:
         process.SetOptions(options)
     apply_settings(process, settings)
-    return process.Execute(geometry, upper, upperContour, lower, lowerContour)
+    return process.Execute(
+        geometry, upper, upperContour, lower, lowerContour, cephalometricLandmarks, counterparts, toothCrowns
+    )
 
 
 class RegistrationFinding(NamedTuple):

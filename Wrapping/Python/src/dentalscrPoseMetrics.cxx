@@ -374,7 +374,7 @@ WrapTerms(py::module_ & module)
                        { "Mean", SideEnum::Mean },
                        { "Both", SideEnum::Both },
                        { "Standard", SideEnum::Standard } },
-                     "Which side's outline was traced, or is to be; registrations refuse Standard.");
+                     "Which side's outline was traced, or is to be; Standard is a cephalometric analysis's own way.");
   using PythonType = PythonLeastSquaresMetric;
   py::class_<PythonType, MetricBaseType, itk::SmartPointer<PythonType>>(
     module, "_LeastSquaresMetric", py::custom_type_setup(&PythonType::SetupType))

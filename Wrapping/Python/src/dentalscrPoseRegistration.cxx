@@ -223,7 +223,6 @@ VisitFields(itk::PoseGroupResult & group, TField && field)
     const std::array<double, 4> & kept = outcome.second;
     group.outcomes[outcome.first] = { kept[0], kept[1], { { kept[2], kept[3] } } };
   }
-  field(group.untried);
 }
 template <typename TField>
 void
@@ -747,6 +746,94 @@ WrapParts(py::module_ & module)
     .def("GetKappas", &SearchType::GetKappas);
 }
 
+std::vector<itk::ToothCode>
+ToTeeth(const std::vector<std::string> & codes)
+{
+  std::vector<itk::ToothCode> teeth;
+  for (const std::string & code : codes)
+  {
+    teeth.push_back(itk::ToothCode::FromString(code, itk::ToothCode::NumberingEnum::Quadrant));
+  }
+  return teeth;
+}
+
+/** What FindLandmarkCounterparts() of the Python package gives, as the method takes it. */
+itk::LandmarkCounterpartSet::Pointer
+ToCounterparts(const py::dict & counterparts)
+{
+  using SetType = itk::LandmarkCounterpartSet;
+  auto made = SetType::New();
+  for (const auto & item : counterparts)
+  {
+    const auto               values = item.second.cast<py::tuple>();
+    const auto               points = values[0].cast<py::array_t<double, py::array::c_style | py::array::forcecast>>();
+    SetType::CounterpartType counterpart;
+    counterpart.name = item.first.cast<std::string>();
+    counterpart.jaw = itk::CephalometricLandmarkSet::ParseName(counterpart.name).jaw;
+    if (points.ndim() != 2 || points.shape(1) != 3)
+    {
+      throw std::invalid_argument("the points of " + counterpart.name + " are (1 or 2, 3)");
+    }
+    for (py::ssize_t i = 0; i < points.shape(0); ++i)
+    {
+      counterpart.points.emplace_back(points.data(i, 0));
+    }
+    const auto rule = values[1].cast<std::string>();
+    if (rule != "foremost" && rule != "middle")
+    {
+      throw std::invalid_argument("the rule of " + counterpart.name + " is foremost or middle, not " + rule);
+    }
+    counterpart.rule = rule == "foremost" ? SetType::RuleEnum::Foremost : SetType::RuleEnum::Middle;
+    counterpart.sigmaAlong = values[2].cast<double>();
+    counterpart.sigmaAcross = values[3].cast<double>();
+    counterpart.source = values[4].cast<std::string>();
+    made->Add(counterpart);
+  }
+  return made;
+}
+
+/** What FindToothCrowns() of the Python package gives. */
+itk::ToothCrownSet::Pointer
+ToCrowns(const py::dict & crowns)
+{
+  auto made = itk::ToothCrownSet::New();
+  for (const auto & item : crowns)
+  {
+    const auto values = item.second.cast<py::tuple>();
+    const auto points = values[0].cast<py::array_t<double, py::array::c_style | py::array::forcecast>>();
+    const auto triangles = values[1].cast<py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>>();
+    const auto name = item.first.cast<std::string>();
+    itk::ToothCrownSet::CrownType crown;
+    crown.tooth = itk::ToothCode::FromString(name, itk::ToothCode::NumberingEnum::Quadrant);
+    if (points.ndim() != 2 || points.shape(1) != 3 || triangles.ndim() != 2 || triangles.shape(1) != 3)
+    {
+      throw std::invalid_argument("points and triangles of " + name + " are (n, 3) and (m, 3)");
+    }
+    auto surface = std::make_shared<itk::TriangleSurface>();
+    for (py::ssize_t i = 0; i < points.shape(0); ++i)
+    {
+      surface->points.push_back({ points.at(i, 0), points.at(i, 1), points.at(i, 2) });
+    }
+    for (py::ssize_t i = 0; i < triangles.shape(0); ++i)
+    {
+      surface->triangles.push_back({ triangles.at(i, 0), triangles.at(i, 1), triangles.at(i, 2) });
+      for (const std::uint32_t corner : surface->triangles.back())
+      {
+        if (corner >= surface->points.size())
+        {
+          throw std::invalid_argument("a triangle of " + name + " has a point that is not there");
+        }
+      }
+    }
+    crown.surface = surface;
+    crown.sigmaAlong = values[2].cast<double>();
+    crown.sigmaWidth = values[3].cast<double>();
+    crown.source = values[4].cast<std::string>();
+    made->Add(crown);
+  }
+  return made;
+}
+
 void
 WrapPoseMethod(py::module_ & module)
 {
@@ -771,6 +858,25 @@ WrapPoseMethod(py::module_ & module)
       "_SetJointFrame",
       [](MethodType & self, const RigidType * transform) { self.SetJointFrame(ToFrame(transform)); },
       py::arg("transform"))
+    .def(
+      "_SetCephalometricLandmarks",
+      [](MethodType & self, const py::object & landmarks) {
+        self.SetCephalometricLandmarks(
+          landmarks.is_none() ? nullptr : FromCephalometricDict(landmarks.cast<py::dict>()).GetPointer());
+      },
+      py::arg("landmarks"))
+    .def(
+      "_SetLandmarkCounterparts",
+      [](MethodType & self, const py::object & counterparts) {
+        self.SetLandmarkCounterparts(counterparts.is_none() ? nullptr : ToCounterparts(counterparts).GetPointer());
+      },
+      py::arg("counterparts"))
+    .def(
+      "_SetToothCrowns",
+      [](MethodType & self, const py::object & crowns) {
+        self.SetToothCrowns(crowns.is_none() ? nullptr : ToCrowns(crowns).GetPointer());
+      },
+      py::arg("crowns"))
     .def("SetOptions", &MethodType::SetOptions, py::arg("options"))
     .def(
       "GetOptions", [](const MethodType & self) { return self.GetOptions(); }, "A copy.")
@@ -918,6 +1024,11 @@ WrapDownstream(py::module_ & module)
     .def_readwrite("suspectRotationTension", &ThresholdsType::suspectRotationTension)
     .def_readwrite("suspectOtherSideDeviance", &ThresholdsType::suspectOtherSideDeviance)
     .def_readwrite("suspectWinding", &ThresholdsType::suspectWinding)
+    .def_readwrite("failedPitch", &ThresholdsType::failedPitch)
+    .def_readwrite("suspectMiddleSigma", &ThresholdsType::suspectMiddleSigma)
+    .def_readwrite("suspectLargestMiddleSigma", &ThresholdsType::suspectLargestMiddleSigma)
+    .def_readwrite("landmarkApart", &ThresholdsType::landmarkApart)
+    .def_readwrite("suspectLandmarkRatio", &ThresholdsType::suspectLandmarkRatio)
     .def_readwrite("suspectFilmLength", &ThresholdsType::suspectFilmLength)
     .def_readwrite("failedFilmLength", &ThresholdsType::failedFilmLength)
     .def_readwrite("minimumArchWidth", &ThresholdsType::minimumArchWidth)
@@ -1035,6 +1146,11 @@ WrapDownstream(py::module_ & module)
          py::arg("labels"),
          "FDI number by point of the jaw's mesh, 0 gingiva; empty: none.")
     .def("GetLabels", &CounterpartType::GetLabels, py::arg("jaw"))
+    .def(
+      "SetExcludedTeeth",
+      [](CounterpartType & self, const std::vector<std::string> & teeth) { self.SetExcludedTeeth(ToTeeth(teeth)); },
+      py::arg("teeth"),
+      "Codes of teeth that are left out: [\"UR3\"].")
     .dentalscrProperty(CounterpartType, MillimetresPerUnit)
     .dentalscrBoolean(CounterpartType, IgnoreSides)
     .def("_GetCounterparts",
@@ -1091,6 +1207,11 @@ WrapDownstream(py::module_ & module)
          py::arg("labels"),
          "FDI number by point of the jaw's mesh, 0 gingiva; empty: none.")
     .def("GetLabels", &CrownType::GetLabels, py::arg("jaw"))
+    .def(
+      "SetExcludedTeeth",
+      [](CrownType & self, const std::vector<std::string> & teeth) { self.SetExcludedTeeth(ToTeeth(teeth)); },
+      py::arg("teeth"),
+      "Codes of teeth that are left out: [\"UR3\"].")
     .dentalscrProperty(CrownType, MillimetresPerUnit)
     .def("_GetCrowns",
          [](CrownType & self) {

@@ -6,11 +6,14 @@ import io
 import json
 import pathlib
 import pickle
+import re
 import threading
 import weakref
 
 import numpy as np
 import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 
 @pytest.fixture(scope="module")
@@ -195,6 +198,62 @@ def test_middles_are_between_the_sides(ds, phantom, solution):
     place, covariance = middles["U6_MB"]
     assert np.allclose(place, 0.5 * (np.array(places["UR6_MB"]) + np.array(places["UL6_MB"])))
     assert np.array_equal(covariance, process.GetMiddleCovariance("UR6_MB"))
+
+
+def test_landmarks_alone_register_by_hand_as_the_case_does(ds, phantom, axes):
+    """Tips and cusps of the phantom's true projections, no tracing."""
+    marks = {}
+    for jaw, tooth in (("U", phantom.upper), ("L", phantom.lower)):
+        for kind, name in (("1_tip", "1_tip"), ("6_MB", "6_MB")):
+            right, left = (np.array(tooth.landmarks2D[jaw + side + name]) for side in "RL")
+            marks[jaw + kind] = tuple(0.5 * (right + left))
+    meshes = (phantom.upper.mesh, phantom.lower.mesh)
+    scan = {**phantom.upper.landmarks3D, **phantom.lower.landmarks3D}
+    counterparts = ds.FindLandmarkCounterparts(
+        marks,
+        upperMesh=meshes[0],
+        lowerMesh=meshes[1],
+        upperFrame=axes.upperTransform,
+        lowerFrame=axes.lowerTransform,
+        scanLandmarks=scan,
+    )
+    assert set(counterparts) == set(marks)
+    solution = ds.PoseRegistration(
+        phantom.geometry,
+        meshes[0],
+        None,
+        meshes[1],
+        None,
+        frames=axes,
+        tracedSide="Standard",
+        cephalometricLandmarks=marks,
+        counterparts=counterparts,
+    )
+    case = ds.Case(
+        *meshes,
+        geometry=phantom.geometry,
+        imageSize=phantom.imageSize,
+        tracedSide="standard",
+        cephalometricLandmarks=marks,
+        landmarks3D=scan,
+    )
+    result = ds.register(case)
+    found = ds.LandmarkProjection(solution, scan)[0]
+    for jaw in result.jaws.values():
+        for name, place in jaw.landmarks.items():
+            assert np.allclose(found[name], place, atol=1e-9), name
+    with pytest.raises(ValueError, match="FindLandmarkCounterparts"):
+        ds.PoseRegistration(phantom.geometry, meshes[0], cephalometricLandmarks=marks)
+
+
+def test_every_threshold_of_the_verdict_can_be_set(ds):
+    header = ROOT / "Modules/Registration/PoseRegistration/include/itkRegistrationVerdict.h"
+    body = re.search(r"struct Thresholds\n *{(.*?)\n *};", header.read_text(), re.S).group(1)
+    names = re.findall(r"double\s+(\w+)\{", body)
+    assert len(names) > 25
+    thresholds = ds.RegistrationVerdictThresholds()
+    for name in names:
+        setattr(thresholds, name, getattr(thresholds, name) + 1.0)
 
 
 # How it is set up ------------------------------------------------------------------------------------------------------

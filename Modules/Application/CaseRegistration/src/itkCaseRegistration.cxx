@@ -221,6 +221,11 @@ CaseRegistration::Run(ProcessObject * process, float from, float to)
     throw;
   }
   end();
+  // A process that had nothing left to do when it was asked to end has ended well; the case has not.
+  if (this->GetAbortGenerateData())
+  {
+    throw ProcessAborted(__FILE__, __LINE__);
+  }
 }
 
 void

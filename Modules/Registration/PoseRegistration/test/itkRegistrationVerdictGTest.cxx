@@ -327,6 +327,39 @@ MakeLimits()
       [](Result & r, double x) { r.groups[0].outcomes["landmarks-mm"].score = r.groups[0].score - x; },
       {},
       { { "landmarks-mm", Failed } } },
+    { "FailedPitch",
+      &Thresholds::failedPitch,
+      1.57,
+      true,
+      [](Result & r, double x) { r.groups[0].parameters[itk::PosePitch] = x; },
+      { { "search-limit", Suspect } },
+      { { "upside-down", Failed } } },
+    { "HypothesisGainOfATurnedDrawing",
+      &Thresholds::hypothesisGain,
+      0.03,
+      true,
+      [](Result & r, double x) { r.groups[0].outcomes["turned-270"].score = r.groups[0].score - x; },
+      {},
+      { { "turned-image", Failed } } },
+    { "HypothesisGainOfAnotherSpacing",
+      &Thresholds::hypothesisGain,
+      0.03,
+      true,
+      [](Result & r, double x) {
+        r.groups[0].outcomes["pixel-spacing"] = { r.groups[0].score - x, 0.0, { { 0.5, 0.5 } } };
+      },
+      {},
+      { { "pixel-spacing", Failed } } },
+    { "SpacingScore",
+      &Thresholds::spacingScore,
+      0.15,
+      true,
+      [](Result & r, double x) {
+        r.groups[0].score = 0.9;
+        r.groups[0].outcomes["pixel-spacing"] = { x, 0.0, { { 0.5, 0.5 } } };
+      },
+      { { "pixel-spacing", Failed } },
+      {} },
     { "HypothesisGainOfTheOtherFacing",
       &Thresholds::hypothesisGain,
       0.03,
@@ -377,6 +410,67 @@ INSTANTIATE_TEST_SUITE_P(Table,
                          RegistrationVerdictLimit,
                          ::testing::ValuesIn(MakeLimits()),
                          [](const ::testing::TestParamInfo<Limit> & info) { return std::string(info.param.name); });
+
+/** A scale that is free differs a little by itself: from 8 % on it is another spacing, whichever way. */
+TEST(RegistrationVerdict, AnotherSpacingDiffersByEightPerCent)
+{
+  EXPECT_EQ(Thresholds().spacingDifference, 0.08);
+  for (const double sign : { -1.0, 1.0 })
+  {
+    for (const double difference : { 0.0799, 0.0801 })
+    {
+      Result       result = MakeGoodResult();
+      const double given = result.geometry.pixelSpacing[0];
+      const double found = given * std::exp(sign * difference);
+      result.groups[0].score = 0.9;
+      result.groups[0].outcomes["pixel-spacing"] = { 0.1, 0.0, { { found, found } } };
+      const auto verdict = Verdict::Evaluate(result).at(0);
+      ASSERT_EQ(verdict.findings.size(), difference > 0.08 ? 1u : 0u) << difference;
+      if (!verdict.findings.empty())
+      {
+        EXPECT_EQ(verdict.findings[0].code, "pixel-spacing");
+        EXPECT_EQ(*verdict.findings[0].value, found);
+        EXPECT_EQ(*verdict.findings[0].limit, given);
+      }
+    }
+  }
+}
+
+/** Of several readings the one that fits best is named; where the jaws were exchanged that alone is. */
+TEST(RegistrationVerdict, OneReadingOfTheDrawingIsNamed)
+{
+  Result result = MakeGoodResult();
+  result.groups[0].score = 0.9;
+  result.groups[0].outcomes["facing"].score = 0.5;
+  result.groups[0].outcomes["turned-90"].score = 0.4;
+  result.groups[0].outcomes["pixel-spacing"] = { 0.1, 0.0, { { 0.5, 0.5 } } };
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "pixel-spacing", Failed } }));
+  result.groups[0].outcomes["pixel-spacing"].score = 0.2;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "turned-image", Failed } }));
+  result.groups[0].outcomes["jaws-exchanged"].score = 0.3;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "jaws-exchanged", Failed } }));
+}
+
+/** Where the fit alone tells the spacing the film is judged by its longer side; where it was given it is not. */
+TEST(RegistrationVerdict, AFilmIsNoLongerThanFilmsAre)
+{
+  EXPECT_EQ(Thresholds().suspectFilmLength, 400.0);
+  EXPECT_EQ(Thresholds().failedFilmLength, 450.0);
+  Result result = MakeGoodResult();
+  result.geometry.pixelSpacing = { { 0.5, 0.25 } };
+  result.geometry.pixelSpacingKnown = false;
+  const auto named = [&](std::size_t width, std::size_t height) {
+    return NamesOf(Verdict::Evaluate(result, Thresholds(), { { width, height } }).at(0));
+  };
+  EXPECT_EQ(named(800, 1600), Named());
+  EXPECT_EQ(named(801, 100), (Named{ { "film-size", Suspect } }));
+  EXPECT_EQ(named(100, 1601), (Named{ { "film-size", Suspect } }));
+  EXPECT_EQ(named(900, 100), (Named{ { "film-size", Suspect } }));
+  EXPECT_EQ(named(901, 100), (Named{ { "film-size", Failed } }));
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), Named()) << "a size that nobody knows";
+  result.geometry.pixelSpacingKnown = true;
+  EXPECT_EQ(named(2000, 2000), Named());
+}
 
 TEST(RegistrationVerdict, GoodResultIsOkWithoutReasons)
 {
