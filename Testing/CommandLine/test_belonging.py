@@ -141,6 +141,19 @@ def test_a_turned_radiograph_is_told(run, case, tmp_path):
         assert "turned by 90 degrees" in finding["text"]
 
 
+@pytest.mark.parametrize(("detector", "midsagittal"), [(1500.0, 1350.0), (1530.0, 1380.0), (1700.0, 1524.0)])
+def test_a_detectors_distance_alone_takes_the_head_with_it(run, case, tmp_path, detector, midsagittal):
+    content = case.load()
+    content["geometry"].pop("source_to_midsagittal_mm", None)
+    content["geometry"]["source_to_detector_mm"] = detector
+    case.save(content)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    geometry = load(tmp_path / "out")["geometry"]
+    assert geometry["source_to_midsagittal_mm"] == {"value": midsagittal, "source": "default"}
+    assert ("150 mm before the detector" in done.stderr) == (midsagittal != 1524.0)
+
+
 def both_sides(case):
     """The tracing with every posterior tooth drawn of the other side as well, some pixels away, as magnification has it."""
     contours = case.load("contours.json")

@@ -211,6 +211,25 @@ TEST(CephalogramDicom, DistanceToThePatientIsReportedAndNeverUsed)
   EXPECT_TRUE(itk::Contains(reader->GetProvenance().at("distance_source_to_patient"), "1500"));
 }
 
+/** 113 per cent is a factor of 1.13; a factor of 3 is no cephalostat's. */
+TEST(CephalogramDicom, AFactorInPerCentIsReadAsOne)
+{
+  const auto reader = Read(
+    DicomTestFile().SetImagerPixelSpacing("0.113\\0.113").SetSourceToDetector("1695").SetMagnificationFactor("113"));
+  EXPECT_DOUBLE_EQ(reader->GetMagnificationFactor(), 1.13);
+  EXPECT_DOUBLE_EQ(reader->GetSourceToMidsagittalDistance(), 1500.0);
+  EXPECT_NEAR(reader->GetPixelSpacing()[0], 0.1, 1e-12);
+  ASSERT_EQ(reader->GetWarnings().size(), 1u);
+  EXPECT_TRUE(itk::Contains(reader->GetWarnings().front(), "per cent"));
+  for (const char * factor : { "3", "99", "151" })
+  {
+    const auto other = Read(DicomTestFile().SetImagerPixelSpacing("0.1\\0.1").SetMagnificationFactor(factor));
+    EXPECT_FALSE(other->HasMagnificationFactor()) << factor;
+    ASSERT_EQ(other->GetWarnings().size(), 1u) << factor;
+    EXPECT_TRUE(itk::Contains(other->GetWarnings().front(), "ignored")) << factor;
+  }
+}
+
 TEST(CephalogramDicom, ImpossibleFactorsAndDistancesAreWarnedOf)
 {
   for (const char * factor : { "1", "0.943", "0", "-1" })

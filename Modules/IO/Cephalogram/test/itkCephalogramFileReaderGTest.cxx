@@ -32,7 +32,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -156,6 +159,68 @@ TEST(CephalogramFileReader, RecognisesAFileByItsContent)
   const std::string wrong = itk::TestFolder() + "/ceph.jpg";
   std::filesystem::copy_file(path, wrong);
   EXPECT_EQ(Read(wrong)->GetFileFormat(), "PNG");
+}
+
+/** Where the file's first row and column are to be seen, by Exif's number: the row is grey, the corner at its beginning
+ * bright. */
+TEST(CephalogramFileReader, ExifTurnsAPictureAsViewersDo)
+{
+  const auto        image = MakeImage<unsigned char>([](auto u, auto v) {
+    return static_cast<unsigned char>(v >= 6 ? 0 : u < 6 ? 240 : 120);
+  });
+  const std::string path = WriteImage<itk::JPEGImageIO>("stored.jpg", image.GetPointer());
+  std::ifstream     file(path, std::ios::binary);
+  const std::string stored((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  struct Seen
+  {
+    bool transposed;
+    bool cornerRight;
+    bool cornerBottom;
+  };
+  const std::array<Seen, 8> seen{ { { false, false, false },
+                                    { false, true, false },
+                                    { false, true, true },
+                                    { false, false, true },
+                                    { true, false, false },
+                                    { true, true, false },
+                                    { true, true, true },
+                                    { true, false, true } } };
+  for (const bool bigEndian : { false, true })
+  {
+    for (unsigned char orientation = 0; orientation <= 9; ++orientation)
+    {
+      // A TIFF of one tag (274, SHORT, one value) in an APP1 segment behind the picture's first two bytes.
+      const std::string tiff = bigEndian ? std::string("MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0", 19) +
+                                             static_cast<char>(orientation) + std::string(6, '\0')
+                                         : std::string("II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0", 18) +
+                                             static_cast<char>(orientation) + std::string(7, '\0');
+      const std::string block = std::string("Exif\0\0", 6) + tiff;
+      const std::string segment = std::string("\xff\xe1\0", 3) + static_cast<char>(block.size() + 2) + block;
+      const std::string turned = itk::TestFolder() + "/turned.jpg";
+      std::ofstream(turned, std::ios::binary) << stored.substr(0, 2) << segment << stored.substr(2);
+      const auto reader = Read(turned);
+      // What is no orientation is as good as none.
+      const Seen expected = seen[orientation >= 1 && orientation <= 8 ? orientation - 1u : 0u];
+      const auto size = reader->GetOutput()->GetLargestPossibleRegion().GetSize();
+      ASSERT_EQ(size[0], expected.transposed ? 12u : 20u) << int{ orientation };
+      ASSERT_EQ(size[1], expected.transposed ? 20u : 12u) << int{ orientation };
+      const auto right = static_cast<itk::IndexValueType>(size[0]) - 2;
+      const auto bottom = static_cast<itk::IndexValueType>(size[1]) - 2;
+      const auto u = expected.cornerRight ? right : 1;
+      const auto v = expected.cornerBottom ? bottom : 1;
+      EXPECT_NEAR(GetPixel(reader, u, v), 240.0f, 30.0f) << int{ orientation };
+      // The rest of the file's first row, and what lies opposite.
+      EXPECT_NEAR(GetPixel(reader, expected.transposed ? u : right + 1 - u, expected.transposed ? bottom + 1 - v : v),
+                  120.0f,
+                  30.0f)
+        << int{ orientation };
+      EXPECT_NEAR(GetPixel(reader, expected.transposed ? right + 1 - u : u, expected.transposed ? v : bottom + 1 - v),
+                  0.0f,
+                  30.0f)
+        << int{ orientation };
+      EXPECT_EQ(reader->GetWarnings().size(), orientation >= 2 && orientation <= 8 ? 1u : 0u) << int{ orientation };
+    }
+  }
 }
 
 TEST(CephalogramFileReader, SixteenBitsAreKept)
