@@ -250,8 +250,12 @@ class Polyline:
     closed : bool, optional
     weights : (N,) array, optional
         In [0, 1], 0 is ignored.
+    sigmas : float or (N,) array, optional
+        Drawing errors of the points, pixels; 0 where nobody knows.
+    outline : "crown", "tooth" or "labial", optional
+        What of the tooth was drawn; found out unless given.
     """
-    def __init__(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None) -> None:
+    def __init__(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None) -> None:
         ...
     def __len__(self) -> int:
         ...
@@ -271,9 +275,19 @@ class Polyline:
         0 is unknown.
         """
     @property
+    def outline(self) -> typing.Any:
+        """
+        "crown", "tooth", "labial", or None.
+        """
+    @property
     def points(self) -> numpy.typing.NDArray[typing.Any]:
         """
         (N, 2) copy.
+        """
+    @property
+    def sigmas(self) -> typing.Any:
+        """
+        (N,) copy, or None.
         """
     @property
     def weights(self) -> typing.Any:
@@ -291,7 +305,7 @@ class Contour(DataObject):
     ----------
     polylines : sequence of Polyline, optional
     """
-    def AddPolyline(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None) -> None:
+    def AddPolyline(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None) -> None:
         ...
     def GetLength(self) -> float:
         """
@@ -768,16 +782,34 @@ class AnnotationFileFormat:
       CLDetection
 
       ISBI2015
+
+      CVAT
+
+      COCO
+
+      VIA
+
+      LabelStudio
+
+      Supervisely
+
+      LabelImage
     """
     Aariz: typing.ClassVar[AnnotationFileFormat]
     Automatic: typing.ClassVar[AnnotationFileFormat]
     CLDetection: typing.ClassVar[AnnotationFileFormat]
+    COCO: typing.ClassVar[AnnotationFileFormat]
     CSV: typing.ClassVar[AnnotationFileFormat]
+    CVAT: typing.ClassVar[AnnotationFileFormat]
     DentalSCR: typing.ClassVar[AnnotationFileFormat]
     ISBI2015: typing.ClassVar[AnnotationFileFormat]
+    LabelImage: typing.ClassVar[AnnotationFileFormat]
+    LabelStudio: typing.ClassVar[AnnotationFileFormat]
     Labelme: typing.ClassVar[AnnotationFileFormat]
     LandmarkDetector: typing.ClassVar[AnnotationFileFormat]
     SlicerMarkups: typing.ClassVar[AnnotationFileFormat]
+    Supervisely: typing.ClassVar[AnnotationFileFormat]
+    VIA: typing.ClassVar[AnnotationFileFormat]
     __members__: typing.ClassVar[dict[str, AnnotationFileFormat]]
     def __eq__(self, other: typing.Any) -> bool:
         ...
@@ -957,9 +989,15 @@ class DentalContourFileReader(ProcessObject):
     """
     Reads the tracing on a radiograph.
     """
+    def GetCalibrations(self) -> list[tuple[str, float, float]]:
+        ...
+    def GetClassFiles(self) -> list[tuple[str, str]]:
+        ...
     def GetFileFormat(self) -> AnnotationFileFormat:
         ...
     def GetFileName(self) -> str:
+        ...
+    def GetImageFileName(self) -> str:
         ...
     def GetImageSize(self) -> tuple[int, int]:
         ...
@@ -968,6 +1006,8 @@ class DentalContourFileReader(ProcessObject):
     def GetMarkupsSpacing(self) -> tuple[float, float]:
         ...
     def GetNumberOfPointsOutside(self) -> int:
+        ...
+    def GetNumberOfSidelessCodes(self) -> int:
         ...
     def GetNumbering(self) -> Numbering:
         ...
@@ -979,11 +1019,17 @@ class DentalContourFileReader(ProcessObject):
         ...
     def GetReadNumbering(self) -> Numbering:
         ...
+    def GetSidelessCodesAreLeft(self) -> bool:
+        ...
     def GetWarnings(self) -> list[str]:
+        ...
+    def SetClassFiles(self, files: typing.Sequence[tuple[str, str]]) -> None:
         ...
     def SetFileFormat(self, format: AnnotationFileFormat | str) -> None:
         ...
     def SetFileName(self, fileName: str) -> None:
+        ...
+    def SetImageFileName(self, fileName: str) -> None:
         ...
     def SetImageSize(self, size: typing.Sequence[int]) -> None:
         ...
@@ -994,6 +1040,8 @@ class DentalContourFileReader(ProcessObject):
     def SetNumbering(self, numbering: Numbering | str) -> None:
         ...
     def SetPixelOrigin(self, origin: AnnotationPixelOrigin | str) -> None:
+        ...
+    def SetSidelessCodesAreLeft(self, on: bool) -> None:
         ...
     def _TakeOutputs(self) -> tuple[Contour, Contour]:
         ...
@@ -1029,6 +1077,8 @@ class DentalLandmarkFileReader2D(ProcessObject):
         ...
     def GetFileName(self) -> str:
         ...
+    def GetImageFileName(self) -> str:
+        ...
     def GetMarkupsOrigin(self) -> tuple[float, float]:
         ...
     def GetMarkupsSpacing(self) -> tuple[float, float]:
@@ -1044,6 +1094,8 @@ class DentalLandmarkFileReader2D(ProcessObject):
     def SetFileFormat(self, format: AnnotationFileFormat | str) -> None:
         ...
     def SetFileName(self, fileName: str) -> None:
+        ...
+    def SetImageFileName(self, fileName: str) -> None:
         ...
     def SetMarkupsOrigin(self, origin: typing.Sequence[float]) -> None:
         ...
@@ -1077,6 +1129,8 @@ class DentalLandmarkFileReader3D(ProcessObject):
         ...
     def GetFileName(self) -> str:
         ...
+    def GetImageFileName(self) -> str:
+        ...
     def GetMarkupsOrigin(self) -> tuple[float, float]:
         ...
     def GetMarkupsSpacing(self) -> tuple[float, float]:
@@ -1092,6 +1146,8 @@ class DentalLandmarkFileReader3D(ProcessObject):
     def SetFileFormat(self, format: AnnotationFileFormat | str) -> None:
         ...
     def SetFileName(self, fileName: str) -> None:
+        ...
+    def SetImageFileName(self, fileName: str) -> None:
         ...
     def SetMarkupsOrigin(self, origin: typing.Sequence[float]) -> None:
         ...
@@ -1125,6 +1181,8 @@ class CephalometricLandmarkFileReader(ProcessObject):
         ...
     def GetFileName(self) -> str:
         ...
+    def GetImageFileName(self) -> str:
+        ...
     def GetMarkupsOrigin(self) -> tuple[float, float]:
         ...
     def GetMarkupsSpacing(self) -> tuple[float, float]:
@@ -1140,6 +1198,8 @@ class CephalometricLandmarkFileReader(ProcessObject):
     def SetFileFormat(self, format: AnnotationFileFormat | str) -> None:
         ...
     def SetFileName(self, fileName: str) -> None:
+        ...
+    def SetImageFileName(self, fileName: str) -> None:
         ...
     def SetMarkupsOrigin(self, origin: typing.Sequence[float]) -> None:
         ...

@@ -1,7 +1,7 @@
 """Files in and out."""
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional, Tuple, Union, cast
+from typing import Any, Mapping, NamedTuple, Optional, Tuple, Union, cast
 
 import numpy as np
 
@@ -50,7 +50,8 @@ class Contours(NamedTuple):
 
 
 class DentalContourFileReader(ProcessObject, _core.DentalContourFileReader):
-    """Reads a tracing: contours.json, Slicer markups, labelme, CSV."""
+    """Reads a tracing: contours.json, the files of labelme, CVAT, COCO, VIA, Label Studio, Supervisely, 3D Slicer, CSV,
+    label maps."""
 
     def Execute(self, fileName: Optional[PathLike] = None) -> Contours:
         """Reads the file.
@@ -67,22 +68,29 @@ class DentalContourFileReader(ProcessObject, _core.DentalContourFileReader):
         return Contours(upper, lower, self.GetReadImageSize(), tuple(self.GetWarnings()))
 
 
-def ReadContours(fileName: PathLike, imageSize: Optional[Tuple[int, int]] = None, **settings: Any) -> Contours:
+def ReadContours(
+    fileName: Union[PathLike, Mapping[str, PathLike]], imageSize: Optional[Tuple[int, int]] = None, **settings: Any
+) -> Contours:
     """Reads the tracing on a radiograph; points are continuous pixel indices.
 
     Parameters
     ----------
-    fileName : path
-        contours.json, Slicer's .mrk.json, labelme's .json or a .csv of ``label,x,y``.
+    fileName : path, or a dictionary of paths
+        contours.json, files of labelme, CVAT, COCO, VIA, Label Studio, Supervisely or 3D Slicer, a .csv of
+        ``label,x,y``, or a label map of FDI numbers. A dictionary names masks or drawn lines of one tooth or jaw each:
+        ``{"UR1": "mask_ur1.png"}``.
     imageSize : (width, height), optional
         Of the radiograph, for files that do not say it.
     **settings
-        ``numbering``, ``pixelOrigin``, ``markupsSpacing``, ... of :class:`DentalContourFileReader`.
+        ``numbering``, ``pixelOrigin``, ``markupsSpacing``, ``imageFileName``, ... of :class:`DentalContourFileReader`.
     """
     reader = DentalContourFileReader()
     if imageSize is not None:
         reader.SetImageSize(imageSize)
     apply_settings(reader, settings)
+    if isinstance(fileName, Mapping):
+        reader.SetClassFiles([(code, as_path(path)) for code, path in fileName.items()])
+        return reader.Execute()
     return reader.Execute(fileName)
 
 
@@ -154,7 +162,8 @@ def ReadLandmarks(fileName: PathLike, dimension: Optional[int] = None, **setting
     Parameters
     ----------
     fileName : path
-        landmarks3d.json, landmarks2d.json, Slicer fiducials, labelme points, CSV.
+        landmarks3d.json, landmarks2d.json, Slicer fiducials, CSV; in 2-D also points of labelme, CVAT, COCO, VIA, Label
+        Studio and Supervisely.
     dimension : 2 or 3, optional
         Found out unless given.
 

@@ -50,12 +50,13 @@ struct Case
 std::vector<itk::ToothCode>
 ParseCodes(const std::vector<std::string> & codes, itk::ToothCode::NumberingEnum numbering)
 {
-  std::vector<itk::ToothCode> result;
+  itk::DentalCase excluding;
+  excluding.numbering = numbering;
   for (const std::string & code : codes)
   {
-    result.push_back(itk::ToothCode::FromString(code, numbering));
+    itk::ExcludeTooth(excluding, code);
   }
-  return result;
+  return excluding.excludedTeeth;
 }
 
 std::shared_ptr<Case>

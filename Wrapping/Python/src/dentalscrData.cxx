@@ -431,7 +431,12 @@ MakeToothCode(const py::object & code)
 }
 
 PolylineType
-MakePolyline(const DoubleArray & points, const py::object & code, bool closed, const py::object & weights)
+MakePolyline(const DoubleArray & points,
+             const py::object &  code,
+             bool                closed,
+             const py::object &  weights,
+             const py::object &  sigmas,
+             const py::object &  outline)
 {
   CheckShape(points, 2, "points");
   PolylineType polyline;
@@ -448,7 +453,40 @@ MakePolyline(const DoubleArray & points, const py::object & code, bool closed, c
     const auto array = weights.cast<DoubleArray>();
     polyline.weights.assign(array.data(), array.data() + array.size());
   }
+  if (!sigmas.is_none())
+  {
+    // One number is of every point.
+    const auto array = sigmas.cast<DoubleArray>();
+    polyline.sigmas.assign(array.data(), array.data() + array.size());
+    if (array.ndim() == 0)
+    {
+      polyline.sigmas.assign(polyline.points.size(), polyline.sigmas.front());
+    }
+  }
+  if (!outline.is_none())
+  {
+    polyline.outline = DentalContour::OutlineFromString(outline.cast<std::string>());
+  }
   return polyline;
+}
+
+/** "crown", "tooth", "labial", or None. */
+py::object
+OutlineOf(const PolylineType & polyline)
+{
+  if (polyline.outline == DentalContour::OutlineEnum::Unspecified)
+  {
+    return py::none();
+  }
+  std::ostringstream text;
+  text << polyline.outline;
+  return py::str(text.str());
+}
+
+py::object
+SigmasOf(const PolylineType & polyline)
+{
+  return polyline.sigmas.empty() ? py::object(py::none()) : py::object(MakeArray(polyline.sigmas));
 }
 
 py::tuple
@@ -462,8 +500,12 @@ MakeState(const DentalContour & contour)
     {
       weights = MakeArray(polyline.weights);
     }
-    state.append(
-      py::make_tuple(MakeRows<2>(polyline.points), polyline.code.GetName(), polyline.closed, std::move(weights)));
+    state.append(py::make_tuple(MakeRows<2>(polyline.points),
+                                polyline.code.GetName(),
+                                polyline.closed,
+                                std::move(weights),
+                                SigmasOf(polyline),
+                                OutlineOf(polyline)));
   }
   return py::tuple(state);
 }
@@ -483,12 +525,18 @@ code : str or int, optional
     "UR1" or the FDI number; "" is unknown.
 closed : bool, optional
 weights : (N,) array, optional
-    In [0, 1], 0 is ignored.)")
+    In [0, 1], 0 is ignored.
+sigmas : float or (N,) array, optional
+    Drawing errors of the points, pixels; 0 where nobody knows.
+outline : "crown", "tooth" or "labial", optional
+    What of the tooth was drawn; found out unless given.)")
     .def(py::init(&MakePolyline),
          py::arg("points"),
          py::arg("code") = "",
          py::arg("closed") = false,
-         py::arg("weights") = py::none())
+         py::arg("weights") = py::none(),
+         py::arg("sigmas") = py::none(),
+         py::arg("outline") = py::none())
     .def_property_readonly(
       "points", [](const PolylineType & self) { return MakeRows<2>(self.points); }, "(N, 2) copy.")
     .def_property_readonly(
@@ -502,6 +550,8 @@ weights : (N,) array, optional
         return self.weights.empty() ? py::object(py::none()) : py::object(MakeArray(self.weights));
       },
       "(N,) copy, or None.")
+    .def_property_readonly("sigmas", &SigmasOf, "(N,) copy, or None.")
+    .def_property_readonly("outline", &OutlineOf, "\"crown\", \"tooth\", \"labial\", or None.")
     .def("__len__", [](const PolylineType & self) { return self.points.size(); })
     .def("__repr__", [](const PolylineType & self) {
       return "<dentalscr.Polyline " + self.code.GetName() + (self.closed ? ", closed" : "") + ", " +
@@ -534,11 +584,17 @@ polylines : sequence of Polyline, optional)")
          const DoubleArray & points,
          const py::object &  code,
          bool                closed,
-         const py::object &  weights) { self.AddPolyline(MakePolyline(points, code, closed, weights)); },
+         const py::object &  weights,
+         const py::object &  sigmas,
+         const py::object &  outline) {
+        self.AddPolyline(MakePolyline(points, code, closed, weights, sigmas, outline));
+      },
       py::arg("points"),
       py::arg("code") = "",
       py::arg("closed") = false,
-      py::arg("weights") = py::none())
+      py::arg("weights") = py::none(),
+      py::arg("sigmas") = py::none(),
+      py::arg("outline") = py::none())
     .def_property_readonly("polylines", &DentalContour::GetPolylines, "Copies.")
     .def_property_readonly(
       "points",
@@ -571,8 +627,14 @@ polylines : sequence of Polyline, optional)")
                       for (const py::handle item : state)
                       {
                         const auto polyline = item.cast<py::tuple>();
-                        contour->AddPolyline(MakePolyline(
-                          polyline[0].cast<DoubleArray>(), polyline[1], polyline[2].cast<bool>(), polyline[3]));
+                        // Pickles of 0.1 have four members.
+                        const bool whole = polyline.size() > 5;
+                        contour->AddPolyline(MakePolyline(polyline[0].cast<DoubleArray>(),
+                                                          polyline[1],
+                                                          polyline[2].cast<bool>(),
+                                                          polyline[3],
+                                                          whole ? py::object(polyline[4]) : py::object(py::none()),
+                                                          whole ? py::object(polyline[5]) : py::object(py::none())));
                       }
                       return contour;
                     }));

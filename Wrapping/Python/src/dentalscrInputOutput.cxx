@@ -26,6 +26,10 @@
 #include "itkReadDentalMesh.h"
 #include "itkToothLabelFileReader.h"
 
+#include <string>
+#include <tuple>
+#include <vector>
+
 namespace dentalscr
 {
 namespace
@@ -60,6 +64,11 @@ WrapLandmarkReader(py::module_ & module, const char * name, const char * descrip
     .def("GetFileFormat", &ReaderType::GetFileFormat)
     .def("SetNumbering", &ReaderType::SetNumbering, py::arg("numbering"))
     .def("GetNumbering", &ReaderType::GetNumbering)
+    .def(
+      "SetImageFileName",
+      [](ReaderType & self, const std::string & fileName) { self.SetImageFileName(fileName); },
+      py::arg("fileName"))
+    .def("GetImageFileName", [](const ReaderType & self) { return std::string(self.GetImageFileName()); })
     .def("SetPixelOrigin", &ReaderType::SetPixelOrigin, py::arg("origin"))
     .def("GetPixelOrigin", &ReaderType::GetPixelOrigin)
     .def("SetMarkupsSpacing", &ReaderType::SetMarkupsSpacing, py::arg("spacing"))
@@ -106,7 +115,13 @@ WrapInputOutput(py::module_ & module)
                          { "Aariz", FormatEnum::Aariz },
                          { "LandmarkDetector", FormatEnum::LandmarkDetector },
                          { "CLDetection", FormatEnum::CLDetection },
-                         { "ISBI2015", FormatEnum::ISBI2015 } },
+                         { "ISBI2015", FormatEnum::ISBI2015 },
+                         { "CVAT", FormatEnum::CVAT },
+                         { "COCO", FormatEnum::COCO },
+                         { "VIA", FormatEnum::VIA },
+                         { "LabelStudio", FormatEnum::LabelStudio },
+                         { "Supervisely", FormatEnum::Supervisely },
+                         { "LabelImage", FormatEnum::LabelImage } },
                        "What an annotation file is written in.");
   using OriginEnum = itk::AnnotationPixelOriginEnum;
   BindEnum<OriginEnum>(module,
@@ -157,6 +172,15 @@ WrapInputOutput(py::module_ & module)
     .def("GetNumbering", &ContourReaderType::GetNumbering)
     .def("SetImageSize", &ContourReaderType::SetImageSize, py::arg("size"))
     .def("GetImageSize", [](const ContourReaderType & self) { return self.GetImageSize(); })
+    .def(
+      "SetImageFileName",
+      [](ContourReaderType & self, const std::string & fileName) { self.SetImageFileName(fileName); },
+      py::arg("fileName"))
+    .def("GetImageFileName", [](const ContourReaderType & self) { return std::string(self.GetImageFileName()); })
+    .def("SetClassFiles", &ContourReaderType::SetClassFiles, py::arg("files"))
+    .def("GetClassFiles", &ContourReaderType::GetClassFiles)
+    .def("SetSidelessCodesAreLeft", &ContourReaderType::SetSidelessCodesAreLeft, py::arg("on"))
+    .def("GetSidelessCodesAreLeft", &ContourReaderType::GetSidelessCodesAreLeft)
     .def("SetPixelOrigin", &ContourReaderType::SetPixelOrigin, py::arg("origin"))
     .def("GetPixelOrigin", &ContourReaderType::GetPixelOrigin)
     .def("SetMarkupsSpacing", &ContourReaderType::SetMarkupsSpacing, py::arg("spacing"))
@@ -167,6 +191,16 @@ WrapInputOutput(py::module_ & module)
     .def("GetReadFileFormat", &ContourReaderType::GetReadFileFormat)
     .def("GetReadNumbering", &ContourReaderType::GetReadNumbering)
     .def("GetNumberOfPointsOutside", &ContourReaderType::GetNumberOfPointsOutside)
+    .def("GetNumberOfSidelessCodes", &ContourReaderType::GetNumberOfSidelessCodes)
+    .def("GetCalibrations",
+         [](const ContourReaderType & self) {
+           std::vector<std::tuple<std::string, double, double>> calibrations;
+           for (const auto & line : self.GetCalibrations())
+           {
+             calibrations.emplace_back(line.label, line.millimetres, line.pixels);
+           }
+           return calibrations;
+         })
     .def("GetWarnings", &ContourReaderType::GetWarnings)
     .def("_TakeOutputs", [](ContourReaderType & self) {
       return std::make_pair(Detach(self.GetUpperOutput()), Detach(self.GetLowerOutput()));

@@ -222,3 +222,37 @@ def test_files_that_are_not_there_are_named(ds, tmp_path):
         with pytest.raises(ds.InputError) as error:
             read(tmp_path / "nothing.here")
         assert "nothing.here" in str(error.value)
+
+
+def test_contour_carries_drawing_errors_and_what_it_shows(ds):
+    contour = ds.Contour()
+    contour.AddPolyline([[1, 1], [2, 2], [3, 1]], "11", closed=True, sigmas=1.5, outline="tooth")
+    contour.AddPolyline([[5, 5], [6, 6]], "URA", sigmas=[0.5, 2.0])
+    for other in (contour, pickle.loads(pickle.dumps(contour))):
+        first, second = other.polylines
+        assert first.outline == "tooth" and second.outline is None
+        assert first.sigmas.tolist() == [1.5, 1.5, 1.5] and second.sigmas.tolist() == [0.5, 2.0]
+        assert second.fdi == 51
+    with pytest.raises((ValueError, ds.Error), match="root"):
+        ds.Polyline([[1, 1]], "11", outline="root")
+
+
+def test_contours_of_other_programs_and_of_masks(ds, tmp_path):
+    (tmp_path / "cvat.xml").write_text(
+        '<annotations><image name="ceph.png" width="100" height="200">'
+        '<polyline label="tooth 11" points="1.5,1.5;2.5,2.5"/>'
+        '<polyline label="Calibration_30mm" points="0,0;0,120"/></image></annotations>'
+    )
+    contours = ds.ReadContours(tmp_path / "cvat.xml")
+    assert contours.imageSize == (100, 200)
+    assert contours.upper.points.tolist() == [[1.0, 1.0], [2.0, 2.0]]
+    reader = ds.DentalContourFileReader()
+    reader.Execute(tmp_path / "cvat.xml")
+    assert reader.GetCalibrations() == [("Calibration_30mm", 30.0, 120.0)]
+
+    mask = "NRRD0004\ntype: uchar\ndimension: 2\nsizes: 9 9\nencoding: ascii\n\n"
+    mask += "\n".join(" ".join("1" if 1 <= u <= 6 and 1 <= v <= 6 else "0" for u in range(9)) for v in range(9)) + "\n"
+    # The rarer of two tones is what is drawn: 36 of 81 pixels.
+    (tmp_path / "mask.nrrd").write_text(mask)
+    contours = ds.ReadContours({"UR1": tmp_path / "mask.nrrd"})
+    assert contours.upper.polylines[0].code == "UR1" and contours.upper.polylines[0].closed
