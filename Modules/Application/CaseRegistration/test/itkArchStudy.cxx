@@ -159,7 +159,7 @@ main(int argc, char * argv[])
         // 95 % of a normal distribution of two equal axes.
         covered += landmark.error < 2.448 * landmark.sigma ? 1 : 0;
       }
-      const bool ok = jaw.status == itk::CaseStatusEnum::Ok;
+      const bool ok = jaw.status == itk::RegistrationStatusEnum::Ok;
       summary.landmarks += static_cast<unsigned int>(landmarks.size());
       summary.covered += covered;
       summary.sum += error;
@@ -172,7 +172,7 @@ main(int argc, char * argv[])
       summary.nearFlagged += !ok && error <= 2.0 ? 1 : 0;
       std::cout << seed << ' ' << name << ' ' << error << ' ' << std::sqrt(squares) << ' ' << covered << ' '
                 << landmarks.size() << ' ' << itk::ToString(jaw.status) << ' ' << Detail(jaw, "ambiguity_margin");
-      for (const std::string & reason : jaw.reasons)
+      for (const std::string & reason : jaw.GetReasons())
       {
         std::cout << " | " << reason;
       }

@@ -73,13 +73,14 @@ public:
   /** A landmark belongs to a scan that passes within this distance, mm: a marked tip may lie off the surface by a
    * vertex's distance or a click, and half a tooth away is the next landmark's place. */
   static constexpr double MaximumLandmarkDistance = 3.0;
-  /** Two landmarks of a jaw are further apart than this, mm: cusps of one tooth are 3 mm and more. */
-  static constexpr double SamePlace = 0.5;
+  /** Landmarks no further apart than this are at one place, in any unit: what nobody has marked is left at the same
+   * numbers, and what two clicks have marked never is. */
+  static constexpr double SamePlace = 1e-9;
 
   /** Whether no other landmark of the same jaw is at a landmark's place. What a program leaves at (0, 0, 0) may happen
    * to lie on the scan. */
   static bool
-  IsAlone(const LandmarksType & landmarks, const LandmarksType::LandmarkType & landmark, double millimetresPerUnit);
+  IsAlone(const LandmarksType & landmarks, const LandmarksType::LandmarkType & landmark);
 
   itkSetInputMacro(UpperMesh, MeshType);
   itkGetInputMacro(UpperMesh, MeshType);

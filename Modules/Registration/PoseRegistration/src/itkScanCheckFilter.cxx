@@ -478,14 +478,12 @@ CheckShapesForExchange(const DentalFrameResult & frames, std::array<Scan, 2> & s
 } // namespace
 
 bool
-ScanCheckFilter::IsAlone(const LandmarksType &               landmarks,
-                         const LandmarksType::LandmarkType & landmark,
-                         double                              millimetresPerUnit)
+ScanCheckFilter::IsAlone(const LandmarksType & landmarks, const LandmarksType::LandmarkType & landmark)
 {
   const auto & all = landmarks.GetLandmarks();
   return std::none_of(all.begin(), all.end(), [&](const LandmarksType::LandmarkType & other) {
     return other.name != landmark.name && other.tooth.GetJaw() == landmark.tooth.GetJaw() &&
-           landmark.point.EuclideanDistanceTo(other.point) * millimetresPerUnit < SamePlace;
+           landmark.point.EuclideanDistanceTo(other.point) <= SamePlace;
   });
 }
 
@@ -564,7 +562,7 @@ ScanCheckFilter::GenerateData()
         {
           continue;
         }
-        if (!IsAlone(*this->GetLandmarks(), landmark, m_MillimetresPerUnit))
+        if (!IsAlone(*this->GetLandmarks(), landmark))
         {
           ++count;
           names += count > NamesSaid ? "" : (count == 1 ? "" : ", ") + landmark.name;

@@ -170,7 +170,7 @@ ToothFinder::FindClicked(const ToothCode & tooth, FeatureEnum feature) const
     return {};
   }
   const auto * landmark = m_Landmarks->Find(tooth.GetName() + '_' + SuffixOf(feature, tooth.GetPosition()));
-  if (landmark == nullptr || !ScanCheckFilter::IsAlone(*m_Landmarks, *landmark, m_MillimetresPerUnit))
+  if (landmark == nullptr || !ScanCheckFilter::IsAlone(*m_Landmarks, *landmark))
   {
     return {};
   }

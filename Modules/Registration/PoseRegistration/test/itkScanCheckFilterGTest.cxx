@@ -274,9 +274,9 @@ TEST(ScanCheckFilter, LandmarksAtOneAndTheSamePlaceAreNone)
   for (const char * name : { "LR6_MB", "LL4_B", "LL1_tip" })
   {
     EXPECT_NE(filter->GetFindings(JawEnum::Lower).front().text.find(name), std::string::npos) << name;
-    EXPECT_FALSE(FilterType::IsAlone(*landmarks, *landmarks->Find(name), 1.0));
+    EXPECT_FALSE(FilterType::IsAlone(*landmarks, *landmarks->Find(name)));
   }
-  EXPECT_TRUE(FilterType::IsAlone(*landmarks, *landmarks->Find("LR1_tip"), 1.0));
+  EXPECT_TRUE(FilterType::IsAlone(*landmarks, *landmarks->Find("LR1_tip")));
 }
 
 TEST(ScanCheckFilter, LandmarksOfAnotherFrameAreSaidToBe)
