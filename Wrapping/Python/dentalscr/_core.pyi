@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'TracedSide', 'TracingPixelSpacingFilter', 'Transform', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'TracedSide', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -1331,6 +1331,10 @@ class JawsShareFrame:
     @property
     def value(self) -> int:
         ...
+class DentalFrames:
+    """
+    Everything that UMidlineDentalAxisFilter found, for ScanCheckFilter to judge.
+    """
 class UMidlineDentalAxisFilter(ProcessObject):
     """
     The anatomical frame of dental arches.
@@ -1414,6 +1418,8 @@ class UMidlineDentalAxisFilter(ProcessObject):
     def TransformMeshesOff(self) -> None:
         ...
     def TransformMeshesOn(self) -> None:
+        ...
+    def _GetFrames(self) -> DentalFrames:
         ...
     def _GetTransform(self, jaw: Jaw | str) -> VersorRigid3DTransform | None:
         """
@@ -3033,7 +3039,7 @@ class LeastSquaresMetricv4:
         ...
 class TracedSide:
     """
-    Which side's outline was traced, or is to be; registrations refuse Standard.
+    Which side's outline was traced, or is to be; Standard is a cephalometric analysis's own way.
 
     Members:
 
@@ -4278,6 +4284,11 @@ class PoseHypothesisOutcome:
         Minus twice the log likelihood under it minus that of the result: clearly negative where it explains the evidence better. 0 where it was not asked for.
         """
     @property
+    def pixelSpacing(self) -> list[float]:
+        """
+        mm a pixel in the detector plane that its best candidate amounts to; 0 where there is none.
+        """
+    @property
     def score(self) -> float:
         """
         Of its best candidate; 1 where there is none.
@@ -4375,6 +4386,10 @@ class PoseSolution(DataObject):
         """
         Mesh frame to cephalostat frame, mm.
         """
+    def GetUntried(self, jaw: Jaw | str) -> dict[str, str]:
+        """
+        {code: why} of the hypotheses that were worth trying and could not be asked.
+        """
     def HasConverged(self, jaw: Jaw | str) -> bool:
         ...
     def HasJaw(self, jaw: Jaw | str) -> bool:
@@ -4435,6 +4450,24 @@ class MillimetreLandmarksHypothesis(PoseHypothesis):
     """
     The landmarks are in millimetres, not in pixels.
     """
+    def __init__(self) -> None:
+        ...
+class OtherSpacingHypothesis(PoseHypothesis):
+    """
+    The pixel spacing is another one: the scale is left to the fit.
+    """
+    def __init__(self) -> None:
+        ...
+class TurnedDrawingHypothesis(PoseHypothesis):
+    """
+    The radiograph was turned by quarter turns before or after it was drawn on.
+    """
+    def GetQuarterTurns(self) -> int:
+        ...
+    def SetQuarterTurns(self, turns: int) -> None:
+        """
+        1, 2 or 3, clockwise.
+        """
     def __init__(self) -> None:
         ...
 class PoseStart:
@@ -4596,11 +4629,15 @@ class PoseRegistrationMethod(ProcessObject):
         ...
     def _GetSolution(self) -> PoseSolution:
         ...
+    def _SetCephalometricLandmarks(self, landmarks: typing.Any) -> None:
+        ...
     def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
         ...
     def _SetInitialTransform(self, jaw: Jaw | str, transform: VersorRigid3DTransform | None, scaleFactor: float) -> None:
         ...
     def _SetJointFrame(self, transform: VersorRigid3DTransform | None) -> None:
+        ...
+    def _SetLandmarkCounterparts(self, counterparts: typing.Any) -> None:
         ...
     def _SetLowerContour(self, contour: Contour | None) -> None:
         ...
@@ -4608,11 +4645,15 @@ class PoseRegistrationMethod(ProcessObject):
         ...
     def _SetLowerMesh(self, mesh: Mesh | None) -> None:
         ...
+    def _SetToothCrowns(self, crowns: typing.Any) -> None:
+        ...
     def _SetUpperContour(self, contour: Contour | None) -> None:
         ...
     def _SetUpperFrame(self, transform: VersorRigid3DTransform | None) -> None:
         ...
     def _SetUpperMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def _TryHypothesis(self, hypothesis: PoseHypothesis, jaw: Jaw | str) -> PoseHypothesisOutcome:
         ...
     def __init__(self) -> None:
         ...
@@ -4621,17 +4662,26 @@ class RegistrationVerdictThresholds:
     What is suspect and what has failed; px of 0.25 mm and mm.
     """
     failedCost: float
+    failedFilmLength: float
     failedInlierShare: float
+    failedPitch: float
     failedPredictedSigma: float
     hypothesisGain: float
+    landmarkApart: float
     maximumArchWidth: float
     minimumArchWidth: float
+    spacingDifference: float
+    spacingScore: float
     suspectCodeOffset: float
     suspectCost: float
     suspectExtrapolatedSigma: float
+    suspectFilmLength: float
     suspectInlierShare: float
+    suspectLandmarkRatio: float
+    suspectLargestMiddleSigma: float
     suspectMargin: float
     suspectMedian: float
+    suspectMiddleSigma: float
     suspectOtherSideDeviance: float
     suspectP90: float
     suspectPitch: float
@@ -4646,6 +4696,8 @@ class RegistrationVerdictFilter(ProcessObject):
     """
     Judges a pose registration.
     """
+    def GetImageSize(self) -> tuple[int, int]:
+        ...
     def GetNotCheckable(self) -> list[str]:
         """
         What the data could not tell, as sentences.
@@ -4653,6 +4705,10 @@ class RegistrationVerdictFilter(ProcessObject):
     def GetThresholds(self) -> RegistrationVerdictThresholds:
         """
         A copy.
+        """
+    def SetImageSize(self, size: typing.Sequence[int]) -> None:
+        """
+        (width, height) of the radiograph, pixels: what a spacing that only the fit tells is judged by. (0, 0): unknown.
         """
     def SetThresholds(self, thresholds: RegistrationVerdictThresholds) -> None:
         ...
@@ -4674,6 +4730,10 @@ class LandmarkProjectionFilter(ProcessObject):
         """
         (2, 2) square pixels: of the middle between a right landmark and its left one.
         """
+    def GetMiddles(self) -> dict[str, typing.Any]:
+        """
+        {"U6_MB": ((u, v), (2, 2) square pixels)} between each right landmark's image and its left one's.
+        """
     def GetMillimetresPerUnit(self) -> float:
         ...
     def GetSigma(self, name: str) -> float:
@@ -4689,6 +4749,30 @@ class LandmarkProjectionFilter(ProcessObject):
     def _SetLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
         ...
     def _SetSolution(self, solution: PoseSolution) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class ScanCheckFilter(ProcessObject):
+    """
+    What can be said of the scans before anything is registered.
+    """
+    def GetMillimetresPerUnit(self) -> float:
+        ...
+    def GetNotCheckable(self) -> list[str]:
+        """
+        What the data could not tell, as sentences.
+        """
+    def SetMillimetresPerUnit(self, value: float) -> None:
+        ...
+    def _GetFindings(self, jaw: Jaw | str) -> list[typing.Any]:
+        ...
+    def _SetFrames(self, frames: DentalFrames) -> None:
+        ...
+    def _SetLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
+        ...
+    def _SetLowerMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def _SetUpperMesh(self, mesh: Mesh | None) -> None:
         ...
     def __init__(self) -> None:
         ...
@@ -4708,6 +4792,10 @@ class LandmarkCounterpartFilter(ProcessObject):
         ...
     def IgnoreSidesOn(self) -> None:
         ...
+    def SetExcludedTeeth(self, teeth: typing.Sequence[str]) -> None:
+        """
+        Codes of teeth that are left out: ["UR3"].
+        """
     def SetIgnoreSides(self, value: bool) -> None:
         ...
     def SetLabels(self, jaw: Jaw | str, labels: typing.Sequence[int]) -> None:
@@ -4743,6 +4831,10 @@ class ToothCrownFilter(ProcessObject):
     def GetMissing(self) -> list[str]:
         """
         Names of teeth of the tracings whose crowns were not found.
+        """
+    def SetExcludedTeeth(self, teeth: typing.Sequence[str]) -> None:
+        """
+        Codes of teeth that are left out: ["UR3"].
         """
     def SetLabels(self, jaw: Jaw | str, labels: typing.Sequence[int]) -> None:
         """
