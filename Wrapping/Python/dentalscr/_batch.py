@@ -7,7 +7,7 @@ import os
 import time
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, Callable, Dict, NamedTuple, Optional, Union
+from typing import Any, Callable, Dict, NamedTuple, Optional, Union, cast
 
 from ._case import Case, CaseResult, register
 from ._errors import ArgumentError
@@ -44,10 +44,10 @@ def _name(cases: Union[PathLike, Mapping[str, Any], Iterable[Any]]) -> Dict[str,
     if isinstance(cases, Mapping):
         return dict(cases)
     if is_path(cases):
-        path = Path(as_path(cases))
+        path = Path(as_path(cast("PathLike", cases)))
         return _find(path) if path.is_dir() else {path.parent.resolve().name if path.name == "case.json" else path.stem: path}
     named: Dict[str, Any] = {}
-    for number, case in enumerate(cases, 1):
+    for number, case in enumerate(cast("Iterable[Any]", cases), 1):
         if is_path(case):
             path = Path(as_path(case))
             name = path.parent.resolve().name if path.name == "case.json" else path.stem

@@ -28,7 +28,7 @@ def cohort(ds, tmp_path_factory):
         assert done.returncode == 0, done.stderr
     (folder / "bad").mkdir()
     case = json.loads((folder / "a" / "case.json").read_text())
-    case = {**case, "upper": "../a/" + case["upper"], "lower": "../a/" + case["lower"], "contours": "missing.json"}
+    case = {"upper": "../a/" + case["upper"], "contours": "missing.json"}
     (folder / "bad" / "case.json").write_text(json.dumps(case))
     return folder
 

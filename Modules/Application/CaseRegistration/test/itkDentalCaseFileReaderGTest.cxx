@@ -177,7 +177,7 @@ TEST_F(DentalCaseFileReader, NamesTheFieldThatIsWrong)
       "cephalogram.image_size[0]" },
     { R"({"upper": "none.stl", "contours": "contours.json"})", "none.stl" },
     { R"({"upper": "", "contours": "contours.json"})", "upper" },
-    { R"({"upper": "upper.stl", "contours": "contours.json", "mesh_unit": "inch"})", "mesh_unit" },
+    { R"({"upper": "upper.stl", "contours": "contours.json", "mesh_unit": "foot"})", "mesh_unit" },
     { R"({"upper": "upper.stl", "contours": "contours.json", "cephalogram": {"pixel_spacing_mm": [100, 0.1]}})",
       "cephalogram.pixel_spacing_mm" },
     { R"({"upper": "upper.stl", "contours": "contours.json", "geometry": {"source_to_detector_mm": "far"}})",

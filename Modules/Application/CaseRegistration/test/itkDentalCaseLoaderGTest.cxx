@@ -70,7 +70,7 @@ SideOf(const std::string & outlines, const std::string & more = "")
   bool       said = false;
   for (const std::string & warning : data->warnings)
   {
-    said = said || Contains(warning, "traced_side");
+    said = said || Contains(warning, "traced_side: is not given");
   }
   // Nobody is told of a side that he gave or of the ordinary one.
   EXPECT_EQ(said, more.empty() && data->description.tracedSide == TracedSideEnum::Standard);

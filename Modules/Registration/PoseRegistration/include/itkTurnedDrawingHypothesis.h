@@ -23,13 +23,12 @@
 namespace itk
 {
 /** \class TurnedDrawingHypothesis
- * \brief The radiograph was turned by quarter turns before, or after, it was drawn on: where nothing fits, the drawing is
- * tried turned back.
+ * \brief The radiograph was turned by quarter turns before, or after, it was drawn on: where a tracing does not fit, it is
+ * tried turned back, and what landmarks there are with it.
  *
  * Scanned films lie on their side, cameras write the orientation beside the pixels, and programs differ in whether they
- * heed it. Turned by so much nothing of a head fits within what is searched. Drawn is the tracing, or landmarks, or
- * both. Where the principal point is known it is not used: it was given in pixels of an image that may have been turned
- * as well.
+ * heed it. Turned by so much nothing of a head fits within what is searched. Where the principal point is known it is
+ * not used: it was given in pixels of an image that may have been turned as well.
  *
  * \ingroup PoseRegistration
  */

@@ -19,6 +19,7 @@
 
 #include "itkPoseMetricv4.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace itk
@@ -64,7 +65,10 @@ TurnedDrawingHypothesis::GetCode() const
 bool
 TurnedDrawingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
 {
-  return result.score > problem.options.poorScore;
+  // A few points fit a turned jaw as well as a right one where one of them is a gross error; of a tracing none does.
+  return result.score > problem.options.poorScore &&
+         std::any_of(
+           problem.jaws.begin(), problem.jaws.end(), [](const PoseJawInput & jaw) { return jaw.tracing.IsNotNull(); });
 }
 
 std::string

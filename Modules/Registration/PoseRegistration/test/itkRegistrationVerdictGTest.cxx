@@ -346,6 +346,7 @@ MakeLimits()
       0.03,
       true,
       [](Result & r, double x) {
+        r.groups[0].score = 0.15;
         r.groups[0].outcomes["pixel-spacing"] = { r.groups[0].score - x, 0.0, { { 0.5, 0.5 } } };
       },
       {},
