@@ -178,7 +178,7 @@ def test_counterparts_of_landmarks_tell_how_they_were_found(ds, case):
     assert found["U1_tip"].rule == "foremost" and found["U1_tip"].points.shape == (2, 3)
     assert found["U6_mesial"].rule == "middle" and found["U6_mesial"].source == "its place along the arch"
     assert [name for name, _ in process.GetUnused()] == ["UIA"]
-    click = case.upper.GetPoints()[17]
+    click = case.upper.points[17]
     clicked = ds.FindLandmarkCounterparts(marks, upperMesh=case.upper, scanLandmarks={"UR1_tip": tuple(click)})
     assert clicked["U1_tip"].source == "landmarks_3d" and np.allclose(clicked["U1_tip"].points, [click])
     # What lies elsewhere is none of this scan, whatever its name is.

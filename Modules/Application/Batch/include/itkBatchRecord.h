@@ -33,8 +33,10 @@ namespace itk
  */
 struct Batch_EXPORT BatchRecord
 {
+  /** A row of the tables. */
   struct JawType
   {
+    /** "upper", "lower". */
     std::string jaw;
     /** "ok", "suspect", "failed", "skipped". */
     std::string              status;

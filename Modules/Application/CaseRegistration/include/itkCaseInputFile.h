@@ -38,8 +38,8 @@ struct CaseInputFile
   std::string sha256;
 };
 
-/** SHA-256 of a file's bytes, 64 hexadecimal digits. Throws DentalInputError where it cannot be read. \ingroup
- * CaseRegistration */
+/** SHA-256 of a file's bytes, 64 hexadecimal digits. Throws DentalInputError where it cannot be read.
+ * \ingroup CaseRegistration */
 CaseRegistration_EXPORT std::string
                         ComputeFileSHA256(const std::string & fileName);
 

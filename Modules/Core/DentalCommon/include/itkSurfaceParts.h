@@ -46,6 +46,7 @@ public:
   /** Of a triangle without an area. */
   static constexpr std::uint32_t NoPart = 0xffffffffu;
 
+  /** One connected part. */
   struct PartType
   {
     /** mm^2. */
