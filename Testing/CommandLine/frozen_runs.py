@@ -359,6 +359,11 @@ RUNS = {
     "shared: phantom-hard-5": Run(Shared("phantom-hard-5")),
     "shared: phantom-mean-6": Run(Shared("phantom-mean-6")),
     "shared: two-views-1, lateral": Run(Shared("two-views-1")),
+    **{
+        f"shared: standard-{i}, {evidence}": Run(Shared(f"standard-{i}", f"case-{evidence}.json"))
+        for i in (1, 2, 3)
+        for evidence in ("both", "landmarks", "outlines")
+    },
 }
 
 # One ingredient of robust at a time, as in the study of the ablation, and the options of the kind "how many".
