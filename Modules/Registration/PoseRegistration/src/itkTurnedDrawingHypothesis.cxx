@@ -65,8 +65,9 @@ TurnedDrawingHypothesis::GetCode() const
 bool
 TurnedDrawingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
 {
-  // A few points fit a turned jaw as well as a right one where one of them is a gross error; of a tracing none does.
-  return result.score > problem.options.poorScore &&
+  // A few landmarks, or outlines of four teeth, fit a turned jaw as well as a right one where one of them is a gross
+  // error; a row of crowns does not.
+  return result.score > problem.options.poorScore && problem.options.tracedSide != TracedSideEnum::Standard &&
          std::any_of(
            problem.jaws.begin(), problem.jaws.end(), [](const PoseJawInput & jaw) { return jaw.tracing.IsNotNull(); });
 }
