@@ -97,6 +97,11 @@ def test_resumed_it_repeats_nothing_but_what_has_changed(run, patients, batch, t
     assert "2 kept from before" in run(*arguments, "--resume").stdout
     after = times_of(output)
     assert {name for name in after if after[name] != before[name]} == {"north_p2"}
+    # Of a case that has become unusable nothing is left that could be taken for its result.
+    (cases / "north/p1/upper.stl").write_bytes(b"PK\x03\x04")
+    assert run(*arguments, "--resume").returncode == 2
+    assert not list((output / "north_p1").iterdir())
+    shutil.copy(patients / "north/p1/upper.stl", cases / "north/p1/upper.stl")
     # Other arguments are another question.
     assert "kept" not in run(*arguments, "--resume", "--option", "useRobustKernel=off").stdout
 

@@ -67,6 +67,9 @@ def test_a_third_of_the_landmarks_at_the_origin_is_said(run, case, tmp_path):
         assert codes_of(result, jaw) == {"landmarks-coincide"}
         (finding,) = result["jaws"][jaw]["findings"]
         assert any(name in finding["text"] for name in wrong)
+        # What is none of the scan measures no error.
+        assert not set(result["jaws"][jaw]["error"]["landmarks"]) & set(wrong)
+        assert result["jaws"][jaw]["error"]["mean_px"] < 5.0
 
 
 def test_inches(run, case, plain, tmp_path):
@@ -109,6 +112,15 @@ def test_a_wrong_spacing_is_told_with_the_right_one(run, case, tmp_path, factor)
         (finding,) = [each for each in jaw["findings"] if each["code"] == "pixel-spacing"]
         assert finding["value"] == pytest.approx(right, rel=0.03)
         assert finding["limit"] == pytest.approx(right * factor)
+
+
+def test_a_spacing_in_centimetres_is_told(run, case, tmp_path):
+    content = case.load()
+    content["cephalogram"]["pixel_spacing_mm"] = [s / 10.0 for s in content["cephalogram"]["pixel_spacing_mm"]]
+    case.save(content)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 1 and "is pixel_spacing_mm in cm" in done.stderr
+    assert "expected error" not in done.stdout
 
 
 def test_a_tracing_of_a_smaller_copy_is_told(run, case, tmp_path):
@@ -273,7 +285,7 @@ def test_project_places_points_as_the_registration_did(run, sample, plain, tmp_p
     assert set(found) == set(landmarks)
     for jaw, values in load(plain)["jaws"].items():
         for name, place in values["landmarks_px"].items():
-            assert found[name]["jaw"] == jaw
+            assert found[name]["jaw"] == jaw and found[name]["status"] == values["status"]
             assert found[name]["position"] == pytest.approx(place, abs=1e-6)
             assert found[name]["sigma_px"] == pytest.approx(values["landmark_sigma_px"][name], rel=1e-6)
     own = {"apex of a root": landmarks["UR1_tip"]}

@@ -41,7 +41,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         ],
         "other-side": [f"lower by {-t['suspectOtherSideDeviance']:g}"],
         "inward-winding": [f"< −{-t['suspectWinding']:g} of the area"],
-        "film-size": [f"> {t['suspectFilmLength']:g} mm long", f"failed: > {t['failedFilmLength']:g} mm"],
+        "film-size": [f"> {t['suspectFilmLength']:g} mm long", f"failed: > {t['failedFilmLength']:g} mm", f"< {t['shortestFilm']:g} mm"],
         "pixel-spacing": [
             f"better by {t['hypothesisGain']:g}",
             f"score ≤ {t['spacingScore']:g}",
@@ -57,7 +57,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         for part in parts:
             assert part in rules[rule], rule
     # None of the thresholds is left out above.
-    assert len(t) == 29
+    assert len(t) == 30
 
 
 def test_every_finding_is_listed():

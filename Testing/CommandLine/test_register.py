@@ -214,6 +214,7 @@ def test_similarity_transform_file_maps_the_geometrys_projection_to_the_radiogra
 @pytest.mark.parametrize("preset", ["robust", "paper"])
 def test_marked_landmarks_are_never_registered_with(run, case, registered, tmp_path, preset):
     reference = load(registered[preset])
+    reference.pop("inputs")
     for jaw in reference["jaws"].values():
         jaw.pop("error")
     # Wrong landmarks, then none.
@@ -229,6 +230,8 @@ def test_marked_landmarks_are_never_registered_with(run, case, registered, tmp_p
         result = load(tmp_path / folder)
         for jaw in result["jaws"].values():
             jaw.pop("error", None)
+        # Copies of the case lie in folders of their own, with other landmarks or none.
+        result.pop("inputs")
         assert without_times(result) == without_times(reference)
 
 

@@ -18,6 +18,7 @@
 #include "itkBatchRunner.h"
 
 #include "itkCaseInputFile.h"
+#include "itkCaseResultWriter.h"
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
 #include "itkTextFile.h"
@@ -310,15 +311,20 @@ BatchRunner::Finish(std::size_t index, int exitCode, double seconds)
   }
   else
   {
-    const std::string said = LastLine(records / (one.id + ".log"));
+    // Without the program's name before it: whoever tells of it puts it there.
+    constexpr char prefix[] = "dentalscr: ";
+    std::string    said = LastLine(records / (one.id + ".log"));
+    if (said.rfind(prefix, 0) == 0)
+    {
+      said.erase(0, sizeof(prefix) - 1);
+    }
     record.message = exitCode == 2     ? said
                      : exitCode == 127 ? "the program " + m_Program.front() + " can't be started"
                      : exitCode > 128
                        ? "the program was ended by signal " + std::to_string(exitCode - 128) + ": " + said
                        : "the program ended with " + std::to_string(exitCode) + ": " + said;
     // Of an earlier run, which is not this case's any more.
-    std::error_code error;
-    fs::remove(folder / "result.json", error);
+    RemoveCaseResult(folder.string());
   }
   std::vector<std::string> arguments = one.arguments;
   arguments.insert(arguments.end(), m_Arguments.begin(), m_Arguments.end());

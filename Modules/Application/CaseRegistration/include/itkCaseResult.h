@@ -222,6 +222,8 @@ struct CaseResult
   std::map<JawEnum, JawResult>          jaws;
   std::map<JawEnum, std::string>        skipped;
   std::shared_ptr<const DentalCaseData> data;
+  /** Landmarks of the scans that are none: a finding names them, and no error is measured of them. */
+  std::vector<std::string> unusableLandmarks;
   /** The files that it is the result of. */
   std::vector<CaseInputFile> inputs;
   /** The marked landmarks, to draw beside the predicted ones; set after registration, null where there are none. */

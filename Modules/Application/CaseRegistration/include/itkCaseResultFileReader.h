@@ -23,6 +23,7 @@
 
 #include "itkProcessObject.h"
 
+#include <array>
 #include <string>
 
 namespace itk
@@ -64,6 +65,13 @@ public:
   PoseSolution *
   GetOutput();
 
+  /** "ok", "suspect" or "failed"; "" where the jaw is not in the result. Valid after Update(). */
+  const std::string &
+  GetStatus(ToothCode::JawEnum jaw) const
+  {
+    return m_Status[jaw == ToothCode::JawEnum::Upper ? 0 : 1];
+  }
+
   /** mm in one unit of the files of the scans; valid after Update(). */
   itkGetConstMacro(MillimetresPerUnit, double);
 
@@ -81,8 +89,9 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  std::string m_FileName;
-  double      m_MillimetresPerUnit{ 1.0 };
+  std::string                m_FileName;
+  std::array<std::string, 2> m_Status;
+  double                     m_MillimetresPerUnit{ 1.0 };
 };
 } // namespace itk
 

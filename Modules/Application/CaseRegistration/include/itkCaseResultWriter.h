@@ -40,6 +40,10 @@ CaseRegistration_EXPORT std::string
 CaseRegistration_EXPORT std::string
                         FindingsToJson(const std::vector<RegistrationFinding> & findings);
 
+/** Takes the files of an earlier result out of a folder, and leaves all others alone. \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+RemoveCaseResult(const std::string & folderName);
+
 /** Writes everything that a result is made of into a folder: result.json, overlays, scans in the cephalostat frame,
  * transforms. Made in a folder beside it and moved when complete: the files appear whole or not at all, those of an
  * earlier run are replaced. Throws DentalInputError where the folder can't be written.

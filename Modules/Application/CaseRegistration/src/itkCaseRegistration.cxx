@@ -403,6 +403,7 @@ CaseRegistration::CheckScans(DentalFrameObject * frames)
       entry.second.AddFinding(finding);
     }
   }
+  m_Result.unusableLandmarks = checks->GetUnusableLandmarks();
   m_Result.notCheckable.insert(
     m_Result.notCheckable.end(), checks->GetNotCheckable().begin(), checks->GetNotCheckable().end());
 }

@@ -147,6 +147,7 @@ CaseResultFileReader::GenerateData()
     schema->Fail("is \"" + schema->AsString() + "\", and this version reads \"" + Schema + "\"",
                  "register the case again");
   }
+  m_Status.fill("");
   PoseRegistrationResult result;
   result.geometry = ReadGeometry(root.Get("geometry"));
   m_MillimetresPerUnit = 1.0;
@@ -172,6 +173,7 @@ CaseResultFileReader::GenerateData()
     PoseJawResult own;
     own.jaw = jaw;
     own.registered = node->Find("projection_3x4").has_value();
+    m_Status[jaw == JawEnum::Upper ? 0 : 1] = node->Get("status").AsString();
     result.groupOfJaw.push_back(result.groups.size());
     if (!own.registered)
     {
@@ -214,6 +216,7 @@ CaseResultFileReader::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << m_FileName << std::endl;
+  os << indent << "Status: " << m_Status[0] << ' ' << m_Status[1] << std::endl;
   os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
 }
 } // namespace itk

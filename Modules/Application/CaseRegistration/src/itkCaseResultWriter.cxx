@@ -32,6 +32,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <random>
@@ -425,6 +426,11 @@ MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked)
     auto predicted = DentalLandmarkSet<2>::New();
     for (const LandmarkPrediction & landmark : jaw.landmarks)
     {
+      const auto & unusable = result.unusableLandmarks;
+      if (std::find(unusable.begin(), unusable.end(), landmark.name) != unusable.end())
+      {
+        continue;
+      }
       DentalLandmarkSet<2>::PointType point;
       point[0] = landmark.position[0];
       point[1] = landmark.position[1];
@@ -543,6 +549,16 @@ CaseResultToJson(const CaseResult & result)
   json["total_seconds"] = result.totalSeconds;
   json["notice"] = "Research software, not a medical device.";
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void
+RemoveCaseResult(const std::string & folderName)
+{
+  std::error_code error;
+  for (const char * name : OutputNames)
+  {
+    fs::remove(fs::u8path(folderName) / name, error);
+  }
 }
 
 void

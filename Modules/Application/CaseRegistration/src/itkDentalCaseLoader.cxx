@@ -154,6 +154,29 @@ SettleGeometry(const CephalogramFileReader * reader, DentalCaseData & data)
       dicomFacing = reader->GetFacing();
     }
   }
+  const auto compare = [&data](const char * field, double given, double fromDicom) {
+    // Rounded figures of one machine agree better.
+    constexpr double tolerance = 0.02;
+    if (std::abs(given - fromDicom) > tolerance * fromDicom)
+    {
+      std::ostringstream warning;
+      warning << field << ": the case says " << given << ", the DICOM file " << fromDicom << "; the case's is used";
+      data.warnings.push_back(warning.str());
+    }
+  };
+  if (description.sourceToDetector && dicomDetector)
+  {
+    compare("source_to_detector_mm", *description.sourceToDetector, *dicomDetector);
+  }
+  if (description.sourceToMidsagittal && dicomMidsagittal)
+  {
+    compare("source_to_midsagittal_mm", *description.sourceToMidsagittal, *dicomMidsagittal);
+  }
+  if (description.facing && dicomFacing && *description.facing != *dicomFacing)
+  {
+    data.warnings.emplace_back("facing: the case and the DICOM file's patient orientation contradict each other; the "
+                               "case's is used");
+  }
   settle(description.sourceToDetector, dicomDetector, data.sources.sourceToDetector, [&](double distance) {
     data.geometry->SetSourceToDetectorDistance(distance);
   });
@@ -211,6 +234,12 @@ SettleGeometry(const CephalogramFileReader * reader, DentalCaseData & data)
     spacing[1] = (*description.pixelSpacing)[1] * factor;
     data.geometry->SetPixelSpacing(spacing);
     data.sources.pixelSpacing = ValueSourceEnum::Given;
+    if (reader != nullptr && reader->HasPixelSpacing() && std::string(reader->GetFileFormat()) == "DICOM")
+    {
+      const auto own = reader->GetDetectorPixelSpacing(data.geometry->GetSourceToDetectorDistance(),
+                                                       data.geometry->GetSourceToMidsagittalDistance());
+      compare("pixel_spacing_mm", spacing[0], own[0]);
+    }
     data.spacingProvenance = description.spacingAtMidsagittalPlane
                                ? "case file, midsagittal plane, converted to the detector's"
                                : "case file, detector plane";

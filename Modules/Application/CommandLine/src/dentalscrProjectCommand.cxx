@@ -150,9 +150,19 @@ Project(const ProjectOptions & options)
         options.points, named.name, "is not projected to any place", "give a point of the scan, in its unit and frame");
     }
     json[named.name] = { { "jaw", named.jaw == JawEnum::Upper ? "upper" : "lower" },
+                         { "status", reader->GetStatus(named.jaw) },
                          { "position", { pixel[0], pixel[1] } },
                          { "sigma_px",
                            itk::LandmarkProjectionFilter::ToSigma(solution->ComputeCovariance(named.jaw, point)) } };
+  }
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    const std::string & status = reader->GetStatus(jaw);
+    if (status == "failed" || status == "suspect")
+    {
+      std::cerr << "dentalscr: warning: the " << jaw << " jaw is " << status << ": "
+                << (status == "failed" ? "its points are not to be used" : "look at its overlay first") << '\n';
+    }
   }
   const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
   if (options.output.empty())

@@ -105,7 +105,8 @@ PrintSummary(const itk::CaseResult & result, const std::string & output)
     {
       std::cout << ", Chamfer " << jaw.metrics.front().second.chamfer << " px";
     }
-    if (jaw.expectedError)
+    // Of a jaw that is not to be used nothing is expected.
+    if (jaw.expectedError && jaw.status != itk::RegistrationStatusEnum::Failed)
     {
       std::cout << ", expected error " << *jaw.expectedError << " px";
     }
@@ -131,9 +132,10 @@ PrintReasons(const itk::CaseResult & result)
   }
   for (const auto & entry : result.jaws)
   {
-    for (const std::string & reason : entry.second.GetReasons())
+    for (const itk::RegistrationFinding & finding : entry.second.findings)
     {
-      std::cerr << "dentalscr: " << entry.first << ": " << itk::ToString(entry.second.status) << ": " << reason << '\n';
+      std::cerr << "dentalscr: " << entry.first << ": " << itk::ToString(finding.severity) << ": " << finding.text
+                << '\n';
     }
   }
 }

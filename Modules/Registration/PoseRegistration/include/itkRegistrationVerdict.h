@@ -105,6 +105,8 @@ public:
     /** The longest side of the radiograph, mm, where the fit alone tells the pixel spacing. Films are 18 x 24 to 24 x
      * 30 cm; panels of 43 cm exist, and such a spacing is good to a few per cent. */
     double suspectFilmLength{ 400.0 };
+    /** Of a spacing that was given: no radiograph of a head is shorter, nor longer than the next. */
+    double shortestFilm{ 80.0 };
     double failedFilmLength{ 450.0 };
     double minimumArchWidth{ 30.0 };
     double maximumArchWidth{ 120.0 };

@@ -108,6 +108,15 @@ public:
     return m_NotCheckable;
   }
 
+  /** Names of landmarks that lie off their scan or at another one's place, and are used by nothing; valid after
+   * Update().
+   */
+  const std::vector<std::string> &
+  GetUnusableLandmarks() const
+  {
+    return m_UnusableLandmarks;
+  }
+
   DataObjectPointer
   MakeOutput(DataObjectPointerArraySizeType index) override;
 
@@ -128,6 +137,7 @@ protected:
 private:
   double                   m_MillimetresPerUnit{ 1.0 };
   std::vector<std::string> m_NotCheckable;
+  std::vector<std::string> m_UnusableLandmarks;
 };
 } // namespace itk
 

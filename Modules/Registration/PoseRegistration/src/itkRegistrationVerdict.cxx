@@ -335,7 +335,21 @@ JudgeFilm(const PoseGeometry &                       geometry,
 {
   const double length = std::max(static_cast<double>(imageSize[0]) * geometry.pixelSpacing[0],
                                  static_cast<double>(imageSize[1]) * geometry.pixelSpacing[1]);
-  if (geometry.pixelSpacingKnown || length <= thresholds.suspectFilmLength)
+  if (geometry.pixelSpacingKnown)
+  {
+    const bool isShort = length < thresholds.shortestFilm;
+    if (length > 0.0 && (isShort || length > thresholds.failedFilmLength))
+    {
+      Add(verdict,
+          StatusEnum::Suspect,
+          "film-size",
+          "by its pixel spacing the radiograph would be " + Number(length, 0) +
+            " mm long: is pixel_spacing_mm in cm, or of another resolution?",
+          { length, isShort ? thresholds.shortestFilm : thresholds.failedFilmLength, "mm" });
+    }
+    return;
+  }
+  if (length <= thresholds.suspectFilmLength)
   {
     return;
   }

@@ -52,9 +52,11 @@ constexpr double WidestArch = RegistrationVerdict::Thresholds().maximumArchWidth
 /** What an arch with its gingiva is wide, mm, give or take a third: of several units that could be meant the one that
  * comes nearest is named first. */
 constexpr double UsualArch = 68.0;
-/** Second longest side of a scan, mm, below which it shows no whole arch. The arch of milk teeth is 28 mm deep without
- * gingiva, a row of teeth with its gingiva 10 to 20 mm across. */
-constexpr double DepthOfPart = 25.0;
+/** Second longest side of a scan, mm, and its share of the longest, below which it shows no whole arch. The arch of
+ * milk teeth is 28 mm deep without gingiva and half as deep as wide or more; a quadrant with its gingiva, cut past the
+ * midline, is up to 28 mm across and 65 mm long. */
+constexpr double DepthOfPart = 30.0;
+constexpr double DepthShareOfPart = 0.5;
 /** Share of the area that each of two jaws in one file has at least, cosine between their mean normals, and share of a
  * part's area that its mean normal has where the part is an open shell: jaws face each other, a cast and its base or a
  * palate scanned apart do not. */
@@ -116,6 +118,8 @@ struct Scan
   TriangleSurface                                surface;
   std::vector<std::pair<std::string, PointType>> landmarks;
   FindingsType                                   findings;
+  /** Names of landmarks that are none of the scan. */
+  std::vector<std::string> unusable;
 
   bool
   IsThere() const
@@ -218,7 +222,8 @@ void
 CheckSize(Scan & scan, double millimetresPerUnit)
 {
   const std::array<double, 3> lengths = PrincipalLengths(scan);
-  if (lengths[0] >= NarrowestArch && lengths[0] <= WidestArch && lengths[1] < DepthOfPart)
+  if (lengths[0] >= NarrowestArch && lengths[0] <= WidestArch && lengths[1] < DepthOfPart &&
+      lengths[1] < DepthShareOfPart * lengths[0])
   {
     scan.Add(Suspect,
              "partial-arch",
@@ -385,6 +390,7 @@ CheckNamesAgainstScans(std::array<Scan, 2> & scans)
     {
       if (toOwn[i] > ScanCheckFilter::MaximumLandmarkDistance)
       {
+        scan.unusable.push_back(scan.landmarks[i].first);
         scan.landmarks.erase(scan.landmarks.begin() + static_cast<std::ptrdiff_t>(i));
       }
     }
@@ -566,6 +572,7 @@ ScanCheckFilter::GenerateData()
         {
           ++count;
           names += count > NamesSaid ? "" : (count == 1 ? "" : ", ") + landmark.name;
+          scan.unusable.push_back(landmark.name);
         }
         else
         {
@@ -586,6 +593,7 @@ ScanCheckFilter::GenerateData()
     }
   }
   m_NotCheckable.clear();
+  m_UnusableLandmarks.clear();
   if (scans[0].IsThere() && scans[1].IsThere() && AreSame(*scans[0].mesh, *scans[1].mesh))
   {
     for (Scan & scan : scans)
@@ -623,6 +631,7 @@ ScanCheckFilter::GenerateData()
                                  " cast was mirrored: a closed body's winding looks the same either way");
       }
     }
+    m_UnusableLandmarks.insert(m_UnusableLandmarks.end(), scan.unusable.begin(), scan.unusable.end());
     this->GetFindingsOutput(scan.jaw)->Set(scan.IsThere() ? scan.findings : FindingsType());
   }
 }
@@ -632,6 +641,7 @@ ScanCheckFilter::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
+  os << indent << "UnusableLandmarks: " << m_UnusableLandmarks.size() << std::endl;
   os << indent << "NotCheckable: " << m_NotCheckable.size() << std::endl;
 }
 } // namespace itk

@@ -470,7 +470,11 @@ TEST(RegistrationVerdict, AFilmIsNoLongerThanFilmsAre)
   EXPECT_EQ(named(901, 100), (Named{ { "film-size", Failed } }));
   EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), Named()) << "a size that nobody knows";
   result.geometry.pixelSpacingKnown = true;
-  EXPECT_EQ(named(2000, 2000), Named());
+  EXPECT_EQ(named(900, 1800), Named()) << "450 mm";
+  EXPECT_EQ(named(901, 100), (Named{ { "film-size", Suspect } }));
+  EXPECT_EQ(Thresholds().shortestFilm, 80.0);
+  EXPECT_EQ(named(160, 320), Named()) << "80 mm";
+  EXPECT_EQ(named(159, 319), (Named{ { "film-size", Suspect } }));
 }
 
 TEST(RegistrationVerdict, GoodResultIsOkWithoutReasons)
