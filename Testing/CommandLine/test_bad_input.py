@@ -155,7 +155,7 @@ def test_unknown_field_is_a_warning(run, case, tmp_path):
     "member, value",
     [
         ("upper", 3),
-        ("mesh_unit", "inch"),
+        ("mesh_unit", "foot"),
         ("traced_side", "middle"),
         ("numbering", "palmer"),
         ("occlusion", "maybe"),

@@ -90,6 +90,16 @@ def test_inches(run, case, plain, tmp_path):
             assert math.hypot(u - before["landmarks_px"][landmark][0], v - before["landmarks_px"][landmark][1]) < 0.2
 
 
+def test_millimetres_said_to_be_inches_fail_with_a_word(run, case, tmp_path):
+    case.change(mesh_unit="inch")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 1, done.stderr
+    for jaw in load(tmp_path / "out")["jaws"].values():
+        assert jaw["status"] == "failed"
+        (width,) = [finding for finding in jaw["findings"] if finding["code"] == "arch-width"]
+        assert '"mesh_unit": "mm" would fit' in width["text"]
+
+
 def test_a_speck_far_away_is_not_the_scan(run, case, plain, tmp_path):
     for name in ("upper", "lower"):
         triangles = read_stl(case.folder / f"{name}.stl")

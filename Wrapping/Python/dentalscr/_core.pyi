@@ -4670,6 +4670,7 @@ class RegistrationVerdictThresholds:
     landmarkApart: float
     maximumArchWidth: float
     minimumArchWidth: float
+    shortestFilm: float
     spacingDifference: float
     spacingScore: float
     suspectCodeOffset: float

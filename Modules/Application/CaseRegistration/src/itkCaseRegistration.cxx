@@ -20,6 +20,7 @@
 #include "itkCasePoseRegistration.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkDentalCaseFileReader.h"
+#include "itkDentalInputError.h"
 #include "itkDescribePlainly.h"
 
 #include "itkPoseRegistrationOptionTable.h"
@@ -504,7 +505,27 @@ CaseRegistration::RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshTy
   settings.numberOfThreads = this->GetNumberOfWorkUnits();
   settings.numberOfContourPoints = { { m_NumberOfUpperContourPoints, m_NumberOfLowerContourPoints } };
   settings.run = [this](ProcessObject * process) { this->Run(process, 0.35F, 0.95F); };
-  RegisterCaseByPose(*m_Data, axis, settings, m_Result);
+  try
+  {
+    RegisterCaseByPose(*m_Data, axis, settings, m_Result);
+  }
+  catch (const ProcessAborted &)
+  {
+    throw;
+  }
+  catch (const DentalInputError &)
+  {
+    throw;
+  }
+  catch (const ExceptionObject & error)
+  {
+    // A scan 25 times too large has no pose from which it could be seen: its findings say why, and this what came of it.
+    for (auto & entry : m_Result.jaws)
+    {
+      entry.second.registered = false;
+      entry.second.AddFinding(RegistrationStatusEnum::Failed, "not-registered", DescribePlainly(error));
+    }
+  }
 }
 
 void
