@@ -664,7 +664,11 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
       group.margin = std::min(group.margin, -std::expm1(-0.5 * (candidate.deviance - best.deviance)));
     }
   }
-  group.covariance = this->ComputeCovariance(*reference, pool);
+  // Of a question that is asked of a wrong input nobody asks how sure it is.
+  if (!m_Hypothesis)
+  {
+    group.covariance = this->ComputeCovariance(*reference, pool);
+  }
   this->Settle(*m_Metric, best);
   const auto sigmas = m_Priors.GetFitSigmas(false);
   for (unsigned int k = 0; k < 7; ++k)
@@ -712,18 +716,23 @@ PoseGroupRegistration::ComputeCovariance(const MetricType & reference, const std
     }
   }
   // A mixture of the minima, about the best one, which is what is reported.
-  std::array<double, 49> covariance{};
-  const PoseParameters   centre = ToPose(*m_Metric, best.x);
+  std::array<double, 49>              covariance{};
+  const PoseParameters                centre = ToPose(*m_Metric, best.x);
+  std::vector<std::array<double, 49>> own(minima.size());
+  m_Monitor.ForEach(minima.size(), m_Options.numberOfThreads, [&](std::size_t i) {
+    const MetricType::Pointer metric = this->CloneAt(minima[i]->x);
+    this->Settle(*metric, *minima[i]);
+    own[i] = ComputePoseCovariance(*metric, m_Options, m_Priors, m_CovarianceNoise);
+  });
   for (std::size_t i = 0; i < minima.size(); ++i)
   {
-    this->Settle(*m_Metric, *minima[i]);
-    const auto           own = ComputePoseCovariance(*m_Metric, m_Options, m_Priors, m_CovarianceNoise);
     const PoseParameters place = ToPose(*m_Metric, minima[i]->x);
     for (unsigned int a = 0; a < 7; ++a)
     {
       for (unsigned int b = 0; b < 7; ++b)
       {
-        covariance[7 * a + b] += shares[i] / sum * (own[7 * a + b] + (place[a] - centre[a]) * (place[b] - centre[b]));
+        covariance[7 * a + b] +=
+          shares[i] / sum * (own[i][7 * a + b] + (place[a] - centre[a]) * (place[b] - centre[b]));
       }
     }
   }
