@@ -43,8 +43,8 @@ struct CaseInputFile
 CaseRegistration_EXPORT std::string
                         ComputeFileSHA256(const std::string & fileName);
 
-/** What is recorded of a file. `folder` is that of the case file, "" for the command line: a name below it is told from
- * there. \ingroup CaseRegistration */
+/** What is recorded of a file. `folder` is that of the case file, "" for the command line: a name that was joined to it
+ * is told as it was given, also where it leads out of the folder. \ingroup CaseRegistration */
 CaseRegistration_EXPORT CaseInputFile
 MakeCaseInputFile(const std::string & field, const std::string & fileName, const std::string & folder);
 } // namespace itk

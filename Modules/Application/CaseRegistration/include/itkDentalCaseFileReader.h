@@ -31,6 +31,11 @@ namespace itk
 CaseRegistration_EXPORT DentalCase
 ReadDentalCase(const std::string & fileName);
 
+/** Whether a JSON file says what a case file says: names of scans, and what to place them by. A damaged one does not.
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT bool
+IsDentalCaseFile(const std::string & fileName);
+
 /** The same of the text of a case file. Names of files are relative to the folder; messages call the text by the name
  * of its source, as "command line". \ingroup CaseRegistration */
 CaseRegistration_EXPORT DentalCase

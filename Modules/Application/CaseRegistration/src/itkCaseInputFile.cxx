@@ -60,13 +60,11 @@ ComputeFileSHA256(const std::string & fileName)
 CaseInputFile
 MakeCaseInputFile(const std::string & field, const std::string & fileName, const std::string & folder)
 {
-  namespace fs = std::filesystem;
-  CaseInputFile  input{ field, fileName, ComputeFileSHA256(fileName) };
-  const fs::path path(fileName);
-  const fs::path relative = folder.empty() ? path : path.lexically_relative(folder);
-  if (!relative.empty() && *relative.begin() != "..")
+  CaseInputFile     input{ field, fileName, ComputeFileSHA256(fileName) };
+  const std::string before = folder.empty() ? "" : (std::filesystem::path(folder) / "").string();
+  if (fileName.rfind(before, 0) == 0)
   {
-    input.path = relative.string();
+    input.path.erase(0, before.size());
   }
   return input;
 }

@@ -31,6 +31,7 @@
 #include "itkRegistrationVerdictFilter.h"
 #include "itkToothCrownFilter.h"
 
+#include "itkMath.h"
 #include "itkTimeProbe.h"
 
 #include <algorithm>
@@ -262,7 +263,7 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
 double
 ToMeanDistance(double sigma)
 {
-  return std::sqrt(0.5 * 3.14159265358979323846) * sigma;
+  return std::sqrt(0.5 * Math::pi) * sigma;
 }
 
 /** How far off the jaw's landmarks are expected to be; without any, what is drawn of it. */
@@ -603,11 +604,15 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     {
       result.warnings.push_back("outline " + unused);
     }
-    const JawResult before = jaw;
+    const auto numberBefore = static_cast<std::ptrdiff_t>(jaw.findings.size());
+    const auto statusBefore = jaw.status;
     for (const RegistrationFinding & finding : verdict->GetVerdict(entry.first).findings)
     {
       // What the checks of the scan have said already, they said with what is in the file.
-      if (!before.HasFinding(finding.code) || finding.severity > before.status)
+      const bool isSaid = std::any_of(jaw.findings.begin(),
+                                      jaw.findings.begin() + numberBefore,
+                                      [&](const RegistrationFinding & said) { return said.code == finding.code; });
+      if (!isSaid || finding.severity > statusBefore)
       {
         jaw.AddFinding(finding);
       }
@@ -696,8 +701,8 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     {
       const PoseJawResult & jaw = solution->GetJaw(entry.first);
       const double          ownSigma = jaw.fit.numberOfPoints > 0 ? jaw.fit.predictedSigma : jaw.middleSigma;
-      // The verdict's pixels are of 0.25 mm.
-      PredictError(ownSigma * 0.25 / (0.5 * (spacing[0] + spacing[1])), result.jaws[entry.first]);
+      // The verdict's pixels are those that it works in.
+      PredictError(ownSigma * PoseWorkingPixel / (0.5 * (spacing[0] + spacing[1])), result.jaws[entry.first]);
     }
   }
   for (auto & entry : result.jaws)

@@ -519,7 +519,15 @@ CaseRegistration::RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshTy
   }
   catch (const ExceptionObject & error)
   {
-    // A scan 25 times too large has no pose from which it could be seen: its findings say why, and this what came of it.
+    // A scan 25 times too large has no pose from which it could be seen: its findings say why, and this what came of
+    // it. Where nothing was found, the mistake is not in the files.
+    const bool isExplained = std::any_of(m_Result.jaws.begin(), m_Result.jaws.end(), [](const auto & entry) {
+      return entry.second.status != RegistrationStatusEnum::Ok;
+    });
+    if (!isExplained)
+    {
+      throw;
+    }
     for (auto & entry : m_Result.jaws)
     {
       entry.second.registered = false;

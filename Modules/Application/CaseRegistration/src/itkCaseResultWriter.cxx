@@ -27,6 +27,7 @@
 #include "itkTextFile.h"
 #include "itkTransformFile.h"
 
+#include "itkMath.h"
 #include "itkSimilarity2DTransform.h"
 #include "itkVersorRigid3DTransform.h"
 
@@ -162,7 +163,7 @@ PoseToJson(const JawPose & pose)
 Json
 PoseSigmaToJson(const JawPose & pose)
 {
-  constexpr double degrees = 180.0 / 3.14159265358979323846;
+  constexpr double degrees = 180.0 / Math::pi;
   const auto       sigma = [&](unsigned int k) { return std::sqrt(pose.covariance[8 * k]); };
   return { { "pitch_deg", degrees * sigma(0) },
            { "roll_deg", degrees * sigma(1) },

@@ -689,6 +689,26 @@ ReadDentalCase(const std::string & fileName)
   return InterpretDentalCase(JsonDocument::ReadFile(fileName), fileName, fs::path(fileName).parent_path());
 }
 
+bool
+IsDentalCaseFile(const std::string & fileName)
+{
+  try
+  {
+    const auto root = JsonDocument::ReadFile(fileName).GetRoot();
+    const auto names = [&](const char * field) {
+      const auto node = root.Find(field);
+      return node && node->IsString();
+    };
+    // A result has a schema. A file of contours or of landmarks has lists by jaw, not the names of scans.
+    return root.IsObject() && !root.Find("schema") && (names("upper") || names("lower")) &&
+           (root.Find("contours") || root.Find("cephalometric_landmarks") || root.Find("cephalogram"));
+  }
+  catch (const DentalInputError &)
+  {
+    return false;
+  }
+}
+
 DentalCase
 ParseDentalCase(const std::string & text, const std::string & sourceName, const std::string & folder)
 {

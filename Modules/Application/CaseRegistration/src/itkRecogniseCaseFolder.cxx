@@ -19,6 +19,7 @@
 
 #include "itkCephalogramFileReader.h"
 #include "itkCephalometricLandmarkFileReader.h"
+#include "itkDentalCaseFileReader.h"
 #include "itkDentalContourFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
@@ -154,17 +155,9 @@ DescribeOwnJson(const std::string & file)
   std::string kind;
   Reads([&]() {
     const auto root = JsonDocument::ReadFile(file).GetRoot();
-    const bool isCase = root.IsObject() && (root.Find("upper") || root.Find("lower")) &&
-                        (root.Find("contours") || root.Find("cephalometric_landmarks") || root.Find("cephalogram"));
-    const auto contours = root.IsObject() ? root.Find("contours") : std::nullopt;
-    if (root.IsObject() && root.Find("schema"))
-    {
-      kind = "a result or a record of this toolkit";
-    }
-    else if (isCase && !(contours && contours->IsObject()))
-    {
-      kind = "a case file";
-    }
+    kind = root.IsObject() && root.Find("schema") ? "a result or a record of this toolkit"
+           : IsDentalCaseFile(file)               ? "a case file"
+                                                  : "";
     return true;
   });
   return kind;
