@@ -32,7 +32,6 @@ def patients(run, tmp_path_factory):
         assert done.returncode == 0, done.stderr
     shutil.copytree(folder / "north/p1", folder / "south/=cmd|bad")
     (folder / "south/=cmd|bad/upper.stl").write_bytes(b"PK\x03\x04 a zip")
-    # The only thing that nobody looks at while a case registers.
     return folder
 
 
@@ -88,8 +87,10 @@ def test_resumed_it_repeats_nothing_but_what_has_changed(run, patients, batch, t
     arguments = ("batch", cases, "--output", output, "--no-report")
     assert run(*arguments).returncode == 0
     before = times_of(output)
-    done = run(*arguments, "--resume")
-    assert done.returncode == 0 and "3 kept from before" in done.stdout
+    # How many run at once changes no result, so it is no reason to run them again.
+    for more in ([], ["--jobs", 3]):
+        done = run(*arguments, "--resume", *more)
+        assert done.returncode == 0 and "3 kept from before" in done.stdout
     assert times_of(output) == before
     contours = json.loads((cases / "north/p2/contours.json").read_text())
     contours["contours"]["upper"].pop()
@@ -111,20 +112,60 @@ def test_killed_and_started_again_it_loses_nothing(program, run, patients, tmp_p
     arguments = ["batch", str(patients), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"]
     process = subprocess.Popen([str(program), *arguments], stderr=subprocess.DEVNULL)
     deadline = time.monotonic() + 120
-    while not list(output.glob("*/result.json")) and time.monotonic() < deadline:
+    while not list(output.glob(".batch/*.json")) and time.monotonic() < deadline:
         time.sleep(0.01)
     process.send_signal(signal.SIGKILL)
     process.wait()
+    recorded = {path.stem for path in output.glob(".batch/*.json")}
+    before = times_of(output)
+    assert recorded and len(recorded) < 3
     # Its process ends with it, and the folder is free again.
     time.sleep(1.0)
-    before = times_of(output)
-    assert before
     done = run(*arguments[:-1], "--resume")
     assert done.returncode == 2
     after = times_of(output)
     assert set(after) == {"north_p1", "north_p2", "south_p1"}
-    recorded = [name for name in before if after[name] == before[name]]
-    assert len(recorded) >= len(before) - 1, "what was recorded stands; the one that was at work may be run again"
+    for name in recorded:
+        assert after[name] == before[name], "what was recorded stands"
+
+
+def test_stopped_it_tells_of_no_case_that_failed(program, run, patients, tmp_path):
+    """Ctrl-C goes to every process of the terminal's group: what it ends has not failed."""
+    output = tmp_path / "out"
+    process = subprocess.Popen(
+        [str(program), "batch", str(patients / "north"), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"],
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    deadline = time.monotonic() + 120
+    while not list(output.glob(".batch/*.log")) and time.monotonic() < deadline:
+        time.sleep(0.01)
+    os.killpg(process.pid, signal.SIGINT)
+    said = process.communicate(timeout=60)[1]
+    assert process.returncode == 2 and "interrupted" in said, said
+    assert "north_" not in said and not [row for row in rows_of(output) if row["status"] == "unusable"]
+
+
+def test_a_scan_that_cases_share_is_known_again(run, patients, tmp_path, monkeypatch):
+    """Names in a case file lead from it, also out of its folder, and wherever it is named from."""
+    shutil.copytree(patients / "north" / "p1", tmp_path / "shared")
+    case = json.loads((tmp_path / "shared" / "case.json").read_text())
+    for field in ("upper", "lower", "contours"):
+        case[field] = "../../shared/" + case[field]
+    for field in ("landmarks_3d", "landmarks_2d"):
+        case.pop(field, None)
+    case["cephalogram"].pop("image", None)
+    (tmp_path / "cohort" / "p").mkdir(parents=True)
+    (tmp_path / "cohort" / "p" / "case.json").write_text(json.dumps(case))
+    monkeypatch.chdir(tmp_path)
+    arguments = ("batch", "cohort", "--output", "out", "--no-report")
+    assert run(*arguments).returncode == 0
+    result = json.loads((tmp_path / "out" / "p" / "result.json").read_text())
+    assert result["inputs"]["upper"]["path"] == case["upper"]
+    assert "1 kept from before" in run(*arguments, "--resume").stdout
+    (tmp_path / "shared" / "contours.json").write_text((patients / "north/p2/contours.json").read_text())
+    assert "kept" not in run(*arguments, "--resume").stdout
 
 
 def test_one_owner_of_a_folder_at_a_time(program, run, patients, tmp_path):
@@ -133,7 +174,8 @@ def test_one_owner_of_a_folder_at_a_time(program, run, patients, tmp_path):
         [str(program), "batch", str(patients), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"],
         stderr=subprocess.DEVNULL,
     )
-    while not (output / ".batch" / "lock").exists():
+    deadline = time.monotonic() + 60
+    while not (output / ".batch" / "lock").exists() and time.monotonic() < deadline:
         time.sleep(0.01)
     time.sleep(0.1)
     done = run("batch", patients, "--output", output)

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import concurrent.futures
+import functools
 import multiprocessing
 import os
 import time
@@ -9,6 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Callable, Dict, NamedTuple, Optional, Union, cast
 
+from . import _core
 from ._case import Case, CaseResult, register
 from ._errors import ArgumentError
 from ._inputs import PathLike, as_path, is_path
@@ -32,31 +34,25 @@ def _run(case: Any, output: Optional[str], arguments: Dict[str, Any]) -> "tuple[
         return None, error, time.perf_counter() - start
 
 
-def _find(folder: Path) -> Dict[str, Any]:
-    """The cases below a folder as ``dentalscr batch`` names them."""
-    files = sorted(path for path in folder.rglob("case.json") if not any(part.startswith(".") for part in path.parts[:-1]))
-    if not files:
-        raise ArgumentError(f"{folder} holds no case.json: name the case files themselves")
-    return {"_".join(path.relative_to(folder).parent.parts) or folder.resolve().name: path for path in files}
-
-
 def _name(cases: Union[PathLike, Mapping[str, Any], Iterable[Any]]) -> Dict[str, Any]:
     if isinstance(cases, Mapping):
         return dict(cases)
-    if is_path(cases):
-        path = Path(as_path(cast("PathLike", cases)))
-        return _find(path) if path.is_dir() else {path.parent.resolve().name if path.name == "case.json" else path.stem: path}
+    given: Iterable[Any] = [cases] if is_path(cases) else cast("Iterable[Any]", cases)
     named: Dict[str, Any] = {}
-    for number, case in enumerate(cast("Iterable[Any]", cases), 1):
-        if is_path(case):
-            path = Path(as_path(case))
-            name = path.parent.resolve().name if path.name == "case.json" else path.stem
-        else:
-            name = f"case{number}"
-        if name in named:
-            raise ArgumentError(f'two cases are called "{name}": give a dict of names and cases')
-        named[name] = case
+    for number, case in enumerate(given, 1):
+        for name, found in _core._FindBatchCases(as_path(case)) if is_path(case) else [(f"case{number}", case)]:
+            if name in named:
+                raise ArgumentError(f'two cases are called "{name}": give a dict of names and cases')
+            named[name] = found
     return named
+
+
+def _make_worker(process: bool) -> concurrent.futures.Executor:
+    """One worker: a pool of several would break as a whole with one of its processes, and take cases with it."""
+    if process:
+        # Spawned: a fork of a process with threads may hang.
+        return concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn"))
+    return concurrent.futures.ThreadPoolExecutor(1)
 
 
 def batch(
@@ -75,9 +71,9 @@ def batch(
 
     Parameters
     ----------
-    cases : folder, iterable or dict
-        A folder with a ``case.json`` in each folder below; case files, :class:`Case` objects or keywords of one; or a dict
-        of these by name.
+    cases : path, iterable or dict
+        A folder, a table of case files, a case file or a pattern, as of ``dentalscr batch``; several of these,
+        :class:`Case` objects or keywords of one; or a dict of case files, objects or keywords by name.
     output : path, optional
         Folder in which each case gets one of its own, named after it.
     jobs : int, optional
@@ -102,32 +98,40 @@ def batch(
         raise ArgumentError(f"{workers} jobs do nothing: give 1 or more")
     folder = None if output is None else Path(as_path(output))
     arguments = {"threads": 1, **arguments}
-    pool: concurrent.futures.Executor
-    if processes:
-        # Spawned: a fork of a process with threads may hang.
-        pool = concurrent.futures.ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
-    else:
-        pool = concurrent.futures.ThreadPoolExecutor(workers)
+    idle = [_make_worker(processes) for _ in range(min(workers, len(named)))]
     waiting = iter(named.items())
-    running: "Dict[concurrent.futures.Future[Any], str]" = {}
+    running: "Dict[concurrent.futures.Future[Any], tuple[str, concurrent.futures.Executor]]" = {}
     done = 0
     try:
         while True:
             # No more than are at work: a thousand results that nobody has asked for yet would fill the memory.
-            while len(running) < workers:
+            while idle:
                 following = next(waiting, None)
                 if following is None:
                     break
                 name, case = following
-                given = str(case) if is_path(case) else case
-                target = None if folder is None else str(folder / name)
-                running[pool.submit(_run, given, target, arguments)] = name
+                task = functools.partial(
+                    _run, str(case) if is_path(case) else case, None if folder is None else str(folder / name), arguments
+                )
+                worker = idle.pop()
+                try:
+                    future = worker.submit(task)
+                except concurrent.futures.BrokenExecutor:
+                    # It died while it had nothing to do: no case's fault.
+                    worker.shutdown(wait=False)
+                    worker = _make_worker(processes)
+                    future = worker.submit(task)
+                running[future] = (name, worker)
             if not running:
                 return
             finished, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
             for future in finished:
-                name = running.pop(future)
+                name, worker = running.pop(future)
                 failure = future.exception()
+                if isinstance(failure, concurrent.futures.BrokenExecutor):
+                    worker.shutdown(wait=False)
+                    worker = _make_worker(processes)
+                idle.append(worker)
                 if failure is not None and not isinstance(failure, Exception):
                     raise failure
                 result, error, seconds = (None, failure, 0.0) if failure is not None else future.result()
@@ -136,9 +140,6 @@ def batch(
                 if progress is not None:
                     progress(done, len(named), item)
                 yield item
-            if processes and any(isinstance(future.exception(), concurrent.futures.BrokenExecutor) for future in finished):
-                # The worker died with its case; the others go on in new ones.
-                pool.shutdown(wait=False)
-                pool = concurrent.futures.ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
     finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+        for worker in [*idle, *(worker for _, worker in running.values())]:
+            worker.shutdown(wait=True, cancel_futures=True)

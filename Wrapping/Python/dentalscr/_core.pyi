@@ -5711,6 +5711,10 @@ def ReadTransform(fileName: str) -> Transform:
     ...
 def WriteTransform(transform: Transform, fileName: str) -> None:
     ...
+def _FindBatchCases(input: str) -> list[tuple[str, str]]:
+    """
+    Names and files of the cases of a folder, a table of case files, a case file or a pattern.
+    """
 def _Main(arguments: typing.Sequence[str]) -> int:
     ...
 def _ReadMesh(fileName: str) -> Mesh:

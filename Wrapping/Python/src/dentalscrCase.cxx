@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "dentalscrLandmarks.h"
 
+#include "itkBatchCaseList.h"
 #include "itkCaseOverlay.h"
 #include "itkCaseRegistration.h"
 #include "itkCaseLandmarkErrorFilter.h"
@@ -285,6 +286,21 @@ WrapCase(py::module_ & module)
     .def("_GetWarnings", [](const Case & self) { return self.data->warnings; })
     .def("_HasPrincipalPoint", [](const Case & self) { return self.data->HasPrincipalPoint(); })
     .def("_GetTracedSide", [](const Case & self) { return itk::ToString(self.data->description.tracedSide); });
+
+  module.def(
+    "_FindBatchCases",
+    [](const std::string & input) {
+      itk::BatchCaseList                               list;
+      std::vector<std::pair<std::string, std::string>> found;
+      for (const itk::BatchCase & one : list.Find({ input }))
+      {
+        // Without names of options a table's rows name case files, and nothing else comes of the list.
+        found.emplace_back(one.id, one.arguments.front());
+      }
+      return found;
+    },
+    py::arg("input"),
+    "Names and files of the cases of a folder, a table of case files, a case file or a pattern.");
 
   py::class_<CaseResult, std::shared_ptr<CaseResult>>(module, "_CaseResult")
     .def("_ToJson", &itk::CaseResultToJson)

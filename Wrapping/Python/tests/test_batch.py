@@ -1,6 +1,7 @@
 """Many cases from Python."""
 import json
 import os
+import shutil
 import subprocess
 import sys
 
@@ -60,12 +61,43 @@ def test_the_program_of_the_package_starts_itself_again(cohort, tmp_path):
 def test_names_and_arguments_are_checked(ds, cohort, tmp_path):
     with pytest.raises(ValueError, match="two cases"):
         list(ds.batch([cohort / "a" / "case.json", cohort / "a" / "case.json"]))
-    with pytest.raises(ValueError, match=r"holds no case\.json"):
+    with pytest.raises(ds.InputError, match="holds no case"):
         list(ds.batch(tmp_path))
     with pytest.raises(ValueError, match="processes=False"):
         list(ds.batch({"x": ds.ReadCase(cohort / "a" / "case.json")}))
     with pytest.raises(ValueError, match="jobs"):
         list(ds.batch(cohort, jobs=0))
+
+
+class Death:
+    """Ends the process that unpacks it."""
+
+    def __reduce__(self):
+        return os._exit, (3,)
+
+
+def test_a_worker_that_dies_takes_its_own_case_alone(ds, cohort):
+    cases = {"a": cohort / "a" / "case.json", "death": {"upper": Death()}, "b": cohort / "b" / "case.json", "later": {"upper": Death()}}
+    items = {item.id: item for item in ds.batch(cases, jobs=2)}
+    assert set(items) == set(cases)
+    for name in ("a", "b"):
+        assert items[name].error is None, items[name].error
+    for name in ("death", "later"):
+        assert items[name].result is None and "terminated" in str(items[name].error)
+
+
+def test_folders_are_searched_as_the_program_does(ds, cohort, tmp_path, monkeypatch):
+    """Below hidden folders and up a level as well, of which only those within the folder hide a case."""
+    hidden = tmp_path / ".cache" / "cohort"
+    for name in ("a/x", "b", ".old/c"):
+        shutil.copytree(cohort / "a", hidden / name)
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    for folder in (hidden, "../.cache/cohort"):
+        assert {item.id for item in ds.batch(folder, processes=False)} == {"a_x", "b"}
+    shutil.copytree(cohort / "a", hidden / "a_x")
+    with pytest.raises(ds.InputError, match="name of two cases"):
+        list(ds.batch(hidden))
 
 
 def test_it_can_be_left_in_the_middle(ds, cohort):

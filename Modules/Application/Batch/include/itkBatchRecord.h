@@ -47,6 +47,8 @@ struct Batch_EXPORT BatchRecord
   };
 
   BatchCase one;
+  /** Of the case: "ok", "suspect", "failed", or "unusable" where there is no result. */
+  std::string status{ "unusable" };
   /** Of `dentalscr register`; other than 0, 1 and 2 where it was ended by the system. */
   int exitCode{ 0 };
   /** The last that it said, where it has no result. */
@@ -56,11 +58,8 @@ struct Batch_EXPORT BatchRecord
   /** Not run now: the result of an earlier run stands. */
   bool isKept{ false };
 
-  /** "ok", "suspect", "failed", or "unusable" where there is no result. */
-  std::string
-  GetStatus() const;
-
-  /** Takes the jaws from the case's result.json. Throws DentalInputError where there is none that can be read. */
+  /** Takes the status and the jaws from the case's result.json. Throws DentalInputError where there is none that can be
+   * read. */
   void
   ReadResult(const std::string & folder);
 };

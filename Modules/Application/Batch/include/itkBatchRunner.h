@@ -32,9 +32,11 @@ namespace itk
  * \brief Registers many cases, each by a process of its own, so that what breaks one leaves the others alone.
  *
  * A process is `dentalscr register` with the case's arguments, those of SetArguments() and a folder of its own below
- * OutputFolder. As many run at once as NumberOfJobs says. What each has said stands in the hidden folder `.batch` of
+ * OutputFolder; what lies there of an earlier run is removed when it starts. As many run at once as NumberOfJobs says,
+ * each with its share of the cores, which changes no result. What each has said stands in the hidden folder `.batch` of
  * the output, beside a record of what was run; with Resume a case is left as it is whose record and result are there,
- * made by the same arguments of files that have not changed since. The folder belongs to one runner at a time.
+ * made by this version and the same arguments of files that have not changed since. The folder belongs to one runner at
+ * a time. A process that ends without a result it could be asked for is an unusable case, whatever its exit code.
  *
  * Events: ProgressEvent at least ten times a second while it waits, IterationEvent after each case (GetRecord()).
  * AbortGenerateDataOn() ends the processes, and Update() by ProcessAborted; what was complete is kept.
@@ -120,8 +122,8 @@ private:
 
   bool
   KeepEarlier(std::size_t index);
-  void
-  Start(std::size_t index, ChildType & child) const;
+  ChildType
+  Start(std::size_t index, unsigned int threads) const;
   void
   Finish(std::size_t index, int exitCode, double seconds);
 

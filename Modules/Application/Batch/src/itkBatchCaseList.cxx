@@ -17,8 +17,8 @@
  *=========================================================================*/
 #include "itkBatchCaseList.h"
 
+#include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
-#include "itkJsonDocument.h"
 #include "itkTextFile.h"
 
 #include <csv.h>
@@ -34,22 +34,6 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** Whether a JSON file says what a case file says; a damaged one may be one, and says so when it is registered. */
-bool
-IsCaseFile(const fs::path & path)
-{
-  try
-  {
-    const auto root = JsonDocument::ReadFile(path.string()).GetRoot();
-    return root.IsObject() && !root.Find("schema") && (root.Find("upper") || root.Find("lower")) &&
-           (root.Find("contours") || root.Find("cephalometric_landmarks"));
-  }
-  catch (const ExceptionObject &)
-  {
-    return false;
-  }
-}
-
 /** A name that can be a folder's: of the way to a file, without what cannot stand in one name. */
 std::string
 MakeId(const fs::path & way)
@@ -63,6 +47,13 @@ MakeId(const fs::path & way)
     }
   }
   return id;
+}
+
+/** Whether it is one folder below the output, in which nothing else lies. */
+bool
+IsFolderName(const std::string & id)
+{
+  return !id.empty() && id[0] != '.' && id.find('/') == std::string::npos;
 }
 
 /** After the folder of a case.json, after any other file's own name. */
@@ -189,7 +180,8 @@ BatchCaseList::AddFolder(const std::string & folder, std::vector<BatchCase> & ca
   {
     for (const auto & entry : fs::directory_iterator(folder, error))
     {
-      if (entry.path().extension() == ".json" && entry.is_regular_file(error) && IsCaseFile(entry.path()))
+      if (entry.path().extension() == ".json" && entry.is_regular_file(error) &&
+          IsDentalCaseFile(entry.path().string()))
       {
         found.push_back(entry.path());
       }
@@ -300,7 +292,7 @@ BatchCaseList::AddTable(const std::string & fileName, std::vector<BatchCase> & c
     {
       made.id = "row" + std::to_string(i + 1);
     }
-    if (made.id.find('/') != std::string::npos || made.id[0] == '.')
+    if (!IsFolderName(made.id))
     {
       itkDentalInputErrorMacro(
         fileName, place, "the id \"" + made.id + "\" can't be a folder's name", "choose another");
@@ -368,6 +360,13 @@ BatchCaseList::Find(const std::vector<std::string> & inputs)
   std::map<std::string, const BatchCase *> names;
   for (const BatchCase & one : cases)
   {
+    if (!IsFolderName(one.id))
+    {
+      itkDentalInputErrorMacro("batch",
+                               one.id,
+                               "can't be a folder's name, as the case " + one.arguments.back() + " would need",
+                               "name it by a column \"id\" of a table of cases");
+    }
     const auto added = names.emplace(one.id, &one);
     if (!added.second)
     {

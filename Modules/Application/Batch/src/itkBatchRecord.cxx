@@ -24,28 +24,11 @@
 
 namespace itk
 {
-std::string
-BatchRecord::GetStatus() const
-{
-  if (jaws.empty())
-  {
-    return "unusable";
-  }
-  std::string worst = "ok";
-  for (const JawType & jaw : jaws)
-  {
-    if (jaw.status == "failed" || (jaw.status == "suspect" && worst == "ok"))
-    {
-      worst = jaw.status;
-    }
-  }
-  return worst;
-}
-
 void
 BatchRecord::ReadResult(const std::string & folder)
 {
   const auto root = JsonDocument::ReadFile((std::filesystem::path(folder) / "result.json").string()).GetRoot();
+  status = root.Get("status").AsString();
   jaws.clear();
   const auto numberOf = [](const JsonNode & node, const char * group, const char * field) {
     const auto            outer = group == nullptr ? std::optional<JsonNode>(node) : node.Find(group);

@@ -20,6 +20,7 @@
 #include "itkCaseInputFile.h"
 #include "itkCaseResultWriter.h"
 #include "itkDentalInputError.h"
+#include "itkDentalSCRVersion.h"
 #include "itkJsonDocument.h"
 #include "itkTextFile.h"
 
@@ -131,10 +132,11 @@ InputsAreUnchanged(const JsonNode & root, const BatchCase & one)
 }
 } // namespace
 
+/** A process that runs: there is none whose number is not known. */
 struct BatchRunner::ChildType
 {
-  pid_t             process{ 0 };
-  std::size_t       index{ 0 };
+  pid_t             process;
+  std::size_t       index;
   Clock::time_point start;
 };
 
@@ -229,8 +231,9 @@ BatchRunner::KeepEarlier(std::size_t index)
     }
     std::vector<std::string> now = one.arguments;
     now.insert(now.end(), m_Arguments.begin(), m_Arguments.end());
-    const auto exitCode = root.Get("exit_code").AsInteger(0, 255);
-    if (arguments != now || exitCode > 1 ||
+    const auto exitCode = root.Get("exit_code").AsInteger(-1, 255);
+    // Another version may come to another result, and the tables say of all rows what made them.
+    if (arguments != now || exitCode < 0 || exitCode > 1 || root.Get("software").AsString() != DentalSCRVersion ||
         !InputsAreUnchanged(JsonDocument::ReadFile((folder / "result.json").string()).GetRoot(), one))
     {
       return false;
@@ -249,19 +252,23 @@ BatchRunner::KeepEarlier(std::size_t index)
   }
 }
 
-void
-BatchRunner::Start(std::size_t index, ChildType & child) const
+BatchRunner::ChildType
+BatchRunner::Start(std::size_t index, unsigned int threads) const
 {
   const BatchCase & one = m_Cases[index];
   const fs::path    records = fs::path(m_OutputFolder) / ".batch";
   std::error_code   error;
-  // From here until it is written anew there is no record: killed in between, the case is run again.
+  // From here until it is written anew there is no record: killed in between, the case is run again. And no result:
+  // what lies in the folder when the process has ended is the process's own.
   fs::remove(records / (one.id + ".json"), error);
+  RemoveCaseResult((fs::path(m_OutputFolder) / one.id).string());
   std::vector<std::string> words = m_Program;
   words.emplace_back("register");
   words.insert(words.end(), one.arguments.begin(), one.arguments.end());
   words.insert(words.end(), m_Arguments.begin(), m_Arguments.end());
-  words.insert(words.end(), { "--output", (fs::path(m_OutputFolder) / one.id).string(), "--quiet" });
+  words.insert(
+    words.end(),
+    { "--output", (fs::path(m_OutputFolder) / one.id).string(), "--quiet", "--threads", std::to_string(threads) });
   std::vector<char *> pointers;
   for (std::string & word : words)
   {
@@ -270,12 +277,13 @@ BatchRunner::Start(std::size_t index, ChildType & child) const
   pointers.push_back(nullptr);
   const std::string log = (records / (one.id + ".log")).string();
   const pid_t       parent = getpid();
-  child.index = index;
-  child.start = Clock::now();
-  child.process = fork();
-  if (child.process == 0)
+  const auto        start = Clock::now();
+  const pid_t       process = fork();
+  if (process == 0)
   {
-    // Between fork and exec only what a signal handler may do. It ends with its runner, however that ends.
+    // Between fork and exec only what a signal handler may do. It ends with its runner, however that ends, and by its
+    // runner alone: the terminal's Ctrl-C goes to a group, and would look like a case that has failed.
+    setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent)
     {
@@ -290,10 +298,11 @@ BatchRunner::Start(std::size_t index, ChildType & child) const
     execvp(pointers[0], pointers.data());
     _exit(127);
   }
-  if (child.process < 0)
+  if (process < 0)
   {
     itkExceptionMacro("No process can be started: " << std::strerror(errno));
   }
+  return { process, index, start };
 }
 
 void
@@ -305,32 +314,49 @@ BatchRunner::Finish(std::size_t index, int exitCode, double seconds)
   BatchRecord &     record = m_Records[index];
   record.exitCode = exitCode;
   record.seconds = seconds;
+  // Without the program's name before it: whoever tells of it puts it there.
+  constexpr char prefix[] = "dentalscr: ";
+  std::string    said = LastLine(records / (one.id + ".log"));
+  if (said.rfind(prefix, 0) == 0)
+  {
+    said.erase(0, sizeof(prefix) - 1);
+  }
+  const std::string ended = "the program ended with " + std::to_string(exitCode);
   if (exitCode == 0 || exitCode == 1)
   {
-    record.ReadResult(folder.string());
+    try
+    {
+      record.ReadResult(folder.string());
+    }
+    catch (const DentalInputError &)
+    {
+      // An interpreter ends with 1, too.
+      record.status = BatchRecord().status;
+      record.jaws.clear();
+      record.message = ended + " and left no result: " + said;
+    }
   }
   else
   {
-    // Without the program's name before it: whoever tells of it puts it there.
-    constexpr char prefix[] = "dentalscr: ";
-    std::string    said = LastLine(records / (one.id + ".log"));
-    if (said.rfind(prefix, 0) == 0)
-    {
-      said.erase(0, sizeof(prefix) - 1);
-    }
     record.message = exitCode == 2     ? said
+                     : exitCode < 0    ? "nobody can say how the program ended: " + said
                      : exitCode == 127 ? "the program " + m_Program.front() + " can't be started"
                      : exitCode > 128
                        ? "the program was ended by signal " + std::to_string(exitCode - 128) + ": " + said
-                       : "the program ended with " + std::to_string(exitCode) + ": " + said;
-    // Of an earlier run, which is not this case's any more.
+                       : ended + ": " + said;
+  }
+  if (record.jaws.empty())
+  {
+    // Half a result is none.
     RemoveCaseResult(folder.string());
   }
   std::vector<std::string> arguments = one.arguments;
   arguments.insert(arguments.end(), m_Arguments.begin(), m_Arguments.end());
-  const Json json = {
-    { "arguments", arguments }, { "exit_code", exitCode }, { "seconds", seconds }, { "message", record.message }
-  };
+  const Json json = { { "software", DentalSCRVersion },
+                      { "arguments", arguments },
+                      { "exit_code", exitCode },
+                      { "seconds", seconds },
+                      { "message", record.message } };
   WriteFileAtomically((records / (one.id + ".json")).string(),
                       json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
 }
@@ -355,9 +381,11 @@ BatchRunner::GenerateData()
   {
     m_Records[i].one = m_Cases[i];
   }
-  const auto             beginning = Clock::now();
-  const auto             cores = std::max(1u, std::thread::hardware_concurrency());
-  const auto             jobs = m_NumberOfJobs > 0 ? m_NumberOfJobs : cores;
+  const auto beginning = Clock::now();
+  const auto cores = std::max(1u, std::thread::hardware_concurrency());
+  const auto jobs = m_NumberOfJobs > 0 ? m_NumberOfJobs : cores;
+  // Cores that no case needs serve the others.
+  const auto             threads = std::max(1u, cores / jobs);
   std::size_t            next = 0;
   std::vector<ChildType> children;
   const auto             endAll = [&]() {
@@ -367,7 +395,8 @@ BatchRunner::GenerateData()
     }
     for (const ChildType & child : children)
     {
-      waitpid(child.process, nullptr, 0);
+      while (waitpid(child.process, nullptr, 0) < 0 && errno == EINTR)
+      {}
     }
     children.clear();
   };
@@ -383,38 +412,44 @@ BatchRunner::GenerateData()
   {
     while (m_NumberOfFinishedCases < m_Cases.size())
     {
-      while (next < m_Cases.size() && children.size() < jobs)
+      this->InvokeEvent(ProgressEvent());
+      // Before any process is asked how it ended: what is ended by an abort has not failed.
+      if (this->GetAbortGenerateData())
+      {
+        throw ProcessAborted(__FILE__, __LINE__);
+      }
+      bool waits = true;
+      while (waits && next < m_Cases.size() && children.size() < jobs)
       {
         const std::size_t index = next++;
         if (m_Resume && this->KeepEarlier(index))
         {
+          // One at a time: its files were read to know them, and others may have ended meanwhile.
           done(index);
-          continue;
+          waits = false;
         }
-        children.emplace_back();
-        this->Start(index, children.back());
+        else
+        {
+          children.push_back(this->Start(index, threads));
+        }
       }
       for (std::size_t k = 0; k < children.size();)
       {
-        int status = 0;
-        if (waitpid(children[k].process, &status, WNOHANG) == 0)
+        int         status = 0;
+        const pid_t ended = waitpid(children[k].process, &status, WNOHANG);
+        if (ended == 0 || (ended < 0 && errno == EINTR))
         {
           ++k;
           continue;
         }
         const ChildType child = children[k];
         children.erase(children.begin() + static_cast<std::ptrdiff_t>(k));
-        const int exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        const int exitCode = ended < 0 ? -1 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
         this->Finish(child.index, exitCode, SecondsSince(child.start));
         ++m_NumberOfRunCases;
         done(child.index);
       }
-      this->InvokeEvent(ProgressEvent());
-      if (this->GetAbortGenerateData())
-      {
-        throw ProcessAborted(__FILE__, __LINE__);
-      }
-      if (!children.empty())
+      if (waits && !children.empty())
       {
         std::this_thread::sleep_for(PollInterval);
       }

@@ -176,10 +176,10 @@ std::string
 BatchSummary::ToPage() const
 {
   std::string data = MakeJson(m_Records).dump(-1, ' ', false, Json::error_handler_t::replace);
-  // Nothing in it ends the script that it stands in.
-  for (std::size_t place = data.find("</"); place != std::string::npos; place = data.find("</", place + 3))
+  // Nothing in it ends the script that it stands in, nor begins what would hide the end.
+  for (std::size_t place = data.find('<'); place != std::string::npos; place = data.find('<', place))
   {
-    data.replace(place, 2, "<\\/");
+    data.replace(place, 1, "\\u003c");
   }
   std::string            page = BatchPage;
   constexpr const char * word = "BATCH_DATA";

@@ -33,7 +33,6 @@
 #include <iostream>
 #include <memory>
 #include <sstream>
-#include <thread>
 
 namespace dentalscr
 {
@@ -121,12 +120,7 @@ Batch(const BatchOptions & options, const CommonOptions & common)
   {
     std::cerr << "dentalscr: warning: " << warning << '\n';
   }
-  const unsigned int cores = std::max(1u, std::thread::hardware_concurrency());
-  const unsigned int jobs = options.jobs > 0 ? options.jobs : common.threads > 0 ? common.threads : cores;
-  // Cores that no case needs serve the others; the results are the same.
-  std::vector<std::string> arguments{
-    "--preset", options.preset, "--threads", std::to_string(std::max(1u, cores / jobs))
-  };
+  std::vector<std::string> arguments{ "--preset", options.preset };
   for (const std::string & assignment : options.set)
   {
     arguments.insert(arguments.end(), { "--option", assignment });
@@ -140,7 +134,7 @@ Batch(const BatchOptions & options, const CommonOptions & common)
   runner->SetArguments(arguments);
   runner->SetProgram(FindProgram());
   runner->SetOutputFolder(options.output);
-  runner->SetNumberOfJobs(jobs);
+  runner->SetNumberOfJobs(options.jobs > 0 ? options.jobs : common.threads);
   runner->SetResume(options.resume);
 
   // Tables that grow while it runs: a long batch can be looked at.
@@ -148,7 +142,7 @@ Batch(const BatchOptions & options, const CommonOptions & common)
   auto           written = std::chrono::steady_clock::now();
   std::size_t    failed = 0;
   runner->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {
-    const std::string status = runner->GetRecord().GetStatus();
+    const std::string status = runner->GetRecord().status;
     failed += status == "failed" || status == "unusable" ? 1 : 0;
     if (status == "unusable")
     {
@@ -184,7 +178,7 @@ Batch(const BatchOptions & options, const CommonOptions & common)
   std::size_t kept = 0;
   for (const auto & record : records)
   {
-    const std::string status = record.GetStatus();
+    const std::string & status = record.status;
     ++counts[status == "ok" ? 0 : status == "suspect" ? 1 : status == "failed" ? 2 : 3];
     kept += record.isKept ? 1 : 0;
   }
