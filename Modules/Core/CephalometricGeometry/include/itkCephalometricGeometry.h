@@ -19,6 +19,7 @@
 #define itkCephalometricGeometry_h
 
 #include "CephalometricGeometryExport.h"
+#include "itkCephalometricDirection.h"
 #include "itkPerspectiveProjection.h"
 
 #include "itkContinuousIndex.h"
@@ -30,8 +31,7 @@
 namespace itk
 {
 /** \class CephalometricGeometry
- * \brief Where source, midsagittal plane, detector and pixels of a lateral cephalogram are, and where the object is in
- * it.
+ * \brief Where source, detector and pixels of a cephalogram are, and where the object is in it.
  *
  * Cephalostat frame, mm: origin where the central ray meets the midsagittal plane, x anterior, y to the patient's left,
  * z superior. With D the source-to-detector and S the source-to-midsagittal distance, a point (x, y, z) of that frame
@@ -41,6 +41,14 @@ namespace itk
  *
  * with k = +1 where the source is on the patient's right, -1 on the left; f = +1 where the patient faces right in the
  * image, -1 left. Neither changes the other. Pixel spacing is in mm in the detector plane.
+ *
+ * That is a lateral cephalogram, the default. In a frontal one (SetDirection()) the rays run along x, and S is the
+ * distance to the midcoronal plane, through the ear rods:
+ *
+ *   m = D / (S + k x),   u = pp_u + f m y / sp_u,   v = pp_v - m z / sp_v
+ *
+ * with k = +1 where the source is behind the patient (postero-anterior, the usual way), -1 in front; f = +1 where the
+ * patient's left is on the image's right, as one faces the patient, -1 otherwise.
  *
  * The pose maps the object's frame (mesh or UMDA) to the cephalostat frame: c = R p + t; it is the identity unless set.
  * The pixel spacing has no default: an unknown spacing is never 1.0, and projecting without one is an error.
@@ -75,6 +83,20 @@ public:
     Left
   };
 
+  using DirectionEnum = CephalometricDirectionEnum;
+  /** Where the X-ray source of a frontal cephalogram stands. */
+  enum class FrontalSourceEnum : uint8_t
+  {
+    Behind,
+    InFront
+  };
+  /** Where the patient's left is in a frontal cephalogram. */
+  enum class PatientLeftEnum : uint8_t
+  {
+    Right,
+    Left
+  };
+
   using PointType = Point<double, 3>;
   using VectorType = Vector<double, 3>;
   using PixelIndexType = ContinuousIndex<double, 2>;
@@ -91,7 +113,12 @@ public:
     VectorType direction;
   };
 
-  /** mm, > 0 and smaller than the source-to-detector distance. Default 1524 (60 inches). */
+  /** Lateral by default. What is said of sides holds in its own direction and is kept, unused, in the other. */
+  itkSetEnumMacro(Direction, DirectionEnum);
+  itkGetEnumMacro(Direction, DirectionEnum);
+
+  /** mm, > 0 and smaller than the source-to-detector distance. Default 1524 (60 inches). In a frontal cephalogram to
+   * the midcoronal plane. */
   itkSetMacro(SourceToMidsagittalDistance, double);
   itkGetConstMacro(SourceToMidsagittalDistance, double);
 
@@ -99,13 +126,21 @@ public:
   itkSetMacro(SourceToDetectorDistance, double);
   itkGetConstMacro(SourceToDetectorDistance, double);
 
-  /** Default Right. */
+  /** Lateral: default Right. */
   itkSetEnumMacro(SourceSide, SourceSideEnum);
   itkGetEnumMacro(SourceSide, SourceSideEnum);
 
-  /** Default Right. */
+  /** Lateral: default Right. */
   itkSetEnumMacro(Facing, FacingEnum);
   itkGetEnumMacro(Facing, FacingEnum);
+
+  /** Frontal: default Behind. */
+  itkSetEnumMacro(FrontalSource, FrontalSourceEnum);
+  itkGetEnumMacro(FrontalSource, FrontalSourceEnum);
+
+  /** Frontal: default Right, as one faces the patient. */
+  itkSetEnumMacro(PatientLeft, PatientLeftEnum);
+  itkGetEnumMacro(PatientLeft, PatientLeftEnum);
 
   /** Continuous pixel index where the central ray meets the detector: on a cephalostat the ear-rod ring. Default (0,
    * 0). */
@@ -127,18 +162,22 @@ public:
   itkGetConstReferenceMacro(PoseRotation, RotationType);
   itkGetConstReferenceMacro(PoseTranslation, VectorType);
 
-  /** k of the projection: +1 with the source on the right, -1 on the left. */
+  /** k of the projection: +1 with the source on the right (frontal: behind), -1 on the left (in front). */
   double
   GetSourceSign() const;
-  /** f of the projection: +1 facing right, -1 left. */
+  /** f of the projection: +1 facing right (frontal: the patient's left on the right), -1 left. */
   double
   GetFacingSign() const;
+  /** The axis of the cephalostat frame along the film: 0, x, of a lateral cephalogram, 1, y, of a frontal one. The
+   * other of the two runs along the central ray. */
+  unsigned int
+  GetFilmAxis() const;
 
   /** Object frame to cephalostat frame. */
   PointType
   TransformToCephalostat(const PointType & point) const;
 
-  /** Magnification D / (S + k y) of a point of the object frame. */
+  /** Magnification D / (S + k y), frontal D / (S + k x), of a point of the object frame. */
   double
   GetMagnification(const PointType & point) const;
 
@@ -165,7 +204,7 @@ public:
   GetSourcePosition() const;
 
   /** Object frame (mm) to homogeneous pixel index, pose included. The third row is scaled to be 1 at the midsagittal
-   * plane. */
+   * (frontal: midcoronal) plane. */
   ProjectionMatrixType
   GetProjectionMatrix() const;
 
@@ -192,20 +231,29 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  double           m_SourceToMidsagittalDistance{ 1524.0 };
-  double           m_SourceToDetectorDistance{ 1674.0 };
-  SourceSideEnum   m_SourceSide{ SourceSideEnum::Right };
-  FacingEnum       m_Facing{ FacingEnum::Right };
-  PixelIndexType   m_PrincipalPoint;
-  PixelSpacingType m_PixelSpacing;
-  RotationType     m_PoseRotation;
-  VectorType       m_PoseTranslation;
+  DirectionEnum     m_Direction{ DirectionEnum::Lateral };
+  double            m_SourceToMidsagittalDistance{ 1524.0 };
+  double            m_SourceToDetectorDistance{ 1674.0 };
+  SourceSideEnum    m_SourceSide{ SourceSideEnum::Right };
+  FacingEnum        m_Facing{ FacingEnum::Right };
+  FrontalSourceEnum m_FrontalSource{ FrontalSourceEnum::Behind };
+  PatientLeftEnum   m_PatientLeft{ PatientLeftEnum::Right };
+  PixelIndexType    m_PrincipalPoint;
+  PixelSpacingType  m_PixelSpacing;
+  RotationType      m_PoseRotation;
+  VectorType        m_PoseTranslation;
 };
 
 CephalometricGeometry_EXPORT std::ostream &
                              operator<<(std::ostream & os, CephalometricGeometry::SourceSideEnum side);
 CephalometricGeometry_EXPORT std::ostream &
                              operator<<(std::ostream & os, CephalometricGeometry::FacingEnum facing);
+CephalometricGeometry_EXPORT std::ostream &
+                             operator<<(std::ostream & os, CephalometricGeometry::DirectionEnum direction);
+CephalometricGeometry_EXPORT std::ostream &
+                             operator<<(std::ostream & os, CephalometricGeometry::FrontalSourceEnum source);
+CephalometricGeometry_EXPORT std::ostream &
+                             operator<<(std::ostream & os, CephalometricGeometry::PatientLeftEnum side);
 } // namespace itk
 
 #endif

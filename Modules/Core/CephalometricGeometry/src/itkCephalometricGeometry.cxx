@@ -35,6 +35,24 @@ operator<<(std::ostream & os, CephalometricGeometry::FacingEnum facing)
   return os << (facing == CephalometricGeometry::FacingEnum::Right ? "Right" : "Left");
 }
 
+std::ostream &
+operator<<(std::ostream & os, CephalometricGeometry::DirectionEnum direction)
+{
+  return os << (direction == CephalometricGeometry::DirectionEnum::Lateral ? "Lateral" : "Frontal");
+}
+
+std::ostream &
+operator<<(std::ostream & os, CephalometricGeometry::FrontalSourceEnum source)
+{
+  return os << (source == CephalometricGeometry::FrontalSourceEnum::Behind ? "Behind" : "InFront");
+}
+
+std::ostream &
+operator<<(std::ostream & os, CephalometricGeometry::PatientLeftEnum side)
+{
+  return os << (side == CephalometricGeometry::PatientLeftEnum::Right ? "Right" : "Left");
+}
+
 CephalometricGeometry::CephalometricGeometry()
 {
   m_PrincipalPoint.Fill(0.0);
@@ -94,13 +112,23 @@ CephalometricGeometry::SetPoseToIdentity()
 double
 CephalometricGeometry::GetSourceSign() const
 {
-  return m_SourceSide == SourceSideEnum::Right ? 1.0 : -1.0;
+  const bool isPositive = m_Direction == DirectionEnum::Lateral ? m_SourceSide == SourceSideEnum::Right
+                                                                : m_FrontalSource == FrontalSourceEnum::Behind;
+  return isPositive ? 1.0 : -1.0;
 }
 
 double
 CephalometricGeometry::GetFacingSign() const
 {
-  return m_Facing == FacingEnum::Right ? 1.0 : -1.0;
+  const bool isPositive =
+    m_Direction == DirectionEnum::Lateral ? m_Facing == FacingEnum::Right : m_PatientLeft == PatientLeftEnum::Right;
+  return isPositive ? 1.0 : -1.0;
+}
+
+unsigned int
+CephalometricGeometry::GetFilmAxis() const
+{
+  return m_Direction == DirectionEnum::Lateral ? 0 : 1;
 }
 
 void
@@ -134,7 +162,7 @@ double
 CephalometricGeometry::GetMagnification(const PointType & point) const
 {
   const PointType c = this->TransformToCephalostat(point);
-  const double    depth = m_SourceToMidsagittalDistance + this->GetSourceSign() * c[1];
+  const double    depth = m_SourceToMidsagittalDistance + this->GetSourceSign() * c[1 - this->GetFilmAxis()];
   if (!(depth > 0.0))
   {
     itkExceptionMacro("The point " << point << " lies " << -depth
@@ -153,7 +181,7 @@ CephalometricGeometry::ProjectPoint(const PointType & point) const -> PixelIndex
   const double    m = this->GetMagnification(point);
   const PointType c = this->TransformToCephalostat(point);
   PixelIndexType  index;
-  index[0] = m_PrincipalPoint[0] + this->GetFacingSign() * m * c[0] / m_PixelSpacing[0];
+  index[0] = m_PrincipalPoint[0] + this->GetFacingSign() * m * c[this->GetFilmAxis()] / m_PixelSpacing[0];
   index[1] = m_PrincipalPoint[1] - m * c[2] / m_PixelSpacing[1];
   return index;
 }
@@ -164,17 +192,19 @@ namespace
 CephalometricGeometry::PointJacobianType
 CephalostatJacobian(const CephalometricGeometry & geometry, const CephalometricGeometry::PointType & c, double m)
 {
-  const double k = geometry.GetSourceSign();
-  const double f = geometry.GetFacingSign();
-  const auto & spacing = geometry.GetPixelSpacing();
-  // dm/dy = -k m^2 / D
+  const double       k = geometry.GetSourceSign();
+  const double       f = geometry.GetFacingSign();
+  const auto &       spacing = geometry.GetPixelSpacing();
+  const unsigned int film = geometry.GetFilmAxis();
+  const unsigned int ray = 1 - film;
+  // dm/d(depth) = -k m^2 / D
   const double                             dm = -k * m * m / geometry.GetSourceToDetectorDistance();
   CephalometricGeometry::PointJacobianType jacobian;
-  jacobian(0, 0) = f * m / spacing[0];
-  jacobian(0, 1) = f * dm * c[0] / spacing[0];
+  jacobian(0, film) = f * m / spacing[0];
+  jacobian(0, ray) = f * dm * c[film] / spacing[0];
   jacobian(0, 2) = 0.0;
-  jacobian(1, 0) = 0.0;
-  jacobian(1, 1) = -dm * c[2] / spacing[1];
+  jacobian(1, film) = 0.0;
+  jacobian(1, ray) = -dm * c[2] / spacing[1];
   jacobian(1, 2) = -m / spacing[1];
   return jacobian;
 }
@@ -217,10 +247,8 @@ CephalometricGeometry::ComputePoseJacobian(const PointType & point) const -> Pos
 auto
 CephalometricGeometry::GetSourcePosition() const -> PointType
 {
-  VectorType source;
-  source[0] = 0.0;
-  source[1] = -this->GetSourceSign() * m_SourceToMidsagittalDistance;
-  source[2] = 0.0;
+  VectorType source(0.0);
+  source[1 - this->GetFilmAxis()] = -this->GetSourceSign() * m_SourceToMidsagittalDistance;
   const VectorType inObject = RotationType(m_PoseRotation.GetTranspose()) * (source - m_PoseTranslation);
   PointType        position;
   for (unsigned int d = 0; d < 3; ++d)
@@ -234,9 +262,10 @@ auto
 CephalometricGeometry::BackProject(const PixelIndexType & index) const -> RayType
 {
   this->VerifyComplete();
-  VectorType direction;
-  direction[0] = this->GetFacingSign() * (index[0] - m_PrincipalPoint[0]) * m_PixelSpacing[0];
-  direction[1] = this->GetSourceSign() * m_SourceToDetectorDistance;
+  VectorType         direction;
+  const unsigned int film = this->GetFilmAxis();
+  direction[film] = this->GetFacingSign() * (index[0] - m_PrincipalPoint[0]) * m_PixelSpacing[0];
+  direction[1 - film] = this->GetSourceSign() * m_SourceToDetectorDistance;
   direction[2] = -(index[1] - m_PrincipalPoint[1]) * m_PixelSpacing[1];
   direction.Normalize();
   RayType ray;
@@ -253,16 +282,18 @@ CephalometricGeometry::GetProjectionMatrix() const -> ProjectionMatrixType
   const double f = this->GetFacingSign();
   const double S = m_SourceToMidsagittalDistance;
   const double D = m_SourceToDetectorDistance;
-  // Rows over cephalostat coordinates (x, y, z, 1), divided by S so that the last row is 1 at y = 0.
-  const double depth[4] = { 0.0, k / S, 0.0, 1.0 };
-  double       rows[3][4] = {};
+  // Rows over cephalostat coordinates (x, y, z, 1), divided by S so that the last row is 1 where the depth is S.
+  const unsigned int film = this->GetFilmAxis();
+  double             depth[4] = { 0.0, 0.0, 0.0, 1.0 };
+  depth[1 - film] = k / S;
+  double rows[3][4] = {};
   for (unsigned int d = 0; d < 4; ++d)
   {
     rows[0][d] = m_PrincipalPoint[0] * depth[d];
     rows[1][d] = m_PrincipalPoint[1] * depth[d];
     rows[2][d] = depth[d];
   }
-  rows[0][0] += f * D / (S * m_PixelSpacing[0]);
+  rows[0][film] += f * D / (S * m_PixelSpacing[0]);
   rows[1][2] -= D / (S * m_PixelSpacing[1]);
   ProjectionMatrixType matrix;
   for (unsigned int row = 0; row < 3; ++row)
@@ -310,6 +341,9 @@ CephalometricGeometry::CopyParameters(const Self * other)
   {
     itkExceptionMacro("CopyParameters() needs a geometry, not a null pointer.");
   }
+  this->SetDirection(other->m_Direction);
+  this->SetFrontalSource(other->m_FrontalSource);
+  this->SetPatientLeft(other->m_PatientLeft);
   this->SetSourceToMidsagittalDistance(other->m_SourceToMidsagittalDistance);
   this->SetSourceToDetectorDistance(other->m_SourceToDetectorDistance);
   this->SetSourceSide(other->m_SourceSide);
@@ -334,10 +368,13 @@ void
 CephalometricGeometry::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
+  os << indent << "Direction: " << m_Direction << std::endl;
   os << indent << "SourceToMidsagittalDistance: " << m_SourceToMidsagittalDistance << std::endl;
   os << indent << "SourceToDetectorDistance: " << m_SourceToDetectorDistance << std::endl;
   os << indent << "SourceSide: " << m_SourceSide << std::endl;
   os << indent << "Facing: " << m_Facing << std::endl;
+  os << indent << "FrontalSource: " << m_FrontalSource << std::endl;
+  os << indent << "PatientLeft: " << m_PatientLeft << std::endl;
   os << indent << "PrincipalPoint: " << m_PrincipalPoint << std::endl;
   os << indent << "PixelSpacing: " << m_PixelSpacing << std::endl;
   os << indent << "PoseRotation: " << std::endl << m_PoseRotation;

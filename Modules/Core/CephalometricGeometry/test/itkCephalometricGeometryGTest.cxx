@@ -28,6 +28,7 @@ namespace
 using GeometryType = itk::CephalometricGeometry;
 using SideEnum = GeometryType::SourceSideEnum;
 using FacingEnum = GeometryType::FacingEnum;
+using DirectionEnum = GeometryType::DirectionEnum;
 
 GeometryType::RotationType
 RotationAbout(const itk::Vector<double, 3> & axis, double angle)
@@ -48,11 +49,24 @@ RotationAbout(const itk::Vector<double, 3> & axis, double angle)
 }
 
 GeometryType::Pointer
-MakeGeometry(SideEnum side, FacingEnum facing)
+MakeGeometry(SideEnum side, FacingEnum facing, DirectionEnum direction = DirectionEnum::Lateral)
 {
   auto geometry = GeometryType::New();
-  geometry->SetSourceSide(side);
-  geometry->SetFacing(facing);
+  geometry->SetDirection(direction);
+  if (direction == DirectionEnum::Lateral)
+  {
+    geometry->SetSourceSide(side);
+    geometry->SetFacing(facing);
+  }
+  else
+  {
+    // The signs of the other direction, and what is said of the lateral one changes nothing.
+    geometry->SetSourceSide(side == SideEnum::Right ? SideEnum::Left : SideEnum::Right);
+    geometry->SetFrontalSource(side == SideEnum::Right ? GeometryType::FrontalSourceEnum::Behind
+                                                       : GeometryType::FrontalSourceEnum::InFront);
+    geometry->SetPatientLeft(facing == FacingEnum::Right ? GeometryType::PatientLeftEnum::Right
+                                                         : GeometryType::PatientLeftEnum::Left);
+  }
   GeometryType::PixelSpacingType spacing;
   spacing[0] = 0.25;
   spacing[1] = 0.2;
@@ -88,25 +102,34 @@ MakePoint(double x, double y, double z)
   return point;
 }
 
-class CephalometricGeometryCombinations : public ::testing::TestWithParam<std::tuple<SideEnum, FacingEnum>>
-{};
+class CephalometricGeometryCombinations
+  : public ::testing::TestWithParam<std::tuple<SideEnum, FacingEnum, DirectionEnum>>
+{
+protected:
+  static GeometryType::Pointer
+  MakeGeometry()
+  {
+    return ::MakeGeometry(std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam()));
+  }
+};
 } // namespace
 
-// The formula of formats.md, spelled out in numbers for each of the four combinations.
+// The formulas of formats.md and views.md, spelled out in numbers for each of the combinations.
 TEST_P(CephalometricGeometryCombinations, ProjectsAsTheContractSays)
 {
-  const auto   geometry = MakeGeometry(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const auto   geometry = MakeGeometry();
   const double k = std::get<0>(GetParam()) == SideEnum::Right ? 1.0 : -1.0;
   const double f = std::get<1>(GetParam()) == FacingEnum::Right ? 1.0 : -1.0;
   const double m = 1674.0 / (1524.0 + k * 28.0);
-  const auto   pixel = geometry->ProjectPoint(MakePoint(40.0, 28.0, -30.0));
+  const bool   isLateral = std::get<2>(GetParam()) == DirectionEnum::Lateral;
+  const auto   pixel = geometry->ProjectPoint(isLateral ? MakePoint(40.0, 28.0, -30.0) : MakePoint(28.0, 40.0, -30.0));
   EXPECT_NEAR(pixel[0], 172.4 + f * m * 40.0 / 0.25, 1e-10);
   EXPECT_NEAR(pixel[1], 421.0 + m * 30.0 / 0.2, 1e-10);
 }
 
 TEST_P(CephalometricGeometryCombinations, MatrixAndKernelProjectAsProjectPoint)
 {
-  const auto geometry = MakeGeometry(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const auto geometry = MakeGeometry();
   SetSomePose(geometry);
   const auto projection = geometry->GetProjection();
   for (const auto & point : { MakePoint(0, 0, 0), MakePoint(12, -30, 7), MakePoint(-25, 28, 3) })
@@ -122,7 +145,7 @@ TEST_P(CephalometricGeometryCombinations, MatrixAndKernelProjectAsProjectPoint)
 
 TEST_P(CephalometricGeometryCombinations, PointJacobianAgreesWithDifferences)
 {
-  const auto geometry = MakeGeometry(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const auto geometry = MakeGeometry();
   SetSomePose(geometry);
   const auto   point = MakePoint(12, -30, 7);
   const auto   jacobian = geometry->ComputePointJacobian(point);
@@ -144,7 +167,7 @@ TEST_P(CephalometricGeometryCombinations, PointJacobianAgreesWithDifferences)
 
 TEST_P(CephalometricGeometryCombinations, PoseJacobianAgreesWithDifferences)
 {
-  const auto geometry = MakeGeometry(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const auto geometry = MakeGeometry();
   SetSomePose(geometry);
   const auto   point = MakePoint(12, -30, 7);
   const auto   jacobian = geometry->ComputePoseJacobian(point);
@@ -183,7 +206,7 @@ TEST_P(CephalometricGeometryCombinations, PoseJacobianAgreesWithDifferences)
 
 TEST_P(CephalometricGeometryCombinations, RayOfAProjectedPointPassesThroughIt)
 {
-  const auto geometry = MakeGeometry(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const auto geometry = MakeGeometry();
   SetSomePose(geometry);
   const auto point = MakePoint(12, -30, 7);
   const auto ray = geometry->BackProject(geometry->ProjectPoint(point));
@@ -193,10 +216,11 @@ TEST_P(CephalometricGeometryCombinations, RayOfAProjectedPointPassesThroughIt)
   EXPECT_NEAR(geometry->GetProjection().Depth(ray.origin.GetDataPointer()), 0.0, 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllFour,
+INSTANTIATE_TEST_SUITE_P(AllEight,
                          CephalometricGeometryCombinations,
                          ::testing::Combine(::testing::Values(SideEnum::Right, SideEnum::Left),
-                                            ::testing::Values(FacingEnum::Right, FacingEnum::Left)));
+                                            ::testing::Values(FacingEnum::Right, FacingEnum::Left),
+                                            ::testing::Values(DirectionEnum::Lateral, DirectionEnum::Frontal)));
 
 TEST(CephalometricGeometry, MoreMagnificationNearerToTheSource)
 {
@@ -258,13 +282,24 @@ TEST(CephalometricGeometry, EachSetterModifiesAndPrintsItself)
   expectModified("PixelSpacing");
   SetSomePose(geometry);
   expectModified("Pose");
+  geometry->SetFrontalSource(GeometryType::FrontalSourceEnum::InFront);
+  expectModified("FrontalSource");
+  geometry->SetPatientLeft(GeometryType::PatientLeftEnum::Left);
+  expectModified("PatientLeft");
+  geometry->SetDirection(DirectionEnum::Frontal);
+  expectModified("Direction");
   geometry->SetFacing(FacingEnum::Left);
   EXPECT_EQ(geometry->GetMTime(), before);
 
   std::ostringstream text;
   geometry->Print(text);
-  for (const char * name :
-       { "SourceToMidsagittalDistance: 1500", "SourceSide: Left", "Facing: Left", "PoseTranslation" })
+  for (const char * name : { "Direction: Frontal",
+                             "SourceToMidsagittalDistance: 1500",
+                             "SourceSide: Left",
+                             "Facing: Left",
+                             "FrontalSource: InFront",
+                             "PatientLeft: Left",
+                             "PoseTranslation" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }

@@ -39,13 +39,14 @@ namespace itk
  *   m = exp(kappa) D / (S + k c_y)
  *   u = pp_u + f m c_x / sp_u,   v = pp_v - m c_z / sp_v
  *
- * c is the point in the cephalostat frame of CephalometricGeometry. Documentation/Geometry.md has a drawing and derives
+ * or, of a frontal radiograph, with c_x and c_y exchanged. c is the point in the cephalostat frame of
+ * CephalometricGeometry. Documentation/Geometry.md has a drawing and derives
  * the projection; kappa is zero for a radiograph whose distances and pixel spacing are right.
  *
  * The parameters, in the order of PoseParameterIndex, are pitch, roll and yaw in rad, tx, ty and tz in mm, and kappa,
  * the natural logarithm of the factor on the magnification. The fixed parameters, in the order of FixedParameterIndex,
  * are the distances S and D in mm, the signs k of the source's side and f of the facing, the pixel spacing sp in mm in
- * the detector plane, and the principal point pp in pixels. SetGeometry() fills them.
+ * the detector plane, the principal point pp in pixels, and the direction of the rays. SetGeometry() fills them.
  *
  * The pixel spacing has no default: before SetGeometry() or SetFixedParameters() it is zero, and every method that
  * projects throws a sentence that says so. A point that does not lie in front of the X-ray source throws as well.
@@ -77,7 +78,7 @@ public:
   itkTypeMacro(CephalometricPoseTransform, Transform);
 
   static constexpr unsigned int NumberOfParameters = 7;
-  static constexpr unsigned int NumberOfFixedParameters = 8;
+  static constexpr unsigned int NumberOfFixedParameters = 9;
 
   /** The order of the parameters: PosePitch, PoseRoll, PoseYaw, PoseTx, PoseTy, PoseTz, PoseKappa. */
   using ParameterIndex = PoseParameterIndex;
@@ -92,7 +93,9 @@ public:
     PixelSpacingU,
     PixelSpacingV,
     PrincipalPointU,
-    PrincipalPointV
+    PrincipalPointV,
+    /** 0 of a lateral radiograph, 1 of a frontal one. */
+    Direction
   };
 
   using RotationType = Matrix<double, 3, 3>;
@@ -104,9 +107,9 @@ public:
   void
   SetParameters(const ParametersType & parameters) override;
 
-  /** Sets the eight fixed parameters. It throws, and changes nothing, unless there are eight, 0 < S < D, the signs are
-   * +1 or -1, the spacings are positive and all of them are finite. The modification time changes only where a value
-   * does. */
+  /** Sets the nine fixed parameters; eight, as in older files, are those of a lateral radiograph. It throws, and
+   * changes nothing, unless there are so many, 0 < S < D, the signs are +1 or -1, the direction is 0 or 1, the spacings
+   * are positive and all of them are finite. The modification time changes only where a value does. */
   void
   SetFixedParameters(const FixedParametersType & fixedParameters) override;
 

@@ -29,7 +29,8 @@ namespace itk
  *
  *   c = Ry(pitch) Rx(roll) Rz(yaw) p + t,  m = exp(kappa) D / ((S + k c_y) 0.25),  w = (m c_x, -m c_z)
  *
- * The facing is not in here: the working plane is mirrored for a patient who faces left.
+ * Of a frontal radiograph c_x and c_y change places. The facing is not in here: the working plane is mirrored for a
+ * patient who faces left.
  *
  * \ingroup CephalometricPose
  */
@@ -60,15 +61,21 @@ public:
   {
     return m_Rotation;
   }
+  const PoseGeometry &
+  GetGeometry() const
+  {
+    return m_Geometry;
+  }
   const PoseParameters &
   GetParameters() const
   {
     return m_Parameters;
   }
 
-  /** t_x and t_z that bring a point of the dental frame to a place of the working plane; the rest of the pose stays. */
+  /** The translations along the film that bring a point of the dental frame to a place of the working plane: t_x (of a
+   * frontal radiograph t_y) and t_z. The rest of the pose stays. */
   void
-  SolveTranslation(const double p[3], const double w[2], double & tx, double & tz) const;
+  SolveTranslation(const double p[3], const double w[2], double & along, double & tz) const;
 
   /** Pixel of the radiograph to working plane, and back. */
   static std::array<double, 2>

@@ -18,8 +18,9 @@
 #ifndef itkPoseTypes_h
 #define itkPoseTypes_h
 
-#include <array>
+#include "itkCephalometricDirection.h"
 
+#include <array>
 
 namespace itk
 {
@@ -41,19 +42,34 @@ struct PoseFrame
   std::array<double, 3> origin{ { 0, 0, 0 } };
 };
 
-/** Nominal imaging geometry. */
+/** Nominal imaging geometry. Of a frontal radiograph the plane through the ear rods is the midcoronal one. */
 struct PoseGeometry
 {
-  double sourceToMidsagittal{ 1524.0 };
-  double sourceToDetector{ 1674.0 };
-  /** k: +1 source on the patient's right, -1 left. */
+  /** From which side of the head the rays come. */
+  CephalometricDirectionEnum direction{ CephalometricDirectionEnum::Lateral };
+  double                     sourceToMidsagittal{ 1524.0 };
+  double                     sourceToDetector{ 1674.0 };
+  /** k: +1 source on the patient's right, -1 left; frontal: +1 behind, -1 in front. */
   double sourceSign{ 1.0 };
-  /** f: +1 facing right in the image, -1 left. */
+  /** f: +1 facing right in the image, -1 left; frontal: where the patient's left is. */
   double                facingSign{ 1.0 };
   std::array<double, 2> pixelSpacing{ { 0.25, 0.25 } };
   bool                  pixelSpacingKnown{ true };
   std::array<double, 2> principalPoint{ { 0.0, 0.0 } };
   bool                  principalPointKnown{ true };
+
+  /** The axis of the cephalostat frame that runs along the film: x of a lateral radiograph, y of a frontal one. */
+  unsigned int
+  GetFilmAxis() const
+  {
+    return direction == CephalometricDirectionEnum::Lateral ? 0 : 1;
+  }
+  /** The axis along the central ray: y, or x. */
+  unsigned int
+  GetDepthAxis() const
+  {
+    return 1 - this->GetFilmAxis();
+  }
 };
 
 /** pitch (about y), roll (about x), yaw (about z) in rad, translation x, y, z in mm, kappa = log of the scale factor

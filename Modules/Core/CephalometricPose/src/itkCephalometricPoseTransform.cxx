@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkCephalometricPoseTransform.h"
 
+#include "itkPoseGeometryConversion.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -108,15 +110,31 @@ CephalometricPoseTransform::SetParameters(const ParametersType & parameters)
 void
 CephalometricPoseTransform::SetFixedParameters(const FixedParametersType & fixedParameters)
 {
+  if (fixedParameters.Size() == NumberOfFixedParameters - 1)
+  {
+    // A file from before there were frontal radiographs.
+    FixedParametersType all(NumberOfFixedParameters);
+    std::copy_n(fixedParameters.data_block(), NumberOfFixedParameters - 1, all.data_block());
+    all[Direction] = 0.0;
+    this->SetFixedParameters(all);
+    return;
+  }
   if (fixedParameters.Size() != NumberOfFixedParameters)
   {
     itkExceptionMacro(
       "Got " << fixedParameters.Size() << " fixed parameters where " << NumberOfFixedParameters
              << " are needed: the distances from the source to the midsagittal plane and to the "
                 "detector (mm), source sign, facing sign, pixel spacing u and v (mm), principal point u "
-                "and v (pixels). SetGeometry() fills them.");
+                "and v (pixels), direction (0 lateral, 1 frontal). SetGeometry() fills them.");
+  }
+  if (fixedParameters[Direction] != 0.0 && fixedParameters[Direction] != 1.0)
+  {
+    itkExceptionMacro("The direction is " << fixedParameters[Direction]
+                                          << ". Give 0 for a lateral radiograph, 1 for a frontal one.");
   }
   PoseGeometry geometry;
+  geometry.direction =
+    fixedParameters[Direction] == 0.0 ? CephalometricDirectionEnum::Lateral : CephalometricDirectionEnum::Frontal;
   geometry.sourceToMidsagittal = fixedParameters[SourceToMidsagittal];
   geometry.sourceToDetector = fixedParameters[SourceToDetector];
   geometry.sourceSign = fixedParameters[SourceSign];
@@ -222,17 +240,7 @@ CephalometricPoseTransform::SetGeometry(const CephalometricGeometry * geometry)
     itkExceptionMacro("SetGeometry() needs a CephalometricGeometry, not a null pointer.");
   }
   geometry->VerifyComplete();
-  PoseGeometry own;
-  own.sourceToMidsagittal = geometry->GetSourceToMidsagittalDistance();
-  own.sourceToDetector = geometry->GetSourceToDetectorDistance();
-  own.sourceSign = geometry->GetSourceSign();
-  own.facingSign = geometry->GetFacingSign();
-  for (unsigned int d = 0; d < 2; ++d)
-  {
-    own.pixelSpacing[d] = geometry->GetPixelSpacing()[d];
-    own.principalPoint[d] = geometry->GetPrincipalPoint()[d];
-  }
-  this->SetPoseGeometry(own);
+  this->SetPoseGeometry(ToPoseGeometry(*geometry));
 }
 
 void
@@ -247,6 +255,7 @@ CephalometricPoseTransform::SetPoseGeometry(const PoseGeometry & geometry)
   fixedParameters[PixelSpacingV] = geometry.pixelSpacing[1];
   fixedParameters[PrincipalPointU] = geometry.principalPoint[0];
   fixedParameters[PrincipalPointV] = geometry.principalPoint[1];
+  fixedParameters[Direction] = geometry.direction == CephalometricDirectionEnum::Lateral ? 0.0 : 1.0;
   this->SetFixedParameters(fixedParameters);
 }
 
@@ -276,21 +285,7 @@ CephalometricPoseTransform::CopyToGeometry(CephalometricGeometry * placed) const
     itkExceptionMacro("CopyToGeometry() needs a CephalometricGeometry to write to, not a null pointer.");
   }
   this->VerifyGeometry();
-  placed->SetSourceToMidsagittalDistance(m_Geometry.sourceToMidsagittal);
-  placed->SetSourceToDetectorDistance(m_Geometry.sourceToDetector);
-  placed->SetSourceSide(m_Geometry.sourceSign > 0.0 ? CephalometricGeometry::SourceSideEnum::Right
-                                                    : CephalometricGeometry::SourceSideEnum::Left);
-  placed->SetFacing(m_Geometry.facingSign > 0.0 ? CephalometricGeometry::FacingEnum::Right
-                                                : CephalometricGeometry::FacingEnum::Left);
-  CephalometricGeometry::PixelIndexType principalPoint;
-  principalPoint[0] = m_Geometry.principalPoint[0];
-  principalPoint[1] = m_Geometry.principalPoint[1];
-  placed->SetPrincipalPoint(principalPoint);
-  // The geometry has no scale of its own: a larger picture is one with smaller pixels.
-  CephalometricGeometry::PixelSpacingType spacing;
-  spacing[0] = m_Geometry.pixelSpacing[0] / this->GetScaleFactor();
-  spacing[1] = m_Geometry.pixelSpacing[1] / this->GetScaleFactor();
-  placed->SetPixelSpacing(spacing);
+  itk::CopyToGeometry(m_Geometry, this->GetScaleFactor(), *placed);
   RotationType    rotation;
   TranslationType translation;
   for (unsigned int row = 0; row < 3; ++row)
@@ -571,6 +566,7 @@ CephalometricPoseTransform::PrintSelf(std::ostream & os, Indent indent) const
     os << ' ' << element;
   }
   os << std::endl;
+  os << indent << "Direction: " << m_Geometry.direction << std::endl;
   os << indent << "SourceToMidsagittal: " << m_Geometry.sourceToMidsagittal << std::endl;
   os << indent << "SourceToDetector: " << m_Geometry.sourceToDetector << std::endl;
   os << indent << "SourceSign: " << m_Geometry.sourceSign << std::endl;

@@ -72,11 +72,13 @@ PoseModel::PoseModel(const PoseGeometry & geometry, const PoseParameters & param
 bool
 PoseModel::Project(const double p[3], double w[2]) const
 {
-  double c[3];
+  const unsigned int film = m_Geometry.GetFilmAxis();
+  const unsigned int ray = m_Geometry.GetDepthAxis();
+  double             c[3];
   Apply(m_Rotation, p, c);
-  const double depth = m_Geometry.sourceToMidsagittal + m_Geometry.sourceSign * (c[1] + m_Parameters[PoseTy]);
+  const double depth = m_Geometry.sourceToMidsagittal + m_Geometry.sourceSign * (c[ray] + m_Parameters[PoseTx + ray]);
   const double m = m_Focal / depth;
-  w[0] = m * (c[0] + m_Parameters[PoseTx]);
+  w[0] = m * (c[film] + m_Parameters[PoseTx + film]);
   w[1] = -m * (c[2] + m_Parameters[PoseTz]);
   return depth > 0.0;
 }
@@ -84,30 +86,32 @@ PoseModel::Project(const double p[3], double w[2]) const
 bool
 PoseModel::ProjectWithJacobian(const double p[3], double w[2], double jacobian[14]) const
 {
-  double c[3];
+  const unsigned int film = m_Geometry.GetFilmAxis();
+  const unsigned int ray = m_Geometry.GetDepthAxis();
+  double             c[3];
   Apply(m_Rotation, p, c);
   c[0] += m_Parameters[PoseTx];
   c[1] += m_Parameters[PoseTy];
   c[2] += m_Parameters[PoseTz];
   const double k = m_Geometry.sourceSign;
-  const double depth = m_Geometry.sourceToMidsagittal + k * c[1];
+  const double depth = m_Geometry.sourceToMidsagittal + k * c[ray];
   const double m = m_Focal / depth;
-  w[0] = m * c[0];
+  w[0] = m * c[film];
   w[1] = -m * c[2];
-  // d w / d c
-  const double uy = -k * w[0] / depth;
-  const double vy = -k * w[1] / depth;
+  // d w / d depth axis
+  const double ud = -k * w[0] / depth;
+  const double vd = -k * w[1] / depth;
   for (int i = 0; i < 3; ++i)
   {
     double d[3];
     Apply(m_RotationDerivatives[i], p, d);
-    jacobian[i] = m * d[0] + uy * d[1];
-    jacobian[7 + i] = -m * d[2] + vy * d[1];
+    jacobian[i] = m * d[film] + ud * d[ray];
+    jacobian[7 + i] = -m * d[2] + vd * d[ray];
   }
-  jacobian[PoseTx] = m;
-  jacobian[7 + PoseTx] = 0.0;
-  jacobian[PoseTy] = uy;
-  jacobian[7 + PoseTy] = vy;
+  jacobian[PoseTx + film] = m;
+  jacobian[7 + PoseTx + film] = 0.0;
+  jacobian[PoseTx + ray] = ud;
+  jacobian[7 + PoseTx + ray] = vd;
   jacobian[PoseTz] = 0.0;
   jacobian[7 + PoseTz] = -m;
   jacobian[PoseKappa] = w[0];
@@ -139,23 +143,24 @@ PerspectiveProjection
 PoseModel::GetProjection() const
 {
   PerspectiveProjection projection;
+  const unsigned int    film = m_Geometry.GetFilmAxis();
+  const unsigned int    ray = m_Geometry.GetDepthAxis();
   const double          k = m_Geometry.sourceSign;
-  // Divided by S, so that the third row is 1 at the midsagittal plane.
+  // Divided by S, so that the third row is 1 at the plane through the ear rods.
   const double f = m_Focal / m_Geometry.sourceToMidsagittal;
   const double g = k / m_Geometry.sourceToMidsagittal;
   auto &       a = projection.matrix;
-  for (int j = 0; j < 3; ++j)
+  for (unsigned int j = 0; j < 3; ++j)
   {
-    a[j] = f * m_Rotation[j];
+    a[j] = f * m_Rotation[3 * film + j];
     a[4 + j] = -f * m_Rotation[6 + j];
-    a[8 + j] = g * m_Rotation[3 + j];
+    a[8 + j] = g * m_Rotation[3 * ray + j];
   }
-  a[3] = f * m_Parameters[PoseTx];
+  a[3] = f * m_Parameters[PoseTx + film];
   a[7] = -f * m_Parameters[PoseTz];
-  a[11] = 1.0 + g * m_Parameters[PoseTy];
-  const double s[3] = { -m_Parameters[PoseTx],
-                        -k * m_Geometry.sourceToMidsagittal - m_Parameters[PoseTy],
-                        -m_Parameters[PoseTz] };
+  a[11] = 1.0 + g * m_Parameters[PoseTx + ray];
+  double s[3] = { -m_Parameters[PoseTx], -m_Parameters[PoseTy], -m_Parameters[PoseTz] };
+  s[ray] = -k * m_Geometry.sourceToMidsagittal - m_Parameters[PoseTx + ray];
   for (int i = 0; i < 3; ++i)
   {
     projection.source[i] = m_Rotation[i] * s[0] + m_Rotation[3 + i] * s[1] + m_Rotation[6 + i] * s[2];
@@ -164,12 +169,15 @@ PoseModel::GetProjection() const
 }
 
 void
-PoseModel::SolveTranslation(const double p[3], const double w[2], double & tx, double & tz) const
+PoseModel::SolveTranslation(const double p[3], const double w[2], double & along, double & tz) const
 {
-  double c[3];
+  const unsigned int film = m_Geometry.GetFilmAxis();
+  const unsigned int ray = m_Geometry.GetDepthAxis();
+  double             c[3];
   Apply(m_Rotation, p, c);
-  const double m = m_Focal / (m_Geometry.sourceToMidsagittal + m_Geometry.sourceSign * (c[1] + m_Parameters[PoseTy]));
-  tx = w[0] / m - c[0];
+  const double m =
+    m_Focal / (m_Geometry.sourceToMidsagittal + m_Geometry.sourceSign * (c[ray] + m_Parameters[PoseTx + ray]));
+  along = w[0] / m - c[film];
   tz = -w[1] / m - c[2];
 }
 

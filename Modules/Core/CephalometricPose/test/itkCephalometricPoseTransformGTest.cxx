@@ -60,11 +60,14 @@ MakePoint(double x, double y, double z)
   return PointType(values);
 }
 
+/** 0 lateral, 1 frontal: of the geometries that are made. */
+double direction = 0.0;
+
 /** Unequal spacings and distances of no special ratio, so that no two of them can be confused. */
 std::vector<double>
 FixedValues(double source, double facing)
 {
-  return { 1500.0, 1700.0, source, facing, 0.2, 0.3, 412.5, 303.25 };
+  return { 1500.0, 1700.0, source, facing, 0.2, 0.3, 412.5, 303.25, direction };
 }
 
 const std::vector<double> pose{ 0.2, -0.05, 0.08, 55.0, 1.5, -40.0, 0.01 };
@@ -91,8 +94,13 @@ MakeGeometry(double source, double facing)
   identity.SetIdentity();
   geometry->SetSourceToMidsagittalDistance(values[0]);
   geometry->SetSourceToDetectorDistance(values[1]);
+  geometry->SetDirection(direction == 0.0 ? GeometryType::DirectionEnum::Lateral
+                                          : GeometryType::DirectionEnum::Frontal);
   geometry->SetSourceSide(source > 0.0 ? GeometryType::SourceSideEnum::Right : GeometryType::SourceSideEnum::Left);
   geometry->SetFacing(facing > 0.0 ? GeometryType::FacingEnum::Right : GeometryType::FacingEnum::Left);
+  geometry->SetFrontalSource(source > 0.0 ? GeometryType::FrontalSourceEnum::Behind
+                                          : GeometryType::FrontalSourceEnum::InFront);
+  geometry->SetPatientLeft(facing > 0.0 ? GeometryType::PatientLeftEnum::Right : GeometryType::PatientLeftEnum::Left);
   geometry->SetPrincipalPoint(principalPoint);
   geometry->SetPixelSpacing(GeometryType::PixelSpacingType(spacing));
   geometry->SetPose(identity, away);
@@ -100,14 +108,20 @@ MakeGeometry(double source, double facing)
 }
 
 void
-ForAllFourGeometries(const std::function<void(double, double)> & check)
+ForAllGeometries(const std::function<void(double, double)> & check)
 {
   for (double source : { 1.0, -1.0 })
   {
     for (double facing : { 1.0, -1.0 })
     {
-      SCOPED_TRACE(testing::Message() << "source sign " << source << ", facing sign " << facing);
-      check(source, facing);
+      for (const double where : { 0.0, 1.0 })
+      {
+        direction = where;
+        SCOPED_TRACE(testing::Message() << "source sign " << source << ", facing sign " << facing << ", direction "
+                                        << where);
+        check(source, facing);
+      }
+      direction = 0.0;
     }
   }
 }
@@ -195,7 +209,7 @@ TEST(CephalometricPoseTransform, HasTheBasicsOfAnObject)
   EXPECT_EQ(ExerciseBasics(), EXIT_SUCCESS);
   MakeTransform()->Print(std::cout);
   EXPECT_EQ(transform->GetNumberOfParameters(), 7u);
-  EXPECT_EQ(transform->GetNumberOfFixedParameters(), 8u);
+  EXPECT_EQ(transform->GetNumberOfFixedParameters(), 9u);
   EXPECT_EQ(transform->GetParameters(), Values<ParametersType>({ 0, 0, 0, 0, 0, 0, 0 }));
   EXPECT_EQ(transform->GetInputSpaceDimension(), 3u);
   EXPECT_EQ(transform->GetOutputSpaceDimension(), 2u);
@@ -233,9 +247,9 @@ TEST(CephalometricPoseTransform, AppliesYawThenRollThenPitchThenTranslation)
   EXPECT_NEAR(transform->GetScaleFactor(), 3.0, 1e-15);
 }
 
-TEST(CephalometricPoseTransform, ParameterJacobianMatchesDifferencesInAllFourGeometries)
+TEST(CephalometricPoseTransform, ParameterJacobianMatchesDifferencesInAllGeometries)
 {
-  ForAllFourGeometries([](double source, double facing) {
+  ForAllGeometries([](double source, double facing) {
     auto transform = MakeTransform(source, facing);
     for (const PointType & point : points)
     {
@@ -265,9 +279,9 @@ TEST(CephalometricPoseTransform, ParameterJacobianMatchesDifferencesInAllFourGeo
   });
 }
 
-TEST(CephalometricPoseTransform, PositionJacobianMatchesDifferencesInAllFourGeometries)
+TEST(CephalometricPoseTransform, PositionJacobianMatchesDifferencesInAllGeometries)
 {
-  ForAllFourGeometries([](double source, double facing) {
+  ForAllGeometries([](double source, double facing) {
     const auto transform = MakeTransform(source, facing);
     for (const PointType & point : points)
     {
@@ -304,7 +318,7 @@ TEST(CephalometricPoseTransform, PositionJacobianMatchesDifferencesInAllFourGeom
 
 TEST(CephalometricPoseTransform, AgreesWithTheGeometryThatItIsCopiedTo)
 {
-  ForAllFourGeometries([](double source, double facing) {
+  ForAllGeometries([](double source, double facing) {
     auto transform = TransformType::New();
     transform->SetGeometry(MakeGeometry(source, facing));
     EXPECT_EQ(transform->GetFixedParameters(), Values<FixedParametersType>(FixedValues(source, facing)));

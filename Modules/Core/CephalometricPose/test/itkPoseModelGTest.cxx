@@ -32,9 +32,10 @@ namespace
 const itk::PoseParameters pose{ { 0.2, -0.05, 0.08, 55.0, 1.5, -40.0, 0.01 } };
 
 itk::PoseGeometry
-Geometry(double source, double facing)
+Geometry(double source, double facing, bool isFrontal = false)
 {
   itk::PoseGeometry geometry;
+  geometry.direction = isFrontal ? itk::CephalometricDirectionEnum::Frontal : itk::CephalometricDirectionEnum::Lateral;
   geometry.sourceSign = source;
   geometry.facingSign = facing;
   geometry.pixelSpacing = { { 0.2, 0.3 } };
@@ -48,26 +49,29 @@ TEST(PoseModel, JacobianMatchesDifferences)
   const double p[3] = { 12.0, -21.0, 7.0 };
   for (double source : { 1.0, -1.0 })
   {
-    const itk::PoseGeometry geometry = Geometry(source, 1.0);
-    double                  w[2], jacobian[14];
-    ASSERT_TRUE(itk::PoseModel(geometry, pose).ProjectWithJacobian(p, w, jacobian));
-    for (unsigned int k = 0; k < 7; ++k)
+    for (const bool isFrontal : { false, true })
     {
-      const double        h = 1e-5;
-      itk::PoseParameters a = pose, b = pose;
-      a[k] -= h;
-      b[k] += h;
-      double wa[2], wb[2];
-      itk::PoseModel(geometry, a).Project(p, wa);
-      itk::PoseModel(geometry, b).Project(p, wb);
-      // Central differences: error h^2 times third derivatives of a few hundred, and 1e-13 * 300 / h of rounding.
-      EXPECT_NEAR(jacobian[k], (wb[0] - wa[0]) / (2 * h), 2e-6) << k;
-      EXPECT_NEAR(jacobian[7 + k], (wb[1] - wa[1]) / (2 * h), 2e-6) << k;
+      const itk::PoseGeometry geometry = Geometry(source, 1.0, isFrontal);
+      double                  w[2], jacobian[14];
+      ASSERT_TRUE(itk::PoseModel(geometry, pose).ProjectWithJacobian(p, w, jacobian));
+      for (unsigned int k = 0; k < 7; ++k)
+      {
+        const double        h = 1e-5;
+        itk::PoseParameters a = pose, b = pose;
+        a[k] -= h;
+        b[k] += h;
+        double wa[2], wb[2];
+        itk::PoseModel(geometry, a).Project(p, wa);
+        itk::PoseModel(geometry, b).Project(p, wb);
+        // Central differences: error h^2 times third derivatives of a few hundred, and 1e-13 * 300 / h of rounding.
+        EXPECT_NEAR(jacobian[k], (wb[0] - wa[0]) / (2 * h), 2e-6) << k;
+        EXPECT_NEAR(jacobian[7 + k], (wb[1] - wa[1]) / (2 * h), 2e-6) << k;
+      }
     }
   }
 }
 
-TEST(PoseModel, ProjectionsForKernelsAndForPixelsAgreeInAllFourGeometries)
+TEST(PoseModel, ProjectionsForKernelsAndForPixelsAgreeInAllGeometries)
 {
   itk::PoseFrame frame;
   frame.rotation = { { 0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0 } };
@@ -78,41 +82,47 @@ TEST(PoseModel, ProjectionsForKernelsAndForPixelsAgreeInAllFourGeometries)
   {
     for (double facing : { 1.0, -1.0 })
     {
-      const itk::PoseGeometry geometry = Geometry(source, facing);
-      const itk::PoseModel    model(geometry, pose);
-      double                  w[2], u, v;
-      model.Project(p, w);
-      model.GetProjection().Project(p, u, v);
-      EXPECT_NEAR(u, w[0], 1e-9);
-      EXPECT_NEAR(v, w[1], 1e-9);
-      itk::PerspectiveProjection pixel;
-      pixel.matrix = model.GetPixelProjection(frame);
-      pixel.Project(mesh, u, v);
-      const auto expected = itk::PoseModel::ToPixel(geometry, { { w[0], w[1] } });
-      EXPECT_NEAR(u, expected[0], 1e-9);
-      EXPECT_NEAR(v, expected[1], 1e-9);
-      const auto back = itk::PoseModel::ToWorkingPlane(geometry, expected);
-      EXPECT_NEAR(back[0], w[0], 1e-9);
-      EXPECT_NEAR(back[1], w[1], 1e-9);
-
-      // The formula of the contract, written out.
-      const auto & r = model.GetRotation();
-      double       c[3];
-      for (int k = 0; k < 3; ++k)
+      for (const bool isFrontal : { false, true })
       {
-        c[k] = r[3 * k] * p[0] + r[3 * k + 1] * p[1] + r[3 * k + 2] * p[2] + pose[3 + k];
+        const itk::PoseGeometry geometry = Geometry(source, facing, isFrontal);
+        const itk::PoseModel    model(geometry, pose);
+        double                  w[2], u, v;
+        model.Project(p, w);
+        model.GetProjection().Project(p, u, v);
+        EXPECT_NEAR(u, w[0], 1e-9);
+        EXPECT_NEAR(v, w[1], 1e-9);
+        itk::PerspectiveProjection pixel;
+        pixel.matrix = model.GetPixelProjection(frame);
+        pixel.Project(mesh, u, v);
+        const auto expected = itk::PoseModel::ToPixel(geometry, { { w[0], w[1] } });
+        EXPECT_NEAR(u, expected[0], 1e-9);
+        EXPECT_NEAR(v, expected[1], 1e-9);
+        const auto back = itk::PoseModel::ToWorkingPlane(geometry, expected);
+        EXPECT_NEAR(back[0], w[0], 1e-9);
+        EXPECT_NEAR(back[1], w[1], 1e-9);
+
+        // The formula of the contract, written out.
+        const auto & r = model.GetRotation();
+        double       c[3];
+        for (int k = 0; k < 3; ++k)
+        {
+          c[k] = r[3 * k] * p[0] + r[3 * k + 1] * p[1] + r[3 * k + 2] * p[2] + pose[3 + k];
+        }
+        const double m = std::exp(pose[6]) * 1674.0 / (1524.0 + source * c[isFrontal ? 0 : 1]);
+        EXPECT_NEAR(expected[0], 100.0 + facing * m * c[isFrontal ? 1 : 0] / 0.2, 1e-9);
+        EXPECT_NEAR(expected[1], 200.0 - m * c[2] / 0.3, 1e-9);
       }
-      const double m = std::exp(pose[6]) * 1674.0 / (1524.0 + source * c[1]);
-      EXPECT_NEAR(expected[0], 100.0 + facing * m * c[0] / 0.2, 1e-9);
-      EXPECT_NEAR(expected[1], 200.0 - m * c[2] / 0.3, 1e-9);
     }
   }
 }
 
 TEST(PoseModel, SourceProjectsNowhere)
 {
-  const auto projection = itk::PoseModel(Geometry(-1.0, 1.0), pose).GetProjection();
-  EXPECT_NEAR(projection.Depth(projection.source.data()), 0.0, 1e-12);
+  for (const bool isFrontal : { false, true })
+  {
+    const auto projection = itk::PoseModel(Geometry(-1.0, 1.0, isFrontal), pose).GetProjection();
+    EXPECT_NEAR(projection.Depth(projection.source.data()), 0.0, 1e-12);
+  }
 }
 
 TEST(PoseModel, SolvedTranslationBringsThePointThere)
@@ -123,6 +133,11 @@ TEST(PoseModel, SolvedTranslationBringsThePointThere)
   itk::PoseModel(Geometry(1.0, 1.0), pose).SolveTranslation(p, target, moved[itk::PoseTx], moved[itk::PoseTz]);
   double w[2];
   itk::PoseModel(Geometry(1.0, 1.0), moved).Project(p, w);
+  EXPECT_NEAR(w[0], target[0], 1e-9);
+  EXPECT_NEAR(w[1], target[1], 1e-9);
+  moved = pose;
+  itk::PoseModel(Geometry(1.0, 1.0, true), pose).SolveTranslation(p, target, moved[itk::PoseTy], moved[itk::PoseTz]);
+  itk::PoseModel(Geometry(1.0, 1.0, true), moved).Project(p, w);
   EXPECT_NEAR(w[0], target[0], 1e-9);
   EXPECT_NEAR(w[1], target[1], 1e-9);
 }

@@ -19,11 +19,13 @@
 #define itkOpenSilhouette_h
 
 #include "SilhouetteContourExport.h"
+#include "itkCephalometricDirection.h"
 #include "itkMeshSilhouette.h"
 #include "itkPerspectiveProjection.h"
 #include "itkToothCode.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -36,8 +38,10 @@ namespace itk
 struct SilhouetteContour_EXPORT OpenSilhouetteOptions
 {
   ToothCode::JawEnum jaw{ ToothCode::JawEnum::Upper };
+  /** From where the picture was taken: what may be traced differs. */
+  CephalometricDirectionEnum direction{ CephalometricDirectionEnum::Lateral };
   /** Angle (rad) about the lateral axis from the dental frame to the picture: facing is judged in the dental frame, so
-   * that the head's pitch does not change which part is kept. */
+   * that the head's pitch does not change which part is kept. In a frontal picture pitch turns nothing: 0. */
   double pitch{ 0.0 };
   /** Between samples, units of the picture. */
   double spacing{ 0.5 };
@@ -81,9 +85,25 @@ FacesOcclusallyOrAnteriorly(double nu, double nv, ToothCode::JawEnum jaw)
   return occlusal > -0.5 && (occlusal > 0.2 || nu > 0.2);
 }
 
-/** The occlusally and anteriorly facing part of the outer boundary of a surface's projection. `projection` maps to a
- * picture with u anterior and v inferior (patient facing right) in units of about a pixel (0.25 mm). Empty where there
- * is nothing to project; throws as MeshSilhouette::ComputeOuterBoundary(). */
+/** The same of a frontal picture, u to one side: occlusal, or to either side and at most 30 degrees apical. */
+inline bool
+FacesOcclusallyOrSideways(double nu, double nv, ToothCode::JawEnum jaw)
+{
+  return FacesOcclusallyOrAnteriorly(std::abs(nu), nv, jaw);
+}
+
+/** By the direction of the picture. */
+inline bool
+CanBeTraced(double nu, double nv, ToothCode::JawEnum jaw, CephalometricDirectionEnum direction)
+{
+  return direction == CephalometricDirectionEnum::Lateral ? FacesOcclusallyOrAnteriorly(nu, nv, jaw)
+                                                          : FacesOcclusallyOrSideways(nu, nv, jaw);
+}
+
+/** The occlusally and anteriorly (frontal: or sideways) facing part of the outer boundary of a surface's projection.
+ * `projection` maps to a picture with u anterior and v inferior (patient facing right; frontal: to one side) in units
+ * of about a pixel (0.25 mm). Empty where there is nothing to project; throws as
+ * MeshSilhouette::ComputeOuterBoundary(). */
 SilhouetteContour_EXPORT OpenSilhouette
 ComputeOpenSilhouette(const MeshSilhouette &        silhouette,
                       const PerspectiveProjection & projection,

@@ -62,9 +62,10 @@ ComputeOpenSilhouette(const MeshSilhouette &        silhouette,
       const double length = std::hypot(tu, tv);
       nu[i] = length > 1e-9 ? tv / length : samples[i].normal[0];
       nv[i] = length > 1e-9 ? -tu / length : samples[i].normal[1];
-      keep[i] = !options.facingOnly || FacesOcclusallyOrAnteriorly(cosPitch * nu[i] + sinPitch * nv[i],
-                                                                   -sinPitch * nu[i] + cosPitch * nv[i],
-                                                                   options.jaw);
+      keep[i] = !options.facingOnly || CanBeTraced(cosPitch * nu[i] + sinPitch * nv[i],
+                                                   -sinPitch * nu[i] + cosPitch * nv[i],
+                                                   options.jaw,
+                                                   options.direction);
     }
     // Begin behind a gap, so that no run is split at the loop's first point.
     std::size_t begin = 0;

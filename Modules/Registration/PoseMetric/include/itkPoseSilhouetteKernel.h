@@ -43,6 +43,8 @@ namespace itk
  */
 struct PoseSilhouetteSettings
 {
+  /** Of a frontal radiograph the side that was traced and the cut at the midline do not matter: all of the jaw's outer
+   * outline is compared with. */
   PoseGeometry       geometry;
   ToothCode::JawEnum jaw{ ToothCode::JawEnum::Upper };
   TracedSideEnum     tracedSide{ TracedSideEnum::Right };

@@ -48,6 +48,12 @@ public:
   /** kappa: the log of the factor on the geometry's magnification. */
   static RegistrationState::BlockType
   MakeScale(const std::string & name = "scale");
+
+  /** The names of the blocks of a further view: how the head was moved for it, and its scale. */
+  static std::string
+  MakeMoveName(const std::string & view);
+  static std::string
+  MakeScaleName(const std::string & view);
 };
 } // namespace itk
 

@@ -256,7 +256,9 @@ LandmarkPoseMetricv4::GetShares(std::size_t number) const
   {
     return { { 1.0, 0.0 } };
   }
-  if (pair.rule == LandmarkCounterpartSet::RuleEnum::Middle)
+  // Which of two is foremost is not seen from the front: a name without a side is the midline's.
+  if (pair.rule == LandmarkCounterpartSet::RuleEnum::Middle ||
+      this->GetTransform()->GetPoseGeometry().direction == CephalometricDirectionEnum::Frontal)
   {
     return { { 0.5, 0.5 } };
   }

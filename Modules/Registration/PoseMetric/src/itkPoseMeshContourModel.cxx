@@ -100,7 +100,8 @@ PoseMeshContourModel::ComputeOpen(const MeshSilhouette & silhouette, const PoseM
 {
   OpenSilhouetteOptions options;
   options.jaw = m_Jaw;
-  options.pitch = model.GetParameters()[PosePitch];
+  options.direction = model.GetGeometry().direction;
+  options.pitch = options.direction == CephalometricDirectionEnum::Lateral ? model.GetParameters()[PosePitch] : 0.0;
   options.spacing = Spacing;
   options.facingOnly = m_UseFacingFilter;
   return ComputeOpenSilhouette(silhouette, model.GetProjection(), options);

@@ -134,6 +134,25 @@ PoseSilhouetteKernel::PoseSilhouetteKernel(const TriangleSurface &              
              : surface;
   };
   const bool filter = settings.useFacingFilter;
+  if (settings.geometry.direction == CephalometricDirectionEnum::Frontal)
+  {
+    // From the front both sides are seen beside each other: one outline of all of the jaw, and a strand a side.
+    m_Models.push_back(std::make_unique<PoseMeshContourModel>(surface, settings.jaw, filter));
+    DentalContour::PolylinesType right, left, unknown;
+    for (const DentalContour::PolylineType & polyline : selected)
+    {
+      (!polyline.code.IsKnown() ? unknown : polyline.code.IsLeft() ? left : right).push_back(polyline);
+    }
+    for (const DentalContour::PolylinesType & strand : { right, left, unknown })
+    {
+      this->AddStrand(strand, { m_Models.back().get() });
+    }
+    if (m_Strands.empty())
+    {
+      m_Failure = "no part of the tracing can lie on the occlusal or lateral outline";
+    }
+    return;
+  }
   const auto addModel = [&](double sign) {
     m_Models.push_back(std::make_unique<PoseMeshContourModel>(side(sign), settings.jaw, filter));
     return m_Models.back().get();

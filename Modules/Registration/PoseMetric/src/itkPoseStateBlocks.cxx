@@ -36,4 +36,16 @@ PoseStateBlocks::MakeScale(const std::string & name)
 {
   return { name, { { "kappa", 0.0, Arm, 0.03, true } } };
 }
+
+std::string
+PoseStateBlocks::MakeMoveName(const std::string & view)
+{
+  return view + " move";
+}
+
+std::string
+PoseStateBlocks::MakeScaleName(const std::string & view)
+{
+  return view + " scale";
+}
 } // namespace itk

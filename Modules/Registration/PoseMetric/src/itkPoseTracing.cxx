@@ -70,7 +70,7 @@ Distance(const Point2 & a, const Point2 & b)
 
 /** The part of a closed polyline that can lie on the open moving contour, as one open polyline. */
 void
-OpenClosedPolyline(Strand & strand, ToothCode::JawEnum jaw)
+OpenClosedPolyline(Strand & strand, ToothCode::JawEnum jaw, CephalometricDirectionEnum direction)
 {
   const std::size_t n = strand.points.size();
   if (n < 3)
@@ -91,7 +91,7 @@ OpenClosedPolyline(Strand & strand, ToothCode::JawEnum jaw)
     const Point2 & a = strand.points[(i + n - 1) % n];
     const Point2 & b = strand.points[(i + 1) % n];
     const double   length = std::max(Distance(a, b), 1e-12);
-    keep[i] = FacesOcclusallyOrAnteriorly(sign * (b[1] - a[1]) / length, -sign * (b[0] - a[0]) / length, jaw);
+    keep[i] = CanBeTraced(sign * (b[1] - a[1]) / length, -sign * (b[0] - a[0]) / length, jaw, direction);
   }
   // Cut behind the longest run of points that do not face the right way; twice around, so that a run over the first
   // point is one.
@@ -171,7 +171,7 @@ PoseTracing::PoseTracing(const PoseGeometry &                 geometry,
     }
     if (polyline.closed)
     {
-      OpenClosedPolyline(strand, jaw);
+      OpenClosedPolyline(strand, jaw, geometry.direction);
     }
     if (!strand.points.empty())
     {
@@ -194,7 +194,10 @@ PoseTracing::PoseTracing(const PoseGeometry &                 geometry,
       length += Distance(strand.points[i - 1], strand.points[i]);
     }
   }
-  const bool coded = std::all_of(strands.begin(), strands.end(), [](const Strand & s) { return s.tooth != 0; });
+  // From front to back, or of a frontal picture from side to side, where codes of both sides meet at the midline.
+  const bool isLateral = geometry.direction == CephalometricDirectionEnum::Lateral;
+  const bool coded =
+    isLateral && std::all_of(strands.begin(), strands.end(), [](const Strand & s) { return s.tooth != 0; });
   std::stable_sort(strands.begin(), strands.end(), [coded](const Strand & a, const Strand & b) {
     if (coded && a.tooth % 10 != b.tooth % 10)
     {
@@ -298,11 +301,16 @@ PoseTracing::PoseTracing(const PoseGeometry &                 geometry,
     }
     nu[i] = upper ? tv : -tv;
     nv[i] = upper ? -tu : tu;
-    outward += nu[i] + (upper ? nv[i] : -nv[i]);
+    outward += (isLateral ? nu[i] : 0.0) + (upper ? nv[i] : -nv[i]);
     centroid[0] += u[i] / n;
     centroid[1] += v[i] / n;
   }
-  // Occlusal or anterior: a labial border alone may face apically where the incisors lean forward.
+  // Occlusal or anterior: a labial border alone may face apically where the incisors lean forward. In a frontal picture
+  // occlusal or away from the middle.
+  for (std::size_t i = 0; !isLateral && i < n; ++i)
+  {
+    outward += u[i] >= centroid[0] ? nu[i] : -nu[i];
+  }
   if (outward < 0.0)
   {
     for (std::size_t i = 0; i < n; ++i)

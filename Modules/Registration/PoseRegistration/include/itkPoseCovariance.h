@@ -24,10 +24,20 @@
 
 #include "itkLeastSquaresSumMetricv4.h"
 
+#include "vnl/vnl_matrix.h"
+
 #include <array>
 
 namespace itk
 {
+/** Covariance of all unknowns of a metric, in the order of its state, natural units: as of pose and scale below. What
+ * is neither free nor held by the options has none. */
+PoseRegistration_EXPORT vnl_matrix<double>
+                        ComputeStateCovariance(const LeastSquaresSumMetricv4 & metric,
+                                               const PoseRegistrationOptions & options,
+                                               const PosePriors &              priors,
+                                               const ResidualNoiseModel *      noiseModel = nullptr);
+
 /** Covariance of pose and scale at the position and the noise levels of a metric, 7x7 in the order of PoseParameters,
  * row-major, rad and mm: the inverse of the information of residuals and priors, with the noise model's longer
  * correlation length and levels estimated for it, the options' inflation included.

@@ -81,6 +81,14 @@ public:
     return false;
   }
 
+  /** Whether the other question is about a part of the evidence that the solution does not hang on, so that it begins
+   * at the solution instead of with a search. */
+  virtual bool
+  GetBeginsAtSolution() const
+  {
+    return false;
+  }
+
 protected:
   PoseHypothesis() = default;
   ~PoseHypothesis() override = default;

@@ -21,7 +21,9 @@
 #include "itkLeastSquaresMetricv4.h"
 #include "itkPoseRegistrationTypes.h"
 
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace itk
@@ -34,6 +36,23 @@ struct PoseProblemTerm
 {
   LeastSquaresMetricv4::Pointer metric;
   ToothCode::JawEnum            jaw{ ToothCode::JawEnum::Unknown };
+};
+
+/** \struct PoseViewInput
+ * \brief A further view, as CephalogramView has it. Drawings by jaw: upper, lower.
+ * \ingroup PoseRegistration
+ */
+struct PoseViewInput
+{
+  std::string                                name;
+  PoseGeometry                               geometry;
+  std::array<DentalContour::ConstPointer, 2> tracings;
+  CephalometricLandmarkSet::ConstPointer     landmarks;
+  LandmarkCounterpartSet::ConstPointer       counterparts;
+  bool                                       sameHeadPosition{ true };
+  /** px, 1 sd an axis. */
+  double principalPointSigma{ 4.0 };
+  double kappaSigma{ 0.016 };
 };
 
 /** \struct PoseProblem
@@ -51,6 +70,8 @@ struct PoseProblem
   /** What a user has added to the jaws' own evidence. A hypothesis under which one of them would mean something else
    * exchanges it or leaves it out, or says that it cannot be asked (PoseHypothesis::GetObstacle()). */
   std::vector<PoseProblemTerm> terms;
+  /** Views beside the first. */
+  std::vector<PoseViewInput> views;
 };
 } // namespace itk
 

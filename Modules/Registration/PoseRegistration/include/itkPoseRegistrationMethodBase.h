@@ -18,6 +18,7 @@
 #ifndef itkPoseRegistrationMethodBase_h
 #define itkPoseRegistrationMethodBase_h
 
+#include "itkCephalogramView.h"
 #include "itkPoseHypothesis.h"
 #include "itkPoseRegistrationIteration.h"
 #include "itkPoseSolution.h"
@@ -102,6 +103,19 @@ public:
   itkGetInputMacro(LowerFrame, DecoratedTransformType);
   itkSetInputMacro(JointFrame, DecoratedTransformType);
   itkGetInputMacro(JointFrame, DecoratedTransformType);
+
+  /** A further radiograph of the patient beside the first, as evidence: the solution explains all of them, and says of
+   * each how well (PoseSolution::MakeViewSolution()). A start is searched on the first view alone. Throws where there
+   * is a view of that name already; what a view lacks, Update() says. */
+  void
+  AddView(const CephalogramView * view);
+  void
+  ClearViews();
+  const std::vector<CephalogramView::ConstPointer> &
+  GetViews() const
+  {
+    return m_Views;
+  }
 
   // Options -----------------------------------------------------------------------------------------------------
 
@@ -205,7 +219,8 @@ public:
   PoseHypothesisOutcome
   TryHypothesis(const PoseHypothesis * hypothesis, JawEnum jaw);
 
-  /** Of the terms, the hypotheses and the start as well: a change of one of them runs the registration again. */
+  /** Of the views, the terms, the hypotheses and the start as well: a change of one of them runs the registration
+   * again. */
   ModifiedTimeType
   GetMTime() const override;
 
@@ -317,24 +332,25 @@ private:
   void
   Report(const IterationType & iteration);
 
-  PoseRegistrationOptions                   m_Options;
-  bool                                      m_PrincipalPointKnown{ true };
-  std::optional<ScalePrior::SpacingSource>  m_SpacingSource;
-  std::array<InitialType, NumberOfJaws>     m_Initial;
-  OptimizerType::Pointer                    m_Optimizer;
-  PoseStart::ConstPointer                   m_Start;
-  RobustKernel::ConstPointer                m_RobustKernel;
-  ResidualNoiseModel::ConstPointer          m_NoiseModel;
-  ResidualNoiseModel::ConstPointer          m_CovarianceNoiseModel;
-  std::vector<TermType::Pointer>            m_Terms;
-  std::vector<JawEnum>                      m_TermJaws;
-  std::vector<PoseHypothesis::ConstPointer> m_Hypotheses;
-  unsigned int                              m_CurrentLevel{ 0 };
-  unsigned int                              m_NumberOfLevels{ 4 };
-  IterationType                             m_CurrentIteration;
-  MetricType::Pointer                       m_Metric;
-  bool                                      m_JawsShareFrame{ false };
-  std::array<PoseFrame, NumberOfJaws>       m_Frames;
+  PoseRegistrationOptions                    m_Options;
+  bool                                       m_PrincipalPointKnown{ true };
+  std::optional<ScalePrior::SpacingSource>   m_SpacingSource;
+  std::array<InitialType, NumberOfJaws>      m_Initial;
+  OptimizerType::Pointer                     m_Optimizer;
+  PoseStart::ConstPointer                    m_Start;
+  RobustKernel::ConstPointer                 m_RobustKernel;
+  ResidualNoiseModel::ConstPointer           m_NoiseModel;
+  ResidualNoiseModel::ConstPointer           m_CovarianceNoiseModel;
+  std::vector<CephalogramView::ConstPointer> m_Views;
+  std::vector<TermType::Pointer>             m_Terms;
+  std::vector<JawEnum>                       m_TermJaws;
+  std::vector<PoseHypothesis::ConstPointer>  m_Hypotheses;
+  unsigned int                               m_CurrentLevel{ 0 };
+  unsigned int                               m_NumberOfLevels{ 4 };
+  IterationType                              m_CurrentIteration;
+  MetricType::Pointer                        m_Metric;
+  bool                                       m_JawsShareFrame{ false };
+  std::array<PoseFrame, NumberOfJaws>        m_Frames;
   /** What hypotheses are tried beside: of the solution that stands, without the surfaces. */
   std::unique_ptr<AnsweredType> m_Answered;
 };

@@ -301,6 +301,12 @@ struct PoseHypothesisOutcome
 /** Result for a group of jaws that share one pose. */
 struct PoseGroupResult
 {
+  /** Values of all unknowns, and their covariance, row-major, of which parameters and covariance below are a part; the
+   * blocks in their order, each with its place (RegistrationState). */
+  std::vector<double>                state;
+  std::vector<double>                stateCovariance;
+  std::map<std::string, std::size_t> blocks;
+
   std::vector<std::size_t> jaws;
   PoseParameters           parameters{ {} };
   /** 7x7, row-major; inflation included. */
@@ -336,6 +342,8 @@ struct PoseGroupResult
   }
 };
 
+struct PoseViewResult;
+
 /** Everything that a pose registration found. */
 struct PoseRegistrationResult
 {
@@ -346,6 +354,24 @@ struct PoseRegistrationResult
   /** What the working plane was made with: the given values or the estimates. */
   PoseGeometry geometry;
   bool         aborted{ false };
+  /** Of the views beside the first. */
+  std::vector<PoseViewResult> views;
+};
+
+/** What a further view shows at the solution. */
+struct PoseViewResult
+{
+  std::string name;
+  /** The same jaws and groups, with the pose that they have in this view, at its scale, and its geometry. What of them
+   * was not drawn on this view is empty. */
+  PoseRegistrationResult result;
+  bool                   sameHeadPosition{ true };
+  /** How the head was moved for it, by group of jaws: pitch, roll, yaw (rad), shifts x, y, z (mm), and standard
+   * deviations. */
+  std::vector<std::array<double, 6>> moves;
+  std::vector<std::array<double, 6>> moveSigmas;
+  /** By group: |move| and |kappa| over the standard deviation of their priors, the largest. */
+  std::vector<double> priorTensions;
 };
 } // namespace itk
 

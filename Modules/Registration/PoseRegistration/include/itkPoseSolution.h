@@ -29,6 +29,7 @@
 #include "itkVersorRigid3DTransform.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace itk
@@ -117,6 +118,17 @@ public:
   /** Covariance, square pixels, of the projection of a point. */
   CovarianceType
   ComputeCovariance(JawEnum jaw, const PointType & point) const;
+
+  /** Names of the views beside the first. */
+  std::vector<std::string>
+  GetViewNames() const;
+  /** Throws where there is no such view. */
+  const PoseViewResult &
+  GetView(const std::string & name) const;
+  /** The same solution as another view shows it: pose, scale, geometry and fit there. Everything downstream of a
+   * registration takes it, landmarks and contours of that view come out. */
+  Pointer
+  MakeViewSolution(const std::string & name) const;
 
   /** The moving contour at the solution, open, continuous pixel indices: everything that could be matched. */
   DentalContour::Pointer

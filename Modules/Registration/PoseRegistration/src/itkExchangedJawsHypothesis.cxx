@@ -76,6 +76,11 @@ ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
   other.options = MakeQuickOptions(problem.options, evaluations);
   other.completed.reset();
   std::swap(other.jaws[0].tracing, other.jaws[1].tracing);
+  for (PoseViewInput & view : other.views)
+  {
+    std::swap(view.tracings[0], view.tracings[1]);
+    view.landmarks = nullptr;
+  }
   for (PoseJawInput & jaw : other.jaws)
   {
     // What was called upper is the lower jaw, the frame stands on its head about x.

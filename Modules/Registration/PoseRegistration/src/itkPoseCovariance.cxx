@@ -28,11 +28,11 @@
 
 namespace itk
 {
-std::array<double, 49>
-ComputePoseCovariance(const LeastSquaresSumMetricv4 & original,
-                      const PoseRegistrationOptions & options,
-                      const PosePriors &              priors,
-                      const ResidualNoiseModel *      noiseModel)
+vnl_matrix<double>
+ComputeStateCovariance(const LeastSquaresSumMetricv4 & original,
+                       const PoseRegistrationOptions & options,
+                       const PosePriors &              priors,
+                       const ResidualNoiseModel *      noiseModel)
 {
   PosePriors::SigmasType       sigmas = priors.GetCovarianceSigmas();
   const PosePriors::SigmasType heldSigmas = priors.GetHeldSigmas();
@@ -40,8 +40,9 @@ ComputePoseCovariance(const LeastSquaresSumMetricv4 & original,
   {
     sigmas[k] = heldSigmas[k] > 0.0 ? std::numeric_limits<double>::infinity() : sigmas[k];
   }
-  std::array<double, 49>                 covariance{};
   const LeastSquaresSumMetricv4::Pointer metric = original.Clone();
+  const auto                             all = static_cast<unsigned int>(metric->GetState().GetNumberOfParameters());
+  vnl_matrix<double>                     covariance(all, all, 0.0);
   metric->Hold(LeastSquaresMetricv4::HoldEnum::Nothing);
   PosePriors::SetFree(*metric, sigmas);
   priors.SetPriors(*metric, sigmas, true);
@@ -120,14 +121,7 @@ ComputePoseCovariance(const LeastSquaresSumMetricv4 & original,
   }
   // The estimated ones, and what they do for a unit of each held one.
   const double inflation = options.covarianceInflation * options.covarianceInflation;
-  const auto   add = [&](std::size_t a, std::size_t b, double value) {
-    const unsigned int i = parameterOf(a);
-    const unsigned int j = parameterOf(b);
-    if (i < 7 && j < 7)
-    {
-      covariance[7 * i + j] += value;
-    }
-  };
+  const auto   add = [&](unsigned int a, unsigned int b, double value) { covariance(a, b) += value; };
   for (unsigned int a = 0; a < p; ++a)
   {
     for (unsigned int b = 0; b < p; ++b)
@@ -156,6 +150,28 @@ ComputePoseCovariance(const LeastSquaresSumMetricv4 & original,
       {
         add(estimated[a], estimated[b], sigma * sigma * spread[a] * spread[b]);
       }
+    }
+  }
+  return covariance;
+}
+
+std::array<double, 49>
+ComputePoseCovariance(const LeastSquaresSumMetricv4 & metric,
+                      const PoseRegistrationOptions & options,
+                      const PosePriors &              priors,
+                      const ResidualNoiseModel *      noiseModel)
+{
+  const vnl_matrix<double>  all = ComputeStateCovariance(metric, options, priors, noiseModel);
+  const RegistrationState & state = metric.GetState();
+  const auto                place = [&](unsigned int k) {
+    return static_cast<unsigned int>(k == PoseKappa ? state.GetOffset("scale") : state.GetOffset("pose") + k);
+  };
+  std::array<double, 49> covariance{};
+  for (unsigned int a = 0; a < 7; ++a)
+  {
+    for (unsigned int b = 0; b < 7; ++b)
+    {
+      covariance[7 * a + b] = all(place(a), place(b));
     }
   }
   return covariance;

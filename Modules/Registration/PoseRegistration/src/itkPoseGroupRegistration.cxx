@@ -30,6 +30,7 @@
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkSquaresKernel.h"
 #include "itkToothOutlinePoseMetricv4.h"
+#include "itkViewPoseMetricv4.h"
 
 #include <algorithm>
 #include <cmath>
@@ -197,6 +198,21 @@ PoseGroupRegistration::CloneAt(const PositionType & x) const
 {
   MetricType::Pointer clone = m_Metric->Clone();
   clone->SetValues(x);
+  return clone;
+}
+
+PoseGroupRegistration::MetricType::Pointer
+PoseGroupRegistration::CloneWithoutViews() const
+{
+  // The blocks stay, and so their order: the priors of a view read them as well.
+  MetricType::Pointer clone = m_Metric->Clone();
+  for (SizeValueType t = clone->GetNumberOfMetrics(); t-- > 0;)
+  {
+    if (dynamic_cast<const ViewPoseMetricv4 *>(clone->GetMetric(t)) != nullptr)
+    {
+      clone->RemoveMetric(clone->GetMetric(t));
+    }
+  }
   return clone;
 }
 
@@ -430,7 +446,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
   // The view direction is that of the tracing: two rounds settle the perspective.
   PoseParameters pose{ {} };
   pose[PoseYaw] = yaw;
-  MetricType::Pointer metric = m_Metric->Clone();
+  MetricType::Pointer metric = this->CloneWithoutViews();
   for (int round = 0; round < 2; ++round)
   {
     metric->Hold(MetricType::HoldEnum::Nothing);
@@ -644,6 +660,11 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   const CandidateType & best = pool.front();
   m_Solution = best.x;
   group.parameters = ToPose(*m_Metric, best.x);
+  group.state = best.x;
+  for (const auto & block : m_Metric->GetState().GetBlocks())
+  {
+    group.blocks[block.name] = m_Metric->GetState().GetOffset(block.name);
+  }
   group.score = best.score;
   group.converged = best.converged;
   group.stopCondition = best.stopCondition;
@@ -667,7 +688,18 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   // Of a question that is asked of a wrong input nobody asks how sure it is.
   if (!m_Hypothesis)
   {
-    group.covariance = this->ComputeCovariance(*reference, pool);
+    const vnl_matrix<double> covariance = this->ComputeCovariance(*reference, pool);
+    group.stateCovariance.assign(covariance.begin(), covariance.end());
+    const std::size_t pose = m_Metric->GetState().GetOffset("pose");
+    const std::size_t scale = m_Metric->GetState().GetOffset("scale");
+    for (unsigned int a = 0; a < 7; ++a)
+    {
+      for (unsigned int b = 0; b < 7; ++b)
+      {
+        group.covariance[7 * a + b] = covariance(static_cast<unsigned int>(a == PoseKappa ? scale : pose + a),
+                                                 static_cast<unsigned int>(b == PoseKappa ? scale : pose + b));
+      }
+    }
   }
   this->Settle(*m_Metric, best);
   const auto sigmas = m_Priors.GetFitSigmas(false);
@@ -690,7 +722,7 @@ PoseGroupRegistration::Settle(MetricType & metric, const CandidateType & candida
   metric.SetNoiseLevels(candidate.noise);
 }
 
-std::array<double, 49>
+vnl_matrix<double>
 PoseGroupRegistration::ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const
 {
   // Minima of a share below this change no standard deviation of a landmark that the verdict would let pass.
@@ -716,23 +748,22 @@ PoseGroupRegistration::ComputeCovariance(const MetricType & reference, const std
     }
   }
   // A mixture of the minima, about the best one, which is what is reported.
-  std::array<double, 49>              covariance{};
-  const PoseParameters                centre = ToPose(*m_Metric, best.x);
-  std::vector<std::array<double, 49>> own(minima.size());
+  const auto                      all = static_cast<unsigned int>(best.x.size());
+  vnl_matrix<double>              covariance(all, all, 0.0);
+  std::vector<vnl_matrix<double>> own(minima.size());
   m_Monitor.ForEach(minima.size(), m_Options.numberOfThreads, [&](std::size_t i) {
     const MetricType::Pointer metric = this->CloneAt(minima[i]->x);
     this->Settle(*metric, *minima[i]);
-    own[i] = ComputePoseCovariance(*metric, m_Options, m_Priors, m_CovarianceNoise);
+    own[i] = ComputeStateCovariance(*metric, m_Options, m_Priors, m_CovarianceNoise);
   });
   for (std::size_t i = 0; i < minima.size(); ++i)
   {
-    const PoseParameters place = ToPose(*m_Metric, minima[i]->x);
-    for (unsigned int a = 0; a < 7; ++a)
+    const PositionType & place = minima[i]->x;
+    for (unsigned int a = 0; a < all; ++a)
     {
-      for (unsigned int b = 0; b < 7; ++b)
+      for (unsigned int b = 0; b < all; ++b)
       {
-        covariance[7 * a + b] +=
-          shares[i] / sum * (own[i][7 * a + b] + (place[a] - centre[a]) * (place[b] - centre[b]));
+        covariance(a, b) += shares[i] / sum * (own[i](a, b) + (place[a] - best.x[a]) * (place[b] - best.x[b]));
       }
     }
   }
@@ -770,8 +801,8 @@ PoseGroupRegistration::ComputePosterior(const CandidateType & candidate) const
     {
       known += outlines->ComputeToothDeviance(position);
     }
-    else if (dynamic_cast<const SilhouettePoseMetricv4 *>(&term) == nullptr ||
-             metric->GetMetricSettings(t) == MetricType::SettingsEnum::Own)
+    else if (ContourNoiseLevels levels;
+             !term.GetNoiseLevels(levels) || metric->GetMetricSettings(t) == MetricType::SettingsEnum::Own)
     {
       known += term.ComputeValue(position);
     }

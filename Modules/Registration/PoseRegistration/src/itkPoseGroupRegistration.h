@@ -28,7 +28,8 @@
 #include "itkResidualNoiseModel.h"
 #include "itkRobustKernel.h"
 
-#include <array>
+#include "vnl/vnl_matrix.h"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -133,10 +134,13 @@ private:
   double
   ComputePosterior(const CandidateType & candidate) const;
   /** Of the minima together, each by its weight. */
-  std::array<double, 49>
+  vnl_matrix<double>
   ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const;
   MetricType::Pointer
   CloneAt(const PositionType & x) const;
+  /** A search for starts looks at the first view alone. */
+  MetricType::Pointer
+  CloneWithoutViews() const;
   CandidateType
   MakeCandidate(const PositionType & x) const;
 

@@ -26,6 +26,7 @@
 #include "itkSilhouettePoseMetricv4.h"
 #include "itkToothOutlinePoseMetricv4.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -82,15 +83,34 @@ private:
    * nothing to match. */
   struct JawType
   {
+    /** Its terms of a further view. */
+    struct ViewType
+    {
+      SilhouettePoseMetricv4::Pointer silhouette;
+      LandmarkPoseMetricv4::Pointer   landmarks;
+      /** Why its tracing on that view cannot be used. */
+      std::string failure;
+    };
+
     std::shared_ptr<const TriangleSurface> surface;
     SilhouettePoseMetricv4::Pointer        metric;
     ToothOutlinePoseMetricv4::Pointer      outlines;
     LandmarkPoseMetricv4::Pointer          landmarks;
+    /** One a view of the problem. */
+    std::vector<ViewType> views;
 
+    /** On the first view: what a start is searched with. */
     bool
     HasEvidence() const
     {
       return metric.IsNotNull() || outlines.IsNotNull() || landmarks.IsNotNull();
+    }
+    bool
+    HasEvidenceOfAView() const
+    {
+      return std::any_of(views.begin(), views.end(), [](const ViewType & view) {
+        return view.silhouette.IsNotNull() || view.landmarks.IsNotNull();
+      });
     }
   };
 
@@ -102,6 +122,16 @@ private:
                   const CephalometricPoseTransform * transform,
                   JawType &                          jaw,
                   PoseJawResult &                    result) const;
+  void
+  PrepareViews(const PoseProblem & problem, std::size_t jaw, JawType & prepared) const;
+  /** The terms of the views, and what is known of where the head was. */
+  static void
+  AddViews(const PoseProblem &              problem,
+           const std::vector<JawType> &     jaws,
+           const std::vector<std::size_t> & members,
+           MetricType &                     sum);
+  void
+  DescribeViews(const PoseProblem & problem, const std::vector<JawType> & jaws, PoseRegistrationResult & result) const;
   MetricType::Pointer
   MakeMetric(const PoseProblem &              problem,
              const PoseGeometry &             geometry,

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkPoseRegistrationMethodBase.h"
 
+#include "itkPoseGeometryConversion.h"
+
 #include "itkDentalFrameEstimator.h"
 #include "itkExchangedJawsHypothesis.h"
 #include "itkExchangedLandmarksHypothesis.h"
@@ -232,6 +234,32 @@ PoseRegistrationMethodBase::ClearHypotheses()
   this->Modified();
 }
 
+void
+PoseRegistrationMethodBase::AddView(const CephalogramView * view)
+{
+  if (view == nullptr)
+  {
+    itkExceptionMacro("AddView() was given no view.");
+  }
+  const auto hasName = [view](const auto & other) { return std::string(other->GetName()) == view->GetName(); };
+  if (std::any_of(m_Views.begin(), m_Views.end(), hasName))
+  {
+    itkExceptionMacro("There is a view \"" << view->GetName() << "\" already: give this one another name.");
+  }
+  m_Views.emplace_back(view);
+  this->Modified();
+}
+
+void
+PoseRegistrationMethodBase::ClearViews()
+{
+  if (!m_Views.empty())
+  {
+    m_Views.clear();
+    this->Modified();
+  }
+}
+
 ModifiedTimeType
 PoseRegistrationMethodBase::GetMTime() const
 {
@@ -244,6 +272,10 @@ PoseRegistrationMethodBase::GetMTime() const
   for (const auto & hypothesis : m_Hypotheses)
   {
     time = std::max(time, hypothesis->GetMTime());
+  }
+  for (const auto & view : m_Views)
+  {
+    time = std::max(time, view->GetMTime());
   }
   for (const Object * part : { static_cast<const Object *>(m_RobustKernel.GetPointer()),
                                static_cast<const Object *>(m_NoiseModel.GetPointer()),
@@ -380,6 +412,10 @@ PoseRegistrationMethodBase::VerifyPreconditions() ITKv5_CONST
   {
     itkExceptionMacro("The outlines of a standard tracing are of whole teeth: call SetToothCrowns() with what "
                       "ToothCrownFilter cuts out of the scans.");
+  }
+  for (const auto & view : m_Views)
+  {
+    view->Verify();
   }
   if (m_Optimizer.IsNull())
   {
@@ -522,20 +558,23 @@ PoseRegistrationMethodBase::GenerateData()
     }
     problem.jaws.push_back(input);
   }
-  PoseGeometry & geometry = problem.nominal;
-  geometry.sourceToMidsagittal = nominal->GetSourceToMidsagittalDistance();
-  geometry.sourceToDetector = nominal->GetSourceToDetectorDistance();
-  geometry.sourceSign = nominal->GetSourceSign();
-  geometry.facingSign = nominal->GetFacingSign();
-  geometry.pixelSpacingKnown = nominal->HasPixelSpacing();
-  geometry.principalPointKnown = m_PrincipalPointKnown;
-  for (unsigned int d = 0; d < 2; ++d)
+  problem.nominal = ToPoseGeometry(*nominal);
+  problem.nominal.principalPointKnown = m_PrincipalPointKnown;
+  for (const auto & view : m_Views)
   {
-    if (geometry.pixelSpacingKnown)
+    PoseViewInput input;
+    input.name = view->GetName();
+    input.geometry = ToPoseGeometry(*view->GetGeometry());
+    for (const JawEnum jaw : Jaws)
     {
-      geometry.pixelSpacing[d] = nominal->GetPixelSpacing()[d];
+      input.tracings[ToIndex(jaw)] = view->GetContour(jaw);
     }
-    geometry.principalPoint[d] = nominal->GetPrincipalPoint()[d];
+    input.landmarks = view->GetCephalometricLandmarks();
+    input.counterparts = view->GetLandmarkCounterparts();
+    input.sameHeadPosition = view->GetSameHeadPosition();
+    input.principalPointSigma = view->GetPrincipalPointSigma();
+    input.kappaSigma = ScalePrior::GetSigma(view->GetSpacingSource());
+    problem.views.push_back(input);
   }
 
   PoseIterationMonitor   monitor([this](const IterationType & iteration) { this->Report(iteration); },
@@ -700,6 +739,12 @@ PoseRegistrationMethodBase::PrintSelf(std::ostream & os, Indent indent) const
   itkPrintSelfObjectMacro(CovarianceNoiseModel);
   itkPrintSelfObjectMacro(Metric);
   os << indent << "Metrics: " << m_Terms.size() << std::endl;
+  os << indent << "Views:";
+  for (const auto & view : m_Views)
+  {
+    os << ' ' << view->GetName();
+  }
+  os << std::endl;
   os << indent << "Hypotheses:";
   for (const auto & hypothesis : m_Hypotheses)
   {

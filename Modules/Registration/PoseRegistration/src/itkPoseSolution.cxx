@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkPoseSolution.h"
 
+#include "itkPoseGeometryConversion.h"
+
 #include "itkPoseFrameOperations.h"
 #include "itkPoseModel.h"
 
@@ -178,6 +180,41 @@ PoseSolution::ComputeCovariance(JawEnum jaw, const PointType & point) const
   return covariance;
 }
 
+std::vector<std::string>
+PoseSolution::GetViewNames() const
+{
+  std::vector<std::string> names;
+  for (const PoseViewResult & view : m_Result.views)
+  {
+    names.push_back(view.name);
+  }
+  return names;
+}
+
+const PoseViewResult &
+PoseSolution::GetView(const std::string & name) const
+{
+  std::string names;
+  for (const PoseViewResult & view : m_Result.views)
+  {
+    if (view.name == name)
+    {
+      return view;
+    }
+    names += (names.empty() ? "" : ", ") + view.name;
+  }
+  itkExceptionMacro("There is no view \"" << name << "\"; beside the first there "
+                                          << (names.empty() ? "is none" : "are: ") << names << '.');
+}
+
+PoseSolution::Pointer
+PoseSolution::MakeViewSolution(const std::string & name) const
+{
+  auto solution = Self::New();
+  solution->SetResult(this->GetView(name).result, m_Options);
+  return solution;
+}
+
 DentalContour::Pointer
 PoseSolution::MakeMovingContour(JawEnum jaw) const
 {
@@ -235,23 +272,8 @@ PoseSolution::MakePoseTransform(JawEnum jaw) const
 void
 PoseSolution::CopyToGeometry(JawEnum jaw, CephalometricGeometry * geometry) const
 {
-  const auto                              rigid = this->MakeRigidTransform(jaw);
-  const double                            shrink = std::exp(-this->GetGroup(jaw).parameters[PoseKappa]);
-  CephalometricGeometry::PixelSpacingType spacing;
-  CephalometricGeometry::PixelIndexType   principal;
-  for (unsigned int d = 0; d < 2; ++d)
-  {
-    spacing[d] = m_Result.geometry.pixelSpacing[d] * shrink;
-    principal[d] = m_Result.geometry.principalPoint[d];
-  }
-  geometry->SetSourceToMidsagittalDistance(m_Result.geometry.sourceToMidsagittal);
-  geometry->SetSourceToDetectorDistance(m_Result.geometry.sourceToDetector);
-  geometry->SetSourceSide(m_Result.geometry.sourceSign > 0.0 ? CephalometricGeometry::SourceSideEnum::Right
-                                                             : CephalometricGeometry::SourceSideEnum::Left);
-  geometry->SetFacing(m_Result.geometry.facingSign > 0.0 ? CephalometricGeometry::FacingEnum::Right
-                                                         : CephalometricGeometry::FacingEnum::Left);
-  geometry->SetPixelSpacing(spacing);
-  geometry->SetPrincipalPoint(principal);
+  const auto rigid = this->MakeRigidTransform(jaw);
+  itk::CopyToGeometry(m_Result.geometry, std::exp(this->GetGroup(jaw).parameters[PoseKappa]), *geometry);
   geometry->SetPose(rigid->GetMatrix(), rigid->GetOffset());
 }
 
