@@ -15,24 +15,18 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef itkTIFFTag_h
-#define itkTIFFTag_h
+#ifndef itkExifOrientation_h
+#define itkExifOrientation_h
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
 namespace itk
 {
-/** Not installed. The first value of a tag in the first directory of a TIFF, and of what a camera writes into a JPEG as
- * Exif, which is the same structure. None for all other files, for one that is not whole, and where there is no such
- * tag, or none of a whole number. */
-std::optional<std::uint32_t>
-ReadTIFFTag(const std::string & fileName, std::uint32_t tag);
-
-/** Tags of TIFF 6.0. */
-constexpr std::uint32_t TIFFPhotometricTag = 262;
-constexpr std::uint32_t TIFFOrientationTag = 274;
+/** Not installed. How a JPEG has to be turned to be seen upright, by what a camera or an editor writes into it as Exif:
+ * 1, as it is, to 8. 1 where it does not say it. Exif stands at the beginning; behind the first 256 KiB nobody looks
+ * for it. */
+unsigned int
+ReadExifOrientation(const std::string & fileName);
 } // namespace itk
 
 #endif
