@@ -205,11 +205,16 @@ private:
       m_Pictures.push_back({ attributes["name"], this->GetField(), attributes["width"], attributes["height"], {} });
       m_InPicture = true;
     }
-    else if (m_InPicture && m_Depth == 3 && name != "tag")
+    else if (m_InPicture && m_Depth == 3)
     {
-      m_Pictures.back().shapes.push_back({ name, this->GetField(), attributes["points"], { attributes["label"] } });
+      // A tag is of the whole picture, and so are its attributes.
+      m_InShape = name != "tag";
+      if (m_InShape)
+      {
+        m_Pictures.back().shapes.push_back({ name, this->GetField(), attributes["points"], { attributes["label"] } });
+      }
     }
-    else if (m_InPicture && m_Depth == 4 && name == "attribute" && !m_Pictures.back().shapes.empty())
+    else if (m_InShape && m_Depth == 4 && name == "attribute")
     {
       m_InAttribute = true;
       m_Value.clear();
@@ -221,6 +226,7 @@ private:
   {
     if (m_InAttribute && m_Depth == 4)
     {
+    m_InShape = m_InShape && m_Depth != 3;
       m_Pictures.back().shapes.back().labels.push_back(Trim(m_Value));
       m_InAttribute = false;
     }
@@ -236,6 +242,7 @@ private:
   XML_Parser           m_Parser{ nullptr };
   std::exception_ptr   m_Error;
   std::vector<Picture> m_Pictures;
+  bool                 m_InShape{ false };
   std::string          m_Value;
   int                  m_Depth{ 0 };
   bool                 m_InPicture{ false };

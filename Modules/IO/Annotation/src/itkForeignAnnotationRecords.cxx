@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <map>
+#include <cmath>
 
 namespace itk
 {
@@ -42,14 +43,20 @@ FileNameOf(const std::string & path)
   return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
-/** The member as text, a number in digits; "" where there is none. */
+/** The member as text, a whole number in digits; "" where there is neither. */
 std::string
 FindText(const JsonNode & node, const char * key)
 {
   const auto member = node.Find(key);
-  return member && member->IsString()   ? member->AsString()
-         : member && member->IsNumber() ? std::to_string(static_cast<long long>(member->AsNumber()))
-                                        : std::string();
+  if (member && member->IsString())
+  {
+    return member->AsString();
+  }
+  // From 2^53 on not every whole number is one of floating point.
+  constexpr double limit = 9007199254740992.0;
+  const double     number = member && member->IsNumber() ? member->AsNumber() : limit;
+  return std::abs(number) < limit && number == std::floor(number) ? std::to_string(static_cast<int64_t>(number))
+                                                                  : std::string();
 }
 
 void
@@ -124,12 +131,12 @@ ReadKeypoints(const JsonNode & annotation, const Category & category, Annotation
   {
     return;
   }
-  const std::size_t count = keypoints->GetSize() / 3;
-  if (count != category.keypoints.size())
+  const std::size_t count = category.keypoints.size();
+  if (keypoints->GetSize() != 3 * count)
   {
-    keypoints->Fail("has " + std::to_string(count) + " points, its category names " +
-                      std::to_string(category.keypoints.size()),
-                    "export categories with their \"keypoints\"");
+    keypoints->Fail("has " + std::to_string(keypoints->GetSize()) + " numbers, and its category names " +
+                      std::to_string(count) + " points of three",
+                    "export categories with their \"keypoints\", and of each point x, y and visibility");
   }
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -210,6 +210,41 @@ TEST(AnnotationTools, OfSeveralPicturesTheRadiographsIsTaken)
   EXPECT_EQ(reader->GetReadImageSize()[0], 10u);
 }
 
+TEST(AnnotationTools, WhatATagSaysIsOfThePictureAndOfNoShape)
+{
+  const auto reader = Reader("a.xml", R"(<annotations><image name="a" width="100" height="200">
+    <polyline label="tooth line" points="1,1;2,2"/>
+    <tag label="quality"><attribute name="tooth">UR2</attribute></tag>
+    <polyline label="tooth" points="3,3;4,4"><attribute name="code">UR1</attribute></polyline>
+    <tag label="quality"><attribute name="tooth">UR3</attribute></tag></image></annotations>)");
+  reader->Update();
+  const auto upper = reader->GetUpperOutput()->GetPolylines();
+  ASSERT_EQ(upper.size(), 1u);
+  EXPECT_EQ(upper[0].code.GetName(), "UR1");
+  EXPECT_TRUE(Contains(Warnings(reader), "left out: tooth line"));
+}
+
+/** A number may be a tooth's; one with a fraction is none, and one beyond all whole numbers is not converted to any. */
+TEST(AnnotationTools, NumbersAreNamesWhereTheyAreWhole)
+{
+  const auto read = [](const std::string & number) {
+    const auto reader = Reader("a.json",
+                               R"({"description": "", "tags": [], "size": {"height": 200, "width": 100}, "objects": [
+      {"classTitle": "UR2", "geometryType": "line", "points": {"exterior": [[1, 1], [2, 2]], "interior": []}},
+      {"classTitle": "crown", "tags": [{"name": "number", "value": )" +
+                                 number + R"(}], "geometryType": "line", "points": {"exterior": [[3, 3], [4, 4]]}}]})");
+    reader->Update();
+    return reader->GetUpperOutput()->GetPolylines();
+  };
+  const auto whole = read("11");
+  ASSERT_EQ(whole.size(), 2u);
+  EXPECT_EQ(whole[1].code.GetName(), "UR1");
+  for (const char * number : { "11.7", "1e300", "-1e300", "9007199254740993" })
+  {
+    EXPECT_EQ(read(number).size(), 1u) << number;
+  }
+}
+
 TEST(AnnotationTools, DamagedFilesAreRefusedInWords)
 {
   const auto problem = [](const std::string & name, const std::string & text) {
@@ -240,6 +275,11 @@ TEST(AnnotationTools, DamagedFilesAreRefusedInWords)
   EXPECT_TRUE(Contains(problem("j.json", R"({"images": [{"id": 1, "width": 9, "height": 9}], "categories": [],
     "annotations": [{"image_id": 1, "category_id": 5}]})"),
                        "annotations[0].category_id"));
+  // Two points and a third of one are not two points.
+  EXPECT_TRUE(Contains(problem("keypoints.json", R"({"images": [{"id": 1, "width": 9, "height": 9}],
+    "categories": [{"id": 5, "name": "points", "keypoints": ["U1_tip", "L1_tip"]}],
+    "annotations": [{"image_id": 1, "category_id": 5, "keypoints": [1, 1, 2, 2, 2, 2, 3]}]})"),
+                       "has 7 numbers"));
   EXPECT_TRUE(Contains(problem("k.json", R"([{"image": "a.png", "label": [{"original_width": 9, "original_height": 9,
     "image_rotation": 90, "points": [[1, 1]], "polygonlabels": ["11"]}]}])"),
                        "image_rotation"));
