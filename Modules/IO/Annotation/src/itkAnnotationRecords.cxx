@@ -216,7 +216,7 @@ ReadCode(const JsonNode & node)
   return node.IsNull() ? std::string() : node.AsString();
 }
 
-/** One number for all points, or one a point. */
+/** One number for all points, or one a point, of which null is one that is not known. */
 void
 ReadSigmas(const JsonNode & node, std::size_t count, std::vector<double> & sigmas)
 {
@@ -232,10 +232,15 @@ ReadSigmas(const JsonNode & node, std::size_t count, std::vector<double> & sigma
   };
   if (node.IsArray())
   {
-    node.AsNumbers(count, "(one a point)");
+    if (node.GetSize() != count)
+    {
+      node.Fail("has " + std::to_string(node.GetSize()) + " values, expected " + std::to_string(count) +
+                  " (one a point)",
+                "give one a point, null where it is not known");
+    }
     for (std::size_t i = 0; i < count; ++i)
     {
-      sigmas.push_back(check(node.At(i)));
+      sigmas.push_back(node.At(i).IsNull() ? 0.0 : check(node.At(i)));
     }
   }
   else
