@@ -192,6 +192,13 @@ DentalContourFileReader::GetOutput(JawEnum jaw) const
 }
 
 void
+DentalContourFileReader::SetFileName(const char * fileName)
+{
+  Superclass::SetFileName(fileName);
+  this->SetClassFiles({});
+}
+
+void
 DentalContourFileReader::SetClassFiles(const ClassFilesType & files)
 {
   if (m_ClassFiles != files)

@@ -456,6 +456,26 @@ TEST(LabelImages, OneMaskATooth)
   EXPECT_EQ(error.GetField(), "size");
 }
 
+/** One reader may be used for a patient with masks and then for one with a file. */
+TEST(LabelImages, OfMasksAndAFileWhatIsSaidLastIsRead)
+{
+  const std::string mask =
+    itk::WriteTestFile("ur1.nrrd", Nrrd({ "..........", ".cc.......", "..........", ".........." }));
+  const std::string file = itk::WriteTestFile(
+    "c.json", R"({"image_size": [9, 9], "contours": {"upper": [{"code": "UR2", "points": [[1, 1], [2, 2]]}]}})");
+  const auto reader = DentalContourFileReader::New();
+  const auto read = [&reader] {
+    reader->Update();
+    return reader->GetUpperOutput()->GetPolylines().at(0).code.GetName();
+  };
+  reader->SetFileName(file);
+  reader->SetClassFiles({ { "UR1", mask } });
+  EXPECT_EQ(read(), "UR1");
+  reader->SetFileName(file);
+  EXPECT_TRUE(reader->GetClassFiles().empty());
+  EXPECT_EQ(read(), "UR2");
+}
+
 TEST(LabelImages, DrawnLinesAreWalkedAlongTheirMiddle)
 {
   // One pixel of a dark line on white; all that differs from white is the line.
