@@ -24,6 +24,7 @@
 #include "itkForeignFile.h"
 #include "itkJsonDocument.h"
 #include "itkLabelImageRecords.h"
+#include "itkLowerCase.h"
 #include "itkReadLabelImage.h"
 #include "itkTextFile.h"
 
@@ -90,9 +91,6 @@ operator<<(std::ostream & os, AnnotationPixelOriginEnum origin)
 namespace
 {
 using Format = AnnotationFileFormatEnum;
-
-/** A pixel count of either direction; no radiograph has a tenth of it. */
-constexpr int64_t MaximumImageSize = 1000000;
 
 Format
 FormatFromName(const std::string & fileName)
@@ -178,29 +176,6 @@ FirstCharacter(const std::string & fileName)
   std::string       head(bytes, static_cast<std::size_t>(file.gcount() > 0 ? file.gcount() : 0));
   const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
   return first == std::string::npos ? '\0' : head[first];
-}
-
-/** What a file is before it is parsed: Automatic for JSON, whose content tells more. */
-Format
-FormatFromFile(const std::string & fileName)
-{
-  const Format named = FormatFromName(fileName);
-  if (named != Format::Automatic)
-  {
-    return named;
-  }
-  // A pipe can be read once only: it is taken for JSON.
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(fileName, ignored))
-  {
-    return Format::Automatic;
-  }
-  const char first = FirstCharacter(fileName);
-  if (first == '{' || first == '[')
-  {
-    return Format::Automatic;
-  }
-  return first == '<' ? Format::CVAT : IsImageFile(fileName) ? Format::LabelImage : Format::Automatic;
 }
 
 // ---- the toolkit's own ------------------------------------------------------------------------------------------
@@ -684,6 +659,28 @@ ReadCSV(const std::string & fileName, unsigned int dimension, std::vector<std::s
 } // namespace
 
 AnnotationFileFormatEnum
+AnnotationFormatFromFile(const std::string & fileName)
+{
+  const Format named = FormatFromName(fileName);
+  if (named != Format::Automatic)
+  {
+    return named;
+  }
+  // A pipe can be read once only: it is taken for JSON.
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(fileName, ignored))
+  {
+    return Format::Automatic;
+  }
+  const char first = FirstCharacter(fileName);
+  if (first == '{' || first == '[')
+  {
+    return Format::Automatic;
+  }
+  return first == '<' ? Format::CVAT : IsImageFile(fileName) ? Format::LabelImage : Format::Automatic;
+}
+
+AnnotationFileFormatEnum
 AnnotationFormatFromContent(const JsonNode & root)
 {
   if (root.IsObject() && root.Find("markups"))
@@ -703,7 +700,7 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
   RefuseCephalometricFormat(fileName, format);
   RefuseForeignFile(fileName, FilePurposeEnum::Tracing);
   AnnotationRecords records;
-  records.format = format == Format::Automatic ? FormatFromFile(fileName) : format;
+  records.format = format == Format::Automatic ? AnnotationFormatFromFile(fileName) : format;
   switch (records.format)
   {
     case Format::CSV:
@@ -769,7 +766,7 @@ ReadLandmarkRecords(const std::string &      fileName,
   RefuseForeignFile(fileName, FilePurposeEnum::Landmarks);
   if (format == Format::Automatic)
   {
-    format = FormatFromFile(fileName);
+    format = AnnotationFormatFromFile(fileName);
   }
   AnnotationRecords records;
   records.format = format;

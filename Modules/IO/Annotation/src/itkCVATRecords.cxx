@@ -27,8 +27,6 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <type_traits>
@@ -40,8 +38,7 @@ namespace
 using AttributesType = std::map<std::string, std::string>;
 
 /** As deep as JSON may be nested; CVAT nests four elements. */
-constexpr int         MaximumDepth = 64;
-constexpr std::size_t MaximumImageSize = 1000000;
+constexpr int MaximumDepth = 64;
 
 struct Shape
 {
@@ -226,10 +223,10 @@ private:
   {
     if (m_InAttribute && m_Depth == 4)
     {
-    m_InShape = m_InShape && m_Depth != 3;
       m_Pictures.back().shapes.back().labels.push_back(Trim(m_Value));
       m_InAttribute = false;
     }
+    m_InShape = m_InShape && m_Depth != 3;
     if (m_Depth == 2 && name == "image")
     {
       m_InPicture = false;
@@ -242,10 +239,10 @@ private:
   XML_Parser           m_Parser{ nullptr };
   std::exception_ptr   m_Error;
   std::vector<Picture> m_Pictures;
-  bool                 m_InShape{ false };
   std::string          m_Value;
   int                  m_Depth{ 0 };
   bool                 m_InPicture{ false };
+  bool                 m_InShape{ false };
   bool                 m_InAttribute{ false };
 };
 
@@ -284,23 +281,6 @@ ReadSize(const std::string & fileName, const Picture & picture, const char * nam
   return static_cast<std::size_t>(value);
 }
 } // namespace
-
-bool
-IsXMLFile(const std::string & fileName)
-{
-  // A pipe can be read once only.
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(fileName, ignored))
-  {
-    return false;
-  }
-  std::string   head(512, '\0');
-  std::ifstream file(fileName, std::ios::binary);
-  file.read(&head[0], static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount() > 0 ? file.gcount() : 0));
-  const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  return first != std::string::npos && head[first] == '<';
-}
 
 AnnotationRecords
 ReadCVATRecords(const std::string & fileName, const std::string & imageName)

@@ -22,6 +22,7 @@
 #include "itkDentalInputError.h"
 #include "itkForeignFile.h"
 #include "itkJsonDocument.h"
+#include "itkLowerCase.h"
 #include "itkTextFile.h"
 
 #include <algorithm>
@@ -378,10 +379,8 @@ ReadCephalometricLandmarkRecords(const std::string &          fileName,
                                  const std::string &          imageName)
 {
   RefuseForeignFile(fileName, FilePurposeEnum::Landmarks);
-  const std::string name = LowerCase(fileName);
-  const bool        table = EndsWith(name, ".csv") || EndsWith(name, ".tsv") || EndsWith(name, ".txt");
-  if (format == Format::CSV || format == Format::CLDetection || format == Format::ISBI2015 ||
-      (format == Format::Automatic && table))
+  const Format found = format == Format::Automatic ? AnnotationFormatFromFile(fileName) : format;
+  if (found == Format::CSV || found == Format::CLDetection || found == Format::ISBI2015)
   {
     AnnotationRecords       records;
     const std::vector<Line> lines = ReadLines(fileName);
@@ -400,7 +399,7 @@ ReadCephalometricLandmarkRecords(const std::string &          fileName,
     }
     return records;
   }
-  if (format == Format::CVAT || (format == Format::Automatic && IsXMLFile(fileName)))
+  if (found == Format::CVAT)
   {
     AnnotationRecords records = ReadLandmarkRecords(fileName, Format::CVAT, 2, imageName);
     LeaveOutOthers(records, isDental);

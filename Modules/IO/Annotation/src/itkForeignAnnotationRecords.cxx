@@ -20,10 +20,11 @@
 #include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
+#include "itkLowerCase.h"
 
 #include <algorithm>
-#include <map>
 #include <cmath>
+#include <map>
 
 namespace itk
 {
@@ -31,9 +32,6 @@ namespace
 {
 using Format = AnnotationFileFormatEnum;
 using PointsType = std::vector<std::array<double, 3>>;
-
-/** A pixel count of either direction; no radiograph has a tenth of it. */
-constexpr int64_t MaximumImageSize = 1000000;
 
 /** The last part of a path or address. */
 std::string
