@@ -27,6 +27,7 @@
 #include "itkLowerCase.h"
 #include "itkReadLabelImage.h"
 #include "itkTextFile.h"
+#include "itkVIATable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -664,7 +665,7 @@ AnnotationFormatFromFile(const std::string & fileName)
   const Format named = FormatFromName(fileName);
   if (named != Format::Automatic)
   {
-    return named;
+    return IsVIATable(fileName) ? Format::VIA : named;
   }
   // A pipe can be read once only: it is taken for JSON.
   std::error_code ignored;
@@ -725,6 +726,12 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
     default:
       break;
   }
+  if (records.format == Format::VIA && IsVIATable(fileName))
+  {
+    records = ReadVIATable(fileName, imageName);
+    TakeCalibrations(records);
+    return records;
+  }
   const JsonDocument document = JsonDocument::ReadFile(fileName);
   const JsonNode     root = document.GetRoot();
   if (records.format == Format::Automatic)
@@ -778,7 +785,8 @@ ReadLandmarkRecords(const std::string &      fileName,
     }
     return records;
   }
-  if (format == Format::CVAT || format == Format::LabelImage)
+  const bool isVIATable = format == Format::VIA && IsVIATable(fileName);
+  if (format == Format::CVAT || format == Format::LabelImage || isVIATable)
   {
     if (dimension != 2 || format == Format::LabelImage)
     {
@@ -788,7 +796,7 @@ ReadLandmarkRecords(const std::string &      fileName,
                                               : "is an image, which has no landmarks with names",
                                "name the right file");
     }
-    return ReadCVATRecords(fileName, imageName);
+    return isVIATable ? ReadVIATable(fileName, imageName) : ReadCVATRecords(fileName, imageName);
   }
   const JsonDocument document = JsonDocument::ReadFile(fileName);
   records = ReadLandmarkRecords(document.GetRoot(), format, dimension, imageName);

@@ -48,6 +48,8 @@ struct AnnotationPolyline
   /** Drawing errors, px; one a point, or empty. */
   std::vector<double>        sigmas;
   DentalContour::OutlineEnum outline{ DentalContour::OutlineEnum::Unspecified };
+  /** Whether the points are continuous pixel indices, whatever the format counts from: those of a mask are. */
+  bool isPixelIndex{ false };
 };
 
 /** A line of known length that somebody drew along a ruler. */

@@ -24,6 +24,7 @@
 #include "itkJsonDocument.h"
 #include "itkLowerCase.h"
 #include "itkTextFile.h"
+#include "itkVIATable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -399,9 +400,9 @@ ReadCephalometricLandmarkRecords(const std::string &          fileName,
     }
     return records;
   }
-  if (found == Format::CVAT)
+  if (found == Format::CVAT || (found == Format::VIA && IsVIATable(fileName)))
   {
-    AnnotationRecords records = ReadLandmarkRecords(fileName, Format::CVAT, 2, imageName);
+    AnnotationRecords records = ReadLandmarkRecords(fileName, found, 2, imageName);
     LeaveOutOthers(records, isDental);
     return records;
   }

@@ -20,7 +20,9 @@
 #include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
+#include "itkLabelImageRecords.h"
 #include "itkLowerCase.h"
+#include "itkRunLengthMask.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,7 +196,12 @@ ReadCOCO(const JsonNode & root, const std::string & imageName, AnnotationRecords
     const auto segmentation = annotation.Find("segmentation");
     if (segmentation && segmentation->IsObject())
     {
-      segmentation->Warn("a mask in run lengths is not read: export polygons, or a label map as an image; left out");
+      const RunLengthMask mask(*segmentation, *records.imageSize);
+      if (AppendMaskOutlines(
+            mask.GetImage(), mask.GetOffset(), segmentation->GetPath(), category->second.name, records))
+      {
+        segmentation->Warn("specks are left out beside the mask");
+      }
     }
     else if (segmentation && !segmentation->IsNull())
     {
@@ -230,6 +237,8 @@ ReadTwoLists(const JsonNode & xs, const JsonNode & ys)
   }
   return points;
 }
+
+} // namespace
 
 void
 ReadVIARegion(const JsonNode & region, AnnotationRecords & records)
@@ -274,6 +283,8 @@ ReadVIARegion(const JsonNode & region, AnnotationRecords & records)
   }
 }
 
+namespace
+{
 void
 ReadVIA(const JsonNode & root, const std::string & imageName, AnnotationRecords & records)
 {

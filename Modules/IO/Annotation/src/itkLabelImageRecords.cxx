@@ -255,4 +255,30 @@ ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & f
   }
   return records;
 }
+
+bool
+AppendMaskOutlines(const Image<std::uint8_t, 2> * mask,
+                   const std::array<double, 2> &  offset,
+                   const std::string &            field,
+                   const std::string &            label,
+                   AnnotationRecords &            records)
+{
+  const std::size_t        first = records.polylines.size();
+  std::vector<std::string> speckled;
+  AppendOutlines(
+    label, TraceOutlines<MaskImageType>(mask, SilhouetteContourFilterEnums::Content::MergedLabels), speckled, records);
+  for (std::size_t i = first; i < records.polylines.size(); ++i)
+  {
+    AnnotationPolyline & polyline = records.polylines[i];
+    polyline.field = field;
+    polyline.codeField = field;
+    polyline.isPixelIndex = true;
+    for (auto & point : polyline.points)
+    {
+      point[0] += offset[0];
+      point[1] += offset[1];
+    }
+  }
+  return !speckled.empty();
+}
 } // namespace itk
