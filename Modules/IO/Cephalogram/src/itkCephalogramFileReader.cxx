@@ -40,11 +40,11 @@ constexpr unsigned int LargestPictureDepth = 16;
 
 /** Grey from the values of a pixel: colours by their luminance, and what is transparent black.
  *
- * \param full The value of an opaque pixel's opacity. */
+ * \param full The value of white and of an opaque pixel's opacity. */
 double
-ComputeGrey(const double * values, unsigned int components, double full)
+ComputeGrey(const double * values, unsigned int components, double full, bool isNegative)
 {
-  double value = values[0];
+  double value = isNegative ? full - values[0] : values[0];
   if (components >= 3)
   {
     value = 0.2126 * value + 0.7152 * values[1] + 0.0722 * values[2];
@@ -356,13 +356,16 @@ CephalogramFileReader::GenerateData()
   const std::vector<char> pixels = m_File->Decode();
   const unsigned int      components = m_File->GetNumberOfComponents();
   const double            full = m_File->GetLargestValue();
-  float * const           grey = this->GetOutput()->GetBufferPointer();
-  float *                 end = grey;
-  bool                    finite = true;
+  // Against the largest of 2^32 values, a float would have no bits left for those of the picture.
+  const bool    fullIsWhite = m_File->GetDepth() <= LargestPictureDepth;
+  float * const grey = this->GetOutput()->GetBufferPointer();
+  float *       end = grey;
+  bool          finite = true;
   m_File->ForEachRow(pixels, [&](const double * values) {
     for (SizeValueType u = 0; u < m_File->GetSize()[0]; ++u, ++end)
     {
-      *end = static_cast<float>(ComputeGrey(values + u * components, components, full));
+      *end =
+        static_cast<float>(ComputeGrey(values + u * components, components, full, m_File->IsNegative() && fullIsWhite));
       finite = finite && std::isfinite(*end);
     }
   });
@@ -370,11 +373,9 @@ CephalogramFileReader::GenerateData()
   {
     itkDentalInputErrorMacro(m_FileName, "", "has pixels that are not finite (NaN or Inf)", "export it again");
   }
-  if (m_File->IsNegative())
+  if (m_File->IsNegative() && !fullIsWhite)
   {
-    // Against the largest of 2^32 values, a float would have no bits left for those of the picture.
-    const float white =
-      m_File->GetDepth() > LargestPictureDepth ? *std::max_element(grey, end) : static_cast<float>(full);
+    const float white = *std::max_element(grey, end);
     std::transform(grey, end, grey, [white](float value) { return white - value; });
   }
   this->UpdateProgress(1.0f);

@@ -193,8 +193,18 @@ RadiographFile::ReadInformation(PaletteEnum palette)
   {
     m_StoredSize = { { m_TIFF->width, m_TIFF->height } };
     m_Frames = m_TIFF->pages;
+    m_Components = m_TIFF->samples;
     m_ComponentType = GetComponentTypeOf(*m_TIFF);
     return;
+  }
+  if (m_TIFF && m_TIFF->isGrey && m_TIFF->samples > 1)
+  {
+    // ITK takes the values of one pixel for those of several.
+    itkDentalInputErrorMacro(m_FileName,
+                             "",
+                             "is grey with " + std::to_string(m_TIFF->samples) +
+                               " values a pixel of a kind that is not read",
+                             "export it in grey alone");
   }
   m_ImageIO = MakeRadiographImageIO(m_Format);
   m_ImageIO->SetFileName(m_FileName);

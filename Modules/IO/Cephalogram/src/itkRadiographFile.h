@@ -81,7 +81,7 @@ public:
   bool
   IsNegative() const
   {
-    return this->IsWhiteIsZero() && m_Components == 1;
+    return this->IsWhiteIsZero() && m_Components <= 2;
   }
   /** Values a pixel: 1 grey, 2 grey and opacity, 3 colour, 4 colour and opacity. */
   unsigned int

@@ -85,6 +85,7 @@ ReadLayout(TIFF * file)
   std::uint16_t format = SAMPLEFORMAT_UINT;
   std::uint16_t photometric = PHOTOMETRIC_MINISBLACK;
   std::uint16_t orientation = ORIENTATION_TOPLEFT;
+  std::uint16_t planes = PLANARCONFIG_CONTIG;
   TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &width);
   TIFFGetField(file, TIFFTAG_IMAGELENGTH, &height);
   TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &bits);
@@ -92,11 +93,13 @@ ReadLayout(TIFF * file)
   TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLEFORMAT, &format);
   TIFFGetField(file, TIFFTAG_PHOTOMETRIC, &photometric);
   TIFFGetFieldDefaulted(file, TIFFTAG_ORIENTATION, &orientation);
+  TIFFGetFieldDefaulted(file, TIFFTAG_PLANARCONFIG, &planes);
   TIFFLayout layout;
   layout.width = width;
   layout.height = height;
   layout.bits = bits;
   layout.samples = samples;
+  layout.isInterleaved = planes == PLANARCONFIG_CONTIG;
   layout.isInteger = format == SAMPLEFORMAT_UINT || format == SAMPLEFORMAT_INT;
   layout.isSigned = format == SAMPLEFORMAT_INT;
   layout.isPalette = photometric == PHOTOMETRIC_PALETTE;
@@ -130,9 +133,9 @@ ReadTIFFNumbers(const std::string & fileName, const TIFFLayout & expected)
   const TIFFLayout  layout = file ? ReadLayout(file.get()) : TIFFLayout();
   const std::size_t width = layout.width;
   const std::size_t height = layout.height;
-  const std::size_t bytes = layout.bits / 8;
+  const std::size_t bytes = layout.bits / 8 * layout.samples;
   if (!file || !layout.HasNumbers() || width != expected.width || height != expected.height ||
-      layout.bits != expected.bits)
+      layout.bits != expected.bits || layout.samples != expected.samples)
   {
     itkGenericExceptionMacro("no TIFF of " << expected.width << " x " << expected.height << " whole numbers");
   }

@@ -34,21 +34,27 @@ struct TIFFLayout
   unsigned int pages{ 1 };
   unsigned int bits{ 1 };
   unsigned int samples{ 1 };
-  bool         isInteger{ true };
-  bool         isSigned{ false };
-  bool         isPalette{ false };
-  bool         isWhiteIsZero{ false };
+  /** Whether the samples of a pixel stand side by side; else each has a plane of its own. */
+  bool isInterleaved{ true };
+  bool isInteger{ true };
+  bool isSigned{ false };
+  bool isPalette{ false };
+  bool isWhiteIsZero{ false };
   /** Neither is one of colours, which have to be computed. */
   bool isGrey{ false };
   /** How to turn the picture to see it upright: 1, as it is, to 8. */
   unsigned int orientation{ 1 };
 
-  /** Whether a pixel is one whole number of 8, 16 or 32 bits: what ReadTIFFNumbers() reads. ITK 5.2 makes 8 bits of 16
-   * where such a picture has tiles or is turned, and noughts of 32. */
+  /** Whether a pixel is a whole number of 8, 16 or 32 bits, of up to 16 perhaps with its opacity: what
+   * ReadTIFFNumbers() reads. ITK 5.2 makes 8 bits of 16 where such a picture has tiles or is turned, noughts of 32, and
+   * takes opacities for pixels.
+   */
   bool
   HasNumbers() const
   {
-    return samples == 1 && isInteger && (bits == 8 || bits == 16 || bits == 32) && (isGrey || isPalette);
+    const bool isOne = samples == 1 && (isGrey || isPalette);
+    const bool hasOpacity = samples == 2 && isGrey && isInterleaved && bits <= 16;
+    return (isOne || hasOpacity) && isInteger && (bits == 8 || bits == 16 || bits == 32);
   }
 };
 
@@ -56,8 +62,8 @@ struct TIFFLayout
 std::optional<TIFFLayout>
 ReadTIFFLayout(const std::string & fileName);
 
-/** The numbers of such a file as it has them, row by row. Throws an ExceptionObject where the file is not whole or has
- * become another one. */
+/** The numbers of such a file as it has them, row by row, those of a pixel side by side. Throws an ExceptionObject
+ * where the file is not whole or has become another one. */
 std::vector<char>
 ReadTIFFNumbers(const std::string & fileName, const TIFFLayout & layout);
 } // namespace itk

@@ -503,6 +503,39 @@ TEST(CephalogramFileReader, WhiteIsZeroTiffIsNotShownAsANegative)
   }
 }
 
+TEST(CephalogramFileReader, OpacityOfAGreyTIFFIsNoPixel)
+{
+  itk::TIFFTestFile file;
+  file.samples = 2;
+  for (const unsigned int bits : { 8u, 16u })
+  {
+    for (const unsigned int photometric : { 0u, 1u })
+    {
+      for (const bool tiled : { false, true })
+      {
+        SCOPED_TRACE(std::to_string(bits) + " bits, " + std::to_string(photometric) + (tiled ? ", tiled" : ""));
+        file.bits = bits;
+        file.photometric = photometric;
+        file.tiled = tiled;
+        const float full = bits == 8 ? 255.0f : 65535.0f;
+        // The file has the same number for grey and opacity: a fifth of it, and all in the last pixel.
+        const auto reader = Read(itk::WriteTestFile("a.tif", file.Make([full](unsigned int u, unsigned int v) {
+          return static_cast<unsigned int>(full / (u == 2 && v == 1 ? 1.0f : 5.0f));
+        })));
+        EXPECT_NEAR(GetPixel(reader, 0, 0) / full, (photometric == 0 ? 0.8f : 0.2f) * 0.2f, 1e-4f);
+        EXPECT_NEAR(GetPixel(reader, 1, 1) / full, (photometric == 0 ? 0.8f : 0.2f) * 0.2f, 1e-4f);
+        EXPECT_NEAR(GetPixel(reader, 2, 1) / full, photometric == 0 ? 0.0f : 1.0f, 1e-4f);
+      }
+    }
+  }
+  // Others are refused: ITK's reader would take opacities for pixels.
+  file.bits = 32;
+  file.sampleFormat = 3;
+  EXPECT_TRUE(itk::Contains(
+    ReadProblem(itk::WriteTestFile("float.tif", file.Make([](unsigned int, unsigned int) { return 0u; }))),
+    "2 values a pixel"));
+}
+
 /** A decoder skips them; the search for Exif once read the file anew at each of them, seconds a megabyte. */
 TEST(CephalogramFileReader, FillBytesBeforeAMarkerCostNothing)
 {
