@@ -256,3 +256,8 @@ def test_contours_of_other_programs_and_of_masks(ds, tmp_path):
     (tmp_path / "mask.nrrd").write_text(mask)
     contours = ds.ReadContours({"UR1": tmp_path / "mask.nrrd"})
     assert contours.upper.polylines[0].code == "UR1" and contours.upper.polylines[0].closed
+
+    # A file that is named afterwards is what is read.
+    reader.SetClassFiles([("UR1", str(tmp_path / "mask.nrrd"))])
+    assert reader.Execute().upper.polylines[0].closed
+    assert reader.Execute(tmp_path / "cvat.xml").upper.points.tolist() == [[1.0, 1.0], [2.0, 2.0]]

@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -461,10 +460,7 @@ ExcludeTooth(DentalCase & dentalCase, const std::string & text)
     return;
   }
   // UR3 is UR3 in any numbering: a result names its teeth so.
-  const bool isQuadrant = text.size() == 3 && std::isalpha(static_cast<unsigned char>(text[0])) != 0;
-  exclude(ToothCode::FromString(text,
-                                isQuadrant ? ToothCode::NumberingEnum::Quadrant
-                                           : dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant)));
+  exclude(ToothCode::FromString(text, dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant)));
 }
 
 void

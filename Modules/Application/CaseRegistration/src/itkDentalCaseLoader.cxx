@@ -238,7 +238,11 @@ SettleGeometry(const CephalogramFileReader * reader, DentalCaseData & data)
     {
       const auto own = reader->GetDetectorPixelSpacing(data.geometry->GetSourceToDetectorDistance(),
                                                        data.geometry->GetSourceToMidsagittalDistance());
-      compare("pixel_spacing_mm", spacing[0], own[0]);
+      // One warning, of the direction in which they differ more.
+      const auto ratio = [&](unsigned int i) { return std::abs(std::log(spacing[i] / own[i])); };
+      const bool isAcross = ratio(0) >= ratio(1);
+      compare(
+        isAcross ? "pixel_spacing_mm[0]" : "pixel_spacing_mm[1]", spacing[isAcross ? 0 : 1], own[isAcross ? 0 : 1]);
     }
     data.spacingProvenance = description.spacingAtMidsagittalPlane
                                ? "case file, midsagittal plane, converted to the detector's"

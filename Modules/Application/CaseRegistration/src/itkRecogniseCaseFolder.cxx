@@ -25,6 +25,7 @@
 #include "itkDentalLandmarkFileReader.h"
 #include "itkForeignFile.h"
 #include "itkJsonDocument.h"
+#include "itkLowerCase.h"
 
 #include <algorithm>
 #include <cctype>
@@ -59,14 +60,6 @@ const std::set<std::string> RadiographWords{ "ceph",          "cephalogram",    
 /** Pictures that are made of a radiograph. */
 const std::set<std::string> DerivedWords{ "overlay", "mask", "masks", "label", "labels", "seg", "segmentation", "drr" };
 
-std::string
-ToLower(std::string text)
-{
-  std::transform(
-    text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /** Words of a name: between what is neither letter nor digit, and where a small letter is followed by a capital one.
  * The whole of what stands between two signs is a word as well: "UpperJaw" is upper, jaw and upperjaw. */
 Words
@@ -78,7 +71,7 @@ SplitWords(const std::string & name)
   const auto  add = [&words](std::string & word) {
     if (!word.empty())
     {
-      words.push_back(ToLower(word));
+      words.push_back(LowerCase(word));
     }
     word.clear();
   };
@@ -189,7 +182,7 @@ public:
     Words drawings;
     for (const std::string & file : m_Files)
     {
-      const std::string extension = ToLower(fs::path(file).extension().string());
+      const std::string extension = LowerCase(fs::path(file).extension().string());
       if (ScanExtensions.count(extension) != 0)
       {
         this->LookAtScan(file);

@@ -18,6 +18,7 @@
 #include "itkDentalCaseLoader.h"
 
 #include "itkDentalCaseFileReader.h"
+#include "itkDicomTestFile.h"
 #include "itkTestFile.h"
 
 #include <gtest/gtest.h>
@@ -152,4 +153,24 @@ TEST(DentalCaseLoader, TheImagesSizeIsNeededAndMayStandInTheCase)
   EXPECT_EQ(Load(Size + std::string(R"("contours": "contours.json")"))->imageSize[0], 703u);
   itk::WriteTestFile("contours.json", R"({"image_size": [700, 900], )" + outline);
   EXPECT_TRUE(Contains(Refusal(Size + std::string(R"("contours": "contours.json")")), "700 x 900"));
+}
+
+/** A spacing in which rows and columns are exchanged, or of which one number is mistyped, is told by either number. */
+TEST(DentalCaseLoader, ASpacingThatContradictsDICOMIsToldOnceInEitherDirection)
+{
+  itk::WriteTestFile("ceph.dcm", itk::DicomTestFile().SetImagerPixelSpacing("0.2\\0.1").GetBytes());
+  const auto warnings = [](const std::string & spacing) {
+    const auto  data = Load(R"("cephalogram": {"image": "ceph.dcm", "pixel_spacing_mm": )" + spacing +
+                           R"(}, "traced_side": "standard", "cephalometric_landmarks": {"U1_tip": [3, 4]})");
+    std::string text;
+    for (const std::string & warning : data->warnings)
+    {
+      text += Contains(warning, "pixel_spacing_mm") ? warning + '\n' : std::string();
+    }
+    return text;
+  };
+  EXPECT_EQ(warnings("[0.1, 0.2]"), "");
+  EXPECT_EQ(warnings("[0.3, 0.2]"), "pixel_spacing_mm[0]: the case says 0.3, the DICOM file 0.1; the case's is used\n");
+  EXPECT_EQ(warnings("[0.1, 0.3]"), "pixel_spacing_mm[1]: the case says 0.3, the DICOM file 0.2; the case's is used\n");
+  EXPECT_EQ(warnings("[0.3, 0.3]"), "pixel_spacing_mm[0]: the case says 0.3, the DICOM file 0.1; the case's is used\n");
 }

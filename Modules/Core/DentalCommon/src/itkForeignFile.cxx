@@ -18,6 +18,7 @@
 #include "itkForeignFile.h"
 
 #include "itkDentalInputError.h"
+#include "itkLowerCase.h"
 
 #include <filesystem>
 #include <fstream>
@@ -155,16 +156,6 @@ RemedyOf(FilePurposeEnum purpose)
     default:
       return "name the landmarks: JSON or CSV with label,x,y";
   }
-}
-
-std::string
-LowerCase(std::string text)
-{
-  for (char & character : text)
-  {
-    character = character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-  }
-  return text;
 }
 
 /** Name of the first element of what may be XML; "" where there is none. */

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkToothCode.h"
 
+#include "itkLowerCase.h"
+
 #include <stdexcept>
 
 namespace itk
@@ -89,16 +91,6 @@ WithoutEnds(const std::string & text, const char * characters)
 {
   const std::size_t first = text.find_first_not_of(characters);
   return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(characters) - first + 1);
-}
-
-std::string
-LowerCase(std::string text)
-{
-  for (char & character : text)
-  {
-    character = character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-  }
-  return text;
 }
 
 /** A code without what people write around it. */

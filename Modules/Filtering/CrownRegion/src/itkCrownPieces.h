@@ -31,7 +31,7 @@ double
 TriangleArea(const TriangleSurface & surface, std::size_t triangle);
 
 /** Connected pieces of marked or of unmarked triangles below an area (mm^2) go to what surrounds them; loose specks,
- * that nothing surrounds, lose their marks. `ids` are those of WeldedIds(). */
+ * that nothing surrounds, lose their marks. `ids` are those of SurfaceParts::Weld(). */
 void
 MergeSmallPieces(const TriangleSurface &            surface,
                  const std::vector<std::uint32_t> & ids,

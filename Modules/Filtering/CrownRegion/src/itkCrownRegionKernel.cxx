@@ -24,6 +24,7 @@
 #include "itkMarginCut.h"
 #include "itkOcclusalSurfaceFit.h"
 #include "itkSharedEdges.h"
+#include "itkSurfaceParts.h"
 #include "itkValleyChart.h"
 
 #include <algorithm>
@@ -158,7 +159,7 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
   }
 
   // Curvature of the band, as turning angles at edges.
-  const std::vector<std::uint32_t> ids = WeldedIds(surface);
+  const std::vector<std::uint32_t> ids = SurfaceParts::Weld(surface);
   std::vector<std::uint8_t>        band(surface.triangles.size(), 0);
   std::vector<PointType>           normals(surface.triangles.size());
   double                           facing = 0.0;

@@ -30,9 +30,9 @@ namespace CrownRegionParts
 /** Marks the crowns' triangles: a closed line of least cost on the surface about where the margin was found. Its length
  * costs little in a valley and much elsewhere, and each mm^2 on the wrong side of the found margin costs by distance.
  *
- * `ids` are those of WeldedIds(); `winding` is +1 where triangles are wound outward, -1 inward; `inside` is the height
- * of each point above the found margin (mm), far below 0 away from the teeth; triangles further than `reach` (mm) from
- * it stay on their side. */
+ * `ids` are those of SurfaceParts::Weld(); `winding` is +1 where triangles are wound outward, -1 inward; `inside` is
+ * the height of each point above the found margin (mm), far below 0 away from the teeth; triangles further than `reach`
+ * (mm) from it stay on their side. */
 std::vector<std::uint8_t>
 CutAtMargin(const TriangleSurface &            surface,
             const std::vector<std::uint32_t> & ids,

@@ -28,10 +28,6 @@ namespace itk
 {
 namespace CrownRegionParts
 {
-/** Points that coincide get the first one's number: curvature needs the neighbours also across doubled points. */
-std::vector<std::uint32_t>
-WeldedIds(const TriangleSurface & surface);
-
 /** Edges that two triangles share, found by the lower point's bucket. Calls body(triangle, other, a, b), a -> b in the
  * first triangle's order. Triangles whose flag is 0 are passed over. */
 template <typename TBody>

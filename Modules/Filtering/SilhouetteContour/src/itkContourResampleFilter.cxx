@@ -121,8 +121,10 @@ ContourResampleFilter::GenerateData()
       }
       if (!polyline.sigmas.empty())
       {
-        resampled.sigmas.push_back((1.0 - position.share) * polyline.sigmas[from] +
-                                   position.share * polyline.sigmas[to]);
+        // 0 is no number to be between: what is drawn from or to a point of unknown error is of unknown error.
+        const bool known = polyline.sigmas[from] > 0.0 && polyline.sigmas[to] > 0.0;
+        resampled.sigmas.push_back(
+          known ? (1.0 - position.share) * polyline.sigmas[from] + position.share * polyline.sigmas[to] : 0.0);
       }
     }
     output->AddPolyline(resampled);

@@ -119,6 +119,29 @@ TEST(ContourResampleFilter, KeepsEndsCodesAndWeightsOfOpenPolylines)
   EXPECT_EQ(polylines[1].weights[3], 1.0);
 }
 
+/** Between 0, which stands for unknown, and 2 px there is no 0.02 px, which would weigh most of all. */
+TEST(ContourResampleFilter, BesideAPointOfUnknownErrorErrorsAreUnknown)
+{
+  const auto                contour = ContourType::New();
+  ContourType::PolylineType polyline;
+  polyline.points = { P(0, 0), P(10, 0), P(20, 0), P(30, 0) };
+  polyline.sigmas = { 0.0, 2.0, 4.0, 4.0 };
+  contour->AddPolyline(polyline);
+  const auto filter = FilterType::New();
+  filter->SetInput(contour);
+  filter->SetNumberOfPoints(13);
+  filter->Update();
+  const auto sigmas = filter->GetOutput()->GetPolylines().at(0).sigmas;
+  ASSERT_EQ(sigmas.size(), 13u);
+  for (const std::size_t i : { 0, 1, 2, 3 })
+  {
+    EXPECT_EQ(sigmas[i], 0.0) << i;
+  }
+  EXPECT_NEAR(sigmas[5], 2.5, 1e-9);
+  EXPECT_NEAR(sigmas[6], 3.0, 1e-9);
+  EXPECT_NEAR(sigmas[12], 4.0, 1e-9);
+}
+
 TEST(ContourResampleFilter, SaysWhatIsMissing)
 {
   const auto filter = FilterType::New();

@@ -90,7 +90,12 @@ public:
   itkSetMacro(ImageSize, ImageSizeType);
   itkGetConstReferenceMacro(ImageSize, ImageSizeType);
 
-  /** Masks or drawn lines, one a tooth or jaw, in place of one file. Default none. */
+  /** Also takes back SetClassFiles(): of the two what is said last is read. */
+  using Superclass::SetFileName;
+  void
+  SetFileName(const char * fileName) override;
+
+  /** Masks or drawn lines, one a tooth or jaw, in place of one file, whose name is left for messages. Default none. */
   void
   SetClassFiles(const ClassFilesType & files);
   const ClassFilesType &

@@ -24,8 +24,10 @@
 #include "itkForeignFile.h"
 #include "itkJsonDocument.h"
 #include "itkLabelImageRecords.h"
+#include "itkLowerCase.h"
 #include "itkReadLabelImage.h"
 #include "itkTextFile.h"
+#include "itkVIATable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,9 +92,6 @@ operator<<(std::ostream & os, AnnotationPixelOriginEnum origin)
 namespace
 {
 using Format = AnnotationFileFormatEnum;
-
-/** A pixel count of either direction; no radiograph has a tenth of it. */
-constexpr int64_t MaximumImageSize = 1000000;
 
 Format
 FormatFromName(const std::string & fileName)
@@ -180,29 +179,6 @@ FirstCharacter(const std::string & fileName)
   return first == std::string::npos ? '\0' : head[first];
 }
 
-/** What a file is before it is parsed: Automatic for JSON, whose content tells more. */
-Format
-FormatFromFile(const std::string & fileName)
-{
-  const Format named = FormatFromName(fileName);
-  if (named != Format::Automatic)
-  {
-    return named;
-  }
-  // A pipe can be read once only: it is taken for JSON.
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(fileName, ignored))
-  {
-    return Format::Automatic;
-  }
-  const char first = FirstCharacter(fileName);
-  if (first == '{' || first == '[')
-  {
-    return Format::Automatic;
-  }
-  return first == '<' ? Format::CVAT : IsImageFile(fileName) ? Format::LabelImage : Format::Automatic;
-}
-
 // ---- the toolkit's own ------------------------------------------------------------------------------------------
 
 /** A code may be written as a number: 11 is "11". */
@@ -216,7 +192,7 @@ ReadCode(const JsonNode & node)
   return node.IsNull() ? std::string() : node.AsString();
 }
 
-/** One number for all points, or one a point. */
+/** One number for all points, or one a point, of which null is one that is not known. */
 void
 ReadSigmas(const JsonNode & node, std::size_t count, std::vector<double> & sigmas)
 {
@@ -232,10 +208,15 @@ ReadSigmas(const JsonNode & node, std::size_t count, std::vector<double> & sigma
   };
   if (node.IsArray())
   {
-    node.AsNumbers(count, "(one a point)");
+    if (node.GetSize() != count)
+    {
+      node.Fail("has " + std::to_string(node.GetSize()) + " values, expected " + std::to_string(count) +
+                  " (one a point)",
+                "give one a point, null where it is not known");
+    }
     for (std::size_t i = 0; i < count; ++i)
     {
-      sigmas.push_back(check(node.At(i)));
+      sigmas.push_back(node.At(i).IsNull() ? 0.0 : check(node.At(i)));
     }
   }
   else
@@ -679,6 +660,28 @@ ReadCSV(const std::string & fileName, unsigned int dimension, std::vector<std::s
 } // namespace
 
 AnnotationFileFormatEnum
+AnnotationFormatFromFile(const std::string & fileName)
+{
+  const Format named = FormatFromName(fileName);
+  if (named != Format::Automatic)
+  {
+    return IsVIATable(fileName) ? Format::VIA : named;
+  }
+  // A pipe can be read once only: it is taken for JSON.
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(fileName, ignored))
+  {
+    return Format::Automatic;
+  }
+  const char first = FirstCharacter(fileName);
+  if (first == '{' || first == '[')
+  {
+    return Format::Automatic;
+  }
+  return first == '<' ? Format::CVAT : IsImageFile(fileName) ? Format::LabelImage : Format::Automatic;
+}
+
+AnnotationFileFormatEnum
 AnnotationFormatFromContent(const JsonNode & root)
 {
   if (root.IsObject() && root.Find("markups"))
@@ -698,7 +701,7 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
   RefuseCephalometricFormat(fileName, format);
   RefuseForeignFile(fileName, FilePurposeEnum::Tracing);
   AnnotationRecords records;
-  records.format = format == Format::Automatic ? FormatFromFile(fileName) : format;
+  records.format = format == Format::Automatic ? AnnotationFormatFromFile(fileName) : format;
   switch (records.format)
   {
     case Format::CSV:
@@ -722,6 +725,12 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
       return records;
     default:
       break;
+  }
+  if (records.format == Format::VIA && IsVIATable(fileName))
+  {
+    records = ReadVIATable(fileName, imageName);
+    TakeCalibrations(records);
+    return records;
   }
   const JsonDocument document = JsonDocument::ReadFile(fileName);
   const JsonNode     root = document.GetRoot();
@@ -764,7 +773,7 @@ ReadLandmarkRecords(const std::string &      fileName,
   RefuseForeignFile(fileName, FilePurposeEnum::Landmarks);
   if (format == Format::Automatic)
   {
-    format = FormatFromFile(fileName);
+    format = AnnotationFormatFromFile(fileName);
   }
   AnnotationRecords records;
   records.format = format;
@@ -776,7 +785,8 @@ ReadLandmarkRecords(const std::string &      fileName,
     }
     return records;
   }
-  if (format == Format::CVAT || format == Format::LabelImage)
+  const bool isVIATable = format == Format::VIA && IsVIATable(fileName);
+  if (format == Format::CVAT || format == Format::LabelImage || isVIATable)
   {
     if (dimension != 2 || format == Format::LabelImage)
     {
@@ -786,7 +796,7 @@ ReadLandmarkRecords(const std::string &      fileName,
                                               : "is an image, which has no landmarks with names",
                                "name the right file");
     }
-    return ReadCVATRecords(fileName, imageName);
+    return isVIATable ? ReadVIATable(fileName, imageName) : ReadCVATRecords(fileName, imageName);
   }
   const JsonDocument document = JsonDocument::ReadFile(fileName);
   records = ReadLandmarkRecords(document.GetRoot(), format, dimension, imageName);

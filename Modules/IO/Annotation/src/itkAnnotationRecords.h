@@ -23,6 +23,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,8 @@ struct AnnotationPolyline
   /** Drawing errors, px; one a point, or empty. */
   std::vector<double>        sigmas;
   DentalContour::OutlineEnum outline{ DentalContour::OutlineEnum::Unspecified };
+  /** Whether the points are continuous pixel indices, whatever the format counts from: those of a mask are. */
+  bool isPixelIndex{ false };
 };
 
 /** A line of known length that somebody drew along a ruler. */
@@ -84,6 +87,9 @@ struct AnnotationRecords
   std::vector<std::string> warnings;
 };
 
+/** Pixels across or down that a file may state; no radiograph has a tenth of it. */
+constexpr int64_t MaximumImageSize = 1000000;
+
 /** Every polyline of a file. Where the file is of several pictures, imageName tells which is meant. Throws
  * DentalInputError. */
 AnnotationRecords
@@ -102,6 +108,11 @@ ReadLandmarkRecords(const JsonNode &         root,
                     AnnotationFileFormatEnum format,
                     unsigned int             dimension,
                     const std::string &      imageName);
+
+/** What a file is by its name and its first bytes: CSV, CVAT or LabelImage; Automatic where it is JSON, whose content
+ * tells more, or what nobody knows. */
+AnnotationFileFormatEnum
+AnnotationFormatFromFile(const std::string & fileName);
 
 /** What JSON is by what it holds; DentalSCR where it is nobody else's. Lists of landmarks are not looked at. */
 AnnotationFileFormatEnum

@@ -25,15 +25,6 @@
 
 namespace itk
 {
-std::string
-LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](char character) {
-    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-  });
-  return text;
-}
-
 bool
 EndsWith(const std::string & text, const std::string & end)
 {

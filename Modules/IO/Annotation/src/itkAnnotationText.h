@@ -25,10 +25,6 @@ namespace itk
 {
 /** \name Cells of a table in a text file; not installed
  * @{ */
-/** Of ASCII letters only. */
-std::string
-LowerCase(std::string text);
-
 bool
 EndsWith(const std::string & text, const std::string & end);
 

@@ -27,8 +27,6 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <type_traits>
@@ -40,8 +38,7 @@ namespace
 using AttributesType = std::map<std::string, std::string>;
 
 /** As deep as JSON may be nested; CVAT nests four elements. */
-constexpr int         MaximumDepth = 64;
-constexpr std::size_t MaximumImageSize = 1000000;
+constexpr int MaximumDepth = 64;
 
 struct Shape
 {
@@ -205,11 +202,16 @@ private:
       m_Pictures.push_back({ attributes["name"], this->GetField(), attributes["width"], attributes["height"], {} });
       m_InPicture = true;
     }
-    else if (m_InPicture && m_Depth == 3 && name != "tag")
+    else if (m_InPicture && m_Depth == 3)
     {
-      m_Pictures.back().shapes.push_back({ name, this->GetField(), attributes["points"], { attributes["label"] } });
+      // A tag is of the whole picture, and so are its attributes.
+      m_InShape = name != "tag";
+      if (m_InShape)
+      {
+        m_Pictures.back().shapes.push_back({ name, this->GetField(), attributes["points"], { attributes["label"] } });
+      }
     }
-    else if (m_InPicture && m_Depth == 4 && name == "attribute" && !m_Pictures.back().shapes.empty())
+    else if (m_InShape && m_Depth == 4 && name == "attribute")
     {
       m_InAttribute = true;
       m_Value.clear();
@@ -224,6 +226,7 @@ private:
       m_Pictures.back().shapes.back().labels.push_back(Trim(m_Value));
       m_InAttribute = false;
     }
+    m_InShape = m_InShape && m_Depth != 3;
     if (m_Depth == 2 && name == "image")
     {
       m_InPicture = false;
@@ -239,6 +242,7 @@ private:
   std::string          m_Value;
   int                  m_Depth{ 0 };
   bool                 m_InPicture{ false };
+  bool                 m_InShape{ false };
   bool                 m_InAttribute{ false };
 };
 
@@ -277,23 +281,6 @@ ReadSize(const std::string & fileName, const Picture & picture, const char * nam
   return static_cast<std::size_t>(value);
 }
 } // namespace
-
-bool
-IsXMLFile(const std::string & fileName)
-{
-  // A pipe can be read once only.
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(fileName, ignored))
-  {
-    return false;
-  }
-  std::string   head(512, '\0');
-  std::ifstream file(fileName, std::ios::binary);
-  file.read(&head[0], static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount() > 0 ? file.gcount() : 0));
-  const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  return first != std::string::npos && head[first] == '<';
-}
 
 AnnotationRecords
 ReadCVATRecords(const std::string & fileName, const std::string & imageName)

@@ -24,12 +24,8 @@
 
 namespace itk
 {
-/** Whether a file begins as XML; not installed. */
-bool
-IsXMLFile(const std::string & fileName);
-
-/** Polylines, polygons and points of one picture of "CVAT for images 1.1". Throws DentalInputError, also for entities
- * that a document type declares: a few lines of them can stand for gigabytes. */
+/** Not installed. Polylines, polygons and points of one picture of "CVAT for images 1.1". Throws DentalInputError, also
+ * for entities that a document type declares: a few lines of them can stand for gigabytes. */
 AnnotationRecords
 ReadCVATRecords(const std::string & fileName, const std::string & imageName);
 } // namespace itk

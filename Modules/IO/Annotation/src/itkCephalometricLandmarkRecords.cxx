@@ -22,7 +22,9 @@
 #include "itkDentalInputError.h"
 #include "itkForeignFile.h"
 #include "itkJsonDocument.h"
+#include "itkLowerCase.h"
 #include "itkTextFile.h"
+#include "itkVIATable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -378,10 +380,8 @@ ReadCephalometricLandmarkRecords(const std::string &          fileName,
                                  const std::string &          imageName)
 {
   RefuseForeignFile(fileName, FilePurposeEnum::Landmarks);
-  const std::string name = LowerCase(fileName);
-  const bool        table = EndsWith(name, ".csv") || EndsWith(name, ".tsv") || EndsWith(name, ".txt");
-  if (format == Format::CSV || format == Format::CLDetection || format == Format::ISBI2015 ||
-      (format == Format::Automatic && table))
+  const Format found = format == Format::Automatic ? AnnotationFormatFromFile(fileName) : format;
+  if (found == Format::CSV || found == Format::CLDetection || found == Format::ISBI2015)
   {
     AnnotationRecords       records;
     const std::vector<Line> lines = ReadLines(fileName);
@@ -400,9 +400,9 @@ ReadCephalometricLandmarkRecords(const std::string &          fileName,
     }
     return records;
   }
-  if (format == Format::CVAT || (format == Format::Automatic && IsXMLFile(fileName)))
+  if (found == Format::CVAT || (found == Format::VIA && IsVIATable(fileName)))
   {
-    AnnotationRecords records = ReadLandmarkRecords(fileName, Format::CVAT, 2, imageName);
+    AnnotationRecords records = ReadLandmarkRecords(fileName, found, 2, imageName);
     LeaveOutOthers(records, isDental);
     return records;
   }

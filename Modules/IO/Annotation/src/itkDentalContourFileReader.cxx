@@ -192,6 +192,13 @@ DentalContourFileReader::GetOutput(JawEnum jaw) const
 }
 
 void
+DentalContourFileReader::SetFileName(const char * fileName)
+{
+  Superclass::SetFileName(fileName);
+  this->SetClassFiles({});
+}
+
+void
 DentalContourFileReader::SetClassFiles(const ClassFilesType & files)
 {
   if (m_ClassFiles != files)
@@ -281,7 +288,7 @@ DentalContourFileReader::GenerateData()
       bool                     outside = false;
       for (unsigned int i = 0; i < 2; ++i)
       {
-        point[i] = this->ToPixelIndex(position[i], i);
+        point[i] = record.isPixelIndex ? position[i] : this->ToPixelIndex(position[i], i);
         outside = outside || !(point[i] >= -0.5 && point[i] <= static_cast<double>(m_ReadImageSize[i]) - 0.5);
       }
       if (outside && m_NumberOfPointsOutside++ == 0)

@@ -45,11 +45,11 @@ CodeText(ToothCode code, ToothCode::NumberingEnum numbering)
   }
 }
 
-/** One number where all are alike; nothing where a point has none, as the file cannot say that of a single point. */
+/** One number where all are alike; null for a point whose error is not known, nothing where none is. */
 void
 AppendSigmas(std::ostream & os, const std::vector<double> & sigmas)
 {
-  if (sigmas.empty() || std::count(sigmas.begin(), sigmas.end(), 0.0) > 0)
+  if (std::count(sigmas.begin(), sigmas.end(), 0.0) == static_cast<std::ptrdiff_t>(sigmas.size()))
   {
     return;
   }
@@ -61,7 +61,15 @@ AppendSigmas(std::ostream & os, const std::vector<double> & sigmas)
   }
   for (std::size_t i = 0; i < sigmas.size(); ++i)
   {
-    os << (i == 0 ? "[" : ", ") << JsonNumber(sigmas[i]);
+    os << (i == 0 ? "[" : ", ");
+    if (sigmas[i] == 0.0)
+    {
+      os << "null";
+    }
+    else
+    {
+      os << JsonNumber(sigmas[i]);
+    }
   }
   os << ']';
 }

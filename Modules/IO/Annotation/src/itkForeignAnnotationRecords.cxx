@@ -20,8 +20,12 @@
 #include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
+#include "itkLabelImageRecords.h"
+#include "itkLowerCase.h"
+#include "itkRunLengthMask.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace itk
@@ -31,9 +35,6 @@ namespace
 using Format = AnnotationFileFormatEnum;
 using PointsType = std::vector<std::array<double, 3>>;
 
-/** A pixel count of either direction; no radiograph has a tenth of it. */
-constexpr int64_t MaximumImageSize = 1000000;
-
 /** The last part of a path or address. */
 std::string
 FileNameOf(const std::string & path)
@@ -42,14 +43,20 @@ FileNameOf(const std::string & path)
   return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
-/** The member as text, a number in digits; "" where there is none. */
+/** The member as text, a whole number in digits; "" where there is neither. */
 std::string
 FindText(const JsonNode & node, const char * key)
 {
   const auto member = node.Find(key);
-  return member && member->IsString()   ? member->AsString()
-         : member && member->IsNumber() ? std::to_string(static_cast<long long>(member->AsNumber()))
-                                        : std::string();
+  if (member && member->IsString())
+  {
+    return member->AsString();
+  }
+  // From 2^53 on not every whole number is one of floating point.
+  constexpr double limit = 9007199254740992.0;
+  const double     number = member && member->IsNumber() ? member->AsNumber() : limit;
+  return std::abs(number) < limit && number == std::floor(number) ? std::to_string(static_cast<int64_t>(number))
+                                                                  : std::string();
 }
 
 void
@@ -124,12 +131,12 @@ ReadKeypoints(const JsonNode & annotation, const Category & category, Annotation
   {
     return;
   }
-  const std::size_t count = keypoints->GetSize() / 3;
-  if (count != category.keypoints.size())
+  const std::size_t count = category.keypoints.size();
+  if (keypoints->GetSize() != 3 * count)
   {
-    keypoints->Fail("has " + std::to_string(count) + " points, its category names " +
-                      std::to_string(category.keypoints.size()),
-                    "export categories with their \"keypoints\"");
+    keypoints->Fail("has " + std::to_string(keypoints->GetSize()) + " numbers, and its category names " +
+                      std::to_string(count) + " points of three",
+                    "export categories with their \"keypoints\", and of each point x, y and visibility");
   }
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -189,7 +196,12 @@ ReadCOCO(const JsonNode & root, const std::string & imageName, AnnotationRecords
     const auto segmentation = annotation.Find("segmentation");
     if (segmentation && segmentation->IsObject())
     {
-      segmentation->Warn("a mask in run lengths is not read: export polygons, or a label map as an image; left out");
+      const RunLengthMask mask(*segmentation, *records.imageSize);
+      if (AppendMaskOutlines(
+            mask.GetImage(), mask.GetOffset(), segmentation->GetPath(), category->second.name, records))
+      {
+        segmentation->Warn("specks are left out beside the mask");
+      }
     }
     else if (segmentation && !segmentation->IsNull())
     {
@@ -225,6 +237,8 @@ ReadTwoLists(const JsonNode & xs, const JsonNode & ys)
   }
   return points;
 }
+
+} // namespace
 
 void
 ReadVIARegion(const JsonNode & region, AnnotationRecords & records)
@@ -269,6 +283,8 @@ ReadVIARegion(const JsonNode & region, AnnotationRecords & records)
   }
 }
 
+namespace
+{
 void
 ReadVIA(const JsonNode & root, const std::string & imageName, AnnotationRecords & records)
 {

@@ -37,6 +37,11 @@ RecognizeForeignAnnotation(const JsonNode & root);
 void
 ReadForeignAnnotation(const JsonNode & root, const std::string & imageName, AnnotationRecords & records);
 
+/** The polyline or point of a region of VIA, {"shape_attributes": {...}, "region_attributes": {...}}; what is neither
+ * is warned of. */
+void
+ReadVIARegion(const JsonNode & region, AnnotationRecords & records);
+
 /** Which of a file's pictures is meant: the only one, or the one with the radiograph's name. Throws DentalInputError
  * that lists them. */
 std::size_t

@@ -25,8 +25,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
-#include <set>
 
 namespace itk
 {
@@ -39,7 +39,7 @@ using MaskImageType = Image<std::uint8_t, 2>;
 constexpr double SpeckShare = 0.05;
 /** Above the largest FDI number: a class that is no tooth (bone, 255), while a smaller number may be a tooth that is
  * counted in another way. */
-constexpr std::uint16_t LargestFDI = 85;
+constexpr unsigned int LargestFDI = 85;
 
 std::array<std::size_t, 2>
 GetSize(const ImageBase<2> & image)
@@ -136,16 +136,23 @@ WarnOfSpecks(const std::string & fileName, const std::vector<std::string> & spec
 void
 TakeTeethAlone(const std::string & fileName, LabelImageType * image, AnnotationRecords & records)
 {
-  std::uint16_t * const    pixels = image->GetBufferPointer();
-  const std::size_t        count = image->GetLargestPossibleRegion().GetNumberOfPixels();
-  std::set<std::uint16_t>  values(pixels, pixels + count);
+  std::uint16_t * const pixels = image->GetBufferPointer();
+  const std::size_t     count = image->GetLargestPossibleRegion().GetNumberOfPixels();
+  std::vector<bool>     seen(std::size_t{ std::numeric_limits<std::uint16_t>::max() } + 1, false);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    seen[pixels[i]] = true;
+  }
   std::vector<std::string> others;
   std::size_t              teeth = 0;
-  values.erase(0);
-  std::set<std::uint16_t> foreign;
-  bool                    doubtful = false;
-  for (const std::uint16_t value : values)
+  std::vector<bool>        foreign(seen.size(), false);
+  bool                     doubtful = false;
+  for (unsigned int value = 1; value < seen.size(); ++value)
   {
+    if (!seen[value])
+    {
+      continue;
+    }
     try
     {
       ToothCode code(value);
@@ -154,11 +161,11 @@ TakeTeethAlone(const std::string & fileName, LabelImageType * image, AnnotationR
     catch (const std::invalid_argument &)
     {
       others.push_back(std::to_string(value));
-      foreign.insert(value);
+      foreign[value] = true;
       doubtful = doubtful || value <= LargestFDI;
     }
   }
-  if (values.empty())
+  if (teeth == 0 && others.empty())
   {
     itkDentalInputErrorMacro(fileName, "", "has no label: all its pixels are 0", "name the label map of the teeth");
   }
@@ -166,16 +173,16 @@ TakeTeethAlone(const std::string & fileName, LabelImageType * image, AnnotationR
   {
     // Two tones are a mask or drawn lines, of which nothing says what they show.
     const std::string line =
-      values.size() <= 2
+      teeth + others.size() <= 2
         ? R"(save masks or drawn lines as one file a tooth or jaw: "contours": {"upper": "upper.png", "UR1": "ur1.png"})"
         : R"(map the labels to FDI numbers, or save one mask a tooth: "contours": {"UR1": "ur1.png"})";
     itkDentalInputErrorMacro(fileName, "", "has labels that are no FDI tooth numbers: " + ListNames(others), line);
   }
-  if (!foreign.empty())
+  if (!others.empty())
   {
     records.warnings.push_back(fileName + ": labels: no teeth, left out: " + ListNames(others));
     std::replace_if(
-      pixels, pixels + count, [&](std::uint16_t value) { return foreign.count(value) > 0; }, std::uint16_t{ 0 });
+      pixels, pixels + count, [&](std::uint16_t value) { return foreign[value]; }, std::uint16_t{ 0 });
   }
 }
 } // namespace
@@ -247,5 +254,31 @@ ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & f
     }
   }
   return records;
+}
+
+bool
+AppendMaskOutlines(const Image<std::uint8_t, 2> * mask,
+                   const std::array<double, 2> &  offset,
+                   const std::string &            field,
+                   const std::string &            label,
+                   AnnotationRecords &            records)
+{
+  const std::size_t        first = records.polylines.size();
+  std::vector<std::string> speckled;
+  AppendOutlines(
+    label, TraceOutlines<MaskImageType>(mask, SilhouetteContourFilterEnums::Content::MergedLabels), speckled, records);
+  for (std::size_t i = first; i < records.polylines.size(); ++i)
+  {
+    AnnotationPolyline & polyline = records.polylines[i];
+    polyline.field = field;
+    polyline.codeField = field;
+    polyline.isPixelIndex = true;
+    for (auto & point : polyline.points)
+    {
+      point[0] += offset[0];
+      point[1] += offset[1];
+    }
+  }
+  return !speckled.empty();
 }
 } // namespace itk

@@ -20,6 +20,10 @@
 
 #include "itkAnnotationRecords.h"
 
+#include "itkImage.h"
+
+#include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +38,17 @@ ReadLabelImageRecords(const std::string & fileName);
  * Throws DentalInputError. */
 AnnotationRecords
 ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & files);
+
+/** Appends the outlines of a mask as closed polylines, without the specks that a brush left; returns whether there were
+ * some.
+ *
+ * \param offset Of the mask's first pixel in the radiograph. */
+bool
+AppendMaskOutlines(const Image<std::uint8_t, 2> * mask,
+                   const std::array<double, 2> &  offset,
+                   const std::string &            field,
+                   const std::string &            label,
+                   AnnotationRecords &            records);
 } // namespace itk
 
 #endif

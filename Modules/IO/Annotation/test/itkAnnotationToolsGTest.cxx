@@ -91,7 +91,6 @@ const char * const Coco = R"({"images": [{"id": 7, "width": 100, "height": 200, 
  "annotations": [
   {"id": 1, "image_id": 7, "category_id": 1, "segmentation": [[10.5, 20.5, 30.5, 20.5, 30.5, 60.5]], "iscrowd": 0},
   {"id": 2, "image_id": 7, "category_id": 2, "keypoints": [30.5, 60.5, 2, 0, 0, 0], "num_keypoints": 1},
-  {"id": 3, "image_id": 7, "category_id": 1, "segmentation": {"counts": [1, 2], "size": [200, 100]}},
   {"id": 4, "image_id": 7, "category_id": 3, "segmentation": [[1, 1, 2, 2, 1, 2]]},
   {"id": 5, "image_id": 8, "category_id": 1, "segmentation": [[1, 1, 2, 2, 1, 2]]}]})";
 
@@ -103,6 +102,14 @@ const char * const Via =
   {"shape_attributes": {"name": "point", "cx": 30.5, "cy": 60.5}, "region_attributes": {"name": "U1_tip"}},
   {"shape_attributes": {"name": "circle", "cx": 3, "cy": 6, "r": 1}, "region_attributes": {"name": "U1_tip"}}],
  "file_attributes": {}}}})";
+
+const char * const ViaTable =
+  R"(filename,file_size,file_attributes,region_count,region_id,region_shape_attributes,region_attributes
+other.png,99,"{}",0,0,"{}","{}"
+ceph.png,1234,"{}",3,0,"{""name"":""polygon"",""all_points_x"":[10.5,30.5,30.5],""all_points_y"":[20.5,20.5,60.5]}","{""kind"":""crown"",""tooth"":""#11""}"
+ceph.png,1234,"{}",3,1,"{""name"":""point"",""cx"":30.5,""cy"":60.5}","{""name"":""U1_tip""}"
+ceph.png,1234,"{}",3,2,"{""name"":""circle"",""cx"":3,""cy"":6,""r"":1}","{""name"":""U1_tip""}"
+)";
 
 const char * const LabelStudio = R"([{"id": 1, "data": {"image": "/data/upload/1/1a2b3c4d-ceph.png"}, "annotations": [
  {"id": 1, "was_cancelled": true, "result": []},
@@ -132,7 +139,6 @@ TEST(AnnotationTools, OneTriangleFromEveryFormat)
   const auto coco = Reader("coco.json", Coco);
   coco->Update();
   ExpectTriangle(coco, FormatEnum::COCO);
-  EXPECT_TRUE(Contains(Warnings(coco), "run lengths"));
   EXPECT_TRUE(Contains(Warnings(coco), "left out: soft tissue"));
 
   const auto via = Reader("via.json", Via);
@@ -140,6 +146,13 @@ TEST(AnnotationTools, OneTriangleFromEveryFormat)
   via->Update();
   ExpectTriangle(via, FormatEnum::VIA);
   EXPECT_TRUE(Contains(Warnings(via), "circle"));
+
+  const auto viaTable = Reader("via.csv", ViaTable);
+  viaTable->SetImageSize({ { 100, 200 } });
+  viaTable->SetImageFileName("ceph.png");
+  viaTable->Update();
+  ExpectTriangle(viaTable, FormatEnum::VIA);
+  EXPECT_TRUE(Contains(Warnings(viaTable), "via.csv: line 5: a region of the shape circle")) << Warnings(viaTable);
 
   const auto labelStudio = Reader("project.json", LabelStudio);
   labelStudio->Update();
@@ -153,9 +166,9 @@ TEST(AnnotationTools, OneTriangleFromEveryFormat)
 
 TEST(AnnotationTools, PointsOfEveryFormatAreLandmarks)
 {
-  const std::pair<const char *, const char *> files[] = {
-    { "a.xml", Cvat }, { "b.json", Coco }, { "c.json", Via }, { "d.json", LabelStudio }, { "e.json", Supervisely }
-  };
+  const std::pair<const char *, const char *> files[] = { { "a.xml", Cvat },         { "b.json", Coco },
+                                                          { "c.json", Via },         { "c.csv", ViaTable },
+                                                          { "d.json", LabelStudio }, { "e.json", Supervisely } };
   for (const auto & [name, text] : files)
   {
     const auto cephalometric = itk::CephalometricLandmarkFileReader::New();
@@ -210,6 +223,41 @@ TEST(AnnotationTools, OfSeveralPicturesTheRadiographsIsTaken)
   EXPECT_EQ(reader->GetReadImageSize()[0], 10u);
 }
 
+TEST(AnnotationTools, WhatATagSaysIsOfThePictureAndOfNoShape)
+{
+  const auto reader = Reader("a.xml", R"(<annotations><image name="a" width="100" height="200">
+    <polyline label="tooth line" points="1,1;2,2"/>
+    <tag label="quality"><attribute name="tooth">UR2</attribute></tag>
+    <polyline label="tooth" points="3,3;4,4"><attribute name="code">UR1</attribute></polyline>
+    <tag label="quality"><attribute name="tooth">UR3</attribute></tag></image></annotations>)");
+  reader->Update();
+  const auto upper = reader->GetUpperOutput()->GetPolylines();
+  ASSERT_EQ(upper.size(), 1u);
+  EXPECT_EQ(upper[0].code.GetName(), "UR1");
+  EXPECT_TRUE(Contains(Warnings(reader), "left out: tooth line"));
+}
+
+/** A number may be a tooth's; one with a fraction is none, and one beyond all whole numbers is not converted to any. */
+TEST(AnnotationTools, NumbersAreNamesWhereTheyAreWhole)
+{
+  const auto read = [](const std::string & number) {
+    const auto reader = Reader("a.json",
+                               R"({"description": "", "tags": [], "size": {"height": 200, "width": 100}, "objects": [
+      {"classTitle": "UR2", "geometryType": "line", "points": {"exterior": [[1, 1], [2, 2]], "interior": []}},
+      {"classTitle": "crown", "tags": [{"name": "number", "value": )" +
+                                 number + R"(}], "geometryType": "line", "points": {"exterior": [[3, 3], [4, 4]]}}]})");
+    reader->Update();
+    return reader->GetUpperOutput()->GetPolylines();
+  };
+  const auto whole = read("11");
+  ASSERT_EQ(whole.size(), 2u);
+  EXPECT_EQ(whole[1].code.GetName(), "UR1");
+  for (const char * number : { "11.7", "1e300", "-1e300", "9007199254740993" })
+  {
+    EXPECT_EQ(read(number).size(), 1u) << number;
+  }
+}
+
 TEST(AnnotationTools, DamagedFilesAreRefusedInWords)
 {
   const auto problem = [](const std::string & name, const std::string & text) {
@@ -240,6 +288,11 @@ TEST(AnnotationTools, DamagedFilesAreRefusedInWords)
   EXPECT_TRUE(Contains(problem("j.json", R"({"images": [{"id": 1, "width": 9, "height": 9}], "categories": [],
     "annotations": [{"image_id": 1, "category_id": 5}]})"),
                        "annotations[0].category_id"));
+  // Two points and a third of one are not two points.
+  EXPECT_TRUE(Contains(problem("keypoints.json", R"({"images": [{"id": 1, "width": 9, "height": 9}],
+    "categories": [{"id": 5, "name": "points", "keypoints": ["U1_tip", "L1_tip"]}],
+    "annotations": [{"image_id": 1, "category_id": 5, "keypoints": [1, 1, 2, 2, 2, 2, 3]}]})"),
+                       "has 7 numbers"));
   EXPECT_TRUE(Contains(problem("k.json", R"([{"image": "a.png", "label": [{"original_width": 9, "original_height": 9,
     "image_rotation": 90, "points": [[1, 1]], "polygonlabels": ["11"]}]}])"),
                        "image_rotation"));
@@ -312,8 +365,109 @@ TEST(AnnotationTools, TablesOfSpreadsheets)
   EXPECT_TRUE(Contains(problem("note,x,y,label\na,1\n"), "expected those of the header"));
 }
 
+TEST(AnnotationTools, TablesOfVIAAreReadAsVIAWritesThem)
+{
+  const std::string header =
+    "filename,file_size,file_attributes,region_count,region_id,region_shape_attributes,region_attributes\n";
+  const std::string line =
+    R"("ceph, left.png",1,"{}",1,0,"{""name"":""polyline"",""all_points_x"":[1.5,2.5],""all_points_y"":[3.5,4.5]}",)"
+    R"("{""Zahn"":""21"",""note"":""a \""quote\"""",""box"":{""x"":true}}")";
+  const auto points = [](const std::string & text, FormatEnum format = FormatEnum::Automatic) {
+    const auto reader = Reader("t.csv", text);
+    reader->SetImageSize({ { 100, 200 } });
+    reader->SetFileFormat(format);
+    reader->Update();
+    const auto upper = reader->GetUpperOutput()->GetPolylines();
+    return upper.size() == 1 && upper[0].code.GetName() == "UL1" && !upper[0].closed && upper[0].points[1][0] == 2.0 &&
+           upper[0].points[1][1] == 4.0;
+  };
+  EXPECT_TRUE(points(header + line));
+  EXPECT_TRUE(points(header + line + "\n", FormatEnum::VIA));
+  EXPECT_TRUE(points("#" + header + "\n" + line + "\r\n"));
+  EXPECT_TRUE(points("\xef\xbb\xbf" + header + line));
+
+  const auto error = [&header](const std::string & row) {
+    const auto reader = Reader("t.csv", header + row);
+    reader->SetImageSize({ { 100, 200 } });
+    return itk::ExpectInputError([&] { reader->Update(); }).GetOneLine();
+  };
+  EXPECT_TRUE(Contains(error("a.png,1,\"{}\"\n"), "line 2: has 3 columns"));
+  EXPECT_TRUE(Contains(error(R"(a.png,1,"{}",1,0,"{""name"":","{}")"), "line 2: a region is no JSON"));
+  EXPECT_TRUE(Contains(error(R"(a.png,1,"{}",1,0,"{""name"":""polygon"",""all_points_x"":[1]}","{}")"),
+                       "line 2, shape_attributes.all_points_y: missing"));
+  EXPECT_TRUE(Contains(error(""), "no picture"));
+  EXPECT_TRUE(Contains(error("a.png,1,\"{}\",0,0,\"{}\",\"{}\"\nb.png,1,\"{}\",0,0,\"{}\",\"{}\"\n"),
+                       "2 pictures (a.png, b.png)"));
+  // A table that somebody else wrote is no table of VIA, whatever he says.
+  const auto other = Reader("t.csv", "label,x,y\nUR1,1,2\n");
+  other->SetImageSize({ { 100, 200 } });
+  other->SetFileFormat(FormatEnum::VIA);
+  EXPECT_TRUE(Contains(itk::ExpectInputError([&] { other->Update(); }).GetProblem(), "JSON"));
+}
+
 namespace
 {
+/** Runs down the columns of a mask of 12 columns and 10 rows, as COCO has them. */
+std::vector<int>
+FindRuns(const std::vector<std::string> & rows)
+{
+  std::vector<int> runs{ 0 };
+  for (std::size_t u = 0; u < rows[0].size(); ++u)
+  {
+    for (const std::string & row : rows)
+    {
+      if ((row[u] != '.') != (runs.size() % 2 == 0))
+      {
+        runs.push_back(0);
+      }
+      ++runs.back();
+    }
+  }
+  return runs;
+}
+
+/** A COCO file of that mask. */
+std::string
+MaskFile(const std::string & counts, const std::string & size = "[10, 12]")
+{
+  return R"({"images": [{"id": 7, "width": 12, "height": 10, "file_name": "ceph.png"}],
+    "categories": [{"id": 1, "name": "11"}],
+    "annotations": [{"image_id": 7, "category_id": 1, "segmentation": {"size": )" +
+         size + R"(, "counts": )" + counts + "}}]}";
+}
+
+std::string
+AsNumbers(const std::vector<int> & runs)
+{
+  std::string text;
+  for (const int run : runs)
+  {
+    text += (text.empty() ? "[" : ", ") + std::to_string(run);
+  }
+  return text + "]";
+}
+
+/** In COCO's own text: differences, five bits a character, the lowest first. */
+std::string
+AsText(const std::vector<int> & runs)
+{
+  std::string text = "\"";
+  for (std::size_t i = 0; i < runs.size(); ++i)
+  {
+    int  value = i > 2 ? runs[i] - runs[i - 2] : runs[i];
+    bool more = true;
+    while (more)
+    {
+      const int bits = value & 31;
+      value >>= 5;
+      more = (bits & 16) != 0 ? value != -1 : value != 0;
+      text += static_cast<char>('0' + bits + (more ? 32 : 0));
+      text += text.back() == '\\' ? "\\" : "";
+    }
+  }
+  return text + '"';
+}
+
 /** A NRRD of numbers as text. */
 std::string
 Nrrd(const std::vector<std::string> & rows, const std::string & type = "int")
@@ -414,6 +568,101 @@ TEST(LabelImages, OneMaskATooth)
   const auto error = itk::ExpectInputError([&] { reader->Update(); });
   EXPECT_EQ(error.GetInputFile(), other);
   EXPECT_EQ(error.GetField(), "size");
+}
+
+/** One reader may be used for a patient with masks and then for one with a file. */
+TEST(LabelImages, OfMasksAndAFileWhatIsSaidLastIsRead)
+{
+  const std::string mask =
+    itk::WriteTestFile("ur1.nrrd", Nrrd({ "..........", ".cc.......", "..........", ".........." }));
+  const std::string file = itk::WriteTestFile(
+    "c.json", R"({"image_size": [9, 9], "contours": {"upper": [{"code": "UR2", "points": [[1, 1], [2, 2]]}]}})");
+  const auto reader = DentalContourFileReader::New();
+  const auto read = [&reader] {
+    reader->Update();
+    return reader->GetUpperOutput()->GetPolylines().at(0).code.GetName();
+  };
+  reader->SetFileName(file);
+  reader->SetClassFiles({ { "UR1", mask } });
+  EXPECT_EQ(read(), "UR1");
+  reader->SetFileName(file);
+  EXPECT_TRUE(reader->GetClassFiles().empty());
+  EXPECT_EQ(read(), "UR2");
+}
+
+TEST(LabelImages, AMaskOfCOCOIsWhatTheSameMaskIsAsAPicture)
+{
+  const std::vector<std::vector<std::string>> masks = {
+    { "............",
+      "............",
+      "...ccccc....",
+      "..ccccccc...",
+      "..ccccccc...",
+      "..ccccccc...",
+      "...ccccc....",
+      "....ccc.....",
+      "............",
+      "............" },
+    // Up to the picture's edges.
+    { "cccc........",
+      "cccc........",
+      "cccc........",
+      "ccccc.......",
+      "ccccc.......",
+      "ccccc.......",
+      "ccccc.......",
+      "ccccc.......",
+      "cccc........",
+      "cccc........" },
+  };
+  for (const auto & mask : masks)
+  {
+    const auto picture = DentalContourFileReader::New();
+    picture->SetClassFiles({ { "11", itk::WriteTestFile("mask.nrrd", Nrrd(mask)) } });
+    picture->Update();
+    const auto expected = picture->GetUpperOutput()->GetPolylines();
+    ASSERT_EQ(expected.size(), 1u);
+    for (const std::string & counts : { AsNumbers(FindRuns(mask)), AsText(FindRuns(mask)) })
+    {
+      // A mask is in pixels whatever the corners of polygons are counted from.
+      for (const auto origin :
+           { itk::AnnotationPixelOriginEnum::FormatDefault, itk::AnnotationPixelOriginEnum::Centre })
+      {
+        const auto coco = Reader("coco.json", MaskFile(counts));
+        coco->SetPixelOrigin(origin);
+        coco->Update();
+        const auto polylines = coco->GetUpperOutput()->GetPolylines();
+        ASSERT_EQ(polylines.size(), 1u) << counts;
+        EXPECT_EQ(polylines[0].code.GetName(), "UR1");
+        EXPECT_TRUE(polylines[0].closed);
+        ASSERT_EQ(polylines[0].points.size(), expected[0].points.size()) << counts;
+        for (std::size_t i = 0; i < expected[0].points.size(); ++i)
+        {
+          EXPECT_NEAR(polylines[0].points[i][0], expected[0].points[i][0], 1e-9);
+          EXPECT_NEAR(polylines[0].points[i][1], expected[0].points[i][1], 1e-9);
+        }
+      }
+    }
+  }
+  // What COCO's own programs write of three by three pixels in the middle of five by five.
+  EXPECT_EQ(AsText({ 6, 3, 2, 3, 2, 3, 6 }), "\"6320004\"");
+}
+
+TEST(LabelImages, AMaskThatIsNotOfThePictureIsRefused)
+{
+  const auto error = [](const std::string & counts, const std::string & size = "[10, 12]") {
+    const auto reader = Reader("coco.json", MaskFile(counts, size));
+    return itk::ExpectInputError([&] { reader->Update(); }).GetOneLine();
+  };
+  EXPECT_TRUE(Contains(error("[60, 60]", "[12, 10]"), "annotations[0].segmentation.size: is not the picture's"));
+  EXPECT_TRUE(Contains(error("[60, 61]"), "has runs of 121 pixels"));
+  EXPECT_TRUE(Contains(error("[120]"), "marks no pixel"));
+  EXPECT_TRUE(Contains(error("[130, -10]"), "counts[1]"));
+  EXPECT_TRUE(Contains(error("\"P\""), "character 2"));
+  EXPECT_TRUE(Contains(error("\"0 \""), "character 2"));
+  EXPECT_TRUE(Contains(error("\"O\""), "a run of -1 pixels"));
+  EXPECT_TRUE(Contains(error("\"oooooooooooooooooo0\""), "character"));
+  EXPECT_TRUE(Contains(error("null"), "counts"));
 }
 
 TEST(LabelImages, DrawnLinesAreWalkedAlongTheirMiddle)

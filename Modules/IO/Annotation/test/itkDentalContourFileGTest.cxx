@@ -423,18 +423,21 @@ TEST(DentalContourFileReader, OutlineAndSigmaAreReadAndWritten)
   const auto reader = MakeReader(R"({"image_size": [100, 100], "contours": {"upper": [
     {"code": "UR1", "closed": true, "outline": "tooth", "sigma_px": 2.5, "points": [[1, 1], [9, 1], [9, 9], [1, 1]]},
     {"code": "UR2", "outline": "labial", "sigma_px": [0.5, 1.5], "points": [[1, 1], [9, 1]]},
-    {"code": "UR3", "points": [[3, 3], [4, 4]]}]}})");
+    {"code": "UR3", "points": [[3, 3], [4, 4]]},
+    {"code": "UR4", "sigma_px": [0.5, null, 2], "points": [[3, 3], [4, 4], [5, 5]]}]}})");
   reader->Update();
   EXPECT_TRUE(reader->GetWarnings().empty());
   const auto polylines = reader->GetUpperOutput()->GetPolylines();
   using OutlineEnum = itk::DentalContour::OutlineEnum;
-  ASSERT_EQ(polylines.size(), 3u);
+  ASSERT_EQ(polylines.size(), 4u);
   EXPECT_EQ(polylines[0].outline, OutlineEnum::Tooth);
   EXPECT_EQ(polylines[0].sigmas, std::vector<double>({ 2.5, 2.5, 2.5 }));
   EXPECT_EQ(polylines[1].outline, OutlineEnum::Labial);
   EXPECT_EQ(polylines[1].sigmas, std::vector<double>({ 0.5, 1.5 }));
   EXPECT_EQ(polylines[2].outline, OutlineEnum::Unspecified);
   EXPECT_EQ(polylines[2].sigmas, std::vector<double>({ 0.0, 0.0 }));
+  // Of one point the error is not known, which says nothing of the others'.
+  EXPECT_EQ(polylines[3].sigmas, std::vector<double>({ 0.5, 0.0, 2.0 }));
 
   const auto writer = itk::DentalContourFileWriter::New();
   writer->SetUpper(reader->GetUpperOutput());
@@ -445,8 +448,8 @@ TEST(DentalContourFileReader, OutlineAndSigmaAreReadAndWritten)
   again->SetFileName(itk::TestFolder() + "/written.json");
   again->Update();
   const auto written = again->GetUpperOutput()->GetPolylines();
-  ASSERT_EQ(written.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i)
+  ASSERT_EQ(written.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)
   {
     EXPECT_EQ(written[i].sigmas, polylines[i].sigmas);
     EXPECT_EQ(written[i].outline, polylines[i].outline);
@@ -466,4 +469,6 @@ TEST(DentalContourFileReader, OutlineAndSigmaThatAreNoneAreRefusedByField)
   EXPECT_EQ(field(R"("sigma_px": -1)"), "contours.upper[0].sigma_px");
   EXPECT_EQ(field(R"("sigma_px": [1])"), "contours.upper[0].sigma_px");
   EXPECT_EQ(field(R"("sigma_px": [1, 0])"), "contours.upper[0].sigma_px[1]");
+  EXPECT_EQ(field(R"("sigma_px": [1, "x"])"), "contours.upper[0].sigma_px[1]");
+  EXPECT_EQ(field(R"("sigma_px": null)"), "contours.upper[0].sigma_px");
 }

@@ -23,17 +23,20 @@
 #include "itkPixelSpacingVerdict.h"
 
 #include "itkImage.h"
-#include "itkImageIOBase.h"
 #include "itkImageSource.h"
 #include "itkVector.h"
 
+#include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace itk
 {
+class RadiographFile;
+
 /** \class CephalogramFileReader
  * \brief Reads a lateral cephalogram as a grey 2-D image and says what its pixel spacing is worth.
  *
@@ -75,8 +78,8 @@ public:
   using PixelSpacingType = Vector<double, 2>;
   using FacingEnum = CephalometricGeometry::FacingEnum;
   /** Name of a value to its source in words. Names: "pixel_spacing", "source_to_detector", "source_to_midsagittal",
-   * "facing", "distance_source_to_patient" (reported, never used), "photometric". A value that the file has not is not
-   * in it, but for "pixel_spacing". */
+   * "facing", "distance_source_to_patient" (reported, never used), "photometric", "orientation". A value that the file
+   * has not is not in it, but for "pixel_spacing". */
   using ProvenanceType = std::map<std::string, std::string>;
 
   /** No cephalogram is nearly as large. */
@@ -215,19 +218,20 @@ private:
   std::optional<PixelSpacingType> m_UserPixelSpacing;
   SpacingPlaneEnum                m_UserSpacingPlane{ SpacingPlaneEnum::Detector };
 
-  ImageIOBase::Pointer            m_ImageIO;
-  std::string                     m_FileFormat;
-  PixelSpacingVerdictEnum         m_PixelSpacingVerdict{ PixelSpacingVerdictEnum::Unknown };
-  SpacingPlaneEnum                m_SpacingPlane{ SpacingPlaneEnum::Unknown };
-  std::optional<PixelSpacingType> m_PixelSpacing;
-  std::optional<PixelSpacingType> m_HeaderSpacing;
-  PixelSpacingType                m_HeaderOrigin;
-  std::optional<double>           m_SourceToDetectorDistance;
-  std::optional<double>           m_SourceToMidsagittalDistance;
-  std::optional<double>           m_MagnificationFactor;
-  std::optional<FacingEnum>       m_Facing;
-  ProvenanceType                  m_Provenance;
-  std::vector<std::string>        m_Warnings;
+  /** Between GenerateOutputInformation() and GenerateData(). */
+  std::shared_ptr<const RadiographFile> m_File;
+  std::string                           m_FileFormat;
+  PixelSpacingVerdictEnum               m_PixelSpacingVerdict{ PixelSpacingVerdictEnum::Unknown };
+  SpacingPlaneEnum                      m_SpacingPlane{ SpacingPlaneEnum::Unknown };
+  std::optional<PixelSpacingType>       m_PixelSpacing;
+  std::optional<PixelSpacingType>       m_HeaderSpacing;
+  PixelSpacingType                      m_HeaderOrigin;
+  std::optional<double>                 m_SourceToDetectorDistance;
+  std::optional<double>                 m_SourceToMidsagittalDistance;
+  std::optional<double>                 m_MagnificationFactor;
+  std::optional<FacingEnum>             m_Facing;
+  ProvenanceType                        m_Provenance;
+  std::vector<std::string>              m_Warnings;
 };
 } // namespace itk
 

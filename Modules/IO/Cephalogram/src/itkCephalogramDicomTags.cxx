@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkCephalogramFileReader.h"
 
+#include "itkRadiographFile.h"
 #include "itkRadiographText.h"
 
 #include "itkMetaDataObject.h"
@@ -34,7 +35,7 @@ std::string
 CephalogramFileReader::GetTag(const char * key) const
 {
   std::string value;
-  ExposeMetaData<std::string>(m_ImageIO->GetMetaDataDictionary(), key, value);
+  ExposeMetaData<std::string>(m_File->GetImageIO()->GetMetaDataDictionary(), key, value);
   return Trim(value);
 }
 

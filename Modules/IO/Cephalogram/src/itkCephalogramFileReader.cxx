@@ -18,20 +18,14 @@
 #include "itkCephalogramFileReader.h"
 
 #include "itkDentalInputError.h"
-#include "itkIntegerTIFF.h"
-#include "itkRadiographFileFormat.h"
-#include "itkRadiographImageIO.h"
+#include "itkRadiographFile.h"
 #include "itkRadiographText.h"
-#include "itkTIFFTag.h"
 
 #include "itkMetaDataObject.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace itk
@@ -41,123 +35,25 @@ namespace
 using Format = RadiographFileFormatEnum;
 using RadiographText::ToString;
 
-/** The grey level that a white-is-zero TIFF's 0 stands for; ITK's reader leaves such a file a negative. */
-float
-GetWhite(IOComponentEnum type)
-{
-  return type == IOComponentEnum::UCHAR ? std::numeric_limits<unsigned char>::max()
-                                        : std::numeric_limits<unsigned short>::max();
-}
+/** Bits of a value up to which the type's largest is what a picture has for white. */
+constexpr unsigned int LargestPictureDepth = 16;
 
-/** A TIFF whose first picture has 0 for white. */
-bool
-IsWhiteIsZeroTIFF(const std::string & fileName, Format format)
+/** Grey from the values of a pixel: colours by their luminance, and what is transparent black.
+ *
+ * \param full The value of white and of an opaque pixel's opacity. */
+double
+ComputeGrey(const double * values, unsigned int components, double full, bool isNegative)
 {
-  return format == Format::TIFF && ReadTIFFTag(fileName, TIFFPhotometricTag) == 0u;
-}
-
-/** How the pixels have to be turned to be seen upright, as TIFF and Exif number it: 1, as they are, to 8. What is no
- * such number is as good as none. */
-unsigned int
-ReadOrientation(const std::string & fileName, Format format)
-{
-  if (format != Format::JPEG && format != Format::TIFF)
+  double value = isNegative ? full - values[0] : values[0];
+  if (components >= 3)
   {
-    return 1;
+    value = 0.2126 * value + 0.7152 * values[1] + 0.0722 * values[2];
   }
-  const unsigned int orientation = ReadTIFFTag(fileName, TIFFOrientationTag).value_or(1);
-  return orientation >= 1 && orientation <= 8 ? orientation : 1;
-}
-
-/** From 5 on rows are columns. */
-bool
-IsTransposed(unsigned int orientation)
-{
-  return orientation >= 5;
-}
-
-/** Upright pixels from those of the file. */
-std::vector<float>
-MakeUpright(const float * stored, std::size_t width, std::size_t height, unsigned int orientation)
-{
-  // By the place of the file's first row and column: 1 top left, 2 top right, 3 bottom right, 4 bottom left, and
-  // transposed 5 left top, 6 right top, 7 right bottom, 8 left bottom.
-  const bool         transposed = IsTransposed(orientation);
-  const bool         fromRight = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
-  const bool         fromBottom = orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
-  const std::size_t  columns = transposed ? height : width;
-  const std::size_t  rows = transposed ? width : height;
-  std::vector<float> upright(width * height);
-  for (std::size_t v = 0; v < rows; ++v)
+  if (components == 2 || components == 4)
   {
-    for (std::size_t u = 0; u < columns; ++u)
-    {
-      const std::size_t across = fromRight ? columns - 1 - u : u;
-      const std::size_t down = fromBottom ? rows - 1 - v : v;
-      upright[v * columns + u] = transposed ? stored[across * width + down] : stored[down * width + across];
-    }
+    value *= values[components - 1] / full;
   }
-  return upright;
-}
-
-/** Grey from interleaved components. */
-template <typename TComponent>
-bool
-ConvertToGrey(const void * buffer, std::size_t pixels, unsigned int components, float * grey)
-{
-  const auto * source = static_cast<const TComponent *>(buffer);
-  const double full =
-    std::is_floating_point<TComponent>::value ? 1.0 : static_cast<double>(std::numeric_limits<TComponent>::max());
-  bool finite = true;
-  for (std::size_t i = 0; i < pixels; ++i, source += components)
-  {
-    double value = static_cast<double>(source[0]);
-    if (components >= 3)
-    {
-      value = 0.2126 * value + 0.7152 * static_cast<double>(source[1]) + 0.0722 * static_cast<double>(source[2]);
-    }
-    if (components == 2 || components == 4)
-    {
-      value *= static_cast<double>(source[components - 1]) / full;
-    }
-    grey[i] = static_cast<float>(value);
-    finite = finite && std::isfinite(grey[i]);
-  }
-  return finite;
-}
-
-bool
-ConvertToGrey(IOComponentEnum type, const void * buffer, std::size_t pixels, unsigned int components, float * grey)
-{
-  switch (type)
-  {
-    case IOComponentEnum::UCHAR:
-      return ConvertToGrey<unsigned char>(buffer, pixels, components, grey);
-    case IOComponentEnum::CHAR:
-      return ConvertToGrey<signed char>(buffer, pixels, components, grey);
-    case IOComponentEnum::USHORT:
-      return ConvertToGrey<unsigned short>(buffer, pixels, components, grey);
-    case IOComponentEnum::SHORT:
-      return ConvertToGrey<short>(buffer, pixels, components, grey);
-    case IOComponentEnum::UINT:
-      return ConvertToGrey<unsigned int>(buffer, pixels, components, grey);
-    case IOComponentEnum::INT:
-      return ConvertToGrey<int>(buffer, pixels, components, grey);
-    case IOComponentEnum::ULONG:
-      return ConvertToGrey<unsigned long>(buffer, pixels, components, grey);
-    case IOComponentEnum::LONG:
-      return ConvertToGrey<long>(buffer, pixels, components, grey);
-    case IOComponentEnum::ULONGLONG:
-      return ConvertToGrey<unsigned long long>(buffer, pixels, components, grey);
-    case IOComponentEnum::LONGLONG:
-      return ConvertToGrey<long long>(buffer, pixels, components, grey);
-    case IOComponentEnum::FLOAT:
-      return ConvertToGrey<float>(buffer, pixels, components, grey);
-    case IOComponentEnum::DOUBLE:
-      return ConvertToGrey<double>(buffer, pixels, components, grey);
-    default:
-      throw std::invalid_argument("unknown pixel type");
-  }
+  return value;
 }
 } // namespace
 
@@ -225,12 +121,13 @@ CephalogramFileReader::GetHeaderOrigin() const -> PixelSpacingType
 void
 CephalogramFileReader::ReadHeaderGrid()
 {
-  PixelSpacingType spacing;
+  const ImageIOBase & imageIO = *m_File->GetImageIO();
+  PixelSpacingType    spacing;
   for (unsigned int i = 0; i < 2; ++i)
   {
-    spacing[i] = m_ImageIO->GetSpacing(i);
-    m_HeaderOrigin[i] = m_ImageIO->GetOrigin(i);
-    const std::vector<double> direction = m_ImageIO->GetDirection(i);
+    spacing[i] = imageIO.GetSpacing(i);
+    m_HeaderOrigin[i] = imageIO.GetOrigin(i);
+    const std::vector<double> direction = imageIO.GetDirection(i);
     // Negated so that what is not finite is refused.
     if (!(spacing[i] > 0.0) || !std::isfinite(spacing[i]) || !std::isfinite(m_HeaderOrigin[i]) ||
         direction.size() < 2 || direction[i] != 1.0)
@@ -321,8 +218,9 @@ CephalogramFileReader::Warn(const std::string & field, const std::string & text)
 void
 CephalogramFileReader::ReadHeaderSpacing()
 {
+  const ImageIOBase &         imageIO = *m_File->GetImageIO();
   const std::string           header = ReadRadiographTextHeader(m_FileName);
-  const std::array<double, 2> spacing{ { m_ImageIO->GetSpacing(0), m_ImageIO->GetSpacing(1) } };
+  const std::array<double, 2> spacing{ { imageIO.GetSpacing(0), imageIO.GetSpacing(1) } };
   const std::string           text = "header spacing " + ToString(spacing[0]) + ' ' + ToString(spacing[1]);
   std::string &               provenance = m_Provenance["pixel_spacing"];
 
@@ -383,52 +281,9 @@ CephalogramFileReader::GenerateOutputInformation()
   m_Provenance.clear();
   m_Warnings.clear();
 
-  const Format format = DetectRadiographFileFormat(m_FileName);
-  m_FileFormat = itk::ToString(format);
-  VerifyRadiographFileIsComplete(m_FileName, format, MaximumNumberOfPixels);
-  m_ImageIO = MakeRadiographImageIO(format);
-  m_ImageIO->SetFileName(m_FileName);
-  CallRadiographImageIO(m_FileName, m_FileFormat, [this] { m_ImageIO->ReadImageInformation(); });
-
-  const unsigned int        dimensions = m_ImageIO->GetNumberOfDimensions();
-  OutputImageType::SizeType size{ { 0, 0 } };
-  for (unsigned int i = 0; i < dimensions; ++i)
-  {
-    const SizeValueType count = m_ImageIO->GetDimensions(i);
-    if (i < 2)
-    {
-      size[i] = count;
-    }
-    else if (count > 1)
-    {
-      itkDentalInputErrorMacro(
-        m_FileName, "", "has " + std::to_string(count) + " frames, pages or slices", "export the one radiograph");
-    }
-  }
-  if (size[0] == 0 || size[1] == 0)
-  {
-    itkDentalInputErrorMacro(m_FileName,
-                             "",
-                             "is an image of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " pixels",
-                             "export it again");
-  }
-  if (size[0] > MaximumNumberOfPixels / size[1] || size[0] > MaximumWidthAndHeight || size[1] > MaximumWidthAndHeight)
-  {
-    itkDentalInputErrorMacro(m_FileName,
-                             "",
-                             "claims to have " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
-                               " pixels, which no cephalogram has",
-                             "export it again");
-  }
-  const unsigned int components = m_ImageIO->GetNumberOfComponents();
-  const bool         mayHaveAlphaAlone = format == Format::PNG || format == Format::TIFF;
-  if (components != 1 && components != 3 && components != 4 && !(components == 2 && mayHaveAlphaAlone))
-  {
-    itkDentalInputErrorMacro(
-      m_FileName, "", "has " + std::to_string(components) + " values a pixel", "export it in grey or in RGB");
-  }
-
-  switch (format)
+  m_File = std::make_shared<const RadiographFile>(m_FileName, RadiographFile::PaletteEnum::Colours);
+  m_FileFormat = itk::ToString(m_File->GetFormat());
+  switch (m_File->GetFormat())
   {
     case Format::DICOM:
       this->ReadDicomTags();
@@ -442,21 +297,17 @@ CephalogramFileReader::GenerateOutputInformation()
     default:
       m_Provenance["pixel_spacing"] = m_FileFormat + " has no pixel spacing; a resolution in dots per inch is not one";
   }
-  const unsigned int orientation = ReadOrientation(m_FileName, format);
-  if (orientation != 1)
+  if (m_File->GetOrientation() != 1)
   {
+    const std::string orientation = std::to_string(m_File->GetOrientation());
     m_Provenance["orientation"] =
-      "orientation " + std::to_string(orientation) + " of the file (1 is upright), turned upright on reading";
+      "orientation " + orientation + " of the file (1 is upright), turned upright on reading";
     this->Warn("orientation",
-               std::to_string(orientation) +
+               orientation +
                  " in the file turns the picture upright, as viewers show it; pixels of the file as it is stored are "
                  "elsewhere");
-    if (IsTransposed(orientation))
-    {
-      std::swap(size[0], size[1]);
-    }
   }
-  if (IsWhiteIsZeroTIFF(m_FileName, format))
+  if (m_File->IsWhiteIsZero())
   {
     m_Provenance["photometric"] = "TIFF PhotometricInterpretation WhiteIsZero, inverted on reading";
   }
@@ -469,7 +320,7 @@ CephalogramFileReader::GenerateOutputInformation()
   }
 
   OutputImageType * const output = this->GetOutput();
-  output->SetLargestPossibleRegion(OutputImageType::RegionType(size));
+  output->SetLargestPossibleRegion(OutputImageType::RegionType(m_File->GetSize()));
   OutputImageType::SpacingType spacing;
   spacing.Fill(1.0);
   output->SetSpacing(m_PixelSpacing ? *m_PixelSpacing : spacing);
@@ -502,55 +353,30 @@ CephalogramFileReader::GenerateData()
 {
   this->AllocateOutputs();
   this->UpdateProgress(0.0f);
-  OutputImageType * const output = this->GetOutput();
-  const auto              size = output->GetLargestPossibleRegion().GetSize();
-  const unsigned int      dimensions = m_ImageIO->GetNumberOfDimensions();
-  ImageIORegion           region(dimensions);
-  for (unsigned int i = 0; i < dimensions; ++i)
-  {
-    region.SetIndex(i, 0);
-    region.SetSize(i, m_ImageIO->GetDimensions(i));
-  }
-  bool finite = true;
-  CallRadiographImageIO(m_FileName, m_FileFormat, [&] {
-    m_ImageIO->SetIORegion(region);
-    // Zeros, so that a reader that leaves a part out leaves no memory of others.
-    std::vector<char> buffer(static_cast<std::size_t>(m_ImageIO->GetImageSizeInBytes()), 0);
-    if (IsIntegerTIFF(m_FileName))
+  const std::vector<char> pixels = m_File->Decode();
+  const unsigned int      components = m_File->GetNumberOfComponents();
+  const double            full = m_File->GetLargestValue();
+  // Against the largest of 2^32 values, a float would have no bits left for those of the picture.
+  const bool    fullIsWhite = m_File->GetDepth() <= LargestPictureDepth;
+  float * const grey = this->GetOutput()->GetBufferPointer();
+  float *       end = grey;
+  bool          finite = true;
+  m_File->ForEachRow(pixels, [&](const double * values) {
+    for (SizeValueType u = 0; u < m_File->GetSize()[0]; ++u, ++end)
     {
-      const std::vector<double> values = ReadIntegerTIFF(m_FileName, size[0], size[1]);
-      std::transform(values.begin(), values.end(), output->GetBufferPointer(), [](double value) {
-        return static_cast<float>(value);
-      });
-      return;
+      *end =
+        static_cast<float>(ComputeGrey(values + u * components, components, full, m_File->IsNegative() && fullIsWhite));
+      finite = finite && std::isfinite(*end);
     }
-    m_ImageIO->Read(buffer.data());
-    finite = ConvertToGrey(m_ImageIO->GetComponentType(),
-                           buffer.data(),
-                           size[0] * size[1],
-                           m_ImageIO->GetNumberOfComponents(),
-                           output->GetBufferPointer());
   });
-  const IOComponentEnum type = m_ImageIO->GetComponentType();
-  if (m_ImageIO->GetNumberOfComponents() == 1 && (type == IOComponentEnum::UCHAR || type == IOComponentEnum::USHORT) &&
-      IsWhiteIsZeroTIFF(m_FileName, DetectRadiographFileFormat(m_FileName)))
-  {
-    const float white = GetWhite(type);
-    for (std::size_t i = 0; i < size[0] * size[1]; ++i)
-    {
-      output->GetBufferPointer()[i] = white - output->GetBufferPointer()[i];
-    }
-  }
-  const unsigned int orientation = ReadOrientation(m_FileName, DetectRadiographFileFormat(m_FileName));
-  if (orientation != 1)
-  {
-    const std::vector<float> upright =
-      MakeUpright(output->GetBufferPointer(), m_ImageIO->GetDimensions(0), m_ImageIO->GetDimensions(1), orientation);
-    std::copy(upright.begin(), upright.end(), output->GetBufferPointer());
-  }
   if (!finite)
   {
     itkDentalInputErrorMacro(m_FileName, "", "has pixels that are not finite (NaN or Inf)", "export it again");
+  }
+  if (m_File->IsNegative() && !fullIsWhite)
+  {
+    const float white = *std::max_element(grey, end);
+    std::transform(grey, end, grey, [white](float value) { return white - value; });
   }
   this->UpdateProgress(1.0f);
 }
@@ -588,6 +414,5 @@ CephalogramFileReader::PrintSelf(std::ostream & os, Indent indent) const
     os << indent << "Provenance of " << name << ": " << source << std::endl;
   }
   os << indent << "Warnings: " << m_Warnings.size() << std::endl;
-  itkPrintSelfObjectMacro(ImageIO);
 }
 } // namespace itk

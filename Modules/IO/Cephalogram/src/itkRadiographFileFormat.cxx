@@ -21,6 +21,7 @@
 #include "itkDicomFileCheck.h"
 #include "itkForeignFile.h"
 #include "itkJPEGFileCheck.h"
+#include "itkLowerCase.h"
 
 #include <algorithm>
 #include <array>
@@ -310,15 +311,6 @@ TIFFIsComplete(const Bytes & bytes)
     directory = number(directory + 2 + 12 * entries, 4);
   }
   return true;
-}
-
-std::string
-LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](char character) {
-    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-  });
-  return text;
 }
 
 /** MetaImage's own reader prints what it misses, and returns what there is. */

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkVTKSurfaceParts.h"
 
+#include "itkLowerCase.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstring>
@@ -51,13 +53,6 @@ constexpr TypeInfo Types[] = { { "bit", 0, false, false },
                                { "float", 4, true, true },
                                { "double", 8, true, true } };
 
-std::string
-Lower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 bool
 IsSpace(char c)
 {
@@ -83,17 +78,17 @@ public:
     }
     m_OffsetsAndConnectivity = version.size() > number + 8 && version[number + 8] >= '5';
     this->Line();
-    const std::string encoding = Lower(this->Word());
+    const std::string encoding = LowerCase(this->Word());
     if (encoding != "ascii" && encoding != "binary")
     {
       throw VTKFileError("line 3", "says neither ASCII nor BINARY");
     }
     m_Binary = encoding == "binary";
-    if (Lower(this->Word()) != "dataset" || Lower(this->Word()) != "polydata")
+    if (LowerCase(this->Word()) != "dataset" || LowerCase(this->Word()) != "polydata")
     {
       throw VTKFileError("DATASET", "is not POLYDATA", "write the surface as PolyData");
     }
-    for (std::string word = Lower(this->Word()); !word.empty(); word = Lower(this->Word()))
+    for (std::string word = LowerCase(this->Word()); !word.empty(); word = LowerCase(this->Word()))
     {
       this->ParseSection(word);
     }
@@ -136,14 +131,14 @@ private:
       {
         std::string name = this->Word();
         // Between two arrays there may be what is known of the first one.
-        while (Lower(name) == "metadata")
+        while (LowerCase(name) == "metadata")
         {
           this->SkipMetadata();
           name = this->Word();
         }
         const std::size_t components = this->Count();
         const std::size_t tuples = this->Count();
-        const std::string type = Lower(this->Word());
+        const std::string type = LowerCase(this->Word());
         this->Take(name,
                    components,
                    type == "string" ? this->Strings(components, tuples) : this->Values(type, components, tuples));
@@ -158,7 +153,7 @@ private:
       {
         components = this->ToCount(rest);
       }
-      if (Lower(this->Word()) != "lookup_table")
+      if (LowerCase(this->Word()) != "lookup_table")
       {
         this->Fail("has no LOOKUP_TABLE");
       }
@@ -235,7 +230,7 @@ private:
     }
     for (const bool offsets : { true, false })
     {
-      if (Lower(this->Word()) != (offsets ? "offsets" : "connectivity"))
+      if (LowerCase(this->Word()) != (offsets ? "offsets" : "connectivity"))
       {
         this->Fail(offsets ? "has no OFFSETS" : "has no CONNECTIVITY");
       }
@@ -435,7 +430,7 @@ private:
   std::string
   Type()
   {
-    return Lower(this->Word());
+    return LowerCase(this->Word());
   }
 
   std::string

@@ -15,24 +15,21 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef itkTIFFTag_h
-#define itkTIFFTag_h
+#ifndef itkLowerCase_h
+#define itkLowerCase_h
 
-#include <cstdint>
-#include <optional>
+#include "DentalCommonExport.h"
+
 #include <string>
 
 namespace itk
 {
-/** Not installed. The first value of a tag in the first directory of a TIFF, and of what a camera writes into a JPEG as
- * Exif, which is the same structure. None for all other files, for one that is not whole, and where there is no such
- * tag, or none of a whole number. */
-std::optional<std::uint32_t>
-ReadTIFFTag(const std::string & fileName, std::uint32_t tag);
-
-/** Tags of TIFF 6.0. */
-constexpr std::uint32_t TIFFPhotometricTag = 262;
-constexpr std::uint32_t TIFFOrientationTag = 274;
+/** Text in lower case. Of ASCII letters only, so that it means the same whatever the locale is: for what files and
+ * options spell, not for names of people.
+ *
+ * \ingroup DentalCommon */
+DentalCommon_EXPORT std::string
+                    LowerCase(std::string text);
 } // namespace itk
 
 #endif

@@ -15,23 +15,18 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef itkIntegerTIFF_h
-#define itkIntegerTIFF_h
+#include "itkLowerCase.h"
 
-#include <cstddef>
-#include <string>
-#include <vector>
+#include <algorithm>
 
 namespace itk
 {
-/** Not installed. Whether a file is a TIFF of one value a pixel in whole numbers of 32 bits: what NumPy, and with
- * it most label maps, is made of by default. ITK 5.2 takes it for 8 bits and fills it with noughts. */
-bool
-IsIntegerTIFF(const std::string & fileName);
-
-/** The values of such a file, row by row. Throws an ExceptionObject where it is not whole or has another size. */
-std::vector<double>
-ReadIntegerTIFF(const std::string & fileName, std::size_t width, std::size_t height);
+std::string
+LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](char character) {
+    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
+  });
+  return text;
+}
 } // namespace itk
-
-#endif

@@ -1,0 +1,311 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkRadiographFile.h"
+
+#include "itkCephalogramFileReader.h"
+#include "itkDentalInputError.h"
+#include "itkExifOrientation.h"
+#include "itkRadiographImageIO.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace itk
+{
+namespace
+{
+using Format = RadiographFileFormatEnum;
+
+/** From 5 on rows are columns. */
+bool
+IsTransposed(unsigned int orientation)
+{
+  return orientation >= 5;
+}
+
+/** What is left to be done of a TIFF's orientation when ITK has read it: libtiff mirrors rows and columns, and never
+ * exchanges them. */
+unsigned int
+GetOrientationBehindITK(unsigned int orientation)
+{
+  constexpr unsigned int left[] = { 1, 1, 1, 1, 5, 7, 5, 7 };
+  return left[orientation - 1];
+}
+
+IOComponentEnum
+GetComponentTypeOf(const TIFFLayout & layout)
+{
+  switch (layout.bits)
+  {
+    case 8:
+      return layout.isSigned ? IOComponentEnum::CHAR : IOComponentEnum::UCHAR;
+    case 16:
+      return layout.isSigned ? IOComponentEnum::SHORT : IOComponentEnum::USHORT;
+    default:
+      return layout.isSigned ? IOComponentEnum::INT : IOComponentEnum::UINT;
+  }
+}
+
+/** Where the pixels of an upright row stand among those of the file. */
+struct StoredRow
+{
+  std::ptrdiff_t first{ 0 };
+  std::ptrdiff_t step{ 1 };
+  std::size_t    count{ 0 };
+};
+
+StoredRow
+FindRow(const Size<2> & stored, unsigned int orientation, std::size_t v)
+{
+  // By the place of the file's first row and column: 1 top left, 2 top right, 3 bottom right, 4 bottom left, and
+  // transposed 5 left top, 6 right top, 7 right bottom, 8 left bottom.
+  const bool        transposed = IsTransposed(orientation);
+  const bool        fromRight = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
+  const bool        fromBottom = orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
+  const std::size_t columns = transposed ? stored[1] : stored[0];
+  const std::size_t rows = transposed ? stored[0] : stored[1];
+  const std::size_t down = fromBottom ? rows - 1 - v : v;
+  const std::size_t across = fromRight ? columns - 1 : 0;
+  const auto        step = static_cast<std::ptrdiff_t>(transposed ? stored[0] : 1);
+  StoredRow         row;
+  row.first = static_cast<std::ptrdiff_t>(transposed ? across * stored[0] + down : down * stored[0] + across);
+  row.step = fromRight ? -step : step;
+  row.count = columns;
+  return row;
+}
+
+template <typename TComponent>
+void
+CopyRow(const char * pixels, const StoredRow & row, unsigned int components, double * values)
+{
+  const auto *         source = reinterpret_cast<const TComponent *>(pixels) + row.first * components;
+  const std::ptrdiff_t step = row.step * components;
+  for (std::size_t i = 0; i < row.count; ++i, source += step, values += components)
+  {
+    std::transform(source, source + components, values, [](TComponent value) { return static_cast<double>(value); });
+  }
+}
+
+struct ComponentTraits
+{
+  /** Null for what is no number. */
+  void (*copy)(const char *, const StoredRow &, unsigned int, double *){ nullptr };
+  double       largest{ 1.0 };
+  unsigned int bits{ 0 };
+};
+
+template <typename TComponent>
+ComponentTraits
+MakeTraits()
+{
+  return { CopyRow<TComponent>,
+           std::is_floating_point<TComponent>::value ? 1.0
+                                                     : static_cast<double>(std::numeric_limits<TComponent>::max()),
+           8 * sizeof(TComponent) };
+}
+
+ComponentTraits
+GetTraits(IOComponentEnum type)
+{
+  switch (type)
+  {
+    case IOComponentEnum::UCHAR:
+      return MakeTraits<unsigned char>();
+    case IOComponentEnum::CHAR:
+      return MakeTraits<signed char>();
+    case IOComponentEnum::USHORT:
+      return MakeTraits<unsigned short>();
+    case IOComponentEnum::SHORT:
+      return MakeTraits<short>();
+    case IOComponentEnum::UINT:
+      return MakeTraits<unsigned int>();
+    case IOComponentEnum::INT:
+      return MakeTraits<int>();
+    case IOComponentEnum::ULONG:
+      return MakeTraits<unsigned long>();
+    case IOComponentEnum::LONG:
+      return MakeTraits<long>();
+    case IOComponentEnum::ULONGLONG:
+      return MakeTraits<unsigned long long>();
+    case IOComponentEnum::LONGLONG:
+      return MakeTraits<long long>();
+    case IOComponentEnum::FLOAT:
+      return MakeTraits<float>();
+    case IOComponentEnum::DOUBLE:
+      return MakeTraits<double>();
+    default:
+      return ComponentTraits();
+  }
+}
+} // namespace
+
+RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette)
+  : m_FileName(fileName)
+  , m_Format(DetectRadiographFileFormat(fileName))
+{
+  VerifyRadiographFileIsComplete(fileName, m_Format, CephalogramFileReader::MaximumNumberOfPixels);
+  CallRadiographImageIO(fileName, ToString(m_Format), [&] { this->ReadInformation(palette); });
+  this->VerifySize();
+  const bool mayHaveAlphaAlone = m_Format == Format::PNG || m_Format == Format::TIFF;
+  if (m_Components != 1 && m_Components != 3 && m_Components != 4 && !(m_Components == 2 && mayHaveAlphaAlone))
+  {
+    itkDentalInputErrorMacro(
+      fileName, "", "has " + std::to_string(m_Components) + " values a pixel", "export it in grey or in RGB");
+  }
+  m_Size = m_StoredSize;
+  if (IsTransposed(m_Orientation))
+  {
+    std::swap(m_Size[0], m_Size[1]);
+  }
+}
+
+void
+RadiographFile::ReadInformation(PaletteEnum palette)
+{
+  if (m_Format == Format::JPEG)
+  {
+    m_Orientation = ReadExifOrientation(m_FileName);
+  }
+  else if (m_Format == Format::TIFF)
+  {
+    m_TIFF = ReadTIFFLayout(m_FileName);
+    m_Orientation = m_TIFF ? m_TIFF->orientation : 1;
+  }
+  if (m_TIFF && m_TIFF->HasNumbers() && (m_TIFF->isGrey || palette == PaletteEnum::Numbers))
+  {
+    m_StoredSize = { { m_TIFF->width, m_TIFF->height } };
+    m_Frames = m_TIFF->pages;
+    m_Components = m_TIFF->samples;
+    m_ComponentType = GetComponentTypeOf(*m_TIFF);
+    return;
+  }
+  if (m_TIFF && m_TIFF->isGrey && m_TIFF->samples > 1)
+  {
+    // ITK takes the values of one pixel for those of several.
+    itkDentalInputErrorMacro(m_FileName,
+                             "",
+                             "is grey with " + std::to_string(m_TIFF->samples) +
+                               " values a pixel of a kind that is not read",
+                             "export it in grey alone");
+  }
+  m_ImageIO = MakeRadiographImageIO(m_Format);
+  m_ImageIO->SetFileName(m_FileName);
+  m_ImageIO->SetExpandRGBPalette(palette == PaletteEnum::Colours);
+  m_ImageIO->ReadImageInformation();
+  for (unsigned int i = 0; i < m_ImageIO->GetNumberOfDimensions(); ++i)
+  {
+    const SizeValueType count = m_ImageIO->GetDimensions(i);
+    if (i < 2)
+    {
+      m_StoredSize[i] = count;
+    }
+    else if (count > 1)
+    {
+      m_Frames = count;
+    }
+  }
+  m_Components = m_ImageIO->GetNumberOfComponents();
+  m_ComponentType = m_ImageIO->GetComponentType();
+}
+
+void
+RadiographFile::VerifySize() const
+{
+  if (m_Frames > 1)
+  {
+    itkDentalInputErrorMacro(m_FileName,
+                             "",
+                             "has " + std::to_string(m_Frames) + " frames, pages or slices",
+                             "export that of the one radiograph");
+  }
+  const std::string size = std::to_string(m_StoredSize[0]) + " x " + std::to_string(m_StoredSize[1]) + " pixels";
+  if (m_StoredSize[0] == 0 || m_StoredSize[1] == 0)
+  {
+    itkDentalInputErrorMacro(m_FileName, "", "is an image of " + size, "export it again");
+  }
+  constexpr auto maximum = CephalogramFileReader::MaximumWidthAndHeight;
+  if (m_StoredSize[0] > CephalogramFileReader::MaximumNumberOfPixels / m_StoredSize[1] || m_StoredSize[0] > maximum ||
+      m_StoredSize[1] > maximum)
+  {
+    itkDentalInputErrorMacro(
+      m_FileName, "", "claims to have " + size + ", which no cephalogram has", "export it again");
+  }
+}
+
+double
+RadiographFile::GetLargestValue() const
+{
+  return GetTraits(m_ComponentType).largest;
+}
+
+unsigned int
+RadiographFile::GetDepth() const
+{
+  return GetTraits(m_ComponentType).bits;
+}
+
+std::vector<char>
+RadiographFile::Decode() const
+{
+  std::vector<char> pixels;
+  CallRadiographImageIO(m_FileName, ToString(m_Format), [&] {
+    if (!m_ImageIO)
+    {
+      pixels = ReadTIFFNumbers(m_FileName, *m_TIFF);
+      return;
+    }
+    if (GetTraits(m_ComponentType).copy == nullptr)
+    {
+      throw std::invalid_argument("unknown pixel type");
+    }
+    const unsigned int dimensions = m_ImageIO->GetNumberOfDimensions();
+    ImageIORegion      region(dimensions);
+    for (unsigned int i = 0; i < dimensions; ++i)
+    {
+      region.SetIndex(i, 0);
+      region.SetSize(i, m_ImageIO->GetDimensions(i));
+    }
+    m_ImageIO->SetIORegion(region);
+    // Zeros, so that a reader that leaves a part out leaves no memory of others.
+    pixels.assign(static_cast<std::size_t>(m_ImageIO->GetImageSizeInBytes()), 0);
+    m_ImageIO->Read(pixels.data());
+    if (pixels.size() < m_StoredSize[0] * m_StoredSize[1] * m_Components * m_ImageIO->GetComponentSize())
+    {
+      throw std::invalid_argument("its pixels are not whole");
+    }
+  });
+  return pixels;
+}
+
+void
+RadiographFile::ForEachRow(const std::vector<char> & pixels, const RowFunctionType & take) const
+{
+  const auto          copy = GetTraits(m_ComponentType).copy;
+  const bool          byITK = m_Format == Format::TIFF && m_ImageIO;
+  const unsigned int  orientation = byITK ? GetOrientationBehindITK(m_Orientation) : m_Orientation;
+  std::vector<double> row(m_Size[0] * m_Components);
+  for (std::size_t v = 0; v < m_Size[1]; ++v)
+  {
+    copy(pixels.data(), FindRow(m_StoredSize, orientation, v), m_Components, row.data());
+    take(row.data());
+  }
+}
+} // namespace itk
