@@ -211,6 +211,25 @@ struct JawResult
   FindMetrics(const std::string & name) const;
 };
 
+struct CaseResult;
+
+/** What a further view shows of a registered case. */
+struct CaseViewResult
+{
+  std::string                      name;
+  RegistrationStatusEnum           status{ RegistrationStatusEnum::Ok };
+  std::vector<RegistrationFinding> findings;
+  bool                             sameHeadPosition{ true };
+  /** How the head was moved for it, by jaw: pitch, roll, yaw (rad), shifts x, y, z (mm), and standard deviations. */
+  std::map<ToothCode::JawEnum, std::array<double, 6>> moves;
+  std::map<ToothCode::JawEnum, std::array<double, 6>> moveSigmas;
+  /** Factor on the magnification of the view's geometry, by jaw. */
+  std::map<ToothCode::JawEnum, double> scaleFactors;
+  /** The same case as this view shows it: its radiograph, drawings and geometry are the data's, its jaws' places and
+   * landmarks those on this radiograph. It has no verdict of its own. */
+  std::shared_ptr<CaseResult> result;
+};
+
 /** What a registered case is: all that goes into the output folder. */
 struct CaseResult
 {
@@ -230,6 +249,8 @@ struct CaseResult
   DentalLandmarkSet<2>::ConstPointer markedLandmarks;
   /** The geometry as it was used: estimates filled in. */
   CephalometricGeometry::Pointer geometry;
+  /** Radiographs beside the lateral one. */
+  std::vector<CaseViewResult> views;
   /** Where both jaws are in one frame, mm. */
   bool jawsShareFrame{ false };
   /** What the scans show of it, whatever the case says; empty where there is one jaw. */

@@ -20,6 +20,7 @@
 
 #include "itkCephalometricGeometry.h"
 #include "itkCephalometricLandmarkSet.h"
+#include "itkDentalView.h"
 #include "itkToothCode.h"
 #include "itkTracedSide.h"
 
@@ -111,6 +112,9 @@ struct DentalCase
   std::string                             landmarks3DFile;
   /** Only for measuring errors: nothing that registers reads it. */
   std::string landmarks2DFile;
+
+  /** Radiographs beside the lateral one. */
+  std::vector<DentalView> views;
 
   /** Where a jaw starts instead of a search, as an earlier result has it. */
   struct PlacementType

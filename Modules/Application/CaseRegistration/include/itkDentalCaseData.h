@@ -20,6 +20,8 @@
 
 #include "itkCaseInputFile.h"
 #include "itkDentalCase.h"
+#include "itkDentalViewData.h"
+#include "itkValueSource.h"
 
 #include "itkCephalometricLandmarkSet.h"
 #include "itkDentalContour.h"
@@ -35,15 +37,6 @@
 
 namespace itk
 {
-/** Where a value comes from; the result says so of each. */
-enum class ValueSourceEnum : uint8_t
-{
-  Given,
-  DICOM,
-  Default,
-  Estimated
-};
-
 /** \struct DentalCaseData
  * \brief A case in memory: scans in mm, tracing and landmarks to register with, radiograph, nominal geometry with the
  * origin of each value.
@@ -99,6 +92,8 @@ struct DentalCaseData
   std::size_t sidelessContours{ 0 };
   /** mm a pixel and origin (mm) of the grid in which markups lie; nothing where nobody knows. */
   std::optional<std::array<double, 4>> markupsGrid;
+  /** Radiographs beside the lateral one. */
+  std::vector<DentalViewData> views;
   /** The files that all this was read from, the case file first. */
   std::vector<CaseInputFile> inputs;
   std::vector<std::string>   warnings;
@@ -125,9 +120,6 @@ struct DentalCaseData
     return sources.principalPoint != ValueSourceEnum::Estimated;
   }
 };
-
-const char *
-ToString(ValueSourceEnum source);
 } // namespace itk
 
 #endif

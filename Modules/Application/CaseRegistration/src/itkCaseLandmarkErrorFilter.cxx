@@ -22,6 +22,8 @@
 #include "itkDentalLandmarkFileReader.h"
 
 #include <filesystem>
+#include <memory>
+#include <string>
 
 namespace itk
 {
@@ -87,6 +89,31 @@ CaseLandmarkErrorFilter::GenerateData()
     result.warnings.insert(result.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
     MeasureLandmarkErrors(result, reader->GetOutput());
     result.markedLandmarks = reader->GetOutput();
+  }
+  for (CaseViewResult & view : result.views)
+  {
+    const std::string & fileName = view.result->data->description.landmarks2DFile;
+    if (fileName.empty())
+    {
+      continue;
+    }
+    // Its own: what it came from goes on without errors.
+    view.result = std::make_shared<CaseResult>(*view.result);
+    auto reader = DentalLandmarkFileReader<2>::New();
+    reader->SetFileName(fileName);
+    if (view.result->data->description.numbering)
+    {
+      reader->SetNumbering(*view.result->data->description.numbering);
+    }
+    reader->SetImageFileName(view.result->data->description.imageFile);
+    reader->Update();
+    result.inputs.push_back(
+      MakeCaseInputFile("views." + view.name + ".landmarks_2d",
+                        fileName,
+                        std::filesystem::path(result.data->description.fileName).parent_path().string()));
+    result.warnings.insert(result.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
+    MeasureLandmarkErrors(*view.result, reader->GetOutput());
+    view.result->markedLandmarks = reader->GetOutput();
   }
   this->GetOutput()->Set(result);
 }

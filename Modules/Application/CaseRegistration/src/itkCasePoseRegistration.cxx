@@ -18,12 +18,9 @@
 #include "itkCasePoseRegistration.h"
 
 #include "itkCaseCrowns.h"
+#include "itkCasePoseDescription.h"
 #include "itkCaseSimilarityRegistration.h"
-#include "itkContourDistanceFilter.h"
-#include "itkLandmarkProjectionFilter.h"
-#include "itkMatchedContourFilter.h"
-#include "itkLandmarkCounterpartFilter.h"
-#include "itkMeshSilhouetteContourSource.h"
+#include "itkCaseViews.h"
 #include "itkParallelFor.h"
 #include "itkPixelSpacingVerdict.h"
 #include "itkPoseRegistrationMethod.h"
@@ -47,20 +44,10 @@ using MeshType = DentalCaseData::MeshType;
 using AxisType = UMidlineDentalAxisFilter<MeshType>;
 using MethodType = PoseRegistrationMethod<MeshType>;
 
-/** mm on the detector within which the moving contour counts as matched, and what is a gap of it. */
-constexpr double MatchedWithin = 2.5;
-constexpr double MatchedGap = 3.0;
-
 unsigned int
 ToIndex(JawEnum jaw)
 {
   return jaw == JawEnum::Upper ? 0 : 1;
-}
-
-AxisType::DecoratedTransformType *
-FrameOf(AxisType * axis, JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? axis->GetUpperTransformOutput() : axis->GetLowerTransformOutput();
 }
 
 /** What a file's estimated or corrected magnification hides is not the detector's pixel: it may be off by what the
@@ -142,45 +129,6 @@ SetInitialTransforms(const DentalCaseData &               data,
   }
 }
 
-std::array<double, 12>
-ToRows(const PoseSolution::ProjectionMatrixType & projection)
-{
-  std::array<double, 12> rows;
-  for (unsigned int i = 0; i < 12; ++i)
-  {
-    rows[i] = projection(i / 4, i % 4);
-  }
-  return rows;
-}
-
-/** Mesh to dental frame. */
-std::array<double, 12>
-ToRows(const PoseFrame & frame)
-{
-  std::array<double, 12> rows{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rows[4 * row + column] = frame.rotation[3 * row + column];
-      rows[4 * row + 3] -= frame.rotation[3 * row + column] * frame.origin[column];
-    }
-  }
-  return rows;
-}
-
-/** The paper's figures between a jaw's tracing and a contour. */
-void
-Measure(DentalContour * tracing, DentalContour * contour, const char * name, JawResult & result)
-{
-  auto distances = ContourDistanceFilter::New();
-  distances->SetFixedContour(tracing);
-  distances->SetMovingContour(contour);
-  distances->Update();
-  result.metrics.emplace_back(name, ToContourFigures(distances));
-  result.contours.emplace_back(name, contour);
-}
-
 /** The same data with no pipeline behind it. What two threads pull at once must have no source in common: an update
  * that meets another one's takes the meeting for a loop in the pipeline, marks the source as modified, and so runs it
  * again under the other's hands. */
@@ -191,103 +139,6 @@ MakeDetached(const TData * data)
   auto detached = TData::New();
   detached->Graft(data);
   return detached;
-}
-
-/** The exact silhouette of the whole scan at the solution, its points a given number. */
-DentalContour::Pointer
-MakeWholeSilhouette(const MeshType * mesh, CephalometricGeometry * placed, unsigned int numberOfPoints)
-{
-  auto silhouette = MeshSilhouetteContourSource<MeshType>::New();
-  silhouette->SetInput(mesh);
-  silhouette->SetGeometry(placed);
-  silhouette->LargestPartOnlyOn();
-  silhouette->SetNumberOfPoints(numberOfPoints);
-  silhouette->Update();
-  DentalContour::Pointer contour = silhouette->GetOutput();
-  contour->DisconnectPipeline();
-  return contour;
-}
-
-void
-ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseResult & result)
-{
-  if (data.landmarks3D.IsNull())
-  {
-    return;
-  }
-  auto projection = LandmarkProjectionFilter::New();
-  projection->SetSolution(solution);
-  projection->SetLandmarks(data.landmarks3D);
-  projection->SetMillimetresPerUnit(data.description.millimetresPerUnit);
-  projection->Update();
-  const auto toRows = [](const LandmarkProjectionFilter::CovarianceType & covariance) {
-    return std::array<double, 4>{ { covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1) } };
-  };
-  const bool bisected = IsBisected(data.description.tracedSide);
-  for (auto & entry : result.jaws)
-  {
-    JawResult & jaw = entry.second;
-    if (!solution->IsRegistered(entry.first))
-    {
-      continue;
-    }
-    for (const auto & place : projection->GetOutput()->GetLandmarks())
-    {
-      if (place.tooth.GetJaw() != entry.first)
-      {
-        continue;
-      }
-      LandmarkPrediction landmark;
-      landmark.name = place.name;
-      landmark.position = { { place.point[0], place.point[1] } };
-      landmark.covariance = toRows(projection->GetCovariance(place.name));
-      if (bisected && projection->HasMiddleCovariance(place.name))
-      {
-        landmark.middleCovariance = toRows(projection->GetMiddleCovariance(place.name));
-      }
-      jaw.landmarks.push_back(landmark);
-    }
-  }
-  for (const auto & middle : projection->GetMiddles())
-  {
-    if (bisected)
-    {
-      result.jaws[middle.jaw].middles.push_back({ middle.name,
-                                                  { { middle.point[0], middle.point[1] } },
-                                                  LandmarkProjectionFilter::ToSigma(middle.covariance) });
-    }
-  }
-}
-
-/** The mean distance of a two-dimensional normal error of this standard deviation an axis. */
-double
-ToMeanDistance(double sigma)
-{
-  return std::sqrt(0.5 * Math::pi) * sigma;
-}
-
-/** How far off the jaw's landmarks are expected to be; without any, what is drawn of it. */
-void
-PredictError(double ownSigma, JawResult & jaw)
-{
-  double      sum = 0.0;
-  std::size_t count = 0;
-  const auto  add = [&](double sigma) {
-    sum += sigma;
-    ++count;
-  };
-  for (const MiddlePrediction & middle : jaw.middles)
-  {
-    add(middle.sigma);
-  }
-  if (count == 0)
-  {
-    for (const LandmarkPrediction & landmark : jaw.landmarks)
-    {
-      add(landmark.GetSigma());
-    }
-  }
-  jaw.expectedError = ToMeanDistance(count > 0 ? sum / static_cast<double>(count) : ownSigma);
 }
 
 std::string
@@ -301,47 +152,6 @@ HasCounterpart(const LandmarkCounterpartSet * counterparts, JawEnum jaw)
 {
   const auto & all = counterparts->GetCounterparts();
   return std::any_of(all.begin(), all.end(), [jaw](const auto & counterpart) { return counterpart.jaw == jaw; });
-}
-
-/** Where the landmarks are on the scans; what is not used, and why, is a warning. */
-LandmarkCounterpartSet::Pointer
-FindCounterparts(const DentalCaseData & data, AxisType * axis, CaseResult & result)
-{
-  auto filter = LandmarkCounterpartFilter::New();
-  filter->SetCephalometricLandmarks(data.cephalometricLandmarks);
-  if (data.landmarks3D.IsNotNull())
-  {
-    filter->SetScanLandmarks(data.landmarks3D);
-    filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
-  }
-  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
-  {
-    if (data.GetJaw(jaw).mesh.IsNull())
-    {
-      continue;
-    }
-    filter->SetLabels(jaw, data.GetJaw(jaw).labels);
-    if (jaw == JawEnum::Upper)
-    {
-      filter->SetUpperMesh(data.upper.mesh);
-      filter->SetUpperFrame(FrameOf(axis, jaw));
-    }
-    else
-    {
-      filter->SetLowerMesh(data.lower.mesh);
-      filter->SetLowerFrame(FrameOf(axis, jaw));
-    }
-  }
-  filter->SetExcludedTeeth(data.description.excludedTeeth);
-  filter->SetIgnoreSides(data.description.tracedSide == TracedSideEnum::Standard);
-  filter->Update();
-  for (const auto & unused : filter->GetUnused())
-  {
-    result.warnings.push_back("landmark " + unused.name + " is not used: " + unused.reason);
-  }
-  LandmarkCounterpartSet::Pointer counterparts = filter->GetOutput();
-  counterparts->DisconnectPipeline();
-  return counterparts;
 }
 
 /** The crowns that the outlines of a standard tracing are compared with. */
@@ -395,6 +205,7 @@ HasEvidence(const DentalCaseData & data, const LandmarkCounterpartSet * counterp
 void
 SettleEvidence(const DentalCaseData &          data,
                const LandmarkCounterpartSet *  counterparts,
+               const CaseViews &               views,
                AxisType *                      axis,
                const PoseRegistrationOptions & options,
                std::map<JawEnum, JawResult> &  jaws,
@@ -407,14 +218,17 @@ SettleEvidence(const DentalCaseData &          data,
     {
       continue;
     }
+    const bool    isOnAView = views.HasEvidence(jaw);
     const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
     if (!share || jaws.count(other) == 0 || !HasEvidence(data, counterparts, other))
     {
       result.jaws[jaw].AddFinding(
         RegistrationStatusEnum::Failed,
         "no-evidence",
-        "there is no tracing of this jaw, and none of its landmarks was found on the scan: see "
-        "the warnings");
+        isOnAView ? "it was drawn on a further view alone, and no other jaw that shares its frame is on the lateral "
+                    "radiograph, where a start is searched"
+                  : "there is no tracing of this jaw, and none of its landmarks was found on the scan: see "
+                    "the warnings");
       jaws.erase(jaw);
     }
   }
@@ -458,11 +272,17 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   LandmarkCounterpartSet::Pointer counterparts;
   if (data.cephalometricLandmarks.IsNotNull())
   {
-    counterparts = FindCounterparts(data, axis, result);
+    counterparts = FindCaseCounterparts(
+      data, data.cephalometricLandmarks, data.description.tracedSide == TracedSideEnum::Standard, axis, "", result);
     method->SetCephalometricLandmarks(data.cephalometricLandmarks);
     method->SetLandmarkCounterparts(counterparts);
   }
-  SettleEvidence(data, counterparts, axis, settings.options, jaws, result);
+  const CaseViews views(data, axis, result);
+  for (const auto & view : views.GetViews())
+  {
+    method->AddView(view);
+  }
+  SettleEvidence(data, counterparts, views, axis, settings.options, jaws, result);
   if (jaws.empty())
   {
     return;
@@ -678,23 +498,12 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       continue;
     }
     Measure(tracing, silhouettes[ToIndex(entry.first)], "whole", jaw);
-    auto         matched = MatchedContourFilter::New();
-    const double pixel = 0.5 * (spacing[0] + spacing[1]);
-    matched->SetFixedContour(tracing);
-    matched->SetMovingContour(solution->MakeMovingContour(entry.first));
-    matched->SetMaximumDistance(MatchedWithin / pixel);
-    matched->SetMaximumGap(MatchedGap / pixel);
-    matched->Update();
-    if (matched->GetOutput()->GetNumberOfPoints() > 0)
-    {
-      DentalContour::Pointer contour = matched->GetOutput();
-      contour->DisconnectPipeline();
-      Measure(tracing, contour, "matched", jaw);
-    }
+    MeasureMatched(tracing, *solution, entry.first, jaw);
     contourProbe.Stop();
     jaw.seconds.emplace_back("contour", contourProbe.GetTotal() + silhouetteProbe.GetTotal());
   }
   ProjectLandmarks(data, solution, result);
+  views.Describe(*solution, settings, result);
   for (const auto & entry : jaws)
   {
     if (solution->IsRegistered(entry.first))

@@ -174,6 +174,80 @@ PoseSigmaToJson(const JawPose & pose)
            { "scale", sigma(6) } };
 }
 
+void
+AddMetrics(const JawResult & jaw, Json & json)
+{
+  if (!jaw.metrics.empty())
+  {
+    Json & metrics = json["metrics"] = { { "moving_contour", jaw.metrics.front().first } };
+    metrics.update(FiguresToJson(jaw.metrics.front().second));
+    for (std::size_t i = 1; i < jaw.metrics.size(); ++i)
+    {
+      json["metrics_" + jaw.metrics[i].first] = { { "moving_contour", jaw.metrics[i].first } };
+      json["metrics_" + jaw.metrics[i].first].update(FiguresToJson(jaw.metrics[i].second));
+    }
+  }
+}
+
+/** Predicted ones with their sigma, and those that were registered with. */
+void
+AddLandmarks(const JawResult & jaw, Json & json)
+{
+  Json landmarks = Json::object();
+  Json sigmas = Json::object();
+  Json covariances = Json::object();
+  for (const LandmarkPrediction & landmark : jaw.landmarks)
+  {
+    landmarks[landmark.name] = landmark.position;
+    if (landmark.covariance)
+    {
+      const auto & c = *landmark.covariance;
+      sigmas[landmark.name] = landmark.GetSigma();
+      covariances[landmark.name] = { { c[0], c[1] }, { c[2], c[3] } };
+    }
+  }
+  json["landmarks_px"] = landmarks;
+  if (!sigmas.empty())
+  {
+    json["landmark_sigma_px"] = sigmas;
+    json["landmark_covariance_px2"] = covariances;
+  }
+  for (const UsedLandmark & landmark : jaw.usedLandmarks)
+  {
+    json["landmarks_used"][landmark.name] = { { "found_by", landmark.source },
+                                              { "residual_px", landmark.residual },
+                                              { "residual_sd", landmark.distance },
+                                              { "weight", landmark.weight } };
+  }
+}
+
+void
+AddErrors(const JawResult & jaw, Json & json)
+{
+  if (jaw.expectedError)
+  {
+    json["expected_error_px"] = *jaw.expectedError;
+  }
+  if (jaw.error)
+  {
+    Json groups = Json::object();
+    for (const auto & group : jaw.error->groups)
+    {
+      groups[group.first] = group.second;
+    }
+    Json each = Json::object();
+    for (const auto & landmark : jaw.error->landmarks)
+    {
+      each[landmark.first] = landmark.second;
+    }
+    json["error"] = { { "mean_px", jaw.error->mean },
+                      { "rmse_px", jaw.error->rmse },
+                      { "std_px", jaw.error->standardDeviation },
+                      { "groups", groups },
+                      { "landmarks", each } };
+  }
+}
+
 Json
 JawToJson(const JawResult & jaw)
 {
@@ -200,30 +274,8 @@ JawToJson(const JawResult & jaw)
                                      { "score", candidate.score },
                                      { "distance_px", candidate.distance } });
     }
-    if (!jaw.metrics.empty())
-    {
-      Json & metrics = json["metrics"] = { { "moving_contour", jaw.metrics.front().first } };
-      metrics.update(FiguresToJson(jaw.metrics.front().second));
-      for (std::size_t i = 1; i < jaw.metrics.size(); ++i)
-      {
-        json["metrics_" + jaw.metrics[i].first] = { { "moving_contour", jaw.metrics[i].first } };
-        json["metrics_" + jaw.metrics[i].first].update(FiguresToJson(jaw.metrics[i].second));
-      }
-    }
-    Json landmarks = Json::object();
-    Json sigmas = Json::object();
-    Json covariances = Json::object();
-    for (const LandmarkPrediction & landmark : jaw.landmarks)
-    {
-      landmarks[landmark.name] = landmark.position;
-      if (landmark.covariance)
-      {
-        const auto & c = *landmark.covariance;
-        sigmas[landmark.name] = landmark.GetSigma();
-        covariances[landmark.name] = { { c[0], c[1] }, { c[2], c[3] } };
-      }
-    }
-    json["landmarks_px"] = landmarks;
+    AddMetrics(jaw, json);
+    AddLandmarks(jaw, json);
     if (!jaw.placedBy.empty())
     {
       json["placed_by"] = jaw.placedBy;
@@ -231,13 +283,6 @@ JawToJson(const JawResult & jaw)
     for (const MiddlePrediction & middle : jaw.middles)
     {
       json["middles"][middle.name] = { { "position", middle.position }, { "sigma_px", middle.sigma } };
-    }
-    for (const UsedLandmark & landmark : jaw.usedLandmarks)
-    {
-      json["landmarks_used"][landmark.name] = { { "found_by", landmark.source },
-                                                { "residual_px", landmark.residual },
-                                                { "residual_sd", landmark.distance },
-                                                { "weight", landmark.weight } };
     }
     for (const UsedOutline & outline : jaw.usedOutlines)
     {
@@ -247,33 +292,7 @@ JawToJson(const JawResult & jaw)
                                               { "matched_share", outline.matchedShare },
                                               { "template", outline.isTemplate } };
     }
-    if (!sigmas.empty())
-    {
-      json["landmark_sigma_px"] = sigmas;
-      json["landmark_covariance_px2"] = covariances;
-    }
-    if (jaw.expectedError)
-    {
-      json["expected_error_px"] = *jaw.expectedError;
-    }
-    if (jaw.error)
-    {
-      Json groups = Json::object();
-      for (const auto & group : jaw.error->groups)
-      {
-        groups[group.first] = group.second;
-      }
-      Json each = Json::object();
-      for (const auto & landmark : jaw.error->landmarks)
-      {
-        each[landmark.first] = landmark.second;
-      }
-      json["error"] = { { "mean_px", jaw.error->mean },
-                        { "rmse_px", jaw.error->rmse },
-                        { "std_px", jaw.error->standardDeviation },
-                        { "groups", groups },
-                        { "landmarks", each } };
-    }
+    AddErrors(jaw, json);
   }
   json["arch"] = { { "width_mm", jaw.archWidth },
                    { "depth_mm", jaw.archDepth },
@@ -290,6 +309,80 @@ JawToJson(const JawResult & jaw)
   for (const auto & stage : jaw.seconds)
   {
     seconds[stage.first] = seconds.value(stage.first, 0.0) + stage.second;
+  }
+  return json;
+}
+
+/** A distance, a side, as the first radiograph's geometry has them. */
+Json
+ViewGeometryToJson(const CaseViewResult & view)
+{
+  using GeometryType = CephalometricGeometry;
+  const auto & geometry = *view.result->geometry;
+  const auto & sources = view.result->data->sources;
+  const bool   isLateral = geometry.GetDirection() == GeometryType::DirectionEnum::Lateral;
+  Json         json;
+  json[isLateral ? "source_to_midsagittal_mm" : "source_to_midcoronal_mm"] =
+    Provenance(geometry.GetSourceToMidsagittalDistance(), sources.sourceToMidsagittal);
+  json["source_to_detector_mm"] = Provenance(geometry.GetSourceToDetectorDistance(), sources.sourceToDetector);
+  if (isLateral)
+  {
+    json["source_side"] = Provenance(geometry.GetSourceSide() == GeometryType::SourceSideEnum::Right ? "right" : "left",
+                                     sources.sourceSide);
+    json["facing"] =
+      Provenance(geometry.GetFacing() == GeometryType::FacingEnum::Right ? "right" : "left", sources.facing);
+  }
+  else
+  {
+    json["source"] = Provenance(
+      geometry.GetFrontalSource() == GeometryType::FrontalSourceEnum::Behind ? "behind" : "front", sources.sourceSide);
+    json["patient_left"] =
+      Provenance(geometry.GetPatientLeft() == GeometryType::PatientLeftEnum::Right ? "right" : "left", sources.facing);
+  }
+  json["pixel_spacing_mm"] =
+    Provenance(Json::array({ geometry.GetPixelSpacing()[0], geometry.GetPixelSpacing()[1] }), sources.pixelSpacing);
+  json["pixel_spacing_mm"]["how"] = view.result->data->spacingProvenance;
+  json["principal_point_px"] = Provenance(
+    Json::array({ geometry.GetPrincipalPoint()[0], geometry.GetPrincipalPoint()[1] }), sources.principalPoint);
+  return json;
+}
+
+Json
+MoveToJson(const std::array<double, 6> & move)
+{
+  constexpr double degrees = 180.0 / Math::pi;
+  return { { "pitch_deg", degrees * move[0] },
+           { "roll_deg", degrees * move[1] },
+           { "yaw_deg", degrees * move[2] },
+           { "x_mm", move[3] },
+           { "y_mm", move[4] },
+           { "z_mm", move[5] } };
+}
+
+Json
+ViewToJson(const CaseViewResult & view)
+{
+  const bool isLateral = view.result->geometry->GetDirection() == CephalometricGeometry::DirectionEnum::Lateral;
+  Json       json = { { "direction", isLateral ? "lateral" : "frontal" },
+                      { "status", ToString(view.status) },
+                      { "findings", ToJson(view.findings) },
+                      { "same_head_position", view.sameHeadPosition },
+                      { "geometry", ViewGeometryToJson(view) } };
+  json["jaws"] = Json::object();
+  for (const auto & entry : view.result->jaws)
+  {
+    const JawResult & jaw = entry.second;
+    Json              own;
+    own["projection_3x4"] = MatrixToJson(jaw.projection);
+    own["mesh_to_cephalostat_mm"] = MatrixToJson(jaw.meshToCephalostat);
+    own["pose"] = PoseToJson(*jaw.pose);
+    own["scale_factor"] = view.scaleFactors.at(entry.first);
+    own["head_moved"] = MoveToJson(view.moves.at(entry.first));
+    own["head_moved_sigma"] = MoveToJson(view.moveSigmas.at(entry.first));
+    AddMetrics(jaw, own);
+    AddLandmarks(jaw, own);
+    AddErrors(jaw, own);
+    json["jaws"][Name(entry.first)] = own;
   }
   return json;
 }
@@ -345,6 +438,14 @@ WriteFiles(const CaseResult & result, const fs::path & folder, bool report)
       WriteDentalMesh(MoveMesh(result.data->GetJaw(entry.first).mesh, jaw.meshToCephalostat).GetPointer(),
                       (folder / (name + "_ceph.stl")).string());
       WriteCaseOverlay(result, entry.first, (folder / ("overlay_" + name + ".png")).string());
+      for (const CaseViewResult & view : result.views)
+      {
+        if (view.result->jaws.count(entry.first) != 0)
+        {
+          WriteCaseOverlay(
+            *view.result, entry.first, (folder / ("overlay_" + view.name + "_" + name + ".png")).string());
+        }
+      }
     }
     WriteUMDATransform(jaw.meshToUMDA, (folder / (name + "_umda.tfm")).string());
     using SimilarityType = Similarity2DTransform<double>;
@@ -374,6 +475,37 @@ FailToWrite(const fs::path & folder, const std::string & why)
 const char * const OutputNames[] = { "upper_ceph.stl",    "lower_ceph.stl",         "upper_umda.tfm",
                                      "lower_umda.tfm",    "upper_similarity2d.tfm", "lower_similarity2d.tfm",
                                      "overlay_upper.png", "overlay_lower.png",      "result.json" };
+
+/** The same with the overlays of views, which have the names of these, of a folder. The last is result.json. */
+std::vector<std::string>
+ListOutputs(const std::vector<fs::path> & folders)
+{
+  std::vector<std::string> names;
+  for (const fs::path & folder : folders)
+  {
+    std::error_code error;
+    for (const auto & entry : fs::directory_iterator(folder, error))
+    {
+      const std::string name = entry.path().filename().string();
+      const auto        endsWith = [&](const std::string & end) {
+        return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+      };
+      if (name.rfind("overlay_", 0) == 0 && (endsWith("_upper.png") || endsWith("_lower.png")) &&
+          std::find(names.begin(), names.end(), name) == names.end())
+      {
+        names.push_back(name);
+      }
+    }
+  }
+  for (const char * name : OutputNames)
+  {
+    if (std::find(names.begin(), names.end(), name) == names.end())
+    {
+      names.emplace_back(name);
+    }
+  }
+  return names;
+}
 } // namespace
 
 namespace
@@ -532,6 +664,10 @@ CaseResultToJson(const CaseResult & result)
   {
     json["jaws"][Name(entry.first)] = JawToJson(entry.second);
   }
+  for (const CaseViewResult & view : result.views)
+  {
+    json["views"][view.name] = ViewToJson(view);
+  }
   json["geometry"] = GeometryToJson(result);
   json["jaws_share_frame"] = result.jawsShareFrame;
   if (!result.occlusionFound.empty())
@@ -556,7 +692,7 @@ void
 RemoveCaseResult(const std::string & folderName)
 {
   std::error_code error;
-  for (const char * name : OutputNames)
+  for (const std::string & name : ListOutputs({ fs::u8path(folderName) }))
   {
     fs::remove(fs::u8path(folderName) / name, error);
   }
@@ -602,7 +738,7 @@ WriteCaseResult(const CaseResult & result, const std::string & folderName, bool 
     else
     {
       fs::remove(target / "result.json");
-      for (const char * name : OutputNames)
+      for (const std::string & name : ListOutputs({ target, staging }))
       {
         if (fs::exists(staging / name))
         {

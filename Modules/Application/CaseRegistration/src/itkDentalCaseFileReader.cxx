@@ -17,9 +17,10 @@
  *=========================================================================*/
 #include "itkDentalCaseFileReader.h"
 
+#include "itkCaseFileFields.h"
 #include "itkCaseResultFileReader.h"
-#include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalInputError.h"
+#include "itkDentalViewReader.h"
 #include "itkJsonDocument.h"
 
 #include <algorithm>
@@ -34,63 +35,6 @@ namespace itk
 namespace
 {
 namespace fs = std::filesystem;
-
-/** The member as a path beside the case file; "" where absent. Throws where there is no such file. */
-std::string
-FindFile(const JsonNode & root, const std::string & key, const fs::path & directory)
-{
-  const auto node = root.Find(key);
-  if (!node)
-  {
-    return {};
-  }
-  const std::string & text = node->AsString();
-  if (text.empty())
-  {
-    node->Fail("empty path", "name the file or leave the field out");
-  }
-  const fs::path  path = directory / fs::u8path(text);
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-  {
-    node->Fail("\"" + text + "\" is a folder", "name a file");
-  }
-  if (!fs::exists(path, ignored))
-  {
-    node->Fail("there is no file \"" + text + "\"", "paths are relative to the case file");
-  }
-  return path.string();
-}
-
-/** Turns the words' std::invalid_argument into an error at the node. */
-template <typename TFunction>
-auto
-Interpret(const JsonNode & node, TFunction && function)
-{
-  const std::string & text = node.AsString();
-  try
-  {
-    return function(text);
-  }
-  catch (const std::invalid_argument & error)
-  {
-    node.Fail(error.what(), "");
-  }
-}
-
-/** A distance of an X-ray machine, mm; the limits only catch slips of unit or digit. */
-double
-MachineDistance(const JsonNode & node)
-{
-  const double value = node.AsNumber();
-  if (!(value >= 200.0 && value <= 20000.0))
-  {
-    std::ostringstream problem;
-    problem << value << " mm is not possible";
-    node.Fail(problem.str(), "give mm, about 1500 to the midsagittal plane and 1650 to the detector");
-  }
-  return value;
-}
 
 double
 PositiveNumber(const JsonNode & node, const char * remedy)
@@ -137,17 +81,6 @@ ReadContourFiles(const JsonNode & root, const fs::path & directory, DentalCase &
   {
     node->Fail("names no file", R"(name masks of one tooth or jaw each: {"UR1": "mask.png"})");
   }
-}
-
-bool
-IsLeft(const JsonNode & node)
-{
-  const std::string & text = node.AsString();
-  if (text != "right" && text != "left")
-  {
-    node.Fail("\"" + text + "\" is neither \"right\" nor \"left\"", "write one of them");
-  }
-  return text == "left";
 }
 
 SimilarityParameters
@@ -263,28 +196,8 @@ ReadCephalogram(const JsonNode & node, const fs::path & directory, DentalCase & 
 {
   node.WarnAboutUnknownFields({ "image", "image_size", "pixel_spacing_mm", "spacing_plane", "facing" });
   dentalCase.imageFile = FindFile(node, "image", directory);
-  if (const auto size = node.Find("image_size"))
-  {
-    // No radiograph has a tenth of the limit.
-    constexpr int64_t limit = 1000000;
-    size->AsNumbers(2, "[width, height]");
-    dentalCase.imageSize = { { static_cast<unsigned int>(size->At(0).AsInteger(1, limit)),
-                               static_cast<unsigned int>(size->At(1).AsInteger(1, limit)) } };
-  }
-  if (const auto spacing = node.Find("pixel_spacing_mm"))
-  {
-    const std::vector<double> numbers = spacing->AsNumbers(2, "[u, v]");
-    for (const double number : numbers)
-    {
-      // A cephalogram's pixels are 0.05 to 0.5 mm; 5 mm is no radiograph.
-      if (!(number > 0.001 && number < 5.0))
-      {
-        spacing->Fail(std::to_string(number) + " mm a pixel is not possible",
-                      "give mm a pixel, about 0.1 to 0.3, or leave the field out where it is unknown");
-      }
-    }
-    dentalCase.pixelSpacing = { { numbers[0], numbers[1] } };
-  }
+  dentalCase.imageSize = ReadImageSize(node);
+  dentalCase.pixelSpacing = ReadPixelSpacing(node);
   if (const auto plane = node.Find("spacing_plane"))
   {
     const std::string & text = plane->AsString();
@@ -327,52 +240,9 @@ ReadGeometry(const JsonNode & node, DentalCase & dentalCase)
     dentalCase.sourceSide =
       IsLeft(*side) ? CephalometricGeometry::SourceSideEnum::Left : CephalometricGeometry::SourceSideEnum::Right;
   }
-  if (const auto point = node.Find("principal_point_px"))
-  {
-    const std::vector<double> numbers = point->AsNumbers(2, "[u, v]");
-    for (const double number : numbers)
-    {
-      if (!(std::abs(number) < 20000.0))
-      {
-        point->Fail("lies far outside any radiograph",
-                    "give the pixel where the central ray meets the detector: the ear-rod ring");
-      }
-    }
-    dentalCase.principalPoint = { { numbers[0], numbers[1] } };
-  }
+  dentalCase.principalPoint = ReadPrincipalPoint(node);
 }
 
-/** A file's name, or the landmarks themselves. Adds to the warnings. */
-void
-ReadCephalometricLandmarks(const JsonNode &           root,
-                           const fs::path &           directory,
-                           DentalCase &               dentalCase,
-                           std::vector<std::string> & warnings)
-{
-  constexpr char key[] = "cephalometric_landmarks";
-  const auto     node = root.Find(key);
-  if (!node)
-  {
-    return;
-  }
-  if (!node->IsObject())
-  {
-    if (!node->IsString())
-    {
-      node->Fail("is neither a file's name nor an object", R"(name the file, or write {"U1_tip": [u, v]})");
-    }
-    dentalCase.cephalometricLandmarksFile = FindFile(root, key, directory);
-    return;
-  }
-  auto reader = CephalometricLandmarkFileReader::New();
-  reader->SetJsonNode(*node);
-  reader->SetNumbering(dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant));
-  reader->Update();
-  warnings.insert(warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
-  const CephalometricLandmarkSet::Pointer landmarks = reader->GetOutput();
-  landmarks->DisconnectPipeline();
-  dentalCase.cephalometricLandmarks = landmarks.GetPointer();
-}
 } // namespace
 
 double
@@ -554,6 +424,7 @@ InterpretDentalCase(const JsonDocument & document, const std::string & fileName,
                                 "contours",
                                 "cephalometric_landmarks",
                                 "markups_spacing_mm",
+                                "views",
                                 "traced_side",
                                 "numbering",
                                 "landmarks_3d",
@@ -584,7 +455,7 @@ InterpretDentalCase(const JsonDocument & document, const std::string & fileName,
   {
     dentalCase.crowns = Interpret(*crowns, CrownsFromString);
   }
-  if (!root.Find("contours") && !root.Find("cephalometric_landmarks"))
+  if (!root.Find("contours") && !root.Find("cephalometric_landmarks") && !root.Find("views"))
   {
     itkDentalInputErrorMacro(fileName,
                              "contours",
@@ -635,7 +506,10 @@ InterpretDentalCase(const JsonDocument & document, const std::string & fileName,
     dentalCase.markupsSpacing = { { numbers[0], numbers[1] } };
   }
   std::vector<std::string> landmarkWarnings;
-  ReadCephalometricLandmarks(root, directory, dentalCase, landmarkWarnings);
+  const CaseLandmarkField  landmarks = ReadCephalometricLandmarks(root, directory, dentalCase.numbering);
+  dentalCase.cephalometricLandmarksFile = landmarks.fileName;
+  dentalCase.cephalometricLandmarks = landmarks.landmarks;
+  landmarkWarnings = landmarks.warnings;
   if (const auto cephalogram = root.Find("cephalogram"))
   {
     ReadCephalogram(*cephalogram, directory, dentalCase);
@@ -643,6 +517,10 @@ InterpretDentalCase(const JsonDocument & document, const std::string & fileName,
   if (const auto geometry = root.Find("geometry"))
   {
     ReadGeometry(*geometry, dentalCase);
+  }
+  if (const auto views = root.Find("views"))
+  {
+    ReadDentalViews(*views, directory, dentalCase, landmarkWarnings);
   }
   if (const auto init = root.Find("init"))
   {

@@ -38,7 +38,7 @@ namespace itk
 class RadiographFile;
 
 /** \class CephalogramFileReader
- * \brief Reads a lateral cephalogram as a grey 2-D image and says what its pixel spacing is worth.
+ * \brief Reads a cephalogram as a grey 2-D image and says what its pixel spacing is worth.
  *
  * PNG, JPEG, TIFF, BMP, NRRD, MetaImage and DICOM, recognised by what stands in the file; no ImageIO factory has to be
  * registered. Colour becomes luminance (Rec. 709), transparency black. DICOM's rescale is applied and MONOCHROME1 is
@@ -54,8 +54,9 @@ class RadiographFile;
  * the verdict and the plane under VerdictKey and PlaneKey, for what lies downstream.
  *
  * From DICOM further: source-to-detector distance, source-to-midsagittal distance = that / magnification factor where
- * both exist, facing. GetProvenance() says where each value comes from; GetWarnings() what is odd. All of this is there
- * after UpdateOutputInformation(), which reads no pixel.
+ * both exist; facing, or of a frontal one where the patient's left and the source are. GetProvenance() says where each
+ * value comes from; GetWarnings() what is odd. All of this is there after UpdateOutputInformation(), which reads no
+ * pixel.
  *
  * Throws DentalInputError for a missing, empty or truncated file, a directory, what is no image, several frames, no
  * pixels or more than MaximumNumberOfPixels or MaximumWidthAndHeight, and pixels that are not finite.
@@ -77,9 +78,12 @@ public:
 
   using PixelSpacingType = Vector<double, 2>;
   using FacingEnum = CephalometricGeometry::FacingEnum;
+  using PatientLeftEnum = CephalometricGeometry::PatientLeftEnum;
+  using FrontalSourceEnum = CephalometricGeometry::FrontalSourceEnum;
+  using DirectionEnum = CephalometricGeometry::DirectionEnum;
   /** Name of a value to its source in words. Names: "pixel_spacing", "source_to_detector", "source_to_midsagittal",
-   * "facing", "distance_source_to_patient" (reported, never used), "photometric", "orientation". A value that the file
-   * has not is not in it, but for "pixel_spacing". */
+   * "facing", "patient_left", "direction", "distance_source_to_patient" (reported, never used), "photometric",
+   * "orientation". A value that the file has not is not in it, but for "pixel_spacing". */
   using ProvenanceType = std::map<std::string, std::string>;
 
   /** No cephalogram is nearly as large. */
@@ -164,6 +168,33 @@ public:
   FacingEnum
   GetFacing() const;
 
+  /** Of a frontal radiograph: where the patient's left is, by DICOM's patient orientation. */
+  bool
+  HasPatientLeft() const
+  {
+    return m_PatientLeft.has_value();
+  }
+  PatientLeftEnum
+  GetPatientLeft() const;
+
+  /** Of a frontal radiograph: where the source stood, by DICOM's view position (PA or AP). */
+  bool
+  HasFrontalSource() const
+  {
+    return m_FrontalSource.has_value();
+  }
+  FrontalSourceEnum
+  GetFrontalSource() const;
+
+  /** From where the radiograph was taken, by DICOM's view position, else by its patient orientation. */
+  bool
+  HasRadiographDirection() const
+  {
+    return m_RadiographDirection.has_value();
+  }
+  DirectionEnum
+  GetRadiographDirection() const;
+
   const ProvenanceType &
   GetProvenance() const
   {
@@ -230,6 +261,9 @@ private:
   std::optional<double>                 m_SourceToMidsagittalDistance;
   std::optional<double>                 m_MagnificationFactor;
   std::optional<FacingEnum>             m_Facing;
+  std::optional<PatientLeftEnum>        m_PatientLeft;
+  std::optional<FrontalSourceEnum>      m_FrontalSource;
+  std::optional<DirectionEnum>          m_RadiographDirection;
   ProvenanceType                        m_Provenance;
   std::vector<std::string>              m_Warnings;
 };

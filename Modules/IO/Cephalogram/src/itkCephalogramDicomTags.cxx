@@ -158,7 +158,22 @@ CephalogramFileReader::ReadDicomTags()
       "DistanceSourceToPatient (0018,1111) " + patient.substr(0, 40) + ", not the midsagittal plane's, not used";
   }
 
-  // Direction of the rows (to the right), then of the columns (down): a lateral cephalogram has A\F or P\F.
+  // Postero-anterior and antero-posterior are frontal; the others name the side that lies on the detector.
+  const std::string position = this->GetTag("0018|5101");
+  if (position == "PA" || position == "AP")
+  {
+    m_RadiographDirection = DirectionEnum::Frontal;
+    m_FrontalSource = position == "PA" ? FrontalSourceEnum::Behind : FrontalSourceEnum::InFront;
+    m_Provenance["direction"] = "ViewPosition (0018,5101) " + position;
+  }
+  else if (position == "LL" || position == "RL" || position == "LLD" || position == "RLD")
+  {
+    m_RadiographDirection = DirectionEnum::Lateral;
+    m_Provenance["direction"] = "ViewPosition (0018,5101) " + position;
+  }
+
+  // Direction of the rows (to the right), then of the columns (down): a lateral cephalogram has A\F or P\F, a frontal
+  // one L\F or R\F.
   const std::string orientation = this->GetTag("0020|0020");
   if (!orientation.empty())
   {
@@ -171,11 +186,21 @@ CephalogramFileReader::ReadDicomTags()
       m_Facing = rows[0] == 'A' ? FacingEnum::Right : FacingEnum::Left;
       m_Provenance["facing"] = "PatientOrientation (0020,0020) " + orientation.substr(0, 40);
     }
+    else if (!rows.empty() && (rows[0] == 'L' || rows[0] == 'R') && !columns.empty() && columns[0] == 'F')
+    {
+      m_PatientLeft = rows[0] == 'L' ? PatientLeftEnum::Right : PatientLeftEnum::Left;
+      m_Provenance["patient_left"] = "PatientOrientation (0020,0020) " + orientation.substr(0, 40);
+    }
     else
     {
       this->Warn("PatientOrientation (0020,0020)",
                  "\"" + orientation.substr(0, 40) +
-                   "\" is not that of an upright lateral view (A\\F or P\\F), ignored");
+                   "\" is not that of an upright lateral or frontal view (A\\F, P\\F, L\\F or R\\F), ignored");
+    }
+    if (!m_RadiographDirection && (m_Facing || m_PatientLeft))
+    {
+      m_RadiographDirection = m_Facing ? DirectionEnum::Lateral : DirectionEnum::Frontal;
+      m_Provenance["direction"] = "PatientOrientation (0020,0020) " + orientation.substr(0, 40);
     }
   }
 

@@ -199,6 +199,36 @@ CephalogramFileReader::GetFacing() const -> FacingEnum
   return *m_Facing;
 }
 
+auto
+CephalogramFileReader::GetPatientLeft() const -> PatientLeftEnum
+{
+  if (!m_PatientLeft)
+  {
+    itkExceptionMacro("\"" << m_FileName << "\" does not say where the patient's left is; ask HasPatientLeft().");
+  }
+  return *m_PatientLeft;
+}
+
+auto
+CephalogramFileReader::GetFrontalSource() const -> FrontalSourceEnum
+{
+  if (!m_FrontalSource)
+  {
+    itkExceptionMacro("\"" << m_FileName << "\" does not say where the source stood; ask HasFrontalSource().");
+  }
+  return *m_FrontalSource;
+}
+
+auto
+CephalogramFileReader::GetRadiographDirection() const -> DirectionEnum
+{
+  if (!m_RadiographDirection)
+  {
+    itkExceptionMacro("\"" << m_FileName << "\" does not say its direction; ask HasRadiographDirection().");
+  }
+  return *m_RadiographDirection;
+}
+
 void
 CephalogramFileReader::VerifyPreconditions() ITKv5_CONST
 {
@@ -278,6 +308,9 @@ CephalogramFileReader::GenerateOutputInformation()
   m_SourceToMidsagittalDistance.reset();
   m_MagnificationFactor.reset();
   m_Facing.reset();
+  m_PatientLeft.reset();
+  m_FrontalSource.reset();
+  m_RadiographDirection.reset();
   m_Provenance.clear();
   m_Warnings.clear();
 
@@ -409,6 +442,13 @@ CephalogramFileReader::PrintSelf(std::ostream & os, Indent indent) const
   print("SourceToMidsagittalDistance", m_SourceToMidsagittalDistance);
   print("MagnificationFactor", m_MagnificationFactor);
   os << indent << "Facing: " << (!m_Facing ? "(none)" : *m_Facing == FacingEnum::Right ? "right" : "left") << std::endl;
+  os << indent << "PatientLeft: ";
+  m_PatientLeft ? os << *m_PatientLeft : os << "(none)";
+  os << std::endl << indent << "FrontalSource: ";
+  m_FrontalSource ? os << *m_FrontalSource : os << "(none)";
+  os << std::endl << indent << "RadiographDirection: ";
+  m_RadiographDirection ? os << *m_RadiographDirection : os << "(none)";
+  os << std::endl;
   for (const auto & [name, source] : m_Provenance)
   {
     os << indent << "Provenance of " << name << ": " << source << std::endl;

@@ -781,6 +781,23 @@ PoseGroupRegistration::ComputeDeviance(const MetricType & metric, const Position
 }
 
 double
+PoseGroupRegistration::ComputeCriterion(const MetricType &   metric,
+                                        const PositionType & solution,
+                                        const MetricType &   noise)
+{
+  const MetricType::Pointer clone = metric.Clone();
+  clone->SetValues(solution);
+  clone->Hold(MetricType::HoldEnum::Nothing);
+  clone->SetKernelWidth(PoseSilhouetteKernel::FitWidth);
+  ContourNoiseLevels levels;
+  if (noise.GetNoiseLevels(levels))
+  {
+    clone->SetNoiseLevels(levels);
+  }
+  return clone->ComputeValue(solution);
+}
+
+double
 PoseGroupRegistration::ComputePosterior(const CandidateType & candidate) const
 {
   const MetricType::Pointer metric = this->CloneAt(candidate.x);

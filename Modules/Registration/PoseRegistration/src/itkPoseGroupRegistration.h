@@ -87,6 +87,11 @@ public:
   static double
   ComputeDeviance(const MetricType & metric, const PositionType & solution);
 
+  /** The robust criterion at a solution with the noise of another metric, so that two that are about the same drawings
+   * can be compared: what fits nowhere costs what the kernel charges. */
+  static double
+  ComputeCriterion(const MetricType & metric, const PositionType & solution, const MetricType & noise);
+
 private:
   /** A pose on its way. */
   struct CandidateType

@@ -432,7 +432,13 @@ PoseRegistrationEngine::TryHypothesis(const GroupType & group, const PoseHypothe
     {
       outcome.pixelSpacing[d] = answer.geometry.pixelSpacing[d] * std::exp(-result.parameters[PoseKappa]);
     }
-    if (hypothesis.GetComparesDeviance())
+    if (hypothesis.GetComparesDeviance() && hypothesis.GetBeginsAtSolution())
+    {
+      outcome.deviance =
+        PoseGroupRegistration::ComputeCriterion(*other.GetMetric(), other.GetSolution(), *group.metric) -
+        PoseGroupRegistration::ComputeCriterion(*group.metric, group.solution, *group.metric);
+    }
+    else if (hypothesis.GetComparesDeviance())
     {
       std::array<double, 2> deviance{};
       monitor->ForEach(2, group.problem.options.numberOfThreads, [&](std::size_t k) {

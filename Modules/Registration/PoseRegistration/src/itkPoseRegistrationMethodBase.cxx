@@ -27,6 +27,7 @@
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 #include "itkOtherSpacingHypothesis.h"
+#include "itkOtherViewHypothesis.h"
 #include "itkTurnedDrawingHypothesis.h"
 #include "itkPoseFrameOperations.h"
 #include "itkPoseRegistrationEngine.h"
@@ -582,6 +583,16 @@ PoseRegistrationMethodBase::GenerateData()
   PoseRegistrationEngine engine;
   this->ConnectParts(engine, monitor);
   engine.hypotheses = m_Hypotheses;
+  for (const auto & view : m_Views)
+  {
+    for (const auto question : { OtherViewHypothesis::QuestionEnum::Sides, OtherViewHypothesis::QuestionEnum::Source })
+    {
+      auto hypothesis = OtherViewHypothesis::New();
+      hypothesis->SetView(view->GetName());
+      hypothesis->SetQuestion(question);
+      engine.hypotheses.emplace_back(hypothesis);
+    }
+  }
   for (std::size_t t = 0; t < m_Terms.size(); ++t)
   {
     problem.terms.push_back({ m_Terms[t], m_TermJaws[t] });

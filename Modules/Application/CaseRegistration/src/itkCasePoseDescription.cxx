@@ -1,0 +1,245 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCasePoseDescription.h"
+
+#include "itkContourDistanceFilter.h"
+#include "itkLandmarkCounterpartFilter.h"
+#include "itkLandmarkProjectionFilter.h"
+#include "itkMatchedContourFilter.h"
+#include "itkMeshSilhouetteContourSource.h"
+
+#include "itkCaseSimilarityRegistration.h"
+
+#include "itkMath.h"
+
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+using JawEnum = ToothCode::JawEnum;
+
+/** mm on the detector within which the moving contour counts as matched, and what is a gap of it. */
+constexpr double MatchedWithin = 2.5;
+constexpr double MatchedGap = 3.0;
+
+/** The mean distance of a two-dimensional normal error of this standard deviation an axis. */
+double
+ToMeanDistance(double sigma)
+{
+  return std::sqrt(0.5 * Math::pi) * sigma;
+}
+
+} // namespace
+
+CaseAxisType::DecoratedTransformType *
+FrameOf(CaseAxisType * axis, JawEnum jaw)
+{
+  return jaw == JawEnum::Upper ? axis->GetUpperTransformOutput() : axis->GetLowerTransformOutput();
+}
+
+std::array<double, 12>
+ToRows(const PoseSolution::ProjectionMatrixType & projection)
+{
+  std::array<double, 12> rows;
+  for (unsigned int i = 0; i < 12; ++i)
+  {
+    rows[i] = projection(i / 4, i % 4);
+  }
+  return rows;
+}
+
+std::array<double, 12>
+ToRows(const PoseFrame & frame)
+{
+  std::array<double, 12> rows{};
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rows[4 * row + column] = frame.rotation[3 * row + column];
+      rows[4 * row + 3] -= frame.rotation[3 * row + column] * frame.origin[column];
+    }
+  }
+  return rows;
+}
+
+void
+Measure(DentalContour * tracing, DentalContour * contour, const char * name, JawResult & result)
+{
+  auto distances = ContourDistanceFilter::New();
+  distances->SetFixedContour(tracing);
+  distances->SetMovingContour(contour);
+  distances->Update();
+  result.metrics.emplace_back(name, ToContourFigures(distances));
+  result.contours.emplace_back(name, contour);
+}
+
+DentalContour::Pointer
+MakeWholeSilhouette(const DentalCaseData::MeshType * mesh, CephalometricGeometry * placed, unsigned int numberOfPoints)
+{
+  auto silhouette = MeshSilhouetteContourSource<DentalCaseData::MeshType>::New();
+  silhouette->SetInput(mesh);
+  silhouette->SetGeometry(placed);
+  silhouette->LargestPartOnlyOn();
+  silhouette->SetNumberOfPoints(numberOfPoints);
+  silhouette->Update();
+  DentalContour::Pointer contour = silhouette->GetOutput();
+  contour->DisconnectPipeline();
+  return contour;
+}
+
+void
+MeasureMatched(DentalContour * tracing, const PoseSolution & solution, JawEnum jaw, JawResult & result)
+{
+  const auto & spacing = solution.GetResult().geometry.pixelSpacing;
+  const double pixel = 0.5 * (spacing[0] + spacing[1]);
+  auto         matched = MatchedContourFilter::New();
+  matched->SetFixedContour(tracing);
+  matched->SetMovingContour(solution.MakeMovingContour(jaw));
+  matched->SetMaximumDistance(MatchedWithin / pixel);
+  matched->SetMaximumGap(MatchedGap / pixel);
+  matched->Update();
+  if (matched->GetOutput()->GetNumberOfPoints() > 0)
+  {
+    DentalContour::Pointer contour = matched->GetOutput();
+    contour->DisconnectPipeline();
+    Measure(tracing, contour, "matched", result);
+  }
+}
+
+void
+ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseResult & result)
+{
+  if (data.landmarks3D.IsNull())
+  {
+    return;
+  }
+  auto projection = LandmarkProjectionFilter::New();
+  projection->SetSolution(solution);
+  projection->SetLandmarks(data.landmarks3D);
+  projection->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  projection->Update();
+  const auto toRows = [](const LandmarkProjectionFilter::CovarianceType & covariance) {
+    return std::array<double, 4>{ { covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1) } };
+  };
+  const bool bisected = IsBisected(data.description.tracedSide);
+  for (auto & entry : result.jaws)
+  {
+    JawResult & jaw = entry.second;
+    if (!solution->IsRegistered(entry.first))
+    {
+      continue;
+    }
+    for (const auto & place : projection->GetOutput()->GetLandmarks())
+    {
+      if (place.tooth.GetJaw() != entry.first)
+      {
+        continue;
+      }
+      LandmarkPrediction landmark;
+      landmark.name = place.name;
+      landmark.position = { { place.point[0], place.point[1] } };
+      landmark.covariance = toRows(projection->GetCovariance(place.name));
+      if (bisected && projection->HasMiddleCovariance(place.name))
+      {
+        landmark.middleCovariance = toRows(projection->GetMiddleCovariance(place.name));
+      }
+      jaw.landmarks.push_back(landmark);
+    }
+  }
+  for (const auto & middle : projection->GetMiddles())
+  {
+    if (bisected)
+    {
+      result.jaws[middle.jaw].middles.push_back({ middle.name,
+                                                  { { middle.point[0], middle.point[1] } },
+                                                  LandmarkProjectionFilter::ToSigma(middle.covariance) });
+    }
+  }
+}
+
+void
+PredictError(double ownSigma, JawResult & jaw)
+{
+  double      sum = 0.0;
+  std::size_t count = 0;
+  const auto  add = [&](double sigma) {
+    sum += sigma;
+    ++count;
+  };
+  for (const MiddlePrediction & middle : jaw.middles)
+  {
+    add(middle.sigma);
+  }
+  if (count == 0)
+  {
+    for (const LandmarkPrediction & landmark : jaw.landmarks)
+    {
+      add(landmark.GetSigma());
+    }
+  }
+  jaw.expectedError = ToMeanDistance(count > 0 ? sum / static_cast<double>(count) : ownSigma);
+}
+
+LandmarkCounterpartSet::Pointer
+FindCaseCounterparts(const DentalCaseData &           data,
+                     const CephalometricLandmarkSet * landmarks,
+                     bool                             ignoreSides,
+                     CaseAxisType *                   axis,
+                     const std::string &              prefix,
+                     CaseResult &                     result)
+{
+  auto filter = LandmarkCounterpartFilter::New();
+  filter->SetCephalometricLandmarks(landmarks);
+  if (data.landmarks3D.IsNotNull())
+  {
+    filter->SetScanLandmarks(data.landmarks3D);
+    filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  }
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    if (data.GetJaw(jaw).mesh.IsNull())
+    {
+      continue;
+    }
+    filter->SetLabels(jaw, data.GetJaw(jaw).labels);
+    if (jaw == JawEnum::Upper)
+    {
+      filter->SetUpperMesh(data.upper.mesh);
+      filter->SetUpperFrame(FrameOf(axis, jaw));
+    }
+    else
+    {
+      filter->SetLowerMesh(data.lower.mesh);
+      filter->SetLowerFrame(FrameOf(axis, jaw));
+    }
+  }
+  filter->SetExcludedTeeth(data.description.excludedTeeth);
+  filter->SetIgnoreSides(ignoreSides);
+  filter->Update();
+  for (const auto & unused : filter->GetUnused())
+  {
+    result.warnings.push_back(prefix + "landmark " + unused.name + " is not used: " + unused.reason);
+  }
+  LandmarkCounterpartSet::Pointer counterparts = filter->GetOutput();
+  counterparts->DisconnectPipeline();
+  return counterparts;
+}
+} // namespace itk

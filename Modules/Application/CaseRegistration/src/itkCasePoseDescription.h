@@ -1,0 +1,74 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkCasePoseDescription_h
+#define itkCasePoseDescription_h
+
+#include "itkCaseResult.h"
+#include "itkDentalCaseData.h"
+#include "itkLandmarkCounterpartSet.h"
+#include "itkPoseSolution.h"
+#include "itkUMidlineDentalAxisFilter.h"
+
+#include <array>
+#include <string>
+
+namespace itk
+{
+/** Not installed. What a case result says of a solution, of the first view and of further ones. */
+using CaseAxisType = UMidlineDentalAxisFilter<DentalCaseData::MeshType>;
+
+CaseAxisType::DecoratedTransformType *
+FrameOf(CaseAxisType * axis, ToothCode::JawEnum jaw);
+
+std::array<double, 12>
+ToRows(const PoseSolution::ProjectionMatrixType & projection);
+/** Mesh to dental frame. */
+std::array<double, 12>
+ToRows(const PoseFrame & frame);
+
+/** Where the landmarks are on the scans; what is not used, and why, is a warning that begins with the prefix. */
+LandmarkCounterpartSet::Pointer
+FindCaseCounterparts(const DentalCaseData &           data,
+                     const CephalometricLandmarkSet * landmarks,
+                     bool                             ignoreSides,
+                     CaseAxisType *                   axis,
+                     const std::string &              prefix,
+                     CaseResult &                     result);
+
+/** The exact silhouette of the whole scan at the solution, its points a given number. */
+DentalContour::Pointer
+MakeWholeSilhouette(const DentalCaseData::MeshType * mesh, CephalometricGeometry * placed, unsigned int numberOfPoints);
+
+/** The paper's figures between a jaw's tracing and a contour. */
+void
+Measure(DentalContour * tracing, DentalContour * contour, const char * name, JawResult & result);
+
+/** The same of what of the moving contour lies on the tracing. */
+void
+MeasureMatched(DentalContour * tracing, const PoseSolution & solution, ToothCode::JawEnum jaw, JawResult & result);
+
+/** Of the jaws that are there, registered or not. */
+void
+ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseResult & result);
+
+/** How far off the jaw's landmarks are expected to be; without any, what is drawn of it. */
+void
+PredictError(double ownSigma, JawResult & jaw);
+} // namespace itk
+
+#endif

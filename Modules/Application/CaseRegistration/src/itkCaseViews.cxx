@@ -1,0 +1,210 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCaseViews.h"
+
+#include "itkViewVerdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace itk
+{
+namespace
+{
+using JawEnum = ToothCode::JawEnum;
+
+/** The case with another radiograph: what was drawn on it, and its geometry. */
+std::shared_ptr<DentalCaseData>
+MakeCaseOfView(const DentalCaseData & data, const DentalViewData & view)
+{
+  auto own = std::make_shared<DentalCaseData>(data);
+  own->views.clear();
+  own->inputs.clear();
+  own->warnings.clear();
+  own->upper.contour = view.contours[0];
+  own->lower.contour = view.contours[1];
+  own->image = view.image;
+  own->imageSize = view.imageSize;
+  own->geometry = view.geometry;
+  own->sources.sourceToMidsagittal = view.sourceToEarRods;
+  own->sources.sourceToDetector = view.sourceToDetector;
+  own->sources.sourceSide = view.source;
+  own->sources.facing = view.side;
+  own->sources.pixelSpacing = view.pixelSpacing;
+  own->sources.principalPoint = view.principalPoint;
+  own->spacingProvenance = view.spacingProvenance;
+  own->cephalometricLandmarks = view.landmarks;
+  own->description.landmarks2DFile = view.description.landmarks2DFile;
+  own->description.imageFile = view.description.imageFile;
+  own->description.views.clear();
+  if (view.description.direction == CephalometricGeometry::DirectionEnum::Frontal)
+  {
+    // Names and codes of a frontal radiograph have the sides that they say.
+    own->description.tracedSide = TracedSideEnum::Both;
+  }
+  return own;
+}
+} // namespace
+
+CaseViews::CaseViews(const DentalCaseData & data, CaseAxisType * axis, CaseResult & result)
+  : m_Data(data)
+{
+  for (const DentalViewData & view : data.views)
+  {
+    auto own = CephalogramView::New();
+    own->SetName(view.description.name);
+    own->SetGeometry(view.geometry);
+    own->SetUpperContour(data.upper.mesh.IsNull() ? nullptr : view.GetContour(JawEnum::Upper));
+    own->SetLowerContour(data.lower.mesh.IsNull() ? nullptr : view.GetContour(JawEnum::Lower));
+    if (view.landmarks.IsNotNull())
+    {
+      const auto counterparts =
+        FindCaseCounterparts(data, view.landmarks, false, axis, "view " + view.description.name + ": ", result);
+      if (!counterparts->GetCounterparts().empty())
+      {
+        own->SetCephalometricLandmarks(view.landmarks);
+        own->SetLandmarkCounterparts(counterparts);
+      }
+    }
+    own->SetSameHeadPosition(view.description.sameHeadPosition);
+    own->SetPrincipalPointSigma(view.principalPointSigma);
+    own->SetSpacingSource(view.spacingSource);
+    if (own->GetUpperContour() == nullptr && own->GetLowerContour() == nullptr &&
+        own->GetCephalometricLandmarks() == nullptr)
+    {
+      result.warnings.push_back("view " + view.description.name +
+                                " is not used: nothing that was drawn on it is of a scan that is there");
+      continue;
+    }
+    m_Views.push_back(own);
+    m_ViewData.push_back(&view);
+  }
+}
+
+bool
+CaseViews::HasEvidence(JawEnum jaw) const
+{
+  return std::any_of(m_Views.begin(), m_Views.end(), [jaw](const auto & view) {
+    if (view->GetContour(jaw) != nullptr)
+    {
+      return true;
+    }
+    const auto * counterparts = view->GetLandmarkCounterparts();
+    return counterparts != nullptr && std::any_of(counterparts->GetCounterparts().begin(),
+                                                  counterparts->GetCounterparts().end(),
+                                                  [jaw](const auto & counterpart) { return counterpart.jaw == jaw; });
+  });
+}
+
+void
+CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & settings, CaseResult & result) const
+{
+  for (std::size_t v = 0; v < m_Views.size(); ++v)
+  {
+    const DentalViewData &      data = *m_ViewData[v];
+    const PoseViewResult &      found = solution.GetView(data.description.name);
+    const PoseSolution::Pointer own = solution.MakeViewSolution(data.description.name);
+    CaseViewResult              view;
+    view.name = data.description.name;
+    view.sameHeadPosition = data.description.sameHeadPosition;
+    view.findings = ViewVerdict::Evaluate(solution.GetResult(), v);
+    view.status = ViewVerdict::GetStatus(view.findings);
+    view.result = std::make_shared<CaseResult>();
+    CaseResult & shown = *view.result;
+    shown.preset = result.preset;
+    shown.data = MakeCaseOfView(m_Data, data);
+    shown.geometry = CephalometricGeometry::New();
+    shown.geometry->CopyParameters(data.geometry);
+    shown.jawsShareFrame = result.jawsShareFrame;
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      if (!own->IsRegistered(jaw))
+      {
+        continue;
+      }
+      JawResult &           place = shown.jaws[jaw];
+      const PoseJawResult & poseJaw = own->GetJaw(jaw);
+      const std::size_t     group = own->GetResult().groupOfJaw[static_cast<std::size_t>(own->GetIndex(jaw))];
+      view.moves[jaw] = found.moves[group];
+      view.moveSigmas[jaw] = found.moveSigmas[group];
+      view.scaleFactors[jaw] = std::exp(own->GetGroup(jaw).parameters[PoseKappa]);
+      place.registered = true;
+      place.status = view.status;
+      place.projection = ToRows(own->GetProjectionMatrix(jaw, m_Data.description.millimetresPerUnit));
+      const auto rigid = own->MakeRigidTransform(jaw);
+      for (unsigned int row = 0; row < 3; ++row)
+      {
+        place.meshToCephalostat[4 * row + 3] = rigid->GetOffset()[row];
+        for (unsigned int column = 0; column < 3; ++column)
+        {
+          place.meshToCephalostat[4 * row + column] = rigid->GetMatrix()(row, column);
+        }
+      }
+      place.pose = { ToRows(poseJaw.frame), own->GetGroup(jaw).parameters, own->GetGroup(jaw).covariance };
+      for (const PoseLandmarkFit & landmark : poseJaw.landmarks)
+      {
+        place.usedLandmarks.push_back({ landmark.name,
+                                        m_Views[v]->GetLandmarkCounterparts()->Find(landmark.name)->source,
+                                        landmark.residual,
+                                        landmark.distance,
+                                        landmark.weight });
+      }
+      auto placed = CephalometricGeometry::New();
+      own->CopyToGeometry(jaw, placed);
+      const DentalContour::Pointer whole = MakeWholeSilhouette(
+        m_Data.GetJaw(jaw).mesh, placed, settings.numberOfContourPoints[jaw == JawEnum::Upper ? 0 : 1]);
+      DentalContour * tracing = shown.data->GetJaw(jaw).contour;
+      if (tracing != nullptr && tracing->GetNumberOfPoints() > 0 && poseJaw.fit.numberOfPoints > 0)
+      {
+        Measure(tracing, whole, "whole", place);
+        MeasureMatched(tracing, *own, jaw, place);
+      }
+      else
+      {
+        place.contours.emplace_back("whole", whole);
+      }
+      if (!poseJaw.tracingFailure.empty())
+      {
+        result.warnings.push_back("view " + view.name + ": the " + (jaw == JawEnum::Upper ? "upper" : "lower") +
+                                  " tracing is not used: " + poseJaw.tracingFailure);
+      }
+    }
+    ProjectLandmarks(*shown.data, own, shown);
+    for (auto & entry : shown.jaws)
+    {
+      const auto & spacing = own->GetResult().geometry.pixelSpacing;
+      PredictError(own->GetJaw(entry.first).middleSigma * PoseWorkingPixel / (0.5 * (spacing[0] + spacing[1])),
+                   entry.second);
+    }
+    if (view.status != RegistrationStatusEnum::Ok)
+    {
+      for (auto & entry : result.jaws)
+      {
+        if (entry.second.registered)
+        {
+          entry.second.AddFinding(
+            view.status, "view", "the view \"" + view.name + "\" is not simply ok: " + view.findings.front().text);
+        }
+      }
+    }
+    result.views.push_back(std::move(view));
+  }
+}
+} // namespace itk

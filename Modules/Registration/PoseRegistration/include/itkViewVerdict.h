@@ -1,0 +1,71 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkViewVerdict_h
+#define itkViewVerdict_h
+
+#include "PoseRegistrationExport.h"
+#include "itkPoseRegistrationTypes.h"
+#include "itkRegistrationFinding.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace itk
+{
+/** \class ViewVerdict
+ * \brief Whether a further view agrees with the first one, with findings: what was drawn on it against where the jaws
+ * are.
+ *
+ * A view never makes a jaw fail: the first one places it, and the kernel lets go of what contradicts. It makes it
+ * suspect. Documentation/Findings.md has the codes. Free of ITK headers.
+ *
+ * \ingroup PoseRegistration
+ */
+class PoseRegistration_EXPORT ViewVerdict
+{
+public:
+  struct Thresholds
+  {
+    /** Standard deviations beyond which a landmark is a gross error. */
+    double landmarkApart{ 4.0 };
+    /** Root mean square of the others' distances over their standard deviations. */
+    double suspectLandmarkRatio{ 2.0 };
+    /** Of the tracing: the outer outline of a jaw hides behind that of others more than a lateral one does. */
+    double suspectCost{ 0.5 };
+    /** Of move and scale, in standard deviations of their priors. */
+    double suspectPriorTension{ 4.5 };
+    /** Difference of the robust criterion: 10 is odds of 150. */
+    double suspectDeviance{ -10.0 };
+  };
+
+  /** Findings of a view of the result, by its index; none where it agrees. */
+  static std::vector<RegistrationFinding>
+  Evaluate(const PoseRegistrationResult & result, std::size_t view, const Thresholds & thresholds);
+  static std::vector<RegistrationFinding>
+  Evaluate(const PoseRegistrationResult & result, std::size_t view)
+  {
+    return Evaluate(result, view, Thresholds());
+  }
+
+  /** The worst of findings. */
+  static RegistrationStatusEnum
+  GetStatus(const std::vector<RegistrationFinding> & findings);
+};
+} // namespace itk
+
+#endif

@@ -1,0 +1,215 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkViewVerdict.h"
+
+#include "itkOtherViewHypothesis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
+
+namespace itk
+{
+namespace
+{
+std::string
+Number(double value)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << value;
+  return text.str();
+}
+
+std::string
+Join(const std::vector<std::string> & names)
+{
+  std::string text;
+  for (const std::string & name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+} // namespace
+
+RegistrationStatusEnum
+ViewVerdict::GetStatus(const std::vector<RegistrationFinding> & findings)
+{
+  RegistrationStatusEnum worst = RegistrationStatusEnum::Ok;
+  for (const RegistrationFinding & finding : findings)
+  {
+    worst = std::max(worst, finding.severity);
+  }
+  return worst;
+}
+
+std::vector<RegistrationFinding>
+ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, const Thresholds & thresholds)
+{
+  using QuestionEnum = OtherViewHypothesis::QuestionEnum;
+  const PoseViewResult &           view = result.views.at(index);
+  const bool                       isFrontal = view.result.geometry.direction == CephalometricDirectionEnum::Frontal;
+  std::vector<RegistrationFinding> findings;
+  const auto                       add = [&](RegistrationStatusEnum severity,
+                       const char *           code,
+                       const std::string &    text,
+                       double                 value,
+                       double                 limit,
+                       const char *           unit) {
+    findings.push_back({ severity, code, text, value, limit, unit });
+  };
+  constexpr auto Suspect = RegistrationStatusEnum::Suspect;
+
+  // Another reading of it explains what nothing else does: said first.
+  const auto getDeviance = [&](QuestionEnum question) {
+    double best = 0.0;
+    for (const PoseGroupResult & group : result.groups)
+    {
+      const auto * outcome = group.FindOutcome(OtherViewHypothesis::MakeCode(question, view.name));
+      best = outcome != nullptr ? std::min(best, outcome->deviance) : best;
+    }
+    return best;
+  };
+  const double sides = getDeviance(QuestionEnum::Sides);
+  const double source = getDeviance(QuestionEnum::Source);
+  if (sides < thresholds.suspectDeviance)
+  {
+    add(Suspect,
+        "view-sides",
+        std::string("what was drawn on it fits with right and left exchanged: is ") +
+          (isFrontal ? "patient_left" : "facing") + " right, or do the names have the wrong sides?",
+        sides,
+        thresholds.suspectDeviance,
+        "");
+  }
+  else if (source < thresholds.suspectDeviance)
+  {
+    add(Suspect,
+        "view-source",
+        std::string("what was drawn on it fits better with the source on the other side of the head: is ") +
+          (isFrontal ? "geometry.source" : "source_side") + " right?",
+        source,
+        thresholds.suspectDeviance,
+        "");
+  }
+
+  std::vector<std::string> apart;
+  double                   largest = 0.0;
+  double                   sum = 0.0;
+  std::size_t              fitting = 0;
+  double                   cost = 0.0;
+  bool                     isTraced = false;
+  for (const PoseJawResult & jaw : view.result.jaws)
+  {
+    if (!jaw.registered)
+    {
+      continue;
+    }
+    for (const PoseLandmarkFit & landmark : jaw.landmarks)
+    {
+      if (landmark.distance > thresholds.landmarkApart)
+      {
+        apart.push_back(landmark.name);
+        largest = std::max(largest, landmark.distance);
+      }
+      else
+      {
+        sum += landmark.distance * landmark.distance;
+        ++fitting;
+      }
+    }
+    if (jaw.fit.numberOfPoints > 0)
+    {
+      isTraced = true;
+      cost = std::max(cost, jaw.fit.cost);
+    }
+  }
+  if (apart.empty() && fitting == 0 && !isTraced)
+  {
+    findings.push_back({ Suspect,
+                         "view-unused",
+                         "nothing that was drawn on it was found on the scans",
+                         std::nullopt,
+                         std::nullopt,
+                         "" });
+    return findings;
+  }
+  // Two dimensions a landmark.
+  const double ratio = fitting > 0 ? std::sqrt(0.5 * sum / static_cast<double>(fitting)) : 0.0;
+  if (apart.size() > fitting)
+  {
+    add(Suspect,
+        "view-disagrees",
+        "it contradicts the first radiograph: " + std::to_string(apart.size()) + " of " +
+          std::to_string(apart.size() + fitting) + " landmarks do not fit (" + Join(apart) +
+          "); is it of the same patient, and its geometry right?",
+        largest,
+        thresholds.landmarkApart,
+        "sd");
+  }
+  else if (!apart.empty())
+  {
+    add(Suspect,
+        "view-landmark-apart",
+        "landmarks on it stand apart and were let go: " + Join(apart),
+        largest,
+        thresholds.landmarkApart,
+        "sd");
+  }
+  else if (ratio > thresholds.suspectLandmarkRatio)
+  {
+    add(Suspect,
+        "view-landmarks-rough",
+        "the landmarks on it lie " + Number(ratio) + " standard deviations from where they are expected",
+        ratio,
+        thresholds.suspectLandmarkRatio,
+        "");
+  }
+  if (isTraced && cost > thresholds.suspectCost)
+  {
+    add(Suspect,
+        "view-poor-fit",
+        "its tracing fits poorly: is it of the jaws' outer outline, incisal edges and buccal borders of the molars?",
+        cost,
+        thresholds.suspectCost,
+        "");
+  }
+  double tension = 0.0;
+  for (const double own : view.priorTensions)
+  {
+    tension = std::max(tension, own);
+  }
+  if (tension > thresholds.suspectPriorTension)
+  {
+    add(
+      Suspect,
+      "view-head-moved",
+      view.sameHeadPosition
+        ? "it fits only with the head elsewhere, or at another scale, than in the first one: say "
+          "\"same_head_position\": false where the patient was turned, and check its principal point and pixel spacing"
+        : "it fits only with the head far from where it was in the first one, or at another scale: check its "
+          "principal point and pixel spacing",
+      tension,
+      thresholds.suspectPriorTension,
+      "sd");
+  }
+  return findings;
+}
+} // namespace itk
