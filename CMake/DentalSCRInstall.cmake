@@ -2,6 +2,8 @@
 include(CMakePackageConfigHelpers)
 set(_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/DentalSCR")
 get_property(DENTALSCR_MODULES GLOBAL PROPERTY DENTALSCR_TARGETS)
+# Components too, but only whoever asks for them needs VTK.
+get_property(DENTALSCR_VTK_MODULES GLOBAL PROPERTY DENTALSCR_VTK_TARGETS)
 
 # All modules in one target, but for the program's verbs, which are no library for others.
 add_library(DentalSCR INTERFACE)
@@ -18,3 +20,7 @@ install(FILES "${PROJECT_BINARY_DIR}/DentalSCRConfig.cmake" "${PROJECT_BINARY_DI
   DESTINATION "${_config_dir}" COMPONENT Development)
 install(EXPORT DentalSCRTargets NAMESPACE DentalSCR:: DESTINATION "${_config_dir}" COMPONENT Development)
 export(EXPORT DentalSCRTargets NAMESPACE DentalSCR:: FILE "${PROJECT_BINARY_DIR}/DentalSCRTargets.cmake")
+if(DENTALSCR_VTK_MODULES)
+  install(EXPORT DentalSCRVTKTargets NAMESPACE DentalSCR:: DESTINATION "${_config_dir}" COMPONENT Development)
+  export(EXPORT DentalSCRVTKTargets NAMESPACE DentalSCR:: FILE "${PROJECT_BINARY_DIR}/DentalSCRVTKTargets.cmake")
+endif()

@@ -163,6 +163,34 @@ function(dentalscr_add_loaded_library _name)
   add_dependencies(${_loaded_FOR} ${_name})
 endfunction()
 
+# A part of a module that others may link and that links VTK, which the module itself does not: a shared library beside it, in an
+# export set of its own, since whoever finds DentalSCR need not have VTK. It is a component for find_package().
+function(dentalscr_add_vtk_library _name)
+  cmake_parse_arguments(PARSE_ARGV 1 _vtk "" "FOR" "SOURCES")
+  add_library(${_name} SHARED ${_vtk_SOURCES})
+  add_library(DentalSCR::${_name} ALIAS ${_name})
+  dentalscr_target_settings(${_name})
+  set_target_properties(${_name} PROPERTIES
+    OUTPUT_NAME "DentalSCR${_name}"
+    VERSION ${DentalSCR_VERSION}
+    SOVERSION ${DentalSCR_VERSION_MAJOR}.${DentalSCR_VERSION_MINOR})
+  set(libraries)
+  foreach(component IN LISTS DENTALSCR_VTK_COMPONENTS)
+    list(APPEND libraries VTK::${component})
+  endforeach()
+  target_include_directories(${_name} SYSTEM PRIVATE ${ITK_INCLUDE_DIRS})
+  target_link_libraries(${_name} PUBLIC ${_vtk_FOR} VTK::CommonCore VTK::CommonDataModel VTK::RenderingCore
+    PRIVATE ${libraries} X11::X11 nlohmann_json::nlohmann_json)
+  vtk_module_autoinit(TARGETS ${_name} MODULES ${libraries})
+  set(PROJECT_BINARY_DIR "${DentalSCR_BINARY_DIR}")
+  generate_export_header(${_name} BASE_NAME ${_name} EXPORT_MACRO_NAME ${_name}_EXPORT
+    EXPORT_FILE_NAME "${DentalSCR_BINARY_DIR}/include/${_name}Export.h")
+  install(FILES "${DentalSCR_BINARY_DIR}/include/${_name}Export.h"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/DentalSCR" COMPONENT Development)
+  install(TARGETS ${_name} EXPORT DentalSCRVTKTargets LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT Runtime)
+  set_property(GLOBAL APPEND PROPERTY DENTALSCR_VTK_TARGETS ${_name})
+endfunction()
+
 function(dentalscr_add_header_library _name)
   add_library(${_name} INTERFACE)
   set(DENTALSCR_MODULE_${_name}_DIR "${_dentalscr_module_dir}")

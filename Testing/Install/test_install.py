@@ -86,6 +86,21 @@ def test_a_missing_component_is_named_and_so_are_those_that_are_there(prefix, tm
     assert 'no component "Orthodontics"' in text and "SilhouetteContour" in text
 
 
+def test_scene_example_builds_against_it_and_only_that_component_looks_for_vtk(prefix, tmp_path):
+    if not (prefix / "bin" / "dentalscr-view").exists():
+        pytest.skip("DentalSCR was built without VTK")
+    folder = HERE.parent.parent / "Examples" / "SceneInSpace"
+    options = ["-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release"]
+    call("cmake", "-S", folder, "-B", tmp_path / "build", *options)
+    call("cmake", "--build", tmp_path / "build")
+    assert (tmp_path / "build" / "SceneInSpace").exists()
+    # Who asks for other modules does not need to have VTK.
+    done = configure_consumer(prefix, tmp_path / "other", "-DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON")
+    assert done.returncode == 0, done.stderr
+    environment = {k: v for k, v in os.environ.items() if k != "LD_LIBRARY_PATH"}
+    assert "--snapshot" in call(prefix / "bin" / "dentalscr-view", "--help", env=environment).stdout
+
+
 def test_tests_include_public_headers_only():
     """A test is the first user of a header; one that reaches into src/ tests what no user can reach."""
     root = HERE.parent.parent

@@ -21,6 +21,7 @@ itk_module(CaseRegistration
     PoseRegistration
     RegistrationEvaluation
     RegistrationReport
+    RegistrationScene
     ITKCommon
     ITKMesh
     ITKTransform

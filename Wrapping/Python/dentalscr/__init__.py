@@ -235,6 +235,7 @@ from ._registration import (
     SilhouetteToContourRegistration,
     SilhouetteToContourRegistrationMethod,
 )
+from ._scene import ScenePart
 from ._similarity import (
     ContourTransform,
     ContourTransformFilter,
@@ -424,6 +425,7 @@ __all__ = [
     "ScanCheck",
     "ScanCheckFilter",
     "ScanFindings",
+    "ScenePart",
     "SilhouettePoseMetricv4",
     "SilhouetteSamples",
     "SilhouetteToContourRegistration",

@@ -32,6 +32,7 @@ from ._inputs import (
 )
 from ._pose import RegistrationFinding
 from ._process import ProcessObject
+from ._scene import parts_of, to_multiblock
 
 
 class Case:
@@ -341,6 +342,36 @@ class CaseResult:
         if jaw not in self._pictures:
             self._pictures[jaw] = self.GetOverlayImage(jaw)._repr_png_()
         return self._pictures[jaw]
+
+    def scene(self, kind: str = "vtk") -> Any:
+        """The case in space: scans, their frames, source, central ray, and the radiograph on its detector.
+
+        Parameters
+        ----------
+        kind : "vtk", "pyvista" or "arrays"
+            A ``vtkMultiBlockDataSet`` or a ``pyvista.MultiBlock``, made by what is installed for this Python, in which
+            each part is a block of its name; or a list of :class:`ScenePart`, which needs neither. It is the scene
+            that ``dentalscr view`` shows (Documentation/Scene.md).
+        """
+        if kind not in ("vtk", "pyvista", "arrays"):
+            raise ArgumentError(f'there is no scene of kind "{kind}"; use "vtk", "pyvista" or "arrays"')
+        if self._native is None:
+            raise ArgumentError("a result that was pickled has no scans to show; make its scene where it was made")
+        parts = parts_of(self._native._GetScene())
+        if kind == "arrays":
+            return parts
+        try:
+            blocks = to_multiblock(parts)
+            if kind == "vtk":
+                return blocks
+            import pyvista
+
+            return pyvista.wrap(blocks)
+        except ImportError as problem:
+            package = "pyvista" if kind == "pyvista" else "vtk"
+            raise ArgumentError(
+                f'a scene of kind "{kind}" needs {package} ({problem}): pip install {package}, or use kind "arrays"'
+            ) from problem
 
     def __repr__(self) -> str:
         lines = [f"<dentalscr.CaseResult {self.status}, preset {self.preset}"]

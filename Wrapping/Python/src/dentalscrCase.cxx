@@ -23,6 +23,7 @@
 #include "itkCaseLandmarkErrorFilter.h"
 #include "itkCaseResultFolderWriter.h"
 #include "itkCaseResultWriter.h"
+#include "itkCaseScene.h"
 #include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
@@ -203,6 +204,88 @@ MakeCase(MeshType *                         upper,
   return result;
 }
 
+/** The scene as arrays: Python's VTK is another than the C++ library's, and nothing of either may meet the other's. */
+py::dict
+GetScene(const CaseResult & result)
+{
+  auto scene = [&]() {
+    const py::gil_scoped_release release;
+    const auto                   source = itk::MakeCaseScene(result);
+    source->Update();
+    itk::SmartPointer<itk::RegistrationScene> output = source->GetOutput();
+    output->DisconnectPipeline();
+    return output;
+  }();
+  py::list parts;
+  for (const itk::ScenePart & part : scene->GetParts())
+  {
+    const auto &              mesh = *part.mesh;
+    std::vector<float>        points;
+    std::vector<std::int64_t> lines;
+    std::vector<std::int64_t> triangles;
+    points.reserve(3 * mesh.GetNumberOfPoints());
+    for (auto it = mesh.GetPoints()->Begin(); it != mesh.GetPoints()->End(); ++it)
+    {
+      points.insert(points.end(), it.Value().Begin(), it.Value().End());
+    }
+    for (auto it = mesh.GetCells()->Begin(); it != mesh.GetCells()->End(); ++it)
+    {
+      const auto * cell = it.Value();
+      auto &       corners = cell->GetNumberOfPoints() == 2 ? lines : triangles;
+      corners.insert(corners.end(), cell->PointIdsBegin(), cell->PointIdsEnd());
+    }
+    const auto rows = [](std::size_t size, std::size_t columns) {
+      return std::vector<py::ssize_t>{ static_cast<py::ssize_t>(size / columns), static_cast<py::ssize_t>(columns) };
+    };
+    std::ostringstream kind;
+    kind << part.kind;
+    py::dict entry;
+    entry["name"] = part.name;
+    entry["kind"] = kind.str();
+    entry["points"] = MakeArray<float>(points, rows(points.size(), 3));
+    entry["lines"] = MakeArray<std::int64_t>(lines, rows(lines.size(), 2));
+    entry["triangles"] = MakeArray<std::int64_t>(triangles, rows(triangles.size(), 3));
+    entry["color"] = py::make_tuple(part.color[0], part.color[1], part.color[2]);
+    entry["opacity"] = part.opacity;
+    entry["lineWidth"] = part.lineWidth;
+    if (part.HasTeeth())
+    {
+      std::vector<std::uint8_t> teeth(mesh.GetNumberOfPoints());
+      for (std::size_t i = 0; i < teeth.size(); ++i)
+      {
+        float code = 0.0F;
+        mesh.GetPointData()->GetElementIfIndexExists(i, &code);
+        teeth[i] = static_cast<std::uint8_t>(code);
+      }
+      entry["teeth"] = MakeArray<std::uint8_t>(teeth);
+    }
+    if (part.picture.IsNotNull())
+    {
+      const auto                      size = part.picture->GetBufferedRegion().GetSize();
+      const unsigned char *           pixels = part.picture->GetBufferPointer();
+      const std::vector<std::uint8_t> values(pixels, pixels + size[0] * size[1]);
+      entry["picture"] = MakeArray<std::uint8_t>(values, rows(values.size(), size[0]));
+      std::vector<float> coordinates;
+      for (const auto & place : part.pictureCoordinates)
+      {
+        coordinates.insert(coordinates.end(), place.begin(), place.end());
+      }
+      entry["pictureCoordinates"] = MakeArray<float>(coordinates, rows(coordinates.size(), 2));
+    }
+    parts.append(entry);
+  }
+  py::dict sources;
+  for (const auto & detector : scene->GetDetectors())
+  {
+    const auto & source = detector.second.GetSource();
+    sources[py::str(detector.first)] = py::make_tuple(source[0], source[1], source[2]);
+  }
+  py::dict value;
+  value["parts"] = parts;
+  value["sources"] = sources;
+  return value;
+}
+
 /** What a run leaves; the landmark errors are added here, when nothing can be registered with them any more. */
 std::shared_ptr<CaseResult>
 TakeResult(const CaseRegistration & registration, const Case & input)
@@ -330,6 +413,7 @@ WrapCase(py::module_ & module)
       },
       py::arg("jaw"),
       py::call_guard<py::gil_scoped_release>())
+    .def("_GetScene", &GetScene)
     .def("_GetGeometry", [](const CaseResult & self) { return self.geometry; })
     .def("_GetJaw", [](const CaseResult & self, const std::string & name) {
       const JawResult & jaw = GetJaw(self, name);

@@ -59,6 +59,8 @@ CommandLine_EXPORT void
 AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 CommandLine_EXPORT void
 AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
+CommandLine_EXPORT void
+AddViewCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 } // namespace dentalscr
 
 #endif

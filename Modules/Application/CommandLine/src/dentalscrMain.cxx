@@ -95,6 +95,7 @@ Main(int argc, const char * const * argv)
   AddEvaluateCommand(program, common, run);
   AddPhantomCommand(program, common, run);
   AddExperimentCommand(program, common, run);
+  AddViewCommand(program, common, run);
 
   if (argc > 1 && std::string(argv[1]) == "--xml")
   {

@@ -1,0 +1,138 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkCaseScene.h"
+
+#include "itkVersorRigid3DTransform.h"
+
+#include <cmath>
+#include <utility>
+
+namespace itk
+{
+namespace
+{
+using JawEnum = ToothCode::JawEnum;
+using RowsType = std::array<double, 12>;
+
+/** Mesh file (its unit) to pixels, and mesh (mm) to cephalostat, both row-major: cephalostat to pixels. */
+RowsType
+ComposeWithRigidInverse(const RowsType & projection, double millimetresPerUnit, const RowsType & place)
+{
+  RowsType result{};
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    result[4 * row + 3] = projection[4 * row + 3];
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      double sum = 0.0;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        sum += projection[4 * row + d] / millimetresPerUnit * place[4 * column + d];
+      }
+      result[4 * row + column] = sum;
+      result[4 * row + 3] -= sum * place[4 * column + 3];
+    }
+  }
+  return result;
+}
+
+/** How much larger a projection shows things than another: two of its rows grow with the scale, the third with
+ * neither's homogeneous factor. */
+double
+ComputeScale(const RowsType & projection, const RowsType & nominal)
+{
+  const auto relativeVolume = [](const RowsType & p) {
+    const double determinant =
+      p[0] * (p[5] * p[10] - p[6] * p[9]) - p[1] * (p[4] * p[10] - p[6] * p[8]) + p[2] * (p[4] * p[9] - p[5] * p[8]);
+    const double depth = std::sqrt(p[8] * p[8] + p[9] * p[9] + p[10] * p[10]);
+    return std::abs(determinant) / (depth * depth * depth);
+  };
+  return std::sqrt(relativeVolume(projection) / relativeVolume(nominal));
+}
+} // namespace
+
+RegistrationSceneSource::Pointer
+MakeCaseScene(const CaseResult & result)
+{
+  const DentalCaseData & data = *result.data;
+  const double           unit = data.description.millimetresPerUnit;
+  auto                   geometry = CephalometricGeometry::New();
+  geometry->CopyParameters(result.geometry);
+  geometry->SetPoseToIdentity();
+  const RowsType nominal = geometry->GetProjection().matrix;
+
+  auto      scene = RegistrationSceneSource::New();
+  SceneView view;
+  view.name = "lateral";
+  view.sourceToDetector = geometry->GetSourceToDetectorDistance();
+  view.radiograph = data.image.GetPointer();
+  view.imageSize = data.imageSize;
+  double       logarithm = 0.0;
+  unsigned int scales = 0;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    SceneViewJaw own;
+    own.tracing = data.GetJaw(jaw).contour.GetPointer();
+    const auto found = result.jaws.find(jaw);
+    if (found != result.jaws.end() && found->second.registered)
+    {
+      const JawResult & registered = found->second;
+      own.projection = ComposeWithRigidInverse(registered.projection, unit, registered.meshToCephalostat);
+      logarithm += std::log(ComputeScale(*own.projection, nominal));
+      ++scales;
+      if (data.GetJaw(jaw).mesh.IsNotNull())
+      {
+        scene->SetScan(jaw, data.GetJaw(jaw).mesh, registered.meshToCephalostat, registered.meshToUMDA);
+      }
+      for (const LandmarkPrediction & landmark : registered.landmarks)
+      {
+        const auto * const onScan = data.landmarks3D.IsNull() ? nullptr : data.landmarks3D->Find(landmark.name);
+        if (onScan == nullptr)
+        {
+          continue;
+        }
+        SceneLandmark seen;
+        seen.name = landmark.name;
+        seen.pixel = landmark.position;
+        for (unsigned int row = 0; row < 3; ++row)
+        {
+          seen.point[row] = registered.meshToCephalostat[4 * row + 3];
+          for (unsigned int d = 0; d < 3; ++d)
+          {
+            seen.point[row] += registered.meshToCephalostat[4 * row + d] * unit * onScan->point[d];
+          }
+        }
+        own.landmarks.push_back(seen);
+      }
+    }
+    view.jaws[jaw] = own;
+  }
+  // A larger image is drawn as one with smaller pixels: about the principal point, which stays.
+  const double scale = scales == 0 ? 1.0 : std::exp(logarithm / scales);
+  const auto   principal = geometry->GetPrincipalPoint();
+  for (unsigned int column = 0; column < 4; ++column)
+  {
+    const double depth = nominal[8 + column];
+    view.projection[column] = principal[0] * depth + scale * (nominal[column] - principal[0] * depth);
+    view.projection[4 + column] = principal[1] * depth + scale * (nominal[4 + column] - principal[1] * depth);
+    view.projection[8 + column] = depth;
+  }
+  scene->AddView(view);
+  return scene;
+}
+} // namespace itk

@@ -1,0 +1,89 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkVirtualScreen.h"
+
+#include "gtest/gtest.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <string>
+
+namespace
+{
+/** An environment variable for the time of a test. */
+class Variable
+{
+public:
+  Variable(const char * name, const char * value)
+    : m_Name(name)
+  {
+    const char * const old = std::getenv(name);
+    m_Had = old != nullptr;
+    m_Old = m_Had ? old : "";
+    setenv(name, value, 1);
+  }
+  ~Variable() { m_Had ? setenv(m_Name, m_Old.c_str(), 1) : unsetenv(m_Name); }
+
+private:
+  const char * m_Name;
+  std::string  m_Old;
+  bool         m_Had;
+};
+} // namespace
+
+TEST(VirtualScreen, AnswersWhileItLivesAndIsGoneAfterwards)
+{
+  if (itk::VirtualScreen::FindProgram().empty())
+  {
+    GTEST_SKIP() << "Xvfb is not installed";
+  }
+  const Variable display("DISPLAY", ":no-such-display");
+  EXPECT_FALSE(itk::VirtualScreen::IsDisplayThere());
+  long process = 0;
+  {
+    const itk::VirtualScreen screen(320, 200);
+    process = screen.GetProcessId();
+    EXPECT_EQ(screen.GetDisplay(), std::getenv("DISPLAY"));
+    // Again and again: the server does not turn away who comes after its last client has gone.
+    for (unsigned int i = 0; i < 20; ++i)
+    {
+      EXPECT_TRUE(itk::VirtualScreen::IsDisplayThere());
+    }
+    EXPECT_EQ(kill(static_cast<pid_t>(process), 0), 0);
+  }
+  EXPECT_STREQ(std::getenv("DISPLAY"), ":no-such-display");
+  // Reaped, not only told to end.
+  EXPECT_EQ(kill(static_cast<pid_t>(process), 0), -1);
+  EXPECT_EQ(errno, ESRCH);
+}
+
+TEST(VirtualScreen, SaysWhatToInstallWhereItIsNot)
+{
+  const Variable path("PATH", "/nowhere");
+  EXPECT_EQ(itk::VirtualScreen::FindProgram(), "");
+  try
+  {
+    const itk::VirtualScreen screen(320, 200);
+    FAIL() << "it started";
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    EXPECT_NE(std::string(error.GetDescription()).find("apt-get install xvfb"), std::string::npos);
+  }
+}
