@@ -21,6 +21,7 @@ itk_module(CaseRegistration
     PoseRegistration
     RegistrationEvaluation
     RegistrationReport
+    ReportPage
     ITKCommon
     ITKMesh
     ITKTransform

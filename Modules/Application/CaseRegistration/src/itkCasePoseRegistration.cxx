@@ -26,16 +26,21 @@
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkParallelFor.h"
 #include "itkPixelSpacingVerdict.h"
+#include "itkPoseModel.h"
+#include "itkPosePriors.h"
 #include "itkPoseRegistrationMethod.h"
 #include "itkProjectionSimilarityFilter.h"
+#include "itkRegistrationCourseRecorder.h"
 #include "itkRegistrationVerdictFilter.h"
 #include "itkToothCrownFilter.h"
 
+#include "itkCommand.h"
 #include "itkTimeProbe.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <typeinfo>
 
 namespace itk
 {
@@ -343,6 +348,169 @@ FindCounterparts(const DentalCaseData & data, AxisType * axis, CaseResult & resu
   return counterparts;
 }
 
+/** The names of the stages that have steps; hypotheses have their own criterion and are not among them. */
+const std::map<unsigned int, std::string> StageNames{
+  { static_cast<unsigned int>(PoseStageEnum::Start), "start" },
+  { static_cast<unsigned int>(PoseStageEnum::Candidates), "candidates" },
+  { static_cast<unsigned int>(PoseStageEnum::Refinement), "refinement" }
+};
+
+/** How a millimetre compares with a radian, and with the logarithm of a scale, in the distance of two poses: teeth are
+ * about so many mm from the frame's origin. */
+constexpr double ArmOfTeeth = 40.0;
+
+/** Listens to the steps of a method as long as it lives. */
+class StepObserver
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(StepObserver);
+  explicit StepObserver(MethodType * method)
+    : m_Method(method)
+  {
+    auto command = FunctionCommand::New();
+    command->SetCallback([this](const EventObject & event) {
+      const PoseRegistrationIteration & iteration = m_Method->GetCurrentIteration();
+      if (typeid(event) != typeid(IterationEvent) || iteration.hypothesis)
+      {
+        return;
+      }
+      const LeastSquaresIteration & step = iteration.step;
+      m_Recorder.Add(iteration.group,
+                     static_cast<unsigned int>(iteration.stage),
+                     iteration.candidate,
+                     { step.value, step.accepted, step.stepLength, iteration.kernelWidth },
+                     { iteration.pose.begin(), iteration.pose.end() });
+    });
+    m_Tag = method->AddObserver(IterationEvent(), command);
+  }
+  ~StepObserver() { m_Method->RemoveObserver(m_Tag); }
+
+  const RegistrationCourseRecorder &
+  GetRecorder() const
+  {
+    return m_Recorder;
+  }
+
+private:
+  MethodType *               m_Method;
+  unsigned long              m_Tag{ 0 };
+  RegistrationCourseRecorder m_Recorder;
+};
+
+/** What the method did, and where each jaw was when its stages began. */
+void
+KeepCourse(const RegistrationCourseRecorder & recorder,
+           const PoseSolution *               solution,
+           double                             millimetresPerUnit,
+           CaseResult &                       result)
+{
+  const PoseRegistrationResult & found = solution->GetResult();
+  for (std::size_t g = 0; g < found.groups.size(); ++g)
+  {
+    const PoseGroupResult & group = found.groups[g];
+    std::vector<JawEnum>    jaws;
+    for (const std::size_t j : group.jaws)
+    {
+      jaws.push_back(found.jaws[j].jaw);
+    }
+    auto stages = recorder.Finish(static_cast<unsigned int>(g),
+                                  jaws,
+                                  StageNames,
+                                  { group.parameters.begin(), group.parameters.end() },
+                                  { ArmOfTeeth, ArmOfTeeth, ArmOfTeeth, 1.0, 1.0, 1.0, ArmOfTeeth });
+    if (stages.empty())
+    {
+      continue;
+    }
+    stages.back().stopCondition = group.stopCondition;
+    for (const RegistrationStageCourse & stage : stages)
+    {
+      for (const RegistrationCandidateCourse & candidate : stage.candidates)
+      {
+        if (!candidate.chosen)
+        {
+          continue;
+        }
+        PoseParameters pose{ {} };
+        std::copy(candidate.first.begin(), candidate.first.end(), pose.begin());
+        for (const std::size_t j : group.jaws)
+        {
+          const PoseJawResult & jaw = found.jaws[j];
+          if (jaw.registered)
+          {
+            auto projection = PoseModel(found.geometry, pose).GetPixelProjection(jaw.frame);
+            for (unsigned int i = 0; i < 12; ++i)
+            {
+              projection[i] *= i % 4 < 3 ? millimetresPerUnit : 1.0;
+            }
+            result.jaws[jaw.jaw].stages.push_back({ stage.name, projection, {} });
+          }
+        }
+      }
+    }
+    result.jaws[jaws.front()].course = stages;
+  }
+}
+
+std::vector<ParameterPrior>
+DescribePriors(const PoseGroupResult & group, const PosePriors::SigmasType & sigmas)
+{
+  constexpr double                      degrees = 180.0 / 3.14159265358979323846;
+  const std::pair<const char *, double> names[] = { { "pitch_deg", degrees }, { "roll_deg", degrees },
+                                                    { "yaw_deg", degrees },   { "x_mm", 1.0 },
+                                                    { "y_mm", 1.0 },          { "z_mm", 1.0 },
+                                                    { "scale", 1.0 } };
+  std::vector<ParameterPrior>           priors;
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    // 0 is held, infinity is free: of neither there is a prior.
+    if (sigmas[k] > 0.0 && std::isfinite(sigmas[k]))
+    {
+      priors.push_back(
+        { names[k].first, names[k].second * group.parameters[k], names[k].second * sigmas[k], group.priorTension[k] });
+    }
+  }
+  return priors;
+}
+
+/** How far each point of the tracing, and each tooth's drawing, lies from the contour that it was matched with. */
+void
+MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw)
+{
+  auto distances = ContourDistanceFilter::New();
+  distances->SetFixedContour(tracing);
+  distances->SetMovingContour(contour);
+  distances->SetDistance(ContourDistanceFilter::DistanceEnum::PointToSegment);
+  distances->Update();
+  jaw.tracingDistances = distances->GetFixedToMovingDistances();
+  for (DentalContour::PointIdentifier id = 0; id < tracing->GetNumberOfPoints(); ++id)
+  {
+    const double distance = jaw.tracingDistances[id];
+    if (!std::isfinite(distance))
+    {
+      continue;
+    }
+    const ToothCode   code = tracing->GetToothCode(id);
+    const std::string name = code.IsKnown() ? code.GetName() : std::string();
+    auto              tooth = std::find_if(
+      jaw.residuals.begin(), jaw.residuals.end(), [&](const ToothResidual & other) { return other.code == name; });
+    if (tooth == jaw.residuals.end())
+    {
+      tooth = jaw.residuals.insert(tooth, ToothResidual());
+      tooth->code = name;
+    }
+    ++tooth->count;
+    tooth->mean += distance;
+    tooth->rms += distance * distance;
+    tooth->maximum = std::max(tooth->maximum, distance);
+  }
+  for (ToothResidual & tooth : jaw.residuals)
+  {
+    tooth.mean /= static_cast<double>(tooth.count);
+    tooth.rms = std::sqrt(tooth.rms / static_cast<double>(tooth.count));
+  }
+}
+
 /** The crowns that the outlines of a standard tracing are compared with. */
 ToothCrownSet::Pointer
 FindCrowns(const DentalCaseData & data, AxisType * axis)
@@ -518,6 +686,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   verdict->SetImageSize({ { data.imageSize[0], data.imageSize[1] } });
   TimeProbe probe;
   probe.Start();
+  const StepObserver steps(method);
   settings.run(method);
   probe.Stop();
   verdict->Update();
@@ -571,6 +740,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   silhouetteProbe.Stop();
 
   const double unit = data.description.millimetresPerUnit;
+  KeepCourse(steps.GetRecorder(), solution, unit, result);
   for (const auto & entry : jaws)
   {
     JawResult &           jaw = result.jaws[entry.first];
@@ -627,6 +797,9 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
 
     const PoseGroupResult & group = solution->GetGroup(entry.first);
     jaw.pose = { ToRows(poseJaw.frame), group.parameters, group.covariance };
+    jaw.priors =
+      DescribePriors(group, PosePriors(solution->GetOptions(), data.HasPixelSpacing()).GetFitSigmas(group.bisected));
+    jaw.outline = poseJaw.contourPoints;
     const double kappa = group.parameters[PoseKappa];
     jaw.details = { { "pitch_rad", group.parameters[PosePitch] },
                     { "roll_rad", group.parameters[PoseRoll] },
@@ -686,6 +859,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       contour->DisconnectPipeline();
       Measure(tracing, contour, "matched", jaw);
     }
+    MeasureTeeth(tracing, jaw.contours.back().second, jaw);
     contourProbe.Stop();
     jaw.seconds.emplace_back("contour", contourProbe.GetTotal() + silhouetteProbe.GetTotal());
   }
