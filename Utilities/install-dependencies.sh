@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Installs what building and testing need from Debian's packages. Does nothing where all of it is there.
+# With "browser" also a browser, which the report page's tests need and nothing else.
 set -euo pipefail
 
 packages=(
@@ -13,6 +14,10 @@ packages=(
   libbenchmark-dev libnanoflann-dev
   doxygen
 )
+
+if [ "${1:-}" = browser ] && ! command -v chromium chromium-browser google-chrome >/dev/null; then
+  packages+=(chromium)
+fi
 
 missing=()
 for package in "${packages[@]}"; do

@@ -26,6 +26,7 @@
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkParallelFor.h"
 #include "itkPixelSpacingVerdict.h"
+#include "itkPoseFrameOperations.h"
 #include "itkPoseModel.h"
 #include "itkPosePriors.h"
 #include "itkPoseRegistrationMethod.h"
@@ -355,9 +356,37 @@ const std::map<unsigned int, std::string> StageNames{
   { static_cast<unsigned int>(PoseStageEnum::Refinement), "refinement" }
 };
 
-/** How a millimetre compares with a radian, and with the logarithm of a scale, in the distance of two poses: teeth are
- * about so many mm from the frame's origin. */
-constexpr double ArmOfTeeth = 40.0;
+/** How far the outlines of the jaws of a group are apart under two poses: root mean square, pixels of 0.25 mm, as steps
+ * are measured. */
+double
+MeasureMotion(const PoseRegistrationResult & found,
+              const PoseGroupResult &        group,
+              const std::vector<double> &    from,
+              const std::vector<double> &    to)
+{
+  double         sum = 0.0;
+  std::size_t    count = 0;
+  PoseParameters poses[2];
+  std::copy(from.begin(), from.end(), poses[0].begin());
+  std::copy(to.begin(), to.end(), poses[1].begin());
+  const PoseModel models[2] = { PoseModel(found.geometry, poses[0]), PoseModel(found.geometry, poses[1]) };
+  for (const std::size_t j : group.jaws)
+  {
+    for (const auto & point : found.jaws[j].contourPoints)
+    {
+      const auto p = ToDentalFrame(found.jaws[j].frame, point);
+      double     w[2][2];
+      if (models[0].Project(p.data(), w[0]) && models[1].Project(p.data(), w[1]))
+      {
+        const double du = w[1][0] - w[0][0];
+        const double dv = w[1][1] - w[0][1];
+        sum += du * du + dv * dv;
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+}
 
 /** Listens to the steps of a method as long as it lives. */
 class StepObserver
@@ -417,7 +446,9 @@ KeepCourse(const RegistrationCourseRecorder & recorder,
                                   jaws,
                                   StageNames,
                                   { group.parameters.begin(), group.parameters.end() },
-                                  { ArmOfTeeth, ArmOfTeeth, ArmOfTeeth, 1.0, 1.0, 1.0, ArmOfTeeth });
+                                  [&](const std::vector<double> & from, const std::vector<double> & to) {
+                                    return MeasureMotion(found, group, from, to);
+                                  });
     if (stages.empty())
     {
       continue;
@@ -509,6 +540,31 @@ MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw)
     tooth.mean /= static_cast<double>(tooth.count);
     tooth.rms = std::sqrt(tooth.rms / static_cast<double>(tooth.count));
   }
+}
+
+/** The points of the outline that lie within a distance (pixels) of the tracing: of the rest nobody can see whether it
+ * fits. All of them where nothing was traced. */
+std::vector<std::array<double, 3>>
+KeepMatchedOutline(const PoseJawResult & jaw, const DentalContour * tracing, double within)
+{
+  if (jaw.fit.numberOfPoints == 0 || tracing == nullptr || tracing->GetNumberOfPoints() == 0)
+  {
+    return jaw.contourPoints;
+  }
+  std::vector<std::array<double, 3>> kept;
+  for (std::size_t i = 0; i < jaw.contour.size(); ++i)
+  {
+    for (DentalContour::PointIdentifier id = 0; id < tracing->GetNumberOfPoints(); ++id)
+    {
+      const auto point = tracing->GetPoint(id);
+      if (std::hypot(point[0] - jaw.contour[i][0], point[1] - jaw.contour[i][1]) < within)
+      {
+        kept.push_back(jaw.contourPoints[i]);
+        break;
+      }
+    }
+  }
+  return kept;
 }
 
 /** The crowns that the outlines of a standard tracing are compared with. */
@@ -799,7 +855,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     jaw.pose = { ToRows(poseJaw.frame), group.parameters, group.covariance };
     jaw.priors =
       DescribePriors(group, PosePriors(solution->GetOptions(), data.HasPixelSpacing()).GetFitSigmas(group.bisected));
-    jaw.outline = poseJaw.contourPoints;
+    jaw.outline = KeepMatchedOutline(poseJaw, data.GetJaw(entry.first).contour, MatchedWithin / spacing[0]);
     const double kappa = group.parameters[PoseKappa];
     jaw.details = { { "pitch_rad", group.parameters[PosePitch] },
                     { "roll_rad", group.parameters[PoseRoll] },

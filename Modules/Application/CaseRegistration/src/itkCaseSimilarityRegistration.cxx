@@ -33,6 +33,7 @@
 #include "itkCommand.h"
 #include "itkTimeProbe.h"
 
+#include <cmath>
 #include <sstream>
 #include <typeinfo>
 
@@ -95,9 +96,12 @@ KeepCourse(const MethodType *                 method,
   }
   const auto parameters = method->GetTransform()->GetParameters();
   // Radians and scales beside pixels: an outline is some hundred pixels long.
-  constexpr double pixelsOfOutline = 100.0;
-  result.course = recorder.Finish(
-    0, { jaw }, names, { parameters.begin(), parameters.end() }, { pixelsOfOutline, pixelsOfOutline, 1.0, 1.0 });
+  const auto distance = [](const std::vector<double> & a, const std::vector<double> & b) {
+    constexpr double pixelsOfOutline = 100.0;
+    return std::hypot(std::hypot(pixelsOfOutline * (a[0] - b[0]), pixelsOfOutline * (a[1] - b[1])),
+                      std::hypot(a[2] - b[2], a[3] - b[3]));
+  };
+  result.course = recorder.Finish(0, { jaw }, names, { parameters.begin(), parameters.end() }, distance);
   for (RegistrationStageCourse & stage : result.course)
   {
     for (std::size_t level = 0; level < levels.size(); ++level)

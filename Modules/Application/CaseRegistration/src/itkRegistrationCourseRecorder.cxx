@@ -17,25 +17,11 @@
  *=========================================================================*/
 #include "itkRegistrationCourseRecorder.h"
 
+#include <cmath>
 #include <limits>
 
 namespace itk
 {
-namespace
-{
-double
-SquaredDistance(const std::vector<double> & a, const std::vector<double> & b, const std::vector<double> & scales)
-{
-  double sum = 0.0;
-  for (std::size_t k = 0; k < scales.size() && k < a.size() && k < b.size(); ++k)
-  {
-    const double difference = scales[k] * (a[k] - b[k]);
-    sum += difference * difference;
-  }
-  return sum;
-}
-} // namespace
-
 void
 RegistrationCourseRecorder::Add(unsigned int                group,
                                 unsigned int                stage,
@@ -58,7 +44,7 @@ RegistrationCourseRecorder::Finish(unsigned int                                g
                                    const std::vector<ToothCode::JawEnum> &     jaws,
                                    const std::map<unsigned int, std::string> & names,
                                    const std::vector<double> &                 solution,
-                                   const std::vector<double> &                 scales) const
+                                   const DistanceType &                        distance) const
 {
   std::vector<RegistrationStageCourse> stages;
   for (const auto & name : names)
@@ -78,16 +64,17 @@ RegistrationCourseRecorder::Finish(unsigned int                                g
     }
   }
   std::vector<double> target = solution;
+  double              expected = 0.0;
   for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage)
   {
     RegistrationCandidateCourse * nearest = nullptr;
     double                        least = std::numeric_limits<double>::max();
     for (RegistrationCandidateCourse & candidate : stage->candidates)
     {
-      const double distance = SquaredDistance(candidate.last, target, scales);
-      if (distance < least)
+      const double away = std::abs(distance(candidate.last, target) - expected);
+      if (away < least)
       {
-        least = distance;
+        least = away;
         nearest = &candidate;
       }
     }
@@ -95,6 +82,7 @@ RegistrationCourseRecorder::Finish(unsigned int                                g
     {
       nearest->chosen = true;
       target = nearest->first;
+      expected = nearest->steps.front().accepted ? nearest->steps.front().length : 0.0;
     }
   }
   return stages;

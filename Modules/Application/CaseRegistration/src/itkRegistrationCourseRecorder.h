@@ -20,6 +20,7 @@
 
 #include "itkRegistrationCourse.h"
 
+#include <functional>
 #include <map>
 #include <tuple>
 
@@ -37,15 +38,19 @@ public:
       const RegistrationStep &    step,
       const std::vector<double> & position);
 
-  /** The stages of a group in their order, the way to the solution marked: from the candidate of the last stage that
-   * ended nearest to it back to the one that each began at. `scales` make parameters comparable: a parameter counts by
-   * its scale. */
+  /** How far apart two positions are. */
+  using DistanceType = std::function<double(const std::vector<double> &, const std::vector<double> &)>;
+
+  /** The stages of a group in their order, the way to the solution marked: the candidate of the last stage that ended
+   * at it, and back from stage to stage the one that ended where that one began. An observer sees a candidate after its
+   * first step only: the one before it ended as far from there as that step was long, which tells apart those that
+   * ended at one place. */
   std::vector<RegistrationStageCourse>
   Finish(unsigned int                                group,
          const std::vector<ToothCode::JawEnum> &     jaws,
          const std::map<unsigned int, std::string> & names,
          const std::vector<double> &                 solution,
-         const std::vector<double> &                 scales) const;
+         const DistanceType &                        distance) const;
 
 private:
   /** By group, stage, candidate. */

@@ -36,7 +36,7 @@ constexpr double GapOfOutline = 2.0;
 /** mm on the detector. */
 constexpr double LandmarkRadius = 0.6;
 constexpr double CrossArm = 0.9;
-constexpr double LetterHeight = 2.2;
+constexpr double LetterHeight = 1.3;
 /** Free border around what is drawn, as a share of its extent. */
 constexpr double Border = 0.18;
 
@@ -383,7 +383,7 @@ ReportPicture::ReportPicture(const Json & result, const Json & view, const Radio
                    Number(width + 2 * border) + ' ' + Number(height + 2 * border);
   const auto all = Number(-0.5) + ' ' + Number(-0.5 * stretch) + ' ' + Number(std::max(1.0, size[0])) + ' ' +
                    Number(std::max(1.0, size[1]) * stretch);
-  const double headSize = 1.2 * m_Unit;
+  const double headSize = 0.7 * m_Unit;
   m_SVG =
     "<svg class=\"picture\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" preserveAspectRatio=\"xMidYMid "
     "meet\" viewBox=\"" +

@@ -85,7 +85,7 @@ function drawCourse(element, data) {
       marginLeft: 54, marginRight: narrow ? 84 : 20, style: { fontSize: "11px" },
       ariaLabel: "Steps of each candidate by stage",
       [narrow ? "fy" : "fx"]: { domain: stages, label: null },
-      x: { label: "step", ticks: 5 }, y: { label: lengths ? "how far the step moves the outline, px of 0.25 mm" : "value", type: lengths ? "log" : "linear", grid: true },
+      x: { label: "step", ticks: 5 }, y: { label: lengths ? "how far the step moves the outline, px of 0.25 mm" : "value", type: lengths ? "log" : "linear", grid: true, ticks: 4, tickFormat: value => String(Number(value.toPrecision(2))) },
       marks: [
         Plot.line(shown, { [narrow ? "fy" : "fx"]: "stage", x: "step", y, z: "candidate", stroke: "currentColor", strokeOpacity: row => (row.chosen ? 0 : 0.28), filter: row => !row.chosen }),
         Plot.line(shown, { [narrow ? "fy" : "fx"]: "stage", x: "step", y, z: "candidate", stroke: "var(--accent)", strokeWidth: 2.4, filter: row => row.chosen }),

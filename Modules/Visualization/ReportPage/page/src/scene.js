@@ -1,7 +1,7 @@
 // The scans, the X-ray source and the detector in space, by three.js. Cephalostat frame: x anterior, y patient's left,
 // z superior, mm; that is right-handed with z up, which three.js is told.
 import {
-  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, Line, LineBasicMaterial, LineDashedMaterial,
+  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, FrontSide, Group, Line, LineBasicMaterial, LineDashedMaterial,
   LineSegments, Mesh, MeshBasicMaterial, MeshStandardMaterial, PerspectiveCamera, PlaneGeometry, Scene, SphereGeometry, SRGBColorSpace, Texture, Vector3,
   WebGLRenderer, Matrix4,
 } from "three";
@@ -123,6 +123,7 @@ class SceneView {
     for (const button of document.querySelectorAll("button[data-camera]")) button.addEventListener("click", () => this.look(button.dataset.camera));
     for (const input of document.querySelectorAll("input[data-part]"))
       input.addEventListener("change", () => { this.show(input.dataset.part, input.checked); this.draw(); });
+    document.querySelector("input[data-scene=opacity]")?.addEventListener("input", event => { this.fade(Number(event.target.value)); this.draw(); });
     new ResizeObserver(() => this.draw()).observe(canvas);
     this.look("front");
   }
@@ -189,26 +190,47 @@ class SceneView {
     loaded.src = image.href.baseVal;
   }
 
+  fade(opacity) {
+    for (const jaw of ["upper", "lower"])
+      for (const scan of this.parts[jaw] ?? []) {
+        scan.material.transparent = opacity < 1;
+        scan.material.opacity = opacity;
+        // Through a pane one sees the nearest surface alone: inner walls would be drawn in any order.
+        scan.material.side = opacity < 1 ? FrontSide : DoubleSide;
+        scan.material.needsUpdate = true;
+      }
+    const slider = document.querySelector("input[data-scene=opacity]");
+    if (slider) slider.value = opacity;
+  }
+
   look(from) {
-    const { source, k, S } = this.geometry;
+    const { source, k, S, D } = this.geometry;
     const target = this.centre.clone();
     const views = {
-      front: [new Vector3(1, -0.18 * k, 0.12), 330, 30], side: [new Vector3(0, -k, 0.02), 330, 30],
-      above: [new Vector3(0.25, 0, 1), 330, 30], all: [new Vector3(1.1, -0.7 * k, 0.5), S * 2.6, 40],
+      front: [new Vector3(1, -0.18 * k, 0.12), 290, 30], side: [new Vector3(0, -k, 0.02), 260, 30],
+      above: [new Vector3(0.25, 0, 1), 260, 30], all: [new Vector3(1, -0.25 * k, 0.35), this.distanceOf(D), 40],
     };
     if (from === "source") {
       // A narrow lens far away: all rays are those of the X-rays.
       this.camera.position.copy(source);
-      this.camera.fov = 2 * Math.atan(75 / S) * 180 / Math.PI;
+      this.camera.fov = 2 * Math.atan(48 / S) * 180 / Math.PI;
     } else {
       const [direction, distance, angle] = views[from];
-      if (from === "all") target.set(0, source.y / 2, 0);
+      if (from === "all") target.set(0, (source.y + this.geometry.plane) / 2, 0);
       this.camera.position.copy(target).addScaledVector(direction.normalize(), distance);
       this.camera.fov = angle;
     }
+    // Seen from the source the radiograph is behind the scans.
+    this.fade(from === "source" ? 0.5 : 1);
     this.controls.target.copy(target);
     this.controls.update();
     this.draw();
+  }
+
+  /** From where a length is as wide as the canvas, with a lens of 40 degrees. */
+  distanceOf(length) {
+    const aspect = this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight);
+    return 0.62 * length / (Math.tan(20 * Math.PI / 180) * Math.max(0.3, aspect)) + 200;
   }
 
   approach(factor) {
