@@ -96,6 +96,12 @@ def test_residuals_are_the_distances_of_the_points(result):
             assert max(distances) == pytest.approx(tooth["max"], abs=1e-3)
 
 
+def test_page_says_how_the_program_was_called(result, sample):
+    words = json.loads((result / "report.json").read_text())["command_line"]
+    assert words == ["dentalscr", "register", str(sample / "case.json"), "--output", str(result)]
+    assert f"dentalscr register {sample / 'case.json'} --output {result}" in (result / "report.html").read_text()
+
+
 def test_priors_say_how_far_each_pulls(result):
     for jaw in json.loads((result / "result.json").read_text())["jaws"].values():
         for prior in jaw["priors"].values():
@@ -195,7 +201,8 @@ def test_anonymous_names_nobody(run, patient, tmp_path):
         for word in (b"musterfrau", b"erika_1964", str(patient.parent).lower().encode()):
             assert word not in file.read_bytes().lower(), (file.name, word)
     found = json.loads((tmp_path / "shared/result.json").read_text())
-    assert found["anonymous"] is True and "command_line" not in found
+    assert found["anonymous"] is True 
+    assert "command_line" not in json.loads((tmp_path / "shared/report.json").read_text())
     assert all(set(entry) == {"sha256"} for entry in found["inputs"].values())
     assert any("unknown_field" in text for text in found["warnings"])
     # And the same numbers.

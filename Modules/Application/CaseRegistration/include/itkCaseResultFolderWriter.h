@@ -75,7 +75,7 @@ public:
   itkGetConstMacro(Anonymous, bool);
   itkBooleanMacro(Anonymous);
 
-  /** The words that the program was called with, for result.json; not written where it is to be anonymous. */
+  /** The words that the program was called with, for report.json; not written where it is to be anonymous. */
   void
   SetCommandLine(const std::vector<std::string> & words)
   {

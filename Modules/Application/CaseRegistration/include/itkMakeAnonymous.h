@@ -32,6 +32,11 @@ namespace itk
 CaseRegistration_EXPORT CaseResult
 MakeAnonymous(const CaseResult & result);
 
+/** The same of the text of a report.json: it has no more than the command line that tells it. \ingroup CaseRegistration
+ */
+CaseRegistration_EXPORT std::string
+                        MakeReportDetailsAnonymous(const std::string & json);
+
 /** The same of the text of a result.json. \ingroup CaseRegistration */
 CaseRegistration_EXPORT std::string
                         MakeResultFileAnonymous(const std::string & json);

@@ -653,10 +653,6 @@ CaseResultToJson(const CaseResult & result)
   {
     json["anonymous"] = true;
   }
-  if (!result.commandLine.empty())
-  {
-    json["command_line"] = result.commandLine;
-  }
   if (!result.options.empty())
   {
     json["options"] = result.options;

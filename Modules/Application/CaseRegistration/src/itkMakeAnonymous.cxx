@@ -195,6 +195,18 @@ MakeAnonymous(const CaseResult & result)
 }
 
 std::string
+MakeReportDetailsAnonymous(const std::string & text)
+{
+  Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object())
+  {
+    return text;
+  }
+  json.erase("command_line");
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string
 MakeResultFileAnonymous(const std::string & text)
 {
   Json json = Json::parse(text, nullptr, false);
@@ -220,7 +232,6 @@ MakeResultFileAnonymous(const std::string & text)
       input.erase("path");
     }
   }
-  json.erase("command_line");
   // Sentences alone: a folder may have the name of anything that a program reads here.
   for (const char * sentences : { "warnings", "not_checkable", "skipped" })
   {

@@ -181,9 +181,14 @@ MakeReportDetails(const CaseResult & result)
     }
     view["jaws"][Name(entry.first)] = drawing;
   }
-  const Json json = { { "schema", "dentalscr-report/1" },
-                      { "views", Json::array({ view }) },
-                      { "course", CourseToJson(result) } };
+  Json json = { { "schema", "dentalscr-report/1" },
+                { "views", Json::array({ view }) },
+                { "course", CourseToJson(result) } };
+  // Not in result.json: the same case has the same result, wherever it is written to.
+  if (!result.commandLine.empty())
+  {
+    json["command_line"] = result.commandLine;
+  }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 } // namespace itk

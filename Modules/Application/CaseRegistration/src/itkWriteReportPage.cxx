@@ -102,7 +102,8 @@ WriteReportPage(const std::string & result, const ReportPageSettings & settings)
   const fs::path details = folder / "report.json";
   if (fs::is_regular_file(details, error))
   {
-    page->SetDetails(ReadTextFile(details.u8string(), "a report's details"));
+    const std::string content = ReadTextFile(details.u8string(), "a report's details");
+    page->SetDetails(anonymous ? MakeReportDetailsAnonymous(content) : content);
   }
   else
   {

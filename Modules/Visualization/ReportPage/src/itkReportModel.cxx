@@ -424,7 +424,7 @@ MakeReportModel(const Json & result, const Json & details)
     model["options"].push_back({ { "text", held.key() + ": " + ToLine(held.value()) } });
   }
   std::string command;
-  for (const Json & word : JsonMember(result, "command_line"))
+  for (const Json & word : JsonMember(details.is_object() ? details : result, "command_line"))
   {
     command += (command.empty() ? "" : " ") + ToLine(word);
   }

@@ -222,7 +222,7 @@ TEST(ReportPageWriter, HostileNamesStayText)
   result["warnings"].push_back(hostile);
   result["not_checkable"].push_back(hostile);
   result["options"].push_back(hostile);
-  result["command_line"].push_back(hostile);
+  details["command_line"].push_back(hostile);
   result["skipped"]["lower"] = hostile;
   result["inputs"]["case"]["path"] = hostile;
   result["inputs"][hostile] = { { "path", "x" }, { "sha256", hostile } };
