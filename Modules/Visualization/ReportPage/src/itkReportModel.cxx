@@ -101,8 +101,9 @@ MakeFindings(const Json & jaw)
     if (finding.contains("value") && finding.contains("limit"))
     {
       const std::string unit = finding.value("unit", "");
-      item["limit"] = FormatForPage(finding["value"].get<double>(), 2) + " of at most/least " +
-                      FormatForPage(finding["limit"].get<double>(), 2) + (unit.empty() ? "" : ' ' + unit);
+      const std::string suffix = unit.empty() ? "" : ' ' + unit;
+      item["limit"] = FormatForPage(finding["value"].get<double>(), 2) + suffix + ", limit " +
+                      FormatForPage(finding["limit"].get<double>(), 2) + suffix;
       item["has_limit"] = true;
     }
     list.push_back(item);
@@ -166,6 +167,35 @@ MakeTeeth(const std::string & name, const Json & jaw, double millimetres)
                      { "rms", Figure(tooth, "rms", 2) },
                      { "max", Figure(tooth, "max", 2) },
                      { "mm", millimetres > 0.0 ? Figure(tooth, "mean", 2, millimetres) : std::string() } });
+  }
+  return list;
+}
+
+/** Landmarks and outlines of whole teeth that were registered with, and how they are explained. */
+Json
+MakeUsed(const std::string & name, const Json & jaw)
+{
+  Json       list = Json::array();
+  const auto add = [&](const std::string & what, const Json & used, const char * vector, const std::string & how) {
+    const Json & residual = JsonMember(used, vector);
+    const double away = residual.size() == 2 ? std::hypot(residual[0].get<double>(), residual[1].get<double>()) : 0.0;
+    list.push_back({ { "jaw", JawTitle(name) },
+                     { "name", what },
+                     { "how", how },
+                     { "away", FormatForPage(away, 2) },
+                     { "sd", Figure(used, "residual_sd", 2) },
+                     { "weight", Figure(used, "weight", 2) } });
+  };
+  for (const auto & used : JsonMember(jaw, "landmarks_used").items())
+  {
+    add(used.key(), used.value(), "residual_px", "landmark, by " + used.value().value("found_by", ""));
+  }
+  for (const auto & used : JsonMember(jaw, "outlines_used").items())
+  {
+    add(used.key(),
+        used.value(),
+        "shift_px",
+        used.value().value("template", false) ? "outline, tip and axis alone" : "outline of the whole tooth");
   }
   return list;
 }
@@ -373,7 +403,8 @@ MakeReportModel(const Json & result, const Json & details)
                               { "mesh_unit", result.value("mesh_unit", "") },
                               { "traced_side", result.value("traced_side", "") },
                               { "total_seconds", Figure(result, "total_seconds", 2) } };
-  for (const char * list : { "jaws", "teeth", "course", "candidates", "pose", "landmarks", "inputs", "seconds" })
+  for (const char * list :
+       { "jaws", "teeth", "used", "course", "candidates", "pose", "landmarks", "inputs", "seconds" })
   {
     model[list] = Json::array();
   }
@@ -383,6 +414,7 @@ MakeReportModel(const Json & result, const Json & details)
     const Json &        jaw = entry.value();
     model["jaws"].push_back(MakeJaw(name, jaw, millimetres));
     Append(model["teeth"], MakeTeeth(name, jaw, millimetres));
+    Append(model["used"], MakeUsed(name, jaw));
     Append(model["course"], MakeCourse(name, jaw));
     Append(model["candidates"], MakeCandidates(name, jaw));
     Append(model["landmarks"], MakeLandmarks(name, jaw, millimetres));
@@ -432,6 +464,7 @@ MakeReportModel(const Json & result, const Json & details)
   model["provenance"] = MakeProvenance(result);
   model["has_details"] = !details.is_null();
   for (const char * list : { "teeth",
+                             "used",
                              "course",
                              "candidates",
                              "pose",

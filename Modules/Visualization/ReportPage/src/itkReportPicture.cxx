@@ -309,6 +309,7 @@ ReportPicture::ReportPicture(const Json & result, const Json & view, const Radio
   std::vector<std::string>           order;
   std::map<std::size_t, std::string> others;
   std::string                        whole, matched, tracing, regions, predicted, errors, names, used;
+  bool                               anyMatched = false;
   for (const auto & entry : JsonMember(view, "jaws").items())
   {
     const std::string & name = entry.key();
@@ -317,8 +318,9 @@ ReportPicture::ReportPicture(const Json & result, const Json & view, const Radio
     const Json &        contours = JsonMember(drawing, "contours");
     const Json &        outline = JsonMember(drawing, "outline_3d");
     tracing += this->DrawTracing(name, drawing);
-    whole += this->DrawContour(name, JsonMember(contours, "whole"), "whole");
     const bool hasMatched = contours.contains("matched");
+    anyMatched = anyMatched || hasMatched;
+    whole += this->DrawContour(name, JsonMember(contours, "whole"), "whole");
     matched += this->DrawContour(name, JsonMember(contours, hasMatched ? "matched" : "whole"), "matched after");
     regions += this->DrawRegions(jaw);
     this->DrawLandmarks(jaw, predicted, errors, names);
@@ -357,9 +359,12 @@ ReportPicture::ReportPicture(const Json & result, const Json & view, const Radio
                    false,
                    other.second);
   }
-  this->AddLayer("whole", "whole silhouette", matched == whole, whole);
+  if (anyMatched)
+  {
+    this->AddLayer("whole", "whole silhouette", false, whole);
+  }
   this->AddLayer("tracing", "tracing", true, tracing);
-  this->AddLayer("matched", "matched silhouette", true, matched);
+  this->AddLayer("matched", anyMatched ? "matched silhouette" : "whole silhouette", true, matched);
   this->AddLayer("used", "landmarks registered with", true, used);
   this->AddLayer("regions", "95 % regions", true, regions);
   this->AddLayer("landmarks", "predicted landmarks", true, predicted);

@@ -200,16 +200,32 @@ TEST(ReportPageWriter, DrawsEveryLayer)
   EXPECT_NE(page.find("rx=\"3.00\" ry=\"1.73\" transform=\"rotate(45.0 101.50 82.25)\""), std::string::npos);
 }
 
-TEST(ReportPageWriter, AskNothingOfTheNetwork)
+TEST(ReportPageWriter, SaysWhatElseWasRegisteredWith)
+{
+  Json result = MakeResult();
+  result["jaws"]["upper"]["landmarks_used"]["U6_MB"] = {
+    { "found_by", "tooth labels" }, { "residual_px", { 3.0, 4.0 } }, { "residual_sd", 1.5 }, { "weight", 0.25 }
+  };
+  result["jaws"]["upper"]["outlines_used"]["U1"] = {
+    { "shift_px", { 0.0, 2.0 } }, { "residual_sd", 0.75 }, { "weight", 1.0 }, { "template", true }
+  };
+  const std::string page = MakePage(result, MakeDetails());
+  EXPECT_NE(page.find("landmark, by tooth labels</td><td class=\"number\">5.00</td><td class=\"number\">1.50"),
+            std::string::npos);
+  EXPECT_NE(page.find("tip and axis alone</td><td class=\"number\">2.00"), std::string::npos);
+  EXPECT_EQ(MakePage(MakeResult(), MakeDetails()).find("registered with</h2>"), std::string::npos);
+}
+
+TEST(ReportPageWriter, AsksNothingOfTheNetwork)
 {
   std::string       page = MakePage(MakeResult(), MakeDetails());
   const std::size_t script = page.find("<script type=\"module\">");
   ASSERT_NE(script, std::string::npos);
-  const std::string page_without_script = page.substr(0, script);
+  const std::string withoutScript = page.substr(0, script);
   EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
   for (const char * word : { " src=\"", "@import", "url(h", "<link", "<iframe" })
   {
-    EXPECT_EQ(Count(page_without_script, word), 0u) << word;
+    EXPECT_EQ(Count(withoutScript, word), 0u) << word;
   }
 }
 
@@ -238,7 +254,7 @@ TEST(ReportPageWriter, HostileNamesStayText)
   details["views"][0]["jaws"]["upper"]["tracing"][0]["tooth"] = hostile;
   details["views"][0]["name"] = hostile;
   const std::string page = MakePage(result, details, hostile);
-  // The page has two scripts of its own.
+  // The page's own two.
   EXPECT_EQ(Count(page, "</script>"), 2u);
   EXPECT_EQ(Count(page, "<img"), 0u);
   EXPECT_EQ(Count(page, "onerror=\""), 0u);
