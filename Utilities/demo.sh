@@ -12,5 +12,5 @@ mkdir -p out
 build/demo/bin/dentalscr phantom --level typical --seed 7 --output out/sample
 build/demo/bin/dentalscr register out/sample/case.json --output out/result
 echo
-echo "Look at $PWD/out/result/overlay_upper.png and overlay_lower.png;"
+echo "Look at $PWD/out/result/report.html, or at overlay_upper.png and overlay_lower.png beside it;"
 echo "the numbers are in $PWD/out/result/result.json."

@@ -1,17 +1,23 @@
 #!/usr/bin/env bash
 # Installs what building and testing need from Debian's packages. Does nothing where all of it is there.
+# With "browser" also a browser, which the report page's tests need and nothing else.
 set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache pkg-config
   libinsighttoolkit5-dev libvtk9-dev libopenmesh-dev libeigen3-dev
-  libexpat1-dev libtiff-dev zlib1g-dev nlohmann-json3-dev libcli11-dev libcairo2-dev nettle-dev libcsv-dev fonts-dejavu-core
+  libexpat1-dev libtiff-dev zlib1g-dev nlohmann-json3-dev libcli11-dev libcairo2-dev nettle-dev libcsv-dev
+  libmeshoptimizer-dev libkainjow-mustache-dev fonts-dejavu-core
   libgtest-dev python3 python3-pytest python3-numpy
   python3-dev python3-venv pybind11-dev
   xvfb xauth python3-matplotlib python3-scipy
   libbenchmark-dev libnanoflann-dev
   doxygen
 )
+
+if [ "${1:-}" = browser ] && ! command -v chromium chromium-browser google-chrome >/dev/null; then
+  packages+=(chromium)
+fi
 
 missing=()
 for package in "${packages[@]}"; do

@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=build/python-venv
 # Debian's pybind11, with which the build tree's package is made, knows no numpy 2; the wheel is tested with it.
 packages=("numpy<2" SimpleITK itk trimesh pyvista meshio mypy pybind11-stubgen==3.0.0 pytest
-  "pybind11>=2.13,<3" scikit-build-core nbclient ipykernel)
+  "pybind11>=2.13,<3" scikit-build-core nbclient ipykernel playwright)
 stamp="$folder/packages.txt"
 [ -f "$stamp" ] && [ "$(cat "$stamp")" = "${packages[*]}" ] && exit 0
 rm -rf "$folder"

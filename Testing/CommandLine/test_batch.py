@@ -67,7 +67,10 @@ def test_summaries_have_a_row_a_case_and_jaw(batch):
 def test_page_holds_the_rows_and_asks_nothing_of_the_network(batch):
     page = (batch / "index.html").read_text()
     data = page.split('<script type="application/json" id="data">')[1].split("</script>")[0]
-    assert json.loads(data)["rows"] == json.loads((batch / "summary.json").read_text())["rows"]
+    rows = json.loads(data)["rows"]
+    # Whether a case has a page of its own is seen from the folder, and said on the page alone.
+    assert all(row.pop("page") == (batch / row["case"] / "report.html").exists() for row in rows)
+    assert rows == json.loads((batch / "summary.json").read_text())["rows"]
     assert "http" not in page.replace("http://www.w3.org/2000/svg", "")
 
 

@@ -20,6 +20,8 @@ OUTPUTS = {
     "lower_umda.tfm",
     "upper_similarity2d.tfm",
     "lower_similarity2d.tfm",
+    "report.html",
+    "report.json",
 }
 PRESETS = ["robust", "paper", "bounding-box", "single-stage"]
 
@@ -64,7 +66,7 @@ def test_without_report_leaves_out_pictures_and_scans_alone(run, sample, registe
     folder = tmp_path / "out"
     done = run("register", sample / "case.json", "--output", folder, "--no-report")
     assert done.returncode == 0, done.stderr
-    assert {f.name for f in folder.iterdir()} == {n for n in OUTPUTS if not n.endswith((".png", ".stl"))}
+    assert {f.name for f in folder.iterdir()} == {n for n in OUTPUTS if not n.endswith((".png", ".stl")) and not n.startswith("report")}
     assert without_times(load(folder)) == without_times(load(registered["robust"]))
 
 
@@ -241,8 +243,12 @@ def test_same_result_for_any_number_of_threads(run, sample, registered, tmp_path
     done = run("register", sample / "case.json", "--output", folder, "--preset", preset, "--threads", threads)
     assert done.returncode == 0, done.stderr
     assert without_times(load(folder)) == without_times(load(registered[preset]))
-    for name in OUTPUTS - {"result.json"}:
+    # The page shows times, report.json the command line.
+    for name in OUTPUTS - {"result.json", "report.html", "report.json"}:
         assert (folder / name).read_bytes() == (registered[preset] / name).read_bytes(), name
+    drawn = [json.loads((path / "report.json").read_text()) for path in (folder, registered[preset])]
+    assert all(details.pop("command_line") for details in drawn)
+    assert drawn[0] == drawn[1]
 
 
 def test_second_run_replaces_the_first_whole(run, case, tmp_path):

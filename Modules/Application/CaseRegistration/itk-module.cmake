@@ -22,6 +22,7 @@ itk_module(CaseRegistration
     RegistrationEvaluation
     RegistrationReport
     RegistrationScene
+    ReportPage
     ITKCommon
     ITKMesh
     ITKTransform

@@ -94,6 +94,7 @@ from ._case import (
     JawResult,
     ReadCase,
     WriteCaseResult,
+    WriteReportPage,
     register,
 )
 from ._convert import (
@@ -457,6 +458,7 @@ __all__ = [
     "UMidlineDentalAxisFilter",
     "VersorRigid3DTransform",
     "WriteCaseResult",
+    "WriteReportPage",
     "WriteContours",
     "WriteLandmarks",
     "WriteMesh",

@@ -323,11 +323,22 @@ class CaseResult:
         """What result.json holds (Documentation/FileFormats.md); a copy."""
         return copy.deepcopy(self._dict)
 
-    def Write(self, folder: PathLike) -> None:
-        """Writes result.json, overlays, scans in the cephalostat frame and transforms, all or nothing."""
+    def Write(self, folder: PathLike, *, report: bool = True, page: bool = True, anonymous: bool = False) -> None:
+        """Writes result.json, overlays, scans in the cephalostat frame, transforms and the page, all or nothing.
+
+        Parameters
+        ----------
+        folder : path
+        report : bool, optional
+            With what is for people: overlays, scans, the page.
+        page : bool, optional
+            With report.html, the page to judge the case by.
+        anonymous : bool, optional
+            Without paths and names of files.
+        """
         if self._native is None:
             raise ArgumentError("a result that was pickled has no scans to write; write it where it was made")
-        self._native._Write(as_path(folder))
+        self._native._Write(as_path(folder), report, page, anonymous)
 
     def GetOverlayImage(self, jaw: str = "upper") -> _core.Picture:
         """Radiograph, tracing, aligned silhouette and landmarks of a jaw as a picture."""
@@ -459,7 +470,7 @@ class CaseResultFolderWriter(ProcessObject, _core.CaseResultFolderWriter):
     """Writes everything that a case's result is made of into a folder, whole or not at all."""
 
     def Execute(self, result: CaseResult, folderName: Optional[PathLike] = None) -> None:
-        """Writes a result; ``WriteReportOff`` leaves out what is for people."""
+        """Writes a result; ``WriteReportOff`` leaves out what is for people, ``WritePageOff`` the page."""
         if folderName is not None:
             self.SetFolderName(as_path(folderName))
         if result._native is None:
@@ -468,8 +479,10 @@ class CaseResultFolderWriter(ProcessObject, _core.CaseResultFolderWriter):
         self._Update()
 
 
-def WriteCaseResult(result: CaseResult, folderName: PathLike, writeReport: bool = True) -> None:
-    """Writes result.json, overlays, scans in the cephalostat frame and transforms, all or nothing.
+def WriteCaseResult(
+    result: CaseResult, folderName: PathLike, writeReport: bool = True, writePage: bool = True, anonymous: bool = False
+) -> None:
+    """Writes result.json, overlays, scans in the cephalostat frame, transforms and the page, all or nothing.
 
     Parameters
     ----------
@@ -477,11 +490,43 @@ def WriteCaseResult(result: CaseResult, folderName: PathLike, writeReport: bool 
         Of :func:`register`.
     folderName : path
     writeReport : bool, optional
-        With what is for people: overlays, scans in the cephalostat frame.
+        With what is for people: overlays, scans in the cephalostat frame, the page.
+    writePage : bool, optional
+        With report.html, where there is a report.
+    anonymous : bool, optional
+        Without paths and names of files.
     """
     process = CaseResultFolderWriter()
     process.SetWriteReport(writeReport)
+    process.SetWritePage(writePage)
+    process.SetAnonymous(anonymous)
     process.Execute(result, folderName)
+
+
+def WriteReportPage(
+    result: PathLike, fileName: Optional[PathLike] = None, image: Optional[PathLike] = None, anonymous: bool = False
+) -> list[str]:
+    """Writes the page of a result that lies on disk: what ``dentalscr report`` does.
+
+    Parameters
+    ----------
+    result : path
+        Its folder, or its result.json.
+    fileName : path, optional
+        The page; report.html beside the result where it is not given.
+    image : path, optional
+        The radiograph, where it is not where the result says.
+    anonymous : bool, optional
+        Without paths and names of files.
+
+    Returns
+    -------
+    list of str
+        What is not there any more, and hence not on the page, a sentence each.
+    """
+    return _core._WriteReportPage(
+        as_path(result), "" if fileName is None else as_path(fileName), "" if image is None else as_path(image), anonymous
+    )
 
 
 class CaseRegistration(ProcessObject, _core.CaseRegistration):
@@ -512,6 +557,8 @@ def register(
     options: Optional[Mapping[str, Any]] = None,
     threads: Optional[int] = None,
     progress: Optional[Callable[[float, str], object]] = None,
+    page: bool = True,
+    anonymous: bool = False,
 ) -> CaseResult:
     """Registers a case: what ``dentalscr register`` does.
 
@@ -520,7 +567,7 @@ def register(
     case : path, Case or dict
         A case file, a :class:`Case`, or the keywords of one.
     output : path, optional
-        Folder for result.json, overlays, scans and transforms.
+        Folder for result.json, overlays, scans, transforms and the page.
     preset : "robust", "paper", "bounding-box" or "single-stage"
     exclude : sequence of str, optional
         Teeth to leave out, e.g. "UR8". For a case file or keywords.
@@ -537,6 +584,10 @@ def register(
         The result is the same for any number.
     progress : callable, optional
         Called with the share that is done and the stage's name.
+    page : bool, optional
+        Write report.html, the page to judge the case by, into the folder.
+    anonymous : bool, optional
+        Leave paths and names of files out of what is written.
 
     Returns
     -------
@@ -574,7 +625,7 @@ def register(
         )
     result = registration.Execute(given)
     if output is not None:
-        result.Write(output)
+        result.Write(output, page=page, anonymous=anonymous)
     return result
 
 

@@ -22,6 +22,7 @@
 #include "itkCaseRegistration.h"
 #include "itkCaseLandmarkErrorFilter.h"
 #include "itkCaseResultFolderWriter.h"
+#include "itkWriteReportPage.h"
 #include "itkCaseResultWriter.h"
 #include "itkCaseScene.h"
 #include "itkCephalometricLandmarkFileReader.h"
@@ -389,8 +390,17 @@ WrapCase(py::module_ & module)
     .def("_ToJson", &itk::CaseResultToJson)
     .def(
       "_Write",
-      [](const CaseResult & self, const std::string & folder) { itk::WriteCaseResult(self, folder); },
+      [](const CaseResult & self, const std::string & folder, bool report, bool page, bool anonymous) {
+        itk::CaseOutputOptions options;
+        options.report = report;
+        options.page = page;
+        options.anonymous = anonymous;
+        itk::WriteCaseResult(self, folder, options);
+      },
       py::arg("folder"),
+      py::arg("report"),
+      py::arg("page"),
+      py::arg("anonymous"),
       py::call_guard<py::gil_scoped_release>())
     .def("_GetJaws",
          [](const CaseResult & self) {
@@ -506,6 +516,19 @@ WrapCase(py::module_ & module)
       [](WriterType & self, const std::string & folderName) { self.SetFolderName(folderName); },
       py::arg("folderName"))
     .def("GetFolderName", [](const WriterType & self) { return std::string(self.GetFolderName()); })
-    .dentalscrBoolean(WriterType, WriteReport);
+    .dentalscrBoolean(WriterType, WriteReport)
+    .dentalscrBoolean(WriterType, WritePage)
+    .dentalscrBoolean(WriterType, Anonymous);
+
+  module.def(
+    "_WriteReportPage",
+    [](const std::string & result, const std::string & fileName, const std::string & imageFile, bool anonymous) {
+      return itk::WriteReportPage(result, { fileName, imageFile, anonymous });
+    },
+    py::arg("result"),
+    py::arg("fileName"),
+    py::arg("imageFile"),
+    py::arg("anonymous"),
+    py::call_guard<py::gil_scoped_release>());
 }
 } // namespace dentalscr

@@ -114,7 +114,14 @@ def test_reader_and_writer_of_a_case(ds, sample, result, tmp_path):
     ds.WriteCaseResult(result, tmp_path / "lean", writeReport=False)
     result.Write(tmp_path / "full")
     names = [{path.name for path in (tmp_path / folder).iterdir()} for folder in ("lean", "full")]
-    assert "result.json" in names[0] and names[0] < names[1]
+    assert "result.json" in names[0] and names[0] < names[1] and "report.html" in names[1]
+    ds.WriteCaseResult(result, tmp_path / "pageless", writePage=False)
+    assert {path.name for path in (tmp_path / "pageless").iterdir()} == names[1] - {"report.html"}
+    assert ds.WriteReportPage(tmp_path / "pageless", tmp_path / "page.html") == []
+    assert result.status in (tmp_path / "page.html").read_text()
+    result.Write(tmp_path / "shared", anonymous=True)
+    shared = json.loads((tmp_path / "shared/result.json").read_text())
+    assert shared["anonymous"] and not any("path" in entry for entry in shared["inputs"].values())
     with pytest.raises(ds.ArgumentError, match="pickled"):
         ds.WriteCaseResult(pickle.loads(pickle.dumps(result)), tmp_path / "none")
 

@@ -57,7 +57,8 @@ def process_objects():
         return name in roots
 
     # batch() runs in workers of Python's own; a result that is read back is json.load() of a file, or a start (init=).
-    elsewhere = {"BatchRunner", "CaseResultFileReader"}
+    # The page of a result on disk: WriteReportPage().
+    elsewhere = {"BatchRunner", "CaseResultFileReader", "ReportPageWriter"}
     return [name for name in bases if derives(name) and name not in abstract | elsewhere]
 
 

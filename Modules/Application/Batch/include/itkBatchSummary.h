@@ -47,9 +47,10 @@ public:
   ToCSV() const;
   std::string
   ToJson() const;
-  /** One self-contained page but for the pictures, which it shows from the cases' folders. */
+  /** One self-contained page but for the pictures, which it shows from the cases' folders. It links to the pages of the
+   * cases that are in `folder`. */
   std::string
-  ToPage() const;
+  ToPage(const std::string & folder = std::string()) const;
 
   /** All three, each whole or not at all. Throws DentalInputError. */
   void

@@ -173,9 +173,16 @@ BatchSummary::ToJson() const
 }
 
 std::string
-BatchSummary::ToPage() const
+BatchSummary::ToPage(const std::string & folder) const
 {
-  std::string data = MakeJson(m_Records).dump(-1, ' ', false, Json::error_handler_t::replace);
+  Json            json = MakeJson(m_Records);
+  std::error_code error;
+  for (Json & row : json["rows"])
+  {
+    row["page"] =
+      !folder.empty() && fs::exists(fs::path(folder) / row["case"].get<std::string>() / "report.html", error);
+  }
+  std::string data = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   // Nothing in it ends the script that it stands in, nor begins what would hide the end.
   for (std::size_t place = data.find('<'); place != std::string::npos; place = data.find('<', place))
   {
@@ -194,7 +201,7 @@ BatchSummary::Write(const std::string & folder, bool page) const
   WriteFileAtomically((fs::path(folder) / "summary.json").string(), this->ToJson());
   if (page)
   {
-    WriteFileAtomically((fs::path(folder) / "index.html").string(), this->ToPage());
+    WriteFileAtomically((fs::path(folder) / "index.html").string(), this->ToPage(folder));
   }
 }
 } // namespace itk

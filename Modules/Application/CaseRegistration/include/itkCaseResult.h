@@ -19,6 +19,7 @@
 #define itkCaseResult_h
 
 #include "itkDentalCaseData.h"
+#include "itkRegistrationCourse.h"
 #include "itkRegistrationFinding.h"
 
 #include <array>
@@ -59,6 +60,9 @@ struct LandmarkFigures
   std::map<std::string, double> groups;
   /** One a landmark (of the middle of two sides where the tracing was bisected). */
   std::vector<std::pair<std::string, double>> landmarks;
+  /** Where each of them was marked and predicted, pixels, in the same order. */
+  std::vector<std::array<double, 2>> marked;
+  std::vector<std::array<double, 2>> predicted;
 };
 
 /** A predicted landmark. */
@@ -130,6 +134,30 @@ struct AlignmentCandidate
   double distance{ 0.0 };
 };
 
+/** How far the drawing of one tooth lies from the outline that it was matched with, pixels: over its points that
+ * count. */
+struct ToothResidual
+{
+  /** "UR1"; "" where the drawing says none. */
+  std::string code;
+  std::size_t count{ 0 };
+  double      mean{ 0.0 };
+  double      rms{ 0.0 };
+  double      maximum{ 0.0 };
+};
+
+/** What was assumed of one parameter of the pose beforehand, and how far the solution is from it. */
+struct ParameterPrior
+{
+  /** "roll_deg", "yaw_deg", "y_mm", "scale" (logarithm of the factor). */
+  std::string name;
+  /** Of the solution; the priors' mean is 0. */
+  double value{ 0.0 };
+  double sigma{ 0.0 };
+  /** |value| / sigma: how strongly the prior pulls. */
+  double tension{ 0.0 };
+};
+
 /** A jaw's pose with its uncertainty: what its points' places on the radiograph, and theirs, are made of. */
 struct JawPose
 {
@@ -178,6 +206,21 @@ struct JawResult
 
   /** Aligned contours to draw and to measure, pixels: name and contour, the first the whole silhouette. */
   std::vector<std::pair<std::string, DentalContour::Pointer>> contours;
+
+  /** The distance of each point of the tracing from the contour that it was matched with, pixels, in the order of the
+   * tracing's points; NaN for those of weight 0. Empty where nothing was traced. */
+  std::vector<double> tracingDistances;
+  /** The same by tooth, in the order of the tracing. */
+  std::vector<ToothResidual> residuals;
+  /** The outline of the scan that could be matched, points of the mesh (mm): by a projection they are drawn where the
+   * jaw is placed by it. Empty where the method has none. */
+  std::vector<std::array<double, 3>> outline;
+  /** What the method did, stage by stage; of jaws that share a pose the first has it. */
+  std::vector<RegistrationStageCourse> course;
+  /** Where the jaw was when each stage began. */
+  std::vector<RegistrationStagePlacement> stages;
+  /** Of the parameters that have one. */
+  std::vector<ParameterPrior> priors;
 
   /** Distance, pixels, that a landmark's prediction is expected to be off by: the mean over the jaw's landmarks (of the
    * middles where that is what was drawn), without any that at the tracing. Absent where the method has no covariance.
@@ -236,6 +279,8 @@ struct CaseResult
   using JawEnum = ToothCode::JawEnum;
 
   CasePresetEnum preset{ CasePresetEnum::Paper };
+  /** Of the result of a further view (CaseViewResult); "" of a case. */
+  std::string viewName;
   /** NAME=VALUE of what differs from the preset's defaults. */
   std::vector<std::string>              options;
   std::map<JawEnum, JawResult>          jaws;
@@ -245,6 +290,10 @@ struct CaseResult
   std::vector<std::string> unusableLandmarks;
   /** The files that it is the result of. */
   std::vector<CaseInputFile> inputs;
+  /** The words that the program was called with; empty where it was not the program, or where nobody is to know. */
+  std::vector<std::string> commandLine;
+  /** Nothing in here names a file, a person or a study: MakeAnonymous() made it. */
+  bool anonymous{ false };
   /** The marked landmarks, to draw beside the predicted ones; set after registration, null where there are none. */
   DentalLandmarkSet<2>::ConstPointer markedLandmarks;
   /** The geometry as it was used: estimates filled in. */

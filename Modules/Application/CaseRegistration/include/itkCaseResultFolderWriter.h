@@ -23,6 +23,7 @@
 #include "itkProcessObject.h"
 
 #include <string>
+#include <vector>
 
 namespace itk
 {
@@ -59,10 +60,36 @@ public:
   itkSetStringMacro(FolderName);
   itkGetStringMacro(FolderName);
 
-  /** Write what is for people as well: overlays, scans in the cephalostat frame. Default on. */
+  /** Write what is for people as well: overlays, scans in the cephalostat frame, the page. Default on. */
   itkSetMacro(WriteReport, bool);
   itkGetConstMacro(WriteReport, bool);
   itkBooleanMacro(WriteReport);
+
+  /** Write report.html, where what is for people is written. Default on. */
+  itkSetMacro(WritePage, bool);
+  itkGetConstMacro(WritePage, bool);
+  itkBooleanMacro(WritePage);
+
+  /** Leave paths and names out of all files. Default off. */
+  itkSetMacro(Anonymous, bool);
+  itkGetConstMacro(Anonymous, bool);
+  itkBooleanMacro(Anonymous);
+
+  /** The words that the program was called with, for report.json; not written where it is to be anonymous. */
+  void
+  SetCommandLine(const std::vector<std::string> & words)
+  {
+    if (m_CommandLine != words)
+    {
+      m_CommandLine = words;
+      this->Modified();
+    }
+  }
+  const std::vector<std::string> &
+  GetCommandLine() const
+  {
+    return m_CommandLine;
+  }
 
   /** A writer has no output: this brings its input up to date and writes, each time. */
   void
@@ -79,8 +106,11 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  std::string m_FolderName;
-  bool        m_WriteReport{ true };
+  std::string              m_FolderName;
+  bool                     m_WriteReport{ true };
+  bool                     m_WritePage{ true };
+  bool                     m_Anonymous{ false };
+  std::vector<std::string> m_CommandLine;
 };
 } // namespace itk
 

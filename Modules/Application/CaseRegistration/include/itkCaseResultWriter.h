@@ -40,18 +40,32 @@ CaseRegistration_EXPORT std::string
 CaseRegistration_EXPORT std::string
                         FindingsToJson(const std::vector<RegistrationFinding> & findings);
 
+/** \struct CaseOutputOptions
+ * \brief What of a result is written. \ingroup CaseRegistration */
+struct CaseOutputOptions
+{
+  /** What is for people: overlays, scans, the page and what it is drawn by. */
+  bool report{ true };
+  /** The page, where there is a report. */
+  bool page{ true };
+  /** Without paths and names (MakeAnonymous()). */
+  bool anonymous{ false };
+};
+
 /** Takes the files of an earlier result out of a folder, and leaves all others alone. \ingroup CaseRegistration */
 CaseRegistration_EXPORT void
 RemoveCaseResult(const std::string & folderName);
 
 /** Writes everything that a result is made of into a folder: result.json, overlays, scans in the cephalostat frame,
- * transforms. Made in a folder beside it and moved when complete: the files appear whole or not at all, those of an
- * earlier run are replaced. Throws DentalInputError where the folder can't be written.
+ * transforms, the page. Made in a folder beside it and moved when complete: the files appear whole or not at all, those
+ * of an earlier run are replaced. Throws DentalInputError where the folder can't be written.
  *
- * \param report whether overlays and scans are written beside result.json and the transforms
+ * \param options what is written beside result.json and the transforms
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT void
-WriteCaseResult(const CaseResult & result, const std::string & folder, bool report = true);
+WriteCaseResult(const CaseResult &        result,
+                const std::string &       folder,
+                const CaseOutputOptions & options = CaseOutputOptions());
 
 /** Writes the rigid map from a scan (mm) to its UMDA frame, row-major 3x4, as an ITK transform that Slicer loads
  * safely.

@@ -27,7 +27,9 @@
 
 #include "itkMath.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace itk
 {
@@ -122,6 +124,67 @@ MeasureMatched(DentalContour * tracing, const PoseSolution & solution, JawEnum j
     contour->DisconnectPipeline();
     Measure(tracing, contour, "matched", result);
   }
+}
+
+void
+MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw)
+{
+  auto distances = ContourDistanceFilter::New();
+  distances->SetFixedContour(tracing);
+  distances->SetMovingContour(contour);
+  distances->SetDistance(ContourDistanceFilter::DistanceEnum::PointToSegment);
+  distances->Update();
+  jaw.tracingDistances = distances->GetFixedToMovingDistances();
+  for (DentalContour::PointIdentifier id = 0; id < tracing->GetNumberOfPoints(); ++id)
+  {
+    const double distance = jaw.tracingDistances[id];
+    if (!std::isfinite(distance))
+    {
+      continue;
+    }
+    const ToothCode   code = tracing->GetToothCode(id);
+    const std::string name = code.IsKnown() ? code.GetName() : std::string();
+    auto              tooth = std::find_if(
+      jaw.residuals.begin(), jaw.residuals.end(), [&](const ToothResidual & other) { return other.code == name; });
+    if (tooth == jaw.residuals.end())
+    {
+      tooth = jaw.residuals.insert(tooth, ToothResidual());
+      tooth->code = name;
+    }
+    ++tooth->count;
+    tooth->mean += distance;
+    tooth->rms += distance * distance;
+    tooth->maximum = std::max(tooth->maximum, distance);
+  }
+  for (ToothResidual & tooth : jaw.residuals)
+  {
+    tooth.mean /= static_cast<double>(tooth.count);
+    tooth.rms = std::sqrt(tooth.rms / static_cast<double>(tooth.count));
+  }
+}
+
+std::vector<std::array<double, 3>>
+KeepMatchedOutline(const PoseJawResult & jaw, const DentalContour * tracing, double pixel)
+{
+  const double within = MatchedWithin / pixel;
+  if (jaw.fit.numberOfPoints == 0 || tracing == nullptr || tracing->GetNumberOfPoints() == 0)
+  {
+    return jaw.contourPoints;
+  }
+  std::vector<std::array<double, 3>> kept;
+  for (std::size_t i = 0; i < jaw.contour.size(); ++i)
+  {
+    for (DentalContour::PointIdentifier id = 0; id < tracing->GetNumberOfPoints(); ++id)
+    {
+      const auto point = tracing->GetPoint(id);
+      if (std::hypot(point[0] - jaw.contour[i][0], point[1] - jaw.contour[i][1]) < within)
+      {
+        kept.push_back(jaw.contourPoints[i]);
+        break;
+      }
+    }
+  }
+  return kept;
 }
 
 void

@@ -26,6 +26,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace itk
 {
@@ -61,6 +62,15 @@ Measure(DentalContour * tracing, DentalContour * contour, const char * name, Jaw
 /** The same of what of the moving contour lies on the tracing. */
 void
 MeasureMatched(DentalContour * tracing, const PoseSolution & solution, ToothCode::JawEnum jaw, JawResult & result);
+
+/** How far each point of the tracing, and each tooth's drawing, lies from the contour that it was matched with. */
+void
+MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw);
+
+/** The points of the outline that lie within a few mm of the tracing: of the rest nobody can see whether it fits. All
+ * of them where nothing was traced. The pixel is in mm. */
+std::vector<std::array<double, 3>>
+KeepMatchedOutline(const PoseJawResult & jaw, const DentalContour * tracing, double pixel);
 
 /** Of the jaws that are there, registered or not. */
 void

@@ -17,18 +17,19 @@
  *=========================================================================*/
 #include "itkCasePoseRegistration.h"
 
+#include "itkCaseCourse.h"
 #include "itkCaseCrowns.h"
 #include "itkCasePoseDescription.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkCaseViews.h"
 #include "itkParallelFor.h"
 #include "itkPixelSpacingVerdict.h"
+#include "itkPosePriors.h"
 #include "itkPoseRegistrationMethod.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
 #include "itkToothCrownFilter.h"
 
-#include "itkMath.h"
 #include "itkTimeProbe.h"
 
 #include <algorithm>
@@ -339,6 +340,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   verdict->SetImageSize({ { data.imageSize[0], data.imageSize[1] } });
   TimeProbe probe;
   probe.Start();
+  const CaseStepObserver steps(method);
   settings.run(method);
   probe.Stop();
   verdict->Update();
@@ -392,6 +394,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   silhouetteProbe.Stop();
 
   const double unit = data.description.millimetresPerUnit;
+  KeepCourse(steps.GetRecorder(), solution, unit, result);
   for (const auto & entry : jaws)
   {
     JawResult &           jaw = result.jaws[entry.first];
@@ -452,6 +455,9 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
 
     const PoseGroupResult & group = solution->GetGroup(entry.first);
     jaw.pose = { ToRows(poseJaw.frame), group.parameters, group.covariance };
+    jaw.priors =
+      DescribePriors(group, PosePriors(solution->GetOptions(), data.HasPixelSpacing()).GetFitSigmas(group.bisected));
+    jaw.outline = KeepMatchedOutline(poseJaw, data.GetJaw(entry.first).contour, spacing[0]);
     const double kappa = group.parameters[PoseKappa];
     jaw.details = { { "pitch_rad", group.parameters[PosePitch] },
                     { "roll_rad", group.parameters[PoseRoll] },
@@ -499,6 +505,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     }
     Measure(tracing, silhouettes[ToIndex(entry.first)], "whole", jaw);
     MeasureMatched(tracing, *solution, entry.first, jaw);
+    MeasureTeeth(tracing, jaw.contours.back().second, jaw);
     contourProbe.Stop();
     jaw.seconds.emplace_back("contour", contourProbe.GetTotal() + silhouetteProbe.GetTotal());
   }

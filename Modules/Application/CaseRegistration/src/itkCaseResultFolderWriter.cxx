@@ -62,7 +62,18 @@ CaseResultFolderWriter::Update()
 void
 CaseResultFolderWriter::GenerateData()
 {
-  WriteCaseResult(this->GetInput()->Get(), m_FolderName, m_WriteReport);
+  CaseOutputOptions options;
+  options.report = m_WriteReport;
+  options.page = m_WritePage;
+  options.anonymous = m_Anonymous;
+  if (m_CommandLine.empty())
+  {
+    WriteCaseResult(this->GetInput()->Get(), m_FolderName, options);
+    return;
+  }
+  CaseResult result = this->GetInput()->Get();
+  result.commandLine = m_CommandLine;
+  WriteCaseResult(result, m_FolderName, options);
 }
 
 void
@@ -71,5 +82,8 @@ CaseResultFolderWriter::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "FolderName: " << m_FolderName << std::endl;
   os << indent << "WriteReport: " << (m_WriteReport ? "On" : "Off") << std::endl;
+  os << indent << "WritePage: " << (m_WritePage ? "On" : "Off") << std::endl;
+  os << indent << "Anonymous: " << (m_Anonymous ? "On" : "Off") << std::endl;
+  os << indent << "CommandLine: " << m_CommandLine.size() << " words" << std::endl;
 }
 } // namespace itk

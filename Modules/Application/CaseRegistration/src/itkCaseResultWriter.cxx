@@ -23,7 +23,10 @@
 #include "itkDentalSCRVersion.h"
 #include "itkCephalometricLandmarkSet.h"
 #include "itkLandmarkErrorFilter.h"
+#include "itkMakeAnonymous.h"
 #include "itkReadDentalMesh.h"
+#include "itkReportDetails.h"
+#include "itkReportPageWriter.h"
 #include "itkTextFile.h"
 #include "itkTransformFile.h"
 
@@ -147,6 +150,65 @@ ToJson(const std::vector<RegistrationFinding> & findings)
   return list;
 }
 
+/** What was tried in each stage, summed up; the single steps are in report.json. */
+Json
+CourseToJson(const std::vector<RegistrationStageCourse> & course)
+{
+  Json list = Json::array();
+  for (const RegistrationStageCourse & stage : course)
+  {
+    std::size_t tried = 0;
+    std::size_t accepted = 0;
+    Json        item = { { "stage", stage.name }, { "candidates", stage.candidates.size() } };
+    for (const ToothCode::JawEnum jaw : stage.jaws)
+    {
+      item["jaws"].push_back(Name(jaw));
+    }
+    for (const RegistrationCandidateCourse & candidate : stage.candidates)
+    {
+      tried += candidate.steps.size();
+      for (const RegistrationStep & step : candidate.steps)
+      {
+        accepted += step.accepted ? 1 : 0;
+      }
+      if (candidate.chosen)
+      {
+        item["chosen"] = candidate.candidate;
+        item["value"] = candidate.steps.back().value;
+      }
+    }
+    item["steps"] = tried;
+    item["accepted"] = accepted;
+    if (!stage.stopCondition.empty())
+    {
+      item["stop"] = stage.stopCondition;
+    }
+    list.push_back(item);
+  }
+  return list;
+}
+
+Json
+StagesToJson(const std::vector<RegistrationStagePlacement> & stages)
+{
+  Json list = Json::array();
+  for (const RegistrationStagePlacement & stage : stages)
+  {
+    Json item = { { "stage", stage.name } };
+    if (stage.projection)
+    {
+      item["projection_3x4"] = MatrixToJson(*stage.projection);
+    }
+    if (stage.similarity)
+    {
+      const auto & p = *stage.similarity;
+      item["similarity"] = { { "scale", p[0] }, { "rotation_rad", p[1] }, { "translation_px", { p[2], p[3] } } };
+    }
+    list.push_back(item);
+  }
+  return list;
+}
+
 Json
 PoseToJson(const JawPose & pose)
 {
@@ -245,6 +307,11 @@ AddErrors(const JawResult & jaw, Json & json)
                       { "std_px", jaw.error->standardDeviation },
                       { "groups", groups },
                       { "landmarks", each } };
+    for (std::size_t i = 0; i < jaw.error->marked.size(); ++i)
+    {
+      json["error"]["places_px"][jaw.error->landmarks[i].first] = { { "marked", jaw.error->marked[i] },
+                                                                    { "predicted", jaw.error->predicted[i] } };
+    }
   }
 }
 
@@ -273,6 +340,28 @@ JawToJson(const JawResult & jaw)
       json["candidates"].push_back({ { "projection_3x4", MatrixToJson(candidate.projection) },
                                      { "score", candidate.score },
                                      { "distance_px", candidate.distance } });
+    }
+    for (const ParameterPrior & prior : jaw.priors)
+    {
+      json["priors"][prior.name] = {
+        { "value", prior.value }, { "mean", 0.0 }, { "sigma", prior.sigma }, { "tension_sd", prior.tension }
+      };
+    }
+    if (!jaw.course.empty())
+    {
+      json["course"] = CourseToJson(jaw.course);
+    }
+    if (!jaw.stages.empty())
+    {
+      json["stages"] = StagesToJson(jaw.stages);
+    }
+    for (const ToothResidual & tooth : jaw.residuals)
+    {
+      json["residuals_px"].push_back({ { "tooth", tooth.code },
+                                       { "points", tooth.count },
+                                       { "mean", tooth.mean },
+                                       { "rms", tooth.rms },
+                                       { "max", tooth.maximum } });
     }
     AddMetrics(jaw, json);
     AddLandmarks(jaw, json);
@@ -422,9 +511,27 @@ WriteTransform(const TransformBaseTemplate<double> * transform, const std::strin
   WriteFileAtomically(path.string(), text.substr(0, end + 1) + "# " + comment + '\n' + text.substr(end + 1));
 }
 
-void
-WriteFiles(const CaseResult & result, const fs::path & folder, bool report)
+/** A name for the page: of the case's folder, where it is not to be kept. */
+std::string
+MakeTitle(const CaseResult & result)
 {
+  if (result.anonymous)
+  {
+    return "Registration";
+  }
+  std::error_code error;
+  const fs::path  file = fs::absolute(fs::u8path(result.data->description.fileName), error);
+  const auto      folder = file.parent_path().filename().u8string();
+  const auto      stem = file.stem().u8string();
+  // A case file that is called so like any other says nothing.
+  return stem == "case" || !fs::is_regular_file(file, error) ? (folder.empty() ? "Registration" : folder)
+                                                             : folder + " / " + stem;
+}
+
+void
+WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputOptions & options)
+{
+  auto page = ReportPageWriter::New();
   for (const auto & entry : result.jaws)
   {
     const JawResult & jaw = entry.second;
@@ -433,10 +540,18 @@ WriteFiles(const CaseResult & result, const fs::path & folder, bool report)
     {
       continue;
     }
-    if (report)
+    if (options.report)
     {
-      WriteDentalMesh(MoveMesh(result.data->GetJaw(entry.first).mesh, jaw.meshToCephalostat).GetPointer(),
-                      (folder / (name + "_ceph.stl")).string());
+      const auto scan = MoveMesh(result.data->GetJaw(entry.first).mesh, jaw.meshToCephalostat);
+      WriteDentalMesh(scan.GetPointer(), (folder / (name + "_ceph.stl")).string());
+      if (entry.first == ToothCode::JawEnum::Upper)
+      {
+        page->SetUpperScan(scan);
+      }
+      else
+      {
+        page->SetLowerScan(scan);
+      }
       WriteCaseOverlay(result, entry.first, (folder / ("overlay_" + name + ".png")).string());
       for (const CaseViewResult & view : result.views)
       {
@@ -461,8 +576,30 @@ WriteFiles(const CaseResult & result, const fs::path & folder, bool report)
       "maps the geometry's own projection q (pixels) to the radiograph's pixels; 2-D: for ITK, not for Slicer",
       folder / (name + "_similarity2d.tfm"));
   }
+  const std::string json = CaseResultToJson(result);
+  if (options.report)
+  {
+    const std::string details = MakeReportDetails(result);
+    WriteFileAtomically((folder / "report.json").string(), details);
+    if (options.page)
+    {
+      if (result.data->image.IsNotNull())
+      {
+        page->SetRadiograph(result.data->image);
+      }
+      for (const CaseViewResult & view : result.views)
+      {
+        page->SetViewRadiograph(view.name, view.result->data->image);
+      }
+      page->SetResult(json);
+      page->SetDetails(details);
+      page->SetTitle(MakeTitle(result));
+      page->SetFileName((folder / "report.html").string());
+      page->Update();
+    }
+  }
   // Last: where it is, everything is.
-  WriteFileAtomically((folder / "result.json").string(), CaseResultToJson(result));
+  WriteFileAtomically((folder / "result.json").string(), json);
 }
 
 [[noreturn]] void
@@ -472,9 +609,17 @@ FailToWrite(const fs::path & folder, const std::string & why)
 }
 
 /** Names of every file that a run can leave: those of an earlier run that this one does not make are stale. */
-const char * const OutputNames[] = { "upper_ceph.stl",    "lower_ceph.stl",         "upper_umda.tfm",
-                                     "lower_umda.tfm",    "upper_similarity2d.tfm", "lower_similarity2d.tfm",
-                                     "overlay_upper.png", "overlay_lower.png",      "result.json" };
+const char * const OutputNames[] = { "upper_ceph.stl",
+                                     "lower_ceph.stl",
+                                     "upper_umda.tfm",
+                                     "lower_umda.tfm",
+                                     "upper_similarity2d.tfm",
+                                     "lower_similarity2d.tfm",
+                                     "overlay_upper.png",
+                                     "overlay_lower.png",
+                                     "report.json",
+                                     "report.html",
+                                     "result.json" };
 
 /** The same with the overlays of views, which have the names of these, of a folder. The last is result.json. */
 std::vector<std::string>
@@ -599,6 +744,8 @@ MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked)
     for (const auto & error : filter->GetErrors())
     {
       figures.landmarks.emplace_back(error.name, error.distance);
+      figures.marked.push_back({ { error.reference[0], error.reference[1] } });
+      figures.predicted.push_back({ { error.predicted[0], error.predicted[1] } });
     }
     jaw.error = figures;
   }
@@ -639,6 +786,10 @@ CaseResultToJson(const CaseResult & result)
   json["schema"] = "dentalscr-result/1";
   json["software"] = DentalSCRVersion;
   json["preset"] = ToString(result.preset);
+  if (result.anonymous)
+  {
+    json["anonymous"] = true;
+  }
   if (!result.options.empty())
   {
     json["options"] = result.options;
@@ -652,7 +803,12 @@ CaseResultToJson(const CaseResult & result)
   json["inputs"] = Json::object();
   for (const CaseInputFile & input : result.inputs)
   {
-    json["inputs"][input.field] = { { "path", input.path }, { "sha256", input.sha256 } };
+    // Without a path where nobody is to know it.
+    if (!input.path.empty())
+    {
+      json["inputs"][input.field]["path"] = input.path;
+    }
+    json["inputs"][input.field]["sha256"] = input.sha256;
   }
   json["skipped"] = Json::object();
   for (const auto & skipped : result.skipped)
@@ -699,8 +855,14 @@ RemoveCaseResult(const std::string & folderName)
 }
 
 void
-WriteCaseResult(const CaseResult & result, const std::string & folderName, bool report)
+WriteCaseResult(const CaseResult & givenResult, const std::string & folderName, const CaseOutputOptions & options)
 {
+  if (options.anonymous && !givenResult.anonymous)
+  {
+    WriteCaseResult(MakeAnonymous(givenResult), folderName, options);
+    return;
+  }
+  const CaseResult & result = givenResult;
   if (folderName.empty())
   {
     itkDentalInputErrorMacro("--output", "", "the name of the folder is empty", "name a folder");
@@ -730,7 +892,7 @@ WriteCaseResult(const CaseResult & result, const std::string & folderName, bool 
   }
   try
   {
-    WriteFiles(result, staging, report);
+    WriteFiles(result, staging, options);
     if (!exists)
     {
       fs::rename(staging, target);

@@ -20,6 +20,7 @@
 #include "itkVersorRigid3DTransform.h"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace itk
@@ -64,41 +65,70 @@ ComputeScale(const RowsType & projection, const RowsType & nominal)
   };
   return std::sqrt(relativeVolume(projection) / relativeVolume(nominal));
 }
-} // namespace
-
-RegistrationSceneSource::Pointer
-MakeCaseScene(const CaseResult & result)
+/** Product of a projection and a rigid motion before it. */
+RowsType
+ComposeWithRigid(const RowsType & projection, const RowsType & motion)
 {
-  const DentalCaseData & data = *result.data;
+  RowsType result{};
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 4; ++column)
+    {
+      result[4 * row + column] = column == 3 ? projection[4 * row + 3] : 0.0;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        result[4 * row + column] += projection[4 * row + d] * motion[4 * d + column];
+      }
+    }
+  }
+  return result;
+}
+
+/** Where a jaw stands in a view's cephalostat frame against where it stands in the first one's: how the head was moved.
+ */
+RowsType
+ComposePlaces(const RowsType & inView, const RowsType & inFirst)
+{
+  return ComposeWithRigidInverse(inView, 1.0, inFirst);
+}
+
+/** A radiograph as it stands in the first one's cephalostat frame. */
+SceneView
+MakeSceneView(const CaseResult & shown, const CaseResult & first, const std::string & name)
+{
+  const DentalCaseData & data = *shown.data;
   const double           unit = data.description.millimetresPerUnit;
   auto                   geometry = CephalometricGeometry::New();
-  geometry->CopyParameters(result.geometry);
+  geometry->CopyParameters(shown.geometry);
   geometry->SetPoseToIdentity();
-  const RowsType nominal = geometry->GetProjection().matrix;
+  RowsType nominal = geometry->GetProjection().matrix;
 
-  auto      scene = RegistrationSceneSource::New();
   SceneView view;
-  view.name = "lateral";
+  view.name = name;
   view.sourceToDetector = geometry->GetSourceToDetectorDistance();
   view.radiograph = data.image.GetPointer();
   view.imageSize = data.imageSize;
   double       logarithm = 0.0;
   unsigned int scales = 0;
+  bool         isMoved = &shown != &first;
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     SceneViewJaw own;
     own.tracing = data.GetJaw(jaw).contour.GetPointer();
-    const auto found = result.jaws.find(jaw);
-    if (found != result.jaws.end() && found->second.registered)
+    const auto found = shown.jaws.find(jaw);
+    const auto placed = first.jaws.find(jaw);
+    if (found != shown.jaws.end() && found->second.registered && placed != first.jaws.end())
     {
       const JawResult & registered = found->second;
-      own.projection = ComposeWithRigidInverse(registered.projection, unit, registered.meshToCephalostat);
+      const auto &      place = placed->second.meshToCephalostat;
+      if (isMoved)
+      {
+        nominal = ComposeWithRigid(nominal, ComposePlaces(registered.meshToCephalostat, place));
+        isMoved = false;
+      }
+      own.projection = ComposeWithRigidInverse(registered.projection, unit, place);
       logarithm += std::log(ComputeScale(*own.projection, nominal));
       ++scales;
-      if (data.GetJaw(jaw).mesh.IsNotNull())
-      {
-        scene->SetScan(jaw, data.GetJaw(jaw).mesh, registered.meshToCephalostat, registered.meshToUMDA);
-      }
       for (const LandmarkPrediction & landmark : registered.landmarks)
       {
         const auto * const onScan = data.landmarks3D.IsNull() ? nullptr : data.landmarks3D->Find(landmark.name);
@@ -111,10 +141,10 @@ MakeCaseScene(const CaseResult & result)
         seen.pixel = landmark.position;
         for (unsigned int row = 0; row < 3; ++row)
         {
-          seen.point[row] = registered.meshToCephalostat[4 * row + 3];
+          seen.point[row] = place[4 * row + 3];
           for (unsigned int d = 0; d < 3; ++d)
           {
-            seen.point[row] += registered.meshToCephalostat[4 * row + d] * unit * onScan->point[d];
+            seen.point[row] += place[4 * row + d] * unit * onScan->point[d];
           }
         }
         own.landmarks.push_back(seen);
@@ -132,7 +162,27 @@ MakeCaseScene(const CaseResult & result)
     view.projection[4 + column] = principal[1] * depth + scale * (nominal[4 + column] - principal[1] * depth);
     view.projection[8 + column] = depth;
   }
-  scene->AddView(view);
+  return view;
+}
+} // namespace
+
+RegistrationSceneSource::Pointer
+MakeCaseScene(const CaseResult & result)
+{
+  auto scene = RegistrationSceneSource::New();
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    const auto found = result.jaws.find(jaw);
+    if (found != result.jaws.end() && found->second.registered && result.data->GetJaw(jaw).mesh.IsNotNull())
+    {
+      scene->SetScan(jaw, result.data->GetJaw(jaw).mesh, found->second.meshToCephalostat, found->second.meshToUMDA);
+    }
+  }
+  scene->AddView(MakeSceneView(result, result, "lateral"));
+  for (const CaseViewResult & view : result.views)
+  {
+    scene->AddView(MakeSceneView(*view.result, result, view.name));
+  }
   return scene;
 }
 } // namespace itk

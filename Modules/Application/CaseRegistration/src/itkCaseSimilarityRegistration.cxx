@@ -23,15 +23,19 @@
 #include "itkGeometryPlacementFilter.h"
 #include "itkLandmarkMatrixProjectionFilter.h"
 #include "itkMeshSilhouetteContourSource.h"
+#include "itkRegistrationCourseRecorder.h"
 #include "itkSilhouetteContourFilter.h"
 #include "itkSilhouetteToContourRegistrationMethod.h"
 #include "itkSimilarityPlacementFilter.h"
 #include "itkSurfaceDRRImageSource.h"
 #include "itkSurfaceSplatWidthCalculator.h"
 
+#include "itkCommand.h"
 #include "itkTimeProbe.h"
 
+#include <cmath>
 #include <sstream>
+#include <typeinfo>
 
 namespace itk
 {
@@ -72,6 +76,39 @@ ReportBoundsHit(const MethodType * method, JawResult & result)
         std::ostringstream reason;
         reason << "the " << names[parameter] << " ran into the bound of level " << level + 1;
         result.AddFinding(RegistrationStatusEnum::Suspect, "bound-reached", reason.str());
+      }
+    }
+  }
+}
+/** What the method did level by level, and where the jaw was when each began. */
+void
+KeepCourse(const MethodType *                 method,
+           const RegistrationCourseRecorder & recorder,
+           ToothCode::JawEnum                 jaw,
+           JawResult &                        result)
+{
+  const auto &                        levels = method->GetLevelResults();
+  std::map<unsigned int, std::string> names;
+  for (std::size_t level = 0; level < levels.size(); ++level)
+  {
+    names[static_cast<unsigned int>(level)] = "level " + std::to_string(level + 1);
+    result.stages.push_back({ names[static_cast<unsigned int>(level)], {}, levels[level].initialParameters });
+  }
+  const auto parameters = method->GetTransform()->GetParameters();
+  // Radians and scales beside pixels: an outline is some hundred pixels long.
+  const auto distance = [](const std::vector<double> & a, const std::vector<double> & b) {
+    constexpr double pixelsOfOutline = 100.0;
+    return std::hypot(std::hypot(pixelsOfOutline * (a[0] - b[0]), pixelsOfOutline * (a[1] - b[1])),
+                      std::hypot(a[2] - b[2], a[3] - b[3]));
+  };
+  result.course = recorder.Finish(0, { jaw }, names, { parameters.begin(), parameters.end() }, distance);
+  for (RegistrationStageCourse & stage : result.course)
+  {
+    for (std::size_t level = 0; level < levels.size(); ++level)
+    {
+      if (stage.name == names[static_cast<unsigned int>(level)])
+      {
+        stage.stopCondition = levels[level].stopConditionDescription;
       }
     }
   }
@@ -241,6 +278,21 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
   {
     method->SetInitialTransform(MakeSimilarity(initial->second));
   }
+  RegistrationCourseRecorder recorder;
+  auto                       steps = FunctionCommand::New();
+  steps->SetCallback([&](const EventObject & event) {
+    // The exact type: optimizers send subclasses for mere evaluations.
+    if (typeid(event) == typeid(IterationEvent))
+    {
+      const auto position = method->GetOptimizerPosition();
+      recorder.Add(0,
+                   method->GetCurrentLevel(),
+                   method->GetCurrentCandidate(),
+                   { method->GetMetricValue(), method->GetStepAccepted(), 0.0, 0.0 },
+                   { position.begin(), position.end() });
+    }
+  });
+  const auto tag = method->AddObserver(IterationEvent(), steps);
   if (settings.run)
   {
     settings.run(method);
@@ -249,7 +301,9 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
   {
     method->Update();
   }
+  method->RemoveObserver(tag);
   probe.Stop();
+  KeepCourse(method, recorder, jaw, result);
   result.seconds.emplace_back("registration", probe.GetTotal());
 
   SetSimilarityOfJaw(data, jaw, frame, geometry, silhouette, method->GetTransform(), result);

@@ -129,6 +129,7 @@ CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & sett
     view.result = std::make_shared<CaseResult>();
     CaseResult & shown = *view.result;
     shown.preset = result.preset;
+    shown.viewName = view.name;
     shown.data = MakeCaseOfView(m_Data, data);
     shown.geometry = CephalometricGeometry::New();
     shown.geometry->CopyParameters(data.geometry);
@@ -166,6 +167,11 @@ CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & sett
                                         landmark.distance,
                                         landmark.weight });
       }
+      if (poseJaw.fit.numberOfPoints > 0)
+      {
+        place.outline =
+          KeepMatchedOutline(poseJaw, shown.data->GetJaw(jaw).contour, own->GetResult().geometry.pixelSpacing[0]);
+      }
       auto placed = CephalometricGeometry::New();
       own->CopyToGeometry(jaw, placed);
       const DentalContour::Pointer whole = MakeWholeSilhouette(
@@ -175,6 +181,7 @@ CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & sett
       {
         Measure(tracing, whole, "whole", place);
         MeasureMatched(tracing, *own, jaw, place);
+        MeasureTeeth(tracing, place.contours.back().second, place);
       }
       else
       {

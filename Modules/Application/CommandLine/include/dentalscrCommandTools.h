@@ -24,6 +24,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace dentalscr
 {
@@ -40,6 +41,8 @@ struct CommonOptions
 {
   unsigned int threads{ 0 };
   bool         quiet{ false };
+  /** The words that the program was called with, its own name first. */
+  std::vector<std::string> commandLine;
 };
 
 /** \class ProgressLine

@@ -54,6 +54,8 @@ AddContourCommand(CLI::App & program, const CommonOptions & common, RunFunction 
 CommandLine_EXPORT void
 AddProjectCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 CommandLine_EXPORT void
+AddReportCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
+CommandLine_EXPORT void
 AddEvaluateCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 CommandLine_EXPORT void
 AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);

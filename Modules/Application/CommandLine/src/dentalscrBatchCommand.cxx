@@ -49,6 +49,7 @@ struct BatchOptions
   bool                     strict{ false };
   bool                     noReport{ false };
   bool                     noPage{ false };
+  bool                     anonymous{ false };
 };
 
 std::string
@@ -128,6 +129,14 @@ Batch(const BatchOptions & options, const CommonOptions & common)
   if (options.noReport)
   {
     arguments.emplace_back("--no-report");
+  }
+  if (options.noPage)
+  {
+    arguments.emplace_back("--no-page");
+  }
+  if (options.anonymous)
+  {
+    arguments.emplace_back("--anonymous");
   }
   auto runner = itk::BatchRunner::New();
   runner->SetCases(cases);
@@ -213,8 +222,9 @@ AddBatchCommand(CLI::App & program, const CommonOptions & common, RunFunction & 
   command->add_flag("--strict", options->strict, "End with 1 where a jaw is suspect, too");
   command->add_option("--preset", options->preset, "As of register")->capture_default_str();
   command->add_option("--option", options->set, "As of register, any number of times");
-  command->add_flag("--no-report", options->noReport, "Write no overlays and no scans");
-  command->add_flag("--no-page", options->noPage, "Write no index.html");
+  command->add_flag("--no-report", options->noReport, "Write no overlays, scans and pages of cases");
+  command->add_flag("--no-page", options->noPage, "Write no index.html, and no page of a case");
+  command->add_flag("--anonymous", options->anonymous, "No paths and no names of files in the cases' results");
   command->footer(
     "Exit code: 0 every jaw registered, 1 a jaw failed, 2 a case was unusable; one bad case never stops the rest.\n"
     "Examples:\n"

@@ -92,6 +92,7 @@ Main(int argc, const char * const * argv)
   AddRenderCommand(program, common, run);
   AddContourCommand(program, common, run);
   AddProjectCommand(program, common, run);
+  AddReportCommand(program, common, run);
   AddEvaluateCommand(program, common, run);
   AddPhantomCommand(program, common, run);
   AddExperimentCommand(program, common, run);
@@ -129,6 +130,8 @@ Main(int argc, const char * const * argv)
     return Fail(std::string(error.what()) + "; see dentalscr --help");
   }
 
+  common.commandLine = arguments;
+  common.commandLine.insert(common.commandLine.begin(), program.get_name());
   if (common.threads > 0)
   {
     itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(common.threads);

@@ -53,6 +53,8 @@ struct RegisterOptions
   std::vector<std::string> fix;
   std::string              silhouette{ "drr" };
   bool                     noReport{ false };
+  bool                     noPage{ false };
+  bool                     anonymous{ false };
   bool                     strict{ false };
   std::vector<std::string> set;
   std::string              returnParameterFile;
@@ -198,6 +200,10 @@ ContinueFrom(const RegisterOptions & options)
       itkDentalInputErrorMacro(
         fileName, "inputs.case", "missing: it was made without a case file", "give the case's options again");
     }
+    if (!recorded->Find("path"))
+    {
+      recorded->Fail("does not say where it is: the result is anonymous", "name the case file");
+    }
     continued.caseFile = recorded->Get("path").AsString();
     if (!fs::is_regular_file(continued.caseFile, error))
     {
@@ -296,6 +302,9 @@ Register(const RegisterOptions & givenOptions, const CommonOptions & common)
   writer->SetInput(errors->GetOutput());
   writer->SetFolderName(options.output);
   writer->SetWriteReport(!options.noReport);
+  writer->SetWritePage(!options.noPage);
+  writer->SetAnonymous(options.anonymous);
+  writer->SetCommandLine(common.commandLine);
 
   // The pipeline is pulled in three parts for the sake of signals: while the case is read one ends the program, then it
   // ends the registration, and while files are moved it waits.
@@ -352,7 +361,9 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
     ->capture_default_str();
   command->add_flag("--strict", options->strict, "End with 1 where a jaw is suspect, too");
   command->add_flag(
-    "--no-report", options->noReport, "Write no overlays and no scans: result.json and transforms only");
+    "--no-report", options->noReport, "Write no overlays, scans and page: result.json and transforms only");
+  command->add_flag("--no-page", options->noPage, "Write no report.html");
+  command->add_flag("--anonymous", options->anonymous, "No paths and no names of files in what is written");
   command->add_option(
     "--option", options->set, "Ingredient of preset robust, NAME=VALUE (listed below), any number of times");
   // What 3D Slicer adds to every call; the empty group keeps them out of --help.

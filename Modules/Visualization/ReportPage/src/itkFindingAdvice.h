@@ -1,0 +1,31 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkFindingAdvice_h
+#define itkFindingAdvice_h
+
+#include <string>
+
+namespace itk
+{
+/** What to do about a finding, by its code: HTML, from the table of Documentation/Findings.md, which travels in the
+ * library. "" for a code that is not there. */
+std::string
+GetFindingAdvice(const std::string & code);
+} // namespace itk
+
+#endif
