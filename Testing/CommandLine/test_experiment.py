@@ -280,3 +280,16 @@ def test_study_of_the_ablation_switches_every_ingredient(run, tmp_path):
         # Options, or the calls that exchange a part.
         assert "=" in row["options"] or "()" in row["options"]
     assert means["no-side-selection", "typical", "upper"] != means["robust", "typical", "upper"]
+
+
+def test_study_of_the_views_measures_each_degree_of_freedom(run, tmp_path):
+    done = run("experiment", "--study", "views", "--cases", 2, "--no-figures", "--output", tmp_path)
+    assert done.returncode == 0, done.stderr
+    table = {(row["variant"], row["freedom"]): row for row in rows(tmp_path / "views.csv")}
+    assert len(table) == 10 * 6
+    assert all(row["jaws"] == "4" for row in table.values())
+    # What is predicted of what a lateral radiograph does not see shrinks with a frontal one.
+    for freedom in ("roll_deg", "yaw_deg", "y_mm"):
+        alone = float(table["lateral radiograph alone", freedom]["rms_sigma"])
+        assert float(table["landmarks and tracing", freedom]["rms_sigma"]) < 0.8 * alone
+    assert "Dai 2022" in (tmp_path / "views.md").read_text()

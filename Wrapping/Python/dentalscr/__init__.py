@@ -96,6 +96,7 @@ from ._case import (
     WriteCaseResult,
     WriteReportPage,
     register,
+    ViewResult,
 )
 from ._convert import (
     GetArrayFromImage,
@@ -457,6 +458,7 @@ __all__ = [
     "UMidlineDentalAxis",
     "UMidlineDentalAxisFilter",
     "VersorRigid3DTransform",
+    "ViewResult",
     "WriteCaseResult",
     "WriteReportPage",
     "WriteContours",

@@ -69,6 +69,11 @@ class Case:
         Teeth to leave out of the tracing.
     fix : sequence of str, optional
         "scale", "rotation", "translation": what to hold.
+    views : sequence of dict, optional
+        Radiographs beside the lateral one (Documentation/Views.md), each with a ``geometry`` (``direction="Frontal"`` for
+        one from the front) and what was drawn on it: ``upperContour``, ``lowerContour``, ``cephalometricLandmarks``;
+        further ``image`` or ``imageSize``, ``name`` ("frontal"), ``sameHeadPosition`` (True), ``principalPointSigma``
+        (4 px).
     """
 
     def __init__(
@@ -89,6 +94,7 @@ class Case:
         exclude: Sequence[str] = (),
         fix: Sequence[str] = (),
         cephalometricLandmarks: Optional[Any] = None,
+        views: Sequence[Dict[str, Any]] = (),
     ) -> None:
         if contours is not None:
             if upperContour is not None or lowerContour is not None:
@@ -119,6 +125,32 @@ class Case:
             None if landmarks2D is None else as_landmarks(landmarks2D, 2),
             list(exclude),
             list(fix),
+        )
+        for view in views:
+            self._add_view(**view)
+
+    def _add_view(
+        self,
+        geometry: Any,
+        upperContour: Optional[ContourLike] = None,
+        lowerContour: Optional[ContourLike] = None,
+        cephalometricLandmarks: Optional[Any] = None,
+        image: Optional[ImageLike] = None,
+        imageSize: Optional[Tuple[int, int]] = None,
+        name: str = "frontal",
+        sameHeadPosition: bool = True,
+        principalPointSigma: float = 4.0,
+    ) -> None:
+        self._native._AddView(
+            name,
+            as_geometry(geometry),
+            None if upperContour is None else as_contour(upperContour, "upper"),
+            None if lowerContour is None else as_contour(lowerContour, "lower"),
+            None if cephalometricLandmarks is None else as_cephalometric_landmarks(cephalometricLandmarks),
+            None if image is None else as_image(image),
+            imageSize or (0, 0),
+            sameHeadPosition,
+            principalPointSigma,
         )
 
     @classmethod
@@ -249,6 +281,28 @@ class JawResult:
         return cast(Array, rows[:, :2] / rows[:, 2:])
 
 
+@dataclass(frozen=True)
+class ViewResult:
+    """What a further radiograph of a registered case shows (Documentation/Views.md)."""
+
+    name: str
+    #: "frontal" or "lateral".
+    direction: str
+    #: "ok", or "suspect" where a finding says why.
+    status: str
+    findings: Tuple[RegistrationFinding, ...]
+    same_head_position: bool
+    #: By jaw, as in ``views`` of result.json: ``projection_3x4``, ``landmarks_px``, ``landmark_sigma_px``, ``head_moved``,
+    #: ``scale_factor``, ...
+    jaws: Dict[str, Dict[str, Any]]
+
+    def project(self, jaw: str, points: Any) -> Array:
+        """Where points of a jaw's mesh file (N, 3) are on this radiograph: (N, 2) continuous pixel indices."""
+        matrix = np.array(self.jaws[jaw]["projection_3x4"], dtype=np.float64)
+        rows = np.asarray(points, dtype=np.float64).reshape(-1, 3) @ matrix[:, :3].T + matrix[:, 3]
+        return cast(Array, rows[:, :2] / rows[:, 2:])
+
+
 class CaseResult:
     """What a registered case is. Looks well in a notebook; pickles (without the scans)."""
 
@@ -296,6 +350,21 @@ class CaseResult:
     @property
     def preset(self) -> str:
         return str(self._dict["preset"])
+
+    @property
+    def views(self) -> Dict[str, ViewResult]:
+        """Radiographs beside the lateral one, by name."""
+        return {
+            name: ViewResult(
+                name=name,
+                direction=view["direction"],
+                status=view["status"],
+                findings=tuple(RegistrationFinding(**each) for each in view["findings"]),
+                same_head_position=view["same_head_position"],
+                jaws=view["jaws"],
+            )
+            for name, view in self._dict.get("views", {}).items()
+        }
 
     @property
     def skipped(self) -> Dict[str, str]:

@@ -167,6 +167,47 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
             raise ArgumentError("an initial transform maps the mesh to the cephalostat; ClearInitialTransforms()")
         self._SetInitialTransform(cast(_core.Jaw, jaw), rigid, scaleFactor)
 
+    def AddView(
+        self,
+        geometry: Any,
+        upperContour: Optional[ContourLike] = None,
+        lowerContour: Optional[ContourLike] = None,
+        cephalometricLandmarks: Optional[Any] = None,
+        counterparts: Optional[Dict[str, LandmarkCounterpart]] = None,
+        name: str = "frontal",
+        sameHeadPosition: bool = True,
+        principalPointSigma: float = 4.0,
+    ) -> None:
+        """A further radiograph of the patient, as evidence beside the lateral one (Documentation/Views.md).
+
+        Parameters
+        ----------
+        geometry : CephalometricGeometry or dict
+            Of this radiograph, ``direction="Frontal"`` for one from the front; with pixel spacing and principal point.
+        upperContour, lowerContour : contour-like, optional
+            Drawn on it, continuous pixel indices: of a frontal one the outer outline.
+        cephalometricLandmarks : dict, optional
+            Marked on it, with their sides: ``{"UR1_tip": (u, v)}``.
+        counterparts : dict, optional
+            Of ``FindLandmarkCounterparts()``.
+        name : str, optional
+            What results call it.
+        sameHeadPosition : bool, optional
+            Whether both were taken at once. If not, small rotations and shifts of the head are estimated along.
+        principalPointSigma : float, optional
+            How well the principal point is known, pixels, 1 sd an axis.
+        """
+        self._AddView(
+            name,
+            as_geometry(geometry),
+            None if upperContour is None else as_contour(upperContour, "upper"),
+            None if lowerContour is None else as_contour(lowerContour, "lower"),
+            None if cephalometricLandmarks is None else as_cephalometric_landmarks(cephalometricLandmarks),
+            None if counterparts is None else dict(counterparts),
+            sameHeadPosition,
+            principalPointSigma,
+        )
+
     def SetOptimizer(self, optimizer: _core.ObjectToObjectOptimizerBase) -> None:
         """A ``LevenbergMarquardtOptimizerv4``, of which candidates take clones, also in other threads.
 

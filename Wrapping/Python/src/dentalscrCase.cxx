@@ -87,30 +87,96 @@ ReadCase(const std::string &              fileName,
   return result;
 }
 
-/** Takes a file's name, or what ToDict() makes of a set; checks that they are in the image. */
-void
-TakeCephalometricLandmarks(DentalCaseData & data, const py::object & landmarks)
+/** The landmarks of a dict or of a file, which are checked against the radiograph; null for None. */
+itk::CephalometricLandmarkSet::Pointer
+ToCephalometricLandmarks(const py::object &                  landmarks,
+                         const std::array<unsigned int, 2> & imageSize,
+                         std::vector<std::string> &          warnings)
 {
   if (landmarks.is_none())
   {
-    return;
+    return nullptr;
   }
-  std::string name = "case in memory";
+  std::string                            name = "case in memory";
+  itk::CephalometricLandmarkSet::Pointer result;
   if (py::isinstance<py::str>(landmarks))
   {
     name = landmarks.cast<std::string>();
     auto reader = itk::CephalometricLandmarkFileReader::New();
     reader->SetFileName(name);
     reader->Update();
-    data.warnings.insert(data.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
-    data.cephalometricLandmarks = reader->GetOutput();
-    data.cephalometricLandmarks->DisconnectPipeline();
+    warnings.insert(warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
+    result = reader->GetOutput();
+    result->DisconnectPipeline();
   }
   else
   {
-    data.cephalometricLandmarks = FromCephalometricDict(landmarks.cast<py::dict>());
+    result = FromCephalometricDict(landmarks.cast<py::dict>());
   }
-  itk::CheckLandmarksInImage(*data.cephalometricLandmarks, data.imageSize, name, "");
+  itk::CheckLandmarksInImage(*result, imageSize, name, "");
+  return result;
+}
+
+/** A further radiograph of a case in memory. */
+void
+AddView(Case &                       self,
+        const std::string &          name,
+        itk::CephalometricGeometry * geometry,
+        itk::DentalContour *         upperContour,
+        itk::DentalContour *         lowerContour,
+        const py::object &           cephalometricLandmarks,
+        ImageType *                  image,
+        const itk::Size<2> &         imageSize,
+        bool                         sameHeadPosition,
+        double                       principalPointSigma)
+{
+  for (const auto & other : self.data->views)
+  {
+    if (other.description.name == name)
+    {
+      throw std::invalid_argument("two views are called \"" + name + "\"; give each a name of its own");
+    }
+  }
+  itk::DentalViewData view;
+  view.description.name = name;
+  view.description.direction = geometry->GetDirection();
+  view.description.sameHeadPosition = sameHeadPosition;
+  geometry->VerifyComplete();
+  view.geometry = itk::CephalometricGeometry::New();
+  view.geometry->CopyParameters(geometry);
+  view.geometry->SetPoseToIdentity();
+  for (itk::ValueSourceEnum * source : { &view.sourceToEarRods,
+                                         &view.sourceToDetector,
+                                         &view.side,
+                                         &view.source,
+                                         &view.pixelSpacing,
+                                         &view.principalPoint })
+  {
+    *source = itk::ValueSourceEnum::Given;
+  }
+  view.spacingProvenance = "given, detector plane";
+  view.directionProvenance = "given";
+  view.principalPointSigma = principalPointSigma;
+  view.image = image;
+  view.imageSize = { { static_cast<unsigned int>(imageSize[0]), static_cast<unsigned int>(imageSize[1]) } };
+  if (image != nullptr)
+  {
+    const auto size = image->GetLargestPossibleRegion().GetSize();
+    view.imageSize = { { static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]) } };
+  }
+  if (view.imageSize[0] == 0 || view.imageSize[1] == 0)
+  {
+    throw std::invalid_argument("the size of the radiograph of the view \"" + name +
+                                "\" is not known; give image or imageSize");
+  }
+  view.contours = { { upperContour, lowerContour } };
+  view.landmarks = ToCephalometricLandmarks(cephalometricLandmarks, view.imageSize, self.data->warnings);
+  if (upperContour == nullptr && lowerContour == nullptr && view.landmarks.IsNull())
+  {
+    throw std::invalid_argument("nothing was drawn on the view \"" + name +
+                                "\"; give upperContour, lowerContour or cephalometricLandmarks");
+  }
+  self.data->views.push_back(view);
 }
 
 std::shared_ptr<Case>
@@ -192,7 +258,7 @@ MakeCase(MeshType *                         upper,
   };
   takeJaw(JawEnum::Upper, upper, upperContour);
   takeJaw(JawEnum::Lower, lower, lowerContour);
-  TakeCephalometricLandmarks(data, cephalometricLandmarks);
+  data.cephalometricLandmarks = ToCephalometricLandmarks(cephalometricLandmarks, data.imageSize, data.warnings);
   itk::SettleTracedSide(data);
   if (!landmarks3D.is_none())
   {
@@ -348,6 +414,17 @@ WrapCase(py::module_ & module)
          py::arg("landmarks2D"),
          py::arg("exclude"),
          py::arg("fix"))
+    .def("_AddView",
+         &AddView,
+         py::arg("name"),
+         py::arg("geometry"),
+         py::arg("upperContour"),
+         py::arg("lowerContour"),
+         py::arg("cephalometricLandmarks"),
+         py::arg("image"),
+         py::arg("imageSize"),
+         py::arg("sameHeadPosition"),
+         py::arg("principalPointSigma"))
     .def_static("_Read",
                 &ReadCase,
                 py::arg("fileName"),

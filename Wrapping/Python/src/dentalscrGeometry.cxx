@@ -30,6 +30,9 @@ namespace
 using GeometryType = itk::CephalometricGeometry;
 using SideEnum = GeometryType::SourceSideEnum;
 using FacingEnum = GeometryType::FacingEnum;
+using DirectionEnum = GeometryType::DirectionEnum;
+using FrontalSourceEnum = GeometryType::FrontalSourceEnum;
+using PatientLeftEnum = GeometryType::PatientLeftEnum;
 
 std::array<double, 12>
 GetPose(const GeometryType & geometry)
@@ -90,7 +93,10 @@ MakeGeometry(double             sourceToMidsagittal,
              const py::object & pixelSpacing,
              const py::object & principalPoint,
              SideEnum           sourceSide,
-             FacingEnum         facing)
+             FacingEnum         facing,
+             DirectionEnum      direction,
+             FrontalSourceEnum  frontalSource,
+             PatientLeftEnum    patientLeft)
 {
   auto geometry = GeometryType::New();
   geometry->SetSourceToMidsagittalDistance(sourceToMidsagittal);
@@ -105,6 +111,9 @@ MakeGeometry(double             sourceToMidsagittal,
   }
   geometry->SetSourceSide(sourceSide);
   geometry->SetFacing(facing);
+  geometry->SetDirection(direction);
+  geometry->SetFrontalSource(frontalSource);
+  geometry->SetPatientLeft(patientLeft);
   return geometry;
 }
 
@@ -127,7 +136,7 @@ WrapGeometry(py::module_ & module)
   py::class_<GeometryType, itk::DataObject, itk::SmartPointer<GeometryType>> type(
     module,
     "CephalometricGeometry",
-    R"(Where source, midsagittal plane, detector and pixels of a lateral cephalogram are.
+    R"(Where source, detector and pixels of a cephalogram are.
 
 Cephalostat frame, mm: origin where the central ray meets the midsagittal plane, x anterior, y to the patient's left, z
 superior. The pose maps the object's frame to it.
@@ -143,7 +152,25 @@ principalPoint : pair of float, optional
 sourceSide : SourceSide or str, optional
     The side of the patient on which the source stands.
 facing : Facing or str, optional
-    Where the face points in the image.)");
+    Where the face points in the image.
+direction : Direction or str, optional
+    Of the rays: Lateral, or Frontal, with ``sourceToMidsagittal`` the distance to the midcoronal plane.
+frontalSource : FrontalSource or str, optional
+    Where the source of a frontal radiograph stands.
+patientLeft : PatientLeft or str, optional
+    Where the patient's left is in a frontal radiograph.)");
+  BindEnum<DirectionEnum>(type,
+                          "Direction",
+                          { { "Lateral", DirectionEnum::Lateral }, { "Frontal", DirectionEnum::Frontal } },
+                          "From which side of the head the rays come.");
+  BindEnum<FrontalSourceEnum>(type,
+                              "FrontalSource",
+                              { { "Behind", FrontalSourceEnum::Behind }, { "InFront", FrontalSourceEnum::InFront } },
+                              "Where the X-ray source of a frontal radiograph stands.");
+  BindEnum<PatientLeftEnum>(type,
+                            "PatientLeft",
+                            { { "Right", PatientLeftEnum::Right }, { "Left", PatientLeftEnum::Left } },
+                            "Where the patient's left is in a frontal radiograph.");
   BindEnum<SideEnum>(
     type, "SourceSide", { { "Right", SideEnum::Right }, { "Left", SideEnum::Left } }, "Side of the X-ray source.");
   BindEnum<FacingEnum>(
@@ -155,7 +182,16 @@ facing : Facing or str, optional
          py::arg("pixelSpacing") = py::none(),
          py::arg("principalPoint") = py::none(),
          py::arg_v("sourceSide", SideEnum::Right, "SourceSide.Right"),
-         py::arg_v("facing", FacingEnum::Right, "Facing.Right"))
+         py::arg_v("facing", FacingEnum::Right, "Facing.Right"),
+         py::arg_v("direction", DirectionEnum::Lateral, "Direction.Lateral"),
+         py::arg_v("frontalSource", FrontalSourceEnum::Behind, "FrontalSource.Behind"),
+         py::arg_v("patientLeft", PatientLeftEnum::Right, "PatientLeft.Right"))
+    .def("SetDirection", &GeometryType::SetDirection, py::arg("direction"))
+    .def("GetDirection", [](const GeometryType & self) { return self.GetDirection(); })
+    .def("SetFrontalSource", &GeometryType::SetFrontalSource, py::arg("source"))
+    .def("GetFrontalSource", [](const GeometryType & self) { return self.GetFrontalSource(); })
+    .def("SetPatientLeft", &GeometryType::SetPatientLeft, py::arg("side"))
+    .def("GetPatientLeft", [](const GeometryType & self) { return self.GetPatientLeft(); })
     .dentalscrProperty(GeometryType, SourceToMidsagittalDistance)
     .dentalscrProperty(GeometryType, SourceToDetectorDistance)
     .def("SetSourceSide", &GeometryType::SetSourceSide, py::arg("side"))
@@ -243,9 +279,19 @@ facing : Facing or str, optional
     .def("__repr__",
          [](const GeometryType & self) {
            std::ostringstream text;
-           text << "<dentalscr.CephalometricGeometry source to midsagittal " << self.GetSourceToMidsagittalDistance()
-                << " mm, to detector " << self.GetSourceToDetectorDistance() << " mm, source " << self.GetSourceSide()
-                << ", facing " << self.GetFacing() << ", pixel spacing ";
+           const bool         isLateral = self.GetDirection() == DirectionEnum::Lateral;
+           text << "<dentalscr.CephalometricGeometry " << (isLateral ? "" : "frontal, ") << "source to "
+                << (isLateral ? "midsagittal " : "midcoronal ") << self.GetSourceToMidsagittalDistance()
+                << " mm, to detector " << self.GetSourceToDetectorDistance() << " mm, source ";
+           if (isLateral)
+           {
+             text << self.GetSourceSide() << ", facing " << self.GetFacing();
+           }
+           else
+           {
+             text << self.GetFrontalSource() << ", patient's left " << self.GetPatientLeft();
+           }
+           text << ", pixel spacing ";
            if (self.HasPixelSpacing())
            {
              text << self.GetPixelSpacing() << " mm";
@@ -270,7 +316,10 @@ facing : Facing or str, optional
                               self.GetPrincipalPoint(),
                               static_cast<int>(self.GetSourceSide()),
                               static_cast<int>(self.GetFacing()),
-                              MakeMatrix44(GetPose(self)));
+                              MakeMatrix44(GetPose(self)),
+                              static_cast<int>(self.GetDirection()),
+                              static_cast<int>(self.GetFrontalSource()),
+                              static_cast<int>(self.GetPatientLeft()));
       },
       [](const py::tuple & state) {
         auto geometry = MakeGeometry(state[0].cast<double>(),
@@ -278,7 +327,10 @@ facing : Facing or str, optional
                                      state[2],
                                      state[3],
                                      static_cast<SideEnum>(state[4].cast<int>()),
-                                     static_cast<FacingEnum>(state[5].cast<int>()));
+                                     static_cast<FacingEnum>(state[5].cast<int>()),
+                                     static_cast<DirectionEnum>(state[7].cast<int>()),
+                                     static_cast<FrontalSourceEnum>(state[8].cast<int>()),
+                                     static_cast<PatientLeftEnum>(state[9].cast<int>()));
         SetPose(*geometry, state[6].cast<DoubleArray>());
         return geometry;
       }));

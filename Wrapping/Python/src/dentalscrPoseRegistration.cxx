@@ -482,6 +482,11 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       [](const SolutionType & self, JawEnum jaw) { return self.GetIndex(Checked(jaw)) >= 0; },
       py::arg("jaw"),
       "Whether the jaw had a mesh and a contour.")
+    .def("GetViewNames", &SolutionType::GetViewNames, "Of the views beside the first.")
+    .def("MakeViewSolution",
+         &SolutionType::MakeViewSolution,
+         py::arg("name"),
+         "The same solution as another view shows it: everything downstream takes it.")
     .def(
       "IsRegistered",
       [](const SolutionType & self, JawEnum jaw) { return self.IsRegistered(Checked(jaw)); },
@@ -877,6 +882,43 @@ WrapPoseMethod(py::module_ & module)
         self.SetToothCrowns(crowns.is_none() ? nullptr : ToCrowns(crowns).GetPointer());
       },
       py::arg("crowns"))
+    .def(
+      "_AddView",
+      [](MethodType &                       self,
+         const std::string &                name,
+         const itk::CephalometricGeometry * geometry,
+         const itk::DentalContour *         upper,
+         const itk::DentalContour *         lower,
+         const py::object &                 landmarks,
+         const py::object &                 counterparts,
+         bool                               sameHeadPosition,
+         double                             principalPointSigma) {
+        auto view = itk::CephalogramView::New();
+        view->SetName(name);
+        view->SetGeometry(geometry);
+        view->SetUpperContour(upper);
+        view->SetLowerContour(lower);
+        if (!landmarks.is_none())
+        {
+          view->SetCephalometricLandmarks(FromCephalometricDict(landmarks.cast<py::dict>()));
+        }
+        if (!counterparts.is_none())
+        {
+          view->SetLandmarkCounterparts(ToCounterparts(counterparts));
+        }
+        view->SetSameHeadPosition(sameHeadPosition);
+        view->SetPrincipalPointSigma(principalPointSigma);
+        self.AddView(view);
+      },
+      py::arg("name"),
+      py::arg("geometry"),
+      py::arg("upperContour"),
+      py::arg("lowerContour"),
+      py::arg("landmarks"),
+      py::arg("counterparts"),
+      py::arg("sameHeadPosition"),
+      py::arg("principalPointSigma"))
+    .def("ClearViews", &MethodType::ClearViews, "Back to the lateral radiograph alone.")
     .def("SetOptions", &MethodType::SetOptions, py::arg("options"))
     .def(
       "GetOptions", [](const MethodType & self) { return self.GetOptions(); }, "A copy.")

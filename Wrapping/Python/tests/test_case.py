@@ -1,5 +1,7 @@
 """A case through the whole chain, from files and from memory."""
+import copy
 import json
+import pathlib
 import pickle
 
 import numpy as np
@@ -190,3 +192,100 @@ def test_counterparts_of_landmarks_tell_how_they_were_found(ds, case):
     assert clicked["U1_tip"].source == "landmarks_3d" and np.allclose(clicked["U1_tip"].points, [click])
     # What lies elsewhere is none of this scan, whatever its name is.
     assert ds.FindLandmarkCounterparts(marks, upperMesh=case.upper, scanLandmarks={"UR1_tip": (500, 2, 3)}) == {}
+
+
+@pytest.fixture
+def two_views():
+    """A sample with a radiograph from the front, beside the project."""
+    folder = pathlib.Path(__file__).resolve().parents[3].parent / "shared/cases/two-views-1"
+    if not folder.is_dir():
+        pytest.skip("there are no shared cases beside the project")
+    return folder
+
+
+def test_a_second_view_by_file_and_by_hand(ds, two_views):
+    folder = two_views
+    result = ds.register(folder / "case-both.json")
+    view = result.views["frontal"]
+    assert view.direction == "frontal" and view.status == "ok" and view.findings == ()
+    truth = json.loads((folder / "truth.json").read_text())["frontal_landmarks_px"]
+    marks = json.loads((folder / "landmarks3d.json").read_text())
+    places = marks.get("upper", marks)
+    errors = [
+        np.linalg.norm(view.project("upper", [places[name]])[0] - truth[name]) for name in places if name in truth
+    ]
+    assert len(errors) > 10 and np.mean(errors) < 3.0
+    assert ds.register(folder / "case.json").views == {}
+
+    geometry = ds.CephalometricGeometry(pixelSpacing=0.25, principalPoint=(10, 20), direction="Frontal", patientLeft="Left")
+    assert geometry.GetDirection() == ds.CephalometricGeometry.Direction.Frontal
+    for other in (copy.copy(geometry), pickle.loads(pickle.dumps(geometry))):
+        assert np.array_equal(other.GetProjectionMatrix(), geometry.GetProjectionMatrix())
+    u, v = geometry.ProjectPoint((0.0, 30.0, -10.0))
+    assert u == pytest.approx(10 - 1674 / 1524 * 30 / 0.25) and v == pytest.approx(20 + 1674 / 1524 * 10 / 0.25)
+    assert "frontal" in repr(geometry)
+
+
+def test_a_view_joins_the_method(ds, two_views):
+    folder = two_views
+    case = ds.ReadCase(folder / "case.json")
+    description = json.loads((folder / "case-both.json").read_text())["views"][0]
+    marks = json.loads((folder / "frontal.json").read_text())
+    axes = ds.UMidlineDentalAxis(case.upper, case.lower, refineMidline=True)
+    counterparts = ds.FindLandmarkCounterparts(
+        {name: tuple(place) for name, place in marks.items()},
+        upperMesh=case.upper,
+        lowerMesh=case.lower,
+        upperFrame=axes.upperTransform,
+        lowerFrame=axes.lowerTransform,
+        scanLandmarks=case.landmarks3D,
+    )
+    method = ds.PoseRegistrationMethod()
+    method.SetFrames(axes)
+    method.AddView(
+        ds.CephalometricGeometry(
+            sourceToMidsagittal=description["geometry"]["source_to_midcoronal_mm"],
+            sourceToDetector=description["geometry"]["source_to_detector_mm"],
+            pixelSpacing=description["cephalogram"]["pixel_spacing_mm"],
+            principalPoint=description["geometry"]["principal_point_px"],
+            direction="Frontal",
+        ),
+        cephalometricLandmarks={name: tuple(place) for name, place in marks.items()},
+        counterparts=counterparts,
+    )
+    solution = method.Execute(case.geometry, case.upper, case.upperContour, case.lower, case.lowerContour)
+    assert solution.GetViewNames() == ["frontal"]
+    # The same in one call, of a case in memory.
+    view = {
+        "geometry": ds.CephalometricGeometry(
+            sourceToMidsagittal=description["geometry"]["source_to_midcoronal_mm"],
+            sourceToDetector=description["geometry"]["source_to_detector_mm"],
+            pixelSpacing=description["cephalogram"]["pixel_spacing_mm"],
+            principalPoint=description["geometry"]["principal_point_px"],
+            direction="Frontal",
+        ),
+        "cephalometricLandmarks": marks,
+        "imageSize": tuple(description["cephalogram"]["image_size"]),
+    }
+    whole = ds.Case(
+        case.upper,
+        case.lower,
+        case.upperContour,
+        case.lowerContour,
+        geometry=case.geometry,
+        imageSize=case.imageSize,
+        tracedSide=case.tracedSide,
+        landmarks3D=case.landmarks3D,
+        views=[view],
+    )
+    assert ds.register(whole).views["frontal"].status == "ok"
+    with pytest.raises(ValueError, match="nothing was drawn"):
+        ds.Case(case.upper, imageSize=(10, 10), views=[{**view, "cephalometricLandmarks": None}])
+    with pytest.raises(ValueError, match="two views"):
+        ds.Case(case.upper, imageSize=(10, 10), views=[view, view])
+    frontal = solution.MakeViewSolution("frontal")
+    truth = json.loads((folder / "truth.json").read_text())["frontal_landmarks_px"]
+    place = frontal.ProjectPoint("Upper", case.landmarks3D["UR2_tip"])
+    assert np.linalg.norm(np.subtract(place, truth["UR2_tip"])) < 4.0
+    with pytest.raises(Exception, match="frontal"):
+        method.AddView(case.geometry)

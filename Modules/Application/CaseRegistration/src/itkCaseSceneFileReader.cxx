@@ -18,6 +18,7 @@
 #include "itkCaseSceneFileReader.h"
 
 #include "itkCaseScene.h"
+#include "itkCaseViews.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
@@ -25,7 +26,9 @@
 #include "itkJsonDocument.h"
 #include "itkReadDentalMesh.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -88,15 +91,28 @@ IsRight(const JsonNode & geometry, const char * key)
 }
 
 CephalometricGeometry::Pointer
-ReadGeometry(const JsonNode & node)
+ReadGeometry(const JsonNode & node, bool isFrontal = false)
 {
-  auto geometry = CephalometricGeometry::New();
-  geometry->SetSourceToMidsagittalDistance(node.Get("source_to_midsagittal_mm").Get("value").AsNumber());
+  using GeometryType = CephalometricGeometry;
+  auto geometry = GeometryType::New();
   geometry->SetSourceToDetectorDistance(node.Get("source_to_detector_mm").Get("value").AsNumber());
-  geometry->SetSourceSide(IsRight(node, "source_side") ? CephalometricGeometry::SourceSideEnum::Right
-                                                       : CephalometricGeometry::SourceSideEnum::Left);
-  geometry->SetFacing(IsRight(node, "facing") ? CephalometricGeometry::FacingEnum::Right
-                                              : CephalometricGeometry::FacingEnum::Left);
+  geometry->SetSourceToMidsagittalDistance(
+    node.Get(isFrontal ? "source_to_midcoronal_mm" : "source_to_midsagittal_mm").Get("value").AsNumber());
+  if (isFrontal)
+  {
+    geometry->SetDirection(GeometryType::DirectionEnum::Frontal);
+    geometry->SetFrontalSource(node.Get("source").Get("value").AsString() == "front"
+                                 ? GeometryType::FrontalSourceEnum::InFront
+                                 : GeometryType::FrontalSourceEnum::Behind);
+    geometry->SetPatientLeft(IsRight(node, "patient_left") ? GeometryType::PatientLeftEnum::Right
+                                                           : GeometryType::PatientLeftEnum::Left);
+  }
+  else
+  {
+    geometry->SetSourceSide(IsRight(node, "source_side") ? GeometryType::SourceSideEnum::Right
+                                                         : GeometryType::SourceSideEnum::Left);
+    geometry->SetFacing(IsRight(node, "facing") ? GeometryType::FacingEnum::Right : GeometryType::FacingEnum::Left);
+  }
   const auto spacing = node.Get("pixel_spacing_mm").Get("value").AsNumbers(2, "[u, v]");
   const auto principal = node.Get("principal_point_px").Get("value").AsNumbers(2, "[u, v]");
   CephalometricGeometry::PixelSpacingType pixelSpacing;
@@ -231,6 +247,62 @@ TakeOutChanges(const JsonNode & root, DentalCaseData & data, std::vector<std::st
   }
 }
 
+/** Where a jaw and its landmarks are on a radiograph. */
+void
+ReadPlace(const JsonNode & node, JawResult & jaw)
+{
+  jaw.registered = true;
+  jaw.projection = ReadRows(node.Get("projection_3x4"));
+  jaw.meshToCephalostat = ReadRows(node.Get("mesh_to_cephalostat_mm"));
+  if (const auto landmarks = node.Find("landmarks_px"))
+  {
+    for (const auto & member : landmarks->GetMembers())
+    {
+      const auto         place = member.second.AsNumbers(2, "[u, v]");
+      LandmarkPrediction landmark;
+      landmark.name = member.first;
+      landmark.position = { { place[0], place[1] } };
+      jaw.landmarks.push_back(landmark);
+    }
+  }
+}
+
+/** What a result says of its further views, of those whose drawings were read; the others are left out. */
+void
+ReadViews(const JsonNode & root, const DentalCaseData & data, CaseResult & result)
+{
+  const auto views = root.Find("views");
+  if (!views)
+  {
+    return;
+  }
+  for (const auto & member : views->GetMembers())
+  {
+    const auto found = std::find_if(data.views.begin(), data.views.end(), [&](const DentalViewData & view) {
+      return view.description.name == member.first;
+    });
+    if (found == data.views.end())
+    {
+      continue;
+    }
+    CaseViewResult view;
+    view.name = member.first;
+    view.result = std::make_shared<CaseResult>();
+    view.result->viewName = view.name;
+    view.result->geometry =
+      ReadGeometry(member.second.Get("geometry"), member.second.Get("direction").AsString() == "frontal");
+    view.result->data = MakeCaseOfView(data, *found);
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      if (const auto node = member.second.Get("jaws").Find(jaw == JawEnum::Upper ? "upper" : "lower"))
+      {
+        ReadPlace(*node, view.result->jaws[jaw]);
+      }
+    }
+    result.views.push_back(view);
+  }
+}
+
 /** The scan as the result's folder has it: in its place, in mm. */
 bool
 TakePlacedScan(const fs::path & fileName, JawEnum jaw, DentalCaseData & data, JawResult & result)
@@ -332,21 +404,8 @@ CaseSceneFileReader::GenerateData()
       continue;
     }
     JawResult & own = result.jaws[jaw];
-    own.registered = true;
-    own.projection = ReadRows(node->Get("projection_3x4"));
-    own.meshToCephalostat = ReadRows(node->Get("mesh_to_cephalostat_mm"));
+    ReadPlace(*node, own);
     own.meshToUMDA = ReadRows(node->Get("mesh_to_umda_mm"));
-    if (const auto landmarks = node->Find("landmarks_px"))
-    {
-      for (const auto & member : landmarks->GetMembers())
-      {
-        const auto         place = member.second.AsNumbers(2, "[u, v]");
-        LandmarkPrediction landmark;
-        landmark.name = member.first;
-        landmark.position = { { place[0], place[1] } };
-        own.landmarks.push_back(landmark);
-      }
-    }
   }
   if (result.jaws.empty())
   {
@@ -385,12 +444,22 @@ CaseSceneFileReader::GenerateData()
     data = std::make_shared<DentalCaseData>();
   }
   data->description.millimetresPerUnit = unit;
+  ReadViews(root, *data, result);
   bool isAny = false;
   for (auto & entry : result.jaws)
   {
     const std::string name = entry.first == JawEnum::Upper ? "upper" : "lower";
     const fs::path    placed = folder / (name + "_ceph.stl");
-    if (data->GetJaw(entry.first).mesh.IsNull() && !TakePlacedScan(placed, entry.first, *data, entry.second))
+    const bool        isMissing = data->GetJaw(entry.first).mesh.IsNull();
+    if (isMissing)
+    {
+      // What a view says of this jaw is told in the frame of the scan's own file.
+      for (CaseViewResult & view : result.views)
+      {
+        view.result->jaws.erase(entry.first);
+      }
+    }
+    if (isMissing && !TakePlacedScan(placed, entry.first, *data, entry.second))
     {
       m_Warnings.push_back("the " + name + " scan is not shown: there is no " + placed.string() +
                            " either; register without --no-report");

@@ -29,8 +29,8 @@ namespace itk
 namespace
 {
 using JawEnum = ToothCode::JawEnum;
+} // namespace
 
-/** The case with another radiograph: what was drawn on it, and its geometry. */
 std::shared_ptr<DentalCaseData>
 MakeCaseOfView(const DentalCaseData & data, const DentalViewData & view)
 {
@@ -61,7 +61,6 @@ MakeCaseOfView(const DentalCaseData & data, const DentalViewData & view)
   }
   return own;
 }
-} // namespace
 
 CaseViews::CaseViews(const DentalCaseData & data, CaseAxisType * axis, CaseResult & result)
   : m_Data(data)

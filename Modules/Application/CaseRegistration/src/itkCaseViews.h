@@ -23,10 +23,15 @@
 
 #include "itkCephalogramView.h"
 
+#include <memory>
 #include <vector>
 
 namespace itk
 {
+/** Not installed. The case with another radiograph: what was drawn on it, and its geometry. */
+std::shared_ptr<DentalCaseData>
+MakeCaseOfView(const DentalCaseData & data, const DentalViewData & view);
+
 /** Not installed. The views of a case, for a registration and after it. */
 class CaseViews
 {

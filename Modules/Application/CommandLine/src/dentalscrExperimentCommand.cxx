@@ -104,6 +104,7 @@ Experiment(const ExperimentOptions & options, const CommonOptions & common)
                        : options.study == "coverage"    ? ExperimentType::StudyEnum::Coverage
                        : options.study == "verdict"     ? ExperimentType::StudyEnum::Verdict
                        : options.study == "practice"    ? ExperimentType::StudyEnum::Practice
+                       : options.study == "views"       ? ExperimentType::StudyEnum::Views
                                                         : ExperimentType::StudyEnum::Tables);
   experiment->SetNumberOfStarts(options.starts);
   experiment->SetDrawFigures(!options.noFigures);
@@ -178,11 +179,12 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
     ->excludes(level)
     ->excludes(cases);
   command
-    ->add_option("--study",
-                 options->study,
-                 "Instead of the tables: capture (range and success rate), sensitivity, or of preset robust: ablation, "
-                 "coverage (and accuracy), verdict, practice (landmarks and standard tracings)")
-    ->check(CLI::IsMember({ "capture", "sensitivity", "ablation", "coverage", "verdict", "practice" }));
+    ->add_option(
+      "--study",
+      options->study,
+      "Instead of the tables: capture (range and success rate), sensitivity, or of preset robust: ablation, "
+      "coverage (and accuracy), verdict, practice (landmarks and standard tracings), views (a frontal radiograph)")
+    ->check(CLI::IsMember({ "capture", "sensitivity", "ablation", "coverage", "verdict", "practice", "views" }));
   command->add_option("--starts", options->starts, "Starts a case and jaw in the study of the capture range")
     ->check(CLI::Range(10u, 100000u))
     ->capture_default_str();
@@ -196,7 +198,7 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
                   "  dentalscr experiment --study coverage --output coverage\n");
   command->callback([options, cases, level, &common, &run]() {
     const bool aboutRobust = options->study == "ablation" || options->study == "coverage" ||
-                             options->study == "verdict" || options->study == "practice";
+                             options->study == "verdict" || options->study == "practice" || options->study == "views";
     options->levelIsRefused = aboutRobust && level->count() > 0;
     if (!options->study.empty() && cases->count() == 0)
     {

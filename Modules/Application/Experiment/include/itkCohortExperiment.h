@@ -55,7 +55,9 @@ public:
     /** Its verdict on good cases of every kind and on wrong inputs. */
     Verdict,
     /** What it makes of the landmarks and standard tracings that every clinic has, by kind of input. */
-    Practice
+    Practice,
+    /** What a frontal radiograph adds to each degree of freedom. */
+    Views
   };
 };
 
@@ -101,7 +103,7 @@ public:
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** Default Typical. Ablation, Coverage, Verdict and Practice have levels of their own. */
+  /** Default Typical. Ablation, Coverage, Verdict, Practice and Views have levels of their own. */
   itkSetEnumMacro(Level, CohortEnum);
   itkGetEnumMacro(Level, CohortEnum);
 
@@ -123,7 +125,7 @@ public:
   itkGetConstMacro(NumberOfStarts, unsigned int);
 
   /** Names of methods and groups; see SelectExperimentMethods(). Default "default"; Sensitivity takes its own default.
-   * Ablation, Coverage, Verdict and Practice are about preset robust alone and take none. */
+   * Ablation, Coverage, Verdict, Practice and Views are about preset robust alone and take none. */
   void
   SetMethods(const std::vector<std::string> & names);
   const std::vector<std::string> &

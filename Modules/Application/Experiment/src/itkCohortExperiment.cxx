@@ -62,6 +62,8 @@ NameOf(StudyEnum study)
       return "verdict";
     case StudyEnum::Practice:
       return "practice";
+    case StudyEnum::Views:
+      return "views";
     default:
       return "tables";
   }
@@ -72,7 +74,7 @@ bool
 IsAboutRobust(StudyEnum study)
 {
   return study == StudyEnum::Ablation || study == StudyEnum::Coverage || study == StudyEnum::Verdict ||
-         study == StudyEnum::Practice;
+         study == StudyEnum::Practice || study == StudyEnum::Views;
 }
 
 [[noreturn]] void
@@ -167,6 +169,8 @@ CohortExperiment::MakePlan() const
       return MakeVerdictPlan(cohort);
     case StudyEnum::Practice:
       return MakePracticePlan(cohort);
+    case StudyEnum::Views:
+      return MakeViewsPlan(cohort);
     default:
       return MakeTablesPlan(cohort, methods);
   }

@@ -141,6 +141,8 @@ std::unique_ptr<ExperimentPlan>
 MakeVerdictPlan(const ExperimentCohort & cohort);
 std::unique_ptr<ExperimentPlan>
 MakePracticePlan(const ExperimentCohort & cohort);
+std::unique_ptr<ExperimentPlan>
+MakeViewsPlan(const ExperimentCohort & cohort);
 } // namespace itk
 
 #endif

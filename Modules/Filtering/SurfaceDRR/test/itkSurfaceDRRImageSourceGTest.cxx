@@ -529,6 +529,21 @@ TEST(SurfaceDRRImageSource, ImageIndexIsTheProjectedPixelIndex)
   c = centroid(source->GetOutput());
   EXPECT_NEAR((c[0] * 0.4 - 1.3) / 0.25, expected[0], 4e-3);
   EXPECT_NEAR((c[1] * 0.3 + 0.7) / 0.2, expected[1], 4e-3);
+
+  // From the front what stood along the rays runs along the film.
+  geometry->SetDirection(GeometryType::DirectionEnum::Frontal);
+  geometry->SetPatientLeft(GeometryType::PatientLeftEnum::Left);
+  source->UseGeometrySpacingOn();
+  origin.Fill(0.0);
+  source->SetOrigin(origin);
+  size.Fill(160);
+  source->SetSize(size);
+  source->Update();
+  c = centroid(source->GetOutput());
+  const auto frontal = geometry->ProjectPoint(centre);
+  EXPECT_NEAR(frontal[0], 12.5 + geometry->GetMagnification(centre) * 20.0 / 0.25, 1e-9);
+  EXPECT_NEAR(c[0], frontal[0], 2e-3);
+  EXPECT_NEAR(c[1], frontal[1], 2e-3);
 }
 
 TEST(SurfaceDRRImageSource, SplatIsRoundInMillimetresWherePixelsAreNotSquare)

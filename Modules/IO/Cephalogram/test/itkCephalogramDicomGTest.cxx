@@ -257,7 +257,7 @@ TEST(CephalogramDicom, FacingComesFromThePatientOrientation)
   ASSERT_TRUE(left->HasFacing());
   EXPECT_EQ(left->GetFacing(), Facing::Left);
   EXPECT_TRUE(left->GetWarnings().empty());
-  for (const char * orientation : { "L\\F", "A\\H", "A", "F\\A", "\\F" })
+  for (const char * orientation : { "L\\H", "A\\H", "A", "F\\A", "\\F" })
   {
     const auto reader = Read(DicomTestFile().Set(0x0020, 0x0020, "CS", orientation));
     EXPECT_FALSE(reader->HasFacing()) << orientation;
@@ -265,6 +265,35 @@ TEST(CephalogramDicom, FacingComesFromThePatientOrientation)
     EXPECT_EQ(reader->GetWarnings().size(), 1u) << orientation;
   }
   EXPECT_FALSE(Read(DicomTestFile())->HasFacing());
+}
+
+TEST(CephalogramDicom, AFrontalRadiographSaysSoInItsTags)
+{
+  using Direction = CephalogramFileReader::DirectionEnum;
+  using Left = CephalogramFileReader::PatientLeftEnum;
+  using FrontalSource = CephalogramFileReader::FrontalSourceEnum;
+  // Postero-anterior as one faces the patient, and antero-posterior seen from behind.
+  const auto pa = Read(DicomTestFile().Set(0x0018, 0x5101, "CS", "PA").Set(0x0020, 0x0020, "CS", "L\\F"));
+  ASSERT_TRUE(pa->HasRadiographDirection() && pa->HasPatientLeft() && pa->HasFrontalSource());
+  EXPECT_EQ(pa->GetRadiographDirection(), Direction::Frontal);
+  EXPECT_EQ(pa->GetPatientLeft(), Left::Right);
+  EXPECT_EQ(pa->GetFrontalSource(), FrontalSource::Behind);
+  EXPECT_FALSE(pa->HasFacing());
+  EXPECT_TRUE(itk::Contains(pa->GetProvenance().at("direction"), "(0018,5101) PA"));
+  EXPECT_TRUE(itk::Contains(pa->GetProvenance().at("patient_left"), "(0020,0020)"));
+  EXPECT_TRUE(pa->GetWarnings().empty());
+  const auto ap = Read(DicomTestFile().Set(0x0018, 0x5101, "CS", "AP").Set(0x0020, 0x0020, "CS", "R\\F"));
+  EXPECT_EQ(ap->GetPatientLeft(), Left::Left);
+  EXPECT_EQ(ap->GetFrontalSource(), FrontalSource::InFront);
+  // The orientation alone tells the direction, and so does a lateral position.
+  EXPECT_EQ(Read(DicomTestFile().Set(0x0020, 0x0020, "CS", "R\\F"))->GetRadiographDirection(), Direction::Frontal);
+  EXPECT_EQ(Read(DicomTestFile().Set(0x0020, 0x0020, "CS", "A\\F"))->GetRadiographDirection(), Direction::Lateral);
+  EXPECT_EQ(Read(DicomTestFile().Set(0x0018, 0x5101, "CS", "LL"))->GetRadiographDirection(), Direction::Lateral);
+  const auto silent = Read(DicomTestFile());
+  EXPECT_FALSE(silent->HasRadiographDirection());
+  EXPECT_THROW(silent->GetRadiographDirection(), itk::ExceptionObject);
+  EXPECT_THROW(silent->GetPatientLeft(), itk::ExceptionObject);
+  EXPECT_THROW(silent->GetFrontalSource(), itk::ExceptionObject);
 }
 
 TEST(CephalogramDicom, PixelsAreWhereTheyBelong)
