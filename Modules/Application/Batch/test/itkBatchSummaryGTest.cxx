@@ -88,7 +88,14 @@ TEST(BatchSummary, NothingInThePageEndsTheScriptThatHoldsIt)
   ASSERT_GT(from, begin.size());
   const std::string data = page.substr(from, page.find('<', from) - from);
   EXPECT_EQ(page.compare(from + data.size(), 9, "</script>"), 0);
-  EXPECT_EQ(nlohmann::json::parse(data), nlohmann::json::parse(summary.ToJson()));
+  auto onPage = nlohmann::json::parse(data);
+  for (auto & row : onPage["rows"])
+  {
+    // The page alone knows which case has one of its own.
+    EXPECT_EQ(row["page"], false);
+    row.erase("page");
+  }
+  EXPECT_EQ(onPage, nlohmann::json::parse(summary.ToJson()));
 }
 
 TEST(BatchSummary, FilesAreWrittenAndAPageIfItIsWanted)

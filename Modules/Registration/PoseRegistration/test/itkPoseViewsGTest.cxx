@@ -209,7 +209,8 @@ TEST(PoseViews, AFrontalViewTellsRollYawAndLateralShift)
       const ErrorType error = MeasureError(source, method);
       // Linearised bounds of twelve landmarks of 0.5 mm: 0.44 degrees of yaw, 0.7 mm with a principal point known to
       // 1 mm; three times that. A head that was turned adds its own 1.5.
-      const double factor = sameHead ? 1.0 : 2.5;
+      // A tracing alone tells less: what stands behind a tooth hides its border.
+      const double factor = (sameHead ? 1.0 : 2.5) * (contours ? 1.5 : 1.0);
       EXPECT_LT(std::abs(error.roll), 1.3 * factor) << sameHead << contours;
       EXPECT_LT(std::abs(error.yaw), 1.4 * factor) << sameHead << contours;
       EXPECT_LT(std::abs(error.shift), 2.1 * factor) << sameHead << contours;
