@@ -133,11 +133,10 @@ def test_one_owner_of_a_folder_at_a_time(program, run, patients, tmp_path):
         [str(program), "batch", str(patients), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"],
         stderr=subprocess.DEVNULL,
     )
-    while not (output / ".batch" / "lock").exists():
+    while not (output / ".batch").exists():
         time.sleep(0.01)
-    time.sleep(0.1)
     done = run("batch", patients, "--output", output)
-    assert done.returncode == 2 and "another batch is at work" in done.stderr
+    assert done.returncode == 2 and "another run is at work" in done.stderr
     process.send_signal(signal.SIGINT)
     process.wait(timeout=60)
     assert run("batch", patients, "--output", output, "--no-report", "--resume").returncode == 2

@@ -18,11 +18,14 @@
 #include "dentalscrBinding.h"
 
 #include "itkCephalometricPoseTransform.h"
+#include "itkMemoryFile.h"
 #include "itkSimilarity2DTransform.h"
+#include "itkTextFile.h"
 #include "itkTransformFileReader.h"
 #include "itkTransformFileWriter.h"
 #include "itkVersorRigid3DTransform.h"
 
+#include <filesystem>
 #include <sstream>
 
 namespace dentalscr
@@ -320,10 +323,13 @@ matrix : (4, 4) or (3, 4) array, optional
     "WriteTransform",
     [](const BaseType & transform, const std::string & fileName) {
       const py::gil_scoped_release released;
-      auto                         writer = itk::TransformFileWriterTemplate<double>::New();
-      writer->SetFileName(fileName);
+      // ITK doesn't notice a full disk; the extension tells it the format.
+      const itk::MemoryFile memory(std::filesystem::path(fileName).extension().string());
+      auto                  writer = itk::TransformFileWriterTemplate<double>::New();
+      writer->SetFileName(memory.GetName());
       writer->SetInput(&transform);
       writer->Update();
+      itk::WriteFileAtomically(fileName, memory.GetContent());
     },
     py::arg("transform"),
     py::arg("fileName"));

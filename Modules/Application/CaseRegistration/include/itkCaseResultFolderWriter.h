@@ -22,10 +22,13 @@
 
 #include "itkProcessObject.h"
 
+#include <memory>
 #include <string>
 
 namespace itk
 {
+class OutputFolder;
+
 /** \class CaseResultFolderWriter
  * \brief Writes everything that a case's result is made of into a folder, whole or not at all.
  *
@@ -64,13 +67,18 @@ public:
   itkGetConstMacro(WriteReport, bool);
   itkBooleanMacro(WriteReport);
 
+  /** Owns the folder from now until it is written (OutputFolder), for a run that takes its time: another one that wants
+   * the same folder is told at once, and not when both are done. */
+  void
+  ClaimFolder();
+
   /** A writer has no output: this brings its input up to date and writes, each time. */
   void
   Update() override;
 
 protected:
   CaseResultFolderWriter();
-  ~CaseResultFolderWriter() override = default;
+  ~CaseResultFolderWriter() override;
   void
   VerifyPreconditions() ITKv5_CONST override;
   void
@@ -81,6 +89,8 @@ protected:
 private:
   std::string m_FolderName;
   bool        m_WriteReport{ true };
+
+  std::unique_ptr<OutputFolder> m_Folder;
 };
 } // namespace itk
 

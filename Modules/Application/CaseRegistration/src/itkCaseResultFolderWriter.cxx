@@ -18,12 +18,24 @@
 #include "itkCaseResultFolderWriter.h"
 
 #include "itkCaseResultWriter.h"
+#include "itkOutputFolder.h"
+
+#include <utility>
 
 namespace itk
 {
 CaseResultFolderWriter::CaseResultFolderWriter()
 {
   this->SetNumberOfRequiredInputs(1);
+}
+
+CaseResultFolderWriter::~CaseResultFolderWriter() = default;
+
+void
+CaseResultFolderWriter::ClaimFolder()
+{
+  m_Folder = nullptr;
+  m_Folder = std::make_unique<OutputFolder>(m_FolderName);
 }
 
 void
@@ -62,7 +74,12 @@ CaseResultFolderWriter::Update()
 void
 CaseResultFolderWriter::GenerateData()
 {
-  WriteCaseResult(this->GetInput()->Get(), m_FolderName, m_WriteReport);
+  if (m_Folder == nullptr || m_Folder->GetName() != m_FolderName)
+  {
+    this->ClaimFolder();
+  }
+  const std::unique_ptr<OutputFolder> folder = std::move(m_Folder);
+  WriteCaseResult(this->GetInput()->Get(), *folder, m_WriteReport);
 }
 
 void
@@ -70,6 +87,7 @@ CaseResultFolderWriter::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "FolderName: " << m_FolderName << std::endl;
+  os << indent << "Folder: " << (m_Folder == nullptr ? "none" : "owned") << std::endl;
   os << indent << "WriteReport: " << (m_WriteReport ? "On" : "Off") << std::endl;
 }
 } // namespace itk

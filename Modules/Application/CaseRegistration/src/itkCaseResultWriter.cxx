@@ -23,6 +23,8 @@
 #include "itkDentalSCRVersion.h"
 #include "itkCephalometricLandmarkSet.h"
 #include "itkLandmarkErrorFilter.h"
+#include "itkMemoryFile.h"
+#include "itkOutputFolder.h"
 #include "itkReadDentalMesh.h"
 #include "itkTextFile.h"
 #include "itkTransformFile.h"
@@ -35,7 +37,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <random>
+#include <iterator>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -318,12 +320,13 @@ MoveMesh(const MeshType * mesh, const std::array<double, 12> & matrix)
   return moved;
 }
 
-/** Writes through ITK, then adds a comment below the header line. */
+/** As ITK writes it, with a comment below the header line. */
 void
 WriteTransform(const TransformBaseTemplate<double> * transform, const std::string & comment, const fs::path & path)
 {
-  WriteTransformFile(transform, path.string());
-  std::string       text = ReadTextFile(path.string(), "a transform");
+  const MemoryFile memory;
+  WriteTransformFile(transform, memory.GetName());
+  const std::string text = memory.GetContent();
   const std::size_t end = text.find('\n');
   WriteFileAtomically(path.string(), text.substr(0, end + 1) + "# " + comment + '\n' + text.substr(end + 1));
 }
@@ -361,12 +364,6 @@ WriteFiles(const CaseResult & result, const fs::path & folder, bool report)
   }
   // Last: where it is, everything is.
   WriteFileAtomically((folder / "result.json").string(), CaseResultToJson(result));
-}
-
-[[noreturn]] void
-FailToWrite(const fs::path & folder, const std::string & why)
-{
-  itkDentalInputErrorMacro(folder.string(), "", "can't be written: " + why, "choose another output folder");
 }
 
 /** Names of every file that a run can leave: those of an earlier run that this one does not make are stale. */
@@ -562,68 +559,16 @@ RemoveCaseResult(const std::string & folderName)
 }
 
 void
+WriteCaseResult(const CaseResult & result, OutputFolder & folder, bool report)
+{
+  WriteFiles(result, folder.GetStagingFolder(), report);
+  folder.Publish("result.json", std::vector<std::string>(std::begin(OutputNames), std::end(OutputNames)));
+}
+
+void
 WriteCaseResult(const CaseResult & result, const std::string & folderName, bool report)
 {
-  if (folderName.empty())
-  {
-    itkDentalInputErrorMacro("--output", "", "the name of the folder is empty", "name a folder");
-  }
-  const fs::path  folder = fs::absolute(fs::u8path(folderName)).lexically_normal();
-  const fs::path  target = folder.has_filename() ? folder : folder.parent_path();
-  std::error_code error;
-  if (fs::exists(target, error) && !fs::is_directory(target, error))
-  {
-    FailToWrite(target, "it is a file");
-  }
-  fs::create_directories(target.parent_path(), error);
-  if (error)
-  {
-    FailToWrite(target, error.message());
-  }
-  std::random_device device;
-  // Beside a new folder, inside one that is there: that may be a mount point, or lie where nothing else can be written.
-  const bool     exists = fs::exists(target, error);
-  const fs::path staging =
-    exists ? target / (".part-" + std::to_string(device()))
-           : target.parent_path() / ("." + target.filename().string() + ".part-" + std::to_string(device()));
-  fs::create_directory(staging, error);
-  if (error)
-  {
-    FailToWrite(target, error.message());
-  }
-  try
-  {
-    WriteFiles(result, staging, report);
-    if (!exists)
-    {
-      fs::rename(staging, target);
-    }
-    else
-    {
-      fs::remove(target / "result.json");
-      for (const char * name : OutputNames)
-      {
-        if (fs::exists(staging / name))
-        {
-          fs::rename(staging / name, target / name);
-        }
-        else
-        {
-          fs::remove(target / name);
-        }
-      }
-      fs::remove_all(staging);
-    }
-  }
-  catch (const fs::filesystem_error & failure)
-  {
-    fs::remove_all(staging, error);
-    FailToWrite(target, failure.code().message());
-  }
-  catch (...)
-  {
-    fs::remove_all(staging, error);
-    throw;
-  }
+  OutputFolder folder(folderName);
+  WriteCaseResult(result, folder, report);
 }
 } // namespace itk

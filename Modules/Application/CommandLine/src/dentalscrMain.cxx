@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "dentalscrCommands.h"
+#include "dentalscrPrintableBuffer.h"
 
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
@@ -31,10 +32,14 @@
 #include "itkVersion.h"
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace dentalscr
 {
@@ -54,10 +59,24 @@ Fail(std::string message)
   std::cerr << "dentalscr: " << message << std::endl;
   return UnusableInput;
 }
-} // namespace
+
+/** A standard stream that was closed gets a place holder that can't be used: the next file that is opened would take
+ * its number, and what is said would be written into it. */
+void
+HoldStandardStreams()
+{
+  for (const int stream : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
+  {
+    if (fcntl(stream, F_GETFD) < 0)
+    {
+      // The lowest number that is free: this one.
+      open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
+}
 
 int
-Main(int argc, const char * const * argv)
+Run(int argc, const char * const * argv)
 {
   // Explicitly: a static registration would need every format that ITK has.
   itk::PNGImageIOFactory::RegisterOneFactory();
@@ -157,5 +176,23 @@ Main(int argc, const char * const * argv)
   {
     return Fail(error.what());
   }
+}
+} // namespace
+
+int
+Main(int argc, const char * const * argv)
+{
+  // A reader that has gone is found when something is written to it, and said.
+  std::signal(SIGPIPE, SIG_IGN);
+  HoldStandardStreams();
+  const PrintableBuffer output(std::cout);
+  const PrintableBuffer errors(std::cerr);
+  const int             status = Run(argc, argv);
+  if (!std::cout.flush())
+  {
+    return Fail(
+      "standard output can't be written: the disk is full, or what reads it has ended; what was said is lost");
+  }
+  return status;
 }
 } // namespace dentalscr

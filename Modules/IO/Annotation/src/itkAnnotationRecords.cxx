@@ -22,6 +22,7 @@
 #include "itkDentalInputError.h"
 #include "itkForeignAnnotationRecords.h"
 #include "itkForeignFile.h"
+#include "itkInputFile.h"
 #include "itkJsonDocument.h"
 #include "itkLabelImageRecords.h"
 #include "itkLowerCase.h"
@@ -31,8 +32,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace itk
@@ -171,10 +170,7 @@ TakeCalibrations(AnnotationRecords & records)
 char
 FirstCharacter(const std::string & fileName)
 {
-  char          bytes[512];
-  std::ifstream file(fileName, std::ios::binary);
-  file.read(bytes, sizeof(bytes));
-  std::string       head(bytes, static_cast<std::size_t>(file.gcount() > 0 ? file.gcount() : 0));
+  const std::string head = ReadFileHead(fileName, 512);
   const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
   return first == std::string::npos ? '\0' : head[first];
 }
@@ -666,12 +662,6 @@ AnnotationFormatFromFile(const std::string & fileName)
   if (named != Format::Automatic)
   {
     return IsVIATable(fileName) ? Format::VIA : named;
-  }
-  // A pipe can be read once only: it is taken for JSON.
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(fileName, ignored))
-  {
-    return Format::Automatic;
   }
   const char first = FirstCharacter(fileName);
   if (first == '{' || first == '[')
