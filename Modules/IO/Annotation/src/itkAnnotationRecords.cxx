@@ -655,6 +655,19 @@ ReadCSV(const std::string & fileName, unsigned int dimension, std::vector<std::s
 }
 } // namespace
 
+void
+VerifyCoordinate(const std::string & fileName, const std::string & field, double coordinate)
+{
+  // Negated, so that what is no number is refused, too.
+  if (!(std::abs(coordinate) <= static_cast<double>(MaximumImageSize)))
+  {
+    std::ostringstream problem;
+    problem << "has a coordinate of " << coordinate << ", where no pixel of a radiograph and no point of a scan is";
+    itkDentalInputErrorMacro(
+      fileName, field, problem.str(), "correct it: coordinates are up to " + std::to_string(MaximumImageSize));
+  }
+}
+
 AnnotationFileFormatEnum
 AnnotationFormatFromFile(const std::string & fileName)
 {
