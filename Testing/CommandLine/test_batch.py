@@ -150,7 +150,7 @@ def test_tables_name_cases_by_file_or_by_options(run, patients, tmp_path):
     done = run("batch", table, "--output", tmp_path / "out", "--no-report")
     assert done.returncode == 0 and 'column "age" is not known' in done.stderr
     found = rows_of(tmp_path / "out")
-    assert {(row["case"], row["age"]) for row in found} == {("first", "12"), ("'=2+3", "'-1")}
+    assert {(row["case"], row["age"]) for row in found} == {("first", "12"), ("'=2+3", "-1")}
     assert (tmp_path / "out" / "=2+3" / "result.json").exists()
     spacing = " ".join(str(value) for value in case["cephalogram"]["pixel_spacing_mm"])
     relative = os.path.relpath(patients / "north/p1", tmp_path)

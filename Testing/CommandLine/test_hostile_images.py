@@ -217,3 +217,25 @@ def test_a_missing_decoder_is_told(program, case, tmp_path, build_dir):
     finally:
         away.rename(decoder)
     assert done.returncode == 2 and "dentalscr-decode" in done.stderr, done.stderr
+
+
+def test_a_bomb_in_a_scan_is_an_error(program, tmp_path):
+    """1 MB of zlib that becomes 1 GB."""
+    import base64
+
+    block = 16 << 20
+    packed = zlib.compress(bytes(block), 9)
+    blocks = 64
+    head = struct.pack(f"<{3 + blocks}I", blocks, block, block, *[len(packed)] * blocks)
+    points = base64.b64encode(head) + base64.b64encode(packed * blocks)
+    count = block * blocks // 12
+    scan = tmp_path / "bomb.vtp"
+    scan.write_bytes(
+        b'<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32" compressor="vtkZLibDataCompressor">'
+        b'<PolyData><Piece NumberOfPoints="%d" NumberOfPolys="1"><Points><DataArray type="Float32" NumberOfComponents="3" '
+        b'format="binary">%s</DataArray></Points><Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2'
+        b'</DataArray><DataArray type="Int32" Name="offsets" format="ascii">3</DataArray></Polys></Piece></PolyData></VTKFile>'
+        % (count, points)
+    )
+    done, seconds = read(program, "axis", "--upper", scan, "--output", tmp_path / "out")
+    assert done.returncode == 2 and "512 MiB when unpacked" in done.stderr and seconds < 20, done.stderr

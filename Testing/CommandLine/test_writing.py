@@ -248,7 +248,7 @@ def test_killed_at_any_moment_nothing_is_half_written(program, run, sample, tmp_
 
 def test_control_characters_are_shown_and_not_sent(run, case, tmp_path):
     """As names of files, of verbs and of what is in the files: no escape sequence reaches the terminal."""
-    evil = "\x1b]0;owned\x07\x1b[2Jé\x9b31m"
+    evil = "\x1b]0;owned\x07\x1b[2Jé\x9b31m\u202e"
     outputs = [run(evil), run("register", tmp_path / (evil + ".json"), "--output", tmp_path / "out")]
     (case.folder / (evil + ".stl")).write_bytes(b"nothing")
     case.change(upper=evil + ".stl")

@@ -20,6 +20,7 @@
 
 #include <ostream>
 #include <streambuf>
+#include <string>
 
 namespace dentalscr
 {
@@ -27,8 +28,9 @@ namespace dentalscr
  * \brief Stands before a stream and shows control bytes instead of sending them, for as long as it lives.
  *
  * Names of files, teeth and landmarks come from others; with an escape sequence in them they could move the cursor,
- * colour what follows or make a terminal answer. New lines and tabs pass, and so does every letter of every language;
- * other control characters, of ASCII and of Unicode's second block, appear as \xNN. */
+ * colour what follows or make a terminal answer. New lines and tabs pass, and so does every letter of every language in
+ * UTF-8; other control characters, of ASCII and of Unicode, those that turn the direction of writing among them, and
+ * bytes that are no UTF-8 appear as \xNN. */
 class PrintableBuffer : public std::streambuf
 {
 public:
@@ -49,8 +51,8 @@ protected:
 private:
   std::ostream &   m_Stream;
   std::streambuf * m_Buffer;
-  /** Whether the byte before was 0xC2, the first of those characters of Unicode; it waits for the second. */
-  bool m_IsHeld{ false };
+  /** The first bytes of a letter of which more are to come. */
+  std::string m_Letter;
 };
 } // namespace dentalscr
 

@@ -21,6 +21,7 @@
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
 #include "itkDescribePlainly.h"
+#include "itkParallelFor.h"
 
 #include "itkBMPImageIOFactory.h"
 #include "itkJPEGImageIOFactory.h"
@@ -32,10 +33,13 @@
 #include "itkVersion.h"
 
 #include <algorithm>
+#include <condition_variable>
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <fcntl.h>
@@ -73,6 +77,41 @@ HoldStandardStreams()
       open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
   }
+}
+
+/** Tells ITK of as many threads as there are to be had: its pool starts all of them at once, and where the system gives
+ * fewer it ends the process. Tried before, with threads that do nothing; what is missing is said once. */
+void
+SetNumberOfThreads(unsigned int wanted)
+{
+  std::mutex               mutex;
+  std::condition_variable  changed;
+  bool                     isOver = false;
+  std::vector<std::thread> threads;
+  itk::StartThreads(
+    wanted,
+    [&]() {
+      std::unique_lock<std::mutex> lock(mutex);
+      changed.wait(lock, [&]() { return isOver; });
+    },
+    threads);
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    isOver = true;
+  }
+  changed.notify_all();
+  for (std::thread & thread : threads)
+  {
+    thread.join();
+  }
+  if (threads.empty())
+  {
+    // Its pool has at least one thread beside this; the other kind works without.
+    itk::MultiThreaderBase::SetGlobalDefaultThreader(itk::MultiThreaderBase::ThreaderEnum::Platform);
+  }
+  const auto number = static_cast<itk::ThreadIdType>(std::max<std::size_t>(1, threads.size()));
+  itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(number);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(number);
 }
 
 int
@@ -147,13 +186,9 @@ Run(int argc, const char * const * argv)
     return Fail(std::string(error.what()) + "; see dentalscr --help");
   }
 
-  if (common.threads > 0)
-  {
-    itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(common.threads);
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(common.threads);
-  }
   try
   {
+    SetNumberOfThreads(common.threads > 0 ? common.threads : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
     return run();
   }
   catch (const itk::DentalInputError & error)

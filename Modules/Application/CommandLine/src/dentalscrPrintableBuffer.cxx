@@ -31,6 +31,36 @@ Show(unsigned char byte, std::string & text)
   text += digits[byte >> 4];
   text += digits[byte & 15];
 }
+
+void
+ShowAll(const std::string & bytes, std::string & text)
+{
+  for (const char byte : bytes)
+  {
+    Show(static_cast<unsigned char>(byte), text);
+  }
+}
+
+/** Bytes of a letter in UTF-8 by its first one; 0 where it is none. */
+std::size_t
+GetLength(unsigned char first)
+{
+  return first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
+}
+
+/** U+0080 to U+009F; ends of lines and paragraphs, and what turns the direction: U+2028 to U+202E, U+2066 to U+2069. */
+bool
+IsControl(const std::string & letter)
+{
+  const auto byte = [&letter](std::size_t i) { return static_cast<unsigned char>(letter[i]); };
+  if (letter.size() == 2)
+  {
+    return byte(0) == 0xc2 && byte(1) < 0xa0;
+  }
+  return letter.size() == 3 && byte(0) == 0xe2 &&
+         ((byte(1) == 0x80 && byte(2) >= 0xa8 && byte(2) <= 0xae) ||
+          (byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9));
+}
 } // namespace
 
 PrintableBuffer::PrintableBuffer(std::ostream & stream)
@@ -43,7 +73,10 @@ PrintableBuffer::PrintableBuffer(std::ostream & stream)
 
 PrintableBuffer::~PrintableBuffer()
 {
-  this->sync();
+  std::string shown;
+  ShowAll(m_Letter, shown);
+  m_Buffer->sputn(shown.data(), static_cast<std::streamsize>(shown.size()));
+  m_Buffer->pubsync();
   const auto state = m_Stream.rdstate();
   m_Stream.rdbuf(m_Buffer);
   m_Stream.clear(state);
@@ -67,19 +100,32 @@ PrintableBuffer::xsputn(const char * text, std::streamsize count)
   for (std::streamsize i = 0; i < count; ++i)
   {
     const auto byte = static_cast<unsigned char>(text[i]);
-    if (m_IsHeld)
+    if (!m_Letter.empty() && (byte & 0xc0) != 0x80)
     {
-      m_IsHeld = false;
-      if (byte >= 0x80 && byte < 0xa0)
-      {
-        Show(byte, shown);
-        continue;
-      }
-      shown += '\xc2';
+      ShowAll(m_Letter, shown);
+      m_Letter.clear();
     }
-    if (byte == 0xc2)
+    if (byte >= 0x80)
     {
-      m_IsHeld = true;
+      m_Letter += text[i];
+      const std::size_t length = GetLength(static_cast<unsigned char>(m_Letter[0]));
+      if (length == 0)
+      {
+        ShowAll(m_Letter, shown);
+        m_Letter.clear();
+      }
+      else if (m_Letter.size() == length)
+      {
+        if (IsControl(m_Letter))
+        {
+          ShowAll(m_Letter, shown);
+        }
+        else
+        {
+          shown += m_Letter;
+        }
+        m_Letter.clear();
+      }
     }
     else if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f)
     {
@@ -97,11 +143,7 @@ PrintableBuffer::xsputn(const char * text, std::streamsize count)
 int
 PrintableBuffer::sync()
 {
-  if (m_IsHeld)
-  {
-    m_IsHeld = false;
-    m_Buffer->sputc('\xc2');
-  }
+  // What has begun waits for its end: a stream may be flushed between the bytes of a letter.
   return m_Buffer->pubsync();
 }
 } // namespace dentalscr
