@@ -19,6 +19,7 @@
 
 #include "itkCephalometricPoseTransform.h"
 #include "itkMemoryFile.h"
+#include "itkReadTransformText.h"
 #include "itkSimilarity2DTransform.h"
 #include "itkTextFile.h"
 #include "itkTransformFileReader.h"
@@ -26,6 +27,7 @@
 #include "itkVersorRigid3DTransform.h"
 
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 namespace dentalscr
@@ -301,7 +303,11 @@ matrix : (4, 4) or (3, 4) array, optional
       BaseType::Pointer            transform;
       const py::gil_scoped_release released;
       auto                         reader = itk::TransformFileReaderTemplate<double>::New();
-      reader->SetFileName(fileName);
+      // What ITK reads has been looked at; it tells the format by the extension.
+      const std::string     text = itk::ReadTransformText(fileName);
+      const itk::MemoryFile memory(".tfm");
+      std::ofstream(memory.GetName(), std::ios::binary) << text;
+      reader->SetFileName(memory.GetName());
       reader->Update();
       if (reader->GetTransformList()->empty())
       {

@@ -513,11 +513,12 @@ ReadHeader(const std::string &              fileName,
     // Of an axis "x", "x_px", "x (px)", "x [mm]" are read; what follows is its unit.
     const std::size_t end = cell.find_first_of(" _([");
     const std::string axis = cell.substr(0, end);
-    const std::string rest =
-      end == std::string::npos ? std::string() : cell.substr(cell.find_first_not_of(" _([", end));
-    const bool pixels = IsOneOf(rest, { "", "px", "px)", "px]", "pixel", "pixels" });
-    const bool millimetres = IsOneOf(rest, { "mm", "mm)", "mm]" });
-    const int  number = IsOneOf(axis, { "x", "u" }) ? 0 : IsOneOf(axis, { "y", "v" }) ? 1 : axis == "z" ? 2 : -1;
+    // None where nothing follows: "x (".
+    const std::size_t unitBegin = end == std::string::npos ? end : cell.find_first_not_of(" _([", end);
+    const std::string rest = unitBegin == std::string::npos ? std::string() : cell.substr(unitBegin);
+    const bool        pixels = IsOneOf(rest, { "", "px", "px)", "px]", "pixel", "pixels" });
+    const bool        millimetres = IsOneOf(rest, { "mm", "mm)", "mm]" });
+    const int         number = IsOneOf(axis, { "x", "u" }) ? 0 : IsOneOf(axis, { "y", "v" }) ? 1 : axis == "z" ? 2 : -1;
     if (number >= 0 && (pixels || millimetres) && !axes[number])
     {
       if (dimension == 2 && millimetres)

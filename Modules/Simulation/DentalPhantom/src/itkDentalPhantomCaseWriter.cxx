@@ -35,6 +35,7 @@
 #include "itkRGBPixel.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 namespace itk
@@ -367,6 +368,14 @@ DentalPhantomCaseWriter::Write()
   }
   m_CaseSource->Update();
 
+  const std::filesystem::path parent = std::filesystem::absolute(target).parent_path();
+  if (!std::filesystem::is_directory(parent))
+  {
+    itkDentalInputErrorMacro(target,
+                             "",
+                             "cannot be created: its parent is no folder",
+                             "name a folder whose parent exists and may be written to");
+  }
   OutputFolder folder(target);
   this->WriteFiles(folder.GetStagingFolder());
   folder.Publish("case.json");
