@@ -127,7 +127,7 @@ def main():
         "labelmap": images(),
         "mask": images(),
         "toothlabels": {"own.json": json.dumps({"jaw": "upper", "labels": [11, 11, 12, 12, 0, 0, 21, 21, 0, 0, 0, 0]}), "a.vtk": scans()["a.vtk"]},
-        "transform": {"a.tfm": TRANSFORM, "b.txt": TRANSFORM.replace("VersorRigid3DTransform_double_3_3\nParameters: 0 0 0 1 2 3", "Similarity2DTransform_double_2_2\nParameters: 1 0 2 3")},
+        "transform": {"a.tfm": TRANSFORM, "b.txt": TRANSFORM.replace("VersorRigid3DTransform_double_3_3\nParameters: 0 0 0 1 2 3\nFixedParameters: 0 0 0", "Similarity2DTransform_double_2_2\nParameters: 1 0 2 3\nFixedParameters: 0 0")},
     }
     case = options.folder / "case"
     if not (case / "result" / "result.json").exists():
@@ -156,6 +156,7 @@ def main():
     # A column's name that ends where its unit should begin; transforms that ITK's reader ran past the end of.
     corpus["contours"]["header.csv"] = "label,x [[,y\nUR1,1,2\n"
     corpus["transform"]["no-colon.tfm"] = TRANSFORM.replace("Parameters: 0", "Parameters 0")
+    corpus["transform"]["type.tfm"] = TRANSFORM.replace("_double_", "_dou99ble_")
     corpus["transform"]["no-end.tfm"] = TRANSFORM.rstrip("\n")
     corpus["transform"]["few.tfm"] = TRANSFORM.replace("0 0 0 1 2 3", "0 0")
     corpus["transform"]["order.tfm"] = "#Insight Transform File V1.0\nParameters: 0 0\nFixedParameters: 0 0\n"

@@ -20,8 +20,6 @@
 #include "itkDentalInputError.h"
 #include "itkTextFile.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <locale>
@@ -35,19 +33,22 @@ namespace
 struct Kind
 {
   const char * name;
+  /** Of the points that go in and come out. */
+  const char * dimensions;
   std::size_t  parameters;
   std::size_t  fixedParameters;
 };
-constexpr Kind Kinds[] = { { "Similarity2DTransform", 4, 2 },
-                           { "VersorRigid3DTransform", 6, 3 },
-                           { "CephalometricPoseTransform", 7, 8 } };
+constexpr Kind Kinds[] = { { "Similarity2DTransform", "_2_2", 4, 2 },
+                           { "VersorRigid3DTransform", "_3_3", 6, 3 },
+                           { "CephalometricPoseTransform", "_3_2", 7, 8 } };
 
-/** How many numbers a text is; throws for what is none. */
-std::size_t
-CountNumbers(const std::string & fileName, const std::string & field, const std::string & text)
+/** So many numbers, one blank before each; throws for what is none, and for others than so many. */
+std::string
+TakeNumbers(const std::string & fileName, const std::string & field, const std::string & text, std::size_t expected)
 {
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
+  std::string numbers;
   std::size_t count = 0;
   for (std::string word; stream >> word; ++count)
   {
@@ -59,8 +60,17 @@ CountNumbers(const std::string & fileName, const std::string & field, const std:
       itkDentalInputErrorMacro(
         fileName, field, "\"" + word.substr(0, 40) + "\" is no finite number", "write the transform again");
     }
+    numbers += ' ' + word;
   }
-  return count;
+  if (count != expected)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             field,
+                             "has " + std::to_string(count) + " numbers, and such a transform " +
+                               std::to_string(expected),
+                             "write the transform again");
+  }
+  return numbers;
 }
 } // namespace
 
@@ -105,29 +115,19 @@ ReadTransformText(const std::string & fileName)
   {
     fail("is no whole transform");
   }
-  // Behind the name the type of its numbers and its dimensions.
-  const auto isOdd = [](unsigned char letter) { return letter != '_' && std::isalnum(letter) == 0; };
-  if (std::any_of(values[0].begin(), values[0].end(), isOdd))
-  {
-    fail("holds a \"" + values[0].substr(0, 60) + "\"");
-  }
-  const std::string name = values[0].substr(0, values[0].find('_'));
   for (const Kind & kind : Kinds)
   {
-    if (name == kind.name)
+    const std::string type = std::string(kind.name) + "_double" + kind.dimensions;
+    if (values[0] == type || values[0] == std::string(kind.name) + "_float" + kind.dimensions)
     {
-      if (CountNumbers(fileName, "Parameters", values[1]) != kind.parameters ||
-          CountNumbers(fileName, "FixedParameters", values[2]) != kind.fixedParameters)
-      {
-        fail("a " + name + " has " + std::to_string(kind.parameters) + " parameters and " +
-             std::to_string(kind.fixedParameters) + " fixed ones, and here are others");
-      }
-      // Written anew: that its last line has no end is one more thing that ITK's reader doesn't survive.
-      return "#Insight Transform File V1.0\n#Transform 0\nTransform: " + values[0] + "\nParameters:" + values[1] +
-             "\nFixedParameters:" + values[2] + '\n';
+      const std::string parameters = TakeNumbers(fileName, "Parameters", values[1], kind.parameters);
+      const std::string fixed = TakeNumbers(fileName, "FixedParameters", values[2], kind.fixedParameters);
+      // Written anew: a last line without an end is one more thing that ITK's reader doesn't survive.
+      return "#Insight Transform File V1.0\n#Transform 0\nTransform: " + type + "\nParameters:" + parameters +
+             "\nFixedParameters:" + fixed + '\n';
     }
   }
-  fail("holds a " + name.substr(0, 60));
+  fail("holds a " + values[0].substr(0, 60));
   return text;
 }
 } // namespace itk
