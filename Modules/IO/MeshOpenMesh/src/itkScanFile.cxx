@@ -20,7 +20,10 @@
 #include "itkInputFile.h"
 #include "itkSurfaceMeshFile.h"
 
+#include <cstdlib>
 #include <new>
+
+#include <sys/mman.h>
 
 namespace itk
 {
@@ -49,8 +52,21 @@ ScanFile::ScanFile(const std::string & fileName)
                                  "check the name and the permissions");
   }
   m_Size = file.GetSize();
-  // Not of a vector, which would write noughts into all of it first.
-  m_Data.reset(new char[m_Size]);
+  // Not a vector, which would write noughts into all of it first; in large pages, as each page costs a visit to the
+  // system.
+  constexpr std::size_t page = std::size_t{ 1 } << 21;
+  const std::size_t     rounded = (m_Size + page - 1) / page * page;
+  m_Data.reset(static_cast<char *>(m_Size < page ? std::malloc(m_Size) : std::aligned_alloc(page, rounded)));
+  if (m_Data == nullptr)
+  {
+    throw std::bad_alloc();
+  }
+#ifdef MADV_HUGEPAGE
+  if (m_Size >= page)
+  {
+    ::madvise(m_Data.get(), rounded, MADV_HUGEPAGE);
+  }
+#endif
   const std::size_t count = file.Read(m_Data.get(), m_Size);
   if (count != m_Size && file.GetSystemError() != 0)
   {

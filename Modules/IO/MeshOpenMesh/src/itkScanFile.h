@@ -19,6 +19,7 @@
 #define itkScanFile_h
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <string>
 
@@ -28,7 +29,7 @@ namespace itk
  * \brief The bytes of a file. Throws a SurfaceMeshFileError for what is no readable file with something in it.
  *
  * Read and not mapped: a file that is cut short while it is looked at (a copy that starts again, a share that goes
- * away) would end the process by SIGBUS. Reading costs some 10 ms more for a million triangles. */
+ * away) would end the process by SIGBUS. */
 class ScanFile
 {
 public:
@@ -49,8 +50,17 @@ public:
   }
 
 private:
-  std::unique_ptr<char[]> m_Data;
-  std::size_t             m_Size{ 0 };
+  struct Releaser
+  {
+    void
+    operator()(char * data) const
+    {
+      std::free(data);
+    }
+  };
+
+  std::unique_ptr<char, Releaser> m_Data;
+  std::size_t                     m_Size{ 0 };
 };
 } // namespace itk
 
