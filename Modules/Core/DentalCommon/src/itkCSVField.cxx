@@ -37,7 +37,8 @@ IsNumber(const std::string & text)
 std::string
 ToCSVField(const std::string & text)
 {
-  const bool isFormula = text.size() > 1 && std::string("=+-@\t\r").find(text[0]) != std::string::npos && !IsNumber(text);
+  const bool isFormula =
+    text.size() > 1 && std::string("=+-@\t\r").find(text[0]) != std::string::npos && !IsNumber(text);
   std::string field = isFormula ? '\'' + text : text;
   if (field.find_first_of(",\"\n\r") == std::string::npos)
   {
