@@ -191,7 +191,7 @@ def test_one_run_owns_a_folder(program, run, sample, tmp_path):
         for errors, code in said:
             assert code == 0 or (code == 2 and "another run is at work" in errors), (code, errors)
         json.loads((output / "result.json").read_text())
-        assert len(list(output.iterdir())) == 9, sorted(output.iterdir())
+        assert len(list(output.iterdir())) == 11, sorted(output.iterdir())
         assert not list(tmp_path.glob(".*"))
 
 
