@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkReadTransformText.h"
 
+#include "itkCephalometricPoseTransform.h"
 #include "itkDentalInputError.h"
 #include "itkTextFile.h"
 
@@ -37,14 +38,24 @@ struct Kind
   const char * dimensions;
   std::size_t  parameters;
   std::size_t  fixedParameters;
+  /** Of files of earlier versions, which the transform still takes. */
+  std::size_t earlierFixedParameters;
 };
-constexpr Kind Kinds[] = { { "Similarity2DTransform", "_2_2", 4, 2 },
-                           { "VersorRigid3DTransform", "_3_3", 6, 3 },
-                           { "CephalometricPoseTransform", "_3_2", 7, 8 } };
+constexpr Kind Kinds[] = { { "Similarity2DTransform", "_2_2", 4, 2, 2 },
+                           { "VersorRigid3DTransform", "_3_3", 6, 3, 3 },
+                           { "CephalometricPoseTransform",
+                             "_3_2",
+                             CephalometricPoseTransform::NumberOfParameters,
+                             CephalometricPoseTransform::NumberOfFixedParameters,
+                             CephalometricPoseTransform::NumberOfLateralFixedParameters } };
 
 /** So many numbers, one blank before each; throws for what is none, and for others than so many. */
 std::string
-TakeNumbers(const std::string & fileName, const std::string & field, const std::string & text, std::size_t expected)
+TakeNumbers(const std::string & fileName,
+            const std::string & field,
+            const std::string & text,
+            std::size_t         expected,
+            std::size_t         alsoExpected)
 {
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
@@ -62,7 +73,7 @@ TakeNumbers(const std::string & fileName, const std::string & field, const std::
     }
     numbers += ' ' + word;
   }
-  if (count != expected)
+  if (count != expected && count != alsoExpected)
   {
     itkDentalInputErrorMacro(fileName,
                              field,
@@ -120,8 +131,9 @@ ReadTransformText(const std::string & fileName)
     const std::string type = std::string(kind.name) + "_double" + kind.dimensions;
     if (values[0] == type || values[0] == std::string(kind.name) + "_float" + kind.dimensions)
     {
-      const std::string parameters = TakeNumbers(fileName, "Parameters", values[1], kind.parameters);
-      const std::string fixed = TakeNumbers(fileName, "FixedParameters", values[2], kind.fixedParameters);
+      const std::string parameters = TakeNumbers(fileName, "Parameters", values[1], kind.parameters, kind.parameters);
+      const std::string fixed =
+        TakeNumbers(fileName, "FixedParameters", values[2], kind.fixedParameters, kind.earlierFixedParameters);
       // Written anew: a last line without an end is one more thing that ITK's reader doesn't survive.
       return "#Insight Transform File V1.0\n#Transform 0\nTransform: " + type + "\nParameters:" + parameters +
              "\nFixedParameters:" + fixed + '\n';
