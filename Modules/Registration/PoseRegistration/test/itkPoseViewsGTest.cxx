@@ -19,7 +19,9 @@
 
 #include "itkDentalPhantomCaseSource.h"
 #include "itkDentalPhantomFrontalView.h"
+#include "itkExchangedJawsHypothesis.h"
 #include "itkLandmarkProjectionFilter.h"
+#include "itkRegistrationVerdict.h"
 #include "itkViewVerdict.h"
 
 #include <gtest/gtest.h>
@@ -331,6 +333,54 @@ TEST(PoseViews, AJawThatWasDrawnOnTheViewAlone)
   ASSERT_TRUE(solution->IsRegistered(JawEnum::Lower));
   EXPECT_FALSE(solution->GetJaw(JawEnum::Lower).placedByOther);
   EXPECT_FALSE(solution->GetView("frontal").result.jaws[1].landmarks.empty());
+}
+
+TEST(PoseViews, SpeakForAJawWhoseTracingCannotBeUsed)
+{
+  // Whole teeth of which no crown is known, and a view that both jaws were drawn on.
+  auto method = MakeMethod(Case());
+  method->SetTracedSide(itk::TracedSideEnum::Standard);
+  method->SetToothCrowns(itk::ToothCrownSet::New());
+  method->SetUpperContour(nullptr);
+  auto marks = itk::CephalometricLandmarkSet::New();
+  auto counterparts = itk::LandmarkCounterpartSet::New();
+  for (const char * name : { "UR1_tip", "UR6_MB" })
+  {
+    const auto * place = Case()->GetLandmarks3D(0)->Find(name);
+    ASSERT_NE(place, nullptr);
+    marks->AddLandmark(name, Case()->GetTrueGeometry(0)->ProjectPoint(place->point), 2.0);
+    itk::LandmarkCounterpartSet::CounterpartType counterpart;
+    counterpart.name = itk::CephalometricLandmarkSet::MakeName(itk::CephalometricLandmarkSet::ParseName(name));
+    counterpart.jaw = JawEnum::Upper;
+    counterpart.points = { place->point };
+    counterparts->Add(counterpart);
+  }
+  method->SetCephalometricLandmarks(marks);
+  method->SetLandmarkCounterparts(counterparts);
+  method->AddView(MakeView(Case(), true, false));
+  method->Update();
+  const auto & lower = method->GetOutput()->GetJaw(JawEnum::Lower);
+  EXPECT_TRUE(lower.registered) << lower.failure;
+  EXPECT_FALSE(lower.placedByOther);
+  EXPECT_FALSE(lower.unusedOutlines.empty());
+}
+
+TEST(PoseViews, ExchangedScansAreFoundBesideATracedView)
+{
+  auto exchanged = MakeMethod(Case());
+  exchanged->SetUpperMesh(Case()->GetMesh(1));
+  exchanged->SetLowerMesh(Case()->GetMesh(0));
+  exchanged->AddView(MakeView(Case(), false, true));
+  exchanged->Update();
+  const auto & group = exchanged->GetOutput()->GetGroup(JawEnum::Upper);
+  const auto * outcome = group.FindOutcome(itk::ExchangedJawsHypothesis::Code);
+  ASSERT_NE(outcome, nullptr);
+  // The jaws exchanged back, each tracing of each view is that of its scan.
+  auto right = MakeMethod(Case());
+  right->AddView(MakeView(Case(), false, true));
+  right->Update();
+  EXPECT_LT(outcome->score, group.score - itk::RegistrationVerdict::Thresholds().hypothesisGain);
+  EXPECT_NEAR(outcome->score, right->GetOutput()->GetGroup(JawEnum::Upper).score, 1e-3);
 }
 
 TEST(PoseViews, SameBitsForAnyNumberOfThreads)
