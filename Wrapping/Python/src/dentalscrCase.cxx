@@ -154,7 +154,7 @@ AddView(Case &                       self,
   {
     *source = itk::ValueSourceEnum::Given;
   }
-  view.spacingVerdict = "UserGiven";
+  view.spacingVerdict = itk::PixelSpacingVerdictEnum::UserGiven;
   view.spacingProvenance = "given, detector plane";
   view.principalPointSigma = principalPointSigma;
   view.image = image;
@@ -239,7 +239,7 @@ MakeCase(MeshType *                         upper,
     if (geometry->HasPixelSpacing())
     {
       data.sources.pixelSpacing = itk::ValueSourceEnum::Given;
-      data.spacingVerdict = "UserGiven";
+      data.spacingVerdict = itk::PixelSpacingVerdictEnum::UserGiven;
     }
     if (principalPointKnown)
     {

@@ -23,6 +23,7 @@
 #include "itkCephalometricGeometry.h"
 #include "itkCephalometricLandmarkSet.h"
 #include "itkImage.h"
+#include "itkPixelSpacingVerdict.h"
 
 #include <array>
 #include <cstddef>
@@ -65,8 +66,8 @@ struct DentalRadiographData
   SourcesType                    sources;
   /** How the pixel spacing came about, in words. */
   std::string spacingProvenance;
-  /** Detector, Calibrated, EstimatedMagnification, UserGiven or Unknown. */
-  std::string spacingVerdict{ "Unknown" };
+  /** What plane the pixel spacing is known to be of. */
+  PixelSpacingVerdictEnum spacingVerdict{ PixelSpacingVerdictEnum::Unknown };
   /** Marked on the radiograph, to register with; null where none were given. */
   CephalometricLandmarkSet::Pointer cephalometricLandmarks;
   /** Contours whose codes do not say their side: U1, L6. */

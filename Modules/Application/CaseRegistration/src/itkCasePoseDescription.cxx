@@ -31,7 +31,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 
 namespace itk
@@ -99,11 +98,7 @@ Measure(DentalContour * tracing, DentalContour * contour, const char * name, Jaw
 ScalePrior::SpacingSource
 SpacingSourceOf(const DentalRadiographData & radiograph)
 {
-  const auto isVerdict = [&radiograph](PixelSpacingVerdictEnum verdict) {
-    std::ostringstream text;
-    text << verdict;
-    return radiograph.spacingVerdict == text.str();
-  };
+  const PixelSpacingVerdictEnum verdict = radiograph.spacingVerdict;
   switch (radiograph.sources.pixelSpacing)
   {
     case ValueSourceEnum::Default:
@@ -112,11 +107,11 @@ SpacingSourceOf(const DentalRadiographData & radiograph)
     case ValueSourceEnum::DICOM:
       // What a file's estimated or corrected magnification hides is not the detector's pixel: it may be off by what the
       // maker assumed.
-      return isVerdict(PixelSpacingVerdictEnum::Detector) ? ScalePrior::SpacingSource::Given
+      return verdict == PixelSpacingVerdictEnum::Detector ? ScalePrior::SpacingSource::Given
                                                           : ScalePrior::SpacingSource::Dicom;
     default:
       // A ruler that somebody traced is as sure of its plane as a calibration in DICOM.
-      return isVerdict(PixelSpacingVerdictEnum::Calibrated) ? ScalePrior::SpacingSource::Dicom
+      return verdict == PixelSpacingVerdictEnum::Calibrated ? ScalePrior::SpacingSource::Dicom
                                                             : ScalePrior::SpacingSource::Given;
   }
 }

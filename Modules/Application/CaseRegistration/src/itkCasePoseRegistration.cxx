@@ -452,7 +452,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     jaw.seconds.emplace_back("contour", contourProbe.GetTotal() + silhouetteProbe.GetTotal());
   }
   ProjectLandmarks(data, solution, result);
-  views.Describe(*solution, settings, result);
+  views.Describe(*solution, *verdict, settings, result);
   for (const auto & entry : jaws)
   {
     if (solution->IsRegistered(entry.first))
@@ -465,14 +465,11 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   }
   for (auto & entry : result.jaws)
   {
-    JawResult & jaw = entry.second;
-    if (!jaw.placedBy.empty())
+    if (!entry.second.placedBy.empty())
     {
+      // No better than the jaw that placed it, of whose scan the checks may have said something.
       const auto other = result.jaws.find(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
-      jaw.AddFinding(other->second.status,
-                     "placed-by-other",
-                     "nothing was drawn of this jaw: the " + jaw.placedBy +
-                       " one, whose frame it shares, placed it, as the jaws bit on each other when they were scanned");
+      entry.second.RaiseFinding("placed-by-other", other->second.status);
     }
   }
 }

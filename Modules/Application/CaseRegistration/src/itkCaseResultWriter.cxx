@@ -109,7 +109,9 @@ GeometryToJson(const CaseResult & result)
   }
   json["pixel_spacing_mm"] =
     Provenance(Json::array({ geometry.GetPixelSpacing()[0], geometry.GetPixelSpacing()[1] }), sources.pixelSpacing);
-  json["pixel_spacing_mm"]["verdict"] = result.data->spacingVerdict;
+  std::ostringstream verdict;
+  verdict << result.data->spacingVerdict;
+  json["pixel_spacing_mm"]["verdict"] = verdict.str();
   json["pixel_spacing_mm"]["how"] = result.data->spacingProvenance;
   json["principal_point_px"] = Provenance(
     Json::array({ geometry.GetPrincipalPoint()[0], geometry.GetPrincipalPoint()[1] }), sources.principalPoint);

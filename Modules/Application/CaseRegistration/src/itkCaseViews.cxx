@@ -17,8 +17,6 @@
  *=========================================================================*/
 #include "itkCaseViews.h"
 
-#include "itkViewVerdict.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -103,7 +101,10 @@ CaseViews::HasEvidence(JawEnum jaw) const
 }
 
 void
-CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & settings, CaseResult & result) const
+CaseViews::Describe(const PoseSolution &              solution,
+                    const RegistrationVerdictFilter & verdict,
+                    const CasePoseSettings &          settings,
+                    CaseResult &                      result) const
 {
   for (std::size_t v = 0; v < m_Views.size(); ++v)
   {
@@ -113,8 +114,8 @@ CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & sett
     CaseViewResult              view;
     view.name = data.description.name;
     view.sameHeadPosition = data.description.sameHeadPosition;
-    view.findings = ViewVerdict::Evaluate(solution.GetResult(), v);
-    view.status = ViewVerdict::GetStatus(view.findings);
+    view.findings = verdict.GetViewVerdict(view.name).findings;
+    view.status = verdict.GetViewVerdict(view.name).status;
     view.result = std::make_shared<CaseResult>();
     CaseResult & shown = *view.result;
     shown.preset = result.preset;
@@ -169,18 +170,6 @@ CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & sett
       const auto & spacing = own->GetResult().geometry.pixelSpacing;
       PredictError(own->GetJaw(entry.first).middleSigma * PoseWorkingPixel / (0.5 * (spacing[0] + spacing[1])),
                    entry.second);
-    }
-    if (view.status != RegistrationStatusEnum::Ok)
-    {
-      for (auto & entry : result.jaws)
-      {
-        if (entry.second.registered)
-        {
-          entry.second.AddFinding(RegistrationStatusEnum::Suspect,
-                                  "view",
-                                  "the view \"" + view.name + "\" is not simply ok: " + view.findings.front().text);
-        }
-      }
     }
     result.views.push_back(std::move(view));
   }

@@ -43,14 +43,6 @@ Append(std::vector<std::string> & to, const std::vector<std::string> & from)
   to.insert(to.end(), from.begin(), from.end());
 }
 
-std::string
-Print(PixelSpacingVerdictEnum verdict)
-{
-  std::ostringstream text;
-  text << verdict;
-  return text.str();
-}
-
 /** The given value before the DICOM file's; what there is of them, and where from. */
 template <typename TValue, typename TApply>
 void
@@ -214,13 +206,13 @@ DentalRadiographLoader::SettlePixelSpacing()
     m_Data.spacingProvenance = m_Description.spacingAtMidsagittalPlane
                                  ? "case file, " + this->Plane() + " plane, converted to the detector's"
                                  : "case file, detector plane";
-    m_Data.spacingVerdict = Print(PixelSpacingVerdictEnum::UserGiven);
+    m_Data.spacingVerdict = PixelSpacingVerdictEnum::UserGiven;
   }
   else if (m_Image != nullptr && m_Image->HasPixelSpacing())
   {
     geometry.SetPixelSpacing(m_Image->GetDetectorPixelSpacing(detector, head));
     m_Data.sources.pixelSpacing = isDicom ? ValueSourceEnum::DICOM : ValueSourceEnum::Given;
-    m_Data.spacingVerdict = Print(m_Image->GetPixelSpacingVerdict());
+    m_Data.spacingVerdict = m_Image->GetPixelSpacingVerdict();
     m_Data.spacingProvenance = m_Image->GetProvenance().at("pixel_spacing");
   }
   else
@@ -354,7 +346,7 @@ DentalRadiographLoader::SettleCalibration(const DentalContourFileReader & contou
   spacing.Fill(found);
   m_Data.geometry->SetPixelSpacing(spacing);
   m_Data.sources.pixelSpacing = ValueSourceEnum::Given;
-  m_Data.spacingVerdict = Print(PixelSpacingVerdictEnum::Calibrated);
+  m_Data.spacingVerdict = PixelSpacingVerdictEnum::Calibrated;
   m_Data.spacingProvenance = text.str();
 }
 

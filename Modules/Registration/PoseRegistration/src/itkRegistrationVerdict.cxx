@@ -447,6 +447,57 @@ JudgeReadings(const PoseGeometry &                    geometry,
     Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`", gain);
   }
 }
+
+/** A view that contradicts the first one is told of each jaw: nobody knows which of the two is wrong. */
+void
+AddOfViews(const PoseRegistrationResult &                 result,
+           const RegistrationVerdict::Thresholds &        thresholds,
+           std::vector<RegistrationVerdict::JawVerdict> & verdicts)
+{
+  for (std::size_t v = 0; v < result.views.size(); ++v)
+  {
+    const auto findings = ViewVerdict::Evaluate(result, v, thresholds.view);
+    if (ViewVerdict::GetStatus(findings) == StatusEnum::Ok)
+    {
+      continue;
+    }
+    for (std::size_t j = 0; j < result.jaws.size(); ++j)
+    {
+      if (result.jaws[j].registered)
+      {
+        Add(verdicts[j],
+            StatusEnum::Suspect,
+            "view",
+            "the view \"" + result.views[v].name + "\" is not simply ok: " + findings.front().text);
+      }
+    }
+  }
+}
+
+/** A jaw of which nothing was drawn is where the other one is, and as sure. */
+void
+AddOfOtherJaw(const PoseRegistrationResult & result, std::vector<RegistrationVerdict::JawVerdict> & verdicts)
+{
+  for (std::size_t j = 0; j < result.jaws.size(); ++j)
+  {
+    if (!result.jaws[j].registered || !result.jaws[j].placedByOther)
+    {
+      continue;
+    }
+    for (const std::size_t other : result.groups[result.groupOfJaw[j]].jaws)
+    {
+      if (other != j)
+      {
+        Add(verdicts[j],
+            verdicts[other].status,
+            "placed-by-other",
+            std::string("nothing was drawn of this jaw: the ") +
+              (result.jaws[other].jaw == ToothCode::JawEnum::Upper ? "upper" : "lower") +
+              " one, whose frame it shares, placed it, as the jaws bit on each other when they were scanned");
+      }
+    }
+  }
+}
 } // namespace
 
 std::vector<RegistrationVerdict::JawVerdict>
@@ -597,6 +648,8 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
     }
     JudgeReadings(result.geometry, group, thresholds, verdict);
   }
+  AddOfViews(result, thresholds, verdicts);
+  AddOfOtherJaw(result, verdicts);
   return verdicts;
 }
 
