@@ -238,4 +238,4 @@ def test_a_bomb_in_a_scan_is_an_error(program, tmp_path):
         % (count, points)
     )
     done, seconds = read(program, "axis", "--upper", scan, "--output", tmp_path / "out")
-    assert done.returncode == 2 and "512 MiB when unpacked" in done.stderr and seconds < 20, done.stderr
+    assert done.returncode == 2 and "512 MiB as numbers" in done.stderr and seconds < 20, done.stderr
