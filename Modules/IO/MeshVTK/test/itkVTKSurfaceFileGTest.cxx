@@ -158,8 +158,8 @@ TEST(VTKSurfaceFile, NamesFileAndRemedyForWhatIsWrong)
     Contains(lineOf("image.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"ImageData\"></VTKFile>"), "PolyData"));
   EXPECT_TRUE(
     Contains(ExpectInputError([]() { itk::ReadVTKSurfaceFile("nowhere.vtk"); }).GetOneLine(), "no such file"));
-  EXPECT_TRUE(
-    Contains(ExpectInputError([]() { itk::ReadVTKSurfaceFile(itk::TestFolder()); }).GetOneLine(), "no such file"));
+  EXPECT_TRUE(Contains(ExpectInputError([]() { itk::ReadVTKSurfaceFile(itk::TestFolder()); }).GetOneLine(),
+                       "this is a directory"));
 }
 
 std::string
