@@ -85,7 +85,7 @@ LimitYourself()
   Limit(RLIMIT_FSIZE, 0);
   Limit(RLIMIT_CORE, 0);
   Limit(RLIMIT_NPROC, 0);
-  for (int file = STDERR_FILENO + 1; file < 1024; ++file)
+  for (int file = itk::DecoderProtocol::FileDescriptor + 1; file < 1024; ++file)
   {
     ::close(file);
   }
