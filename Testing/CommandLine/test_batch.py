@@ -5,7 +5,6 @@ import os
 import shutil
 import signal
 import subprocess
-import time
 
 import pytest
 
@@ -175,9 +174,7 @@ def test_one_owner_of_a_folder_at_a_time(program, run, patients, tmp_path):
         [str(program), "batch", str(patients), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"],
         stderr=subprocess.DEVNULL,
     )
-    deadline = time.monotonic() + 60
-    while not (output / ".batch").exists() and time.monotonic() < deadline:
-        time.sleep(0.01)
+    wait_until(lambda: (output / ".batch").exists(), "the first owner is at work")
     done = run("batch", patients, "--output", output)
     assert done.returncode == 2 and "another run is at work" in done.stderr
     process.send_signal(signal.SIGINT)
