@@ -295,6 +295,17 @@ def test_killed_at_each_change_of_its_folder_nothing_is_half_written(program, ru
     assert is_of("this", {path.name: path.read_bytes() for path in output.iterdir()})
 
 
+def test_a_sweep_that_is_faster_than_its_owner_takes_nothing(program, small_case, faults, tmp_path):
+    """Between the making of a temporary folder and its locking another process may find it and remove it."""
+    command = [str(program), "register", str(small_case), "--quiet", "--no-report", "--output", str(tmp_path / "out")]
+    done = subprocess.run(command, env=faults(SWEEP=3), capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "out" / "result.json").exists()
+    # Where it is removed each time, whoever does it, there is an end, and it is told.
+    done = subprocess.run(command, env=faults(SWEEP=10**6), capture_output=True, text=True)
+    fails_in_words(done, "out", "can't be written")
+
+
 def test_control_characters_are_shown_and_not_sent(run, case, tmp_path):
     """As names of files, of verbs and of what is in the files: no escape sequence reaches the terminal."""
     evil = "\x1b]0;owned\x07\x1b[2Jé\x9b31m\u202e"

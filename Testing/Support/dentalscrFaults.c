@@ -21,6 +21,8 @@
  *   DENTALSCR_KILL_AT=N          SIGKILL before the Nth change of a folder: a file made, renamed or removed
  *   DENTALSCR_TRUNCATE=PATH      the file is cut to a third after it was opened, before all of it is read
  *   DENTALSCR_TOUCH=PATH         the file gets another time after all of it was read, before it is closed
+ *   DENTALSCR_SWEEP=N            the first N temporary folders are removed as soon as they are made, as a sweep of
+ * another process may do that finds them before they are locked
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -88,12 +90,28 @@ rmdir(const char * path)
   return next(path);
 }
 
+static void
+sweep_folder(const char * path)
+{
+  NEXT(at_function, "unlinkat");
+  next(AT_FDCWD, path, AT_REMOVEDIR);
+}
+
 int
 mkdir(const char * path, mode_t mode)
 {
+  static atomic_long swept;
   NEXT(mode_function, "mkdir");
   before_change();
-  return next(path, mode);
+  const int          made = next(path, mode);
+  const char * const sweep = getenv("DENTALSCR_SWEEP");
+  const size_t       length = strlen(path);
+  if (made == 0 && sweep != NULL && length > 5 && strcmp(path + length - 5, ".part") == 0 &&
+      atomic_fetch_add(&swept, 1) < atol(sweep))
+  {
+    sweep_folder(path);
+  }
+  return made;
 }
 
 int
