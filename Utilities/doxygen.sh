@@ -5,6 +5,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 out=build/doxygen
 log=$out/warnings.log
+rm -rf $out
 mkdir -p $out
 version=$(sed -n 's/^ *VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt | head -n 1)
 
@@ -19,7 +20,10 @@ version=$(sed -n 's/^ *VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt | head -n 1)
 
 {
   cat Documentation/Doxyfile
-  printf 'INPUT = Modules %s/modules.dox\n' $out
+  # The folders by name, not all of Modules less a pattern: a pattern sees the whole path, and the checkout may lie in src/.
+  printf 'INPUT = %s/modules.dox\n' $out
+  printf 'INPUT += %s\n' Modules/*/*/include
+  printf 'GENERATE_TAGFILE = %s/dentalscr.tag\n' $out
   printf 'PROJECT_NUMBER = %s\nOUTPUT_DIRECTORY = %s\nWARN_LOGFILE = %s\n' "$version" $out $log
   for module in Modules/*/*/itk-module.cmake; do
     printf 'PREDEFINED += %s_EXPORT=\n' "$(basename "$(dirname "$module")")"
@@ -28,6 +32,13 @@ version=$(sed -n 's/^ *VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt | head -n 1)
 
 # Members speak by their names; everything else counts.
 if grep -Ev 'warning: Member .* is not documented\.$' $log; then
+  exit 1
+fi
+# A run that finds nothing to warn of has to have read something: nearly every header declares a class.
+headers=$(find Modules/*/*/include -name 'itk*.h' | wc -l)
+classes=$(find $out/html \( -name 'class*.html' -o -name 'struct*.html' \) ! -name '*-members.html' | wc -l)
+if [ "$classes" -lt $((headers / 2)) ]; then
+  echo "doxygen made pages of $classes classes from $headers headers" >&2
   exit 1
 fi
 echo "$out/html/index.html"
