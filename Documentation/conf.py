@@ -13,12 +13,11 @@ author = "The DentalSCR authors"
 copyright = "The DentalSCR authors, Apache-2.0"
 release = version = re.search(r"^\s+VERSION (\d+\.\d+\.\d+)", (ROOT / "CMakeLists.txt").read_text(), re.M).group(1)
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.autosummary"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.autosummary", "sphinx.ext.napoleon"]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 root_doc = "index"
 highlight_language = "none"
 myst_heading_anchors = 4
-# The names of a dictionary of settings in a page's fence are no concern of the reader.
 myst_enable_extensions = ["colon_fence", "deflist"]
 
 autosummary_generate = True
@@ -27,6 +26,7 @@ autosummary_imported_members = True
 autodoc_docstring_signature = True
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
+napoleon_google_docstring = False
 python_maximum_signature_line_length = 100
 
 templates_path = ["_templates"]

@@ -29,7 +29,7 @@ pages=build/site-pages
 rm -rf build/site
 export PYTHONPATH="$PWD/$build/python" PYTHONDONTWRITEBYTECODE=1
 "$venv/bin/python" Utilities/site_pages.py "$pages" --program "$build/bin/dentalscr"
-"$venv/bin/python" -m sphinx -W --keep-going -q -j auto -c Documentation -d build/site-doctrees "$pages" build/site
+"$venv/bin/python" -m sphinx -W --keep-going -q -j 2 -c Documentation -d build/site-doctrees "$pages" build/site
 cp -r build/doxygen/html build/site/cpp
 "$venv/bin/python" Utilities/check_site.py build/site
 echo "build/site/index.html"

@@ -98,7 +98,7 @@ def python_pages(folder):
     import dentalscr
 
     homes = {}
-    for file in (ROOT / "Wrapping/Python/dentalscr").glob("_*.py"):
+    for file in pathlib.Path(dentalscr.__file__).parent.glob("_*.py"):
         if file.stem not in ("__init__", "__main__"):
             module = __import__(f"dentalscr.{file.stem}", fromlist=["_"])
             for name, value in vars(module).items():
