@@ -3,13 +3,14 @@
 # A warning is an error, every link within the site is followed, and nothing in it is asked of the network: open
 # build/site/index.html from the disk.
 #   Utilities/site.sh [--build-dir build/test]
+# Ends with 5 where no package index is reachable for what is listed in Documentation/requirements.txt.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/test
 case "${1:-}" in
   --build-dir) build="$2" ;;
   "") ;;
-  *) sed -n '2,5s/^# \?//p' "$0"; [ "$1" = --help ] && exit 0; exit 2 ;;
+  *) sed -n '2,6s/^# \?//p' "$0"; [ "$1" = --help ] && exit 0; exit 2 ;;
 esac
 for file in "$build/bin/dentalscr" "$build/python/dentalscr/__init__.py"; do
   [ -e "$file" ] || { echo "$file is missing: cmake --preset test && cmake --build --preset test" >&2; exit 2; }
@@ -20,7 +21,11 @@ if ! cmp -s Documentation/requirements.txt "$venv/requirements.txt"; then
   rm -rf "$venv"
   # Debian's Python: the package of the build tree is compiled for it.
   /usr/bin/python3 -m venv "$venv"
-  "$venv/bin/python" -m pip install -q --disable-pip-version-check --only-binary :all: -r Documentation/requirements.txt
+  if ! "$venv/bin/python" -m pip install -q --disable-pip-version-check --only-binary :all: \
+    -r Documentation/requirements.txt > build/site-venv.log 2>&1; then
+    echo "The site is not built, because Sphinx can't be installed; see build/site-venv.log" >&2
+    exit 5
+  fi
   cp Documentation/requirements.txt "$venv/requirements.txt"
 fi
 
