@@ -23,6 +23,8 @@ version=$(sed -n 's/^ *VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt | head -n 1)
   # The folders by name, not all of Modules less a pattern: a pattern sees the whole path, and the checkout may lie in src/.
   printf 'INPUT = %s/modules.dox\n' $out
   printf 'INPUT += %s\n' Modules/*/*/include
+  # A comment of ours is about all that follows it up to an empty line, as ITK's are.
+  printf 'INPUT_FILTER = "%s Utilities/doxygen_filter.py"\nDISTRIBUTE_GROUP_DOC = YES\n' /usr/bin/python3
   printf 'GENERATE_TAGFILE = %s/dentalscr.tag\n' $out
   printf 'PROJECT_NUMBER = %s\nOUTPUT_DIRECTORY = %s\nWARN_LOGFILE = %s\n' "$version" $out $log
   for module in Modules/*/*/itk-module.cmake; do

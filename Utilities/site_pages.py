@@ -60,7 +60,7 @@ def stage_pages(folder):
         shutil.copytree(ROOT / "Documentation" / name, folder / name)
     shutil.copy(ROOT / "Documentation" / "conf.py", folder)
     pages = [(page, folder / page.name, 0) for page in (ROOT / "Documentation").glob("*.md")]
-    pages += [(ROOT / name, folder / name, 0) for name in ("CONTRIBUTING.md", "CHANGELOG.md")]
+    pages += [(ROOT / name, folder / name, 0) for name in ("CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md")]
     pages.append((ROOT / "Examples/README.md", folder / "Examples/README.md", 1))
     for example in (ROOT / "Examples").glob("*/README.md"):
         pages.append((example, folder / "Examples" / example.parent.name / "README.md", 2))
