@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Pages of the C++ classes in build/doxygen/html. Fails on any warning, and where a public class has no words.
+# Pages of the C++ classes in build/doxygen/html. Fails on any warning, where a public class has no words, and where more
+# functions have none than before.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -32,8 +33,17 @@ version=$(sed -n 's/^ *VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt | head -n 1)
   done
 } | doxygen -
 
-# Members speak by their names; everything else counts.
+# Of members only how many have no words counts; everything else that doxygen says is an error.
 if grep -Ev 'warning: Member .* is not documented\.$' $log; then
+  exit 1
+fi
+# Lower this with every comment; never raise it. A function stands once, however many classes inherit it.
+allowed=405
+silent=$(grep '(function) of .* is not documented\.$' $log | sed 's/: warning: .*//' | sort -u || true)
+count=$(printf '%s\n' "$silent" | grep -c . || true)
+if [ "$count" -gt $allowed ]; then
+  printf '%s\n' "$silent"
+  echo "$count functions have no words in a header, and $allowed had none before: say what the new ones are for" >&2
   exit 1
 fi
 # A run that finds nothing to warn of has to have read something: nearly every header declares a class.
