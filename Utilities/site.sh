@@ -16,6 +16,9 @@ for file in "$build/bin/dentalscr" "$build/python/dentalscr/__init__.py"; do
   [ -e "$file" ] || { echo "$file is missing: cmake --preset test && cmake --build --preset test" >&2; exit 2; }
 done
 
+# First, because it needs no package: its warnings are found where Sphinx can't be installed, too.
+Utilities/doxygen.sh
+
 venv=build/site-venv
 if ! cmp -s Documentation/requirements.txt "$venv/requirements.txt"; then
   rm -rf "$venv"
@@ -29,7 +32,6 @@ if ! cmp -s Documentation/requirements.txt "$venv/requirements.txt"; then
   cp Documentation/requirements.txt "$venv/requirements.txt"
 fi
 
-Utilities/doxygen.sh >/dev/null
 pages=build/site-pages
 rm -rf build/site
 export PYTHONPATH="$PWD/$build/python" PYTHONDONTWRITEBYTECODE=1
