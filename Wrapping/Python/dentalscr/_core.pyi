@@ -55,7 +55,9 @@ class Jaw:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class Numbering:
     """
     How tooth codes are written: UR1, 11 or 8.
@@ -101,7 +103,9 @@ class Numbering:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class Mesh(DataObject):
     """
     A triangle mesh: a scan of a jaw.
@@ -118,9 +122,13 @@ class Mesh(DataObject):
         FDI number of the tooth of each point, 0 for gingiva.
     """
     def GetNumberOfPoints(self) -> int:
-        ...
+        """
+        How many vertices the mesh has.
+        """
     def GetNumberOfTriangles(self) -> int:
-        ...
+        """
+        How many triangles the mesh has.
+        """
     def __getstate__(self) -> tuple[typing.Any, ...]:
         ...
     def __init__(self, points: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike, labels: typing.Any = None) -> None:
@@ -181,27 +189,45 @@ class Image(DataObject):
         Index of the first pixel; a DRR may begin at a negative one.
     """
     def GetDimension(self) -> int:
-        ...
+        """
+        Number of axes, which is 2.
+        """
     def GetDirection(self) -> tuple[typing.Any, ...]:
-        ...
+        """
+        Directions of the axes as a row-major tuple of 4; the identity for radiographs.
+        """
     def GetHeight(self) -> int:
-        ...
+        """
+        Number of rows.
+        """
     def GetIndex(self) -> tuple[int, int]:
-        ...
+        """
+        First pixel of the image's region, (u, v). A simulated radiograph may begin below 0.
+        """
     def GetOrigin(self) -> tuple[float, float]:
-        ...
+        """
+        Physical point of the pixel with index (0, 0), (u, v), in the unit of the spacing.
+        """
     def GetSize(self) -> tuple[int, int]:
         """
         (width, height)
         """
     def GetSpacing(self) -> tuple[float, float]:
-        ...
+        """
+        Distance between pixels, (u, v), in mm where a spacing is known and 1 otherwise.
+        """
     def GetWidth(self) -> int:
-        ...
+        """
+        Number of columns.
+        """
     def TransformContinuousIndexToPhysicalPoint(self, index: typing.Sequence[float]) -> tuple[float, float]:
-        ...
+        """
+        Continuous pixel index (u, v) to the physical point (x, y).
+        """
     def TransformPhysicalPointToContinuousIndex(self, point: typing.Sequence[float]) -> tuple[float, float]:
-        ...
+        """
+        Physical point (x, y) to the continuous pixel index (u, v).
+        """
     def __getstate__(self) -> tuple[typing.Any, ...]:
         ...
     def __init__(self, array: numpy.typing.ArrayLike, spacing: typing.Sequence[float] = (1.0, 1.0), origin: typing.Sequence[float] = (0.0, 0.0), direction: typing.Sequence[float] = [1.0, 0.0, 0.0, 1.0], index: typing.Sequence[int] = (0, 0)) -> None:
@@ -263,7 +289,9 @@ class Polyline:
         ...
     @property
     def closed(self) -> bool:
-        ...
+        """
+        Whether the last point is joined to the first, which is not repeated.
+        """
     @property
     def code(self) -> str:
         """
@@ -306,13 +334,17 @@ class Contour(DataObject):
     polylines : sequence of Polyline, optional
     """
     def AddPolyline(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None) -> None:
-        ...
+        """
+        Appends a polyline of continuous pixel indices (u, v). It raises an error where a point is not finite, where weights or sigmas are not one a point, or where a closed one has fewer than 3 points.
+        """
     def GetLength(self) -> float:
         """
         Sum of the segments' lengths, pixels.
         """
     def GetNumberOfPoints(self) -> int:
-        ...
+        """
+        How many points all polylines have together.
+        """
     def __getstate__(self) -> tuple[typing.Any, ...]:
         ...
     def __init__(self, polylines: typing.Sequence[Polyline] = []) -> None:
@@ -343,13 +375,21 @@ class Transform:
     """
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     def GetFixedParameters(self) -> tuple[typing.Any, ...]:
-        ...
+        """
+        The fixed parameters.
+        """
     def GetName(self) -> str:
-        ...
+        """
+        Name of the class in C++.
+        """
     def GetNumberOfParameters(self) -> int:
-        ...
+        """
+        How many parameters it has.
+        """
     def GetParameters(self) -> tuple[typing.Any, ...]:
-        ...
+        """
+        The parameters, in the order that ITK's transform of the same name has.
+        """
     def __eq__(self, other: object) -> bool:
         ...
 class Similarity2DTransform(Transform):
@@ -367,35 +407,61 @@ class Similarity2DTransform(Transform):
     translation, center : pair of numbers, optional
     """
     def GetAngle(self) -> float:
-        ...
+        """
+        Returns the angle of rotation, rad.
+        """
     def GetCenter(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the centre of rotation and scale, in the unit of the points.
+        """
     def GetDimension(self) -> int:
-        ...
+        """
+        Number of axes of the points.
+        """
     def GetInverse(self) -> Similarity2DTransform:
-        ...
+        """
+        The inverse as a new transform of the same class.
+        """
     def GetMatrix(self) -> tuple[typing.Any, ...]:
         """
         Row-major.
         """
     def GetScale(self) -> float:
-        ...
+        """
+        Returns the scale factor, no unit.
+        """
     def GetTranslation(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the translation, in the unit of the points.
+        """
     def SetAngle(self, angle: float) -> None:
-        ...
+        """
+        Sets the angle of rotation, rad.
+        """
     def SetCenter(self, center: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the centre of rotation and scale, in the unit of the points.
+        """
     def SetFixedParameters(self, parameters: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the fixed parameters: the centre.
+        """
     def SetParameters(self, parameters: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the parameters, in the order that ITK's transform of the same name has.
+        """
     def SetScale(self, scale: float) -> None:
-        ...
+        """
+        Sets the scale factor, no unit.
+        """
     def SetTranslation(self, translation: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the translation, in the unit of the points.
+        """
     def TransformPoint(self, point: typing.Sequence[float]) -> tuple[float, float]:
-        ...
+        """
+        The place that a point goes to, in the unit of the points.
+        """
     def TransformPoints(self, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[typing.Any]:
         """
         All rows of an array; a copy.
@@ -427,27 +493,45 @@ class VersorRigid3DTransform(Transform):
         A rigid motion to begin with.
     """
     def GetCenter(self) -> tuple[float, float, float]:
-        ...
+        """
+        Returns the centre of rotation and scale, in the unit of the points.
+        """
     def GetDimension(self) -> int:
-        ...
+        """
+        Number of axes of the points.
+        """
     def GetInverse(self) -> VersorRigid3DTransform:
-        ...
+        """
+        The inverse as a new transform of the same class.
+        """
     def GetMatrix(self) -> tuple[typing.Any, ...]:
         """
         Row-major.
         """
     def GetTranslation(self) -> tuple[float, float, float]:
-        ...
+        """
+        Returns the translation, in the unit of the points.
+        """
     def SetCenter(self, center: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the centre of rotation and scale, in the unit of the points.
+        """
     def SetFixedParameters(self, parameters: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the fixed parameters: the centre.
+        """
     def SetParameters(self, parameters: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the parameters, in the order that ITK's transform of the same name has.
+        """
     def SetTranslation(self, translation: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the translation, in the unit of the points.
+        """
     def TransformPoint(self, point: typing.Sequence[float]) -> tuple[float, float, float]:
-        ...
+        """
+        The place that a point goes to, in the unit of the points.
+        """
     def TransformPoints(self, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[typing.Any]:
         """
         All rows of an array; a copy.
@@ -537,7 +621,9 @@ class CephalometricGeometry(DataObject):
             ...
         @property
         def value(self) -> int:
-            ...
+            """
+            The value as a number.
+            """
     class FrontalSource:
         """
         Where the X-ray source of a frontal radiograph stands.
@@ -580,7 +666,9 @@ class CephalometricGeometry(DataObject):
             ...
         @property
         def value(self) -> int:
-            ...
+            """
+            The value as a number.
+            """
     class PatientLeft:
         """
         Where the patient's left is in a frontal radiograph.
@@ -623,7 +711,9 @@ class CephalometricGeometry(DataObject):
             ...
         @property
         def value(self) -> int:
-            ...
+            """
+            The value as a number.
+            """
     class SourceSide:
         """
         Side of the X-ray source.
@@ -666,7 +756,9 @@ class CephalometricGeometry(DataObject):
             ...
         @property
         def value(self) -> int:
-            ...
+            """
+            The value as a number.
+            """
     class Facing:
         """
         Where the face points.
@@ -709,7 +801,9 @@ class CephalometricGeometry(DataObject):
             ...
         @property
         def value(self) -> int:
-            ...
+            """
+            The value as a number.
+            """
     def BackProject(self, index: typing.Sequence[float]) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """
         The ray of a pixel in the object frame: the source, and the unit direction.
@@ -723,37 +817,61 @@ class CephalometricGeometry(DataObject):
         (2, 6): three rotations (rad) about the cephalostat's axes, three translations (mm).
         """
     def GetDirection(self) -> CephalometricGeometry.Direction:
-        ...
+        """
+        Returns the direction of the radiograph: Lateral (the default) or Frontal. What is said of sides holds in its own direction.
+        """
     def GetFacing(self) -> CephalometricGeometry.Facing:
-        ...
+        """
+        Returns the side of the image to which the face of a lateral radiograph looks; Right by default.
+        """
     def GetFrontalSource(self) -> CephalometricGeometry.FrontalSource:
-        ...
+        """
+        Returns where the source of a frontal radiograph is: Behind (the default) the patient or in front.
+        """
     def GetMagnification(self, point: typing.Sequence[float]) -> float:
-        ...
+        """
+        Magnification of a point of the object frame (mm): the length of its picture in the detector plane over its own.
+        """
     def GetPatientLeft(self) -> CephalometricGeometry.PatientLeft:
-        ...
+        """
+        Returns the side of a frontal image at which the patient's left is: Right by default, as one faces the patient.
+        """
     def GetPixelSpacing(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the pixel spacing (u, v) in the detector plane, mm, both above 0. It is not set by default.
+        """
     def GetPose(self) -> numpy.typing.NDArray[typing.Any]:
         """
         (4, 4), a copy.
         """
     def GetPrincipalPoint(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the continuous pixel index (u, v) where the central ray meets the detector, the ear-rod ring of a cephalostat; (0, 0) by default.
+        """
     def GetProjectionMatrix(self) -> numpy.typing.NDArray[typing.Any]:
         """
         (3, 4): object frame (mm) to homogeneous pixel index, pose included.
         """
     def GetSourcePosition(self) -> tuple[float, float, float]:
-        ...
+        """
+        The X-ray source in the object frame, mm.
+        """
     def GetSourceSide(self) -> CephalometricGeometry.SourceSide:
-        ...
+        """
+        Returns the patient's side at which the source of a lateral radiograph is; Right by default.
+        """
     def GetSourceToDetectorDistance(self) -> float:
-        ...
+        """
+        Returns the distance from the source to the detector, mm; 1674 by default.
+        """
     def GetSourceToMidsagittalDistance(self) -> float:
-        ...
+        """
+        Returns the distance from the source to the midsagittal plane, mm, above 0 and below that to the detector; 1524 by default (60 inches). In a frontal cephalogram it is that to the midcoronal plane.
+        """
     def HasPixelSpacing(self) -> bool:
-        ...
+        """
+        Whether a pixel spacing was set.
+        """
     def ProjectPoint(self, point: typing.Sequence[float]) -> tuple[float, float]:
         """
         Object frame (mm) to continuous pixel index (u, v).
@@ -763,33 +881,57 @@ class CephalometricGeometry(DataObject):
         All rows of an (N, 3) array: (N, 2), a copy.
         """
     def SetDirection(self, direction: CephalometricGeometry.Direction | str) -> None:
-        ...
+        """
+        Sets the direction of the radiograph: Lateral (the default) or Frontal. What is said of sides holds in its own direction.
+        """
     def SetFacing(self, facing: CephalometricGeometry.Facing | str) -> None:
-        ...
+        """
+        Sets the side of the image to which the face of a lateral radiograph looks; Right by default.
+        """
     def SetFrontalSource(self, source: CephalometricGeometry.FrontalSource | str) -> None:
-        ...
+        """
+        Sets where the source of a frontal radiograph is: Behind (the default) the patient or in front.
+        """
     def SetPatientLeft(self, side: CephalometricGeometry.PatientLeft | str) -> None:
-        ...
+        """
+        Sets the side of a frontal image at which the patient's left is: Right by default, as one faces the patient.
+        """
     def SetPixelSpacing(self, spacing: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the pixel spacing (u, v) in the detector plane, mm, both above 0. It is not set by default.
+        """
     def SetPose(self, matrix: numpy.typing.ArrayLike) -> None:
         """
         Rigid 4x4 or 3x4: object frame (mm) to cephalostat frame (mm).
         """
     def SetPoseToIdentity(self) -> None:
-        ...
+        """
+        Takes the object frame for the cephalostat frame.
+        """
     def SetPrincipalPoint(self, index: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the continuous pixel index (u, v) where the central ray meets the detector, the ear-rod ring of a cephalostat; (0, 0) by default.
+        """
     def SetSourceSide(self, side: CephalometricGeometry.SourceSide | str) -> None:
-        ...
+        """
+        Sets the patient's side at which the source of a lateral radiograph is; Right by default.
+        """
     def SetSourceToDetectorDistance(self, value: float) -> None:
-        ...
+        """
+        Sets the distance from the source to the detector, mm; 1674 by default.
+        """
     def SetSourceToMidsagittalDistance(self, value: float) -> None:
-        ...
+        """
+        Sets the distance from the source to the midsagittal plane, mm, above 0 and below that to the detector; 1524 by default (60 inches). In a frontal cephalogram it is that to the midcoronal plane.
+        """
     def TransformToCephalostat(self, point: typing.Sequence[float]) -> tuple[float, float, float]:
-        ...
+        """
+        Point of the object frame (mm) to the cephalostat frame (mm).
+        """
     def VerifyComplete(self) -> None:
-        ...
+        """
+        Raises an error that names what is missing, and the remedy, unless the geometry can project.
+        """
     def __copy__(self) -> CephalometricGeometry:
         ...
     def __deepcopy__(self, memo: dict[str, typing.Any]) -> CephalometricGeometry:
@@ -837,7 +979,9 @@ class CephalometricPoseTransform(Transform):
         exp(kappa).
         """
     def SetFixedParameters(self, parameters: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the nine fixed parameters, the geometry; eight, as in older files, are those of a lateral radiograph.
+        """
     def SetGeometry(self, geometry: CephalometricGeometry) -> None:
         """
         Copies it; its pose is not taken.
@@ -847,13 +991,17 @@ class CephalometricPoseTransform(Transform):
         All seven parameters 0; the geometry stays.
         """
     def SetParameters(self, parameters: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the seven parameters: rotation (rad), translation (mm), kappa (the logarithm of the scale).
+        """
     def SetParametersFromRotation(self, rotation: numpy.typing.ArrayLike, translation: typing.Sequence[float], kappa: float = 0.0) -> None:
         """
         c = rotation p + translation (mm), and kappa.
         """
     def TransformPoint(self, point: typing.Sequence[float]) -> tuple[float, float]:
-        ...
+        """
+        Point of the dental frame (mm) to the continuous pixel index (u, v).
+        """
     def TransformPoints(self, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[typing.Any]:
         """
         All rows of an (N, 3) array: (N, 2).
@@ -876,7 +1024,9 @@ class ProcessObject:
     """
     @staticmethod
     def GetGlobalDefaultNumberOfThreads() -> int:
-        ...
+        """
+        The number of threads of every process object that is made from now on.
+        """
     @staticmethod
     def SetGlobalDefaultNumberOfThreads(threads: int) -> None:
         """
@@ -887,15 +1037,21 @@ class ProcessObject:
         Ends the run that is under way: Execute raises AbortedError.
         """
     def GetName(self) -> str:
-        ...
+        """
+        Name of the class in C++.
+        """
     def GetNumberOfWorkUnits(self) -> int:
-        ...
+        """
+        The number of parts that the work is split in.
+        """
     def GetProgress(self) -> float:
         """
         Share that is done, 0 to 1.
         """
     def SetNumberOfWorkUnits(self, numberOfWorkUnits: int) -> None:
-        ...
+        """
+        Sets the number of parts that the work is split in; the result does not depend on it.
+        """
     def _AddCommand(self, event: int, key: int) -> int:
         ...
     def _RemoveCommand(self, tag: int) -> None:
@@ -987,7 +1143,9 @@ class AnnotationFileFormat:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class AnnotationPixelOrigin:
     """
     Where a 2-D annotation's (0, 0) is: in the first pixel's centre or corner.
@@ -1033,7 +1191,9 @@ class AnnotationPixelOrigin:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class PixelSpacingVerdict:
     """
     What a radiograph's pixel spacing is worth.
@@ -1085,7 +1245,9 @@ class PixelSpacingVerdict:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class SpacingPlane:
     """
     The plane in which a pixel spacing holds.
@@ -1131,65 +1293,121 @@ class SpacingPlane:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class DentalContourFileReader(ProcessObject):
     """
     Reads the tracing on a radiograph.
     """
     def GetCalibrations(self) -> list[tuple[str, float, float]]:
-        ...
+        """
+        What was drawn along rulers: (label, length in mm, length in pixels) each, valid after Execute().
+        """
     def GetClassFiles(self) -> list[tuple[str, str]]:
-        ...
+        """
+        Returns the masks or drawn lines by tooth or jaw that are read in place of one file; none by default.
+        """
     def GetFileFormat(self) -> AnnotationFileFormat:
-        ...
+        """
+        Returns the format of the file; Automatic, the default, tells it by what is in it.
+        """
     def GetFileName(self) -> str:
-        ...
+        """
+        Returns the name of the file. To set it takes back SetClassFiles().
+        """
     def GetImageFileName(self) -> str:
-        ...
+        """
+        Returns the name of the radiograph whose tracing is wanted, where a file holds those of several.
+        """
     def GetImageSize(self) -> tuple[int, int]:
-        ...
+        """
+        Returns the width and height of the radiograph, pixels; (0, 0), the default, is unknown, and the file has to say it.
+        """
     def GetMarkupsOrigin(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the origin (x, y) of the image that a Slicer markups file was drawn on, mm.
+        """
     def GetMarkupsSpacing(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the spacing (u, v) of the image that a Slicer markups file was drawn on, mm a pixel.
+        """
     def GetNumberOfPointsOutside(self) -> int:
-        ...
+        """
+        How many points of both jaws lie outside the radiograph, valid after Execute().
+        """
     def GetNumberOfSidelessCodes(self) -> int:
-        ...
+        """
+        How many contours have a code without a side, valid after Execute().
+        """
     def GetNumbering(self) -> Numbering:
-        ...
+        """
+        Returns how the file numbers teeth, where its codes leave it open.
+        """
     def GetPixelOrigin(self) -> AnnotationPixelOrigin:
-        ...
+        """
+        Returns where (0, 0) is in the file: at the centre or the corner of the first pixel. FormatDefault, the default, is as its program counts.
+        """
     def GetReadFileFormat(self) -> AnnotationFileFormat:
-        ...
+        """
+        The format that was read, valid after Execute().
+        """
     def GetReadImageSize(self) -> tuple[int, int]:
-        ...
+        """
+        Width and height of the radiograph, pixels, as set or as the file says, valid after Execute().
+        """
     def GetReadNumbering(self) -> Numbering:
-        ...
+        """
+        The numbering under which the codes were read, valid after Execute().
+        """
     def GetSidelessCodesAreLeft(self) -> bool:
-        ...
+        """
+        Returns whether codes that do not say a side (U1, L6) are the left teeth. Off by default: right.
+        """
     def GetWarnings(self) -> list[str]:
-        ...
+        """
+        What a person should know of the file, a sentence each, valid after Execute().
+        """
     def SetClassFiles(self, files: typing.Sequence[tuple[str, str]]) -> None:
-        ...
+        """
+        Sets the masks or drawn lines by tooth or jaw that are read in place of one file; none by default.
+        """
     def SetFileFormat(self, format: AnnotationFileFormat | str) -> None:
-        ...
+        """
+        Sets the format of the file; Automatic, the default, tells it by what is in it.
+        """
     def SetFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the file. To set it takes back SetClassFiles().
+        """
     def SetImageFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the radiograph whose tracing is wanted, where a file holds those of several.
+        """
     def SetImageSize(self, size: typing.Sequence[int]) -> None:
-        ...
+        """
+        Sets the width and height of the radiograph, pixels; (0, 0), the default, is unknown, and the file has to say it.
+        """
     def SetMarkupsOrigin(self, origin: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the origin (x, y) of the image that a Slicer markups file was drawn on, mm.
+        """
     def SetMarkupsSpacing(self, spacing: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the spacing (u, v) of the image that a Slicer markups file was drawn on, mm a pixel.
+        """
     def SetNumbering(self, numbering: Numbering | str) -> None:
-        ...
+        """
+        Sets how the file numbers teeth, where its codes leave it open.
+        """
     def SetPixelOrigin(self, origin: AnnotationPixelOrigin | str) -> None:
-        ...
+        """
+        Sets where (0, 0) is in the file: at the centre or the corner of the first pixel. FormatDefault, the default, is as its program counts.
+        """
     def SetSidelessCodesAreLeft(self, on: bool) -> None:
-        ...
+        """
+        Sets whether codes that do not say a side (U1, L6) are the left teeth. Off by default: right.
+        """
     def _TakeOutputs(self) -> tuple[Contour, Contour]:
         ...
     def __init__(self) -> None:
@@ -1199,17 +1417,29 @@ class DentalContourFileWriter(ProcessObject):
     Writes a tracing as contours.json.
     """
     def GetFileName(self) -> str:
-        ...
+        """
+        Returns the name of the file.
+        """
     def GetImageSize(self) -> tuple[int, int]:
-        ...
+        """
+        Returns the width and height of the radiograph, pixels, which the file has to say.
+        """
     def GetNumbering(self) -> Numbering:
-        ...
+        """
+        Returns how the file numbers teeth; Quadrant by default.
+        """
     def SetFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the file.
+        """
     def SetImageSize(self, size: typing.Sequence[int]) -> None:
-        ...
+        """
+        Sets the width and height of the radiograph, pixels, which the file has to say.
+        """
     def SetNumbering(self, numbering: Numbering | str) -> None:
-        ...
+        """
+        Sets how the file numbers teeth; Quadrant by default.
+        """
     def _SetLower(self, contour: Contour | None) -> None:
         ...
     def _SetUpper(self, contour: Contour | None) -> None:
@@ -1221,37 +1451,69 @@ class DentalLandmarkFileReader2D(ProcessObject):
     Reads named landmarks; see ReadLandmarks().
     """
     def GetFileFormat(self) -> AnnotationFileFormat:
-        ...
+        """
+        Returns the format of the file; Automatic, the default, tells it by what is in it.
+        """
     def GetFileName(self) -> str:
-        ...
+        """
+        Returns the name of the file.
+        """
     def GetImageFileName(self) -> str:
-        ...
+        """
+        Returns the name of the radiograph whose annotation is wanted, where a file holds those of several.
+        """
     def GetMarkupsOrigin(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the origin (x, y) of the image that a Slicer markups file was drawn on, mm.
+        """
     def GetMarkupsSpacing(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the spacing (u, v) of the image that a Slicer markups file was drawn on, mm a pixel.
+        """
     def GetNumbering(self) -> Numbering:
-        ...
+        """
+        Returns how the file numbers teeth, where its codes leave it open.
+        """
     def GetPixelOrigin(self) -> AnnotationPixelOrigin:
-        ...
+        """
+        Returns where (0, 0) is in the file: at the centre or the corner of the first pixel. FormatDefault, the default, is as its program counts.
+        """
     def GetReadFileFormat(self) -> AnnotationFileFormat:
-        ...
+        """
+        The format that was read, valid after Execute().
+        """
     def GetWarnings(self) -> list[str]:
-        ...
+        """
+        What a person should know of the file, a sentence each, valid after Execute().
+        """
     def SetFileFormat(self, format: AnnotationFileFormat | str) -> None:
-        ...
+        """
+        Sets the format of the file; Automatic, the default, tells it by what is in it.
+        """
     def SetFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the file.
+        """
     def SetImageFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the radiograph whose annotation is wanted, where a file holds those of several.
+        """
     def SetMarkupsOrigin(self, origin: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the origin (x, y) of the image that a Slicer markups file was drawn on, mm.
+        """
     def SetMarkupsSpacing(self, spacing: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the spacing (u, v) of the image that a Slicer markups file was drawn on, mm a pixel.
+        """
     def SetNumbering(self, numbering: Numbering | str) -> None:
-        ...
+        """
+        Sets how the file numbers teeth, where its codes leave it open.
+        """
     def SetPixelOrigin(self, origin: AnnotationPixelOrigin | str) -> None:
-        ...
+        """
+        Sets where (0, 0) is in the file: at the centre or the corner of the first pixel. FormatDefault, the default, is as its program counts.
+        """
     def _GetOutput(self) -> dict[str, typing.Any]:
         ...
     def __init__(self) -> None:
@@ -1261,9 +1523,13 @@ class DentalLandmarkFileWriter2D(ProcessObject):
     Writes named landmarks; see WriteLandmarks().
     """
     def GetFileName(self) -> str:
-        ...
+        """
+        Returns the name of the file.
+        """
     def SetFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the file.
+        """
     def _SetInput(self, landmarks: dict[str, typing.Any]) -> None:
         ...
     def __init__(self) -> None:
@@ -1273,37 +1539,69 @@ class DentalLandmarkFileReader3D(ProcessObject):
     Reads named landmarks; see ReadLandmarks().
     """
     def GetFileFormat(self) -> AnnotationFileFormat:
-        ...
+        """
+        Returns the format of the file; Automatic, the default, tells it by what is in it.
+        """
     def GetFileName(self) -> str:
-        ...
+        """
+        Returns the name of the file.
+        """
     def GetImageFileName(self) -> str:
-        ...
+        """
+        Returns the name of the radiograph whose annotation is wanted, where a file holds those of several.
+        """
     def GetMarkupsOrigin(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the origin (x, y) of the image that a Slicer markups file was drawn on, mm.
+        """
     def GetMarkupsSpacing(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the spacing (u, v) of the image that a Slicer markups file was drawn on, mm a pixel.
+        """
     def GetNumbering(self) -> Numbering:
-        ...
+        """
+        Returns how the file numbers teeth, where its codes leave it open.
+        """
     def GetPixelOrigin(self) -> AnnotationPixelOrigin:
-        ...
+        """
+        Returns where (0, 0) is in the file: at the centre or the corner of the first pixel. FormatDefault, the default, is as its program counts.
+        """
     def GetReadFileFormat(self) -> AnnotationFileFormat:
-        ...
+        """
+        The format that was read, valid after Execute().
+        """
     def GetWarnings(self) -> list[str]:
-        ...
+        """
+        What a person should know of the file, a sentence each, valid after Execute().
+        """
     def SetFileFormat(self, format: AnnotationFileFormat | str) -> None:
-        ...
+        """
+        Sets the format of the file; Automatic, the default, tells it by what is in it.
+        """
     def SetFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the file.
+        """
     def SetImageFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the radiograph whose annotation is wanted, where a file holds those of several.
+        """
     def SetMarkupsOrigin(self, origin: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the origin (x, y) of the image that a Slicer markups file was drawn on, mm.
+        """
     def SetMarkupsSpacing(self, spacing: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the spacing (u, v) of the image that a Slicer markups file was drawn on, mm a pixel.
+        """
     def SetNumbering(self, numbering: Numbering | str) -> None:
-        ...
+        """
+        Sets how the file numbers teeth, where its codes leave it open.
+        """
     def SetPixelOrigin(self, origin: AnnotationPixelOrigin | str) -> None:
-        ...
+        """
+        Sets where (0, 0) is in the file: at the centre or the corner of the first pixel. FormatDefault, the default, is as its program counts.
+        """
     def _GetOutput(self) -> dict[str, typing.Any]:
         ...
     def __init__(self) -> None:
@@ -1313,9 +1611,13 @@ class DentalLandmarkFileWriter3D(ProcessObject):
     Writes named landmarks; see WriteLandmarks().
     """
     def GetFileName(self) -> str:
-        ...
+        """
+        Returns the name of the file.
+        """
     def SetFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the file.
+        """
     def _SetInput(self, landmarks: dict[str, typing.Any]) -> None:
         ...
     def __init__(self) -> None:
@@ -1325,37 +1627,69 @@ class CephalometricLandmarkFileReader(ProcessObject):
     Reads the dental landmarks of a cephalometric analysis; see ReadCephalometricLandmarks().
     """
     def GetFileFormat(self) -> AnnotationFileFormat:
-        ...
+        """
+        Returns the format of the file; Automatic, the default, tells it by what is in it.
+        """
     def GetFileName(self) -> str:
-        ...
+        """
+        Returns the name of the file.
+        """
     def GetImageFileName(self) -> str:
-        ...
+        """
+        Returns the name of the radiograph whose annotation is wanted, where a file holds those of several.
+        """
     def GetMarkupsOrigin(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the origin (x, y) of the image that a Slicer markups file was drawn on, mm.
+        """
     def GetMarkupsSpacing(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the spacing (u, v) of the image that a Slicer markups file was drawn on, mm a pixel.
+        """
     def GetNumbering(self) -> Numbering:
-        ...
+        """
+        Returns how the file numbers teeth, where its codes leave it open.
+        """
     def GetPixelOrigin(self) -> AnnotationPixelOrigin:
-        ...
+        """
+        Returns where (0, 0) is in the file: at the centre or the corner of the first pixel. FormatDefault, the default, is as its program counts.
+        """
     def GetReadFileFormat(self) -> AnnotationFileFormat:
-        ...
+        """
+        The format that was read, valid after Execute().
+        """
     def GetWarnings(self) -> list[str]:
-        ...
+        """
+        What a person should know of the file, a sentence each, valid after Execute().
+        """
     def SetFileFormat(self, format: AnnotationFileFormat | str) -> None:
-        ...
+        """
+        Sets the format of the file; Automatic, the default, tells it by what is in it.
+        """
     def SetFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the file.
+        """
     def SetImageFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the radiograph whose annotation is wanted, where a file holds those of several.
+        """
     def SetMarkupsOrigin(self, origin: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the origin (x, y) of the image that a Slicer markups file was drawn on, mm.
+        """
     def SetMarkupsSpacing(self, spacing: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the spacing (u, v) of the image that a Slicer markups file was drawn on, mm a pixel.
+        """
     def SetNumbering(self, numbering: Numbering | str) -> None:
-        ...
+        """
+        Sets how the file numbers teeth, where its codes leave it open.
+        """
     def SetPixelOrigin(self, origin: AnnotationPixelOrigin | str) -> None:
-        ...
+        """
+        Sets where (0, 0) is in the file: at the centre or the corner of the first pixel. FormatDefault, the default, is as its program counts.
+        """
     def _GetOutput(self) -> dict[str, typing.Any]:
         ...
     def __init__(self) -> None:
@@ -1365,47 +1699,85 @@ class CephalogramFileReader(ProcessObject):
     Reads a radiograph and says what its pixel spacing is worth.
     """
     def ClearUserPixelSpacing(self) -> None:
-        ...
+        """
+        Goes back to the spacing that the file says.
+        """
     def GetDetectorPixelSpacing(self, sourceToDetector: float, sourceToMidsagittal: float) -> tuple[float, float]:
-        ...
+        """
+        The spacing (u, v) in the detector plane, mm. One that holds in the midsagittal plane is multiplied by the ratio of the two distances from the source (mm). It raises an error where the verdict is Unknown.
+        """
     def GetFacing(self) -> CephalometricGeometry.Facing:
-        ...
+        """
+        The side of the image to which the face looks, from DICOM (0020,0020). It raises an error where that is missing.
+        """
     def GetFileFormat(self) -> str:
-        ...
+        """
+        The format that was read: "PNG", "JPEG", "TIFF", "BMP", "NRRD", "MetaImage" or "DICOM".
+        """
     def GetFileName(self) -> str:
-        ...
+        """
+        Returns the name of the image file.
+        """
     def GetMagnificationFactor(self) -> float:
-        ...
+        """
+        The magnification, DICOM (0018,1114), no unit. It raises an error where there is none.
+        """
     def GetPixelSpacing(self) -> tuple[float, float]:
         """
         Raises where the verdict is Unknown.
         """
     def GetPixelSpacingVerdict(self) -> PixelSpacingVerdict:
-        ...
+        """
+        What the pixel spacing of the file is worth, valid after Execute().
+        """
     def GetProvenance(self) -> dict[str, str]:
-        ...
+        """
+        Where the pixel spacing comes from, in words.
+        """
     def GetSourceToDetectorDistance(self) -> float:
-        ...
+        """
+        Distance from source to detector, mm, DICOM (0018,1110). It raises an error where there is none.
+        """
     def GetSourceToMidsagittalDistance(self) -> float:
-        ...
+        """
+        Distance from source to midsagittal plane, mm: DICOM (0018,1110) over (0018,1114). It raises an error where one of them is missing.
+        """
     def GetSpacingPlane(self) -> SpacingPlane:
-        ...
+        """
+        The plane in which the pixel spacing holds, valid after Execute().
+        """
     def GetWarnings(self) -> list[str]:
-        ...
+        """
+        What a person should know of the file, a sentence each.
+        """
     def HasFacing(self) -> bool:
-        ...
+        """
+        Whether the file says to which side the face looks.
+        """
     def HasMagnificationFactor(self) -> bool:
-        ...
+        """
+        Whether the file says a magnification.
+        """
     def HasPixelSpacing(self) -> bool:
-        ...
+        """
+        Whether a pixel spacing is known, valid after Execute().
+        """
     def HasSourceToDetectorDistance(self) -> bool:
-        ...
+        """
+        Whether the file says the distance from source to detector.
+        """
     def HasSourceToMidsagittalDistance(self) -> bool:
-        ...
+        """
+        Whether the file says what the distance from source to midsagittal plane follows from.
+        """
     def SetFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the image file.
+        """
     def SetUserPixelSpacing(self, spacing: typing.Sequence[float], plane: SpacingPlane | str = ...) -> None:
-        ...
+        """
+        Sets the pixel spacing (u, v), mm, and the plane in which it holds, over what the file says.
+        """
     def _TakeOutput(self) -> Image:
         ...
     def __init__(self) -> None:
@@ -1415,19 +1787,33 @@ class ToothLabelFileReader(ProcessObject):
     Reads tooth labels of a mesh's points.
     """
     def GetFileName(self) -> str:
-        ...
+        """
+        Returns the name of the file.
+        """
     def GetJaw(self) -> Jaw:
-        ...
+        """
+        The jaw, as the file says, else as its labels do; Unknown where neither does. Valid after Execute().
+        """
     def GetNumberOfPoints(self) -> int:
-        ...
+        """
+        Returns the number of points of the mesh that is labelled; 0, the default, checks nothing.
+        """
     def GetNumbering(self) -> Numbering:
-        ...
+        """
+        Returns how the file numbers teeth: FDI (the default) or Universal.
+        """
     def SetFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the file.
+        """
     def SetNumberOfPoints(self, count: int) -> None:
-        ...
+        """
+        Sets the number of points of the mesh that is labelled; 0, the default, checks nothing.
+        """
     def SetNumbering(self, numbering: Numbering | str) -> None:
-        ...
+        """
+        Sets how the file numbers teeth: FDI (the default) or Universal.
+        """
     def _GetOutput(self) -> numpy.typing.NDArray[typing.Any]:
         ...
     def __init__(self) -> None:
@@ -1477,7 +1863,9 @@ class JawsShareFrame:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class DentalFrames:
     """
     Everything that UMidlineDentalAxisFilter found, for ScanCheckFilter to judge.
@@ -1487,9 +1875,13 @@ class UMidlineDentalAxisFilter(ProcessObject):
     The anatomical frame of dental arches.
     """
     def EmbedAxesOff(self) -> None:
-        ...
+        """
+        The same as SetEmbedAxes(False). It sets whether arrows along the axes are added to the output meshes. Off by default.
+        """
     def EmbedAxesOn(self) -> None:
-        ...
+        """
+        The same as SetEmbedAxes(True). It sets whether arrows along the axes are added to the output meshes. Off by default.
+        """
     def GetArchDepth(self, jaw: Jaw | str) -> float:
         """
         mm.
@@ -1499,11 +1891,17 @@ class UMidlineDentalAxisFilter(ProcessObject):
         mm.
         """
     def GetAxesLength(self) -> float:
-        ...
+        """
+        Returns the length of the arrow along x, mm; 40 by default.
+        """
     def GetBaselineLeft(self, jaw: Jaw | str) -> tuple[float, float, float]:
-        ...
+        """
+        Left end of the molar baseline, mm, in the mesh's frame.
+        """
     def GetBaselineMidpoint(self, jaw: Jaw | str) -> tuple[float, float, float]:
-        ...
+        """
+        Middle of the molar baseline, mm, in the mesh's frame.
+        """
     def GetBaselineRight(self, jaw: Jaw | str) -> tuple[float, float, float]:
         """
         End of the molar baseline on the patient's right, mesh frame, mm.
@@ -1513,17 +1911,29 @@ class UMidlineDentalAxisFilter(ProcessObject):
         In [0, 1]; below 0.5 a person should look at the axes.
         """
     def GetCrownFraction(self) -> float:
-        ...
+        """
+        Returns the share of the surface that is taken for crowns, in (0, 1]; 0.15 by default, the paper's p.
+        """
     def GetEmbedAxes(self) -> bool:
-        ...
+        """
+        Returns whether arrows along the axes are added to the output meshes. Off by default.
+        """
     def GetIncisalEdge(self, jaw: Jaw | str) -> tuple[float, float, float]:
-        ...
+        """
+        Middle of the incisal edge, mm, in the mesh's frame.
+        """
     def GetJawsAreInOneFrame(self) -> bool:
-        ...
+        """
+        Whether the jaws were treated as in one frame. Overjet and overbite mean something only then.
+        """
     def GetJawsShareFrame(self) -> JawsShareFrame:
-        ...
+        """
+        Returns whether both scans lie in one frame, in occlusion. Check, the default, looks at contact, heights and directions of the arches.
+        """
     def GetMaximumIterations(self) -> int:
-        ...
+        """
+        Returns the most rounds of crown candidates, principal axes and occlusal direction; 20 by default. It stops when the direction does.
+        """
     def GetOverbite(self) -> float:
         """
         mm; means something only where the jaws are in one frame.
@@ -1533,39 +1943,73 @@ class UMidlineDentalAxisFilter(ProcessObject):
         mm; means something only where the jaws are in one frame.
         """
     def GetRefineMidline(self) -> bool:
-        ...
+        """
+        Returns whether the midline plane is moved to the scan's mirror plane. Off by default.
+        """
     def GetRequireArches(self) -> bool:
-        ...
+        """
+        Returns whether a mesh without an arch is an error. On by default; off, its outputs are empty and the other jaw is none the worse.
+        """
     def GetTransformMeshes(self) -> bool:
-        ...
+        """
+        Returns whether the output meshes are made. On by default; off for those who want the frames alone.
+        """
     def RefineMidlineOff(self) -> None:
-        ...
+        """
+        The same as SetRefineMidline(False). It sets whether the midline plane is moved to the scan's mirror plane. Off by default.
+        """
     def RefineMidlineOn(self) -> None:
-        ...
+        """
+        The same as SetRefineMidline(True). It sets whether the midline plane is moved to the scan's mirror plane. Off by default.
+        """
     def RequireArchesOff(self) -> None:
-        ...
+        """
+        The same as SetRequireArches(False). It sets whether a mesh without an arch is an error. On by default; off, its outputs are empty and the other jaw is none the worse.
+        """
     def RequireArchesOn(self) -> None:
-        ...
+        """
+        The same as SetRequireArches(True). It sets whether a mesh without an arch is an error. On by default; off, its outputs are empty and the other jaw is none the worse.
+        """
     def SetAxesLength(self, value: float) -> None:
-        ...
+        """
+        Sets the length of the arrow along x, mm; 40 by default.
+        """
     def SetCrownFraction(self, value: float) -> None:
-        ...
+        """
+        Sets the share of the surface that is taken for crowns, in (0, 1]; 0.15 by default, the paper's p.
+        """
     def SetEmbedAxes(self, value: bool) -> None:
-        ...
+        """
+        Sets whether arrows along the axes are added to the output meshes. Off by default.
+        """
     def SetJawsShareFrame(self, mode: JawsShareFrame | str) -> None:
-        ...
+        """
+        Sets whether both scans lie in one frame, in occlusion. Check, the default, looks at contact, heights and directions of the arches.
+        """
     def SetMaximumIterations(self, value: int) -> None:
-        ...
+        """
+        Sets the most rounds of crown candidates, principal axes and occlusal direction; 20 by default. It stops when the direction does.
+        """
     def SetRefineMidline(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the midline plane is moved to the scan's mirror plane. Off by default.
+        """
     def SetRequireArches(self, value: bool) -> None:
-        ...
+        """
+        Sets whether a mesh without an arch is an error. On by default; off, its outputs are empty and the other jaw is none the worse.
+        """
     def SetTransformMeshes(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the output meshes are made. On by default; off for those who want the frames alone.
+        """
     def TransformMeshesOff(self) -> None:
-        ...
+        """
+        The same as SetTransformMeshes(False). It sets whether the output meshes are made. On by default; off for those who want the frames alone.
+        """
     def TransformMeshesOn(self) -> None:
-        ...
+        """
+        The same as SetTransformMeshes(True). It sets whether the output meshes are made. On by default; off for those who want the frames alone.
+        """
     def _GetFrames(self) -> DentalFrames:
         ...
     def _GetTransform(self, jaw: Jaw | str) -> VersorRigid3DTransform | None:
@@ -1585,11 +2029,17 @@ class MidsagittalPlaneFilter(ProcessObject):
     The mirror plane of one arch or of a pair.
     """
     def GetNormal(self) -> tuple[float, float, float]:
-        ...
+        """
+        Unit normal of the plane that was found, in the frame of the meshes.
+        """
     def GetOffset(self) -> float:
-        ...
+        """
+        Distance of the plane from the origin along its normal, mm.
+        """
     def SignedDistance(self, point: typing.Sequence[float]) -> float:
-        ...
+        """
+        Distance of a point (mm, in the frame of the meshes) from the plane, positive on the side of the normal.
+        """
     def _GetPlane(self) -> dict[str, typing.Any]:
         ...
     def _SetLowerMesh(self, mesh: Mesh | None) -> None:
@@ -1640,7 +2090,9 @@ class SurfaceDRRNormalization:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class SurfaceDRROutput:
     """
     What a pixel holds.
@@ -1686,89 +2138,165 @@ class SurfaceDRROutput:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class SurfaceDRRImageSource(ProcessObject):
     """
     Digitally reconstructed radiograph of surfaces.
     """
     def CoverMeshesOff(self) -> None:
-        ...
+        """
+        The same as SetCoverMeshes(False). It sets whether the region holds every projected vertex and a margin. On by default; SetSize() turns it off.
+        """
     def CoverMeshesOn(self) -> None:
-        ...
+        """
+        The same as SetCoverMeshes(True). It sets whether the region holds every projected vertex and a margin. On by default; SetSize() turns it off.
+        """
     def GetAttenuation(self) -> float:
-        ...
+        """
+        Returns the attenuation coefficient, 1/mm under Physical; 0.08 by default, that of enamel at about 60 keV.
+        """
     def GetCoverMargin(self) -> float:
-        ...
+        """
+        Returns the margin of CoverMeshes, mm in the detector plane. A negative one, the default, stands for four times the largest sigma.
+        """
     def GetCoverMeshes(self) -> bool:
-        ...
+        """
+        Returns whether the region holds every projected vertex and a margin. On by default; SetSize() turns it off.
+        """
     def GetDensity(self) -> float:
-        ...
+        """
+        Returns the thickness of the shell, mm, under Physical, and a factor under Paper; 1 by default.
+        """
     def GetMeshSigma(self, number: int) -> float:
-        ...
+        """
+        Width of the splats of one mesh by its number, mm in the detector plane; 0 stands for Sigma.
+        """
     def GetNormalization(self) -> SurfaceDRRNormalization:
-        ...
+        """
+        Returns how the sum of the splats becomes a thickness: Physical (the default, mm) or Paper.
+        """
     def GetNumberOfProjections(self) -> int:
         """
         How often the splats were projected.
         """
     def GetOrigin(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the physical point of the pixel with index (0, 0), mm in the detector plane.
+        """
     def GetOutputMode(self) -> SurfaceDRROutput:
-        ...
+        """
+        Returns what the pixels hold; Thickness by default.
+        """
     def GetSigma(self) -> float:
-        ...
+        """
+        Returns the width of the splats, mm in the detector plane, of every mesh without one of its own; 0.5 by default.
+        """
     def GetSize(self) -> tuple[int, int]:
-        ...
+        """
+        Returns the size of the output region (width, height), pixels. To set it turns CoverMeshes off.
+        """
     def GetSourceIntensity(self) -> float:
-        ...
+        """
+        Returns the intensity without anything in the beam; 1 by default.
+        """
     def GetSpacing(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the distance between pixels (u, v), mm in the detector plane, where UseGeometrySpacing is off.
+        """
     def GetStartIndex(self) -> tuple[int, int]:
-        ...
+        """
+        Returns the first pixel of the output region, (u, v), which may be negative.
+        """
     def GetTolerance(self) -> float:
-        ...
+        """
+        Returns the largest error relative to the maximum on the detector plane, in [1e-6, 0.1]; 1e-3 by default.
+        """
     def GetUseGeometrySpacing(self) -> bool:
-        ...
+        """
+        Returns whether the pixel spacing is that of the geometry. On by default.
+        """
     def GetVertexSigmas(self, number: int) -> list[float]:
-        ...
+        """
+        Widths of the splats of one mesh, one a vertex, mm; empty where it has one width.
+        """
     def SetAttenuation(self, value: float) -> None:
-        ...
+        """
+        Sets the attenuation coefficient, 1/mm under Physical; 0.08 by default, that of enamel at about 60 keV.
+        """
     def SetCoverMargin(self, value: float) -> None:
-        ...
+        """
+        Sets the margin of CoverMeshes, mm in the detector plane. A negative one, the default, stands for four times the largest sigma.
+        """
     def SetCoverMeshes(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the region holds every projected vertex and a margin. On by default; SetSize() turns it off.
+        """
     def SetDensity(self, value: float) -> None:
-        ...
+        """
+        Sets the thickness of the shell, mm, under Physical, and a factor under Paper; 1 by default.
+        """
     def SetMeshSigma(self, number: int, sigma: float) -> None:
-        ...
+        """
+        Sets the width of the splats of one mesh by its number, mm in the detector plane; 0 returns to Sigma.
+        """
     def SetNormalization(self, normalization: SurfaceDRRNormalization | str) -> None:
-        ...
+        """
+        Sets how the sum of the splats becomes a thickness: Physical (the default, mm) or Paper.
+        """
     def SetOrigin(self, origin: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the physical point of the pixel with index (0, 0), mm in the detector plane.
+        """
     def SetOutputMode(self, mode: SurfaceDRROutput | str) -> None:
-        ...
+        """
+        Sets what the pixels hold; Thickness by default.
+        """
     def SetSigma(self, value: float) -> None:
-        ...
+        """
+        Sets the width of the splats, mm in the detector plane, of every mesh without one of its own; 0.5 by default.
+        """
     def SetSize(self, size: typing.Sequence[int]) -> None:
-        ...
+        """
+        Sets the size of the output region (width, height), pixels. To set it turns CoverMeshes off.
+        """
     def SetSizeToCoverMeshes(self, margin: float) -> None:
-        ...
+        """
+        Turns CoverMeshes on and sets its margin, mm in the detector plane.
+        """
     def SetSourceIntensity(self, value: float) -> None:
-        ...
+        """
+        Sets the intensity without anything in the beam; 1 by default.
+        """
     def SetSpacing(self, spacing: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the distance between pixels (u, v), mm in the detector plane, where UseGeometrySpacing is off.
+        """
     def SetStartIndex(self, index: typing.Sequence[int]) -> None:
-        ...
+        """
+        Sets the first pixel of the output region, (u, v), which may be negative.
+        """
     def SetTolerance(self, value: float) -> None:
-        ...
+        """
+        Sets the largest error relative to the maximum on the detector plane, in [1e-6, 0.1]; 1e-3 by default.
+        """
     def SetUseGeometrySpacing(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the pixel spacing is that of the geometry. On by default.
+        """
     def SetVertexSigmas(self, number: int, sigmas: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the widths of the splats of one mesh, one a vertex in the order of the points, mm; an empty list returns to one width.
+        """
     def UseGeometrySpacingOff(self) -> None:
-        ...
+        """
+        The same as SetUseGeometrySpacing(False). It sets whether the pixel spacing is that of the geometry. On by default.
+        """
     def UseGeometrySpacingOn(self) -> None:
-        ...
+        """
+        The same as SetUseGeometrySpacing(True). It sets whether the pixel spacing is that of the geometry. On by default.
+        """
     def _GetNumberOfMeshes(self) -> int:
         ...
     def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
@@ -1830,7 +2358,9 @@ class SilhouetteContent:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class SilhouetteLevel:
     """
     How the level of grey values is found.
@@ -1876,7 +2406,9 @@ class SilhouetteLevel:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class SilhouetteCoordinates:
     """
     In what a contour is expressed.
@@ -1922,67 +2454,121 @@ class SilhouetteCoordinates:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class SilhouetteContourFilter(ProcessObject):
     """
     The outer silhouette in an image, or of labels.
     """
     def GetContent(self) -> SilhouetteContent:
-        ...
+        """
+        Returns what the pixels are: grey values (Intensity, the default), FDI numbers (ToothLabels), or labels of any meaning (MergedLabels).
+        """
     def GetLabelSmoothing(self) -> float:
-        ...
+        """
+        Returns the width of the Gaussian under which labels are outlined, pixels, up to 100; 0 by default: the edges of pixels.
+        """
     def GetLargestPartOnly(self) -> bool:
-        ...
+        """
+        Returns whether only the part with the largest area is kept, of each label under ToothLabels. On by default.
+        """
     def GetLevel(self) -> SilhouetteLevel:
-        ...
+        """
+        Returns how the level of the contour is chosen; Automatic by default.
+        """
     def GetLevelFraction(self) -> float:
-        ...
+        """
+        Returns the level under Fraction, between the darkest and the brightest pixel, above 0 and below 1; 0.5 by default.
+        """
     def GetLevelValue(self) -> float:
-        ...
+        """
+        Returns the level under Absolute, in grey values; 0.5 by default.
+        """
     def GetMinimumArea(self) -> float:
-        ...
+        """
+        Returns the area below which parts are left out, square pixels; 0 by default.
+        """
     def GetNumberOfStreamDivisions(self) -> int:
-        ...
+        """
+        Returns the number of strips in which the image is pulled; 1 by default, the whole image at once.
+        """
     def GetObjectIsDark(self) -> bool:
-        ...
+        """
+        Returns whether the object is darker than the background. Off by default.
+        """
     def GetOutputCoordinates(self) -> SilhouetteCoordinates:
-        ...
+        """
+        Returns whether the points come out as continuous pixel indices (Index, the default) or as physical points.
+        """
     def GetOutputOffset(self) -> tuple[float, float]:
-        ...
+        """
+        Returns what is subtracted from every point of the output, (u, v) in its unit; 0 by default.
+        """
     def GetUsedLevel(self) -> float:
         """
         Of the last Execute().
         """
     def LargestPartOnlyOff(self) -> None:
-        ...
+        """
+        The same as SetLargestPartOnly(False). It sets whether only the part with the largest area is kept, of each label under ToothLabels. On by default.
+        """
     def LargestPartOnlyOn(self) -> None:
-        ...
+        """
+        The same as SetLargestPartOnly(True). It sets whether only the part with the largest area is kept, of each label under ToothLabels. On by default.
+        """
     def ObjectIsDarkOff(self) -> None:
-        ...
+        """
+        The same as SetObjectIsDark(False). It sets whether the object is darker than the background. Off by default.
+        """
     def ObjectIsDarkOn(self) -> None:
-        ...
+        """
+        The same as SetObjectIsDark(True). It sets whether the object is darker than the background. Off by default.
+        """
     def SetContent(self, content: SilhouetteContent | str) -> None:
-        ...
+        """
+        Sets what the pixels are: grey values (Intensity, the default), FDI numbers (ToothLabels), or labels of any meaning (MergedLabels).
+        """
     def SetLabelSmoothing(self, value: float) -> None:
-        ...
+        """
+        Sets the width of the Gaussian under which labels are outlined, pixels, up to 100; 0 by default: the edges of pixels.
+        """
     def SetLargestPartOnly(self, value: bool) -> None:
-        ...
+        """
+        Sets whether only the part with the largest area is kept, of each label under ToothLabels. On by default.
+        """
     def SetLevel(self, level: SilhouetteLevel | str) -> None:
-        ...
+        """
+        Sets how the level of the contour is chosen; Automatic by default.
+        """
     def SetLevelFraction(self, value: float) -> None:
-        ...
+        """
+        Sets the level under Fraction, between the darkest and the brightest pixel, above 0 and below 1; 0.5 by default.
+        """
     def SetLevelValue(self, value: float) -> None:
-        ...
+        """
+        Sets the level under Absolute, in grey values; 0.5 by default.
+        """
     def SetMinimumArea(self, value: float) -> None:
-        ...
+        """
+        Sets the area below which parts are left out, square pixels; 0 by default.
+        """
     def SetNumberOfStreamDivisions(self, value: int) -> None:
-        ...
+        """
+        Sets the number of strips in which the image is pulled; 1 by default, the whole image at once.
+        """
     def SetObjectIsDark(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the object is darker than the background. Off by default.
+        """
     def SetOutputCoordinates(self, coordinates: SilhouetteCoordinates | str) -> None:
-        ...
+        """
+        Sets whether the points come out as continuous pixel indices (Index, the default) or as physical points.
+        """
     def SetOutputOffset(self, offset: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets what is subtracted from every point of the output, (u, v) in its unit; 0 by default.
+        """
     def _SetInput(self, image: Image | None) -> None:
         ...
     def _TakeOutput(self) -> Contour:
@@ -1994,17 +2580,29 @@ class MeshSilhouetteContourSource(ProcessObject):
     The exact outer silhouette of a mesh.
     """
     def GetLargestPartOnly(self) -> bool:
-        ...
+        """
+        Returns whether only the part with the largest area is given. On by default; off, all parts that do not hide in another.
+        """
     def GetNumberOfPoints(self) -> int:
-        ...
+        """
+        Returns the number of points of the output, at equal distances; 0, the default, gives the corners of the silhouette.
+        """
     def LargestPartOnlyOff(self) -> None:
-        ...
+        """
+        The same as SetLargestPartOnly(False). It sets whether only the part with the largest area is given. On by default; off, all parts that do not hide in another.
+        """
     def LargestPartOnlyOn(self) -> None:
-        ...
+        """
+        The same as SetLargestPartOnly(True). It sets whether only the part with the largest area is given. On by default; off, all parts that do not hide in another.
+        """
     def SetLargestPartOnly(self, value: bool) -> None:
-        ...
+        """
+        Sets whether only the part with the largest area is given. On by default; off, all parts that do not hide in another.
+        """
     def SetNumberOfPoints(self, value: int) -> None:
-        ...
+        """
+        Sets the number of points of the output, at equal distances; 0, the default, gives the corners of the silhouette.
+        """
     def _GetSamples(self) -> tuple[typing.Any, ...]:
         ...
     def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
@@ -2020,7 +2618,9 @@ class OpenSilhouetteContourSource(ProcessObject):
     The part of a jaw's outline that a tracing can lie on.
     """
     def GetJaw(self) -> Jaw:
-        ...
+        """
+        Returns the jaw of the mesh, which says which way is occlusal: Upper (the default) or Lower.
+        """
     def GetNormals(self) -> numpy.typing.NDArray[typing.Any]:
         """
         (N, 2), outward.
@@ -2030,11 +2630,17 @@ class OpenSilhouetteContourSource(ProcessObject):
         (N, 3), object frame, mm.
         """
     def GetSpacing(self) -> float:
-        ...
+        """
+        Returns the distance between points of the output, mm in the detector plane; 0.125 by default.
+        """
     def SetJaw(self, jaw: Jaw | str) -> None:
-        ...
+        """
+        Sets the jaw of the mesh, which says which way is occlusal: Upper (the default) or Lower.
+        """
     def SetSpacing(self, value: float) -> None:
-        ...
+        """
+        Sets the distance between points of the output, mm in the detector plane; 0.125 by default.
+        """
     def _SetFrameTransform(self, transform: VersorRigid3DTransform | None) -> None:
         ...
     def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
@@ -2050,9 +2656,13 @@ class ContourMaskFilter(ProcessObject):
     The stretches of a contour that run through a mask.
     """
     def GetMinimumNumberOfPoints(self) -> int:
-        ...
+        """
+        Returns the number of points below which a stretch is left out; 2 by default.
+        """
     def SetMinimumNumberOfPoints(self, number: int) -> None:
-        ...
+        """
+        Sets the number of points below which a stretch is left out; 2 by default.
+        """
     def _SetInput(self, contour: Contour | None) -> None:
         ...
     def _SetMaskImage(self, image: Image | None) -> None:
@@ -2066,13 +2676,21 @@ class ContourResampleFilter(ProcessObject):
     Points at equal distances along a contour.
     """
     def GetNumberOfPoints(self) -> int:
-        ...
+        """
+        Returns the number of points in total; 0, the default, goes by the spacing.
+        """
     def GetSpacing(self) -> float:
-        ...
+        """
+        Returns the distance between points, pixels, where the number of points is 0; 1 by default.
+        """
     def SetNumberOfPoints(self, value: int) -> None:
-        ...
+        """
+        Sets the number of points in total; 0, the default, goes by the spacing.
+        """
     def SetSpacing(self, value: float) -> None:
-        ...
+        """
+        Sets the distance between points, pixels, where the number of points is 0; 1 by default.
+        """
     def _SetInput(self, contour: Contour | None) -> None:
         ...
     def _TakeOutput(self) -> Contour:
@@ -2088,25 +2706,37 @@ class CrownRegionMeshFilter(ProcessObject):
         mm^2.
         """
     def GetJaw(self) -> Jaw:
-        ...
+        """
+        Returns the jaw of the mesh; Upper by default.
+        """
     def GetKeepWholeMesh(self) -> bool:
-        ...
+        """
+        Returns whether the whole mesh comes out, with what is crown as its point data. Off by default.
+        """
     def GetLabelNumbering(self) -> Numbering:
-        ...
+        """
+        Returns how the labels number teeth: FDI (the default) or Universal.
+        """
     def GetLabelsWereUsed(self) -> bool:
-        ...
+        """
+        Whether the last run took the labels.
+        """
     def GetMarginAngle(self) -> float:
         """
         rad.
         """
     def GetMaximumCrownHeight(self) -> float:
-        ...
+        """
+        Returns the greatest depth below the occlusal surface at which the gingival margin is looked for, mm; 12.5 by default.
+        """
     def GetMeanCrownHeight(self) -> float:
         """
         mm.
         """
     def GetMinimumCrownHeight(self) -> float:
-        ...
+        """
+        Returns the least depth below the occlusal surface at which the gingival margin is looked for, mm; 2.5 by default.
+        """
     def GetPointMask(self) -> numpy.typing.NDArray[typing.Any]:
         """
         (N,) of 0 and 1.
@@ -2116,27 +2746,49 @@ class CrownRegionMeshFilter(ProcessObject):
         (M,) of 0 and 1.
         """
     def GetUseLabels(self) -> bool:
-        ...
+        """
+        Returns whether tooth labels of the mesh, where it has any, say what is crown. On by default.
+        """
     def KeepWholeMeshOff(self) -> None:
-        ...
+        """
+        The same as SetKeepWholeMesh(False). It sets whether the whole mesh comes out, with what is crown as its point data. Off by default.
+        """
     def KeepWholeMeshOn(self) -> None:
-        ...
+        """
+        The same as SetKeepWholeMesh(True). It sets whether the whole mesh comes out, with what is crown as its point data. Off by default.
+        """
     def SetJaw(self, jaw: Jaw | str) -> None:
-        ...
+        """
+        Sets the jaw of the mesh; Upper by default.
+        """
     def SetKeepWholeMesh(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the whole mesh comes out, with what is crown as its point data. Off by default.
+        """
     def SetLabelNumbering(self, numbering: Numbering | str) -> None:
-        ...
+        """
+        Sets how the labels number teeth: FDI (the default) or Universal.
+        """
     def SetMaximumCrownHeight(self, value: float) -> None:
-        ...
+        """
+        Sets the greatest depth below the occlusal surface at which the gingival margin is looked for, mm; 12.5 by default.
+        """
     def SetMinimumCrownHeight(self, value: float) -> None:
-        ...
+        """
+        Sets the least depth below the occlusal surface at which the gingival margin is looked for, mm; 2.5 by default.
+        """
     def SetUseLabels(self, value: bool) -> None:
-        ...
+        """
+        Sets whether tooth labels of the mesh, where it has any, say what is crown. On by default.
+        """
     def UseLabelsOff(self) -> None:
-        ...
+        """
+        The same as SetUseLabels(False). It sets whether tooth labels of the mesh, where it has any, say what is crown. On by default.
+        """
     def UseLabelsOn(self) -> None:
-        ...
+        """
+        The same as SetUseLabels(True). It sets whether tooth labels of the mesh, where it has any, say what is crown. On by default.
+        """
     def _SetFrameTransform(self, transform: VersorRigid3DTransform | None) -> None:
         ...
     def _SetInput(self, mesh: Mesh | None) -> None:
@@ -2187,23 +2839,33 @@ class Side:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class MidlineSideMeshFilter(ProcessObject):
     """
     The part of a jaw on one side of the midline plane.
     """
     def GetMargin(self) -> float:
-        ...
+        """
+        Returns how far beyond the midline plane the mesh is kept, mm; -0.5 by default, so that the other side's incisor is not the outline.
+        """
     def GetSide(self) -> Side:
-        ...
+        """
+        Returns the patient's side that is kept; Right by default.
+        """
     def GetTriangleMask(self) -> numpy.typing.NDArray[typing.Any]:
         """
         (M,) of 0 and 1.
         """
     def SetMargin(self, value: float) -> None:
-        ...
+        """
+        Sets how far beyond the midline plane the mesh is kept, mm; -0.5 by default, so that the other side's incisor is not the outline.
+        """
     def SetSide(self, side: Side | str) -> None:
-        ...
+        """
+        Sets the patient's side that is kept; Right by default.
+        """
     def _SetFrameTransform(self, transform: VersorRigid3DTransform | None) -> None:
         ...
     def _SetInput(self, mesh: Mesh | None) -> None:
@@ -2257,7 +2919,9 @@ class ContourDirection:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class ContourPointDistance:
     """
     To what distances are taken: the nearest point, or the nearest place on a line.
@@ -2300,7 +2964,9 @@ class ContourPointDistance:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class ContourDistanceFilter(ProcessObject):
     """
     Distances between two contours.
@@ -2310,7 +2976,9 @@ class ContourDistanceFilter(ProcessObject):
         Average of the two means, px.
         """
     def GetDistance(self) -> ContourPointDistance:
-        ...
+        """
+        Returns how the distance of a point is measured: PointToPoint (the default, the paper's) or PointToSegment.
+        """
     def GetFixedToMovingDistances(self) -> numpy.typing.NDArray[typing.Any]:
         """
         One a point, px; NaN for points of weight 0.
@@ -2340,7 +3008,9 @@ class ContourDistanceFilter(ProcessObject):
         px.
         """
     def SetDistance(self, distance: ContourPointDistance | str) -> None:
-        ...
+        """
+        Sets how the distance of a point is measured: PointToPoint (the default, the paper's) or PointToSegment.
+        """
     def _SetFixedContour(self, contour: Contour | None) -> None:
         ...
     def _SetMovingContour(self, contour: Contour | None) -> None:
@@ -2362,13 +3032,17 @@ class ContourOverlapFilter(ProcessObject):
         Of the tracing, 0 to 1.
         """
     def GetGapLength(self) -> float:
-        ...
+        """
+        Returns the length of a gap in the tracing below which it has no ends there, pixels; 8 by default.
+        """
     def GetLargestDistance(self) -> float:
         """
         px.
         """
     def GetMaximumDistance(self) -> float:
-        ...
+        """
+        Returns the distance beyond which contours do not lie together, pixels; 5 by default.
+        """
     def GetMovingDistances(self) -> numpy.typing.NDArray[typing.Any]:
         """
         One a point, px; NaN for points without tracing beside them.
@@ -2382,9 +3056,13 @@ class ContourOverlapFilter(ProcessObject):
         px.
         """
     def SetGapLength(self, value: float) -> None:
-        ...
+        """
+        Sets the length of a gap in the tracing below which it has no ends there, pixels; 8 by default.
+        """
     def SetMaximumDistance(self, value: float) -> None:
-        ...
+        """
+        Sets the distance beyond which contours do not lie together, pixels; 5 by default.
+        """
     def _SetFixedContour(self, contour: Contour | None) -> None:
         ...
     def _SetMovingContour(self, contour: Contour | None) -> None:
@@ -2441,13 +3119,17 @@ class SpacingSource:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class ContourToContourMetricv4:
     """
     A figure of merit between two contours, for SetMetric().
     """
     def GetName(self) -> str:
-        ...
+        """
+        Name of the class in C++.
+        """
     def GetPivot(self) -> tuple[float, float]:
         """
         Of scale and rotation, in the moving frame, px.
@@ -2463,17 +3145,29 @@ class ContourChamferMetricv4(ContourToContourMetricv4):
     Symmetric or one-sided Chamfer distance: the sum of the directed means, px.
     """
     def GetDirection(self) -> ContourDirection:
-        ...
+        """
+        Returns which contour's points are measured: Symmetric (both, the default), MovingToFixed or FixedToMoving.
+        """
     def GetDistance(self) -> ContourPointDistance:
-        ...
+        """
+        Returns how the distance of a point is measured: PointToPoint (the default, the paper's) or PointToSegment.
+        """
     def GetTruncation(self) -> float:
-        ...
+        """
+        Returns the distance that all larger ones count as, pixels; infinity by default.
+        """
     def SetDirection(self, direction: ContourDirection | str) -> None:
-        ...
+        """
+        Sets which contour's points are measured: Symmetric (both, the default), MovingToFixed or FixedToMoving.
+        """
     def SetDistance(self, distance: ContourPointDistance | str) -> None:
-        ...
+        """
+        Sets how the distance of a point is measured: PointToPoint (the default, the paper's) or PointToSegment.
+        """
     def SetTruncation(self, value: float) -> None:
-        ...
+        """
+        Sets the distance that all larger ones count as, pixels; infinity by default.
+        """
     def __init__(self) -> None:
         ...
 class RegistrationLevel:
@@ -2495,17 +3189,73 @@ class RegistrationLevel:
     numberOfIterations : int
         From a start; 0 leaves the optimizer's own.
     """
-    numberOfIterations: int
-    numberOfRotations: int
-    numberOfScales: int
-    numberOfStarts: int
-    numberOfTranslations: int
-    rotationBound: float
-    scaleBound: float
-    translationBound: float
     def __init__(self, scaleBound: float = 0.35, rotationBound: float = 0.0, translationBound: float = 0.0, numberOfScales: int = 0, numberOfRotations: int = 0, numberOfTranslations: int = 0, numberOfStarts: int = 1, numberOfIterations: int = 0) -> None:
         ...
     def __repr__(self) -> str:
+        ...
+    @property
+    def numberOfIterations(self) -> int:
+        """
+        The most iterations of the optimizer from a start; 0 leaves the optimizer's own limit.
+        """
+    @numberOfIterations.setter
+    def numberOfIterations(self, arg0: int) -> None:
+        ...
+    @property
+    def numberOfRotations(self) -> int:
+        """
+        How many angles within the bound are tried before the optimizer runs; 0 is none.
+        """
+    @numberOfRotations.setter
+    def numberOfRotations(self, arg0: int) -> None:
+        ...
+    @property
+    def numberOfScales(self) -> int:
+        """
+        How many scales within the bound are tried before the optimizer runs; 0 is none.
+        """
+    @numberOfScales.setter
+    def numberOfScales(self, arg0: int) -> None:
+        ...
+    @property
+    def numberOfStarts(self) -> int:
+        """
+        How many of the best places are refined.
+        """
+    @numberOfStarts.setter
+    def numberOfStarts(self, arg0: int) -> None:
+        ...
+    @property
+    def numberOfTranslations(self) -> int:
+        """
+        How many shifts an axis within the bound are tried before the optimizer runs; 0 is none.
+        """
+    @numberOfTranslations.setter
+    def numberOfTranslations(self, arg0: int) -> None:
+        ...
+    @property
+    def rotationBound(self) -> float:
+        """
+        How far the angle may move from the current one, rad.
+        """
+    @rotationBound.setter
+    def rotationBound(self, arg0: float) -> None:
+        ...
+    @property
+    def scaleBound(self) -> float:
+        """
+        How far the scale may move, as a part of the current one, in [0, 1): 0.35 allows 0.65 to 1.35 times it.
+        """
+    @scaleBound.setter
+    def scaleBound(self, arg0: float) -> None:
+        ...
+    @property
+    def translationBound(self) -> float:
+        """
+        How far the silhouette's centroid may move in u and in v, mm in the plane of the pixel spacing.
+        """
+    @translationBound.setter
+    def translationBound(self, arg0: float) -> None:
         ...
 class RegistrationLevelResult:
     """
@@ -2515,31 +3265,49 @@ class RegistrationLevelResult:
         ...
     @property
     def boundsHit(self) -> list[int]:
-        ...
+        """
+        Of scale, rotation, shift in u and in v: -1 where the result lies on the lower bound, 1 on the upper, else 0.
+        """
     @property
     def finalParameters(self) -> list[float]:
-        ...
+        """
+        Parameters at which the level ended: scale, angle (rad), shift (pixels).
+        """
     @property
     def finalValue(self) -> float:
-        ...
+        """
+        Value of the metric at the end.
+        """
     @property
     def initialParameters(self) -> list[float]:
-        ...
+        """
+        Parameters at which the level began: scale, angle (rad), shift (pixels).
+        """
     @property
     def initialValue(self) -> float:
-        ...
+        """
+        Value of the metric at the beginning.
+        """
     @property
     def numberOfCandidates(self) -> int:
-        ...
+        """
+        How many places the exploration tried.
+        """
     @property
     def numberOfEvaluations(self) -> int:
-        ...
+        """
+        How many times the metric was evaluated.
+        """
     @property
     def numberOfIterations(self) -> int:
-        ...
+        """
+        How many iterations the optimizer needed.
+        """
     @property
     def stopConditionDescription(self) -> str:
-        ...
+        """
+        Why the optimizer ended, in words.
+        """
 class SilhouetteToContourRegistrationMethod(ProcessObject):
     """
     Aligns a silhouette with a tracing by a 2-D similarity.
@@ -2548,61 +3316,101 @@ class SilhouetteToContourRegistrationMethod(ProcessObject):
     def _ComputeBoundingBoxTransform(fixed: Contour, moving: Contour) -> Similarity2DTransform:
         ...
     def FixRotationOff(self) -> None:
-        ...
+        """
+        The same as SetFixRotation(False). It sets whether the angle of the start is held. Off by default.
+        """
     def FixRotationOn(self) -> None:
-        ...
+        """
+        The same as SetFixRotation(True). It sets whether the angle of the start is held. Off by default.
+        """
     def FixScaleOff(self) -> None:
-        ...
+        """
+        The same as SetFixScale(False). It sets whether the scale of the start is held. Off by default.
+        """
     def FixScaleOn(self) -> None:
-        ...
+        """
+        The same as SetFixScale(True). It sets whether the scale of the start is held. Off by default.
+        """
     def FixTranslationOff(self) -> None:
-        ...
+        """
+        The same as SetFixTranslation(False). It sets whether the translation of the start is held. Off by default.
+        """
     def FixTranslationOn(self) -> None:
-        ...
+        """
+        The same as SetFixTranslation(True). It sets whether the translation of the start is held. Off by default.
+        """
     def GetCurrentLevel(self) -> int:
         """
         0 is the coarsest.
         """
     def GetFixRotation(self) -> bool:
-        ...
+        """
+        Returns whether the angle of the start is held. Off by default.
+        """
     def GetFixScale(self) -> bool:
-        ...
+        """
+        Returns whether the scale of the start is held. Off by default.
+        """
     def GetFixTranslation(self) -> bool:
-        ...
+        """
+        Returns whether the translation of the start is held. Off by default.
+        """
     def GetInitialParameters(self) -> tuple[typing.Any, ...]:
         """
         The start (scale, rad, px, px).
         """
     def GetLevel(self, index: int) -> RegistrationLevel:
-        ...
+        """
+        Bounds and effort of a level by its number, from 0.
+        """
     def GetLevelResults(self) -> list[RegistrationLevelResult]:
         """
         How the levels went, after Execute().
         """
     def GetMetricValue(self) -> float:
-        ...
+        """
+        Value of the metric at the current iteration, pixels for the chamfer metrics.
+        """
     def GetNumberOfLevels(self) -> int:
-        ...
+        """
+        Returns the number of levels; 3 by default, and 0 gives the start itself. A level that is added has half the bounds of the one before.
+        """
     def GetOptimizerIteration(self) -> int:
-        ...
+        """
+        Number of the current iteration, from 0.
+        """
     def GetOptimizerPosition(self) -> tuple[typing.Any, ...]:
         """
         Parameters of the transform: (scale, rad, px, px).
         """
     def GetOptimizerStopConditionDescription(self) -> str:
-        ...
+        """
+        Why the optimizer ended, in words.
+        """
     def GetPixelSpacing(self) -> float:
-        ...
+        """
+        Pixel spacing of the fixed contour (mean of u and v), mm; 0.25 by default. It turns the bounds on the shift into pixels.
+        """
     def GetRandomSeed(self) -> int:
-        ...
+        """
+        Returns the seed that the evolutionary optimizer gets at each run; the others draw nothing.
+        """
     def SetFixRotation(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the angle of the start is held. Off by default.
+        """
     def SetFixScale(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the scale of the start is held. Off by default.
+        """
     def SetFixTranslation(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the translation of the start is held. Off by default.
+        """
     def SetLevel(self, index: int, level: RegistrationLevel) -> None:
-        ...
+        """
+        Sets bounds and effort of a level by its number, from 0.
+        """
     def SetMetric(self, metric: ContourToContourMetricv4 | None) -> None:
         """
         A metric object; None: the paper's.
@@ -2623,9 +3431,13 @@ class SilhouetteToContourRegistrationMethod(ProcessObject):
             central differences.
         """
     def SetMetricAsSymmetricChamfer(self, truncation: float = ...) -> None:
-        ...
+        """
+        Measures the mean distance of each contour's points from the other contour, pixels.
+        """
     def SetNumberOfLevels(self, number: int) -> None:
-        ...
+        """
+        Sets the number of levels; 3 by default, and 0 gives the start itself. A level that is added has half the bounds of the one before.
+        """
     def SetOptimizerAsAmoeba(self, simplexDelta: float = 0.0, numberOfIterations: int = 500, parametersConvergenceTolerance: float = 1e-08, functionConvergenceTolerance: float = 0.0001, withRestarts: bool = False) -> None:
         """
         simplexDelta 0: a quarter of the level's bounds.
@@ -2635,35 +3447,57 @@ class SilhouetteToContourRegistrationMethod(ProcessObject):
         Steps to each side in scale, rotation, u and v: the grid reaches the level's bounds.
         """
     def SetOptimizerAsGradientDescent(self, learningRate: float, numberOfIterations: int, convergenceMinimumValue: float = 1e-06, convergenceWindowSize: int = 10) -> None:
-        ...
+        """
+        Optimizes with ITK's GradientDescentOptimizerv4. The parameters are ITK's.
+        """
     def SetOptimizerAsGradientDescentLineSearch(self, learningRate: float, numberOfIterations: int, convergenceMinimumValue: float = 1e-06, convergenceWindowSize: int = 10, lineSearchLowerLimit: float = 0.0, lineSearchUpperLimit: float = 5.0, lineSearchEpsilon: float = 0.01, lineSearchMaximumIterations: int = 20) -> None:
-        ...
+        """
+        Optimizes with ITK's GradientDescentLineSearchOptimizerv4. The parameters are ITK's.
+        """
     def SetOptimizerAsLBFGS2(self, solutionAccuracy: float = 1e-05, numberOfIterations: int = 100, hessianApproximateAccuracy: int = 6, deltaConvergenceDistance: int = 0, deltaConvergenceTolerance: float = 1e-05, lineSearchMaximumEvaluations: int = 40) -> None:
-        ...
+        """
+        Optimizes with ITK's LBFGS2Optimizerv4, a quasi-Newton method without bounds. The parameters are ITK's.
+        """
     def SetOptimizerAsLBFGSB(self, gradientConvergenceTolerance: float = 1e-05, numberOfIterations: int = 500, maximumNumberOfCorrections: int = 5, maximumNumberOfFunctionEvaluations: int = 2000, costFunctionConvergenceFactor: float = 10000000.0) -> None:
-        ...
+        """
+        Optimizes with ITK's LBFGSBOptimizerv4, a quasi-Newton method within bounds. The parameters are ITK's.
+        """
     def SetOptimizerAsOnePlusOneEvolutionary(self, numberOfIterations: int = 100, epsilon: float = 0.00015, initialRadius: float = 1.01, growthFactor: float = 0.0, shrinkFactor: float = 0.0, seed: int = 0) -> None:
         """
         The seed is recorded: the same seed, the same result.
         """
     def SetOptimizerAsPowell(self, numberOfIterations: int = 100, maximumLineIterations: int = 100, stepLength: float = 1.0, stepTolerance: float = 1e-06, valueTolerance: float = 1e-06) -> None:
-        ...
+        """
+        Optimizes with ITK's PowellOptimizerv4, which needs no derivatives. The parameters are ITK's.
+        """
     def SetOptimizerAsRegularStepGradientDescent(self, learningRate: float, minStep: float, numberOfIterations: int, relaxationFactor: float = 0.5, gradientMagnitudeTolerance: float = 0.0001) -> None:
-        ...
+        """
+        Optimizes with ITK's RegularStepGradientDescentOptimizerv4. The parameters are ITK's.
+        """
     def SetPixelSpacing(self, spacing: float) -> None:
         """
         mm, mean of u and v.
         """
     def SetPresetToBoundingBox(self) -> None:
-        ...
+        """
+        Takes all levels away: the start from bounding box and centroid is the result.
+        """
     def SetPresetToGlobal(self) -> None:
-        ...
+        """
+        Sets two levels for a start that is far off: scale 50 %, rotation 45 degrees, shift 15 mm, of which the first explores all.
+        """
     def SetPresetToPaper(self) -> None:
-        ...
+        """
+        Sets the paper's three levels, the default: scale 35, 10 and 3 %, rotation 20, 6 and 2 degrees, shift 15, 3.75 and 1 mm.
+        """
     def SetPresetToSingleStage(self) -> None:
-        ...
+        """
+        Sets one level with the broad bounds and 80 iterations that does not explore: the paper's "w/o coarse-to-fine".
+        """
     def SetRandomSeed(self, value: int) -> None:
-        ...
+        """
+        Sets the seed that the evolutionary optimizer gets at each run; the others draw nothing.
+        """
     def StopRegistration(self) -> bool:
         """
         Ends the optimizer's present run at the present iteration, keeping the result; False where it can't.
@@ -2726,7 +3560,9 @@ class Motion:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class IterativeClosestPointContourRegistrationMethod(ProcessObject):
     """
     Iterative closest points between two contours.
@@ -2736,39 +3572,65 @@ class IterativeClosestPointContourRegistrationMethod(ProcessObject):
         0 is the coarsest.
         """
     def GetDirection(self) -> ContourDirection:
-        ...
+        """
+        Returns whose points look for their nearest: FixedToMoving (the default), MovingToFixed or Symmetric.
+        """
     def GetInitialParameters(self) -> tuple[typing.Any, ...]:
         """
         The start (scale, rad, px, px).
         """
     def GetMaximumNumberOfIterations(self) -> int:
-        ...
+        """
+        Returns the most iterations of a run.
+        """
     def GetMetricValue(self) -> float:
-        ...
+        """
+        Value of the metric at the current iteration, pixels for the chamfer metrics.
+        """
     def GetMotion(self) -> Motion:
-        ...
+        """
+        Returns what may move: Rigid (shift and angle) or Similarity (the default, and scale).
+        """
     def GetOptimizerIteration(self) -> int:
-        ...
+        """
+        Number of the current iteration, from 0.
+        """
     def GetOptimizerPosition(self) -> tuple[typing.Any, ...]:
         """
         Parameters of the transform: (scale, rad, px, px).
         """
     def GetOptimizerStopConditionDescription(self) -> str:
-        ...
+        """
+        Why the optimizer ended, in words.
+        """
     def GetTolerance(self) -> float:
-        ...
+        """
+        Returns the move below which it ends, pixels of the fixed contour; 1e-4 by default.
+        """
     def GetTrimmedFraction(self) -> float:
-        ...
+        """
+        Returns the share of the pairs that is left out, in [0, 0.9]; 0 by default, which is plain ICP.
+        """
     def SetDirection(self, direction: ContourDirection | str) -> None:
-        ...
+        """
+        Sets whose points look for their nearest: FixedToMoving (the default), MovingToFixed or Symmetric.
+        """
     def SetMaximumNumberOfIterations(self, value: int) -> None:
-        ...
+        """
+        Sets the most iterations of a run.
+        """
     def SetMotion(self, motion: Motion | str) -> None:
-        ...
+        """
+        Sets what may move: Rigid (shift and angle) or Similarity (the default, and scale).
+        """
     def SetTolerance(self, value: float) -> None:
-        ...
+        """
+        Sets the move below which it ends, pixels of the fixed contour; 1e-4 by default.
+        """
     def SetTrimmedFraction(self, value: float) -> None:
-        ...
+        """
+        Sets the share of the pairs that is left out, in [0, 0.9]; 0 by default, which is plain ICP.
+        """
     def _GetTransform(self) -> Similarity2DTransform:
         ...
     def _SetFixedContour(self, contour: Contour | None) -> None:
@@ -2792,31 +3654,53 @@ class CoherentPointDriftContourRegistrationMethod(ProcessObject):
         The start (scale, rad, px, px).
         """
     def GetMaximumNumberOfIterations(self) -> int:
-        ...
+        """
+        Returns the most iterations of a run.
+        """
     def GetMetricValue(self) -> float:
-        ...
+        """
+        Value of the metric at the current iteration, pixels for the chamfer metrics.
+        """
     def GetMotion(self) -> Motion:
-        ...
+        """
+        Returns what may move: Rigid (shift and angle) or Similarity (the default, and scale).
+        """
     def GetOptimizerIteration(self) -> int:
-        ...
+        """
+        Number of the current iteration, from 0.
+        """
     def GetOptimizerPosition(self) -> tuple[typing.Any, ...]:
         """
         Parameters of the transform: (scale, rad, px, px).
         """
     def GetOptimizerStopConditionDescription(self) -> str:
-        ...
+        """
+        Why the optimizer ended, in words.
+        """
     def GetOutlierWeight(self) -> float:
-        ...
+        """
+        Returns the share of points that belong to nothing, in [0, 0.99]; 0 by default.
+        """
     def GetTolerance(self) -> float:
-        ...
+        """
+        Returns the move below which it ends, pixels of the fixed contour; 1e-3 by default.
+        """
     def SetMaximumNumberOfIterations(self, value: int) -> None:
-        ...
+        """
+        Sets the most iterations of a run.
+        """
     def SetMotion(self, motion: Motion | str) -> None:
-        ...
+        """
+        Sets what may move: Rigid (shift and angle) or Similarity (the default, and scale).
+        """
     def SetOutlierWeight(self, value: float) -> None:
-        ...
+        """
+        Sets the share of points that belong to nothing, in [0, 0.99]; 0 by default.
+        """
     def SetTolerance(self, value: float) -> None:
-        ...
+        """
+        Sets the move below which it ends, pixels of the fixed contour; 1e-3 by default.
+        """
     def _GetTransform(self) -> Similarity2DTransform:
         ...
     def _SetFixedContour(self, contour: Contour | None) -> None:
@@ -2872,7 +3756,9 @@ class IntensityMeasure:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class IntensityRegistrationMethod(ProcessObject):
     """
     Aligns a DRR with the radiograph by their grey values.
@@ -2886,31 +3772,53 @@ class IntensityRegistrationMethod(ProcessObject):
         The start (scale, rad, px, px).
         """
     def GetMargin(self) -> float:
-        ...
+        """
+        Returns the free border of the region of interest, as a part of the tracing's larger extent; 0.15 by default.
+        """
     def GetMaximumNumberOfIterations(self) -> int:
-        ...
+        """
+        Returns the most iterations of a run.
+        """
     def GetMeasure(self) -> IntensityMeasure:
-        ...
+        """
+        Returns the measure of likeness of the two images; MutualInformation by default.
+        """
     def GetMetricValue(self) -> float:
-        ...
+        """
+        Value of the metric at the current iteration, pixels for the chamfer metrics.
+        """
     def GetMotion(self) -> Motion:
-        ...
+        """
+        Returns what may move: Rigid (shift and angle) or Similarity (the default, and scale).
+        """
     def GetOptimizerIteration(self) -> int:
-        ...
+        """
+        Number of the current iteration, from 0.
+        """
     def GetOptimizerPosition(self) -> tuple[typing.Any, ...]:
         """
         Parameters of the transform: (scale, rad, px, px).
         """
     def GetOptimizerStopConditionDescription(self) -> str:
-        ...
+        """
+        Why the optimizer ended, in words.
+        """
     def SetMargin(self, value: float) -> None:
-        ...
+        """
+        Sets the free border of the region of interest, as a part of the tracing's larger extent; 0.15 by default.
+        """
     def SetMaximumNumberOfIterations(self, value: int) -> None:
-        ...
+        """
+        Sets the most iterations of a run.
+        """
     def SetMeasure(self, measure: IntensityMeasure | str) -> None:
-        ...
+        """
+        Sets the measure of likeness of the two images; MutualInformation by default.
+        """
     def SetMotion(self, motion: Motion | str) -> None:
-        ...
+        """
+        Sets what may move: Rigid (shift and angle) or Similarity (the default, and scale).
+        """
     def _GetTransform(self) -> Similarity2DTransform:
         ...
     def _SetFixedContour(self, contour: Contour | None) -> None:
@@ -2947,19 +3855,29 @@ class StateParameter:
         ...
     @property
     def isFree(self) -> bool:
-        ...
+        """
+        Whether an optimizer may move it.
+        """
     @property
     def maximumStep(self) -> float:
-        ...
+        """
+        The longest step that an optimizer should take, in the natural unit; 0 is any.
+        """
     @property
     def name(self) -> str:
-        ...
+        """
+        Name of the parameter.
+        """
     @property
     def scale(self) -> float:
-        ...
+        """
+        How many of the optimizer's units there are in one natural unit: the lever arm of an angle in mm, 1 of a length.
+        """
     @property
     def value(self) -> float:
-        ...
+        """
+        Its value, in its natural unit: mm, rad or none.
+        """
 class StateBlock:
     """
     Unknowns of a registration that belong together. Metrics that name the same block are about the same unknowns.
@@ -2970,10 +3888,14 @@ class StateBlock:
         ...
     @property
     def name(self) -> str:
-        ...
+        """
+        Name of the block.
+        """
     @property
     def parameters(self) -> list[StateParameter]:
-        ...
+        """
+        Its parameters in their order, a list of StateParameter.
+        """
 class PoseStateBlocks:
     """
     The blocks that the metrics of a pose read.
@@ -2998,7 +3920,9 @@ class RobustKernel:
         For a weight, in units of the squared width.
         """
     def GetName(self) -> str:
-        ...
+        """
+        Name of the class in C++.
+        """
     def GetWeight(self, squaredDistance: float, width: float) -> float:
         """
         Between 1 at distance 0 and 0 far away.
@@ -3024,15 +3948,21 @@ class ResidualNoiseModel:
         px of 0.25 mm along the tracing.
         """
     def GetName(self) -> str:
-        ...
+        """
+        Name of the class in C++.
+        """
 class CorrelatedNoiseModel(ResidualNoiseModel):
     """
     The hand drifts smoothly along a tracing; length 0 is independent errors.
     """
     def GetCorrelationLength(self) -> float:
-        ...
+        """
+        Returns the length along the tracing over which its errors hang together, in pixels of 0.25 mm; 14 by default, 0 is independent.
+        """
     def SetCorrelationLength(self, value: float) -> None:
-        ...
+        """
+        Sets the length along the tracing over which its errors hang together, in pixels of 0.25 mm; 14 by default, 0 is independent.
+        """
     def __init__(self) -> None:
         ...
 class MetricHold:
@@ -3080,7 +4010,9 @@ class MetricHold:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class LeastSquaresMetricv4:
     """
     A figure of merit that is, or is majorised by, a sum of squares over named blocks of parameters.
@@ -3097,7 +4029,9 @@ class LeastSquaresMetricv4:
         Estimates the levels of the noise at the current values and sets them; minus twice the log likelihood.
         """
     def GetBlockValues(self, block: str) -> numpy.typing.NDArray[typing.Any]:
-        ...
+        """
+        Values of a block by its name, natural units.
+        """
     def GetBlocks(self) -> list[StateBlock]:
         """
         Blocks, values and what is free; a copy.
@@ -3111,7 +4045,9 @@ class LeastSquaresMetricv4:
         Places of the free parameters among GetValues().
         """
     def GetName(self) -> str:
-        ...
+        """
+        Name of the class in C++.
+        """
     def GetNoiseLevels(self) -> typing.Any:
         """
         (smooth, white), or None where no term has such noise.
@@ -3121,9 +4057,13 @@ class LeastSquaresMetricv4:
         The free ones.
         """
     def GetNumberOfResiduals(self) -> int:
-        ...
+        """
+        How many residuals the metric has at the current values.
+        """
     def GetParameters(self) -> numpy.typing.NDArray[typing.Any]:
-        ...
+        """
+        The free parameters, in the optimizer's unit.
+        """
     def GetResiduals(self) -> numpy.typing.NDArray[typing.Any]:
         """
         (N,): divided by their standard deviations.
@@ -3133,15 +4073,21 @@ class LeastSquaresMetricv4:
         (N,) and (N, M): by the optimizer's parameters, plus sign.
         """
     def GetValue(self) -> float:
-        ...
+        """
+        What is minimized, at the current values.
+        """
     def GetValueAndDerivative(self) -> tuple[typing.Any, ...]:
-        ...
+        """
+        The value and its derivatives by the free parameters, at the current values.
+        """
     def GetValues(self) -> numpy.typing.NDArray[typing.Any]:
         """
         Of all blocks, one behind the other.
         """
     def Hold(self, what: MetricHold | str) -> None:
-        ...
+        """
+        Says what stays as it is at the current values while the parameters move: Nothing, Contours or Matches.
+        """
     def Initialize(self) -> None:
         """
         Checks the inputs and prepares the evaluation; values stay.
@@ -3152,14 +4098,18 @@ class LeastSquaresMetricv4:
         """
     @typing.overload
     def SetBlockFree(self, block: str, isFree: typing.Sequence[bool]) -> None:
-        ...
+        """
+        Sets which parameters of a block an optimizer may move.
+        """
     @typing.overload
     def SetBlockFree(self, block: str, isFree: bool) -> None:
         """
         Whether an optimizer may move the block's parameters, all alike or one by one.
         """
     def SetBlockValues(self, block: str, values: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the values of a block by its name, natural units. Initialize() keeps them.
+        """
     def SetKernelWidth(self, width: float) -> None:
         """
         Of the robust kernel, px of 0.25 mm.
@@ -3169,13 +4119,21 @@ class LeastSquaresMetricv4:
         Standard deviations of the drift along a tracing and of each point, px of 0.25 mm.
         """
     def SetNoiseModel(self, model: ResidualNoiseModel) -> None:
-        ...
+        """
+        Sets the model of the noise of every term that has one.
+        """
     def SetParameters(self, parameters: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the free parameters, in the optimizer's unit.
+        """
     def SetRobustKernel(self, kernel: RobustKernel) -> None:
-        ...
+        """
+        Sets the robust kernel of every term that has one; widths are in pixels of 0.25 mm.
+        """
     def SetValues(self, values: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the values of all blocks, one behind the other, natural units.
+        """
     def UpdateNoiseCorrelation(self) -> None:
         """
         Takes the correlation of the noise from the current values, where it is held from then on.
@@ -3235,8 +4193,13 @@ class TracedSide:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class _LeastSquaresMetric(LeastSquaresMetricv4):
+    """
+    What a metric written in Python stands on.
+    """
     def _Bind(self, object: typing.Any) -> None:
         ...
     def __init__(self) -> None:
@@ -3253,11 +4216,17 @@ class LeastSquaresSumMetricv4(LeastSquaresMetricv4):
         keepsSettings: robust kernel and noise stay as the term has them, where else the sum's setters reach them.
         """
     def GetMetric(self, index: int) -> LeastSquaresMetricv4:
-        ...
+        """
+        A term of the sum by its number.
+        """
     def GetNumberOfMetrics(self) -> int:
-        ...
+        """
+        How many terms the sum has.
+        """
     def RemoveMetric(self, metric: LeastSquaresMetricv4) -> None:
-        ...
+        """
+        Takes a term out of the sum.
+        """
     def __init__(self) -> None:
         ...
 class ParameterPrior:
@@ -3270,10 +4239,14 @@ class ParameterPrior:
         ...
     @property
     def degreesOfFreedom(self) -> float:
-        ...
+        """
+        Degrees of freedom of Student's t distribution; infinite for a normal one.
+        """
     @property
     def mean(self) -> float:
-        ...
+        """
+        Mean, in the parameter's natural unit.
+        """
     @property
     def sigma(self) -> float:
         """
@@ -3284,23 +4257,37 @@ class ParameterPriorMetricv4(LeastSquaresMetricv4):
     What is known of a block's parameters beforehand, as a term.
     """
     def GetBlock(self) -> StateBlock:
-        ...
+        """
+        Returns the name of the block whose parameters the priors hold for.
+        """
     def GetPriors(self) -> list[ParameterPrior]:
-        ...
+        """
+        The priors in the order of the block's parameters.
+        """
     def GetUseVariancePrecision(self) -> bool:
-        ...
+        """
+        Returns whether the curvature is that of the prior's variance, also where its long tails are flatter.
+        """
     def SetBlock(self, block: StateBlock) -> None:
-        ...
+        """
+        Sets the name of the block whose parameters the priors hold for.
+        """
     def SetPriors(self, priors: typing.Sequence[ParameterPrior]) -> None:
         """
         One a parameter of the block.
         """
     def SetUseVariancePrecision(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the curvature is that of the prior's variance, also where its long tails are flatter.
+        """
     def UseVariancePrecisionOff(self) -> None:
-        ...
+        """
+        The same as SetUseVariancePrecision(False). It sets whether the curvature is that of the prior's variance, also where its long tails are flatter.
+        """
     def UseVariancePrecisionOn(self) -> None:
-        ...
+        """
+        The same as SetUseVariancePrecision(True). It sets whether the curvature is that of the prior's variance, also where its long tails are flatter.
+        """
     def __init__(self) -> None:
         ...
 class PoseMetricv4(LeastSquaresMetricv4):
@@ -3308,11 +4295,17 @@ class PoseMetricv4(LeastSquaresMetricv4):
     Base of the terms whose residuals are those of a scan's pose on a radiograph.
     """
     def GetPoseBlock(self) -> str:
-        ...
+        """
+        Name of the block of the pose.
+        """
     def GetScaleBlock(self) -> str:
-        ...
+        """
+        Name of the block of the scale.
+        """
     def GetTransform(self) -> CephalometricPoseTransform:
-        ...
+        """
+        The transform from the dental frame (mm) to pixels that the metric moves.
+        """
     def SetPoseBlock(self, name: str) -> None:
         """
         Another body has another one.
@@ -3330,23 +4323,33 @@ class LandmarkPoseMetricv4(PoseMetricv4):
     Landmarks of a scan against landmarks of the radiograph: a term of its pose.
     """
     def ClearCovariances(self) -> None:
-        ...
+        """
+        Takes back all covariances.
+        """
     def GetKernelWidthInSigmas(self) -> float:
-        ...
+        """
+        Returns the width of the robust kernel in standard deviations; 4 by default.
+        """
     def GetMatchedNames(self) -> list[str]:
         """
         In the order of the residuals, u and v each.
         """
     def GetSigma(self) -> float:
-        ...
+        """
+        Returns the standard deviation an axis of marks without a covariance of their own, pixels of the radiograph; 4 by default.
+        """
     def SetCovariance(self, name: str, covariance: numpy.typing.ArrayLike) -> None:
         """
         Of one mark, square pixels, instead of Sigma.
         """
     def SetKernelWidthInSigmas(self, value: float) -> None:
-        ...
+        """
+        Sets the width of the robust kernel in standard deviations; 4 by default.
+        """
     def SetSigma(self, value: float) -> None:
-        ...
+        """
+        Sets the standard deviation an axis of marks without a covariance of their own, pixels of the radiograph; 4 by default.
+        """
     def _SetFixedLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
         ...
     def _SetMovingLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
@@ -3360,11 +4363,17 @@ class SilhouettePoseMetricv4(PoseMetricv4):
     Reads the blocks "pose" and "scale", or as named. The mesh is in its dental frame, as UMidlineDentalAxis() returns it.
     """
     def GateByToothOff(self) -> None:
-        ...
+        """
+        The same as SetGateByTooth(False). It sets whether a point that carries a tooth's code is matched with that tooth alone, or one up to ToothRange positions away. Off by default.
+        """
     def GateByToothOn(self) -> None:
-        ...
+        """
+        The same as SetGateByTooth(True). It sets whether a point that carries a tooth's code is matched with that tooth alone, or one up to ToothRange positions away. Off by default.
+        """
     def GetExcludedTeeth(self) -> list[int]:
-        ...
+        """
+        FDI numbers of the teeth that are left out.
+        """
     def GetFailure(self) -> str:
         """
         Why the tracing can't be matched; empty where it can.
@@ -3374,75 +4383,141 @@ class SilhouettePoseMetricv4(PoseMetricv4):
         How well each strand of the tracing is explained, px of 0.25 mm.
         """
     def GetGapLength(self) -> float:
-        ...
+        """
+        Returns the length of a gap in the tracing below which it has no ends there, pixels; 8 by default.
+        """
     def GetGateByTooth(self) -> bool:
-        ...
+        """
+        Returns whether a point that carries a tooth's code is matched with that tooth alone, or one up to ToothRange positions away. Off by default.
+        """
     def GetJaw(self) -> Jaw:
-        ...
+        """
+        Returns the jaw of the scan: Upper (the default) or Lower.
+        """
     def GetKernelWidth(self) -> float:
-        ...
+        """
+        Width of the robust kernel, pixels of 0.25 mm; 3 by default.
+        """
     def GetMaximumTracingPoints(self) -> int:
-        ...
+        """
+        Returns the number of points above which a tracing is thinned; 200 by default.
+        """
     def GetMidlineMargin(self) -> float:
-        ...
+        """
+        Returns how far beyond the midline plane the scan is kept, mm; -0.5 by default.
+        """
     def GetOrientationWeight(self) -> float:
-        ...
+        """
+        Returns the weight of directions, pixels a unit normal; 8 by default.
+        """
     def GetReverseWeight(self) -> float:
-        ...
+        """
+        Returns the weight of the direction from the outline to the tracing, beside the forward one; 0 by default.
+        """
     def GetTaperLength(self) -> float:
-        ...
+        """
+        Returns the length from an end of the tracing over which the reverse direction fades in, pixels; 6 by default.
+        """
     def GetToothRange(self) -> int:
-        ...
+        """
+        Returns the number of positions along the arch that a code may be off, under GateByTooth; 1 by default.
+        """
     def GetTracedSide(self) -> TracedSide:
-        ...
+        """
+        Returns the patient's side whose outline was traced; Right by default.
+        """
     def GetUseFacingFilter(self) -> bool:
-        ...
+        """
+        Returns whether the occlusal and anterior part of the outline alone is kept. On by default.
+        """
     def GetUseOrientation(self) -> bool:
-        ...
+        """
+        Returns whether directions are matched beside positions. On by default.
+        """
     def GetUseSideSelection(self) -> bool:
-        ...
+        """
+        Returns whether the scan is cut at the midline plane. On by default.
+        """
     def SetExcludedTeeth(self, teeth: typing.Sequence[int]) -> None:
         """
         FDI numbers.
         """
     def SetGapLength(self, value: float) -> None:
-        ...
+        """
+        Sets the length of a gap in the tracing below which it has no ends there, pixels; 8 by default.
+        """
     def SetGateByTooth(self, value: bool) -> None:
-        ...
+        """
+        Sets whether a point that carries a tooth's code is matched with that tooth alone, or one up to ToothRange positions away. Off by default.
+        """
     def SetJaw(self, jaw: Jaw | str) -> None:
-        ...
+        """
+        Sets the jaw of the scan: Upper (the default) or Lower.
+        """
     def SetMaximumTracingPoints(self, value: int) -> None:
-        ...
+        """
+        Sets the number of points above which a tracing is thinned; 200 by default.
+        """
     def SetMidlineMargin(self, value: float) -> None:
-        ...
+        """
+        Sets how far beyond the midline plane the scan is kept, mm; -0.5 by default.
+        """
     def SetOrientationWeight(self, value: float) -> None:
-        ...
+        """
+        Sets the weight of directions, pixels a unit normal; 8 by default.
+        """
     def SetReverseWeight(self, value: float) -> None:
-        ...
+        """
+        Sets the weight of the direction from the outline to the tracing, beside the forward one; 0 by default.
+        """
     def SetTaperLength(self, value: float) -> None:
-        ...
+        """
+        Sets the length from an end of the tracing over which the reverse direction fades in, pixels; 6 by default.
+        """
     def SetToothRange(self, value: int) -> None:
-        ...
+        """
+        Sets the number of positions along the arch that a code may be off, under GateByTooth; 1 by default.
+        """
     def SetTracedSide(self, side: TracedSide | str) -> None:
-        ...
+        """
+        Sets the patient's side whose outline was traced; Right by default.
+        """
     def SetUseFacingFilter(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the occlusal and anterior part of the outline alone is kept. On by default.
+        """
     def SetUseOrientation(self, value: bool) -> None:
-        ...
+        """
+        Sets whether directions are matched beside positions. On by default.
+        """
     def SetUseSideSelection(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the scan is cut at the midline plane. On by default.
+        """
     def UseFacingFilterOff(self) -> None:
-        ...
+        """
+        The same as SetUseFacingFilter(False). It sets whether the occlusal and anterior part of the outline alone is kept. On by default.
+        """
     def UseFacingFilterOn(self) -> None:
-        ...
+        """
+        The same as SetUseFacingFilter(True). It sets whether the occlusal and anterior part of the outline alone is kept. On by default.
+        """
     def UseOrientationOff(self) -> None:
-        ...
+        """
+        The same as SetUseOrientation(False). It sets whether directions are matched beside positions. On by default.
+        """
     def UseOrientationOn(self) -> None:
-        ...
+        """
+        The same as SetUseOrientation(True). It sets whether directions are matched beside positions. On by default.
+        """
     def UseSideSelectionOff(self) -> None:
-        ...
+        """
+        The same as SetUseSideSelection(False). It sets whether the scan is cut at the midline plane. On by default.
+        """
     def UseSideSelectionOn(self) -> None:
-        ...
+        """
+        The same as SetUseSideSelection(True). It sets whether the scan is cut at the midline plane. On by default.
+        """
     def _SetFixedContour(self, contour: Contour | None) -> None:
         ...
     def _SetMovingContour(self, contour: Contour | None) -> None:
@@ -3514,15 +4589,21 @@ class StopCondition:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class ObjectToObjectOptimizerBase:
     """
     An optimizer of ITK's v4 framework.
     """
     def GetName(self) -> str:
-        ...
+        """
+        Name of the class in C++.
+        """
     def GetStopConditionDescription(self) -> str:
-        ...
+        """
+        Why the last run ended, in words.
+        """
     def __str__(self) -> str:
         ...
 class LevenbergMarquardtOptimizerv4(ObjectToObjectOptimizerBase):
@@ -3530,7 +4611,9 @@ class LevenbergMarquardtOptimizerv4(ObjectToObjectOptimizerBase):
     Levenberg-Marquardt for metrics that are, or are majorised by, sums of squares.
     """
     def GetCurrentIteration(self) -> int:
-        ...
+        """
+        How many steps were accepted in this or the last run.
+        """
     def GetCurrentMetricValue(self) -> float:
         """
         There.
@@ -3540,47 +4623,77 @@ class LevenbergMarquardtOptimizerv4(ObjectToObjectOptimizerBase):
         The optimizer's parameters: the best so far in commands, the metric's outside of them.
         """
     def GetDamping(self) -> float:
-        ...
+        """
+        The damping now or at the end of the last run.
+        """
     def GetInitialDamping(self) -> float:
-        ...
+        """
+        Returns the damping of the first step of a run; 0 by default, which is Gauss-Newton.
+        """
     def GetMaximumNumberOfEvaluations(self) -> int:
-        ...
+        """
+        Returns the most steps tried in a run, accepted or not; 1000 by default.
+        """
     def GetNumberOfEvaluations(self) -> int:
-        ...
+        """
+        How many steps were tried in this or the last run.
+        """
     def GetNumberOfIterations(self) -> int:
-        ...
+        """
+        The most steps accepted in a run; 100 by default.
+        """
     def GetStepAccepted(self) -> bool:
-        ...
+        """
+        Whether the last step tried lowered the value.
+        """
     def GetStepLength(self) -> float:
         """
         In the metric's own unit.
         """
     def GetStepTolerance(self) -> float:
-        ...
+        """
+        Returns the length of step below which a run ends, in the metric's own unit of step length (pixels); 1e-6 by default.
+        """
     def GetStopCondition(self) -> StopCondition:
-        ...
+        """
+        Why the last run ended.
+        """
     def GetTrialValue(self) -> float:
         """
         Where the last step was tried.
         """
     def GetValueTolerance(self) -> float:
-        ...
+        """
+        Returns the part of the value below which an accepted step ends a run; 1e-8 by default, 0 is never.
+        """
     def HasConverged(self) -> bool:
-        ...
+        """
+        Whether the last run ended by one of the two tolerances.
+        """
     def SetInitialDamping(self, value: float) -> None:
-        ...
+        """
+        Sets the damping of the first step of a run; 0 by default, which is Gauss-Newton.
+        """
     def SetMaximumNumberOfEvaluations(self, value: int) -> None:
-        ...
+        """
+        Sets the most steps tried in a run, accepted or not; 1000 by default.
+        """
     def SetMetric(self, metric: LeastSquaresMetricv4) -> None:
-        ...
+        """
+        Sets the sum of squares that is minimized.
+        """
     def SetNumberOfIterations(self, value: int) -> None:
         """
         Most steps that are accepted.
         """
     def SetStepTolerance(self, value: float) -> None:
-        ...
+        """
+        Sets the length of step below which a run ends, in the metric's own unit of step length (pixels); 1e-6 by default.
+        """
     def SetValueTolerance(self, value: float) -> None:
-        ...
+        """
+        Sets the part of the value below which an accepted step ends a run; 1e-8 by default, 0 is never.
+        """
     def StartOptimization(self) -> None:
         """
         Runs from the metric's position and leaves the metric at the best one found.
@@ -3646,7 +4759,9 @@ class RegistrationEventKind:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class RegistrationIterationRecord:
     """
     One event of a registration.
@@ -3660,19 +4775,29 @@ class RegistrationIterationRecord:
         """
     @property
     def candidate(self) -> int:
-        ...
+        """
+        Number of the candidate that is refined, from 0.
+        """
     @property
     def iteration(self) -> int:
-        ...
+        """
+        Number of the iteration, from 0.
+        """
     @property
     def kind(self) -> RegistrationEventKind:
-        ...
+        """
+        What the record is of: a start, an iteration or an end.
+        """
     @property
     def level(self) -> int:
-        ...
+        """
+        Number of the level, from 0.
+        """
     @property
     def parameters(self) -> numpy.typing.NDArray[typing.Any]:
-        ...
+        """
+        The parameters, as the registration reports them.
+        """
     @property
     def stepLength(self) -> float:
         """
@@ -3703,7 +4828,9 @@ class RegistrationIterationCommand:
         All iterations as comma-separated values: level, candidate, iteration, value, step_length, accepted, p0 ...
         """
     def GetWriteEvery(self) -> int:
-        ...
+        """
+        Every how many iterations a line is written; 1 by default. All are recorded.
+        """
     @typing.overload
     def Observe(self, method: ProcessObject) -> None:
         """
@@ -4301,7 +5428,9 @@ class PoseStage:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class PoseIteration:
     """
     A tried step of one candidate: what a command of PoseRegistrationMethod asks GetCurrentIteration() for.
@@ -4320,7 +5449,9 @@ class PoseIteration:
         """
     @property
     def damping(self) -> float:
-        ...
+        """
+        The damping of the step.
+        """
     @property
     def evaluations(self) -> int:
         """
@@ -4358,7 +5489,9 @@ class PoseIteration:
         """
     @property
     def position(self) -> numpy.typing.NDArray[typing.Any]:
-        ...
+        """
+        The free parameters as an optimizer sees them.
+        """
     @property
     def smoothNoise(self) -> float:
         """
@@ -4366,7 +5499,9 @@ class PoseIteration:
         """
     @property
     def stage(self) -> PoseStage:
-        ...
+        """
+        The part of the registration that runs.
+        """
     @property
     def stepLength(self) -> float:
         """
@@ -4395,10 +5530,14 @@ class PoseCandidate:
         ...
     @property
     def codeTerm(self) -> float:
-        ...
+        """
+        What tooth codes that do not fit add to the cost.
+        """
     @property
     def cost(self) -> float:
-        ...
+        """
+        Robust cost at a fixed kernel width, without the code term; no unit.
+        """
     @property
     def deviance(self) -> float:
         """
@@ -4492,7 +5631,9 @@ class PoseSolution(DataObject):
         Standard deviations (drift, each point's own), px of 0.25 mm.
         """
     def GetNumberOfEvaluations(self, jaw: Jaw | str) -> int:
-        ...
+        """
+        How many times the metric was evaluated.
+        """
     def GetOptions(self) -> PoseRegistrationOptions:
         """
         What was asked for; a copy.
@@ -4522,13 +5663,17 @@ class PoseSolution(DataObject):
         (3, 4): mesh frame (mm) to homogeneous pixel index.
         """
     def GetScore(self, jaw: Jaw | str) -> float:
-        ...
+        """
+        Score of a jaw's fit, by which minima are ranked: the cost at a fixed kernel width and the code term. It has no unit, and less is better.
+        """
     def GetStatus(self, jaw: Jaw | str) -> str:
         """
         "ok", "suspect" or "failed" by the usual thresholds; RegistrationVerdict() has the reasons.
         """
     def GetStopConditionDescription(self, jaw: Jaw | str) -> str:
-        ...
+        """
+        Why the optimizer ended, in words.
+        """
     def GetTransform(self, jaw: Jaw | str) -> VersorRigid3DTransform:
         """
         Mesh frame to cephalostat frame, mm.
@@ -4542,19 +5687,25 @@ class PoseSolution(DataObject):
         Of the views beside the first.
         """
     def HasConverged(self, jaw: Jaw | str) -> bool:
-        ...
+        """
+        Whether the optimizer ended by a tolerance.
+        """
     def HasJaw(self, jaw: Jaw | str) -> bool:
         """
         Whether the jaw had a mesh and a contour.
         """
     def IsRegistered(self, jaw: Jaw | str) -> bool:
-        ...
+        """
+        Whether a jaw has a pose.
+        """
     def MakeViewSolution(self, name: str) -> PoseSolution:
         """
         The same solution as another view shows it: everything downstream takes it.
         """
     def ProjectPoint(self, jaw: Jaw | str, point: typing.Sequence[float]) -> tuple[float, float]:
-        ...
+        """
+        Point of a jaw's scan (mm, in the frame of its mesh) to the continuous pixel index (u, v).
+        """
     def ProjectPoints(self, jaw: Jaw | str, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[typing.Any]:
         """
         All rows of an (N, 3) array: (N, 2).
@@ -4576,7 +5727,9 @@ class PoseHypothesis:
         Short and stable, as the verdict's codes.
         """
     def GetName(self) -> str:
-        ...
+        """
+        Name of the class in C++.
+        """
 class OtherSideHypothesis(PoseHypothesis):
     """
     The other side's outline was traced: its likelihood is compared.
@@ -4618,7 +5771,9 @@ class TurnedDrawingHypothesis(PoseHypothesis):
     The radiograph was turned by quarter turns before or after it was drawn on.
     """
     def GetQuarterTurns(self) -> int:
-        ...
+        """
+        By how many quarter turns, clockwise as it is seen, the drawing is turned back.
+        """
     def SetQuarterTurns(self, turns: int) -> None:
         """
         1, 2 or 3, clockwise.
@@ -4634,31 +5789,53 @@ class PoseStartSearch(PoseStart):
     Exhaustive search over in-plane rotation, shift and scale of the tracing against one contour.
     """
     def GetHorizontalRange(self) -> float:
-        ...
+        """
+        Returns half the range of horizontal shifts of the contour's centre from the tracing's, pixels; 64 by default.
+        """
     def GetKappas(self) -> list[float]:
-        ...
+        """
+        Logarithms of the scale factors that are tried where the scale is searched.
+        """
     def GetRotationRange(self) -> float:
-        ...
+        """
+        Returns half the range of rotations that are tried, rad; 0.559 by default (32 degrees).
+        """
     def GetRotationStep(self) -> float:
-        ...
+        """
+        Returns the step between rotations, rad; 0.070 by default (4 degrees).
+        """
     def GetShiftStep(self) -> float:
-        ...
+        """
+        Returns the step between shifts, pixels; 8 by default.
+        """
     def GetVerticalRange(self) -> float:
-        ...
+        """
+        Returns half the range of vertical shifts of the contour's centre from the tracing's, pixels; 40 by default.
+        """
     def SetHorizontalRange(self, value: float) -> None:
-        ...
+        """
+        Sets half the range of horizontal shifts of the contour's centre from the tracing's, pixels; 64 by default.
+        """
     def SetKappas(self, kappas: typing.Sequence[float]) -> None:
         """
         Logarithms of the scale factors that are tried where the scale is searched.
         """
     def SetRotationRange(self, value: float) -> None:
-        ...
+        """
+        Sets half the range of rotations that are tried, rad; 0.559 by default (32 degrees).
+        """
     def SetRotationStep(self, value: float) -> None:
-        ...
+        """
+        Sets the step between rotations, rad; 0.070 by default (4 degrees).
+        """
     def SetShiftStep(self, value: float) -> None:
-        ...
+        """
+        Sets the step between shifts, pixels; 8 by default.
+        """
     def SetVerticalRange(self, value: float) -> None:
-        ...
+        """
+        Sets half the range of vertical shifts of the contour's centre from the tracing's, pixels; 40 by default.
+        """
     def __init__(self) -> None:
         ...
 class PoseRegistrationMethod(ProcessObject):
@@ -4666,7 +5843,9 @@ class PoseRegistrationMethod(ProcessObject):
     The robust registration.
     """
     def AddHypothesis(self, hypothesis: PoseHypothesis) -> None:
-        ...
+        """
+        Adds another hypothesis of what the drawing may be, which is fitted too.
+        """
     def AddMetric(self, metric: LeastSquaresMetricv4, jaw: Jaw | str = ...) -> None:
         """
         A further term of the sum that is minimized: a LeastSquaresMetric of your own, a prior, another sum.
@@ -4676,13 +5855,17 @@ class PoseRegistrationMethod(ProcessObject):
         registration works on clones of it.
         """
     def ClearHypotheses(self) -> None:
-        ...
+        """
+        Takes all hypotheses out.
+        """
     def ClearInitialTransforms(self) -> None:
         """
         Back to a search.
         """
     def ClearMetrics(self) -> None:
-        ...
+        """
+        Takes all terms of one's own out.
+        """
     def ClearSpacingSource(self) -> None:
         """
         Back to the option.
@@ -4720,9 +5903,13 @@ class PoseRegistrationMethod(ProcessObject):
         What was added.
         """
     def GetNumberOfLevels(self) -> int:
-        ...
+        """
+        How many levels a refinement has.
+        """
     def GetOptimizer(self) -> ObjectToObjectOptimizerBase:
-        ...
+        """
+        The optimizer.
+        """
     def GetOptimizerIteration(self) -> int:
         """
         Steps that were accepted in this stage, of this candidate.
@@ -4732,25 +5919,37 @@ class PoseRegistrationMethod(ProcessObject):
         pitch, roll, yaw (rad), tx, ty, tz (mm), kappa.
         """
     def GetOptimizerStopConditionDescription(self) -> str:
-        ...
+        """
+        Why the optimizer ended, in words.
+        """
     def GetOptions(self) -> PoseRegistrationOptions:
         """
         A copy.
         """
     def GetPrincipalPointKnown(self) -> bool:
-        ...
+        """
+        Returns whether the geometry's principal point is known, not a guess.
+        """
     def GetStepAccepted(self) -> bool:
-        ...
+        """
+        Whether the last step tried lowered the value, within an iteration event.
+        """
     def GetStepLength(self) -> float:
         """
         Root mean square, px of 0.25 mm.
         """
     def GetTracedSide(self) -> TracedSide:
-        ...
+        """
+        Returns the patient's side whose outline was traced.
+        """
     def PrincipalPointKnownOff(self) -> None:
-        ...
+        """
+        The same as SetPrincipalPointKnown(False). It sets whether the geometry's principal point is known, not a guess.
+        """
     def PrincipalPointKnownOn(self) -> None:
-        ...
+        """
+        The same as SetPrincipalPointKnown(True). It sets whether the geometry's principal point is known, not a guess.
+        """
     def SetCovarianceNoiseModel(self, model: ResidualNoiseModel | None) -> None:
         """
         Of the silhouettes in the covariance; None: the options'.
@@ -4767,13 +5966,21 @@ class PoseRegistrationMethod(ProcessObject):
         Execute(), and StopOptimization() in a command of it ends the registration.
         """
     def SetOptimizerAsLBFGS2(self, solutionAccuracy: float = 1e-05, numberOfIterations: int = 100, hessianApproximateAccuracy: int = 6, deltaConvergenceDistance: int = 0, deltaConvergenceTolerance: float = 1e-05, lineSearchMaximumEvaluations: int = 40) -> None:
-        ...
+        """
+        Optimizes with ITK's LBFGS2Optimizerv4, a quasi-Newton method without bounds. The parameters are ITK's.
+        """
     def SetOptimizerAsLBFGSB(self, gradientConvergenceTolerance: float = 1e-05, numberOfIterations: int = 500, maximumNumberOfCorrections: int = 5, maximumNumberOfFunctionEvaluations: int = 2000, costFunctionConvergenceFactor: float = 10000000.0) -> None:
-        ...
+        """
+        Optimizes with ITK's LBFGSBOptimizerv4, a quasi-Newton method within bounds. The parameters are ITK's.
+        """
     def SetOptions(self, options: PoseRegistrationOptions) -> None:
-        ...
+        """
+        Sets all options at once.
+        """
     def SetPrincipalPointKnown(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the geometry's principal point is known, not a guess.
+        """
     def SetRobustKernel(self, kernel: RobustKernel | None) -> None:
         """
         Of the silhouettes; None: the options'.
@@ -4783,9 +5990,13 @@ class PoseRegistrationMethod(ProcessObject):
         Where the pixel spacing comes from: its prior of the scale takes the place of the option kappaSigma.
         """
     def SetStart(self, start: PoseStart) -> None:
-        ...
+        """
+        Sets where the registration starts from.
+        """
     def SetTracedSide(self, side: TracedSide | str) -> None:
-        ...
+        """
+        Sets the patient's side whose outline was traced.
+        """
     def _AddView(self, name: str, geometry: CephalometricGeometry | None, upperContour: Contour | None, lowerContour: Contour | None, landmarks: typing.Any, counterparts: typing.Any, sameHeadPosition: bool, principalPointSigma: float) -> None:
         ...
     def _GetSolution(self) -> PoseSolution:
@@ -4822,44 +6033,256 @@ class RegistrationVerdictThresholds:
     """
     What is suspect and what has failed; px of 0.25 mm and mm.
     """
-    failedCost: float
-    failedFilmLength: float
-    failedInlierShare: float
-    failedPitch: float
-    failedPredictedSigma: float
-    hypothesisGain: float
-    landmarkApart: float
-    maximumArchWidth: float
-    minimumArchWidth: float
-    shortestFilm: float
-    spacingDifference: float
-    spacingScore: float
-    suspectCodeOffset: float
-    suspectCost: float
-    suspectExtrapolatedSigma: float
-    suspectFilmLength: float
-    suspectInlierShare: float
-    suspectLandmarkRatio: float
-    suspectLargestMiddleSigma: float
-    suspectMargin: float
-    suspectMedian: float
-    suspectMiddleSigma: float
-    suspectOtherSideDeviance: float
-    suspectP90: float
-    suspectPitch: float
-    suspectPredictedSigma: float
-    suspectPriorTension: float
-    suspectRotationTension: float
-    suspectSmoothSigma: float
-    suspectWinding: float
     def __init__(self) -> None:
+        ...
+    @property
+    def failedCost(self) -> float:
+        """
+        Robust cost above which a jaw has failed (no-fit), no unit.
+        """
+    @failedCost.setter
+    def failedCost(self, arg0: float) -> None:
+        ...
+    @property
+    def failedFilmLength(self) -> float:
+        """
+        Length of the radiograph above which it has failed, mm.
+        """
+    @failedFilmLength.setter
+    def failedFilmLength(self, arg0: float) -> None:
+        ...
+    @property
+    def failedInlierShare(self) -> float:
+        """
+        Share of the tracing within 4 px below which a jaw has failed, 0 to 1.
+        """
+    @failedInlierShare.setter
+    def failedInlierShare(self, arg0: float) -> None:
+        ...
+    @property
+    def failedPitch(self) -> float:
+        """
+        Pitch beyond which a patient stands on the head, rad.
+        """
+    @failedPitch.setter
+    def failedPitch(self, arg0: float) -> None:
+        ...
+    @property
+    def failedPredictedSigma(self) -> float:
+        """
+        Predicted standard deviation above which a jaw has failed (undetermined), pixels of 0.25 mm.
+        """
+    @failedPredictedSigma.setter
+    def failedPredictedSigma(self, arg0: float) -> None:
+        ...
+    @property
+    def hypothesisGain(self) -> float:
+        """
+        How much better the score of another hypothesis must be to be named.
+        """
+    @hypothesisGain.setter
+    def hypothesisGain(self, arg0: float) -> None:
+        ...
+    @property
+    def landmarkApart(self) -> float:
+        """
+        Distance of a landmark above which it is a gross error, standard deviations.
+        """
+    @landmarkApart.setter
+    def landmarkApart(self, arg0: float) -> None:
+        ...
+    @property
+    def maximumArchWidth(self) -> float:
+        """
+        Width above which an arch is no human's, mm.
+        """
+    @maximumArchWidth.setter
+    def maximumArchWidth(self, arg0: float) -> None:
+        ...
+    @property
+    def minimumArchWidth(self) -> float:
+        """
+        Width below which an arch is no human's, mm.
+        """
+    @minimumArchWidth.setter
+    def minimumArchWidth(self, arg0: float) -> None:
+        ...
+    @property
+    def shortestFilm(self) -> float:
+        """
+        Length below which a radiograph is no head's, mm.
+        """
+    @shortestFilm.setter
+    def shortestFilm(self, arg0: float) -> None:
+        ...
+    @property
+    def spacingDifference(self) -> float:
+        """
+        Logarithm of the ratio of two spacings from which on they differ.
+        """
+    @spacingDifference.setter
+    def spacingDifference(self, arg0: float) -> None:
+        ...
+    @property
+    def spacingScore(self) -> float:
+        """
+        Score up to which the drawing is said to fit with another pixel spacing.
+        """
+    @spacingScore.setter
+    def spacingScore(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectCodeOffset(self) -> float:
+        """
+        Offset of tooth codes along the arch above which a jaw is suspect, mm.
+        """
+    @suspectCodeOffset.setter
+    def suspectCodeOffset(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectCost(self) -> float:
+        """
+        Robust cost above which a jaw is suspect (poor-fit), no unit.
+        """
+    @suspectCost.setter
+    def suspectCost(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectExtrapolatedSigma(self) -> float:
+        """
+        Predicted standard deviation anywhere on the outline above which a jaw is suspect, pixels of 0.25 mm.
+        """
+    @suspectExtrapolatedSigma.setter
+    def suspectExtrapolatedSigma(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectFilmLength(self) -> float:
+        """
+        Length of the radiograph above which a spacing that only the fit tells is suspect, mm.
+        """
+    @suspectFilmLength.setter
+    def suspectFilmLength(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectInlierShare(self) -> float:
+        """
+        Share of the tracing within 4 px below which a jaw is suspect, 0 to 1.
+        """
+    @suspectInlierShare.setter
+    def suspectInlierShare(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectLandmarkRatio(self) -> float:
+        """
+        Root mean square of the landmarks' distances above which they are rough, standard deviations.
+        """
+    @suspectLandmarkRatio.setter
+    def suspectLandmarkRatio(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectLargestMiddleSigma(self) -> float:
+        """
+        The same of the worse of them, pixels of 0.25 mm.
+        """
+    @suspectLargestMiddleSigma.setter
+    def suspectLargestMiddleSigma(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectMargin(self) -> float:
+        """
+        Margin to the best other place below which a jaw is suspect (ambiguous), in the score's unit.
+        """
+    @suspectMargin.setter
+    def suspectMargin(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectMedian(self) -> float:
+        """
+        Median distance above which a jaw is suspect, pixels of 0.25 mm.
+        """
+    @suspectMedian.setter
+    def suspectMedian(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectMiddleSigma(self) -> float:
+        """
+        Predicted standard deviation of the middles of both sides, over incisors and first molars, where landmarks alone placed a jaw, pixels of 0.25 mm.
+        """
+    @suspectMiddleSigma.setter
+    def suspectMiddleSigma(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectOtherSideDeviance(self) -> float:
+        """
+        Difference of minus twice the log likelihood below which the other side is named.
+        """
+    @suspectOtherSideDeviance.setter
+    def suspectOtherSideDeviance(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectP90(self) -> float:
+        """
+        90 % quantile of the distances above which a jaw is suspect, pixels of 0.25 mm.
+        """
+    @suspectP90.setter
+    def suspectP90(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectPitch(self) -> float:
+        """
+        Pitch beyond which the pose stands at the edge of the search, rad, either way.
+        """
+    @suspectPitch.setter
+    def suspectPitch(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectPredictedSigma(self) -> float:
+        """
+        Predicted standard deviation at the tracing above which a jaw is suspect, pixels of 0.25 mm.
+        """
+    @suspectPredictedSigma.setter
+    def suspectPredictedSigma(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectPriorTension(self) -> float:
+        """
+        Distance of scale or move from their priors above which a jaw is suspect, standard deviations.
+        """
+    @suspectPriorTension.setter
+    def suspectPriorTension(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectRotationTension(self) -> float:
+        """
+        Distance of roll and yaw from their prior above which a jaw is suspect, standard deviations.
+        """
+    @suspectRotationTension.setter
+    def suspectRotationTension(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectSmoothSigma(self) -> float:
+        """
+        Estimated drift of the tracing above which it is called rough, pixels of 0.25 mm.
+        """
+    @suspectSmoothSigma.setter
+    def suspectSmoothSigma(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectWinding(self) -> float:
+        """
+        Share of the surface, signed, below which the faces are taken to look inward.
+        """
+    @suspectWinding.setter
+    def suspectWinding(self, arg0: float) -> None:
         ...
 class RegistrationVerdictFilter(ProcessObject):
     """
     Judges a pose registration.
     """
     def GetImageSize(self) -> tuple[int, int]:
-        ...
+        """
+        Width and height of the radiograph, pixels; (0, 0), the default, is unknown.
+        """
     def GetNotCheckable(self) -> list[str]:
         """
         What the data could not tell, as sentences.
@@ -4873,7 +6296,9 @@ class RegistrationVerdictFilter(ProcessObject):
         (width, height) of the radiograph, pixels: what a spacing that only the fit tells is judged by. (0, 0): unknown.
         """
     def SetThresholds(self, thresholds: RegistrationVerdictThresholds) -> None:
-        ...
+        """
+        Sets the limits beyond which findings are given.
+        """
     def _GetVerdict(self, jaw: Jaw | str) -> typing.Any:
         ...
     def _SetSolution(self, solution: PoseSolution) -> None:
@@ -4897,15 +6322,21 @@ class LandmarkProjectionFilter(ProcessObject):
         {"U6_MB": ((u, v), (2, 2) square pixels)} between each right landmark's image and its left one's.
         """
     def GetMillimetresPerUnit(self) -> float:
-        ...
+        """
+        Returns the length of the scan landmarks' unit, mm; 1 by default.
+        """
     def GetSigma(self, name: str) -> float:
         """
         Standard deviation an axis, pixels.
         """
     def HasMiddleCovariance(self, name: str) -> bool:
-        ...
+        """
+        Whether a landmark of the output, by its name, has a covariance of the middle of both sides. Valid after Execute().
+        """
     def SetMillimetresPerUnit(self, value: float) -> None:
-        ...
+        """
+        Sets the length of the scan landmarks' unit, mm; 1 by default.
+        """
     def _GetOutput(self) -> dict[str, typing.Any]:
         ...
     def _SetLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
@@ -4919,13 +6350,17 @@ class ScanCheckFilter(ProcessObject):
     What can be said of the scans before anything is registered.
     """
     def GetMillimetresPerUnit(self) -> float:
-        ...
+        """
+        Returns the length of the unit of landmarks and mesh files, mm; 1 by default.
+        """
     def GetNotCheckable(self) -> list[str]:
         """
         What the data could not tell, as sentences.
         """
     def SetMillimetresPerUnit(self, value: float) -> None:
-        ...
+        """
+        Sets the length of the unit of landmarks and mesh files, mm; 1 by default.
+        """
     def _GetFindings(self, jaw: Jaw | str) -> list[typing.Any]:
         ...
     def _SetFrames(self, frames: DentalFrames) -> None:
@@ -4943,29 +6378,45 @@ class LandmarkCounterpartFilter(ProcessObject):
     Where the landmarks of a cephalometric analysis are on the scans.
     """
     def GetIgnoreSides(self) -> bool:
-        ...
+        """
+        Returns whether the side in a name is ignored, so that "UR6_MB" is the middle of both as in a standard tracing. Off by default.
+        """
     def GetLabels(self, jaw: Jaw | str) -> list[int]:
-        ...
+        """
+        FDI number by point of the mesh, 0 for gingiva; empty where there are none.
+        """
     def GetMillimetresPerUnit(self) -> float:
-        ...
+        """
+        Returns the length of the scan landmarks' unit, mm; 1 by default.
+        """
     def GetUnused(self) -> list[tuple[str, str]]:
-        ...
+        """
+        The landmarks that are not used, as their file calls them, and why. Valid after Execute().
+        """
     def IgnoreSidesOff(self) -> None:
-        ...
+        """
+        The same as SetIgnoreSides(False). It sets whether the side in a name is ignored, so that "UR6_MB" is the middle of both as in a standard tracing. Off by default.
+        """
     def IgnoreSidesOn(self) -> None:
-        ...
+        """
+        The same as SetIgnoreSides(True). It sets whether the side in a name is ignored, so that "UR6_MB" is the middle of both as in a standard tracing. Off by default.
+        """
     def SetExcludedTeeth(self, teeth: typing.Sequence[str]) -> None:
         """
         Codes of teeth that are left out: ["UR3"].
         """
     def SetIgnoreSides(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the side in a name is ignored, so that "UR6_MB" is the middle of both as in a standard tracing. Off by default.
+        """
     def SetLabels(self, jaw: Jaw | str, labels: typing.Sequence[int]) -> None:
         """
         FDI number by point of the jaw's mesh, 0 gingiva; empty: none.
         """
     def SetMillimetresPerUnit(self, value: float) -> None:
-        ...
+        """
+        Sets the length of the scan landmarks' unit, mm; 1 by default.
+        """
     def _GetCounterparts(self) -> dict[str, typing.Any]:
         ...
     def _SetCephalometricLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
@@ -4987,9 +6438,13 @@ class ToothCrownFilter(ProcessObject):
     Cuts the crowns of the teeth that an analysis has outlined out of the scans.
     """
     def GetLabels(self, jaw: Jaw | str) -> list[int]:
-        ...
+        """
+        FDI number by point of the mesh, 0 for gingiva; empty where there are none.
+        """
     def GetMillimetresPerUnit(self) -> float:
-        ...
+        """
+        Returns the length of the scan landmarks' unit, mm; 1 by default.
+        """
     def GetMissing(self) -> list[str]:
         """
         Names of teeth of the tracings whose crowns were not found.
@@ -5003,7 +6458,9 @@ class ToothCrownFilter(ProcessObject):
         FDI number by point of the jaw's mesh, 0 gingiva; empty: none.
         """
     def SetMillimetresPerUnit(self, value: float) -> None:
-        ...
+        """
+        Sets the length of the scan landmarks' unit, mm; 1 by default.
+        """
     def _GetCrowns(self) -> dict[str, typing.Any]:
         ...
     def _SetLowerContour(self, contour: Contour | None) -> None:
@@ -5027,13 +6484,21 @@ class MatchedContourFilter(ProcessObject):
     The part of a moving contour that has a tracing beside it.
     """
     def GetMaximumDistance(self) -> float:
-        ...
+        """
+        Returns the distance up to which a point is matched, pixels; 10 by default.
+        """
     def GetMaximumGap(self) -> float:
-        ...
+        """
+        Returns the length of a gap that is closed, pixels; 12 by default.
+        """
     def SetMaximumDistance(self, value: float) -> None:
-        ...
+        """
+        Sets the distance up to which a point is matched, pixels; 10 by default.
+        """
     def SetMaximumGap(self, value: float) -> None:
-        ...
+        """
+        Sets the length of a gap that is closed, pixels; 12 by default.
+        """
     def _SetFixedContour(self, contour: Contour | None) -> None:
         ...
     def _SetMovingContour(self, contour: Contour | None) -> None:
@@ -5047,13 +6512,17 @@ class ProjectionSimilarityFilter(ProcessObject):
     The 2-D similarity that comes nearest to a registered pose.
     """
     def GetJaw(self) -> Jaw:
-        ...
+        """
+        Returns the jaw: Upper (the default) or Lower.
+        """
     def GetRMS(self) -> float:
         """
         What the similarity leaves, pixels.
         """
     def SetJaw(self, jaw: Jaw | str) -> None:
-        ...
+        """
+        Sets the jaw: Upper (the default) or Lower.
+        """
     def _GetTransform(self) -> Similarity2DTransform | None:
         ...
     def _SetFrame(self, transform: VersorRigid3DTransform | None) -> None:
@@ -5069,13 +6538,21 @@ class GeometryPlacementFilter(ProcessObject):
     A radiograph's geometry with an object in it.
     """
     def CentralRayThroughOriginOff(self) -> None:
-        ...
+        """
+        The same as SetCentralRayThroughOrigin(False). It sets whether the central ray is laid through the origin of the frame. Off by default.
+        """
     def CentralRayThroughOriginOn(self) -> None:
-        ...
+        """
+        The same as SetCentralRayThroughOrigin(True). It sets whether the central ray is laid through the origin of the frame. Off by default.
+        """
     def GetCentralRayThroughOrigin(self) -> bool:
-        ...
+        """
+        Returns whether the central ray is laid through the origin of the frame. Off by default.
+        """
     def SetCentralRayThroughOrigin(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the central ray is laid through the origin of the frame. Off by default.
+        """
     def _SetFrame(self, transform: VersorRigid3DTransform | None) -> None:
         ...
     def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
@@ -5093,9 +6570,13 @@ class SurfaceSplatWidthCalculator(ProcessObject):
         mm in the detector plane.
         """
     def GetWidthFactor(self) -> float:
-        ...
+        """
+        Returns the standard deviation of a splat over the mean distance between vertices; 0.7 by default.
+        """
     def SetWidthFactor(self, value: float) -> None:
-        ...
+        """
+        Sets the standard deviation of a splat over the mean distance between vertices; 0.7 by default.
+        """
     def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
         ...
     def _SetMesh(self, mesh: Mesh | None) -> None:
@@ -5107,9 +6588,13 @@ class TracingPixelSpacingFilter(ProcessObject):
     A geometry with a rough pixel spacing where none is known.
     """
     def GetDefaultPixelSpacing(self) -> float:
-        ...
+        """
+        Returns the pixel spacing in the detector plane where nothing can be measured, mm; 0.25 by default.
+        """
     def SetDefaultPixelSpacing(self, value: float) -> None:
-        ...
+        """
+        Sets the pixel spacing in the detector plane where nothing can be measured, mm; 0.25 by default.
+        """
     def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
         ...
     def _SetJaw(self, jaw: Jaw | str, mesh: Mesh | None, contour: Contour | None, frame: VersorRigid3DTransform | None) -> None:
@@ -5123,13 +6608,17 @@ class SimilarityPlacementFilter(ProcessObject):
     Where a similarity puts the scan.
     """
     def GetMillimetresPerUnit(self) -> float:
-        ...
+        """
+        Returns the length of the unit of the points that the projection matrix acts on, mm; 1 by default.
+        """
     def GetProjectionMatrix(self) -> numpy.typing.NDArray[typing.Any]:
         """
         (3, 4): mesh, in the unit of its file, to homogeneous pixel index.
         """
     def SetMillimetresPerUnit(self, value: float) -> None:
-        ...
+        """
+        Sets the length of the unit of the points that the projection matrix acts on, mm; 1 by default.
+        """
     def _GetTransform(self) -> VersorRigid3DTransform | None:
         ...
     def _SetFrame(self, transform: VersorRigid3DTransform | None) -> None:
@@ -5157,9 +6646,13 @@ class LandmarkMatrixProjectionFilter(ProcessObject):
     Landmarks by a projection matrix alone.
     """
     def GetJaw(self) -> Jaw:
-        ...
+        """
+        Returns the jaw whose landmarks are projected; Unknown, the default, is both.
+        """
     def SetJaw(self, jaw: Jaw | str) -> None:
-        ...
+        """
+        Sets the jaw whose landmarks are projected; Unknown, the default, is both.
+        """
     def _GetOutput(self) -> dict[str, typing.Any]:
         ...
     def _SetLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
@@ -5173,21 +6666,33 @@ class LandmarkErrorFilter(ProcessObject):
     Distances between predicted and marked landmarks.
     """
     def BisectSidesOff(self) -> None:
-        ...
+        """
+        The same as SetBisectSides(False). It sets whether the middle between left and right is measured where both are there. Off by default.
+        """
     def BisectSidesOn(self) -> None:
-        ...
+        """
+        The same as SetBisectSides(True). It sets whether the middle between left and right is measured where both are there. Off by default.
+        """
     def GetBisectSides(self) -> bool:
-        ...
+        """
+        Returns whether the middle between left and right is measured where both are there. Off by default.
+        """
     def GetJaw(self) -> Jaw:
-        ...
+        """
+        The jaw whose landmarks count; Unknown, the default, is both.
+        """
     def GetPixelSpacing(self) -> tuple[float, float]:
-        ...
+        """
+        The pixel spacing (u, v) by which errors are told in mm; 0, the default, is unknown.
+        """
     def GetUnpairedLandmarks(self) -> list[str]:
         """
         Names whose partner is missing.
         """
     def SetBisectSides(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the middle between left and right is measured where both are there. Off by default.
+        """
     def SetJaw(self, jaw: Jaw | str) -> None:
         """
         Unknown, the default, is both.
@@ -5211,45 +6716,77 @@ class RegistrationOverlayFilter(ProcessObject):
     The picture by which a person judges a registration.
     """
     def GetLandmarkSigmas(self) -> dict[str, float]:
-        ...
+        """
+        Standard deviation an axis of each predicted landmark by its name, pixels.
+        """
     def GetMargin(self) -> float:
-        ...
+        """
+        Returns the free border around tracing and landmarks, as a part of their larger extent; 0.2 by default.
+        """
     def GetPictureSize(self) -> tuple[int, int]:
-        ...
+        """
+        Returns the size of the output (width, height), pixels; 1400 by 900 by default.
+        """
     def GetPixelSpacing(self) -> tuple[float, float]:
-        ...
+        """
+        Returns the pixel spacing (u, v) in the detector plane, mm. With 0, the default, lengths are written in pixels.
+        """
     def GetStatus(self) -> str:
-        ...
+        """
+        Returns the word of the badge: "ok", "suspect", "failed" or any other. None is drawn where it is empty, which is the default.
+        """
     def GetTextLines(self) -> list[str]:
-        ...
+        """
+        Returns the lines of text beside the radiograph; long ones are wrapped.
+        """
     def GetTitle(self) -> str:
-        ...
+        """
+        Returns the line above the picture.
+        """
     def SetLandmarkSigmas(self, sigmas: typing.Mapping[str, float]) -> None:
         """
         px by name.
         """
     def SetMargin(self, value: float) -> None:
-        ...
+        """
+        Sets the free border around tracing and landmarks, as a part of their larger extent; 0.2 by default.
+        """
     def SetPictureSize(self, width: int, height: int) -> None:
-        ...
+        """
+        Sets the size of the output (width, height), pixels; 1400 by 900 by default.
+        """
     def SetPixelSpacing(self, spacing: typing.Sequence[float]) -> None:
-        ...
+        """
+        Sets the pixel spacing (u, v) in the detector plane, mm. With 0, the default, lengths are written in pixels.
+        """
     def SetRadiographSize(self, width: int, height: int) -> None:
-        ...
+        """
+        Width and height of the radiograph, pixels, for the frame where there is no image to show.
+        """
     def SetStatus(self, status: str) -> None:
-        ...
+        """
+        Sets the word of the badge: "ok", "suspect", "failed" or any other. None is drawn where it is empty, which is the default.
+        """
     def SetTextLines(self, lines: typing.Sequence[str]) -> None:
-        ...
+        """
+        Sets the lines of text beside the radiograph; long ones are wrapped.
+        """
     def SetTitle(self, title: str) -> None:
-        ...
+        """
+        Sets the line above the picture.
+        """
     def SetView(self, firstU: float, lastU: float, firstV: float, lastV: float) -> None:
         """
         First and last pixel index of u, then of v.
         """
     def SetViewToContours(self) -> None:
-        ...
+        """
+        Shows the region around tracing and landmarks, which is the default.
+        """
     def SetWindow(self, black: float, white: float) -> None:
-        ...
+        """
+        Grey values that are shown as black and as white. Both 0, the default, stand for the 0.2 and 99.8 % quantiles.
+        """
     def _GetNumberOfMovingContours(self) -> int:
         ...
     def _SetFixedContour(self, contour: Contour | None) -> None:
@@ -5311,7 +6848,9 @@ class PhantomCohort:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class PhantomFrame:
     """
     The frame of a phantom's meshes.
@@ -5357,7 +6896,9 @@ class PhantomFrame:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class PhantomArchFamily:
     """
     The shape of a phantom's arches.
@@ -5403,33 +6944,22 @@ class PhantomArchFamily:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class DentalPhantomParameters:
     """
     What shapes a pair of phantom jaws; mm and radians.
     """
-    archCoverage: float
-    archExponent: float
-    archFamily: PhantomArchFamily
-    archHalfWidth: float
-    baseHeight: float
-    frame: PhantomFrame
-    frameSeed: int
-    noiseSeed: int
-    numberOfTriangles: int
-    overbite: float
-    overjet: float
-    scannerNoise: float
-    speeDepth: float
-    stoneBase: bool
-    wilson: float
     @staticmethod
     def Draw(seed: int) -> DentalPhantomParameters:
         """
         One of a kind.
         """
     def GetMissingTeeth(self) -> list[int]:
-        ...
+        """
+        FDI numbers of the teeth that the jaws lack.
+        """
     def SetMissingTeeth(self, teeth: typing.Sequence[int]) -> None:
         """
         FDI numbers: 11-17, 21-27, 31-37, 41-47. All others are there.
@@ -5442,18 +6972,142 @@ class DentalPhantomParameters:
         ...
     def __repr__(self) -> str:
         ...
+    @property
+    def archCoverage(self) -> float:
+        """
+        How far along a quarter of the arch's curve the second molar ends: less is more tapered.
+        """
+    @archCoverage.setter
+    def archCoverage(self, arg0: float) -> None:
+        ...
+    @property
+    def archExponent(self) -> float:
+        """
+        Exponent p of the arch |y/w|^p + |x/d|^p = 1: 2 is an ellipse, more is squarer.
+        """
+    @archExponent.setter
+    def archExponent(self, arg0: float) -> None:
+        ...
+    @property
+    def archFamily(self) -> PhantomArchFamily:
+        """
+        The shape of the arch.
+        """
+    @archFamily.setter
+    def archFamily(self, arg0: PhantomArchFamily | str) -> None:
+        ...
+    @property
+    def archHalfWidth(self) -> float:
+        """
+        Half the width of the upper arch between the crown lines at the distal ends of the second molars, mm.
+        """
+    @archHalfWidth.setter
+    def archHalfWidth(self, arg0: float) -> None:
+        ...
+    @property
+    def baseHeight(self) -> float:
+        """
+        Thickness of the base below the deepest gingiva, mm.
+        """
+    @baseHeight.setter
+    def baseHeight(self, arg0: float) -> None:
+        ...
+    @property
+    def frame(self) -> PhantomFrame:
+        """
+        The frame that the meshes come in.
+        """
+    @frame.setter
+    def frame(self, arg0: PhantomFrame | str) -> None:
+        ...
+    @property
+    def frameSeed(self) -> int:
+        """
+        Seed of the frame, where it is drawn.
+        """
+    @frameSeed.setter
+    def frameSeed(self, arg0: int) -> None:
+        ...
+    @property
+    def noiseSeed(self) -> int:
+        """
+        Seed of the scan's noise.
+        """
+    @noiseSeed.setter
+    def noiseSeed(self, arg0: int) -> None:
+        ...
+    @property
+    def numberOfTriangles(self) -> int:
+        """
+        Triangles of each jaw, reached within 10 %.
+        """
+    @numberOfTriangles.setter
+    def numberOfTriangles(self, arg0: int) -> None:
+        ...
+    @property
+    def overbite(self) -> float:
+        """
+        How far the upper incisors cover the lower ones, mm.
+        """
+    @overbite.setter
+    def overbite(self, arg0: float) -> None:
+        ...
+    @property
+    def overjet(self) -> float:
+        """
+        How far the upper incisors stand in front of the lower ones, mm.
+        """
+    @overjet.setter
+    def overjet(self, arg0: float) -> None:
+        ...
+    @property
+    def scannerNoise(self) -> float:
+        """
+        Standard deviation of the scan along its normals, mm.
+        """
+    @scannerNoise.setter
+    def scannerNoise(self, arg0: float) -> None:
+        ...
+    @property
+    def speeDepth(self) -> float:
+        """
+        Depth of the curve of Spee, mm.
+        """
+    @speeDepth.setter
+    def speeDepth(self, arg0: float) -> None:
+        ...
+    @property
+    def stoneBase(self) -> bool:
+        """
+        Whether the scan is a trimmed plaster cast, a closed body with a base.
+        """
+    @stoneBase.setter
+    def stoneBase(self, arg0: bool) -> None:
+        ...
+    @property
+    def wilson(self) -> float:
+        """
+        Curve of Wilson: factor on the molars' transverse inclination.
+        """
+    @wilson.setter
+    def wilson(self, arg0: float) -> None:
+        ...
 class DentalPhantomMeshSource(ProcessObject):
     """
     A pair of parametric arches in occlusion.
     """
     def DrawParameters(self, seed: int) -> None:
-        ...
+        """
+        Draws parameters of a kind for a seed; the same seed gives the same jaws.
+        """
     def GetParameters(self) -> DentalPhantomParameters:
         """
         A copy.
         """
     def SetParameters(self, parameters: DentalPhantomParameters) -> None:
-        ...
+        """
+        Sets what to make. The default is an average pair of jaws in the anatomical frame.
+        """
     def _GetLandmarks(self, arg0: Jaw | str) -> dict[str, typing.Any]:
         ...
     def _TakeMesh(self, arg0: Jaw | str) -> Mesh:
@@ -5465,93 +7119,177 @@ class DentalPhantomCaseSource(ProcessObject):
     A simulated case for a seed, with the truth.
     """
     def BuccalOutlineOff(self) -> None:
-        ...
+        """
+        The same as SetBuccalOutline(False). It sets whether the tracing follows the buccal cusps of premolars and molars, which lie inside the silhouette where the oral ones hang lower. Off by default.
+        """
     def BuccalOutlineOn(self) -> None:
-        ...
+        """
+        The same as SetBuccalOutline(True). It sets whether the tracing follows the buccal cusps of premolars and molars, which lie inside the silhouette where the oral ones hang lower. Off by default.
+        """
     def GetAdditionalRoll(self) -> float:
-        ...
+        """
+        Returns the turn of the head about the anterior axis beyond what the level draws, rad; 0 by default.
+        """
     def GetAdditionalYaw(self) -> float:
-        ...
+        """
+        Returns the turn of the head about the vertical axis beyond what the level draws, rad; 0 by default.
+        """
     def GetBuccalOutline(self) -> bool:
-        ...
+        """
+        Returns whether the tracing follows the buccal cusps of premolars and molars, which lie inside the silhouette where the oral ones hang lower. Off by default.
+        """
     def GetCohort(self) -> PhantomCohort:
-        ...
+        """
+        Returns the level's table of parameters; Typical by default. It sets traced side, frame and number of triangles too, hence comes first.
+        """
     def GetDropOutFraction(self) -> float:
-        ...
+        """
+        Returns the part of each tooth's border that is not drawn; 0 by default.
+        """
     def GetFacing(self) -> CephalometricGeometry.Facing:
-        ...
+        """
+        Returns the side of the image to which the face looks; Right by default.
+        """
     def GetFrame(self) -> PhantomFrame:
-        ...
+        """
+        Returns the frame of the meshes; SharedScanner by default.
+        """
     def GetImageSize(self) -> tuple[int, int]:
-        ...
+        """
+        Returns the width and height of the radiograph, pixels; 703 by 938 by default.
+        """
     def GetLowerNumberOfPoints(self) -> int:
-        ...
+        """
+        Returns the number of points of the lower tracing; 75 by default, as in the paper.
+        """
     def GetMakeRadiograph(self) -> bool:
-        ...
+        """
+        Returns whether the radiograph is simulated, which costs most of the time. On by default.
+        """
     def GetMissingTeeth(self) -> list[int]:
-        ...
+        """
+        Returns the FDI numbers of teeth that the jaws lack beyond what the level draws; none by default.
+        """
     def GetNumberOfTriangles(self) -> int:
-        ...
+        """
+        Returns the number of triangles of each jaw, from 2000 to 4000000; 60000 by default.
+        """
     def GetParameters(self) -> DentalPhantomParameters:
         """
         What was drawn; a copy.
         """
     def GetSeed(self) -> int:
-        ...
+        """
+        Returns the seed: the same one gives the same case.
+        """
     def GetSourceSide(self) -> CephalometricGeometry.SourceSide:
-        ...
+        """
+        Returns the patient's side at which the source is; Right by default.
+        """
     def GetStoneBase(self) -> bool:
-        ...
+        """
+        Returns whether the scans are closed casts with bases instead of open shells. Off by default.
+        """
     def GetToothBias(self) -> float:
-        ...
+        """
+        Returns the error with which each tooth is drawn, as a factor on 1.2 px shift, 2 degrees and 3 % scale (standard deviations); 0 by default.
+        """
     def GetTracedSide(self) -> TracedSide:
-        ...
+        """
+        Returns the patient's side whose outline is traced; Right by default.
+        """
     def GetUpperNumberOfPoints(self) -> int:
-        ...
+        """
+        Returns the number of points of the upper tracing; 79 by default, as in the paper.
+        """
     def MakeRadiographOff(self) -> None:
-        ...
+        """
+        The same as SetMakeRadiograph(False). It sets whether the radiograph is simulated, which costs most of the time. On by default.
+        """
     def MakeRadiographOn(self) -> None:
-        ...
+        """
+        The same as SetMakeRadiograph(True). It sets whether the radiograph is simulated, which costs most of the time. On by default.
+        """
     def SetAdditionalRoll(self, value: float) -> None:
-        ...
+        """
+        Sets the turn of the head about the anterior axis beyond what the level draws, rad; 0 by default.
+        """
     def SetAdditionalYaw(self, value: float) -> None:
-        ...
+        """
+        Sets the turn of the head about the vertical axis beyond what the level draws, rad; 0 by default.
+        """
     def SetBuccalOutline(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the tracing follows the buccal cusps of premolars and molars, which lie inside the silhouette where the oral ones hang lower. Off by default.
+        """
     def SetCohort(self, cohort: PhantomCohort | str) -> None:
-        ...
+        """
+        Sets the level's table of parameters; Typical by default. It sets traced side, frame and number of triangles too, hence comes first.
+        """
     def SetDropOutFraction(self, value: float) -> None:
-        ...
+        """
+        Sets the part of each tooth's border that is not drawn; 0 by default.
+        """
     def SetFacing(self, facing: CephalometricGeometry.Facing | str) -> None:
-        ...
+        """
+        Sets the side of the image to which the face looks; Right by default.
+        """
     def SetFrame(self, frame: PhantomFrame | str) -> None:
-        ...
+        """
+        Sets the frame of the meshes; SharedScanner by default.
+        """
     def SetImageSize(self, size: typing.Sequence[int]) -> None:
-        ...
+        """
+        Sets the width and height of the radiograph, pixels; 703 by 938 by default.
+        """
     def SetLowerNumberOfPoints(self, value: int) -> None:
-        ...
+        """
+        Sets the number of points of the lower tracing; 75 by default, as in the paper.
+        """
     def SetMakeRadiograph(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the radiograph is simulated, which costs most of the time. On by default.
+        """
     def SetMissingTeeth(self, value: typing.Sequence[int]) -> None:
-        ...
+        """
+        Sets the FDI numbers of teeth that the jaws lack beyond what the level draws; none by default.
+        """
     def SetNumberOfTriangles(self, value: int) -> None:
-        ...
+        """
+        Sets the number of triangles of each jaw, from 2000 to 4000000; 60000 by default.
+        """
     def SetSeed(self, value: int) -> None:
-        ...
+        """
+        Sets the seed: the same one gives the same case.
+        """
     def SetSourceSide(self, side: CephalometricGeometry.SourceSide | str) -> None:
-        ...
+        """
+        Sets the patient's side at which the source is; Right by default.
+        """
     def SetStoneBase(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the scans are closed casts with bases instead of open shells. Off by default.
+        """
     def SetToothBias(self, value: float) -> None:
-        ...
+        """
+        Sets the error with which each tooth is drawn, as a factor on 1.2 px shift, 2 degrees and 3 % scale (standard deviations); 0 by default.
+        """
     def SetTracedSide(self, side: TracedSide | str) -> None:
-        ...
+        """
+        Sets the patient's side whose outline is traced; Right by default.
+        """
     def SetUpperNumberOfPoints(self, value: int) -> None:
-        ...
+        """
+        Sets the number of points of the upper tracing; 79 by default, as in the paper.
+        """
     def StoneBaseOff(self) -> None:
-        ...
+        """
+        The same as SetStoneBase(False). It sets whether the scans are closed casts with bases instead of open shells. Off by default.
+        """
     def StoneBaseOn(self) -> None:
-        ...
+        """
+        The same as SetStoneBase(True). It sets whether the scans are closed casts with bases instead of open shells. Off by default.
+        """
     def _GetLandmarks2D(self, arg0: Jaw | str) -> dict[str, typing.Any]:
         ...
     def _GetLandmarks3D(self, arg0: Jaw | str) -> dict[str, typing.Any]:
@@ -5629,59 +7367,105 @@ class ExperimentStudy:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class CohortExperiment(ProcessObject):
     """
     Methods on a cohort: tables, statistics, plot data.
     """
     def DrawFiguresOff(self) -> None:
-        ...
+        """
+        The same as SetDrawFigures(False). It sets whether the study Tables draws the figure of representative cases. On by default.
+        """
     def DrawFiguresOn(self) -> None:
-        ...
+        """
+        The same as SetDrawFigures(True). It sets whether the study Tables draws the figure of representative cases. On by default.
+        """
     def GetCaseDirectory(self) -> str:
-        ...
+        """
+        Returns the folder whose cases are used instead of simulated ones, by the studies Tables and Capture.
+        """
     def GetCurrentStage(self) -> str:
-        ...
+        """
+        How far it is, in words: "12 of 34 cases".
+        """
     def GetDrawFigures(self) -> bool:
-        ...
+        """
+        Returns whether the study Tables draws the figure of representative cases. On by default.
+        """
     def GetLevel(self) -> PhantomCohort:
-        ...
+        """
+        Returns the level of difficulty of the simulated cases; Typical by default. Some studies have levels of their own.
+        """
     def GetMethods(self) -> list[str]:
-        ...
+        """
+        Returns the names of methods and of groups of them that are compared; see experiment_methods().
+        """
     def GetNumberOfCases(self) -> int:
-        ...
+        """
+        Returns the number of simulated cases; 34 by default, the paper's.
+        """
     def GetNumberOfResumedCases(self) -> int:
-        ...
+        """
+        How many cases were in the output folder before, valid after Execute().
+        """
     def GetNumberOfStarts(self) -> int:
-        ...
+        """
+        Returns the number of starts a case and jaw in the study of the capture range; 100 by default.
+        """
     def GetOutputDirectory(self) -> str:
-        ...
+        """
+        Returns the folder that everything is written to. It is made where it is missing, and an experiment that was stopped goes on from it.
+        """
     def GetSeed(self) -> int:
-        ...
+        """
+        Returns the seed of the first case and of the statistics; 1 by default.
+        """
     def GetStudy(self) -> ExperimentStudy:
-        ...
+        """
+        Returns the study that is run; Tables by default.
+        """
     def GetWrittenFiles(self) -> list[str]:
         """
         Names in the output folder, after Execute().
         """
     def SetCaseDirectory(self, folder: str) -> None:
-        ...
+        """
+        Sets the folder whose cases are used instead of simulated ones, by the studies Tables and Capture.
+        """
     def SetDrawFigures(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the study Tables draws the figure of representative cases. On by default.
+        """
     def SetLevel(self, level: PhantomCohort | str) -> None:
-        ...
+        """
+        Sets the level of difficulty of the simulated cases; Typical by default. Some studies have levels of their own.
+        """
     def SetMethods(self, names: typing.Sequence[str]) -> None:
-        ...
+        """
+        Sets the names of methods and of groups of them that are compared; see experiment_methods().
+        """
     def SetNumberOfCases(self, value: int) -> None:
-        ...
+        """
+        Sets the number of simulated cases; 34 by default, the paper's.
+        """
     def SetNumberOfStarts(self, value: int) -> None:
-        ...
+        """
+        Sets the number of starts a case and jaw in the study of the capture range; 100 by default.
+        """
     def SetOutputDirectory(self, folder: str) -> None:
-        ...
+        """
+        Sets the folder that everything is written to. It is made where it is missing, and an experiment that was stopped goes on from it.
+        """
     def SetSeed(self, value: int) -> None:
-        ...
+        """
+        Sets the seed of the first case and of the statistics; 1 by default.
+        """
     def SetStudy(self, study: ExperimentStudy | str) -> None:
-        ...
+        """
+        Sets the study that is run; Tables by default.
+        """
     def __init__(self) -> None:
         ...
 class Preset:
@@ -5732,7 +7516,9 @@ class Preset:
         ...
     @property
     def value(self) -> int:
-        ...
+        """
+        The value as a number.
+        """
 class _Case:
     @staticmethod
     def _Read(fileName: str, exclude: typing.Sequence[str], fix: typing.Sequence[str], init: str) -> _Case:
@@ -5783,29 +7569,49 @@ class CaseRegistration(ProcessObject):
     A case through the whole chain; see register().
     """
     def GetCurrentStage(self) -> str:
-        ...
+        """
+        What runs now, in words: "upper: registration".
+        """
     def GetNumberOfLowerContourPoints(self) -> int:
-        ...
+        """
+        Returns the number of points that the lower silhouette is resampled to, in the paper's presets: 439 by default.
+        """
     def GetNumberOfUpperContourPoints(self) -> int:
-        ...
+        """
+        Returns the number of points that the upper silhouette is resampled to, in the paper's presets: 441 by default.
+        """
     def GetPoseOptions(self) -> PoseRegistrationOptions:
         """
         A copy.
         """
     def GetPreset(self) -> Preset:
-        ...
+        """
+        Returns the chain that runs: Robust (the default) or one of the paper's.
+        """
     def GetRefineMidline(self) -> bool:
-        ...
+        """
+        Returns whether preset Robust moves the midline plane of the dental axis to the scan's mirror plane. On by default.
+        """
     def GetUseSurfaceDRR(self) -> bool:
-        ...
+        """
+        Returns whether the paper's presets take the silhouette from the surface DRR (the default) or exactly from the mesh.
+        """
     def RefineMidlineOff(self) -> None:
-        ...
+        """
+        The same as SetRefineMidline(False). It sets whether preset Robust moves the midline plane of the dental axis to the scan's mirror plane. On by default.
+        """
     def RefineMidlineOn(self) -> None:
-        ...
+        """
+        The same as SetRefineMidline(True). It sets whether preset Robust moves the midline plane of the dental axis to the scan's mirror plane. On by default.
+        """
     def SetNumberOfLowerContourPoints(self, value: int) -> None:
-        ...
+        """
+        Sets the number of points that the lower silhouette is resampled to, in the paper's presets: 439 by default.
+        """
     def SetNumberOfUpperContourPoints(self, value: int) -> None:
-        ...
+        """
+        Sets the number of points that the upper silhouette is resampled to, in the paper's presets: 441 by default.
+        """
     def SetOption(self, assignment: str) -> None:
         """
         One ingredient of preset Robust, "NAME=VALUE" (Documentation/Robust.md).
@@ -5815,15 +7621,25 @@ class CaseRegistration(ProcessObject):
         Ingredients of preset Robust.
         """
     def SetPreset(self, preset: Preset | str) -> None:
-        ...
+        """
+        Sets the chain that runs: Robust (the default) or one of the paper's.
+        """
     def SetRefineMidline(self, value: bool) -> None:
-        ...
+        """
+        Sets whether preset Robust moves the midline plane of the dental axis to the scan's mirror plane. On by default.
+        """
     def SetUseSurfaceDRR(self, value: bool) -> None:
-        ...
+        """
+        Sets whether the paper's presets take the silhouette from the surface DRR (the default) or exactly from the mesh.
+        """
     def UseSurfaceDRROff(self) -> None:
-        ...
+        """
+        The same as SetUseSurfaceDRR(False). It sets whether the paper's presets take the silhouette from the surface DRR (the default) or exactly from the mesh.
+        """
     def UseSurfaceDRROn(self) -> None:
-        ...
+        """
+        The same as SetUseSurfaceDRR(True). It sets whether the paper's presets take the silhouette from the surface DRR (the default) or exactly from the mesh.
+        """
     def _SetData(self, case: _Case) -> None:
         ...
     def _TakeResult(self, case: _Case) -> _CaseResult:
@@ -5835,9 +7651,13 @@ class DentalCaseReader(ProcessObject):
     Reads a case; see ReadCase().
     """
     def GetFileName(self) -> str:
-        ...
+        """
+        Returns the name of the case file.
+        """
     def SetFileName(self, fileName: str) -> None:
-        ...
+        """
+        Sets the name of the case file.
+        """
     def _TakeOutput(self) -> _Case:
         ...
     def __init__(self) -> None:
@@ -5857,41 +7677,73 @@ class CaseResultFolderWriter(ProcessObject):
     Writes a result into a folder; see WriteCaseResult().
     """
     def AnonymousOff(self) -> None:
-        ...
+        """
+        The same as SetAnonymous(False). It sets whether paths and names are left out of all files. Off by default.
+        """
     def AnonymousOn(self) -> None:
-        ...
+        """
+        The same as SetAnonymous(True). It sets whether paths and names are left out of all files. Off by default.
+        """
     def GetAnonymous(self) -> bool:
-        ...
+        """
+        Returns whether paths and names are left out of all files. Off by default.
+        """
     def GetFolderName(self) -> str:
-        ...
+        """
+        Returns the folder that is written to. It is made where it is not there, and files of an earlier result in it are replaced.
+        """
     def GetWritePage(self) -> bool:
-        ...
+        """
+        Returns whether report.html is written where what is for people is. On by default.
+        """
     def GetWriteReport(self) -> bool:
-        ...
+        """
+        Returns whether what is for people is written as well: overlays, the scans in the cephalostat frame, the page. On by default.
+        """
     def SetAnonymous(self, value: bool) -> None:
-        ...
+        """
+        Sets whether paths and names are left out of all files. Off by default.
+        """
     def SetFolderName(self, folderName: str) -> None:
-        ...
+        """
+        Sets the folder that is written to. It is made where it is not there, and files of an earlier result in it are replaced.
+        """
     def SetWritePage(self, value: bool) -> None:
-        ...
+        """
+        Sets whether report.html is written where what is for people is. On by default.
+        """
     def SetWriteReport(self, value: bool) -> None:
-        ...
+        """
+        Sets whether what is for people is written as well: overlays, the scans in the cephalostat frame, the page. On by default.
+        """
     def WritePageOff(self) -> None:
-        ...
+        """
+        The same as SetWritePage(False). It sets whether report.html is written where what is for people is. On by default.
+        """
     def WritePageOn(self) -> None:
-        ...
+        """
+        The same as SetWritePage(True). It sets whether report.html is written where what is for people is. On by default.
+        """
     def WriteReportOff(self) -> None:
-        ...
+        """
+        The same as SetWriteReport(False). It sets whether what is for people is written as well: overlays, the scans in the cephalostat frame, the page. On by default.
+        """
     def WriteReportOn(self) -> None:
-        ...
+        """
+        The same as SetWriteReport(True). It sets whether what is for people is written as well: overlays, the scans in the cephalostat frame, the page. On by default.
+        """
     def _SetInput(self, result: _CaseResult) -> None:
         ...
     def __init__(self) -> None:
         ...
 def ReadTransform(fileName: str) -> Transform:
-    ...
+    """
+    Reads a transform of any kind that the package knows from an ITK transform file (.tfm, .txt).
+    """
 def WriteTransform(transform: Transform, fileName: str) -> None:
-    ...
+    """
+    Writes a transform to an ITK transform file (.tfm, .txt).
+    """
 def _FindBatchCases(input: str) -> list[tuple[str, str]]:
     """
     Names and files of the cases of a folder, a table of case files, a case file or a pattern.
