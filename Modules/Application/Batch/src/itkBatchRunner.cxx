@@ -21,13 +21,14 @@
 #include "itkCaseResultWriter.h"
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
+#include "itkFolderLock.h"
+#include "itkJobQueue.h"
 #include "itkJsonDocument.h"
 #include "itkTextFile.h"
 
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -38,6 +39,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <thread>
 
 namespace itk
@@ -48,44 +50,11 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-/** How often a runner looks whether a process has ended: short against a registration, long against a look. */
-constexpr auto PollInterval = std::chrono::milliseconds(10);
-
 double
 SecondsSince(const Clock::time_point & start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
-
-/** One owner of a folder, for as long as it lives: the system lets go of it however the owner ends. */
-class FolderLock
-{
-public:
-  explicit FolderLock(const fs::path & folder)
-    : m_File(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
-  {
-    if (m_File < 0)
-    {
-      itkDentalInputErrorMacro(
-        folder.string(), "", std::string("can't be written: ") + std::strerror(errno), "choose another output folder");
-    }
-    if (flock(m_File, LOCK_EX | LOCK_NB) != 0)
-    {
-      close(m_File);
-      itkDentalInputErrorMacro(folder.parent_path().string(),
-                               "--output",
-                               "another batch is at work in it",
-                               "wait for it, or choose another output folder");
-    }
-  }
-  ~FolderLock() { close(m_File); }
-  FolderLock(const FolderLock &) = delete;
-  FolderLock &
-  operator=(const FolderLock &) = delete;
-
-private:
-  int m_File;
-};
 
 /** The last line that a process has said. */
 std::string
@@ -136,7 +105,6 @@ InputsAreUnchanged(const JsonNode & root, const BatchCase & one)
 struct BatchRunner::ChildType
 {
   pid_t             process;
-  std::size_t       index;
   Clock::time_point start;
 };
 
@@ -302,7 +270,7 @@ BatchRunner::Start(std::size_t index, unsigned int threads) const
   {
     itkExceptionMacro("No process can be started: " << std::strerror(errno));
   }
-  return { process, index, start };
+  return { process, start };
 }
 
 void
@@ -372,7 +340,14 @@ BatchRunner::GenerateData()
     itkDentalInputErrorMacro(
       m_OutputFolder, "", "can't be written: " + error.message(), "choose another output folder");
   }
-  const FolderLock lock(records);
+  const FolderLock lock((records / "lock").string(), m_OutputFolder, "batch", [this]() {
+    this->InvokeEvent(ProgressEvent());
+    if (this->GetAbortGenerateData())
+    {
+      throw ProcessAborted(__FILE__, __LINE__);
+    }
+    return m_WaitForFolder;
+  });
   m_Records.assign(m_Cases.size(), BatchRecord());
   m_IsDone.assign(m_Cases.size(), false);
   m_NumberOfFinishedCases = 0;
@@ -382,25 +357,12 @@ BatchRunner::GenerateData()
     m_Records[i].one = m_Cases[i];
   }
   const auto beginning = Clock::now();
-  const auto cores = std::max(1u, std::thread::hardware_concurrency());
+  const auto cores = m_NumberOfCores > 0 ? m_NumberOfCores : std::max(1u, std::thread::hardware_concurrency());
   const auto jobs = m_NumberOfJobs > 0 ? m_NumberOfJobs : cores;
   // Cores that no case needs serve the others.
-  const auto             threads = std::max(1u, cores / jobs);
-  std::size_t            next = 0;
-  std::vector<ChildType> children;
-  const auto             endAll = [&]() {
-    for (const ChildType & child : children)
-    {
-      kill(child.process, SIGTERM);
-    }
-    for (const ChildType & child : children)
-    {
-      while (waitpid(child.process, nullptr, 0) < 0 && errno == EINTR)
-      {}
-    }
-    children.clear();
-  };
-  const auto done = [&](std::size_t index) {
+  const auto                       threads = std::max(1u, cores / jobs);
+  std::map<std::size_t, ChildType> children;
+  const auto                       done = [&](std::size_t index) {
     m_IsDone[index] = true;
     ++m_NumberOfFinishedCases;
     m_Record = m_Records[index];
@@ -408,58 +370,51 @@ BatchRunner::GenerateData()
     this->UpdateProgress(static_cast<float>(m_NumberOfFinishedCases) / static_cast<float>(m_Cases.size()));
     this->InvokeEvent(IterationEvent());
   };
-  try
-  {
-    while (m_NumberOfFinishedCases < m_Cases.size())
+  JobQueue queue;
+  queue.watch = [&]() {
+    this->InvokeEvent(ProgressEvent());
+    // Before any process is asked how it ended: what is ended by an abort has not failed.
+    if (this->GetAbortGenerateData())
     {
-      this->InvokeEvent(ProgressEvent());
-      // Before any process is asked how it ended: what is ended by an abort has not failed.
-      if (this->GetAbortGenerateData())
-      {
-        throw ProcessAborted(__FILE__, __LINE__);
-      }
-      bool waits = true;
-      while (waits && next < m_Cases.size() && children.size() < jobs)
-      {
-        const std::size_t index = next++;
-        if (m_Resume && this->KeepEarlier(index))
-        {
-          // One at a time: its files were read to know them, and others may have ended meanwhile.
-          done(index);
-          waits = false;
-        }
-        else
-        {
-          children.push_back(this->Start(index, threads));
-        }
-      }
-      for (std::size_t k = 0; k < children.size();)
-      {
-        int         status = 0;
-        const pid_t ended = waitpid(children[k].process, &status, WNOHANG);
-        if (ended == 0 || (ended < 0 && errno == EINTR))
-        {
-          ++k;
-          continue;
-        }
-        const ChildType child = children[k];
-        children.erase(children.begin() + static_cast<std::ptrdiff_t>(k));
-        const int exitCode = ended < 0 ? -1 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-        this->Finish(child.index, exitCode, SecondsSince(child.start));
-        ++m_NumberOfRunCases;
-        done(child.index);
-      }
-      if (waits && !children.empty())
-      {
-        std::this_thread::sleep_for(PollInterval);
-      }
+      throw ProcessAborted(__FILE__, __LINE__);
     }
-  }
-  catch (...)
-  {
-    endAll();
-    throw;
-  }
+  };
+  queue.begin = [&](std::size_t index) {
+    if (m_Resume && this->KeepEarlier(index))
+    {
+      done(index);
+      return false;
+    }
+    children.emplace(index, this->Start(index, threads));
+    return true;
+  };
+  queue.hasEnded = [&](std::size_t index) {
+    const ChildType child = children.at(index);
+    int             status = 0;
+    const pid_t     ended = waitpid(child.process, &status, WNOHANG);
+    if (ended == 0 || (ended < 0 && errno == EINTR))
+    {
+      return false;
+    }
+    children.erase(index);
+    const int exitCode = ended < 0 ? -1 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    this->Finish(index, exitCode, SecondsSince(child.start));
+    ++m_NumberOfRunCases;
+    done(index);
+    return true;
+  };
+  queue.end = [&]() {
+    for (const auto & child : children)
+    {
+      kill(child.second.process, SIGTERM);
+    }
+    for (const auto & child : children)
+    {
+      while (waitpid(child.second.process, nullptr, 0) < 0 && errno == EINTR)
+      {}
+    }
+  };
+  queue.Run(m_Cases.size(), jobs);
 }
 
 void
@@ -470,8 +425,10 @@ BatchRunner::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Arguments: " << m_Arguments.size() << std::endl;
   os << indent << "Program: " << (m_Program.empty() ? "(none)" : m_Program.front()) << std::endl;
   os << indent << "OutputFolder: " << m_OutputFolder << std::endl;
+  os << indent << "NumberOfCores: " << m_NumberOfCores << std::endl;
   os << indent << "NumberOfJobs: " << m_NumberOfJobs << std::endl;
   os << indent << "Resume: " << (m_Resume ? "On" : "Off") << std::endl;
+  os << indent << "WaitForFolder: " << (m_WaitForFolder ? "On" : "Off") << std::endl;
   os << indent << "NumberOfFinishedCases: " << m_NumberOfFinishedCases << std::endl;
   os << indent << "NumberOfRunCases: " << m_NumberOfRunCases << std::endl;
   os << indent << "SecondsSinceStart: " << m_SecondsSinceStart << std::endl;
