@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import time
 
-PROGRAMS = ("munged", "mungekey", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol", "scancel")
+PROGRAMS = ("munged", "mungekey", "slurmctld", "slurmd", "sbatch", "srun", "squeue", "scontrol", "scancel")
 
 
 class Unavailable(RuntimeError):
@@ -91,8 +91,12 @@ class OneMachineSlurm:
         self.environment = {
             **os.environ,
             "SLURM_CONF": str(folder / "slurm.conf"),
-            "PATH": os.environ.get("PATH", "") + ":/usr/sbin:/sbin",
+            "PATH": f"{folder}/bin:" + os.environ.get("PATH", "") + ":/usr/sbin:/sbin",
         }
+        # In a job the plugin of Snakemake calls srun without the variables of Slurm, among them SLURM_CONF: this one brings it.
+        (folder / "bin").mkdir()
+        (folder / "bin" / "srun").write_text(f'#!/bin/sh\nSLURM_CONF={folder}/slurm.conf exec {find("srun")} "$@"\n')
+        (folder / "bin" / "srun").chmod(0o755)
         # munged refuses a key that others can read, and a folder that others can write.
         (folder / "munge").mkdir(mode=0o755)
         subprocess.run([find("mungekey"), "--create", f"--keyfile={folder}/munge/key"], check=True, timeout=60)

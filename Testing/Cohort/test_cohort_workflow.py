@@ -61,7 +61,7 @@ exec "{program}" "$@"
                 file.write(f"{name},{self.case.parent / 'nothing.json' if name == 'bad' else self.case},=ward {name}\n")
 
     def command(self, *arguments, **config):
-        config = {"cases": self.table, "output": self.output, "dentalscr": self.script, "part_size": 2, "workers": 1, "retries": 1, **config}
+        config = {"cases": self.table, "output": self.output, "dentalscr": self.script, "part_size": 2, "workers": 1, **config}
         config.setdefault("options", "--no-report")
         return [
             SNAKEMAKE,
@@ -70,6 +70,8 @@ exec "{program}" "$@"
             "--directory",
             str(self.folder),
             "--nocolor",
+            "--retries",
+            "1",
             *arguments,
             "--config",
             *[f"{key}={value}" for key, value in config.items()],

@@ -21,9 +21,9 @@
 #include "itkCaseResultWriter.h"
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
-#include "itkFolderLock.h"
 #include "itkJobQueue.h"
 #include "itkJsonDocument.h"
+#include "itkOutputFolder.h"
 #include "itkTextFile.h"
 
 #include <nlohmann/json.hpp>
@@ -49,6 +49,9 @@ namespace
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
+
+/** Of a process that was told to end. */
+constexpr double LongestEndOfAProcess = 30.0;
 
 double
 SecondsSince(const Clock::time_point & start)
@@ -107,6 +110,9 @@ struct BatchRunner::ChildType
   pid_t             process;
   Clock::time_point start;
 };
+
+BatchRunner::BatchRunner() = default;
+BatchRunner::~BatchRunner() = default;
 
 void
 BatchRunner::SetCases(const std::vector<BatchCase> & cases)
@@ -220,6 +226,28 @@ BatchRunner::KeepEarlier(std::size_t index)
   }
 }
 
+void
+BatchRunner::WaitForEarlierProcess(const std::string & folder) const
+{
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+  {
+    return;
+  }
+  const auto start = Clock::now();
+  try
+  {
+    const OutputFolder free(folder, {}, [&]() {
+      this->InvokeEvent(ProgressEvent());
+      return !this->GetAbortGenerateData() && SecondsSince(start) < LongestEndOfAProcess;
+    });
+  }
+  catch (const DentalInputError &)
+  {
+    // The process that is started says what is wrong with its folder.
+  }
+}
+
 BatchRunner::ChildType
 BatchRunner::Start(std::size_t index, unsigned int threads) const
 {
@@ -229,6 +257,7 @@ BatchRunner::Start(std::size_t index, unsigned int threads) const
   // From here until it is written anew there is no record: killed in between, the case is run again. And no result:
   // what lies in the folder when the process has ended is the process's own.
   fs::remove(records / (one.id + ".json"), error);
+  this->WaitForEarlierProcess((fs::path(m_OutputFolder) / one.id).string());
   RemoveCaseResult((fs::path(m_OutputFolder) / one.id).string());
   std::vector<std::string> words = m_Program;
   words.emplace_back("register");
@@ -332,15 +361,9 @@ BatchRunner::Finish(std::size_t index, int exitCode, double seconds)
 void
 BatchRunner::GenerateData()
 {
-  std::error_code error;
-  const fs::path  records = fs::path(m_OutputFolder) / ".batch";
-  fs::create_directories(records, error);
-  if (error)
-  {
-    itkDentalInputErrorMacro(
-      m_OutputFolder, "", "can't be written: " + error.message(), "choose another output folder");
-  }
-  const FolderLock lock((records / "lock").string(), m_OutputFolder, "batch", [this]() {
+  m_Folder = nullptr;
+  // Parts of a cohort lie where several machines see them: the lock is a file's, too.
+  m_Folder = std::make_unique<OutputFolder>(m_OutputFolder, ".batch/lock", [this]() {
     this->InvokeEvent(ProgressEvent());
     if (this->GetAbortGenerateData())
     {

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkBatchSummary.h"
 
+#include "itkCSVField.h"
 #include "itkBatchPage.h"
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
@@ -35,23 +36,6 @@ namespace
 {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/** As RFC 4180 has it. */
-std::string
-Quote(const std::string & text)
-{
-  if (text.find_first_of(",\"\n\r") == std::string::npos)
-  {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text)
-  {
-    quoted += c;
-    quoted += c == '"' ? "\"" : "";
-  }
-  return quoted + '"';
-}
 
 std::string
 ToText(const std::optional<double> & number)
@@ -97,7 +81,8 @@ RowsOf(const BatchRecord & record)
   return { row };
 }
 
-/** Of the case, of its jaws: the worst one; a jaw that was skipped on purpose is none. */
+/** Of the case, of its jaws, as CaseResult::GetStatus(): the worst one; a jaw that was skipped is none, and without any
+ * the case has failed. */
 std::string
 WorstOf(const std::vector<BatchRecord::JawType> & jaws)
 {
@@ -109,7 +94,7 @@ WorstOf(const std::vector<BatchRecord::JawType> & jaws)
       return status;
     }
   }
-  return "unusable";
+  return "failed";
 }
 
 Json
@@ -211,12 +196,6 @@ BatchSummary::ReadFile(const std::string & fileName)
 }
 
 std::string
-BatchSummary::Defuse(const std::string & text)
-{
-  return !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos ? '\'' + text : text;
-}
-
-std::string
 BatchSummary::ToCSV() const
 {
   const auto columns = FindColumns(m_Records);
@@ -226,7 +205,7 @@ BatchSummary::ToCSV() const
   csv << "case,jaw,status,findings,matched_px,expected_error_px,seconds,message" << (hasFolders ? ",folder" : "");
   for (const std::string & column : columns)
   {
-    csv << ',' << Quote(Defuse(column));
+    csv << ',' << ToCSVField(column);
   }
   csv << "\r\n";
   for (const BatchRecord & record : m_Records)
@@ -238,19 +217,19 @@ BatchSummary::ToCSV() const
       {
         findings += (findings.empty() ? "" : " ") + code;
       }
-      csv << Quote(Defuse(record.one.id)) << ',' << jaw.jaw << ',' << jaw.status << ',' << findings << ','
+      csv << ToCSVField(record.one.id) << ',' << jaw.jaw << ',' << jaw.status << ',' << findings << ','
           << ToText(jaw.matched) << ',' << ToText(jaw.expectedError) << ',' << Json(record.seconds).dump() << ','
-          << Quote(Defuse(jaw.message));
+          << ToCSVField(jaw.message);
       if (hasFolders)
       {
-        csv << ',' << Quote(Defuse(record.folder));
+        csv << ',' << ToCSVField(record.folder);
       }
       for (const std::string & column : columns)
       {
         const auto & own = record.one.columns;
         const auto   cell =
           std::find_if(own.begin(), own.end(), [&](const auto & entry) { return entry.first == column; });
-        csv << ',' << (cell == own.end() ? std::string() : Quote(Defuse(cell->second)));
+        csv << ',' << (cell == own.end() ? std::string() : ToCSVField(cell->second));
       }
       csv << "\r\n";
     }

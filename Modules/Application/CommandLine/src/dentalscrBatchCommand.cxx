@@ -25,6 +25,7 @@
 #include "itkBatchSummary.h"
 #include "itkCommand.h"
 #include "itkDentalInputError.h"
+#include "itkOutputFolder.h"
 
 #include <algorithm>
 #include <chrono>
@@ -172,8 +173,9 @@ Conclude(const std::vector<itk::BatchRecord> & records, const BatchOptions & opt
 int
 Collect(const std::vector<itk::BatchCase> & cases, const BatchOptions & options, bool isQuiet)
 {
-  itk::BatchParts parts(options.collect, options.output);
-  const auto      records = parts.Collect(cases);
+  itk::BatchParts         parts(options.collect, options.output);
+  const auto              records = parts.Collect(cases);
+  const itk::OutputFolder owned(options.output);
   for (const std::string & name : parts.GetUnfinished())
   {
     std::cerr << "dentalscr: " << options.collect << ": part " << name << " was not run to its end\n";
@@ -188,8 +190,6 @@ Collect(const std::vector<itk::BatchCase> & cases, const BatchOptions & options,
     std::cerr << "dentalscr: warning: " << parts.GetNumberOfOtherCases()
               << " cases of the parts are not asked for, and left out\n";
   }
-  std::error_code error;
-  std::filesystem::create_directories(options.output, error);
   const bool isComplete = parts.GetUnfinished().empty() && parts.GetNumberOfMissingCases() == 0;
   itk::BatchSummary(records, isComplete).Write(options.output, !options.noPage);
   return Conclude(records, options, isQuiet);
