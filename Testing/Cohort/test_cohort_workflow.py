@@ -1,7 +1,7 @@
 """Examples/Cohort: a cohort in parts by Snakemake, on this machine and on a Slurm of this machine alone.
 
-Needs snakemake 9 (Utilities/python-venv.sh), and for the second half slurmctld, slurmd, slurm-client and munge; what is missing is
-said where a test is skipped."""
+Needs snakemake 9 (Utilities/python-venv.sh). What takes minutes, and Slurm, is run by Utilities/test-cohort.sh (--at-length), which
+installs slurmctld, slurmd, slurm-client and munge; what is missing is said where a test is skipped."""
 import csv
 import json
 import os
@@ -118,6 +118,12 @@ def single(run, one_case, program, tmp_path_factory):
     return cohort
 
 
+@pytest.fixture(scope="session")
+def at_length(request):
+    if not request.config.getoption("--at-length"):
+        pytest.skip("takes minutes: Utilities/test-cohort.sh")
+
+
 @pytest.fixture
 def cohort(one_case, program, tmp_path):
     return Cohort(tmp_path, one_case, program)
@@ -140,6 +146,7 @@ def check_same(cohort, single):
         assert (cohort.output / row["folder"] / "result.json").exists() == (row["status"] != "unusable"), row
 
 
+@pytest.mark.usefixtures("at_length")
 def test_parts_come_to_what_one_batch_does(cohort, single):
     done = cohort.run()
     assert done.returncode == 0, done.stdout + done.stderr
@@ -166,6 +173,7 @@ def test_parts_come_to_what_one_batch_does(cohort, single):
     assert {name for name in again if again[name] != changed[name]} == {"b"}
 
 
+@pytest.mark.usefixtures("at_length")
 def test_failed_part_is_retried(cohort, single):
     (cohort.folder / "fail-3-4").write_text("once")
     done = cohort.run()
@@ -198,6 +206,7 @@ def test_part_that_fails_is_listed_and_alone_run_again(cohort, single):
     assert {name: after[name] for name in before} == before
 
 
+@pytest.mark.usefixtures("at_length")
 def test_table_that_grows_runs_its_last_part_alone(cohort):
     assert cohort.run().returncode == 0
     cohort.ranges()
@@ -211,6 +220,7 @@ def test_table_that_grows_runs_its_last_part_alone(cohort):
     assert cohort.summary()["cases"] == 9
 
 
+@pytest.mark.usefixtures("at_length")
 @pytest.mark.parametrize(
     ("config", "word"),
     [
@@ -233,6 +243,7 @@ def wait_for_part(cohort, process, seconds=240):
     assert len(list(cohort.output.glob("parts/*.done"))) < 4
 
 
+@pytest.mark.usefixtures("at_length")
 def test_killed_engine_goes_on_where_it_was(cohort, single):
     arguments = ("--profile", str(WORKFLOW / "local"), "--cores", "1")
     with open(cohort.folder / "said", "w") as said:
@@ -253,7 +264,7 @@ def test_killed_engine_goes_on_where_it_was(cohort, single):
 
 
 @pytest.fixture(scope="module")
-def slurm():
+def slurm(at_length):
     try:
         with one_machine_slurm.OneMachineSlurm() as started:
             yield started

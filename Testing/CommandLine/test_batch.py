@@ -299,8 +299,8 @@ def test_disk_that_is_full_in_the_middle(run, same, whole, small_disk):
     assert {name for name in recorded if after[name] == before[name]} == recorded and recorded
 
 
-def test_files_that_may_not_grow_are_an_unusable_case_and_no_more(program, run, same, tmp_path):
-    """ulimit -f: the files of cases are small enough, or none of them is."""
+def test_files_that_may_not_grow_are_told_of(program, run, same, tmp_path):
+    """ulimit -f, as of a quota: a result is longer, what a case has said is not."""
     output = tmp_path / "out"
     done = subprocess.run(
         ["bash", "-c", 'ulimit -f 2; exec "$@"', "bash", str(program), "batch", str(same), "--output", str(output), *FAST],
@@ -310,8 +310,6 @@ def test_files_that_may_not_grow_are_an_unusable_case_and_no_more(program, run, 
     )
     assert done.returncode == 2 and "too large" in done.stderr.lower(), (done.returncode, done.stderr[-2000:])
     assert not list(output.rglob("result.json")) and not list(output.rglob("*.part"))
-    for table in output.glob("summary.*"):
-        assert table.stat().st_size > 0
     assert run("batch", same, "--output", output, "--resume", *FAST).returncode == 0
     assert len(list(output.glob("*/result.json"))) == 12
 

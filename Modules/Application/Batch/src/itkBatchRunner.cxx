@@ -318,6 +318,11 @@ BatchRunner::Finish(std::size_t index, int exitCode, double seconds)
   {
     said.erase(0, sizeof(prefix) - 1);
   }
+  if (said.empty())
+  {
+    // On a disk that is full there are no words.
+    said = "nothing is kept of what it said";
+  }
   const std::string ended = "the program ended with " + std::to_string(exitCode);
   if (exitCode == 0 || exitCode == 1)
   {

@@ -123,7 +123,7 @@ TEST(BatchRunner, TellsHowEachCaseEndedAndOneEndsNoOther)
   const char * const message[] = { "",
                                    "",
                                    "upper.stl: is no scan",
-                                   "was ended by signal 9",
+                                   "was ended by signal 9: nothing is kept of what it said",
                                    "ended with 1 and left no result: ModuleNotFoundError",
                                    "ended with 0 and left no result",
                                    "" };
