@@ -39,27 +39,6 @@ def result(run, sample, tmp_path_factory):
     return folder
 
 
-@pytest.fixture
-def small_disk(tmp_path):
-    """A file system of as many KiB as are asked for; only root may mount one."""
-    if os.geteuid() != 0:
-        pytest.skip("a small file system can be mounted by root only")
-    mounted = []
-
-    def mount(size):
-        folder = tmp_path / f"disk{len(mounted)}"
-        folder.mkdir()
-        done = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}k", "none", str(folder)], capture_output=True)
-        if done.returncode != 0:
-            pytest.skip("this system lets nobody mount a small file system: " + done.stderr.decode().strip())
-        mounted.append(folder)
-        return folder
-
-    yield mount
-    for folder in mounted:
-        subprocess.run(["umount", str(folder)], check=True)
-
-
 # Sizes from one that takes nothing to one that takes nearly all: another file is the one that fails each time.
 @pytest.mark.parametrize("size", [4, 40, 200, 1000, 3000, 9000])
 def test_register_on_a_full_disk(run, sample, result, small_disk, size):
