@@ -3009,7 +3009,7 @@ class ContourDistanceFilter(ProcessObject):
         """
     def SetDistance(self, distance: ContourPointDistance | str) -> None:
         """
-        Sets how the distance of a point is measured: PointToPoint (the default, the paper's) or PointToSegment.
+        Sets how the distance of a point, pixels, is measured: PointToPoint (the default, the paper's) or PointToSegment.
         """
     def _SetFixedContour(self, contour: Contour | None) -> None:
         ...
@@ -3162,7 +3162,7 @@ class ContourChamferMetricv4(ContourToContourMetricv4):
         """
     def SetDistance(self, distance: ContourPointDistance | str) -> None:
         """
-        Sets how the distance of a point is measured: PointToPoint (the default, the paper's) or PointToSegment.
+        Sets how the distance of a point, pixels, is measured: PointToPoint (the default, the paper's) or PointToSegment.
         """
     def SetTruncation(self, value: float) -> None:
         """
@@ -3898,7 +3898,7 @@ class StateBlock:
         """
 class PoseStateBlocks:
     """
-    The blocks that the metrics of a pose read.
+    The blocks that the metrics of a pose read. Arm is the length that an angle is multiplied by, mm.
     """
     Arm: typing.ClassVar[float] = 64.0
     @staticmethod
@@ -5684,7 +5684,7 @@ class PoseSolution(DataObject):
         """
     def GetViewNames(self) -> list[str]:
         """
-        Of the views beside the first.
+        Returns the names of the views beside the first radiograph, in the order in which they were added.
         """
     def HasConverged(self, jaw: Jaw | str) -> bool:
         """
@@ -5700,7 +5700,7 @@ class PoseSolution(DataObject):
         """
     def MakeViewSolution(self, name: str) -> PoseSolution:
         """
-        The same solution as another view shows it: everything downstream takes it.
+        Returns the same solution as the view of that name shows it: its geometry takes points of a scan (mm) to pixels of that radiograph. Everything downstream takes it.
         """
     def ProjectPoint(self, jaw: Jaw | str, point: typing.Sequence[float]) -> tuple[float, float]:
         """
@@ -5872,7 +5872,7 @@ class PoseRegistrationMethod(ProcessObject):
         """
     def ClearViews(self) -> None:
         """
-        Back to the lateral radiograph alone.
+        Removes all views: the lateral radiograph stands alone again.
         """
     def GetCurrentCandidate(self) -> int:
         """
