@@ -11,6 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 def pytest_addoption(parser):
     parser.addoption("--build-dir", default=str(ROOT / "build" / "test"), help="build tree with bin/dentalscr")
+    parser.addoption("--at-length", action="store_true", help="run what takes minutes, too: Utilities/test-cohort.sh")
     parser.addoption("--refreeze", action="store_true", help="freeze the results anew instead of comparing with them")
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what building and testing need from Debian's packages. Does nothing where all of it is there.
-# With "browser" also a browser, which the report page's tests need and nothing else.
+# With "browser" also a browser, which the tests of pages need and nothing else; with "slurm" also Slurm, for Utilities/test-cohort.sh.
 set -euo pipefail
 
 packages=(
@@ -17,6 +17,8 @@ packages=(
 
 if [ "${1:-}" = browser ] && ! command -v chromium chromium-browser google-chrome >/dev/null; then
   packages+=(chromium)
+elif [ "${1:-}" = slurm ]; then
+  packages+=(slurmctld slurmd slurm-client munge)
 fi
 
 missing=()

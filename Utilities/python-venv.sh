@@ -1,21 +1,31 @@
 #!/usr/bin/env bash
-# Makes build/python-venv with the packages that the Python tests work with. Where no package index is reachable it says so and
-# leaves a file with the reason: the tests that need it are skipped.
+# Makes build/python-venv with the packages that the Python tests work with, and build/cohort-venv with the workflow engine of
+# Examples/Cohort, whose packages are locked to versions of their own. Where no package index is reachable it says so and leaves a
+# file with the reason: the tests that need one are skipped.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-folder=build/python-venv
-# Debian's pybind11, with which the build tree's package is made, knows no numpy 2; the wheel is tested with it.
-packages=("numpy<2" SimpleITK itk trimesh pyvista meshio mypy pybind11-stubgen==3.0.0 pytest
-  "pybind11>=2.13,<3" scikit-build-core nbclient ipykernel playwright)
-stamp="$folder/packages.txt"
-[ -f "$stamp" ] && [ "$(cat "$stamp")" = "${packages[*]}" ] && exit 0
-rm -rf "$folder"
-mkdir -p build
-/usr/bin/python3 -m venv "$folder"
-if "$folder/bin/python" -m pip install -q --disable-pip-version-check --only-binary :all: "${packages[@]}" > build/python-venv.log 2>&1; then
-  echo "${packages[*]}" > "$stamp"
-  rm -f build/python-venv.log
-else
-  echo "The packages for the Python tests can't be installed; see build/python-venv.log" >&2
+
+# make FOLDER WORD...: an environment with what pip installs of these words.
+make() {
+  local folder=build/$1 log=build/$1.log stamp=build/$1/packages.txt wanted
+  shift
+  # A list in a file counts by what is in it.
+  wanted="$* $(for word in "$@"; do [ ! -f "$word" ] || cat "$word"; done)"
+  [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$wanted" ] && return 0
   rm -rf "$folder"
-fi
+  mkdir -p build
+  /usr/bin/python3 -m venv "$folder"
+  if "$folder/bin/python" -m pip install -q --disable-pip-version-check --only-binary :all: "$@" > "$log" 2>&1; then
+    echo "$wanted" > "$stamp"
+    rm -f "$log"
+  else
+    echo "The packages of $folder can't be installed; see $log" >&2
+    rm -rf "$folder"
+  fi
+}
+
+# Debian's pybind11, with which the build tree's package is made, knows no numpy 2; the wheel is tested with it.
+make python-venv "numpy<2" SimpleITK itk trimesh pyvista meshio mypy pybind11-stubgen==3.0.0 pytest \
+  "pybind11>=2.13,<3" scikit-build-core nbclient ipykernel playwright
+# connection_pool comes as source alone.
+make cohort-venv --no-binary connection_pool -r Examples/Cohort/requirements.txt

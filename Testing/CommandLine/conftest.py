@@ -1,4 +1,9 @@
-"""What the tests of many registrations share."""
+"""What the tests of many registrations and those of faults share."""
+import os
+import pathlib
+import shutil
+import subprocess
+
 import pytest
 
 from program_runs import ProgramRuns
@@ -9,3 +14,47 @@ def runs(program, shared_folder, tmp_path_factory):
     made = ProgramRuns(program, tmp_path_factory.mktemp("runs"), shared_folder)
     yield made
     made.close()
+
+
+@pytest.fixture(scope="session")
+def is_sanitized(build_dir):
+    """Whether the program keeps its books in terabytes of addresses, and its memory several times."""
+    return "-fsanitize" in (build_dir / "CMakeCache.txt").read_text()
+
+
+@pytest.fixture(scope="session")
+def faults(is_sanitized, tmp_path_factory):
+    """The environment of a program that meets a fault (Support/dentalscrFaults.c says which there are)."""
+    if is_sanitized:
+        pytest.skip("the sanitizer has to be loaded first, where the faults are")
+    compiler = shutil.which("cc") or shutil.which("gcc")
+    assert compiler, "no C compiler, which has built the program"
+    source = pathlib.Path(__file__).resolve().parent.parent / "Support" / "dentalscrFaults.c"
+    library = tmp_path_factory.mktemp("faults") / "faults.so"
+    subprocess.run([compiler, "-O2", "-shared", "-fPIC", "-o", str(library), str(source), "-ldl"], check=True)
+
+    def environment(**variables):
+        return dict(os.environ, LD_PRELOAD=str(library), **{f"DENTALSCR_{key}": str(value) for key, value in variables.items()})
+
+    return environment
+
+
+@pytest.fixture
+def small_disk(tmp_path):
+    """A file system of as many KiB as are asked for; only root may mount one."""
+    if os.geteuid() != 0:
+        pytest.skip("a small file system can be mounted by root only")
+    mounted = []
+
+    def mount(size):
+        folder = tmp_path / f"disk{len(mounted)}"
+        folder.mkdir()
+        done = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}k", "none", str(folder)], capture_output=True)
+        if done.returncode != 0:
+            pytest.skip("this system lets nobody mount a small file system: " + done.stderr.decode().strip())
+        mounted.append(folder)
+        return folder
+
+    yield mount
+    for folder in mounted:
+        subprocess.run(["umount", str(folder)], check=True)

@@ -5,9 +5,10 @@ import os
 import shutil
 import signal
 import subprocess
-import time
 
 import pytest
+
+from program_faults import processes_of, wait_until
 
 COLUMNS = ["case", "jaw", "status", "findings", "matched_px", "expected_error_px", "seconds", "message"]
 
@@ -114,16 +115,14 @@ def test_killed_and_started_again_it_loses_nothing(program, run, patients, tmp_p
     output = tmp_path / "out"
     arguments = ["batch", str(patients), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"]
     process = subprocess.Popen([str(program), *arguments], stderr=subprocess.DEVNULL)
-    deadline = time.monotonic() + 120
-    while not list(output.glob(".batch/*.json")) and time.monotonic() < deadline:
-        time.sleep(0.01)
+    wait_until(lambda: list(output.glob(".batch/*.json")), "a case is recorded")
     process.send_signal(signal.SIGKILL)
     process.wait()
     recorded = {path.stem for path in output.glob(".batch/*.json")}
     before = times_of(output)
     assert recorded and len(recorded) < 3
-    # Its process ends with it, and the folder is free again.
-    time.sleep(1.0)
+    # The process that it has started ends with it, and the folder is free again.
+    wait_until(lambda: not processes_of(output), "nobody is at work in the folder")
     done = run(*arguments[:-1], "--resume")
     assert done.returncode == 2
     after = times_of(output)
@@ -141,9 +140,7 @@ def test_stopped_it_tells_of_no_case_that_failed(program, run, patients, tmp_pat
         text=True,
         start_new_session=True,
     )
-    deadline = time.monotonic() + 120
-    while not list(output.glob(".batch/*.log")) and time.monotonic() < deadline:
-        time.sleep(0.01)
+    wait_until(lambda: list(output.glob(".batch/*.log")), "a case is begun")
     os.killpg(process.pid, signal.SIGINT)
     said = process.communicate(timeout=60)[1]
     assert process.returncode == 2 and "interrupted" in said, said
@@ -177,9 +174,7 @@ def test_one_owner_of_a_folder_at_a_time(program, run, patients, tmp_path):
         [str(program), "batch", str(patients), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"],
         stderr=subprocess.DEVNULL,
     )
-    deadline = time.monotonic() + 60
-    while not (output / ".batch").exists() and time.monotonic() < deadline:
-        time.sleep(0.01)
+    wait_until(lambda: (output / ".batch").exists(), "the first owner is at work")
     done = run("batch", patients, "--output", output)
     assert done.returncode == 2 and "another run is at work" in done.stderr
     process.send_signal(signal.SIGINT)
@@ -239,3 +234,154 @@ def test_a_pattern_finds_cases(run, patients, tmp_path):
     assert done.returncode == 0, done.stderr
     assert {row["case"] for row in rows_of(tmp_path / "out")} == {"p1", "p2"}
     assert not (tmp_path / "out" / "index.html").exists()
+
+
+FAST = ("--no-report", "--no-page", "--preset", "bounding-box")
+
+
+@pytest.fixture(scope="module")
+def same(patients, tmp_path_factory):
+    """A table of 12 cases, all of them the same phantom, two of which have names and words that a spreadsheet would run."""
+    table = tmp_path_factory.mktemp("table") / "cases.csv"
+    names = [f"p{i:02d}" for i in range(10)] + ["=HYPERLINK(1)", "@SUM(A1)"]
+    words = {"p00": "+1+cmd|' /C calc'!A0", "p01": "\tx", "p02": "-3.5"}
+    rows = [f'"{name}",{patients}/north/p1/case.json,"{words.get(name, "plain")}"' for name in names]
+    table.write_text('id,case,"=note"\n' + "\n".join(rows) + "\n")
+    return table
+
+
+@pytest.fixture(scope="module")
+def whole(run, same, tmp_path_factory):
+    output = tmp_path_factory.mktemp("whole") / "out"
+    done = run("batch", same, "--output", output, *FAST)
+    assert done.returncode == 0, done.stderr
+    return output
+
+
+def without_times(folder):
+    return [{key: value for key, value in row.items() if key not in ("seconds", "folder")} for row in rows_of(folder)]
+
+
+def test_disk_that_is_full_in_the_middle(run, same, whole, small_disk):
+    """Whatever is there is whole; with space again the same command repeats nothing that was done."""
+    files = sorted(path.name for path in (whole / "p00").iterdir())
+    size = sum(-(-path.stat().st_size // 4096) * 4 for path in (whole / "p00").iterdir())
+    # Three cases or so, with a page each for the folder, record and log of a case.
+    disk = small_disk(4 * size + 60)
+    output = disk / "out"
+    done = run("batch", same, "--output", output, "--jobs", 2, *FAST)
+    assert done.returncode == 2 and "No space left" in done.stderr, done.stderr
+    assert not list(disk.rglob("*.part"))
+    kept = []
+    for name in [path.name for path in output.iterdir() if path.is_dir() and path.name != ".batch"]:
+        found = sorted(path.name for path in (output / name).iterdir())
+        assert found in ([], files), name
+        if found:
+            json.loads((output / name / "result.json").read_text())
+            kept.append(name)
+    assert 1 <= len(kept) < 12
+    for record in output.glob(".batch/*.json"):
+        json.loads(record.read_text())
+    for table in output.glob("summary.json"):
+        # What could not be registered says why.
+        assert all(row["message"] for row in json.loads(table.read_text())["rows"] if row["status"] == "unusable")
+    recorded = {path.stem for path in output.glob(".batch/*.json")} & set(kept)
+    before = times_of(output)
+    subprocess.run(["mount", "-o", "remount,size=100m", str(disk)], check=True)
+    done = run("batch", same, "--output", output, "--resume", *FAST)
+    assert done.returncode == 0, done.stderr
+    assert without_times(output) == without_times(whole)
+    after = times_of(output)
+    assert {name for name in recorded if after[name] == before[name]} == recorded and recorded
+
+
+def test_files_that_may_not_grow_are_told_of(program, run, same, tmp_path):
+    """ulimit -f, as of a quota: a result is longer, what a case has said is not."""
+    output = tmp_path / "out"
+    done = subprocess.run(
+        ["bash", "-c", 'ulimit -f 2; exec "$@"', "bash", str(program), "batch", str(same), "--output", str(output), *FAST],
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+    assert done.returncode == 2 and "too large" in done.stderr.lower(), (done.returncode, done.stderr[-2000:])
+    assert not list(output.rglob("result.json")) and not list(output.rglob("*.part"))
+    assert run("batch", same, "--output", output, "--resume", *FAST).returncode == 0
+    assert len(list(output.glob("*/result.json"))) == 12
+
+
+def test_every_table_defuses_what_a_spreadsheet_would_run(run, same, whole, tmp_path):
+    for line, rows in (("one batch", rows_of(whole)), ("parts", None)):
+        if rows is None:
+            for first, last in ((1, 6), (7, 12)):
+                done = run("batch", same, "--range", f"{first}-{last}", "--output", tmp_path / f"parts/=part{first}", *FAST)
+                assert done.returncode == 0, done.stderr
+            done = run("batch", same, "--collect", tmp_path / "parts", "--output", tmp_path)
+            assert done.returncode == 0, done.stderr
+            rows = rows_of(tmp_path)
+        for row in rows:
+            for cell in [*row.keys(), *row.values()]:
+                if cell[:1] in ("=", "+", "-", "@", "\t", "\r"):
+                    float(cell)
+        by_name = {row["case"]: row for row in rows}
+        assert {"'=HYPERLINK(1)", "'@SUM(A1)"} <= set(by_name), line
+        assert by_name["p00"]["'=note"].startswith("'+1") and by_name["p01"]["'=note"] == "'\tx", line
+        assert by_name["p02"]["'=note"] == "-3.5", "a number is one"
+    # The folders are beside the page, so what a spreadsheet is told of them begins with a word.
+    assert {row["folder"].split("/")[0] for row in rows} == {"parts"}
+    assert without_times(tmp_path) == without_times(whole)
+
+
+def test_parts_that_are_missing_are_named(run, same, tmp_path):
+    parts = tmp_path / "parts"
+    assert run("batch", same, "--range", "1-6", "--output", parts / "1", *FAST).returncode == 0
+    (parts / "2" / ".batch").mkdir(parents=True)
+    done = run("batch", same, "--collect", parts, "--output", tmp_path / "all")
+    assert done.returncode == 2
+    assert "part 2 was not run to its end" in done.stderr and "6 cases have no result" in done.stderr, done.stderr
+    summary = json.loads((tmp_path / "all" / "summary.json").read_text())
+    assert summary["complete"] is False and summary["cases"] == 12
+    bad = [row for row in summary["rows"] if row["status"] == "unusable"]
+    assert len(bad) == 6 and all("no part of the cohort" in row["message"] for row in bad)
+    # Both parts have cases 5 and 6.
+    assert run("batch", same, "--range", "5-12", "--output", parts / "2", *FAST).returncode == 0
+    done = run("batch", same, "--collect", parts, "--output", tmp_path / "twice")
+    assert done.returncode == 2 and "is a case of two parts: " in done.stderr, done.stderr
+    assert not (tmp_path / "twice").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--range", "0-3"], "--range"),
+        (["--range", "3-2"], "--range"),
+        (["--range", "-3-5"], "--range"),
+        (["--range", "3"], "first and last"),
+        (["--range", "13-14"], "there are 12"),
+        (["--range", "99999999999999999999999-5"], "--range"),
+        (["--collect", "nowhere"], "nowhere"),
+        (["--collect", ".", "--resume"], "--resume"),
+    ],
+)
+def test_bad_parts_are_one_line(run, same, tmp_path, words, said):
+    done = run("batch", same, "--output", tmp_path / "out", *words, cwd=tmp_path)
+    assert done.returncode == 2 and said in done.stderr, done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_range_past_the_end_is_the_last_part(run, same, tmp_path):
+    done = run("batch", same, "--range", "11-20", "--output", tmp_path / "out", *FAST)
+    assert done.returncode == 0 and "2 cases" in done.stdout, done.stdout + done.stderr
+
+
+def test_waits_for_a_batch_at_work_and_repeats_nothing(program, run, patients, tmp_path):
+    output = tmp_path / "out"
+    arguments = ["batch", str(patients / "north"), "--output", str(output), "--no-report"]
+    first = subprocess.Popen([str(program), *arguments, "--quiet"], stderr=subprocess.DEVNULL)
+    deadline = time.monotonic() + 60
+    while not list(output.glob(".batch/*.log")) and time.monotonic() < deadline:
+        time.sleep(0.01)
+    assert first.poll() is None
+    done = run(*arguments, "--resume", "--wait")
+    assert first.wait(timeout=60) == 0
+    assert done.returncode == 0 and "2 kept from before" in done.stdout, done.stdout + done.stderr

@@ -2,6 +2,7 @@ itk_module(Experiment
   DEPENDS
     Annotation
     Baselines
+    Batch
     CaseRegistration
     CephalometricPose
     ContourMetric

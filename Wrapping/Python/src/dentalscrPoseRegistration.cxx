@@ -1081,6 +1081,28 @@ ToObject(const RegistrationVerdict::JawVerdict & verdict)
 void
 WrapDownstream(py::module_ & module)
 {
+  using ViewThresholdsType = itk::ViewVerdict::Thresholds;
+  py::class_<ViewThresholdsType>(
+    module, "ViewVerdictThresholds", "When a further view is suspect; standard deviations unless said.")
+    .def(py::init<>())
+    .def_readwrite("landmarkApart",
+                   &ViewThresholdsType::landmarkApart,
+                   "Distance above which a landmark of the view is a gross error, standard deviations.")
+    .def_readwrite(
+      "suspectLandmarkRatio",
+      &ViewThresholdsType::suspectLandmarkRatio,
+      "Root mean square of the other landmarks' distances above which the view is suspect, standard deviations.")
+    .def_readwrite("suspectCost",
+                   &ViewThresholdsType::suspectCost,
+                   "Robust cost of the view's tracing above which it is suspect, no unit.")
+    .def_readwrite("suspectPriorTension",
+                   &ViewThresholdsType::suspectPriorTension,
+                   "Distance of move and scale from their priors above which the view is suspect, standard deviations.")
+    .def_readwrite(
+      "suspectDeviance",
+      &ViewThresholdsType::suspectDeviance,
+      "Difference of the robust criterion below which the other reading of the view (sides, source) is named.");
+
   using ThresholdsType = RegistrationVerdict::Thresholds;
   py::class_<ThresholdsType>(
     module, "RegistrationVerdictThresholds", "What is suspect and what has failed; px of 0.25 mm and mm.")
@@ -1170,7 +1192,8 @@ WrapDownstream(py::module_ & module)
                    "Score up to which the drawing is said to fit with another pixel spacing.")
     .def_readwrite("spacingDifference",
                    &ThresholdsType::spacingDifference,
-                   "Logarithm of the ratio of two spacings from which on they differ.");
+                   "Logarithm of the ratio of two spacings from which on they differ.")
+    .def_readwrite("view", &ThresholdsType::view, "Of each further view.");
 
   using VerdictType = itk::RegistrationVerdictFilter;
   ProcessClass<VerdictType>(module, "RegistrationVerdictFilter", "Judges a pose registration.")
@@ -1202,7 +1225,15 @@ WrapDownstream(py::module_ & module)
         }
         return ToObject(self.GetVerdict(jaw));
       },
-      py::arg("jaw"));
+      py::arg("jaw"))
+    .def("_GetViewVerdicts", [](VerdictType & self) {
+      py::dict verdicts;
+      for (const auto & view : self.GetSolution()->GetResult().views)
+      {
+        verdicts[py::str(view.name)] = ToObject(self.GetViewVerdict(view.name));
+      }
+      return verdicts;
+    });
 
   using ProjectionType = itk::LandmarkProjectionFilter;
   ProcessClass<ProjectionType>(

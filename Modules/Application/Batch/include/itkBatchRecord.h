@@ -47,6 +47,8 @@ struct Batch_EXPORT BatchRecord
   };
 
   BatchCase one;
+  /** Of its result, as seen from the tables; empty: named as the case, beside them. */
+  std::string folder;
   /** Of the case: "ok", "suspect", "failed", or "unusable" where there is no result. */
   std::string status{ "unusable" };
   /** Of `dentalscr register`; other than 0, 1 and 2 where it was ended by the system. */

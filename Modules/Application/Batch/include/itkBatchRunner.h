@@ -76,12 +76,20 @@ public:
   SetArguments(const std::vector<std::string> & arguments);
   itkSetStringMacro(OutputFolder);
   itkGetStringMacro(OutputFolder);
+  /** Cores that all of them share; 0 (default): all that there are. A node of a cluster may have more than a job of
+   * its queue was given. */
+  itkSetMacro(NumberOfCores, unsigned int);
+  itkGetConstMacro(NumberOfCores, unsigned int);
   /** Processes at a time; 0 (default): one a core. */
   itkSetMacro(NumberOfJobs, unsigned int);
   itkGetConstMacro(NumberOfJobs, unsigned int);
   itkSetMacro(Resume, bool);
   itkGetConstMacro(Resume, bool);
   itkBooleanMacro(Resume);
+  /** Where another runner is at work in the folder: wait until it has ended. Default off. */
+  itkSetMacro(WaitForFolder, bool);
+  itkGetConstMacro(WaitForFolder, bool);
+  itkBooleanMacro(WaitForFolder);
 
   /** In the order of the cases, as far as they are done. */
   std::vector<BatchRecord>
@@ -125,6 +133,9 @@ private:
 
   bool
   KeepEarlier(std::size_t index);
+  /** The process of a runner that was killed ends by itself, a moment later: it still owns its case's folder. */
+  void
+  WaitForEarlierProcess(const std::string & folder) const;
   ChildType
   Start(std::size_t index, unsigned int threads) const;
   void
@@ -137,8 +148,10 @@ private:
   std::vector<std::string> m_Arguments;
   std::vector<std::string> m_Program;
   std::string              m_OutputFolder;
+  unsigned int             m_NumberOfCores{ 0 };
   unsigned int             m_NumberOfJobs{ 0 };
   bool                     m_Resume{ false };
+  bool                     m_WaitForFolder{ false };
   std::vector<BatchRecord> m_Records;
   std::vector<bool>        m_IsDone;
   BatchRecord              m_Record;

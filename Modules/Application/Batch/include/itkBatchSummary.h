@@ -32,16 +32,35 @@ namespace itk
  * One row a case and jaw: case, jaw, status, codes of the findings, distance of the tracing from what it lies on,
  * expected error (both pixels), seconds, and what a table of cases had besides. A case without a result has one row,
  * without a jaw, and says why. Text that a spreadsheet would run (it begins with = + - @ or a tab) has an apostrophe
- * before it in the CSV.
+ * before it in the CSV. Where results lie elsewhere than in folders of the cases' names beside the tables a further
+ * column says where.
  *
  * \ingroup Batch
  */
 class Batch_EXPORT BatchSummary
 {
 public:
-  explicit BatchSummary(std::vector<BatchRecord> records)
+  /** Not complete: of a batch that is still at work, or was stopped. */
+  explicit BatchSummary(std::vector<BatchRecord> records, bool isComplete = true)
     : m_Records(std::move(records))
+    , m_IsComplete(isComplete)
   {}
+
+  /** From a summary.json. What the records say is what the tables say: rows, no arguments and no exit code. Throws
+   * DentalInputError. */
+  static BatchSummary
+  ReadFile(const std::string & fileName);
+
+  const std::vector<BatchRecord> &
+  GetRecords() const
+  {
+    return m_Records;
+  }
+  bool
+  IsComplete() const
+  {
+    return m_IsComplete;
+  }
 
   std::string
   ToCSV() const;
@@ -58,6 +77,7 @@ public:
 
 private:
   std::vector<BatchRecord> m_Records;
+  bool                     m_IsComplete;
 };
 } // namespace itk
 

@@ -21,6 +21,7 @@
 #include "itkCaseResultWriter.h"
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
+#include "itkJobQueue.h"
 #include "itkJsonDocument.h"
 #include "itkOutputFolder.h"
 #include "itkTextFile.h"
@@ -38,6 +39,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <thread>
 
 namespace itk
@@ -48,8 +50,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-/** How often a runner looks whether a process has ended: short against a registration, long against a look. */
-constexpr auto PollInterval = std::chrono::milliseconds(10);
+/** Of a process that was told to end. */
+constexpr double LongestEndOfAProcess = 30.0;
 
 double
 SecondsSince(const Clock::time_point & start)
@@ -106,7 +108,6 @@ InputsAreUnchanged(const JsonNode & root, const BatchCase & one)
 struct BatchRunner::ChildType
 {
   pid_t             process;
-  std::size_t       index;
   Clock::time_point start;
 };
 
@@ -225,6 +226,28 @@ BatchRunner::KeepEarlier(std::size_t index)
   }
 }
 
+void
+BatchRunner::WaitForEarlierProcess(const std::string & folder) const
+{
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+  {
+    return;
+  }
+  const auto start = Clock::now();
+  try
+  {
+    const OutputFolder free(folder, {}, [&]() {
+      this->InvokeEvent(ProgressEvent());
+      return !this->GetAbortGenerateData() && SecondsSince(start) < LongestEndOfAProcess;
+    });
+  }
+  catch (const DentalInputError &)
+  {
+    // The process that is started says what is wrong with its folder.
+  }
+}
+
 BatchRunner::ChildType
 BatchRunner::Start(std::size_t index, unsigned int threads) const
 {
@@ -234,6 +257,7 @@ BatchRunner::Start(std::size_t index, unsigned int threads) const
   // From here until it is written anew there is no record: killed in between, the case is run again. And no result:
   // what lies in the folder when the process has ended is the process's own.
   fs::remove(records / (one.id + ".json"), error);
+  this->WaitForEarlierProcess((fs::path(m_OutputFolder) / one.id).string());
   RemoveCaseResult((fs::path(m_OutputFolder) / one.id).string());
   std::vector<std::string> words = m_Program;
   words.emplace_back("register");
@@ -275,7 +299,7 @@ BatchRunner::Start(std::size_t index, unsigned int threads) const
   {
     itkExceptionMacro("No process can be started: " << std::strerror(errno));
   }
-  return { process, index, start };
+  return { process, start };
 }
 
 void
@@ -293,6 +317,11 @@ BatchRunner::Finish(std::size_t index, int exitCode, double seconds)
   if (said.rfind(prefix, 0) == 0)
   {
     said.erase(0, sizeof(prefix) - 1);
+  }
+  if (said.empty())
+  {
+    // On a disk that is full there are no words.
+    said = "nothing is kept of what it said";
   }
   const std::string ended = "the program ended with " + std::to_string(exitCode);
   if (exitCode == 0 || exitCode == 1)
@@ -338,15 +367,15 @@ void
 BatchRunner::GenerateData()
 {
   m_Folder = nullptr;
-  m_Folder = std::make_unique<OutputFolder>(m_OutputFolder);
-  std::error_code error;
-  const fs::path  records = fs::path(m_OutputFolder) / ".batch";
-  fs::create_directories(records, error);
-  if (error)
-  {
-    itkDentalInputErrorMacro(
-      m_OutputFolder, "", "can't be written: " + error.message(), "choose another output folder");
-  }
+  // Parts of a cohort lie where several machines see them: the lock is a file's, too.
+  m_Folder = std::make_unique<OutputFolder>(m_OutputFolder, ".batch/lock", [this]() {
+    this->InvokeEvent(ProgressEvent());
+    if (this->GetAbortGenerateData())
+    {
+      throw ProcessAborted(__FILE__, __LINE__);
+    }
+    return m_WaitForFolder;
+  });
   m_Records.assign(m_Cases.size(), BatchRecord());
   m_IsDone.assign(m_Cases.size(), false);
   m_NumberOfFinishedCases = 0;
@@ -356,25 +385,12 @@ BatchRunner::GenerateData()
     m_Records[i].one = m_Cases[i];
   }
   const auto beginning = Clock::now();
-  const auto cores = std::max(1u, std::thread::hardware_concurrency());
+  const auto cores = m_NumberOfCores > 0 ? m_NumberOfCores : std::max(1u, std::thread::hardware_concurrency());
   const auto jobs = m_NumberOfJobs > 0 ? m_NumberOfJobs : cores;
   // Cores that no case needs serve the others.
-  const auto             threads = std::max(1u, cores / jobs);
-  std::size_t            next = 0;
-  std::vector<ChildType> children;
-  const auto             endAll = [&]() {
-    for (const ChildType & child : children)
-    {
-      kill(child.process, SIGTERM);
-    }
-    for (const ChildType & child : children)
-    {
-      while (waitpid(child.process, nullptr, 0) < 0 && errno == EINTR)
-      {}
-    }
-    children.clear();
-  };
-  const auto done = [&](std::size_t index) {
+  const auto                       threads = std::max(1u, cores / jobs);
+  std::map<std::size_t, ChildType> children;
+  const auto                       done = [&](std::size_t index) {
     m_IsDone[index] = true;
     ++m_NumberOfFinishedCases;
     m_Record = m_Records[index];
@@ -382,58 +398,51 @@ BatchRunner::GenerateData()
     this->UpdateProgress(static_cast<float>(m_NumberOfFinishedCases) / static_cast<float>(m_Cases.size()));
     this->InvokeEvent(IterationEvent());
   };
-  try
-  {
-    while (m_NumberOfFinishedCases < m_Cases.size())
+  JobQueue queue;
+  queue.watch = [&]() {
+    this->InvokeEvent(ProgressEvent());
+    // Before any process is asked how it ended: what is ended by an abort has not failed.
+    if (this->GetAbortGenerateData())
     {
-      this->InvokeEvent(ProgressEvent());
-      // Before any process is asked how it ended: what is ended by an abort has not failed.
-      if (this->GetAbortGenerateData())
-      {
-        throw ProcessAborted(__FILE__, __LINE__);
-      }
-      bool waits = true;
-      while (waits && next < m_Cases.size() && children.size() < jobs)
-      {
-        const std::size_t index = next++;
-        if (m_Resume && this->KeepEarlier(index))
-        {
-          // One at a time: its files were read to know them, and others may have ended meanwhile.
-          done(index);
-          waits = false;
-        }
-        else
-        {
-          children.push_back(this->Start(index, threads));
-        }
-      }
-      for (std::size_t k = 0; k < children.size();)
-      {
-        int         status = 0;
-        const pid_t ended = waitpid(children[k].process, &status, WNOHANG);
-        if (ended == 0 || (ended < 0 && errno == EINTR))
-        {
-          ++k;
-          continue;
-        }
-        const ChildType child = children[k];
-        children.erase(children.begin() + static_cast<std::ptrdiff_t>(k));
-        const int exitCode = ended < 0 ? -1 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-        this->Finish(child.index, exitCode, SecondsSince(child.start));
-        ++m_NumberOfRunCases;
-        done(child.index);
-      }
-      if (waits && !children.empty())
-      {
-        std::this_thread::sleep_for(PollInterval);
-      }
+      throw ProcessAborted(__FILE__, __LINE__);
     }
-  }
-  catch (...)
-  {
-    endAll();
-    throw;
-  }
+  };
+  queue.begin = [&](std::size_t index) {
+    if (m_Resume && this->KeepEarlier(index))
+    {
+      done(index);
+      return false;
+    }
+    children.emplace(index, this->Start(index, threads));
+    return true;
+  };
+  queue.hasEnded = [&](std::size_t index) {
+    const ChildType child = children.at(index);
+    int             status = 0;
+    const pid_t     ended = waitpid(child.process, &status, WNOHANG);
+    if (ended == 0 || (ended < 0 && errno == EINTR))
+    {
+      return false;
+    }
+    children.erase(index);
+    const int exitCode = ended < 0 ? -1 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    this->Finish(index, exitCode, SecondsSince(child.start));
+    ++m_NumberOfRunCases;
+    done(index);
+    return true;
+  };
+  queue.end = [&]() {
+    for (const auto & child : children)
+    {
+      kill(child.second.process, SIGTERM);
+    }
+    for (const auto & child : children)
+    {
+      while (waitpid(child.second.process, nullptr, 0) < 0 && errno == EINTR)
+      {}
+    }
+  };
+  queue.Run(m_Cases.size(), jobs);
 }
 
 void
@@ -444,8 +453,10 @@ BatchRunner::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Arguments: " << m_Arguments.size() << std::endl;
   os << indent << "Program: " << (m_Program.empty() ? "(none)" : m_Program.front()) << std::endl;
   os << indent << "OutputFolder: " << m_OutputFolder << std::endl;
+  os << indent << "NumberOfCores: " << m_NumberOfCores << std::endl;
   os << indent << "NumberOfJobs: " << m_NumberOfJobs << std::endl;
   os << indent << "Resume: " << (m_Resume ? "On" : "Off") << std::endl;
+  os << indent << "WaitForFolder: " << (m_WaitForFolder ? "On" : "Off") << std::endl;
   os << indent << "NumberOfFinishedCases: " << m_NumberOfFinishedCases << std::endl;
   os << indent << "NumberOfRunCases: " << m_NumberOfRunCases << std::endl;
   os << indent << "SecondsSinceStart: " << m_SecondsSinceStart << std::endl;

@@ -19,7 +19,9 @@
 
 #include "itkCSVField.h"
 #include "itkBatchPage.h"
+#include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
+#include "itkJsonDocument.h"
 #include "itkTextFile.h"
 
 #include <nlohmann/json.hpp>
@@ -79,10 +81,29 @@ RowsOf(const BatchRecord & record)
   return { row };
 }
 
-Json
-MakeJson(const std::vector<BatchRecord> & records)
+/** Of the case, of its jaws, as CaseResult::GetStatus(): the worst one; a jaw that was skipped is none, and without any
+ * the case has failed. */
+std::string
+WorstOf(const std::vector<BatchRecord::JawType> & jaws)
 {
-  Json json = { { "schema", "dentalscr-batch/1" }, { "software", DentalSCRVersion }, { "cases", records.size() } };
+  constexpr const char * statuses[] = { "failed", "suspect", "ok" };
+  for (const char * status : statuses)
+  {
+    if (std::any_of(jaws.begin(), jaws.end(), [&](const auto & jaw) { return jaw.status == status; }))
+    {
+      return status;
+    }
+  }
+  return "failed";
+}
+
+Json
+MakeJson(const std::vector<BatchRecord> & records, bool isComplete)
+{
+  Json json = { { "schema", "dentalscr-batch/1" },
+                { "software", DentalSCRVersion },
+                { "cases", records.size() },
+                { "complete", isComplete } };
   json["rows"] = Json::array();
   for (const BatchRecord & record : records)
   {
@@ -96,6 +117,10 @@ MakeJson(const std::vector<BatchRecord> & records)
                    { "expected_error_px", ToJsonNumber(jaw.expectedError) },
                    { "seconds", record.seconds },
                    { "message", jaw.message } };
+      if (!record.folder.empty())
+      {
+        row["folder"] = record.folder;
+      }
       for (const auto & column : record.one.columns)
       {
         row["columns"][column.first] = column.second;
@@ -108,12 +133,76 @@ MakeJson(const std::vector<BatchRecord> & records)
 }
 } // namespace
 
+BatchSummary
+BatchSummary::ReadFile(const std::string & fileName)
+{
+  const auto document = JsonDocument::ReadFile(fileName);
+  const auto root = document.GetRoot();
+  if (root.Get("schema").AsString() != "dentalscr-batch/1")
+  {
+    root.Get("schema").Fail("is not \"dentalscr-batch/1\"", "name the summary.json of a batch");
+  }
+  const auto numberOf = [](const JsonNode & node) {
+    return node.IsNull() ? std::optional<double>() : std::optional<double>(node.AsNumber());
+  };
+  std::vector<BatchRecord> records;
+  const auto               rows = root.Get("rows");
+  for (std::size_t i = 0; i < rows.GetSize(); ++i)
+  {
+    const auto          row = rows.At(i);
+    const std::string & id = row.Get("case").AsString();
+    // Rows of a case follow each other.
+    if (records.empty() || records.back().one.id != id)
+    {
+      BatchRecord record;
+      record.one.id = id;
+      record.seconds = row.Get("seconds").AsNumber();
+      if (const auto folder = row.Find("folder"))
+      {
+        record.folder = folder->AsString();
+      }
+      if (const auto columns = row.Find("columns"))
+      {
+        for (const auto & column : columns->GetMembers())
+        {
+          record.one.columns.emplace_back(column.first, column.second.AsString());
+        }
+      }
+      records.push_back(std::move(record));
+    }
+    BatchRecord &        record = records.back();
+    BatchRecord::JawType jaw;
+    jaw.jaw = row.Get("jaw").AsString();
+    jaw.status = row.Get("status").AsString();
+    jaw.message = row.Get("message").AsString();
+    if (jaw.jaw.empty())
+    {
+      record.message = jaw.message;
+      continue;
+    }
+    const auto findings = row.Get("findings");
+    for (std::size_t k = 0; k < findings.GetSize(); ++k)
+    {
+      jaw.findings.push_back(findings.At(k).AsString());
+    }
+    jaw.matched = numberOf(row.Get("matched_px"));
+    jaw.expectedError = numberOf(row.Get("expected_error_px"));
+    record.jaws.push_back(std::move(jaw));
+    record.status = WorstOf(record.jaws);
+  }
+  // Of a summary that an earlier version wrote there is no word: it was written at the end.
+  const auto complete = root.Find("complete");
+  return BatchSummary(std::move(records), !complete || complete->AsBoolean());
+}
+
 std::string
 BatchSummary::ToCSV() const
 {
-  const auto         columns = FindColumns(m_Records);
+  const auto columns = FindColumns(m_Records);
+  const bool hasFolders =
+    std::any_of(m_Records.begin(), m_Records.end(), [](const BatchRecord & record) { return !record.folder.empty(); });
   std::ostringstream csv;
-  csv << "case,jaw,status,findings,matched_px,expected_error_px,seconds,message";
+  csv << "case,jaw,status,findings,matched_px,expected_error_px,seconds,message" << (hasFolders ? ",folder" : "");
   for (const std::string & column : columns)
   {
     csv << ',' << ToCSVField(column);
@@ -131,6 +220,10 @@ BatchSummary::ToCSV() const
       csv << ToCSVField(record.one.id) << ',' << jaw.jaw << ',' << jaw.status << ',' << findings << ','
           << ToText(jaw.matched) << ',' << ToText(jaw.expectedError) << ',' << Json(record.seconds).dump() << ','
           << ToCSVField(jaw.message);
+      if (hasFolders)
+      {
+        csv << ',' << ToCSVField(record.folder);
+      }
       for (const std::string & column : columns)
       {
         const auto & own = record.one.columns;
@@ -147,18 +240,18 @@ BatchSummary::ToCSV() const
 std::string
 BatchSummary::ToJson() const
 {
-  return MakeJson(m_Records).dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+  return MakeJson(m_Records, m_IsComplete).dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string
 BatchSummary::ToPage(const std::string & folder) const
 {
-  Json            json = MakeJson(m_Records);
+  Json            json = MakeJson(m_Records, m_IsComplete);
   std::error_code error;
   for (Json & row : json["rows"])
   {
-    row["page"] =
-      !folder.empty() && fs::exists(fs::path(folder) / row["case"].get<std::string>() / "report.html", error);
+    const fs::path result = row.value("folder", row["case"].get<std::string>());
+    row["page"] = !folder.empty() && fs::exists(fs::path(folder) / result / "report.html", error);
   }
   std::string data = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   // Nothing in it ends the script that it stands in, nor begins what would hide the end.

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkBatchRunner.h"
 
+#include "itkOutputFolder.h"
 #include "itkTestFile.h"
 
 #include "itkCommand.h"
@@ -26,6 +27,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <memory>
 #include <thread>
 
 namespace
@@ -121,7 +123,7 @@ TEST(BatchRunner, TellsHowEachCaseEndedAndOneEndsNoOther)
   const char * const message[] = { "",
                                    "",
                                    "upper.stl: is no scan",
-                                   "was ended by signal 9",
+                                   "was ended by signal 9: nothing is kept of what it said",
                                    "ended with 1 and left no result: ModuleNotFoundError",
                                    "ended with 0 and left no result",
                                    "" };
@@ -219,6 +221,52 @@ TEST(BatchRunner, AFolderHasOneOwnerAtATime)
   // It is owned until tables and page are written, too.
   runner = nullptr;
   EXPECT_NO_THROW(other->Update());
+}
+
+TEST(BatchRunner, WaitsForAFolderWhereItIsToldTo)
+{
+  auto runner = MakeRunner({ { "a", "ok" } });
+  auto other = MakeRunner({ { "a", "ok" }, { "b", "ok" } });
+  other->WaitForFolderOn();
+  other->ResumeOn();
+  runner->Update();
+  // As the first one has it until it is gone, this one hears an abort meanwhile.
+  const auto abort =
+    other->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { other->AbortGenerateDataOn(); });
+  EXPECT_THROW(other->Update(), itk::ProcessAborted);
+  other->RemoveObserver(abort);
+  std::size_t waited = 0;
+  other->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
+    if (++waited == 3)
+    {
+      runner = nullptr;
+    }
+  });
+  other->Update();
+  EXPECT_GE(waited, 3u);
+  EXPECT_TRUE(other->GetRecords().at(0).isKept) << "what the first one has done stands";
+  EXPECT_EQ(CountRuns("a"), 1u);
+  EXPECT_EQ(CountRuns("b"), 1u);
+}
+
+TEST(BatchRunner, WaitsForAProcessOfAKilledRunnerThatHasNotEndedYet)
+{
+  auto       runner = MakeRunner({ { "a", "ok" } });
+  const auto folder = itk::TestFolder() + "/out/a";
+  auto       left = std::make_unique<itk::OutputFolder>(folder);
+  itk::WriteTestFile("out/a/notes.txt", "a folder that is there");
+  bool wasEarly = false;
+  runner->AddObserver(itk::ProgressEvent(), [&, calls = 0](const itk::EventObject &) mutable {
+    if (++calls == 5)
+    {
+      wasEarly = fs::exists(itk::TestFolder() + "/a.case.runs");
+      left = nullptr;
+    }
+  });
+  runner->Update();
+  EXPECT_EQ(left, nullptr);
+  EXPECT_FALSE(wasEarly);
+  EXPECT_EQ(runner->GetRecords().at(0).status, "ok");
 }
 
 TEST(BatchRunner, AsksForWhatItNeeds)

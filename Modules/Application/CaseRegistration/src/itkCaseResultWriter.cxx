@@ -18,11 +18,9 @@
 #include "itkCaseResultWriter.h"
 
 #include "itkCaseOverlay.h"
-#include "itkDentalCaseFileReader.h"
+#include "itkCaseResultDocument.h"
+#include "itkCaseResultToJson.h"
 #include "itkDentalInputError.h"
-#include "itkDentalSCRVersion.h"
-#include "itkCephalometricLandmarkSet.h"
-#include "itkLandmarkErrorFilter.h"
 #include "itkMakeAnonymous.h"
 #include "itkMemoryFile.h"
 #include "itkOutputFolder.h"
@@ -32,18 +30,12 @@
 #include "itkTextFile.h"
 #include "itkTransformFile.h"
 
-#include "itkMath.h"
 #include "itkSimilarity2DTransform.h"
 #include "itkVersorRigid3DTransform.h"
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
-#include <sstream>
-#include <utility>
+#include <set>
 #include <vector>
 
 namespace itk
@@ -51,7 +43,6 @@ namespace itk
 namespace
 {
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using JawEnum = ToothCode::JawEnum;
 using MeshType = DentalCaseData::MeshType;
 
@@ -59,423 +50,6 @@ const char *
 Name(JawEnum jaw)
 {
   return jaw == JawEnum::Upper ? "upper" : "lower";
-}
-
-Json
-MatrixToJson(const std::array<double, 12> & matrix)
-{
-  Json rows = Json::array();
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    rows.push_back({ matrix[4 * row], matrix[4 * row + 1], matrix[4 * row + 2], matrix[4 * row + 3] });
-  }
-  return rows;
-}
-
-template <typename TValue>
-Json
-Provenance(const TValue & value, ValueSourceEnum source)
-{
-  return { { "value", value }, { "source", ToString(source) } };
-}
-
-Json
-GeometryToJson(const CaseResult & result)
-{
-  const auto & geometry = *result.geometry;
-  const auto & sources = result.data->sources;
-  Json         json;
-  json["source_to_midsagittal_mm"] = Provenance(geometry.GetSourceToMidsagittalDistance(), sources.sourceToMidsagittal);
-  json["source_to_detector_mm"] = Provenance(geometry.GetSourceToDetectorDistance(), sources.sourceToDetector);
-  json["source_side"] = Provenance(
-    geometry.GetSourceSide() == CephalometricGeometry::SourceSideEnum::Right ? "right" : "left", sources.sourceSide);
-  json["facing"] =
-    Provenance(geometry.GetFacing() == CephalometricGeometry::FacingEnum::Right ? "right" : "left", sources.facing);
-  json["pixel_spacing_mm"] =
-    Provenance(Json::array({ geometry.GetPixelSpacing()[0], geometry.GetPixelSpacing()[1] }), sources.pixelSpacing);
-  json["pixel_spacing_mm"]["verdict"] = result.data->spacingVerdict;
-  json["pixel_spacing_mm"]["how"] = result.data->spacingProvenance;
-  json["principal_point_px"] = Provenance(
-    Json::array({ geometry.GetPrincipalPoint()[0], geometry.GetPrincipalPoint()[1] }), sources.principalPoint);
-  return json;
-}
-
-/** What a person has set of the registration; empty where nothing. */
-Json
-ControlToJson(const DentalCase & description)
-{
-  Json json = Json::object();
-  for (const ToothCode & tooth : description.excludedTeeth)
-  {
-    json["exclude"].push_back(tooth.GetName());
-  }
-  for (const auto & held : { std::make_pair("scale", description.fixScale),
-                             std::make_pair("rotation", description.fixRotation),
-                             std::make_pair("translation", description.fixTranslation) })
-  {
-    if (held.second)
-    {
-      json["fix"].push_back(held.first);
-    }
-  }
-  if (description.HasStart())
-  {
-    json["init"] = true;
-  }
-  return json;
-}
-
-Json
-FiguresToJson(const ContourFigures & figures)
-{
-  return { { "chamfer_px", figures.chamfer },
-           { "hausdorff_px", figures.hausdorff },
-           { "ios_to_cr_px", figures.movingToFixed },
-           { "cr_to_ios_px", figures.fixedToMoving } };
-}
-
-Json
-ToJson(const std::vector<RegistrationFinding> & findings)
-{
-  Json list = Json::array();
-  for (const RegistrationFinding & finding : findings)
-  {
-    Json item = { { "code", finding.code }, { "severity", ToString(finding.severity) }, { "text", finding.text } };
-    if (finding.value && finding.limit)
-    {
-      item["value"] = *finding.value;
-      item["limit"] = *finding.limit;
-      item["unit"] = finding.unit;
-    }
-    list.push_back(item);
-  }
-  return list;
-}
-
-/** What was tried in each stage, summed up; the single steps are in report.json. */
-Json
-CourseToJson(const std::vector<RegistrationStageCourse> & course)
-{
-  Json list = Json::array();
-  for (const RegistrationStageCourse & stage : course)
-  {
-    std::size_t tried = 0;
-    std::size_t accepted = 0;
-    Json        item = { { "stage", stage.name }, { "candidates", stage.candidates.size() } };
-    for (const ToothCode::JawEnum jaw : stage.jaws)
-    {
-      item["jaws"].push_back(Name(jaw));
-    }
-    for (const RegistrationCandidateCourse & candidate : stage.candidates)
-    {
-      tried += candidate.steps.size();
-      for (const RegistrationStep & step : candidate.steps)
-      {
-        accepted += step.accepted ? 1 : 0;
-      }
-      if (candidate.chosen)
-      {
-        item["chosen"] = candidate.candidate;
-        item["value"] = candidate.steps.back().value;
-      }
-    }
-    item["steps"] = tried;
-    item["accepted"] = accepted;
-    if (!stage.stopCondition.empty())
-    {
-      item["stop"] = stage.stopCondition;
-    }
-    list.push_back(item);
-  }
-  return list;
-}
-
-Json
-StagesToJson(const std::vector<RegistrationStagePlacement> & stages)
-{
-  Json list = Json::array();
-  for (const RegistrationStagePlacement & stage : stages)
-  {
-    Json item = { { "stage", stage.name } };
-    if (stage.projection)
-    {
-      item["projection_3x4"] = MatrixToJson(*stage.projection);
-    }
-    if (stage.similarity)
-    {
-      const auto & p = *stage.similarity;
-      item["similarity"] = { { "scale", p[0] }, { "rotation_rad", p[1] }, { "translation_px", { p[2], p[3] } } };
-    }
-    list.push_back(item);
-  }
-  return list;
-}
-
-Json
-PoseToJson(const JawPose & pose)
-{
-  Json rows = Json::array();
-  for (unsigned int row = 0; row < 7; ++row)
-  {
-    rows.push_back(std::vector<double>(pose.covariance.begin() + 7 * row, pose.covariance.begin() + 7 * (row + 1)));
-  }
-  return { { "mesh_to_dental_mm", MatrixToJson(pose.frame) },
-           { "parameters", pose.parameters },
-           { "covariance", std::move(rows) } };
-}
-
-Json
-PoseSigmaToJson(const JawPose & pose)
-{
-  constexpr double degrees = 180.0 / Math::pi;
-  const auto       sigma = [&](unsigned int k) { return std::sqrt(pose.covariance[8 * k]); };
-  return { { "pitch_deg", degrees * sigma(0) },
-           { "roll_deg", degrees * sigma(1) },
-           { "yaw_deg", degrees * sigma(2) },
-           { "x_mm", sigma(3) },
-           { "y_mm", sigma(4) },
-           { "z_mm", sigma(5) },
-           { "scale", sigma(6) } };
-}
-
-void
-AddMetrics(const JawResult & jaw, Json & json)
-{
-  if (!jaw.metrics.empty())
-  {
-    Json & metrics = json["metrics"] = { { "moving_contour", jaw.metrics.front().first } };
-    metrics.update(FiguresToJson(jaw.metrics.front().second));
-    for (std::size_t i = 1; i < jaw.metrics.size(); ++i)
-    {
-      json["metrics_" + jaw.metrics[i].first] = { { "moving_contour", jaw.metrics[i].first } };
-      json["metrics_" + jaw.metrics[i].first].update(FiguresToJson(jaw.metrics[i].second));
-    }
-  }
-}
-
-/** Predicted ones with their sigma, and those that were registered with. */
-void
-AddLandmarks(const JawResult & jaw, Json & json)
-{
-  Json landmarks = Json::object();
-  Json sigmas = Json::object();
-  Json covariances = Json::object();
-  for (const LandmarkPrediction & landmark : jaw.landmarks)
-  {
-    landmarks[landmark.name] = landmark.position;
-    if (landmark.covariance)
-    {
-      const auto & c = *landmark.covariance;
-      sigmas[landmark.name] = landmark.GetSigma();
-      covariances[landmark.name] = { { c[0], c[1] }, { c[2], c[3] } };
-    }
-  }
-  json["landmarks_px"] = landmarks;
-  if (!sigmas.empty())
-  {
-    json["landmark_sigma_px"] = sigmas;
-    json["landmark_covariance_px2"] = covariances;
-  }
-  for (const UsedLandmark & landmark : jaw.usedLandmarks)
-  {
-    json["landmarks_used"][landmark.name] = { { "found_by", landmark.source },
-                                              { "residual_px", landmark.residual },
-                                              { "residual_sd", landmark.distance },
-                                              { "weight", landmark.weight } };
-  }
-}
-
-void
-AddErrors(const JawResult & jaw, Json & json)
-{
-  if (jaw.expectedError)
-  {
-    json["expected_error_px"] = *jaw.expectedError;
-  }
-  if (jaw.error)
-  {
-    Json groups = Json::object();
-    for (const auto & group : jaw.error->groups)
-    {
-      groups[group.first] = group.second;
-    }
-    Json each = Json::object();
-    for (const auto & landmark : jaw.error->landmarks)
-    {
-      each[landmark.first] = landmark.second;
-    }
-    json["error"] = { { "mean_px", jaw.error->mean },
-                      { "rmse_px", jaw.error->rmse },
-                      { "std_px", jaw.error->standardDeviation },
-                      { "groups", groups },
-                      { "landmarks", each } };
-    for (std::size_t i = 0; i < jaw.error->marked.size(); ++i)
-    {
-      json["error"]["places_px"][jaw.error->landmarks[i].first] = { { "marked", jaw.error->marked[i] },
-                                                                    { "predicted", jaw.error->predicted[i] } };
-    }
-  }
-}
-
-Json
-JawToJson(const JawResult & jaw)
-{
-  Json json;
-  json["status"] = ToString(jaw.status);
-  json["reasons"] = jaw.GetReasons();
-  json["findings"] = ToJson(jaw.findings);
-  if (jaw.registered)
-  {
-    json["projection_3x4"] = MatrixToJson(jaw.projection);
-    json["similarity"] = { { "scale", jaw.similarity.scale },
-                           { "rotation_rad", jaw.similarity.rotation },
-                           { "translation_px", jaw.similarity.translation } };
-    json["mesh_to_umda_mm"] = MatrixToJson(jaw.meshToUMDA);
-    json["mesh_to_cephalostat_mm"] = MatrixToJson(jaw.meshToCephalostat);
-    if (jaw.pose)
-    {
-      json["pose"] = PoseToJson(*jaw.pose);
-      json["pose_sigma"] = PoseSigmaToJson(*jaw.pose);
-    }
-    for (const AlignmentCandidate & candidate : jaw.candidates)
-    {
-      json["candidates"].push_back({ { "projection_3x4", MatrixToJson(candidate.projection) },
-                                     { "score", candidate.score },
-                                     { "distance_px", candidate.distance } });
-    }
-    for (const ParameterPrior & prior : jaw.priors)
-    {
-      json["priors"][prior.name] = {
-        { "value", prior.value }, { "mean", 0.0 }, { "sigma", prior.sigma }, { "tension_sd", prior.tension }
-      };
-    }
-    if (!jaw.course.empty())
-    {
-      json["course"] = CourseToJson(jaw.course);
-    }
-    if (!jaw.stages.empty())
-    {
-      json["stages"] = StagesToJson(jaw.stages);
-    }
-    for (const ToothResidual & tooth : jaw.residuals)
-    {
-      json["residuals_px"].push_back({ { "tooth", tooth.code },
-                                       { "points", tooth.count },
-                                       { "mean", tooth.mean },
-                                       { "rms", tooth.rms },
-                                       { "max", tooth.maximum } });
-    }
-    AddMetrics(jaw, json);
-    AddLandmarks(jaw, json);
-    if (!jaw.placedBy.empty())
-    {
-      json["placed_by"] = jaw.placedBy;
-    }
-    for (const MiddlePrediction & middle : jaw.middles)
-    {
-      json["middles"][middle.name] = { { "position", middle.position }, { "sigma_px", middle.sigma } };
-    }
-    for (const UsedOutline & outline : jaw.usedOutlines)
-    {
-      json["outlines_used"][outline.name] = { { "shift_px", outline.shift },
-                                              { "residual_sd", outline.distance },
-                                              { "weight", outline.weight },
-                                              { "matched_share", outline.matchedShare },
-                                              { "template", outline.isTemplate } };
-    }
-    AddErrors(jaw, json);
-  }
-  json["arch"] = { { "width_mm", jaw.archWidth },
-                   { "depth_mm", jaw.archDepth },
-                   { "frame_confidence", jaw.frameConfidence } };
-  for (const auto & detail : jaw.details)
-  {
-    json["details"][detail.first] = detail.second;
-  }
-  Json & seconds = json["seconds"] = Json::object();
-  for (const char * stage : { "read", "axis", "projection", "contour", "registration" })
-  {
-    seconds[stage] = 0.0;
-  }
-  for (const auto & stage : jaw.seconds)
-  {
-    seconds[stage.first] = seconds.value(stage.first, 0.0) + stage.second;
-  }
-  return json;
-}
-
-/** A distance, a side, as the first radiograph's geometry has them. */
-Json
-ViewGeometryToJson(const CaseViewResult & view)
-{
-  using GeometryType = CephalometricGeometry;
-  const auto & geometry = *view.result->geometry;
-  const auto & sources = view.result->data->sources;
-  const bool   isLateral = geometry.GetDirection() == GeometryType::DirectionEnum::Lateral;
-  Json         json;
-  json[isLateral ? "source_to_midsagittal_mm" : "source_to_midcoronal_mm"] =
-    Provenance(geometry.GetSourceToMidsagittalDistance(), sources.sourceToMidsagittal);
-  json["source_to_detector_mm"] = Provenance(geometry.GetSourceToDetectorDistance(), sources.sourceToDetector);
-  if (isLateral)
-  {
-    json["source_side"] = Provenance(geometry.GetSourceSide() == GeometryType::SourceSideEnum::Right ? "right" : "left",
-                                     sources.sourceSide);
-    json["facing"] =
-      Provenance(geometry.GetFacing() == GeometryType::FacingEnum::Right ? "right" : "left", sources.facing);
-  }
-  else
-  {
-    json["source"] = Provenance(
-      geometry.GetFrontalSource() == GeometryType::FrontalSourceEnum::Behind ? "behind" : "front", sources.sourceSide);
-    json["patient_left"] =
-      Provenance(geometry.GetPatientLeft() == GeometryType::PatientLeftEnum::Right ? "right" : "left", sources.facing);
-  }
-  json["pixel_spacing_mm"] =
-    Provenance(Json::array({ geometry.GetPixelSpacing()[0], geometry.GetPixelSpacing()[1] }), sources.pixelSpacing);
-  json["pixel_spacing_mm"]["how"] = view.result->data->spacingProvenance;
-  json["principal_point_px"] = Provenance(
-    Json::array({ geometry.GetPrincipalPoint()[0], geometry.GetPrincipalPoint()[1] }), sources.principalPoint);
-  return json;
-}
-
-Json
-MoveToJson(const std::array<double, 6> & move)
-{
-  constexpr double degrees = 180.0 / Math::pi;
-  return { { "pitch_deg", degrees * move[0] },
-           { "roll_deg", degrees * move[1] },
-           { "yaw_deg", degrees * move[2] },
-           { "x_mm", move[3] },
-           { "y_mm", move[4] },
-           { "z_mm", move[5] } };
-}
-
-Json
-ViewToJson(const CaseViewResult & view)
-{
-  const bool isLateral = view.result->geometry->GetDirection() == CephalometricGeometry::DirectionEnum::Lateral;
-  Json       json = { { "direction", isLateral ? "lateral" : "frontal" },
-                      { "status", ToString(view.status) },
-                      { "findings", ToJson(view.findings) },
-                      { "same_head_position", view.sameHeadPosition },
-                      { "geometry", ViewGeometryToJson(view) } };
-  json["jaws"] = Json::object();
-  for (const auto & entry : view.result->jaws)
-  {
-    const JawResult & jaw = entry.second;
-    Json              own;
-    own["projection_3x4"] = MatrixToJson(jaw.projection);
-    own["mesh_to_cephalostat_mm"] = MatrixToJson(jaw.meshToCephalostat);
-    own["pose"] = PoseToJson(*jaw.pose);
-    own["scale_factor"] = view.scaleFactors.at(entry.first);
-    own["head_moved"] = MoveToJson(view.moves.at(entry.first));
-    own["head_moved_sigma"] = MoveToJson(view.moveSigmas.at(entry.first));
-    AddMetrics(jaw, own);
-    AddLandmarks(jaw, own);
-    AddErrors(jaw, own);
-    json["jaws"][Name(entry.first)] = own;
-  }
-  return json;
 }
 
 MeshType::Pointer
@@ -531,6 +105,12 @@ MakeTitle(const CaseResult & result)
                                                              : folder + " / " + stem;
 }
 
+std::string
+ViewOverlayName(const std::string & view, const std::string & jaw)
+{
+  return "overlay_" + view + '_' + jaw + ".png";
+}
+
 void
 WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputOptions & options)
 {
@@ -560,8 +140,7 @@ WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputO
       {
         if (view.result->jaws.count(entry.first) != 0)
         {
-          WriteCaseOverlay(
-            *view.result, entry.first, (folder / ("overlay_" + view.name + "_" + name + ".png")).string());
+          WriteCaseOverlay(*view.result, entry.first, (folder / ViewOverlayName(view.name, name)).string());
         }
       }
     }
@@ -605,7 +184,8 @@ WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputO
   WriteFileAtomically((folder / "result.json").string(), json);
 }
 
-/** Names of every file that a run can leave: those of an earlier run that this one does not make are stale. */
+/** Names of every file that a run can leave beside those of views: those of an earlier run that this one does not make
+ * are stale. */
 const char * const OutputNames[] = { "upper_ceph.stl",
                                      "lower_ceph.stl",
                                      "upper_umda.tfm",
@@ -618,135 +198,54 @@ const char * const OutputNames[] = { "upper_ceph.stl",
                                      "report.html",
                                      "result.json" };
 
-/** The same with the overlays of views, which have the names of these, of a folder. The last is result.json. */
-std::vector<std::string>
-ListOutputs(const std::vector<fs::path> & folders)
+/** Of the views that the result of a folder has; none where there is no result that can be read. */
+std::set<std::string>
+FindViewNames(const fs::path & folder)
 {
-  std::vector<std::string> names;
-  for (const fs::path & folder : folders)
+  std::set<std::string> names;
+  std::error_code       error;
+  const fs::path        file = folder / "result.json";
+  if (!fs::is_regular_file(file, error))
   {
-    std::error_code error;
-    for (const auto & entry : fs::directory_iterator(folder, error))
+    return names;
+  }
+  try
+  {
+    const CaseResultDocument document(file.u8string());
+    if (const auto views = document.GetRoot().Find("views"))
     {
-      const std::string name = entry.path().filename().string();
-      const auto        endsWith = [&](const std::string & end) {
-        return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-      };
-      if (name.rfind("overlay_", 0) == 0 && (endsWith("_upper.png") || endsWith("_lower.png")) &&
-          std::find(names.begin(), names.end(), name) == names.end())
+      for (const auto & member : views->GetMembers())
       {
-        names.push_back(name);
+        names.insert(member.first);
       }
     }
   }
-  for (const char * name : OutputNames)
+  catch (const DentalInputError &)
   {
-    if (std::find(names.begin(), names.end(), name) == names.end())
-    {
-      names.emplace_back(name);
-    }
+    // What is no result of ours has no files of ours.
   }
   return names;
 }
-} // namespace
 
-namespace
+/** Every file that runs of these views can leave, result.json last. A file that has a name like an overlay's, and is of
+ * no view that the folder's result or this one has, is somebody else's. */
+std::vector<std::string>
+ListOutputs(const std::set<std::string> & views)
 {
-/** What was marked, less what was registered with: a landmark of the case never scores, nor does either side's where it
- * has none. */
-DentalLandmarkSet<2>::Pointer
-WithoutUsed(const DentalLandmarkSet<2> & marked, const DentalCaseData & data)
-{
-  auto       kept = DentalLandmarkSet<2>::New();
-  const bool ignoreSides = data.description.tracedSide == TracedSideEnum::Standard;
-  for (const auto & landmark : marked.GetLandmarks())
+  std::vector<std::string> names;
+  for (const std::string & view : views)
   {
-    const auto own =
-      CephalometricLandmarkSet::ParseName(landmark.tooth.GetName() + landmark.name.substr(landmark.name.find('_')));
-    bool used = false;
-    if (data.cephalometricLandmarks.IsNotNull())
+    // A name from a file is a file of this folder, or none.
+    if (view.find_first_of("/\\") == std::string::npos)
     {
-      for (const auto & other : data.cephalometricLandmarks->GetLandmarks())
-      {
-        const auto & meaning = other.meaning;
-        const bool   sameSide = ignoreSides || !meaning.tooth.IsKnown() || meaning.tooth == own.tooth;
-        // A molar's point of which the name does not say which was registered with as its mesiobuccal cusp.
-        const bool samePoint =
-          meaning.feature == own.feature || (meaning.feature == CephalometricLandmarkSet::FeatureEnum::Unspecified &&
-                                             own.feature == CephalometricLandmarkSet::FeatureEnum::MesiobuccalCusp);
-        used = used || (meaning.jaw == own.jaw && meaning.position == own.position && sameSide && samePoint);
-      }
-    }
-    if (!used)
-    {
-      kept->AddLandmark(landmark.name, landmark.point);
+      names.push_back(ViewOverlayName(view, "upper"));
+      names.push_back(ViewOverlayName(view, "lower"));
     }
   }
-  return kept;
+  names.insert(names.end(), std::begin(OutputNames), std::end(OutputNames));
+  return names;
 }
 } // namespace
-
-void
-MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked)
-{
-  using FilterType = LandmarkErrorFilter;
-  for (auto & entry : result.jaws)
-  {
-    JawResult & jaw = entry.second;
-    jaw.error.reset();
-    if (!jaw.registered || marked == nullptr)
-    {
-      continue;
-    }
-    auto predicted = DentalLandmarkSet<2>::New();
-    for (const LandmarkPrediction & landmark : jaw.landmarks)
-    {
-      const auto & unusable = result.unusableLandmarks;
-      if (std::find(unusable.begin(), unusable.end(), landmark.name) != unusable.end())
-      {
-        continue;
-      }
-      DentalLandmarkSet<2>::PointType point;
-      point[0] = landmark.position[0];
-      point[1] = landmark.position[1];
-      predicted->AddLandmark(landmark.name, point);
-    }
-    auto filter = FilterType::New();
-    filter->SetPredictedLandmarks(predicted);
-    filter->SetReferenceLandmarks(WithoutUsed(*marked, *result.data));
-    filter->SetJaw(entry.first);
-    filter->SetBisectSides(IsBisected(result.data->description.tracedSide));
-    filter->Update();
-    const auto & statistics = filter->GetStatistics();
-    if (statistics.GetCount() == 0)
-    {
-      continue;
-    }
-    LandmarkFigures figures;
-    figures.count = statistics.GetCount();
-    figures.mean = statistics.GetMean();
-    figures.rmse = statistics.GetRMSE();
-    figures.standardDeviation = statistics.GetStandardDeviation();
-    const std::pair<const char *, ToothCode::GroupEnum> groups[] = { { "incisors_canines",
-                                                                       ToothCode::GroupEnum::IncisorsAndCanines },
-                                                                     { "premolars", ToothCode::GroupEnum::Premolars },
-                                                                     { "molars", ToothCode::GroupEnum::Molars } };
-    for (const auto & group : groups)
-    {
-      if (statistics.GetCount(group.second) > 0)
-      {
-        figures.groups[group.first] = statistics.GetMean(group.second);
-      }
-    }
-    for (const auto & error : filter->GetErrors())
-    {
-      figures.landmarks.emplace_back(error.name, error.distance);
-      figures.marked.push_back({ { error.reference[0], error.reference[1] } });
-      figures.predicted.push_back({ { error.predicted[0], error.predicted[1] } });
-    }
-    jaw.error = figures;
-  }
-}
 
 void
 WriteUMDATransform(const std::array<double, 12> & matrix, const std::string & fileName)
@@ -770,82 +269,11 @@ WriteUMDATransform(const std::array<double, 12> & matrix, const std::string & fi
                  fs::path(fileName));
 }
 
-std::string
-FindingsToJson(const std::vector<RegistrationFinding> & findings)
-{
-  return ToJson(findings).dump();
-}
-
-std::string
-CaseResultToJson(const CaseResult & result)
-{
-  Json json;
-  json["schema"] = "dentalscr-result/1";
-  json["software"] = DentalSCRVersion;
-  json["preset"] = ToString(result.preset);
-  if (result.anonymous)
-  {
-    json["anonymous"] = true;
-  }
-  if (!result.options.empty())
-  {
-    json["options"] = result.options;
-  }
-  const Json control = ControlToJson(result.data->description);
-  if (!control.empty())
-  {
-    json["control"] = control;
-  }
-  json["status"] = ToString(result.GetStatus());
-  json["inputs"] = Json::object();
-  for (const CaseInputFile & input : result.inputs)
-  {
-    // Without a path where nobody is to know it.
-    if (!input.path.empty())
-    {
-      json["inputs"][input.field]["path"] = input.path;
-    }
-    json["inputs"][input.field]["sha256"] = input.sha256;
-  }
-  json["skipped"] = Json::object();
-  for (const auto & skipped : result.skipped)
-  {
-    json["skipped"][Name(skipped.first)] = skipped.second;
-  }
-  json["jaws"] = Json::object();
-  for (const auto & entry : result.jaws)
-  {
-    json["jaws"][Name(entry.first)] = JawToJson(entry.second);
-  }
-  for (const CaseViewResult & view : result.views)
-  {
-    json["views"][view.name] = ViewToJson(view);
-  }
-  json["geometry"] = GeometryToJson(result);
-  json["jaws_share_frame"] = result.jawsShareFrame;
-  if (!result.occlusionFound.empty())
-  {
-    json["occlusion_found"] = result.occlusionFound;
-  }
-  if (result.overjet && result.overbite)
-  {
-    json["overjet_mm"] = *result.overjet;
-    json["overbite_mm"] = *result.overbite;
-  }
-  json["mesh_unit"] = result.data->description.meshUnit;
-  json["traced_side"] = ToString(result.data->description.tracedSide);
-  json["warnings"] = result.warnings;
-  json["not_checkable"] = result.notCheckable;
-  json["total_seconds"] = result.totalSeconds;
-  json["notice"] = "Research software, not a medical device.";
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
 void
 RemoveCaseResult(const std::string & folderName)
 {
   std::error_code error;
-  for (const std::string & name : ListOutputs({ fs::u8path(folderName) }))
+  for (const std::string & name : ListOutputs(FindViewNames(fs::u8path(folderName))))
   {
     fs::remove(fs::u8path(folderName) / name, error);
   }
@@ -860,7 +288,12 @@ WriteCaseResult(const CaseResult & result, OutputFolder & folder, const CaseOutp
     return;
   }
   WriteFiles(result, folder.GetStagingFolder(), options);
-  folder.Publish("result.json", ListOutputs({ fs::u8path(folder.GetName()), folder.GetStagingFolder() }));
+  std::set<std::string> views = FindViewNames(fs::u8path(folder.GetName()));
+  for (const CaseViewResult & view : result.views)
+  {
+    views.insert(view.name);
+  }
+  folder.Publish("result.json", ListOutputs(views));
 }
 
 void

@@ -20,10 +20,12 @@
 #include "dentalscrCommands.h"
 
 #include "itkBatchCaseList.h"
+#include "itkBatchParts.h"
 #include "itkBatchRunner.h"
 #include "itkBatchSummary.h"
 #include "itkCommand.h"
 #include "itkDentalInputError.h"
+#include "itkOutputFolder.h"
 
 #include <algorithm>
 #include <chrono>
@@ -42,10 +44,13 @@ struct BatchOptions
 {
   std::vector<std::string> inputs;
   std::string              output;
+  std::string              range;
+  std::string              collect;
   std::string              preset{ "robust" };
   std::vector<std::string> set;
   unsigned int             jobs{ 0 };
   bool                     resume{ false };
+  bool                     wait{ false };
   bool                     strict{ false };
   bool                     noReport{ false };
   bool                     noPage{ false };
@@ -111,15 +116,103 @@ DescribeProgress(const itk::BatchRunner & runner, std::size_t failed)
   return text.str();
 }
 
+/** "251-500": these of the cases, the first being 1. Of the last part of a list there may be less. */
+std::vector<itk::BatchCase>
+TakeRange(const std::vector<itk::BatchCase> & cases, const std::string & range)
+{
+  std::istringstream text(range);
+  std::size_t        first = 0;
+  std::size_t        last = 0;
+  char               dash = 0;
+  // A number with a sign would be read as a very large one.
+  const bool isPlain = range.find_first_not_of("0123456789-") == std::string::npos && range[0] != '-' &&
+                       std::count(range.begin(), range.end(), '-') == 1;
+  if (!isPlain || !(text >> first >> dash >> last) || first < 1 || last < first)
+  {
+    itkDentalInputErrorMacro("--range", range, "is no range of cases", "give first and last, as in 251-500");
+  }
+  if (first > cases.size())
+  {
+    itkDentalInputErrorMacro("--range",
+                             range,
+                             "begins after the last case: there are " + std::to_string(cases.size()),
+                             "give numbers up to that");
+  }
+  return { cases.begin() + static_cast<std::ptrdiff_t>(first - 1),
+           cases.begin() + static_cast<std::ptrdiff_t>(std::min(last, cases.size())) };
+}
+
+/** What a batch comes to, said and as an exit code. */
+int
+Conclude(const std::vector<itk::BatchRecord> & records, const BatchOptions & options, bool isQuiet)
+{
+  std::size_t counts[4] = { 0, 0, 0, 0 };
+  std::size_t kept = 0;
+  for (const auto & record : records)
+  {
+    const std::string & status = record.status;
+    ++counts[status == "ok" ? 0 : status == "suspect" ? 1 : status == "failed" ? 2 : 3];
+    kept += record.isKept ? 1 : 0;
+  }
+  if (!isQuiet)
+  {
+    std::cout << records.size() << " cases: " << counts[0] << " ok, " << counts[1] << " suspect, " << counts[2]
+              << " failed, " << counts[3] << " unusable";
+    if (kept > 0)
+    {
+      std::cout << " (" << kept << " kept from before)";
+    }
+    std::cout << "\nwritten to " << options.output << std::endl;
+  }
+  return counts[3] > 0                                        ? UnusableInput
+         : counts[2] > 0 || (options.strict && counts[1] > 0) ? SomeFailed
+                                                              : AllRegistered;
+}
+
+/** The tables and the page of parts that other batches have run. */
+int
+Collect(const std::vector<itk::BatchCase> & cases, const BatchOptions & options, bool isQuiet)
+{
+  itk::BatchParts         parts(options.collect, options.output);
+  const auto              records = parts.Collect(cases);
+  const itk::OutputFolder owned(options.output);
+  for (const std::string & name : parts.GetUnfinished())
+  {
+    std::cerr << "dentalscr: " << options.collect << ": part " << name << " was not run to its end\n";
+  }
+  if (parts.GetNumberOfMissingCases() > 0)
+  {
+    std::cerr << "dentalscr: " << parts.GetNumberOfMissingCases()
+              << " cases have no result: no part has come to them\n";
+  }
+  if (parts.GetNumberOfOtherCases() > 0)
+  {
+    std::cerr << "dentalscr: warning: " << parts.GetNumberOfOtherCases()
+              << " cases of the parts are not asked for, and left out\n";
+  }
+  const bool isComplete = parts.GetUnfinished().empty() && parts.GetNumberOfMissingCases() == 0;
+  itk::BatchSummary(records, isComplete).Write(options.output, !options.noPage);
+  return Conclude(records, options, isQuiet);
+}
+
 int
 Batch(const BatchOptions & options, const CommonOptions & common)
 {
   itk::BatchCaseList list;
   list.SetOptionNames(CaseOptions::GetNames(), CaseOptions::GetFileNames());
-  const auto cases = list.Find(options.inputs);
+  auto cases = list.Find(options.inputs);
   for (const std::string & warning : list.GetWarnings())
   {
     std::cerr << "dentalscr: warning: " << warning << '\n';
+  }
+  // Of all of them: two of one name are found, also where they are of two parts.
+  if (!options.range.empty())
+  {
+    cases = TakeRange(cases, options.range);
+  }
+  if (!options.collect.empty())
+  {
+    return Collect(cases, options, common.quiet);
   }
   std::vector<std::string> arguments{ "--preset", options.preset };
   for (const std::string & assignment : options.set)
@@ -143,13 +236,18 @@ Batch(const BatchOptions & options, const CommonOptions & common)
   runner->SetArguments(arguments);
   runner->SetProgram(FindProgram());
   runner->SetOutputFolder(options.output);
-  runner->SetNumberOfJobs(options.jobs > 0 ? options.jobs : common.threads);
+  runner->SetNumberOfCores(common.threads);
+  runner->SetNumberOfJobs(options.jobs);
   runner->SetResume(options.resume);
+  runner->SetWaitForFolder(options.wait);
 
-  // Tables that grow while it runs: a long batch can be looked at.
-  constexpr auto interval = std::chrono::seconds(10);
-  auto           written = std::chrono::steady_clock::now();
-  std::size_t    failed = 0;
+  // Tables that grow while it runs: a long batch can be looked at. Of very many cases they take a while to write, and
+  // get a twentieth of the time.
+  using Clock = std::chrono::steady_clock;
+  constexpr auto  shortest = std::chrono::seconds(10);
+  Clock::duration interval = shortest;
+  auto            written = Clock::now();
+  std::size_t     failed = 0;
   runner->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {
     const std::string status = runner->GetRecord().status;
     failed += status == "failed" || status == "unusable" ? 1 : 0;
@@ -157,10 +255,12 @@ Batch(const BatchOptions & options, const CommonOptions & common)
     {
       std::cerr << "dentalscr: " << runner->GetRecord().one.id << ": " << runner->GetRecord().message << '\n';
     }
-    if (std::chrono::steady_clock::now() - written > interval)
+    const auto now = Clock::now();
+    if (now - written > interval)
     {
-      written = std::chrono::steady_clock::now();
-      itk::BatchSummary(runner->GetRecords()).Write(options.output, !options.noPage);
+      itk::BatchSummary(runner->GetRecords(), false).Write(options.output, !options.noPage);
+      written = Clock::now();
+      interval = std::max<Clock::duration>(shortest, 20 * (written - now));
     }
   });
   bool aborted = false;
@@ -178,32 +278,12 @@ Batch(const BatchOptions & options, const CommonOptions & common)
     }
   }
   const auto records = runner->GetRecords();
-  itk::BatchSummary(records).Write(options.output, !options.noPage);
+  itk::BatchSummary(records, !aborted).Write(options.output, !options.noPage);
   if (aborted)
   {
     throw itk::ProcessAborted(__FILE__, __LINE__);
   }
-  std::size_t counts[4] = { 0, 0, 0, 0 };
-  std::size_t kept = 0;
-  for (const auto & record : records)
-  {
-    const std::string & status = record.status;
-    ++counts[status == "ok" ? 0 : status == "suspect" ? 1 : status == "failed" ? 2 : 3];
-    kept += record.isKept ? 1 : 0;
-  }
-  if (!common.quiet)
-  {
-    std::cout << records.size() << " cases: " << counts[0] << " ok, " << counts[1] << " suspect, " << counts[2]
-              << " failed, " << counts[3] << " unusable";
-    if (kept > 0)
-    {
-      std::cout << " (" << kept << " kept from before)";
-    }
-    std::cout << "\nwritten to " << options.output << std::endl;
-  }
-  return counts[3] > 0                                        ? UnusableInput
-         : counts[2] > 0 || (options.strict && counts[1] > 0) ? SomeFailed
-                                                              : AllRegistered;
+  return Conclude(records, options, common.quiet);
 }
 } // namespace
 
@@ -219,6 +299,15 @@ AddBatchCommand(CLI::App & program, const CommonOptions & common, RunFunction & 
     ->required();
   command->add_option("--jobs", options->jobs, "Cases at a time (default: one a core)")->check(CLI::Range(1u, 1024u));
   command->add_flag("--resume", options->resume, "Keep what an earlier batch has done of cases that have not changed");
+  command->add_flag("--wait", options->wait, "Where another batch is at work in the folder, wait until it has ended");
+  command->add_option("--range", options->range, "Only these of the cases: first and last, as in 251-500");
+  command
+    ->add_option(
+      "--collect", options->collect, "Run nothing: sum up what batches of parts have left in the folders in this one")
+    ->check(CLI::ExistingDirectory)
+    ->excludes("--jobs")
+    ->excludes("--resume")
+    ->excludes("--wait");
   command->add_flag("--strict", options->strict, "End with 1 where a jaw is suspect, too");
   command->add_option("--preset", options->preset, "As of register")->capture_default_str();
   command->add_option("--option", options->set, "As of register, any number of times");
@@ -230,7 +319,9 @@ AddBatchCommand(CLI::App & program, const CommonOptions & common, RunFunction & 
     "Examples:\n"
     "  dentalscr batch patients --output results --jobs 2\n"
     "  dentalscr batch cases.csv --output results --resume\n"
-    "  dentalscr batch 'archive/*/case.json' --output results --no-report\n");
+    "  dentalscr batch 'archive/*/case.json' --output results --no-report\n"
+    "  dentalscr batch cases.csv --range 251-500 --output results/parts/000251-000500\n"
+    "  dentalscr batch cases.csv --collect results/parts --output results\n");
   command->callback([options, &common, &run]() { run = [options, &common]() { return Batch(*options, common); }; });
 }
 } // namespace dentalscr

@@ -223,6 +223,8 @@ Main(int argc, const char * const * argv)
 {
   // A reader that has gone is found when something is written to it, and said.
   std::signal(SIGPIPE, SIG_IGN);
+  // So is a limit on the size of files.
+  std::signal(SIGXFSZ, SIG_IGN);
   HoldStandardStreams();
   const PrintableBuffer output(std::cout);
   const PrintableBuffer errors(std::cerr);

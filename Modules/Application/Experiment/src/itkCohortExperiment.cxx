@@ -22,6 +22,7 @@
 
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
+#include "itkJobQueue.h"
 #include "itkOutputFolder.h"
 #include "itkParallelFor.h"
 #include "itkTextFile.h"
@@ -30,11 +31,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
-#include <condition_variable>
 #include <exception>
 #include <filesystem>
-#include <mutex>
 #include <stdexcept>
 #include <thread>
 
@@ -278,105 +276,95 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
     }
   }
 
-  std::mutex              mutex;
-  std::condition_variable changed;
-  std::size_t             next = 0;
-  std::size_t             done = 0;
-  /** What is done of the cases that are being computed. */
-  std::map<std::size_t, double> parts;
-  unsigned int                  running = 0;
-  std::exception_ptr            failure;
-  std::atomic<bool>             abort{ false };
-  std::vector<std::thread>      threads;
-  const auto                    work = [&]() {
-    std::unique_lock<std::mutex> lock(mutex);
-    while (next < open.size() && !failure && !abort)
-    {
-      const std::size_t i = open[next++];
-      lock.unlock();
-      std::exception_ptr problem;
-      std::string        text;
-      try
-      {
-        text = plan.Compute(i,
-                            keys[i],
-                            ExperimentMonitor([&abort]() { return abort.load(); },
-                                              [&, i](double part) {
-                                                const std::lock_guard<std::mutex> guard(mutex);
-                                                parts[i] = part;
-                                              }));
-        WriteFileAtomically(fileOf(i), text);
-      }
-      catch (...)
-      {
-        problem = std::current_exception();
-      }
-      lock.lock();
-      parts.erase(i);
-      try
-      {
-        if (problem)
-        {
-          std::rethrow_exception(problem);
-        }
-        plan.Accept(i, text, keys[i]);
-        ++done;
-      }
-      catch (...)
-      {
-        if (!failure)
-        {
-          failure = std::current_exception();
-        }
-      }
-      changed.notify_all();
-    }
-    --running;
-    changed.notify_all();
-  };
-  const std::size_t wanted =
-    std::min<std::size_t>(std::max<ThreadIdType>(1, this->GetNumberOfWorkUnits()), open.size());
+  /** A case that is computed, by a thread: what is written last is read first. */
+  struct JobType
   {
-    std::unique_lock<std::mutex> lock(mutex);
-    running = static_cast<unsigned int>(StartThreads(wanted, work, threads));
-    if (running == 0)
+    std::thread         thread;
+    std::atomic<double> part{ 0.0 };
+    std::string         text;
+    std::exception_ptr  problem;
+    std::atomic<bool>   hasEnded{ false };
+  };
+  std::map<std::size_t, JobType> jobs;
+  std::size_t                    done = 0;
+  std::atomic<bool>              abort{ false };
+  JobQueue                       queue;
+  queue.watch = [&]() {
+    m_CurrentStage = std::to_string(count - open.size() + done) + " of " + std::to_string(count) + " cases";
+    double inParts = 0.0;
+    for (const auto & job : jobs)
+    {
+      inParts += job.second.part;
+    }
+    const auto progress =
+      static_cast<float>((static_cast<double>(count - open.size() + done) + inParts) / static_cast<double>(count));
+    this->UpdateProgress(0.98F * progress);
+    if (this->GetAbortGenerateData())
+    {
+      abort = true;
+      throw ProcessAborted(__FILE__, __LINE__);
+    }
+  };
+  queue.begin = [&](std::size_t k) {
+    JobType &         job = jobs[k];
+    const std::size_t i = open[k];
+    const auto        work = [&, i]() {
+      try
+      {
+        job.text = plan.Compute(
+          i, keys[i], ExperimentMonitor([&abort]() { return abort.load(); }, [&job](double part) { job.part = part; }));
+        WriteFileAtomically(fileOf(i), job.text);
+      }
+      catch (...)
+      {
+        job.problem = std::current_exception();
+      }
+      job.hasEnded = true;
+    };
+    std::vector<std::thread> threads;
+    if (StartThreads(1, work, threads) == 1)
+    {
+      job.thread = std::move(threads.front());
+    }
+    else
     {
       // On this one, then, which tells of no progress meanwhile.
-      running = 1;
-      lock.unlock();
       work();
-      lock.lock();
     }
-    while (running > 0)
+    return true;
+  };
+  queue.hasEnded = [&](std::size_t k) {
+    JobType & job = jobs.at(k);
+    if (!job.hasEnded)
     {
-      changed.wait_for(lock, std::chrono::milliseconds(100));
-      m_CurrentStage = std::to_string(count - open.size() + done) + " of " + std::to_string(count) + " cases";
-      double inParts = 0.0;
-      for (const auto & part : parts)
-      {
-        inParts += part.second;
-      }
-      const auto progress =
-        static_cast<float>((static_cast<double>(count - open.size() + done) + inParts) / static_cast<double>(count));
-      lock.unlock();
-      // Observers run on this thread alone.
-      this->UpdateProgress(0.98F * progress);
-      abort = abort || this->GetAbortGenerateData();
-      lock.lock();
+      return false;
     }
-  }
-  for (std::thread & thread : threads)
-  {
-    thread.join();
-  }
-  if (abort)
-  {
-    throw ProcessAborted(__FILE__, __LINE__);
-  }
-  if (failure)
-  {
-    std::rethrow_exception(failure);
-  }
+    if (job.thread.joinable())
+    {
+      job.thread.join();
+    }
+    const std::string        text = std::move(job.text);
+    const std::exception_ptr problem = job.problem;
+    jobs.erase(k);
+    if (problem)
+    {
+      std::rethrow_exception(problem);
+    }
+    plan.Accept(open[k], text, keys[open[k]]);
+    ++done;
+    return true;
+  };
+  queue.end = [&]() {
+    // Of a failure the others' cases are completed, and stand in the folder; of an abort they end at their next word.
+    for (auto & job : jobs)
+    {
+      if (job.second.thread.joinable())
+      {
+        job.second.thread.join();
+      }
+    }
+  };
+  queue.Run(open.size(), std::max<ThreadIdType>(1, this->GetNumberOfWorkUnits()));
 }
 
 void

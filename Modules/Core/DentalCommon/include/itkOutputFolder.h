@@ -20,6 +20,7 @@
 
 #include "DentalCommonExport.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ namespace itk
  * however its owner ends. (On a file system without locks there is no owner, and all else is as it is said here.) What
  * killed runs have left in the folder is removed first.
  *
+ * The lock is the folder's own, which other machines don't see on a network file system: it tells them of locks of
+ * files alone (flock(2)). Where several machines may write to the folder a file in it is locked as well; it stays.
+ *
  * Files are made in GetStagingFolder() and moved by Publish(). A folder that was made here and is still empty at the
  * end is removed again.
  *
@@ -41,7 +45,13 @@ namespace itk
 class DentalCommon_EXPORT OutputFolder
 {
 public:
-  explicit OutputFolder(const std::string & name);
+  /** \param name     as the user has given it
+   * \param lockFile as seen from the folder: locked, too, so that other machines see it; empty: none
+   * \param wait     called from time to time while another run is at work in the folder, until it returns false: then
+   *                 the constructor gives up. What it throws leaves. */
+  explicit OutputFolder(const std::string &           name,
+                        const std::string &           lockFile = {},
+                        const std::function<bool()> & wait = {});
   ~OutputFolder();
   OutputFolder(const OutputFolder &) = delete;
   OutputFolder &
@@ -67,10 +77,19 @@ public:
   Publish(const std::string & last, const std::vector<std::string> & names = {});
 
 private:
+  /** Whether the lock of what is open is this object's now; false where `wait` ended. */
+  static bool
+  Lock(int descriptor, const std::function<bool()> & wait);
+  void
+  LockFile(const std::string & lockFile, const std::function<bool()> & wait);
+  [[noreturn]] void
+  RefuseAsTaken() const;
+
   std::string m_Name;
   std::string m_Path;
   std::string m_Staging;
   int         m_Lock{ -1 };
+  int         m_FileLock{ -1 };
   int         m_StagingLock{ -1 };
   bool        m_IsMade{ false };
 };

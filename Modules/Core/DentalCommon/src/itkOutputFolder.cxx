@@ -22,8 +22,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -35,6 +37,9 @@ namespace itk
 namespace
 {
 namespace fs = std::filesystem;
+
+/** How often it is tried to lock a folder that is waited for. */
+constexpr std::chrono::milliseconds PollInterval{ 10 };
 
 [[noreturn]] void
 Fail(const std::string & name, const std::string & why)
@@ -65,7 +70,50 @@ RefuseToReplace(const std::string & folder, const fs::path & path)
 }
 } // namespace
 
-OutputFolder::OutputFolder(const std::string & name)
+bool
+OutputFolder::Lock(int descriptor, const std::function<bool()> & wait)
+{
+  // Other failures are of a file system without locks.
+  while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  {
+    if (!wait || !wait())
+    {
+      return false;
+    }
+    std::this_thread::sleep_for(PollInterval);
+  }
+  return true;
+}
+
+void
+OutputFolder::LockFile(const std::string & lockFile, const std::function<bool()> & wait)
+{
+  const fs::path  file = fs::path(m_Path) / fs::u8path(lockFile);
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error)
+  {
+    Fail(m_Path, error.message());
+  }
+  // For writing: on NFS none but such a file can be locked for one alone.
+  m_FileLock = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+  if (m_FileLock < 0)
+  {
+    Fail(m_Path, std::strerror(errno));
+  }
+  if (!Lock(m_FileLock, wait))
+  {
+    this->RefuseAsTaken();
+  }
+}
+
+void
+OutputFolder::RefuseAsTaken() const
+{
+  itkDentalInputErrorMacro(m_Path, "", "another run is at work in it", "wait for it, or choose another output folder");
+}
+
+OutputFolder::OutputFolder(const std::string & name, const std::string & lockFile, const std::function<bool()> & wait)
   : m_Name(name)
 {
   if (name.empty())
@@ -97,17 +145,34 @@ OutputFolder::OutputFolder(const std::string & name)
       }
       Fail(m_Path, std::strerror(errno));
     }
-    const bool isTaken = ::flock(m_Lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (isTaken)
+    try
     {
-      ::close(m_Lock);
-      itkDentalInputErrorMacro(
-        m_Path, "", "another run is at work in it", "wait for it, or choose another output folder");
+      if (!Lock(m_Lock, wait))
+      {
+        this->RefuseAsTaken();
+      }
+      if (IsSameFolder(m_Path, m_Lock))
+      {
+        if (!lockFile.empty())
+        {
+          this->LockFile(lockFile, wait);
+        }
+        SweepTemporaries(m_Path);
+        return;
+      }
     }
-    if (IsSameFolder(m_Path, m_Lock))
+    catch (...)
     {
-      SweepTemporaries(m_Path);
-      return;
+      if (m_FileLock >= 0)
+      {
+        ::close(m_FileLock);
+      }
+      if (m_IsMade)
+      {
+        ::rmdir(m_Path.c_str());
+      }
+      ::close(m_Lock);
+      throw;
     }
     ::close(m_Lock);
   }
@@ -127,24 +192,40 @@ OutputFolder::~OutputFolder()
     // Where something is in it this does nothing.
     ::rmdir(m_Path.c_str());
   }
+  if (m_FileLock >= 0)
+  {
+    ::close(m_FileLock);
+  }
   ::close(m_Lock);
 }
 
 const std::string &
 OutputFolder::GetStagingFolder()
 {
-  if (m_Staging.empty())
+  // Again where a sweep has found it before it was locked.
+  for (unsigned int attempt = 0; m_Staging.empty(); ++attempt)
   {
     const std::string staging = MakeTemporaryName(m_Path);
     if (::mkdir(staging.c_str(), 0777) != 0)
     {
       Fail(m_Path, std::strerror(errno));
     }
-    m_Staging = staging;
     m_StagingLock = ::open(staging.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int why = m_StagingLock < 0 ? errno : ENOENT;
+    if (m_StagingLock >= 0 && LockTemporary(m_StagingLock))
+    {
+      m_Staging = staging;
+      break;
+    }
     if (m_StagingLock >= 0)
     {
-      LockTemporary(m_StagingLock);
+      ::close(m_StagingLock);
+    }
+    // Of one that is there and can't be opened nothing was swept.
+    if (why != ENOENT || attempt == 100)
+    {
+      ::rmdir(staging.c_str());
+      Fail(m_Path, std::strerror(why));
     }
   }
   return m_Staging;

@@ -23,7 +23,10 @@
 
 #include <csignal>
 #include <memory>
+#include <stdexcept>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -51,6 +54,63 @@ TEST(OutputFolder, HasOneOwnerAtATimeAndSaysSo)
   itk::ExpectInputError([&] { const itk::OutputFolder second(itk::TestFolder() + "/link/"); });
   first = nullptr;
   const itk::OutputFolder next(name);
+}
+
+TEST(OutputFolder, IsWaitedForAsLongAsIsAskedFor)
+{
+  const std::string name = itk::TestFolder() + "/out";
+  auto              first = std::make_unique<itk::OutputFolder>(name);
+  int               calls = 0;
+  const auto        error =
+    itk::ExpectInputError([&] { const itk::OutputFolder second(name, {}, [&] { return ++calls < 3; }); });
+  EXPECT_TRUE(itk::Contains(error.GetProblem(), "another run is at work")) << error.GetProblem();
+  EXPECT_EQ(calls, 3);
+  EXPECT_THROW(const itk::OutputFolder second(name, {}, []() -> bool { throw std::runtime_error("enough"); }),
+               std::runtime_error);
+  // Its last owner removes the folder that it had made: who waits makes it anew.
+  const itk::OutputFolder second(name, {}, [&] {
+    first = nullptr;
+    return true;
+  });
+  EXPECT_EQ(first, nullptr);
+  EXPECT_TRUE(fs::is_directory(name));
+  itk::ExpectInputError([&] { const itk::OutputFolder third(name); });
+}
+
+TEST(OutputFolder, IsLockedByAFileWhereOtherMachinesSeeNoLockOfAFolder)
+{
+  const std::string name = itk::TestFolder() + "/out";
+  const std::string file = name + "/.batch/lock";
+  {
+    const itk::OutputFolder folder(name, ".batch/lock");
+    // NFS locks for one owner alone what is open for writing.
+    bool isFound = false;
+    for (const auto & entry : fs::directory_iterator("/proc/self/fd"))
+    {
+      std::error_code error;
+      if (fs::read_symlink(entry.path(), error) == file)
+      {
+        isFound = true;
+        EXPECT_EQ(::fcntl(std::stoi(entry.path().filename().string()), F_GETFL) & O_ACCMODE, O_RDWR);
+      }
+    }
+    EXPECT_TRUE(isFound);
+  }
+  EXPECT_TRUE(fs::exists(file)) << "it stays: a file that comes and goes is another one on another machine";
+  // A machine that doesn't see the folder's own lock.
+  const int other = ::open(file.c_str(), O_RDWR);
+  ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
+  const std::string part = name + "/.dentalscr-1.part";
+  std::ofstream(part) << "half";
+  const auto error = itk::ExpectInputError([&] { const itk::OutputFolder folder(name, ".batch/lock"); });
+  EXPECT_TRUE(itk::Contains(error.GetProblem(), "another run is at work")) << error.GetProblem();
+  EXPECT_TRUE(fs::exists(part)) << "the other machine's";
+  const itk::OutputFolder folder(name, ".batch/lock", [&] {
+    ::flock(other, LOCK_UN);
+    return true;
+  });
+  EXPECT_FALSE(fs::exists(part));
+  ::close(other);
 }
 
 TEST(OutputFolder, IsRemovedAgainWhereNothingWasWritten)
