@@ -5684,7 +5684,7 @@ class PoseSolution(DataObject):
         """
     def GetViewNames(self) -> list[str]:
         """
-        Of the views beside the first.
+        Returns the names of the views beside the first radiograph, in the order in which they were added.
         """
     def HasConverged(self, jaw: Jaw | str) -> bool:
         """
@@ -5700,7 +5700,7 @@ class PoseSolution(DataObject):
         """
     def MakeViewSolution(self, name: str) -> PoseSolution:
         """
-        The same solution as another view shows it: everything downstream takes it.
+        Returns the same solution as the view of that name shows it: its geometry takes points of a scan (mm) to pixels of that radiograph. Everything downstream takes it.
         """
     def ProjectPoint(self, jaw: Jaw | str, point: typing.Sequence[float]) -> tuple[float, float]:
         """
@@ -5872,7 +5872,7 @@ class PoseRegistrationMethod(ProcessObject):
         """
     def ClearViews(self) -> None:
         """
-        Back to the lateral radiograph alone.
+        Removes all views: the lateral radiograph stands alone again.
         """
     def GetCurrentCandidate(self) -> int:
         """
