@@ -512,6 +512,18 @@ CheckLandmarksInImage(const CephalometricLandmarkSet &    landmarks,
   }
 }
 
+void
+LoadCaseDrawings(DentalCaseData & data)
+{
+  const DentalCase & description = data.description;
+  if (!description.contoursFile.empty() || !description.contourClassFiles.empty())
+  {
+    LoadContours(data);
+  }
+  LoadCephalometricLandmarks(data);
+  SettleTracedSide(data);
+}
+
 std::shared_ptr<DentalCaseData>
 LoadDentalCase(const DentalCase & description)
 {
@@ -535,12 +547,7 @@ LoadDentalCase(const DentalCase & description)
   SettleGeometry(imageReader, *data);
   SettleMarkupsGrid(imageReader, *data);
 
-  if (!description.contoursFile.empty() || !description.contourClassFiles.empty())
-  {
-    LoadContours(*data);
-  }
-  LoadCephalometricLandmarks(*data);
-  SettleTracedSide(*data);
+  LoadCaseDrawings(*data);
   LoadDentalViews(*data);
   if (!description.landmarks3DFile.empty())
   {
