@@ -291,5 +291,5 @@ def test_study_of_the_views_measures_each_degree_of_freedom(run, tmp_path):
     # What is predicted of what a lateral radiograph does not see shrinks with a frontal one.
     for freedom in ("roll_deg", "yaw_deg", "y_mm"):
         alone = float(table["lateral radiograph alone", freedom]["rms_sigma"])
-        assert float(table["landmarks and tracing", freedom]["rms_sigma"]) < 0.8 * alone
+        assert float(table["landmarks and tracing", freedom]["rms_sigma"]) < 0.9 * alone, freedom
     assert "Dai 2022" in (tmp_path / "views.md").read_text()

@@ -301,7 +301,7 @@ def test_a_window_opens_and_ends_with_its_program(program, result):
             viewer = [line.split()[0] for line in listing.stdout.splitlines() if "/dentalscr-view " in line]
         assert viewer
         time.sleep(3.0)
-        assert child.poll() is None
+        assert child.poll() is None, child.communicate()
         os.kill(int(viewer[0]), signal.SIGTERM)
         _, errors = child.communicate(timeout=60)
         assert child.returncode == 2 and 'ended with "Terminated"' in errors

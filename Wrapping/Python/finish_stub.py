@@ -25,7 +25,7 @@ def parameter(function: str, kind: str) -> str:
     if kind.split(".")[-1] in ENUMERATIONS:
         return f"{kind} | str"
     takes_none = re.match(
-        r"_Set|SetMetric$|_Case\.__init__|CephalometricPoseTransform\.__init__|PoseRegistrationMethod\._?Set", function
+        r"_Set|_AddView$|SetMetric$|_Case\.__init__|CephalometricPoseTransform\.__init__|PoseRegistrationMethod\.(_?Set|_AddView)", function
     )
     return f"{kind} | None" if takes_none and kind in DATA else kind
 

@@ -471,7 +471,7 @@ class VersorRigid3DTransform(Transform):
         """
 class CephalometricGeometry(DataObject):
     """
-    Where source, midsagittal plane, detector and pixels of a lateral cephalogram are.
+    Where source, detector and pixels of a cephalogram are.
 
     Cephalostat frame, mm: origin where the central ray meets the midsagittal plane, x anterior, y to the patient's left, z
     superior. The pose maps the object's frame to it.
@@ -488,7 +488,142 @@ class CephalometricGeometry(DataObject):
         The side of the patient on which the source stands.
     facing : Facing or str, optional
         Where the face points in the image.
+    direction : Direction or str, optional
+        Of the rays: Lateral, or Frontal, with ``sourceToMidsagittal`` the distance to the midcoronal plane.
+    frontalSource : FrontalSource or str, optional
+        Where the source of a frontal radiograph stands.
+    patientLeft : PatientLeft or str, optional
+        Where the patient's left is in a frontal radiograph.
     """
+    class Direction:
+        """
+        From which side of the head the rays come.
+
+        Members:
+
+          Lateral
+
+          Frontal
+        """
+        Frontal: typing.ClassVar[CephalometricGeometry.Direction]
+        Lateral: typing.ClassVar[CephalometricGeometry.Direction]
+        __members__: typing.ClassVar[dict[str, CephalometricGeometry.Direction]]
+        def __eq__(self, other: typing.Any) -> bool:
+            ...
+        def __getstate__(self) -> int:
+            ...
+        def __hash__(self) -> int:
+            ...
+        def __index__(self) -> int:
+            ...
+        @typing.overload
+        def __init__(self, value: int) -> None:
+            ...
+        @typing.overload
+        def __init__(self, name: str) -> None:
+            ...
+        def __int__(self) -> int:
+            ...
+        def __ne__(self, other: typing.Any) -> bool:
+            ...
+        def __repr__(self) -> str:
+            ...
+        def __setstate__(self, state: int) -> None:
+            ...
+        def __str__(self) -> str:
+            ...
+        @property
+        def name(self) -> str:
+            ...
+        @property
+        def value(self) -> int:
+            ...
+    class FrontalSource:
+        """
+        Where the X-ray source of a frontal radiograph stands.
+
+        Members:
+
+          Behind
+
+          InFront
+        """
+        Behind: typing.ClassVar[CephalometricGeometry.FrontalSource]
+        InFront: typing.ClassVar[CephalometricGeometry.FrontalSource]
+        __members__: typing.ClassVar[dict[str, CephalometricGeometry.FrontalSource]]
+        def __eq__(self, other: typing.Any) -> bool:
+            ...
+        def __getstate__(self) -> int:
+            ...
+        def __hash__(self) -> int:
+            ...
+        def __index__(self) -> int:
+            ...
+        @typing.overload
+        def __init__(self, value: int) -> None:
+            ...
+        @typing.overload
+        def __init__(self, name: str) -> None:
+            ...
+        def __int__(self) -> int:
+            ...
+        def __ne__(self, other: typing.Any) -> bool:
+            ...
+        def __repr__(self) -> str:
+            ...
+        def __setstate__(self, state: int) -> None:
+            ...
+        def __str__(self) -> str:
+            ...
+        @property
+        def name(self) -> str:
+            ...
+        @property
+        def value(self) -> int:
+            ...
+    class PatientLeft:
+        """
+        Where the patient's left is in a frontal radiograph.
+
+        Members:
+
+          Right
+
+          Left
+        """
+        Left: typing.ClassVar[CephalometricGeometry.PatientLeft]
+        Right: typing.ClassVar[CephalometricGeometry.PatientLeft]
+        __members__: typing.ClassVar[dict[str, CephalometricGeometry.PatientLeft]]
+        def __eq__(self, other: typing.Any) -> bool:
+            ...
+        def __getstate__(self) -> int:
+            ...
+        def __hash__(self) -> int:
+            ...
+        def __index__(self) -> int:
+            ...
+        @typing.overload
+        def __init__(self, value: int) -> None:
+            ...
+        @typing.overload
+        def __init__(self, name: str) -> None:
+            ...
+        def __int__(self) -> int:
+            ...
+        def __ne__(self, other: typing.Any) -> bool:
+            ...
+        def __repr__(self) -> str:
+            ...
+        def __setstate__(self, state: int) -> None:
+            ...
+        def __str__(self) -> str:
+            ...
+        @property
+        def name(self) -> str:
+            ...
+        @property
+        def value(self) -> int:
+            ...
     class SourceSide:
         """
         Side of the X-ray source.
@@ -587,9 +722,15 @@ class CephalometricGeometry(DataObject):
         """
         (2, 6): three rotations (rad) about the cephalostat's axes, three translations (mm).
         """
+    def GetDirection(self) -> CephalometricGeometry.Direction:
+        ...
     def GetFacing(self) -> CephalometricGeometry.Facing:
         ...
+    def GetFrontalSource(self) -> CephalometricGeometry.FrontalSource:
+        ...
     def GetMagnification(self, point: typing.Sequence[float]) -> float:
+        ...
+    def GetPatientLeft(self) -> CephalometricGeometry.PatientLeft:
         ...
     def GetPixelSpacing(self) -> tuple[float, float]:
         ...
@@ -621,7 +762,13 @@ class CephalometricGeometry(DataObject):
         """
         All rows of an (N, 3) array: (N, 2), a copy.
         """
+    def SetDirection(self, direction: CephalometricGeometry.Direction | str) -> None:
+        ...
     def SetFacing(self, facing: CephalometricGeometry.Facing | str) -> None:
+        ...
+    def SetFrontalSource(self, source: CephalometricGeometry.FrontalSource | str) -> None:
+        ...
+    def SetPatientLeft(self, side: CephalometricGeometry.PatientLeft | str) -> None:
         ...
     def SetPixelSpacing(self, spacing: typing.Sequence[float]) -> None:
         ...
@@ -649,7 +796,7 @@ class CephalometricGeometry(DataObject):
         ...
     def __getstate__(self) -> tuple[typing.Any, ...]:
         ...
-    def __init__(self, sourceToMidsagittal: float = 1524.0, sourceToDetector: float = 1674.0, pixelSpacing: typing.Any = None, principalPoint: typing.Any = None, sourceSide: CephalometricGeometry.SourceSide | str = ..., facing: CephalometricGeometry.Facing | str = ...) -> None:
+    def __init__(self, sourceToMidsagittal: float = 1524.0, sourceToDetector: float = 1674.0, pixelSpacing: typing.Any = None, principalPoint: typing.Any = None, sourceSide: CephalometricGeometry.SourceSide | str = ..., facing: CephalometricGeometry.Facing | str = ..., direction: CephalometricGeometry.Direction | str = ..., frontalSource: CephalometricGeometry.FrontalSource | str = ..., patientLeft: CephalometricGeometry.PatientLeft | str = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -4390,6 +4537,10 @@ class PoseSolution(DataObject):
         """
         {code: why} of the hypotheses that were worth trying and could not be asked.
         """
+    def GetViewNames(self) -> list[str]:
+        """
+        Of the views beside the first.
+        """
     def HasConverged(self, jaw: Jaw | str) -> bool:
         ...
     def HasJaw(self, jaw: Jaw | str) -> bool:
@@ -4398,6 +4549,10 @@ class PoseSolution(DataObject):
         """
     def IsRegistered(self, jaw: Jaw | str) -> bool:
         ...
+    def MakeViewSolution(self, name: str) -> PoseSolution:
+        """
+        The same solution as another view shows it: everything downstream takes it.
+        """
     def ProjectPoint(self, jaw: Jaw | str, point: typing.Sequence[float]) -> tuple[float, float]:
         ...
     def ProjectPoints(self, jaw: Jaw | str, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[typing.Any]:
@@ -4532,6 +4687,10 @@ class PoseRegistrationMethod(ProcessObject):
         """
         Back to the option.
         """
+    def ClearViews(self) -> None:
+        """
+        Back to the lateral radiograph alone.
+        """
     def GetCurrentCandidate(self) -> int:
         """
         Of the stage; candidates are refined at the same time and their steps may alternate.
@@ -4626,6 +4785,8 @@ class PoseRegistrationMethod(ProcessObject):
     def SetStart(self, start: PoseStart) -> None:
         ...
     def SetTracedSide(self, side: TracedSide | str) -> None:
+        ...
+    def _AddView(self, name: str, geometry: CephalometricGeometry | None, upperContour: Contour | None, lowerContour: Contour | None, landmarks: typing.Any, counterparts: typing.Any, sameHeadPosition: bool, principalPointSigma: float) -> None:
         ...
     def _GetSolution(self) -> PoseSolution:
         ...
@@ -5575,6 +5736,8 @@ class Preset:
 class _Case:
     @staticmethod
     def _Read(fileName: str, exclude: typing.Sequence[str], fix: typing.Sequence[str], init: str) -> _Case:
+        ...
+    def _AddView(self, name: str, geometry: CephalometricGeometry | None, upperContour: Contour | None, lowerContour: Contour | None, cephalometricLandmarks: typing.Any, image: Image | None, imageSize: typing.Sequence[int], sameHeadPosition: bool, principalPointSigma: float) -> None:
         ...
     def _GetCephalometricLandmarks(self) -> dict[str, typing.Any]:
         ...

@@ -18,11 +18,16 @@
 #include "dentalscrBinding.h"
 
 #include "itkCephalometricPoseTransform.h"
+#include "itkMemoryFile.h"
+#include "itkReadTransformText.h"
 #include "itkSimilarity2DTransform.h"
+#include "itkTextFile.h"
 #include "itkTransformFileReader.h"
 #include "itkTransformFileWriter.h"
 #include "itkVersorRigid3DTransform.h"
 
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 namespace dentalscr
@@ -298,7 +303,11 @@ matrix : (4, 4) or (3, 4) array, optional
       BaseType::Pointer            transform;
       const py::gil_scoped_release released;
       auto                         reader = itk::TransformFileReaderTemplate<double>::New();
-      reader->SetFileName(fileName);
+      // What ITK reads has been looked at; it tells the format by the extension.
+      const std::string     text = itk::ReadTransformText(fileName);
+      const itk::MemoryFile memory(".tfm");
+      std::ofstream(memory.GetName(), std::ios::binary) << text;
+      reader->SetFileName(memory.GetName());
       reader->Update();
       if (reader->GetTransformList()->empty())
       {
@@ -320,10 +329,13 @@ matrix : (4, 4) or (3, 4) array, optional
     "WriteTransform",
     [](const BaseType & transform, const std::string & fileName) {
       const py::gil_scoped_release released;
-      auto                         writer = itk::TransformFileWriterTemplate<double>::New();
-      writer->SetFileName(fileName);
+      // ITK doesn't notice a full disk; the extension tells it the format.
+      const itk::MemoryFile memory(std::filesystem::path(fileName).extension().string());
+      auto                  writer = itk::TransformFileWriterTemplate<double>::New();
+      writer->SetFileName(memory.GetName());
       writer->SetInput(&transform);
       writer->Update();
+      itk::WriteFileAtomically(fileName, memory.GetContent());
     },
     py::arg("transform"),
     py::arg("fileName"));

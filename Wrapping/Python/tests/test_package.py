@@ -57,8 +57,10 @@ def process_objects():
         return name in roots
 
     # batch() runs in workers of Python's own; a result that is read back is json.load() of a file, or a start (init=).
-    # The page of a result on disk: WriteReportPage().
-    elsewhere = {"BatchRunner", "CaseResultFileReader", "ReportPageWriter"}
+    # The page of a result on disk: WriteReportPage(). Its scene: CaseResult.scene(), and dentalscr view of one on disk.
+    elsewhere = {"BatchRunner", "CaseResultFileReader", "CaseSceneFileReader", "ReportPageWriter"}
+    # The package links no VTK: its scenes are made of PyPI's, by CaseResult.scene(); meshes go there by to_vtk().
+    elsewhere |= {"MeshToVTKPolyDataFilter", "RegistrationSceneSource", "VTKPolyDataToMeshFilter"}
     return [name for name in bases if derives(name) and name not in abstract | elsewhere]
 
 

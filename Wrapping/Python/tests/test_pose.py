@@ -628,6 +628,11 @@ def test_pose_transform_is_kept_whole(ds, transform, tmp_path):
         assert other == transform and other is not transform
     ds.WriteTransform(transform, tmp_path / "pose.tfm")
     assert ds.ReadTransform(tmp_path / "pose.tfm") == transform
+    # Files from before there were frontal radiographs have no direction: they are of lateral ones.
+    text = (tmp_path / "pose.tfm").read_text()
+    (tmp_path / "lateral.tfm").write_text(text.rstrip().removesuffix(" 0") + "\n")
+    assert len((tmp_path / "lateral.tfm").read_text()) < len(text)
+    assert ds.ReadTransform(tmp_path / "lateral.tfm") == transform
     assert pickle.loads(pickle.dumps(ds.CephalometricPoseTransform())).GetParameters() == (0.0,) * 7
 
 

@@ -23,11 +23,14 @@
 
 #include "itkProcessObject.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace itk
 {
+class OutputFolder;
+
 /** \class BatchRunner
  * \brief Registers many cases, each by a process of its own, so that what breaks one leaves the others alone.
  *
@@ -108,8 +111,8 @@ public:
   Update() override;
 
 protected:
-  BatchRunner() = default;
-  ~BatchRunner() override = default;
+  BatchRunner();
+  ~BatchRunner() override;
   void
   VerifyPreconditions() ITKv5_CONST override;
   void
@@ -126,6 +129,9 @@ private:
   Start(std::size_t index, unsigned int threads) const;
   void
   Finish(std::size_t index, int exitCode, double seconds);
+
+  /** Owned from Update() to the end of this object: summaries are written into it after the last case. */
+  std::unique_ptr<OutputFolder> m_Folder;
 
   std::vector<BatchCase>   m_Cases;
   std::vector<std::string> m_Arguments;

@@ -56,10 +56,6 @@ public:
   void
   Write(const std::string & folder, bool page) const;
 
-  /** What a spreadsheet takes for text and nothing else. */
-  static std::string
-  Defuse(const std::string & text);
-
 private:
   std::vector<BatchRecord> m_Records;
 };

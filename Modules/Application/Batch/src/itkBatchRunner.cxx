@@ -22,12 +22,12 @@
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
 #include "itkJsonDocument.h"
+#include "itkOutputFolder.h"
 #include "itkTextFile.h"
 
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -56,36 +56,6 @@ SecondsSince(const Clock::time_point & start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
-
-/** One owner of a folder, for as long as it lives: the system lets go of it however the owner ends. */
-class FolderLock
-{
-public:
-  explicit FolderLock(const fs::path & folder)
-    : m_File(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
-  {
-    if (m_File < 0)
-    {
-      itkDentalInputErrorMacro(
-        folder.string(), "", std::string("can't be written: ") + std::strerror(errno), "choose another output folder");
-    }
-    if (flock(m_File, LOCK_EX | LOCK_NB) != 0)
-    {
-      close(m_File);
-      itkDentalInputErrorMacro(folder.parent_path().string(),
-                               "--output",
-                               "another batch is at work in it",
-                               "wait for it, or choose another output folder");
-    }
-  }
-  ~FolderLock() { close(m_File); }
-  FolderLock(const FolderLock &) = delete;
-  FolderLock &
-  operator=(const FolderLock &) = delete;
-
-private:
-  int m_File;
-};
 
 /** The last line that a process has said. */
 std::string
@@ -139,6 +109,9 @@ struct BatchRunner::ChildType
   std::size_t       index;
   Clock::time_point start;
 };
+
+BatchRunner::BatchRunner() = default;
+BatchRunner::~BatchRunner() = default;
 
 void
 BatchRunner::SetCases(const std::vector<BatchCase> & cases)
@@ -364,6 +337,8 @@ BatchRunner::Finish(std::size_t index, int exitCode, double seconds)
 void
 BatchRunner::GenerateData()
 {
+  m_Folder = nullptr;
+  m_Folder = std::make_unique<OutputFolder>(m_OutputFolder);
   std::error_code error;
   const fs::path  records = fs::path(m_OutputFolder) / ".batch";
   fs::create_directories(records, error);
@@ -372,7 +347,6 @@ BatchRunner::GenerateData()
     itkDentalInputErrorMacro(
       m_OutputFolder, "", "can't be written: " + error.message(), "choose another output folder");
   }
-  const FolderLock lock(records);
   m_Records.assign(m_Cases.size(), BatchRecord());
   m_IsDone.assign(m_Cases.size(), false);
   m_NumberOfFinishedCases = 0;

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkBatchSummary.h"
 
+#include "itkCSVField.h"
 #include "itkBatchPage.h"
 #include "itkDentalSCRVersion.h"
 #include "itkTextFile.h"
@@ -33,23 +34,6 @@ namespace
 {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/** As RFC 4180 has it. */
-std::string
-Quote(const std::string & text)
-{
-  if (text.find_first_of(",\"\n\r") == std::string::npos)
-  {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text)
-  {
-    quoted += c;
-    quoted += c == '"' ? "\"" : "";
-  }
-  return quoted + '"';
-}
 
 std::string
 ToText(const std::optional<double> & number)
@@ -125,12 +109,6 @@ MakeJson(const std::vector<BatchRecord> & records)
 } // namespace
 
 std::string
-BatchSummary::Defuse(const std::string & text)
-{
-  return !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos ? '\'' + text : text;
-}
-
-std::string
 BatchSummary::ToCSV() const
 {
   const auto         columns = FindColumns(m_Records);
@@ -138,7 +116,7 @@ BatchSummary::ToCSV() const
   csv << "case,jaw,status,findings,matched_px,expected_error_px,seconds,message";
   for (const std::string & column : columns)
   {
-    csv << ',' << Quote(Defuse(column));
+    csv << ',' << ToCSVField(column);
   }
   csv << "\r\n";
   for (const BatchRecord & record : m_Records)
@@ -150,15 +128,15 @@ BatchSummary::ToCSV() const
       {
         findings += (findings.empty() ? "" : " ") + code;
       }
-      csv << Quote(Defuse(record.one.id)) << ',' << jaw.jaw << ',' << jaw.status << ',' << findings << ','
+      csv << ToCSVField(record.one.id) << ',' << jaw.jaw << ',' << jaw.status << ',' << findings << ','
           << ToText(jaw.matched) << ',' << ToText(jaw.expectedError) << ',' << Json(record.seconds).dump() << ','
-          << Quote(Defuse(jaw.message));
+          << ToCSVField(jaw.message);
       for (const std::string & column : columns)
       {
         const auto & own = record.one.columns;
         const auto   cell =
           std::find_if(own.begin(), own.end(), [&](const auto & entry) { return entry.first == column; });
-        csv << ',' << (cell == own.end() ? std::string() : Quote(Defuse(cell->second)));
+        csv << ',' << (cell == own.end() ? std::string() : ToCSVField(cell->second));
       }
       csv << "\r\n";
     }

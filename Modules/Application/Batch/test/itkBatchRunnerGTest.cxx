@@ -212,10 +212,12 @@ TEST(BatchRunner, AFolderHasOneOwnerAtATime)
   auto other = MakeRunner({ { "a", "ok" } });
   bool refused = false;
   runner->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {
-    refused = itk::Contains(itk::ExpectInputError([&] { other->Update(); }).GetOneLine(), "another batch is at work");
+    refused = itk::Contains(itk::ExpectInputError([&] { other->Update(); }).GetOneLine(), "another run is at work");
   });
   runner->Update();
   EXPECT_TRUE(refused);
+  // It is owned until tables and page are written, too.
+  runner = nullptr;
   EXPECT_NO_THROW(other->Update());
 }
 

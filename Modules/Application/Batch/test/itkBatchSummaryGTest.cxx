@@ -59,12 +59,6 @@ TEST(BatchSummary, TableHasARowACaseAndJawAndRunsNothing)
             "north_p1,upper,ok,,0.5,1.75,1.25,,12\r\n"
             "north_p1,lower,suspect,few-points poor-fit,,,1.25,\"says \"\"x\"\", twice\",12\r\n"
             "'=cmd|x,,unusable,,,,0.0,</script><!--<script>alert(1)</script>,\r\n");
-  for (const char * text : { "=1", "+1", "-1", "@x", "\tx", "\rx" })
-  {
-    EXPECT_EQ(itk::BatchSummary::Defuse(text), std::string("'") + text);
-  }
-  EXPECT_EQ(itk::BatchSummary::Defuse("a=1"), "a=1");
-  EXPECT_EQ(itk::BatchSummary::Defuse(""), "");
 }
 
 TEST(BatchSummary, WhatIsNotKnownIsNull)
@@ -88,7 +82,14 @@ TEST(BatchSummary, NothingInThePageEndsTheScriptThatHoldsIt)
   ASSERT_GT(from, begin.size());
   const std::string data = page.substr(from, page.find('<', from) - from);
   EXPECT_EQ(page.compare(from + data.size(), 9, "</script>"), 0);
-  EXPECT_EQ(nlohmann::json::parse(data), nlohmann::json::parse(summary.ToJson()));
+  auto onPage = nlohmann::json::parse(data);
+  for (auto & row : onPage["rows"])
+  {
+    // The page alone knows which case has one of its own.
+    EXPECT_EQ(row["page"], false);
+    row.erase("page");
+  }
+  EXPECT_EQ(onPage, nlohmann::json::parse(summary.ToJson()));
 }
 
 TEST(BatchSummary, FilesAreWrittenAndAPageIfItIsWanted)

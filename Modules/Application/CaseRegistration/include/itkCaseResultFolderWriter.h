@@ -22,11 +22,14 @@
 
 #include "itkProcessObject.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace itk
 {
+class OutputFolder;
+
 /** \class CaseResultFolderWriter
  * \brief Writes everything that a case's result is made of into a folder, whole or not at all.
  *
@@ -91,13 +94,18 @@ public:
     return m_CommandLine;
   }
 
+  /** Owns the folder from now until it is written (OutputFolder), for a run that takes its time: another one that wants
+   * the same folder is told at once, and not when both are done. */
+  void
+  ClaimFolder();
+
   /** A writer has no output: this brings its input up to date and writes, each time. */
   void
   Update() override;
 
 protected:
   CaseResultFolderWriter();
-  ~CaseResultFolderWriter() override = default;
+  ~CaseResultFolderWriter() override;
   void
   VerifyPreconditions() ITKv5_CONST override;
   void
@@ -111,6 +119,8 @@ private:
   bool                     m_WritePage{ true };
   bool                     m_Anonymous{ false };
   std::vector<std::string> m_CommandLine;
+
+  std::unique_ptr<OutputFolder> m_Folder;
 };
 } // namespace itk
 

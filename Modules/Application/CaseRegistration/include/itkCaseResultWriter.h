@@ -25,6 +25,8 @@
 
 namespace itk
 {
+class OutputFolder;
+
 /** Adds the landmark errors: the only place where 2-D landmarks meet a result. With a bisected tracing the errors are
  * those of the middle between a right and its left landmark.
  *
@@ -57,11 +59,17 @@ CaseRegistration_EXPORT void
 RemoveCaseResult(const std::string & folderName);
 
 /** Writes everything that a result is made of into a folder: result.json, overlays, scans in the cephalostat frame,
- * transforms, the page. Made in a folder beside it and moved when complete: the files appear whole or not at all, those
- * of an earlier run are replaced. Throws DentalInputError where the folder can't be written.
+ * transforms, the page. Made aside and moved when complete: the files of an earlier run are replaced, and where
+ * result.json is, everything is. Throws DentalInputError where the folder can't be written.
  *
  * \param options what is written beside result.json and the transforms
  * \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+WriteCaseResult(const CaseResult &        result,
+                OutputFolder &            folder,
+                const CaseOutputOptions & options = CaseOutputOptions());
+
+/** The same into a folder that is owned for as long as this takes. \ingroup CaseRegistration */
 CaseRegistration_EXPORT void
 WriteCaseResult(const CaseResult &        result,
                 const std::string &       folder,

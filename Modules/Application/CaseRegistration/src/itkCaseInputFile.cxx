@@ -18,12 +18,13 @@
 #include "itkCaseInputFile.h"
 
 #include "itkDentalInputError.h"
+#include "itkInputFile.h"
 
 #include <nettle/sha2.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
 namespace itk
@@ -31,19 +32,31 @@ namespace itk
 std::string
 ComputeFileSHA256(const std::string & fileName)
 {
-  std::ifstream file(fileName, std::ios::binary);
-  sha256_ctx    context;
+  InputFile  file(fileName);
+  sha256_ctx context;
   sha256_init(&context);
-  std::vector<char> block(1u << 20);
-  while (file)
+  std::vector<std::uint8_t> block(1u << 20);
+  std::size_t               left = file.GetSize();
+  while (left > 0)
   {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    sha256_update(
-      &context, static_cast<std::size_t>(file.gcount()), reinterpret_cast<const std::uint8_t *>(block.data()));
+    const std::size_t count = file.Read(block.data(), std::min(left, block.size()));
+    if (count == 0)
+    {
+      break;
+    }
+    sha256_update(&context, count, block.data());
+    left -= count;
   }
-  if (!file.eof())
+  const auto problem = file.GetProblem();
+  if ((problem != InputFile::ProblemEnum::None && problem != InputFile::ProblemEnum::Empty) ||
+      file.GetSystemError() != 0)
   {
     itkDentalInputErrorMacro(fileName, "", "cannot be read", "check the name and the permissions");
+  }
+  if (left > 0 || file.HasChanged())
+  {
+    itkDentalInputErrorMacro(
+      fileName, "", "was changed while it was read", "start again when it is written completely");
   }
   std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
   sha256_digest(&context, digest.size(), digest.data());

@@ -18,12 +18,24 @@
 #include "itkCaseResultFolderWriter.h"
 
 #include "itkCaseResultWriter.h"
+#include "itkOutputFolder.h"
+
+#include <utility>
 
 namespace itk
 {
 CaseResultFolderWriter::CaseResultFolderWriter()
 {
   this->SetNumberOfRequiredInputs(1);
+}
+
+CaseResultFolderWriter::~CaseResultFolderWriter() = default;
+
+void
+CaseResultFolderWriter::ClaimFolder()
+{
+  m_Folder = nullptr;
+  m_Folder = std::make_unique<OutputFolder>(m_FolderName);
 }
 
 void
@@ -62,18 +74,23 @@ CaseResultFolderWriter::Update()
 void
 CaseResultFolderWriter::GenerateData()
 {
-  CaseOutputOptions options;
+  if (m_Folder == nullptr || m_Folder->GetName() != m_FolderName)
+  {
+    this->ClaimFolder();
+  }
+  const std::unique_ptr<OutputFolder> folder = std::move(m_Folder);
+  CaseOutputOptions                   options;
   options.report = m_WriteReport;
   options.page = m_WritePage;
   options.anonymous = m_Anonymous;
   if (m_CommandLine.empty())
   {
-    WriteCaseResult(this->GetInput()->Get(), m_FolderName, options);
+    WriteCaseResult(this->GetInput()->Get(), *folder, options);
     return;
   }
   CaseResult result = this->GetInput()->Get();
   result.commandLine = m_CommandLine;
-  WriteCaseResult(result, m_FolderName, options);
+  WriteCaseResult(result, *folder, options);
 }
 
 void
@@ -81,6 +98,7 @@ CaseResultFolderWriter::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "FolderName: " << m_FolderName << std::endl;
+  os << indent << "Folder: " << (m_Folder == nullptr ? "none" : "owned") << std::endl;
   os << indent << "WriteReport: " << (m_WriteReport ? "On" : "Off") << std::endl;
   os << indent << "WritePage: " << (m_WritePage ? "On" : "Off") << std::endl;
   os << indent << "Anonymous: " << (m_Anonymous ? "On" : "Off") << std::endl;

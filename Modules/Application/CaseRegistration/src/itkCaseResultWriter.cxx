@@ -24,6 +24,8 @@
 #include "itkCephalometricLandmarkSet.h"
 #include "itkLandmarkErrorFilter.h"
 #include "itkMakeAnonymous.h"
+#include "itkMemoryFile.h"
+#include "itkOutputFolder.h"
 #include "itkReadDentalMesh.h"
 #include "itkReportDetails.h"
 #include "itkReportPageWriter.h"
@@ -39,7 +41,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <random>
+#include <iterator>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -501,12 +503,13 @@ MoveMesh(const MeshType * mesh, const std::array<double, 12> & matrix)
   return moved;
 }
 
-/** Writes through ITK, then adds a comment below the header line. */
+/** As ITK writes it, with a comment below the header line. */
 void
 WriteTransform(const TransformBaseTemplate<double> * transform, const std::string & comment, const fs::path & path)
 {
-  WriteTransformFile(transform, path.string());
-  std::string       text = ReadTextFile(path.string(), "a transform");
+  const MemoryFile memory;
+  WriteTransformFile(transform, memory.GetName());
+  const std::string text = memory.GetContent();
   const std::size_t end = text.find('\n');
   WriteFileAtomically(path.string(), text.substr(0, end + 1) + "# " + comment + '\n' + text.substr(end + 1));
 }
@@ -600,12 +603,6 @@ WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputO
   }
   // Last: where it is, everything is.
   WriteFileAtomically((folder / "result.json").string(), json);
-}
-
-[[noreturn]] void
-FailToWrite(const fs::path & folder, const std::string & why)
-{
-  itkDentalInputErrorMacro(folder.string(), "", "can't be written: " + why, "choose another output folder");
 }
 
 /** Names of every file that a run can leave: those of an earlier run that this one does not make are stale. */
@@ -855,74 +852,21 @@ RemoveCaseResult(const std::string & folderName)
 }
 
 void
-WriteCaseResult(const CaseResult & givenResult, const std::string & folderName, const CaseOutputOptions & options)
+WriteCaseResult(const CaseResult & result, OutputFolder & folder, const CaseOutputOptions & options)
 {
-  if (options.anonymous && !givenResult.anonymous)
+  if (options.anonymous && !result.anonymous)
   {
-    WriteCaseResult(MakeAnonymous(givenResult), folderName, options);
+    WriteCaseResult(MakeAnonymous(result), folder, options);
     return;
   }
-  const CaseResult & result = givenResult;
-  if (folderName.empty())
-  {
-    itkDentalInputErrorMacro("--output", "", "the name of the folder is empty", "name a folder");
-  }
-  const fs::path  folder = fs::absolute(fs::u8path(folderName)).lexically_normal();
-  const fs::path  target = folder.has_filename() ? folder : folder.parent_path();
-  std::error_code error;
-  if (fs::exists(target, error) && !fs::is_directory(target, error))
-  {
-    FailToWrite(target, "it is a file");
-  }
-  fs::create_directories(target.parent_path(), error);
-  if (error)
-  {
-    FailToWrite(target, error.message());
-  }
-  std::random_device device;
-  // Beside a new folder, inside one that is there: that may be a mount point, or lie where nothing else can be written.
-  const bool     exists = fs::exists(target, error);
-  const fs::path staging =
-    exists ? target / (".part-" + std::to_string(device()))
-           : target.parent_path() / ("." + target.filename().string() + ".part-" + std::to_string(device()));
-  fs::create_directory(staging, error);
-  if (error)
-  {
-    FailToWrite(target, error.message());
-  }
-  try
-  {
-    WriteFiles(result, staging, options);
-    if (!exists)
-    {
-      fs::rename(staging, target);
-    }
-    else
-    {
-      fs::remove(target / "result.json");
-      for (const std::string & name : ListOutputs({ target, staging }))
-      {
-        if (fs::exists(staging / name))
-        {
-          fs::rename(staging / name, target / name);
-        }
-        else
-        {
-          fs::remove(target / name);
-        }
-      }
-      fs::remove_all(staging);
-    }
-  }
-  catch (const fs::filesystem_error & failure)
-  {
-    fs::remove_all(staging, error);
-    FailToWrite(target, failure.code().message());
-  }
-  catch (...)
-  {
-    fs::remove_all(staging, error);
-    throw;
-  }
+  WriteFiles(result, folder.GetStagingFolder(), options);
+  folder.Publish("result.json", ListOutputs({ fs::u8path(folder.GetName()), folder.GetStagingFolder() }));
+}
+
+void
+WriteCaseResult(const CaseResult & result, const std::string & folderName, const CaseOutputOptions & options)
+{
+  OutputFolder folder(folderName);
+  WriteCaseResult(result, folder, options);
 }
 } // namespace itk

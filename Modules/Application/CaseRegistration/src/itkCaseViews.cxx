@@ -205,8 +205,9 @@ CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & sett
       {
         if (entry.second.registered)
         {
-          entry.second.AddFinding(
-            view.status, "view", "the view \"" + view.name + "\" is not simply ok: " + view.findings.front().text);
+          entry.second.AddFinding(RegistrationStatusEnum::Suspect,
+                                  "view",
+                                  "the view \"" + view.name + "\" is not simply ok: " + view.findings.front().text);
         }
       }
     }

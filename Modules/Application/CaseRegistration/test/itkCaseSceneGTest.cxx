@@ -198,7 +198,9 @@ TEST(CaseScene, SaysWhyNothingCanBeShown)
     return std::string();
   };
   const fs::path folder = MakeFolder("bare");
-  itk::WriteCaseResult(GetRobust(), folder.string(), false);
+  itk::CaseOutputOptions options;
+  options.report = false;
+  itk::WriteCaseResult(GetRobust(), folder.string(), options);
   EXPECT_NE(message(folder).find("no scan of it can be shown"), std::string::npos) << message(folder);
   std::ofstream(folder / "none.json") << R"({"schema": "dentalscr-result/1", "jaws": {"upper": {"status": "failed"}}})";
   EXPECT_NE(message(folder / "none.json").find("no jaw was registered"), std::string::npos);

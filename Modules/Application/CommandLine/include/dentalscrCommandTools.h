@@ -68,8 +68,8 @@ private:
   std::string                  m_Last;
 };
 
-/** Ends the process object that runs when the user presses Ctrl-C, so that nothing is left half-written. One at a time.
- */
+/** Ends the process object that runs when the user presses Ctrl-C, or a signal asks for it (TERM, HUP, PIPE), so that
+ * nothing is left half-written. One at a time. */
 class CommandLine_EXPORT InterruptGuard
 {
 public:

@@ -20,8 +20,8 @@
 
 #include "itkCaseResultWriter.h"
 #include "itkCaseSimilarityRegistration.h"
-#include "itkDentalInputError.h"
 #include "itkMakeDentalFrameTransform.h"
+#include "itkOutputFolder.h"
 #include "itkReadDentalMesh.h"
 #include "itkTextFile.h"
 
@@ -57,14 +57,8 @@ Axis(const AxisOptions & options, const CommonOptions & common)
   filter->SetEmbedAxes(options.embedAxes);
   filter->Update();
 
-  std::error_code error;
-  std::filesystem::create_directories(options.output, error);
-  if (error)
-  {
-    itkDentalInputErrorMacro(
-      options.output, "", "can't be written: " + error.message(), "choose another output folder");
-  }
-  const std::filesystem::path folder(options.output);
+  itk::OutputFolder           output(options.output);
+  const std::filesystem::path folder(output.GetStagingFolder());
   const auto &                frames = filter->GetFrame();
   Json                        json;
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
@@ -117,6 +111,7 @@ Axis(const AxisOptions & options, const CommonOptions & common)
   json["not_checkable"] = scans.checks->GetNotCheckable();
   itk::WriteFileAtomically((folder / "axis.json").string(),
                            json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
+  output.Publish("axis.json", { "upper_umda.stl", "lower_umda.stl", "upper_umda.tfm", "lower_umda.tfm" });
   if (!common.quiet)
   {
     std::cout << "written to " << options.output << std::endl;

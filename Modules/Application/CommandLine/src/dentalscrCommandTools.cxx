@@ -24,6 +24,7 @@
 #include <cstdio>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 
 #include <unistd.h>
@@ -41,8 +42,21 @@ HandleInterrupt(int)
   interruptRequested = 1;
 }
 
+/** What asks a program to end: the user, the system, a terminal that is closed, a reader that has gone. */
+constexpr int Signals[] = { SIGINT, SIGTERM, SIGHUP, SIGPIPE };
+/** What was done at each before. */
+struct sigaction previousActions[std::size(Signals)];
+
 unsigned long        interruptTag = 0;
 itk::ProcessObject * guardedProcess = nullptr;
+
+/** Past std::cerr, which lets no control bytes through. */
+void
+EraseLine()
+{
+  std::fputs("\r\033[K", stderr);
+  std::fflush(stderr);
+}
 } // namespace
 
 ProgressLine::ProgressLine(itk::ProcessObject * process, std::function<std::string()> stage, bool quiet)
@@ -64,7 +78,7 @@ ProgressLine::~ProgressLine()
   {
     m_Process->RemoveObserver(m_Tags[0]);
     m_Process->RemoveObserver(m_Tags[1]);
-    std::cerr << "\r\033[K" << std::flush;
+    EraseLine();
   }
 }
 
@@ -76,7 +90,8 @@ ProgressLine::Show()
   if (line.str() != m_Last)
   {
     m_Last = line.str();
-    std::cerr << "\r\033[K" << m_Last << std::flush;
+    EraseLine();
+    std::cerr << m_Last << std::flush;
   }
 }
 
@@ -91,14 +106,29 @@ InterruptGuard::InterruptGuard(itk::ProcessObject * process)
     }
   };
   interruptTag = process->AddObserver(itk::AnyEvent(), poll);
-  std::signal(SIGINT, HandleInterrupt);
-  std::signal(SIGTERM, HandleInterrupt);
+  for (std::size_t i = 0; i < std::size(Signals); ++i)
+  {
+    struct sigaction action
+    {};
+    action.sa_handler = HandleInterrupt;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    sigaction(Signals[i], nullptr, &previousActions[i]);
+    // Who starts a program with nohup wants it to go on without a terminal. (A broken pipe is ignored by this program
+    // itself, which finds it when it writes, and by Python.)
+    if (previousActions[i].sa_handler != SIG_IGN || Signals[i] == SIGPIPE)
+    {
+      sigaction(Signals[i], &action, nullptr);
+    }
+  }
 }
 
 InterruptGuard::~InterruptGuard()
 {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (std::size_t i = 0; i < std::size(Signals); ++i)
+  {
+    sigaction(Signals[i], &previousActions[i], nullptr);
+  }
   guardedProcess->RemoveObserver(interruptTag);
   guardedProcess = nullptr;
 }

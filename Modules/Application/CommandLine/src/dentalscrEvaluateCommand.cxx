@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "dentalscrCommands.h"
 
+#include "itkCSVField.h"
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
 #include "itkJsonDocument.h"
@@ -92,7 +93,7 @@ WriteRow(
   };
   if (csv)
   {
-    row << name;
+    row << itk::ToCSVField(name);
   }
   else
   {

@@ -16,10 +16,12 @@
  *
  *=========================================================================*/
 #include "dentalscrCommands.h"
+#include "dentalscrPrintableBuffer.h"
 
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
 #include "itkDescribePlainly.h"
+#include "itkParallelFor.h"
 
 #include "itkBMPImageIOFactory.h"
 #include "itkJPEGImageIOFactory.h"
@@ -31,10 +33,17 @@
 #include "itkVersion.h"
 
 #include <algorithm>
+#include <condition_variable>
+#include <csignal>
 #include <exception>
 #include <iostream>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace dentalscr
 {
@@ -54,10 +63,59 @@ Fail(std::string message)
   std::cerr << "dentalscr: " << message << std::endl;
   return UnusableInput;
 }
-} // namespace
+
+/** A standard stream that was closed gets a place holder that can't be used: the next file that is opened would take
+ * its number, and what is said would be written into it. */
+void
+HoldStandardStreams()
+{
+  for (const int stream : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
+  {
+    if (fcntl(stream, F_GETFD) < 0)
+    {
+      // The lowest number that is free: this one.
+      open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
+}
+
+/** Tells ITK of as many threads as there are to be had: its pool starts all of them at once, and where the system gives
+ * fewer it ends the process. Tried before, with threads that do nothing; what is missing is said once. */
+void
+SetNumberOfThreads(unsigned int wanted)
+{
+  std::mutex               mutex;
+  std::condition_variable  changed;
+  bool                     isOver = false;
+  std::vector<std::thread> threads;
+  itk::StartThreads(
+    wanted,
+    [&]() {
+      std::unique_lock<std::mutex> lock(mutex);
+      changed.wait(lock, [&]() { return isOver; });
+    },
+    threads);
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    isOver = true;
+  }
+  changed.notify_all();
+  for (std::thread & thread : threads)
+  {
+    thread.join();
+  }
+  if (threads.empty())
+  {
+    // Its pool has at least one thread beside this; the other kind works without.
+    itk::MultiThreaderBase::SetGlobalDefaultThreader(itk::MultiThreaderBase::ThreaderEnum::Platform);
+  }
+  const auto number = static_cast<itk::ThreadIdType>(std::max<std::size_t>(1, threads.size()));
+  itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(number);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(number);
+}
 
 int
-Main(int argc, const char * const * argv)
+Run(int argc, const char * const * argv)
 {
   // Explicitly: a static registration would need every format that ITK has.
   itk::PNGImageIOFactory::RegisterOneFactory();
@@ -133,13 +191,9 @@ Main(int argc, const char * const * argv)
 
   common.commandLine = arguments;
   common.commandLine.insert(common.commandLine.begin(), program.get_name());
-  if (common.threads > 0)
-  {
-    itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(common.threads);
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(common.threads);
-  }
   try
   {
+    SetNumberOfThreads(common.threads > 0 ? common.threads : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
     return run();
   }
   catch (const itk::DentalInputError & error)
@@ -162,5 +216,23 @@ Main(int argc, const char * const * argv)
   {
     return Fail(error.what());
   }
+}
+} // namespace
+
+int
+Main(int argc, const char * const * argv)
+{
+  // A reader that has gone is found when something is written to it, and said.
+  std::signal(SIGPIPE, SIG_IGN);
+  HoldStandardStreams();
+  const PrintableBuffer output(std::cout);
+  const PrintableBuffer errors(std::cerr);
+  const int             status = Run(argc, argv);
+  if (!std::cout.flush())
+  {
+    return Fail(
+      "standard output can't be written: the disk is full, or what reads it has ended; what was said is lost");
+  }
+  return status;
 }
 } // namespace dentalscr

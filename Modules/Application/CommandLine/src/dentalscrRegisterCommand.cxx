@@ -312,6 +312,8 @@ Register(const RegisterOptions & givenOptions, const CommonOptions & common)
   // Kept to the end: the system takes memory back at once, cell by cell it would take a twentieth of the whole time.
   static auto * const data = new std::shared_ptr<const itk::DentalCaseData>;
   *data = reader->GetOutput()->Get();
+  // An output folder that nothing can be written to is told now and not after the registration.
+  writer->ClaimFolder();
   const InterruptGuard guard(registration);
   {
     const ProgressLine progress(

@@ -21,6 +21,9 @@
 #include "itkAddImageFilter.h"
 #include "itkDentalInputError.h"
 #include "itkImageFileWriter.h"
+#include "itkLowerCase.h"
+#include "itkMemoryFile.h"
+#include "itkOutputFile.h"
 #include "itkRescaleIntensityImageFilter.h"
 #include "itkSurfaceDRRImageSource.h"
 
@@ -49,33 +52,42 @@ struct RenderOptions
   double      attenuation{ 0.08 };
 };
 
+/** Through memory: what image libraries make of a full disk is a truncated file, or the end of the process. */
+template <typename TImage>
+void
+WriteImageFile(const TImage * image, const std::string & extension, const std::string & fileName)
+{
+  const itk::MemoryFile memory(extension);
+  itk::WriteImage(image, memory.GetName());
+  const std::string content = memory.GetContent();
+  itk::OutputFile   file(fileName);
+  file.Write(content.data(), content.size());
+  file.Commit();
+}
+
 /** Formats that hold floats get them; a picture gets 8 bits over the full range. */
 void
 WriteRadiograph(ImageType * image, const std::string & fileName)
 {
-  std::string extension = std::filesystem::path(fileName).extension().string();
-  const bool  floating = extension == ".mha" || extension == ".mhd" || extension == ".nrrd" || extension == ".nii" ||
-                        extension == ".tif" || extension == ".tiff";
-  try
+  const std::string extension = itk::LowerCase(std::filesystem::path(fileName).extension().string());
+  if (extension == ".mha" || extension == ".nrrd" || extension == ".tif" || extension == ".tiff")
   {
-    if (floating)
-    {
-      itk::WriteImage(image, fileName);
-    }
-    else
-    {
-      using PictureType = itk::Image<unsigned char, 2>;
-      auto rescale = itk::RescaleIntensityImageFilter<ImageType, PictureType>::New();
-      rescale->SetInput(image);
-      itk::WriteImage(rescale->GetOutput(), fileName);
-    }
+    WriteImageFile(image, extension, fileName);
   }
-  catch (const itk::ExceptionObject &)
+  else if (extension == ".png" || extension == ".jpg" || extension == ".jpeg" || extension == ".bmp")
   {
-    std::error_code ignored;
-    std::filesystem::remove(fileName, ignored);
-    itkDentalInputErrorMacro(
-      fileName, "", "can't be written", "name a .png, .tif, .mha or .nrrd file in a folder that exists");
+    using PictureType = itk::Image<unsigned char, 2>;
+    auto rescale = itk::RescaleIntensityImageFilter<ImageType, PictureType>::New();
+    rescale->SetInput(image);
+    rescale->Update();
+    WriteImageFile<PictureType>(rescale->GetOutput(), extension, fileName);
+  }
+  else
+  {
+    itkDentalInputErrorMacro(fileName,
+                             "",
+                             "can't be written: its extension names no image format of one file",
+                             "name a .png, .jpg, .bmp, .tif, .mha or .nrrd file");
   }
 }
 

@@ -22,6 +22,7 @@
 #include "itkDentalInputError.h"
 #include "itkDescribePlainly.h"
 #include "itkRegistrationSceneWindow.h"
+#include "itkScreenConnection.h"
 #include "itkVirtualScreen.h"
 
 #include <algorithm>
@@ -55,7 +56,13 @@ Show(const dentalscr::ViewOptions & options, bool quiet)
     // Also where there is a screen: the picture is the same on every machine, and no window flashes up.
     screen = std::make_unique<itk::VirtualScreen>(options.size[0], options.size[1]);
   }
-  if (wantsScreen && !itk::VirtualScreen::IsDisplayThere())
+  // Held for as long as something is drawn.
+  std::unique_ptr<itk::ScreenConnection> connection;
+  if (wantsScreen)
+  {
+    connection = std::make_unique<itk::ScreenConnection>();
+  }
+  if (wantsScreen && !connection->IsOpen())
   {
     return Fail(
       options.snapshot.empty()

@@ -22,6 +22,7 @@
 
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
+#include "itkOutputFolder.h"
 #include "itkParallelFor.h"
 #include "itkTextFile.h"
 
@@ -75,12 +76,6 @@ IsAboutRobust(StudyEnum study)
 {
   return study == StudyEnum::Ablation || study == StudyEnum::Coverage || study == StudyEnum::Verdict ||
          study == StudyEnum::Practice || study == StudyEnum::Views;
-}
-
-[[noreturn]] void
-FailToWrite(const std::string & folder, const std::string & why)
-{
-  itkDentalInputErrorMacro(folder, "", "can't be written: " + why, "choose another output folder");
 }
 
 } // namespace
@@ -179,20 +174,13 @@ CohortExperiment::MakePlan() const
 std::string
 CohortExperiment::ClaimFolder(const std::vector<ExperimentMethod> & methods) const
 {
-  if (m_OutputDirectory.empty())
-  {
-    itkDentalInputErrorMacro("--output", "", "no folder is named", "name one");
-  }
   const fs::path  folder = fs::u8path(m_OutputDirectory);
   std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-  {
-    FailToWrite(m_OutputDirectory, "it is a file");
-  }
   fs::create_directories(folder / "cases", error);
   if (error)
   {
-    FailToWrite(m_OutputDirectory, error.message());
+    itkDentalInputErrorMacro(
+      m_OutputDirectory, "", "can't be written: " + error.message(), "choose another output folder");
   }
   Json manifest;
   manifest["schema"] = "dentalscr-experiment/1";
@@ -415,8 +403,9 @@ void
 CohortExperiment::GenerateData()
 {
   m_WrittenFiles.clear();
-  const auto        plan = this->MakePlan();
-  const std::string key = this->ClaimFolder(plan->GetMethods());
+  const auto         plan = this->MakePlan();
+  const OutputFolder owned(m_OutputDirectory);
+  const std::string  key = this->ClaimFolder(plan->GetMethods());
   this->RunCases(*plan, key);
 
   m_CurrentStage = "tables";

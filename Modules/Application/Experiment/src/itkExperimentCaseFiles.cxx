@@ -19,12 +19,12 @@
 
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
+#include "itkInputFile.h"
 
 #include <itksys/MD5.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <set>
 
@@ -48,12 +48,16 @@ public:
   void
   AddFile(const std::string & fileName)
   {
-    std::ifstream  file(fs::u8path(fileName), std::ios::binary);
+    InputFile      file(fileName);
     std::string    buffer(1u << 16, '\0');
     std::uintmax_t size = 0;
-    while (file.read(&buffer[0], static_cast<std::streamsize>(buffer.size())) || file.gcount() > 0)
+    while (size < file.GetSize())
     {
-      const auto count = static_cast<std::size_t>(file.gcount());
+      const std::size_t count = file.Read(&buffer[0], buffer.size());
+      if (count == 0)
+      {
+        break;
+      }
       size += count;
       this->AddText(buffer.substr(0, count));
     }

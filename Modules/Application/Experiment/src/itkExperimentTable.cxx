@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkExperimentTable.h"
 
+#include "itkCSVField.h"
+
 #include <cmath>
 #include <iomanip>
 #include <locale>
@@ -43,18 +45,7 @@ ExperimentTable::ToCSV() const
   const auto         write = [&](const std::vector<std::string> & cells) {
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      text << (i > 0 ? "," : "");
-      if (cells[i].find_first_of(",\"\n\r") == std::string::npos)
-      {
-        text << cells[i];
-        continue;
-      }
-      text << '"';
-      for (const char character : cells[i])
-      {
-        text << (character == '"' ? "\"\"" : std::string(1, character));
-      }
-      text << '"';
+      text << (i > 0 ? "," : "") << ToCSVField(cells[i]);
     }
     text << '\n';
   };

@@ -22,6 +22,7 @@
 #include "itkExperimentTable.h"
 
 #include "itkDentalPhantomFrontalView.h"
+#include "itkPoseTypes.h"
 
 #include <algorithm>
 #include <cmath>

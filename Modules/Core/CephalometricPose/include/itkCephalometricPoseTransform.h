@@ -79,6 +79,9 @@ public:
 
   static constexpr unsigned int NumberOfParameters = 7;
   static constexpr unsigned int NumberOfFixedParameters = 9;
+  /** Those of files from before there were frontal radiographs: all but the direction, which is lateral. They are taken
+   * too. */
+  static constexpr unsigned int NumberOfLateralFixedParameters = NumberOfFixedParameters - 1;
 
   /** The order of the parameters: PosePitch, PoseRoll, PoseYaw, PoseTx, PoseTy, PoseTz, PoseKappa. */
   using ParameterIndex = PoseParameterIndex;

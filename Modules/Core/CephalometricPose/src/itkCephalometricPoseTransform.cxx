@@ -110,11 +110,10 @@ CephalometricPoseTransform::SetParameters(const ParametersType & parameters)
 void
 CephalometricPoseTransform::SetFixedParameters(const FixedParametersType & fixedParameters)
 {
-  if (fixedParameters.Size() == NumberOfFixedParameters - 1)
+  if (fixedParameters.Size() == NumberOfLateralFixedParameters)
   {
-    // A file from before there were frontal radiographs.
     FixedParametersType all(NumberOfFixedParameters);
-    std::copy_n(fixedParameters.data_block(), NumberOfFixedParameters - 1, all.data_block());
+    std::copy_n(fixedParameters.data_block(), NumberOfLateralFixedParameters, all.data_block());
     all[Direction] = 0.0;
     this->SetFixedParameters(all);
     return;

@@ -18,10 +18,9 @@
 #include "itkForeignFile.h"
 
 #include "itkDentalInputError.h"
+#include "itkInputFile.h"
 #include "itkLowerCase.h"
 
-#include <filesystem>
-#include <fstream>
 
 namespace itk
 {
@@ -184,16 +183,7 @@ FindElement(const std::string & text)
 void
 RefuseForeignFile(const std::string & fileName, FilePurposeEnum purpose)
 {
-  // A pipe would be waited for, and what was read of it is gone.
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(fileName, ignored))
-  {
-    return;
-  }
-  std::string   head(4096, '\0');
-  std::ifstream file(fileName, std::ios::binary);
-  file.read(&head[0], static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount() > 0 ? file.gcount() : 0));
+  const std::string head = ReadFileHead(fileName, 4096);
 
   std::string       text = LowerCase(head.compare(0, 3, "\xef\xbb\xbf") == 0 ? head.substr(3) : head);
   const std::size_t first = text.find_first_not_of(" \t\r\n");

@@ -25,15 +25,16 @@
 
 namespace itk
 {
-/** The whole of a small file. Throws DentalInputError for a file that is missing, a directory, not readable, empty, or
- * longer than the cap; `what` names in the messages what was expected, e.g. "JSON".
+/** The whole of a small file. Throws DentalInputError for a file that is missing, no regular file, not readable, empty,
+ * longer than the cap, or changed while it is read; `what` names in the messages what was expected, e.g. "JSON".
  *
  * \ingroup Annotation */
 Annotation_EXPORT std::string
 ReadTextFile(const std::string & fileName, const std::string & what, std::size_t maximumSize = 32u << 20);
 
-/** Writes a file that appears whole or not at all: a temporary beside it is renamed over it. An existing file is
- * replaced, a symbolic link too. Throws DentalInputError that names the file; no temporary is left then.
+/** Writes a file that appears whole or not at all (OutputFile): a temporary beside it is renamed over it. An existing
+ * file is replaced, a symbolic link too; a device or a pipe is written to. Throws DentalInputError that names the file;
+ * no temporary is left then.
  *
  * \ingroup Annotation */
 Annotation_EXPORT void

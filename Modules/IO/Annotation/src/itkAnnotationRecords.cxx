@@ -22,6 +22,7 @@
 #include "itkDentalInputError.h"
 #include "itkForeignAnnotationRecords.h"
 #include "itkForeignFile.h"
+#include "itkInputFile.h"
 #include "itkJsonDocument.h"
 #include "itkLabelImageRecords.h"
 #include "itkLowerCase.h"
@@ -31,8 +32,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace itk
@@ -171,10 +170,7 @@ TakeCalibrations(AnnotationRecords & records)
 char
 FirstCharacter(const std::string & fileName)
 {
-  char          bytes[512];
-  std::ifstream file(fileName, std::ios::binary);
-  file.read(bytes, sizeof(bytes));
-  std::string       head(bytes, static_cast<std::size_t>(file.gcount() > 0 ? file.gcount() : 0));
+  const std::string head = ReadFileHead(fileName, 512);
   const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
   return first == std::string::npos ? '\0' : head[first];
 }
@@ -517,11 +513,12 @@ ReadHeader(const std::string &              fileName,
     // Of an axis "x", "x_px", "x (px)", "x [mm]" are read; what follows is its unit.
     const std::size_t end = cell.find_first_of(" _([");
     const std::string axis = cell.substr(0, end);
-    const std::string rest =
-      end == std::string::npos ? std::string() : cell.substr(cell.find_first_not_of(" _([", end));
-    const bool pixels = IsOneOf(rest, { "", "px", "px)", "px]", "pixel", "pixels" });
-    const bool millimetres = IsOneOf(rest, { "mm", "mm)", "mm]" });
-    const int  number = IsOneOf(axis, { "x", "u" }) ? 0 : IsOneOf(axis, { "y", "v" }) ? 1 : axis == "z" ? 2 : -1;
+    // None where nothing follows: "x (".
+    const std::size_t unitBegin = end == std::string::npos ? end : cell.find_first_not_of(" _([", end);
+    const std::string rest = unitBegin == std::string::npos ? std::string() : cell.substr(unitBegin);
+    const bool        pixels = IsOneOf(rest, { "", "px", "px)", "px]", "pixel", "pixels" });
+    const bool        millimetres = IsOneOf(rest, { "mm", "mm)", "mm]" });
+    const int         number = IsOneOf(axis, { "x", "u" }) ? 0 : IsOneOf(axis, { "y", "v" }) ? 1 : axis == "z" ? 2 : -1;
     if (number >= 0 && (pixels || millimetres) && !axes[number])
     {
       if (dimension == 2 && millimetres)
@@ -659,6 +656,19 @@ ReadCSV(const std::string & fileName, unsigned int dimension, std::vector<std::s
 }
 } // namespace
 
+void
+VerifyCoordinate(const std::string & fileName, const std::string & field, double coordinate)
+{
+  // Negated, so that what is no number is refused, too.
+  if (!(std::abs(coordinate) <= static_cast<double>(MaximumImageSize)))
+  {
+    std::ostringstream problem;
+    problem << "has a coordinate of " << coordinate << ", where no pixel of a radiograph and no point of a scan is";
+    itkDentalInputErrorMacro(
+      fileName, field, problem.str(), "correct it: coordinates are up to " + std::to_string(MaximumImageSize));
+  }
+}
+
 AnnotationFileFormatEnum
 AnnotationFormatFromFile(const std::string & fileName)
 {
@@ -666,12 +676,6 @@ AnnotationFormatFromFile(const std::string & fileName)
   if (named != Format::Automatic)
   {
     return IsVIATable(fileName) ? Format::VIA : named;
-  }
-  // A pipe can be read once only: it is taken for JSON.
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(fileName, ignored))
-  {
-    return Format::Automatic;
   }
   const char first = FirstCharacter(fileName);
   if (first == '{' || first == '[')

@@ -90,6 +90,11 @@ struct AnnotationRecords
 /** Pixels across or down that a file may state; no radiograph has a tenth of it. */
 constexpr int64_t MaximumImageSize = 1000000;
 
+/** Throws DentalInputError for a coordinate, of a pixel or in the unit of a scan, that is on no radiograph and on no
+ * scan: one point far away would make what follows take memory and time for all the way to it. */
+void
+VerifyCoordinate(const std::string & fileName, const std::string & field, double coordinate);
+
 /** Every polyline of a file. Where the file is of several pictures, imageName tells which is meant. Throws
  * DentalInputError. */
 AnnotationRecords

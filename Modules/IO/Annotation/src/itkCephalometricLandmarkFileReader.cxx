@@ -102,6 +102,7 @@ CephalometricLandmarkFileReader::GenerateData()
     for (unsigned int i = 0; i < 2; ++i)
     {
       point[i] = this->ToPixelIndex(record.point[i], i);
+      VerifyCoordinate(this->GetFileName(), record.field, point[i]);
     }
     try
     {

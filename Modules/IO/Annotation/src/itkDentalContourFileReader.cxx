@@ -289,6 +289,7 @@ DentalContourFileReader::GenerateData()
       for (unsigned int i = 0; i < 2; ++i)
       {
         point[i] = record.isPixelIndex ? position[i] : this->ToPixelIndex(position[i], i);
+        VerifyCoordinate(fileName, record.field, point[i]);
         outside = outside || !(point[i] >= -0.5 && point[i] <= static_cast<double>(m_ReadImageSize[i]) - 0.5);
       }
       if (outside && m_NumberOfPointsOutside++ == 0)

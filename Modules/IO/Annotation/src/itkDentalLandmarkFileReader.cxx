@@ -104,6 +104,7 @@ DentalLandmarkFileReader<VDimension>::GenerateData()
     for (unsigned int i = 0; i < VDimension; ++i)
     {
       point[i] = VDimension == 2 ? this->ToPixelIndex(record.point[i], i) : record.point[i];
+      VerifyCoordinate(fileName, record.field, point[i]);
     }
     try
     {

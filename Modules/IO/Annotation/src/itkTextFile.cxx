@@ -18,28 +18,13 @@
 #include "itkTextFile.h"
 
 #include "itkDentalInputError.h"
+#include "itkInputFile.h"
+#include "itkOutputFile.h"
 
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <memory>
 
 namespace itk
 {
-namespace
-{
-struct FileCloser
-{
-  void
-  operator()(std::FILE * file) const
-  {
-    std::fclose(file);
-  }
-};
-using FilePointer = std::unique_ptr<std::FILE, FileCloser>;
-} // namespace
-
 std::string
 ReadTextFile(const std::string & fileName, const std::string & what, std::size_t maximumSize)
 {
@@ -47,38 +32,45 @@ ReadTextFile(const std::string & fileName, const std::string & what, std::size_t
   {
     itkDentalInputErrorMacro("(no file name)", "", "no " + what + " file was named", "call SetFileName()");
   }
-  std::error_code error;
-  if (std::filesystem::is_directory(fileName, error))
+  using ProblemEnum = InputFile::ProblemEnum;
+  InputFile file(fileName);
+  switch (file.GetProblem())
   {
-    itkDentalInputErrorMacro(fileName, "", "is a directory, not a " + what + " file", "name the file in it");
-  }
-  const FilePointer file(std::fopen(fileName.c_str(), "rb"));
-  if (!file)
-  {
-    const int reason = errno;
-    itkDentalInputErrorMacro(fileName,
-                             "",
-                             reason == ENOENT ? "no such file"
-                                              : std::string("cannot be opened: ") + std::strerror(reason),
-                             "check the path; in a case file it is relative to that file");
-  }
-  std::string content;
-  char        buffer[1 << 16];
-  for (std::size_t count = 0; (count = std::fread(buffer, 1, sizeof(buffer), file.get())) > 0;)
-  {
-    content.append(buffer, count);
-    if (content.size() > maximumSize)
-    {
+    case ProblemEnum::None:
+    case ProblemEnum::Empty:
+      break;
+    case ProblemEnum::Folder:
+      itkDentalInputErrorMacro(fileName, "", "is a directory, not a " + what + " file", "name the file in it");
+    case ProblemEnum::NotRegular:
+      itkDentalInputErrorMacro(
+        fileName, "", "is no regular file but a pipe, a socket or a device", "write what it gives to a file first");
+    default:
       itkDentalInputErrorMacro(fileName,
                                "",
-                               "is longer than " + std::to_string(maximumSize) + " bytes, too long for a " + what +
-                                 " file",
-                               "check that this is the right file");
-    }
+                               file.GetProblem() == ProblemEnum::Missing
+                                 ? "no such file"
+                                 : std::string("cannot be opened: ") + std::strerror(file.GetSystemError()),
+                               "check the path; in a case file it is relative to that file");
   }
-  if (std::ferror(file.get()) != 0)
+  if (file.GetSize() > maximumSize)
   {
-    itkDentalInputErrorMacro(fileName, "", "reading failed: " + std::string(std::strerror(errno)), "check the medium");
+    itkDentalInputErrorMacro(fileName,
+                             "",
+                             "is longer than " + std::to_string(maximumSize) + " bytes, too long for a " + what +
+                               " file",
+                             "check that this is the right file");
+  }
+  std::string content(file.GetSize(), '\0');
+  const bool  isWhole = file.Read(&content[0], content.size()) == content.size();
+  if (!isWhole && file.GetSystemError() != 0)
+  {
+    itkDentalInputErrorMacro(
+      fileName, "", std::string("reading failed: ") + std::strerror(file.GetSystemError()), "check the medium");
+  }
+  if (!content.empty() && (!isWhole || file.HasChanged()))
+  {
+    itkDentalInputErrorMacro(
+      fileName, "", "was changed while it was read", "start again when it is written completely");
   }
   if (content.empty())
   {
@@ -90,49 +82,8 @@ ReadTextFile(const std::string & fileName, const std::string & what, std::size_t
 void
 WriteFileAtomically(const std::string & fileName, const std::string & content)
 {
-  const auto fail = [&fileName](const std::string & problem) {
-    itkDentalInputErrorMacro(
-      fileName, "", "cannot be written: " + problem, "name a file in an existing folder that may be written to");
-  };
-  if (fileName.empty())
-  {
-    itkDentalInputErrorMacro("(no file name)", "", "no output file was named", "call SetFileName()");
-  }
-  std::error_code status;
-  if (std::filesystem::is_directory(fileName, status))
-  {
-    fail("is a directory");
-  }
-  // Exclusive creation makes the name unique among processes without a random number.
-  std::string temporary;
-  FilePointer file;
-  for (unsigned int attempt = 0; attempt < 1000 && !file; ++attempt)
-  {
-    temporary = fileName + ".tmp" + std::to_string(attempt);
-    file.reset(std::fopen(temporary.c_str(), "wbx"));
-    if (!file && errno != EEXIST)
-    {
-      fail(std::strerror(errno));
-    }
-  }
-  if (!file)
-  {
-    fail("too many temporary files beside it");
-  }
-  bool written = std::fwrite(content.data(), 1, content.size(), file.get()) == content.size();
-  written = std::fclose(file.release()) == 0 && written;
-  if (!written)
-  {
-    const int reason = errno;
-    std::filesystem::remove(temporary, status);
-    fail(std::strerror(reason));
-  }
-  std::filesystem::rename(temporary, fileName, status);
-  if (status)
-  {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    fail(status.message());
-  }
+  OutputFile file(fileName);
+  file.Write(content.data(), content.size());
+  file.Commit();
 }
 } // namespace itk

@@ -20,12 +20,11 @@
 #include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkForeignAnnotationRecords.h"
+#include "itkInputFile.h"
 #include "itkJsonDocument.h"
 #include "itkTextFile.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <vector>
 
@@ -173,16 +172,7 @@ ReadRegion(const std::string & fileName, const Row & row, AnnotationRecords & re
 bool
 IsVIATable(const std::string & fileName)
 {
-  // A pipe can be read once only.
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(fileName, ignored))
-  {
-    return false;
-  }
-  char          bytes[512];
-  std::ifstream file(fileName, std::ios::binary);
-  file.read(bytes, sizeof(bytes));
-  const std::string head(bytes, static_cast<std::size_t>(file.gcount() > 0 ? file.gcount() : 0));
+  const std::string head = ReadFileHead(fileName, 512);
   return ReadHeader(head.substr(0, head.find('\n'))).has_value();
 }
 

@@ -18,13 +18,12 @@
 #include "itkDicomFileCheck.h"
 
 #include "itkDentalInputError.h"
+#include "itkInputFile.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <vector>
@@ -403,8 +402,9 @@ private:
 void
 VerifyDicomFile(const std::string & fileName)
 {
-  std::ifstream           file(fileName, std::ios::binary);
-  const std::vector<char> bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  InputFile         file(fileName);
+  std::vector<char> bytes(file.GetSize());
+  bytes.resize(bytes.empty() ? 0 : file.Read(bytes.data(), bytes.size()));
   try
   {
     Walker(bytes).Walk();

@@ -19,8 +19,6 @@
 
 #include "itkGDCMImageIO.h"
 
-#include <gdcmTrace.h>
-
 namespace
 {
 itk::ImageIOBase *
@@ -31,26 +29,11 @@ Create()
   return io;
 }
 
-bool
-SetWarnings(bool on)
-{
-  const bool before = gdcm::Trace::GetWarningFlag();
-  gdcm::Trace::SetWarning(on);
-  return before;
-}
-
-bool
-SetErrors(bool on)
-{
-  const bool before = gdcm::Trace::GetErrorFlag();
-  gdcm::Trace::SetError(on);
-  return before;
-}
 } // namespace
 
 const itk::DicomImageIO *
 DentalSCRGetDicomImageIO()
 {
-  static const itk::DicomImageIO io{ Create, SetWarnings, SetErrors };
+  static const itk::DicomImageIO io{ Create };
   return &io;
 }

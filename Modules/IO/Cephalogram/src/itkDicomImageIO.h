@@ -26,24 +26,17 @@ namespace itk
  * \brief Not installed. What is wanted of GDCM, in a library of its own.
  *
  * GDCM brings 20 further libraries, and its dictionaries are built when it is loaded: half of the time that a program
- * with it needs before its main() begins. Few radiographs are DICOM files, so that it is loaded with the first one.
+ * with it needs before its main() begins. Few images are DICOM files, so that it is loaded for one alone.
  */
 struct DicomImageIO
 {
   /** A GDCMImageIO with a reference that is the caller's. */
   ImageIOBase * (*create)();
-  /** Whether GDCM prints warnings and errors. \return whether it did before */
-  bool (*setWarnings)(bool on);
-  bool (*setErrors)(bool on);
 };
 
 /** Loads GDCM on the first call, for as long as the process lasts. Throws an ExceptionObject where it cannot. */
 const DicomImageIO &
 LoadDicomImageIO();
-
-/** Null where it was not loaded. */
-const DicomImageIO *
-GetLoadedDicomImageIO();
 } // namespace itk
 
 extern "C" __attribute__((visibility("default"))) const itk::DicomImageIO *

@@ -30,12 +30,6 @@ namespace
 std::atomic<const DicomImageIO *> loaded{ nullptr };
 }
 
-const DicomImageIO *
-GetLoadedDicomImageIO()
-{
-  return loaded;
-}
-
 const DicomImageIO &
 LoadDicomImageIO()
 {

@@ -17,11 +17,11 @@
  *=========================================================================*/
 #include "itkExifOrientation.h"
 
+#include "itkInputFile.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -31,15 +31,7 @@ namespace
 {
 /** In memory: a file may have a segment or a fill byte at each byte, and each would cost a read of its own. Segments
  * have at most 64 KiB, and one or two stand before Exif's. */
-std::vector<char>
-ReadHead(const std::string & fileName)
-{
-  std::ifstream     file(fileName, std::ios::binary);
-  std::vector<char> head(std::size_t{ 1 } << 18);
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-  return head;
-}
+constexpr std::size_t HeadSize = std::size_t{ 1 } << 18;
 
 /** A number of the bytes, in either order; 0 where they end before it. */
 std::uint32_t
@@ -89,9 +81,9 @@ FindExif(std::string_view bytes)
 unsigned int
 ReadExifOrientation(const std::string & fileName)
 {
-  const std::vector<char> head = ReadHead(fileName);
+  const std::string head = ReadFileHead(fileName, HeadSize);
   // The block is a TIFF of which only the first directory counts here.
-  const std::string_view block = FindExif(std::string_view(head.data(), head.size()));
+  const std::string_view block = FindExif(head);
   const bool             bigEndian = block.substr(0, 2) == "MM";
   if ((!bigEndian && block.substr(0, 2) != "II") || GetNumber(block, 2, 2, bigEndian) != 42)
   {

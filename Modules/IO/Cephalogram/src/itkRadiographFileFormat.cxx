@@ -20,17 +20,15 @@
 #include "itkDentalInputError.h"
 #include "itkDicomFileCheck.h"
 #include "itkForeignFile.h"
+#include "itkInputFile.h"
 #include "itkJPEGFileCheck.h"
 #include "itkLowerCase.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <locale>
 #include <map>
 #include <sstream>
@@ -46,10 +44,9 @@ using Bytes = std::vector<unsigned char>;
 Bytes
 ReadBytes(const std::string & fileName, std::size_t maximum)
 {
-  std::ifstream file(fileName, std::ios::binary);
-  Bytes         bytes(maximum);
-  file.read(reinterpret_cast<char *>(bytes.data()), static_cast<std::streamsize>(maximum));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  InputFile file(fileName);
+  Bytes     bytes(std::min(maximum, file.GetSize()));
+  bytes.resize(bytes.empty() ? 0 : file.Read(bytes.data(), bytes.size()));
   return bytes;
 }
 
@@ -313,6 +310,58 @@ TIFFIsComplete(const Bytes & bytes)
   return true;
 }
 
+/** What is wrong with the file that a header names for its pixels; empty where nothing is. A header comes from somebody
+ * else: it may name a file beside it and no other one of who opens it, nor a pipe that is waited for. */
+std::string
+FindDefectOfDataFile(const std::string & fileName, const std::string & dataFile)
+{
+  if (dataFile.find('/') != std::string::npos || dataFile.find('\\') != std::string::npos)
+  {
+    return "\"" + dataFile.substr(0, 200) + "\" is not beside the header, in its folder";
+  }
+  std::error_code ignored;
+  const auto      path = std::filesystem::path(fileName).parent_path() / dataFile;
+  if (!std::filesystem::is_regular_file(path, ignored))
+  {
+    return "\"" + dataFile.substr(0, 200) + "\" is not there, or is no file";
+  }
+  return std::string();
+}
+
+/** The one check that ITK's decoder, which has a process of its own, doesn't make. */
+void
+VerifyNrrd(const std::string & fileName)
+{
+  const Bytes        bytes = ReadBytes(fileName, 1u << 16);
+  std::istringstream header(std::string(bytes.begin(), bytes.end()));
+  for (std::string line; std::getline(header, line);)
+  {
+    if (!line.empty() && line.back() == '\r')
+    {
+      line.pop_back();
+    }
+    if (line.empty())
+    {
+      break;
+    }
+    const std::size_t colon = line.find(": ");
+    const std::string field = LowerCase(line.substr(0, colon));
+    if (colon == std::string::npos || (field != "data file" && field != "datafile"))
+    {
+      continue;
+    }
+    const std::size_t first = line.find_first_not_of(" \t", colon + 1);
+    const std::string name = first == std::string::npos ? std::string() : line.substr(first);
+    const bool        isList = LowerCase(name).compare(0, 4, "list") == 0 || name.find('%') != std::string::npos;
+    const std::string problem = isList ? "names several files" : FindDefectOfDataFile(fileName, name);
+    if (!problem.empty())
+    {
+      itkDentalInputErrorMacro(
+        fileName, "data file", problem, "save the image with its pixels in the same file (.nrrd)");
+    }
+  }
+}
+
 /** MetaImage's own reader prints what it misses, and returns what there is. */
 void
 VerifyMetaImage(const std::string & fileName)
@@ -409,6 +458,14 @@ VerifyMetaImage(const std::string & fileName)
   {
     fail("ElementDataFile", "names several files");
   }
+  if (!local)
+  {
+    const std::string problem = FindDefectOfDataFile(fileName, dataFile);
+    if (!problem.empty())
+    {
+      fail("ElementDataFile", problem);
+    }
+  }
   const std::filesystem::path path =
     local ? std::filesystem::path(fileName) : std::filesystem::path(fileName).parent_path() / dataFile;
   std::error_code status;
@@ -455,19 +512,25 @@ ToString(RadiographFileFormatEnum format)
 RadiographFileFormatEnum
 DetectRadiographFileFormat(const std::string & fileName)
 {
-  std::error_code status;
-  if (std::filesystem::is_directory(fileName, status))
+  using ProblemEnum = InputFile::ProblemEnum;
+  const InputFile file(fileName);
+  switch (file.GetProblem())
   {
-    itkDentalInputErrorMacro(fileName, "", "is a directory, not an image", "name the image file in it");
-  }
-  if (!std::filesystem::exists(fileName, status))
-  {
-    itkDentalInputErrorMacro(fileName, "", "no such file", "check the path");
-  }
-  if (!std::ifstream(fileName, std::ios::binary))
-  {
-    itkDentalInputErrorMacro(
-      fileName, "", std::string("cannot be opened: ") + std::strerror(errno), "check the file's permissions");
+    case ProblemEnum::None:
+    case ProblemEnum::Empty:
+      break;
+    case ProblemEnum::Folder:
+      itkDentalInputErrorMacro(fileName, "", "is a directory, not an image", "name the image file in it");
+    case ProblemEnum::Missing:
+      itkDentalInputErrorMacro(fileName, "", "no such file", "check the path");
+    case ProblemEnum::NotRegular:
+      itkDentalInputErrorMacro(
+        fileName, "", "is no regular file but a pipe, a socket or a device", "name the image file");
+    default:
+      itkDentalInputErrorMacro(fileName,
+                               "",
+                               std::string("cannot be opened: ") + std::strerror(file.GetSystemError()),
+                               "check the file's permissions");
   }
   const Bytes head = ReadBytes(fileName, 4096);
   if (head.empty())
@@ -531,6 +594,7 @@ VerifyRadiographFileIsComplete(const std::string &      fileName,
   }
   if (format == Format::NRRD)
   {
+    VerifyNrrd(fileName);
     return;
   }
   std::error_code status;

@@ -17,28 +17,13 @@
  *=========================================================================*/
 #include "itkRadiographImageIO.h"
 
+#include "itkDecodedImageIO.h"
 #include "itkDentalInputError.h"
-#include "itkDicomImageIO.h"
 
-#include "itkBMPImageIO.h"
 #include "itkJPEGImageIO.h"
-#include "itkMetaImageIO.h"
-#include "itkNrrdImageIO.h"
 #include "itkPNGImageIO.h"
-#include "itkTIFFImageIO.h"
 
-#include <cstdarg>
 #include <new>
-
-// Of the libtiff inside ITK, whose header is not installed; weak, as an ITK on the system's libtiff has not these
-// names.
-extern "C" {
-using TIFFHandler = void (*)(const char *, const char *, va_list);
-__attribute__((weak)) TIFFHandler
-itk_TIFFSetWarningHandler(TIFFHandler handler);
-__attribute__((weak)) TIFFHandler
-itk_TIFFSetErrorHandler(TIFFHandler handler);
-}
 
 namespace itk
 {
@@ -46,51 +31,22 @@ namespace
 {
 using Format = RadiographFileFormatEnum;
 
-/** ITK's readers warn on stderr, of MONOCHROME1 for one, and so do GDCM and libtiff; a library does not print. */
+/** ITK's readers warn on stderr; a library does not print. */
 class SilencedWarnings
 {
 public:
   SilencedWarnings()
     : m_Before(Object::GetGlobalWarningDisplay())
-    , m_Dicom(GetLoadedDicomImageIO())
   {
     Object::SetGlobalWarningDisplay(false);
-    if (m_Dicom != nullptr)
-    {
-      m_GDCMWarning = m_Dicom->setWarnings(false);
-      m_GDCMError = m_Dicom->setErrors(false);
-    }
-    if (itk_TIFFSetWarningHandler != nullptr && itk_TIFFSetErrorHandler != nullptr)
-    {
-      m_TIFFWarning = itk_TIFFSetWarningHandler(nullptr);
-      m_TIFFError = itk_TIFFSetErrorHandler(nullptr);
-    }
   }
-  ~SilencedWarnings()
-  {
-    Object::SetGlobalWarningDisplay(m_Before);
-    if (m_Dicom != nullptr)
-    {
-      m_Dicom->setWarnings(m_GDCMWarning);
-      m_Dicom->setErrors(m_GDCMError);
-    }
-    if (itk_TIFFSetWarningHandler != nullptr && itk_TIFFSetErrorHandler != nullptr)
-    {
-      itk_TIFFSetWarningHandler(m_TIFFWarning);
-      itk_TIFFSetErrorHandler(m_TIFFError);
-    }
-  }
+  ~SilencedWarnings() { Object::SetGlobalWarningDisplay(m_Before); }
   SilencedWarnings(const SilencedWarnings &) = delete;
   SilencedWarnings &
   operator=(const SilencedWarnings &) = delete;
 
 private:
-  bool                 m_Before;
-  const DicomImageIO * m_Dicom;
-  bool                 m_GDCMWarning{ false };
-  bool                 m_GDCMError{ false };
-  TIFFHandler          m_TIFFWarning{ nullptr };
-  TIFFHandler          m_TIFFError{ nullptr };
+  bool m_Before;
 };
 } // namespace
 
@@ -103,19 +59,10 @@ MakeRadiographImageIO(RadiographFileFormatEnum format)
       return PNGImageIO::New().GetPointer();
     case Format::JPEG:
       return JPEGImageIO::New().GetPointer();
-    case Format::TIFF:
-      return TIFFImageIO::New().GetPointer();
-    case Format::BMP:
-      return BMPImageIO::New().GetPointer();
-    case Format::NRRD:
-      return NrrdImageIO::New().GetPointer();
-    case Format::MetaImage:
-      return MetaImageIO::New().GetPointer();
     default: {
-      const ImageIOBase::Pointer io = LoadDicomImageIO().create();
-      // The pointer holds a reference too.
-      io->UnRegister();
-      return io;
+      const auto io = DecodedImageIO::New();
+      io->SetFormat(format);
+      return io.GetPointer();
     }
   }
 }

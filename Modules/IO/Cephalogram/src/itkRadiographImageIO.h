@@ -27,7 +27,8 @@
 
 namespace itk
 {
-/** Not installed: the decoder of a format. GDCM is loaded with the first DICOM file. */
+/** Not installed: the decoder of a format. Those of PNG and JPEG are called here, behind checks of the whole file; all
+ * others run in a process of their own. */
 ImageIOBase::Pointer
 MakeRadiographImageIO(RadiographFileFormatEnum format);
 

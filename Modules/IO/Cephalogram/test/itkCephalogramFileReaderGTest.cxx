@@ -421,7 +421,8 @@ TEST(CephalogramFileReader, DamagedBytesNeverCrash)
     const std::string bytes = itk::ReadTestFile(path);
     unsigned int      refused = 0;
     testing::internal::CaptureStderr();
-    for (std::size_t position = 0; position < bytes.size(); ++position)
+    // Of most formats a process each: all of the header, and samples of what follows.
+    for (std::size_t position = 0; position < bytes.size(); position += position < 128 ? 1 : 9)
     {
       std::string damaged = bytes;
       damaged[position] = static_cast<char>(damaged[position] ^ 0x5a);

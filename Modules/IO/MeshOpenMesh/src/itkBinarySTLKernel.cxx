@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "itkBinarySTLKernel.h"
 
-#include "itkMappedFile.h"
+#include "itkScanFile.h"
 #include "itkSurfaceMeshFile.h"
 
 #include <algorithm>
@@ -348,7 +348,7 @@ ParseBinarySTL(const char * bytes, std::size_t size)
 WeldedTriangles
 ReadBinarySTL(const char * fileName)
 {
-  const MappedFile file(fileName);
+  const ScanFile file(fileName);
   return ParseBinarySTL(file.GetData(), file.GetSize());
 }
 

@@ -19,20 +19,17 @@
 
 #include "itkDentalInputError.h"
 #include "itkForeignFile.h"
+#include "itkInputFile.h"
 #include "itkOpenMeshWriter.h"
+#include "itkOutputFile.h"
 #include "itkReadDentalMesh.h"
 #include "itkSurfaceMeshFile.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <new>
-#include <system_error>
-
-#include <unistd.h>
+#include <ostream>
+#include <streambuf>
 
 namespace itk
 {
@@ -84,41 +81,37 @@ CopyTriangles(const void *                                 buffer,
   return count;
 }
 
-/** Removes the file unless told to keep it. */
-class TemporaryFile
+/** Hands what a stream is given to a file, in pieces. */
+class OutputFileBuffer : public std::streambuf
 {
 public:
-  explicit TemporaryFile(const std::string & target)
+  explicit OutputFileBuffer(OutputFile & file)
+    : m_File(file)
+    , m_Bytes(std::size_t{ 1 } << 16)
   {
-    static std::atomic<unsigned int> counter{ 0 };
-    m_Name = target + ".part-" + std::to_string(::getpid()) + '-' + std::to_string(counter++);
+    this->setp(m_Bytes.data(), m_Bytes.data() + m_Bytes.size());
   }
-  ~TemporaryFile()
-  {
-    if (!m_Renamed)
-    {
-      std::remove(m_Name.c_str());
-    }
-  }
-  TemporaryFile(const TemporaryFile &) = delete;
-  TemporaryFile &
-  operator=(const TemporaryFile &) = delete;
 
-  const std::string &
-  GetName() const
+  /** Not sync(): the stream would take the error for one of its own, without the words. */
+  void
+  Flush()
   {
-    return m_Name;
+    m_File.Write(this->pbase(), static_cast<std::size_t>(this->pptr() - this->pbase()));
+    this->setp(m_Bytes.data(), m_Bytes.data() + m_Bytes.size());
   }
-  bool
-  RenameTo(const std::string & target)
+
+protected:
+  int_type
+  overflow(int_type character) override
   {
-    m_Renamed = std::rename(m_Name.c_str(), target.c_str()) == 0;
-    return m_Renamed;
+    this->Flush();
+    return traits_type::eq_int_type(character, traits_type::eof()) ? traits_type::not_eof(character)
+                                                                   : this->sputc(traits_type::to_char_type(character));
   }
 
 private:
-  std::string m_Name;
-  bool        m_Renamed{ false };
+  OutputFile &      m_File;
+  std::vector<char> m_Bytes;
 };
 } // namespace
 
@@ -145,16 +138,10 @@ OpenMeshMeshIO::CanReadFile(const char * fileName)
     return true;
   }
   // The file may be of any kind and size: look at its head alone.
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(fileName, error))
-  {
-    return false;
-  }
-  const auto        size = static_cast<std::size_t>(std::filesystem::file_size(fileName, error));
-  std::ifstream     stream(fileName, std::ios::binary);
-  std::vector<char> head(error ? 0 : std::min(size, MeshFileFormatHeadSize));
-  return !head.empty() && stream.read(head.data(), static_cast<std::streamsize>(head.size())) &&
-         DetectMeshFileFormat(head.data(), size, fileName) != MeshFileFormatEnum::Unknown;
+  InputFile         file(fileName);
+  std::vector<char> head(std::min(file.GetSize(), MeshFileFormatHeadSize));
+  return !head.empty() && file.Read(head.data(), head.size()) == head.size() &&
+         DetectMeshFileFormat(head.data(), file.GetSize(), fileName) != MeshFileFormatEnum::Unknown;
 }
 
 void
@@ -365,28 +352,20 @@ OpenMeshMeshIO::Write()
     itkDentalInputErrorMacro(
       m_FileName, "", "its extension names no format that can be written", "use .stl, .ply, .obj or .off");
   }
-  std::error_code                    ignored;
-  const std::filesystem::file_status status = std::filesystem::status(m_FileName, ignored);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-  {
-    itkDentalInputErrorMacro(m_FileName, "", "is there already and is no regular file", "choose another name");
-  }
   const bool binary =
     m_FileType == IOFileEnum::BINARY && (format == MeshFileFormatEnum::BinarySTL || format == MeshFileFormatEnum::PLY);
-  TemporaryFile file(m_FileName);
-  std::ofstream stream(file.GetName(), std::ios::binary | std::ios::trunc);
-  bool          done = stream.is_open();
-  if (done)
-  {
-    done = WriteWithOpenMesh(stream, format, surface->floatPoints, surface->triangles, binary);
-    stream.close();
-    done = done && !stream.fail() && file.RenameTo(m_FileName);
-  }
-  if (!done)
+  OutputFile       file(m_FileName);
+  OutputFileBuffer buffer(file);
+  std::ostream     stream(&buffer);
+  // What the file can't take is told in its own words.
+  stream.exceptions(std::ios::badbit);
+  if (!WriteWithOpenMesh(stream, format, surface->floatPoints, surface->triangles, binary))
   {
     itkDentalInputErrorMacro(
       m_FileName, "", "cannot be written", "check the folder, its permissions and the free space");
   }
+  buffer.Flush();
+  file.Commit();
 }
 
 void

@@ -18,7 +18,7 @@
 #include "itkSurfaceMeshFile.h"
 
 #include "itkBinarySTLKernel.h"
-#include "itkMappedFile.h"
+#include "itkScanFile.h"
 #include "itkMeshTextParsers.h"
 #include "itkPLYParser.h"
 
@@ -91,7 +91,7 @@ ParseSurfaceMesh(const char * bytes, std::size_t size, const std::string & fileN
 SurfaceMeshFile
 ReadSurfaceMeshFile(const std::string & fileName)
 {
-  const MappedFile file(fileName);
+  const ScanFile file(fileName);
   return ParseSurfaceMesh(file.GetData(), file.GetSize(), fileName);
 }
 } // namespace itk

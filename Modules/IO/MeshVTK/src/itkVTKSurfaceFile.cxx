@@ -18,15 +18,13 @@
 #include "itkVTKSurfaceFile.h"
 
 #include "itkDentalInputError.h"
+#include "itkInputFile.h"
 #include "itkVTKSurfaceParts.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <new>
 
@@ -49,20 +47,26 @@ HasExtension(const std::string & fileName, const char * extension)
 std::string
 ReadAll(const std::string & fileName)
 {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(fileName, ignored))
+  using ProblemEnum = InputFile::ProblemEnum;
+  InputFile file(fileName);
+  if (file.GetProblem() == ProblemEnum::Empty)
+  {
+    throw VTKFileError("", "the file is empty (0 bytes)");
+  }
+  if (file.GetProblem() == ProblemEnum::Missing || file.GetProblem() == ProblemEnum::Folder ||
+      file.GetProblem() == ProblemEnum::NotRegular)
   {
     throw VTKFileError("", "there is no such file", "name a .vtk or .vtp file");
   }
-  std::ifstream file(fileName, std::ios::binary);
-  std::string   bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  if (!file)
+  std::string bytes(file.GetSize(), '\0');
+  const auto  count = file.Read(&bytes[0], bytes.size());
+  if (file.GetSystemError() != 0)
   {
     throw VTKFileError("", "cannot be read", "check its permissions");
   }
-  if (bytes.empty())
+  if (count != bytes.size() || file.HasChanged())
   {
-    throw VTKFileError("", "the file is empty (0 bytes)");
+    throw VTKFileError("", "was changed while it was read", "start again when the scan is copied completely");
   }
   return bytes;
 }

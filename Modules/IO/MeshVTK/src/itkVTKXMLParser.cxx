@@ -50,6 +50,8 @@ constexpr TypeInfo Types[] = { { "Int8", 1, false, true },   { "UInt8", 1, false
 
 /** Compression makes at most a thousandth of constant data. */
 constexpr std::size_t LargestRatio = 1100;
+/** Bytes that all arrays of a file may have: those of the largest scans, of 3 million triangles, have a fifth. */
+constexpr std::size_t LargestUnpacked = std::size_t{ 1 } << 29;
 
 bool
 IsSpace(char c)
@@ -513,6 +515,15 @@ private:
       {
         throw VTKFileError(m_Field, "promises more than the file can hold");
       }
+      // Of all arrays together: what zlib makes of a file of 2 MB may be 2 GB.
+      m_Unpacked += out;
+      if (m_Unpacked > LargestUnpacked)
+      {
+        throw VTKFileError(m_Field,
+                           "and what stands before it are more than " + std::to_string(LargestUnpacked >> 20) +
+                             " MiB when unpacked, which no scan of teeth is",
+                           "thin the scan out, or export it again");
+      }
       bytes.resize(before + out);
       auto length = static_cast<uLongf>(out);
       if (uncompress(reinterpret_cast<Bytef *>(&bytes[before]),
@@ -598,6 +609,7 @@ private:
   std::string                m_Field;
   /** Decoded bytes that were not asked for yet. */
   std::string     m_Rest;
+  std::size_t     m_Unpacked{ 0 };
   VTKSurfaceParts m_Parts;
 };
 } // namespace

@@ -78,7 +78,7 @@ ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
   std::swap(other.jaws[0].tracing, other.jaws[1].tracing);
   for (PoseViewInput & view : other.views)
   {
-    std::swap(view.tracings[0], view.tracings[1]);
+    // Tracings of a view are found by their jaw, which turns over below.
     view.landmarks = nullptr;
   }
   for (PoseJawInput & jaw : other.jaws)

@@ -49,9 +49,9 @@ Append(const LeastSquaresMetricv4 &               metric,
 bool
 IsSameView(const PoseGeometry & a, const PoseGeometry & b)
 {
-  return a.sourceToMidsagittal == b.sourceToMidsagittal && a.sourceToDetector == b.sourceToDetector &&
-         a.sourceSign == b.sourceSign && a.facingSign == b.facingSign && a.pixelSpacing == b.pixelSpacing &&
-         a.principalPoint == b.principalPoint;
+  return a.direction == b.direction && a.sourceToMidsagittal == b.sourceToMidsagittal &&
+         a.sourceToDetector == b.sourceToDetector && a.sourceSign == b.sourceSign && a.facingSign == b.facingSign &&
+         a.pixelSpacing == b.pixelSpacing && a.principalPoint == b.principalPoint;
 }
 } // namespace
 

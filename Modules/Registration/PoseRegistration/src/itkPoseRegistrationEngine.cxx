@@ -38,6 +38,7 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
 {
   const PoseRegistrationOptions & options = problem.options;
   std::vector<JawType>            jaws(problem.jaws.size());
+  std::vector<std::string>        tracingFailures(problem.jaws.size());
   auto                            transform = CephalometricPoseTransform::New();
   transform->SetPoseGeometry(geometry);
   for (std::size_t j = 0; j < jaws.size(); ++j)
@@ -57,7 +58,7 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     }
     if (options.tracedSide == TracedSideEnum::Standard)
     {
-      this->PrepareOutlines(input, options, transform, jaws[j], result.jaws[j]);
+      tracingFailures[j] = this->PrepareOutlines(input, options, transform, jaws[j], result.jaws[j]);
       continue;
     }
     jaws[j].metric = MakeSilhouetteTerm(input.jaw, input.tracing, transform, options);
@@ -69,25 +70,30 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     }
     jaws[j].surface = ToDentalFrame(*problem.jaws[j].surface, problem.jaws[j].frame);
     this->PrepareViews(problem, j, jaws[j]);
-    if (jaws[j].metric.IsNull())
+    if (jaws[j].metric.IsNotNull())
     {
-      return;
+      jaws[j].metric->SetMovingSurface(jaws[j].surface);
+      jaws[j].metric->Prepare();
+      tracingFailures[j] = jaws[j].metric->GetFailure();
+      if (!tracingFailures[j].empty())
+      {
+        jaws[j].metric = nullptr;
+      }
     }
-    jaws[j].metric->SetMovingSurface(jaws[j].surface);
-    jaws[j].metric->Prepare();
-    const std::string failure = jaws[j].metric->GetFailure();
-    if (!failure.empty())
+    // Landmarks and other views speak for the jaw where its tracing cannot. Of outlines each one is said to be unused.
+    if (jaws[j].landmarks.IsNull() && !jaws[j].HasEvidenceOfAView())
     {
-      // Landmarks and other views speak for the jaw where its tracing cannot.
-      (jaws[j].landmarks.IsNotNull() || jaws[j].HasEvidenceOfAView() ? result.jaws[j].tracingFailure
-                                                                     : result.jaws[j].failure) = failure;
-      jaws[j].metric = nullptr;
+      result.jaws[j].failure = tracingFailures[j];
+    }
+    else if (options.tracedSide != TracedSideEnum::Standard)
+    {
+      result.jaws[j].tracingFailure = tracingFailures[j];
     }
   });
   return jaws;
 }
 
-void
+std::string
 PoseRegistrationEngine::PrepareOutlines(const PoseJawInput &               input,
                                         const PoseRegistrationOptions &    options,
                                         const CephalometricPoseTransform * transform,
@@ -141,10 +147,7 @@ PoseRegistrationEngine::PrepareOutlines(const PoseJawInput &               input
       jaw.landmarks->SetOutlinedTeeth(metric->GetTeethPositions());
     }
   }
-  else if (jaw.landmarks.IsNull())
-  {
-    result.failure = metric->GetFailure();
-  }
+  return metric->GetFailure();
 }
 
 PoseRegistrationEngine::MetricType::Pointer

@@ -116,7 +116,8 @@ private:
 
   std::vector<JawType>
   PrepareJaws(const PoseProblem & problem, const PoseGeometry & geometry, PoseRegistrationResult & result) const;
-  void
+  /** Returns why none of them can be used, empty where one is. */
+  std::string
   PrepareOutlines(const PoseJawInput &               input,
                   const PoseRegistrationOptions &    options,
                   const CephalometricPoseTransform * transform,

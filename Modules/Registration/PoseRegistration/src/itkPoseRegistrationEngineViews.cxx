@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkPoseRegistrationEngine.h"
 
+#include "itkCorrelatedNoiseModel.h"
+#include "itkGemanMcClureKernel.h"
 #include "itkParameterPriorMetricv4.h"
 #include "itkPoseJawDescription.h"
 #include "itkPoseStateBlocks.h"
@@ -33,6 +35,11 @@ namespace itk
 {
 namespace
 {
+/** px of 0.25 mm: noise of an outline on a further view. It is not the hand's alone, as of the first view, whose levels
+ * are estimated: what stands behind the tooth that was drawn, seen from there, may reach further than it, by a
+ * millimetre where molars stand behind one another. */
+constexpr ContourNoiseLevels OutlineNoise{ 4.0, 0.6 };
+
 /** What is known of how far the head was moved for a view, 1 sd: of a patient who was turned in the ear rods pitch,
  * roll, yaw (rad) and shifts (mm); where the head stood still only what the principal point leaves open, along the
  * film. */
@@ -81,7 +88,22 @@ PoseRegistrationEngine::PrepareViews(const PoseProblem & problem, std::size_t j,
                              problem.options.tracedSide == TracedSideEnum::Standard
                            ? TracedSideEnum::Right
                            : problem.options.tracedSide;
+    if (view.geometry.direction == CephalometricDirectionEnum::Frontal)
+    {
+      // The border of a first molar is no border of the second one, which may stand further out.
+      options.gateByTooth = true;
+      options.toothRange = 0;
+    }
     own.silhouette = MakeSilhouetteTerm(input.jaw, view.tracings[index], transform, options);
+    if (options.useRobustKernel)
+    {
+      own.silhouette->SetRobustKernel(GemanMcClureKernel::New());
+    }
+    auto noise = CorrelatedNoiseModel::New();
+    noise->SetCorrelationLength(options.useCorrelatedNoise ? options.correlationLength : 0.0);
+    own.silhouette->SetNoiseModel(noise);
+    own.silhouette->SetNoiseLevels(OutlineNoise);
+    own.silhouette->SetKernelWidth(options.adaptiveKernelFactor * std::hypot(OutlineNoise.smooth, OutlineNoise.white));
     own.silhouette->SetMovingSurface(prepared.surface);
     own.silhouette->Prepare();
     own.failure = own.silhouette->GetFailure();
@@ -138,7 +160,7 @@ PoseRegistrationEngine::AddViews(const PoseProblem &              problem,
     };
     for (const std::size_t j : members)
     {
-      add(jaws[j].views[v].silhouette, MetricType::SettingsEnum::OfTheSum);
+      add(jaws[j].views[v].silhouette, MetricType::SettingsEnum::Own);
       add(jaws[j].views[v].landmarks, MetricType::SettingsEnum::Own);
     }
     sum.SetBlockFree(move, isFree);
@@ -244,7 +266,6 @@ PoseRegistrationEngine::DescribeViews(const PoseProblem &          problem,
         const JawType::ViewType & own = jaws[j].views[v];
         if (own.silhouette.IsNotNull())
         {
-          own.silhouette->SetNoiseLevels({ group.smoothSigma, group.whiteSigma });
           DescribeFit(*own.silhouette, x, group.covariance, input.geometry, jaw);
         }
         if (own.landmarks.IsNotNull())

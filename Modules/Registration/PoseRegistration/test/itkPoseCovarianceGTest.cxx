@@ -179,6 +179,7 @@ private:
     fixed[TransformType::PixelSpacingV] = geometry.pixelSpacing[1];
     fixed[TransformType::PrincipalPointU] = geometry.principalPoint[0];
     fixed[TransformType::PrincipalPointV] = geometry.principalPoint[1];
+    fixed[TransformType::Direction] = 0.0;
     TransformType::ParametersType parameters(TransformType::NumberOfParameters);
     std::copy(Pose.begin(), Pose.end(), parameters.begin());
     auto transform = TransformType::New();

@@ -19,7 +19,9 @@
 
 #include "itkDentalPhantomCaseSource.h"
 #include "itkDentalPhantomFrontalView.h"
+#include "itkExchangedJawsHypothesis.h"
 #include "itkLandmarkProjectionFilter.h"
+#include "itkRegistrationVerdict.h"
 #include "itkViewVerdict.h"
 
 #include <gtest/gtest.h>
@@ -209,7 +211,8 @@ TEST(PoseViews, AFrontalViewTellsRollYawAndLateralShift)
       const ErrorType error = MeasureError(source, method);
       // Linearised bounds of twelve landmarks of 0.5 mm: 0.44 degrees of yaw, 0.7 mm with a principal point known to
       // 1 mm; three times that. A head that was turned adds its own 1.5.
-      const double factor = sameHead ? 1.0 : 2.5;
+      // A tracing alone tells less: what stands behind a tooth hides its border.
+      const double factor = (sameHead ? 1.0 : 2.5) * (contours ? 1.5 : 1.0);
       EXPECT_LT(std::abs(error.roll), 1.3 * factor) << sameHead << contours;
       EXPECT_LT(std::abs(error.yaw), 1.4 * factor) << sameHead << contours;
       EXPECT_LT(std::abs(error.shift), 2.1 * factor) << sameHead << contours;
@@ -241,7 +244,7 @@ TEST(PoseViews, WithoutAViewNothingChangesAndWithOneSigmaOfTheUnseenShrinks)
   const auto & two = both->GetOutput()->GetGroup(JawEnum::Upper).covariance;
   for (const unsigned int k : { itk::PoseRoll, itk::PoseYaw, itk::PoseTy })
   {
-    EXPECT_LT(two[8 * k], 0.7 * one[8 * k]) << k;
+    EXPECT_LT(two[8 * k], 0.8 * one[8 * k]) << k;
   }
   // A change of the view runs the registration again.
   const auto time = both->GetOutput()->GetMTime();
@@ -330,6 +333,54 @@ TEST(PoseViews, AJawThatWasDrawnOnTheViewAlone)
   ASSERT_TRUE(solution->IsRegistered(JawEnum::Lower));
   EXPECT_FALSE(solution->GetJaw(JawEnum::Lower).placedByOther);
   EXPECT_FALSE(solution->GetView("frontal").result.jaws[1].landmarks.empty());
+}
+
+TEST(PoseViews, SpeakForAJawWhoseTracingCannotBeUsed)
+{
+  // Whole teeth of which no crown is known, and a view that both jaws were drawn on.
+  auto method = MakeMethod(Case());
+  method->SetTracedSide(itk::TracedSideEnum::Standard);
+  method->SetToothCrowns(itk::ToothCrownSet::New());
+  method->SetUpperContour(nullptr);
+  auto marks = itk::CephalometricLandmarkSet::New();
+  auto counterparts = itk::LandmarkCounterpartSet::New();
+  for (const char * name : { "UR1_tip", "UR6_MB" })
+  {
+    const auto * place = Case()->GetLandmarks3D(0)->Find(name);
+    ASSERT_NE(place, nullptr);
+    marks->AddLandmark(name, Case()->GetTrueGeometry(0)->ProjectPoint(place->point), 2.0);
+    itk::LandmarkCounterpartSet::CounterpartType counterpart;
+    counterpart.name = itk::CephalometricLandmarkSet::MakeName(itk::CephalometricLandmarkSet::ParseName(name));
+    counterpart.jaw = JawEnum::Upper;
+    counterpart.points = { place->point };
+    counterparts->Add(counterpart);
+  }
+  method->SetCephalometricLandmarks(marks);
+  method->SetLandmarkCounterparts(counterparts);
+  method->AddView(MakeView(Case(), true, false));
+  method->Update();
+  const auto & lower = method->GetOutput()->GetJaw(JawEnum::Lower);
+  EXPECT_TRUE(lower.registered) << lower.failure;
+  EXPECT_FALSE(lower.placedByOther);
+  EXPECT_FALSE(lower.unusedOutlines.empty());
+}
+
+TEST(PoseViews, ExchangedScansAreFoundBesideATracedView)
+{
+  auto exchanged = MakeMethod(Case());
+  exchanged->SetUpperMesh(Case()->GetMesh(1));
+  exchanged->SetLowerMesh(Case()->GetMesh(0));
+  exchanged->AddView(MakeView(Case(), false, true));
+  exchanged->Update();
+  const auto & group = exchanged->GetOutput()->GetGroup(JawEnum::Upper);
+  const auto * outcome = group.FindOutcome(itk::ExchangedJawsHypothesis::Code);
+  ASSERT_NE(outcome, nullptr);
+  // The jaws exchanged back, each tracing of each view is that of its scan.
+  auto right = MakeMethod(Case());
+  right->AddView(MakeView(Case(), false, true));
+  right->Update();
+  EXPECT_LT(outcome->score, group.score - itk::RegistrationVerdict::Thresholds().hypothesisGain);
+  EXPECT_NEAR(outcome->score, right->GetOutput()->GetGroup(JawEnum::Upper).score, 1e-3);
 }
 
 TEST(PoseViews, SameBitsForAnyNumberOfThreads)

@@ -24,7 +24,9 @@
 #include "itkDentalPhantomTracer.h"
 #include "itkJsonNumber.h"
 #include "itkMakeTriangleSurface.h"
+#include "itkMemoryFile.h"
 #include "itkOpenMeshMeshIO.h"
+#include "itkOutputFolder.h"
 #include "itkTextFile.h"
 
 #include "itkImageFileWriter.h"
@@ -40,50 +42,6 @@ namespace itk
 {
 namespace
 {
-/** Removes a folder of unfinished files unless it was moved away. */
-class TemporaryDirectory
-{
-public:
-  explicit TemporaryDirectory(const std::string & target)
-  {
-    // Beside the target, so that moving it is a rename.
-    for (unsigned int attempt = 0; attempt < 1000; ++attempt)
-    {
-      m_Path = target + ".part" + std::to_string(attempt);
-      std::error_code error;
-      if (std::filesystem::create_directory(m_Path, error))
-      {
-        return;
-      }
-      if (error)
-      {
-        itkDentalInputErrorMacro(target,
-                                 "",
-                                 "cannot be created: " + error.message(),
-                                 "name a folder whose parent exists and may be written to");
-      }
-    }
-    itkDentalInputErrorMacro(target, "", "too many unfinished folders beside it", "remove " + target + ".part*");
-  }
-  ~TemporaryDirectory()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(m_Path, ignored);
-  }
-  TemporaryDirectory(const TemporaryDirectory &) = delete;
-  TemporaryDirectory &
-  operator=(const TemporaryDirectory &) = delete;
-
-  const std::string &
-  GetPath() const
-  {
-    return m_Path;
-  }
-
-private:
-  std::string m_Path;
-};
-
 std::string
 Pair(const std::string & first, const std::string & second)
 {
@@ -366,15 +324,19 @@ DrawingText(const DentalPhantomCaseSource & source)
   return text;
 }
 
+template <typename TImage>
 void
-WriteImage(DentalPhantomCaseSource::ImageType * picture, const std::string & fileName)
+WriteImage(TImage * picture, const std::string & fileName)
 {
-  auto image = ImageFileWriter<DentalPhantomCaseSource::ImageType>::New();
-  image->SetImageIO(PNGImageIO::New());
-  image->SetFileName(fileName);
-  image->SetInput(picture);
-  image->UseCompressionOn();
-  image->Update();
+  // libpng ends the process on a full disk.
+  const MemoryFile memory;
+  auto             writer = ImageFileWriter<TImage>::New();
+  writer->SetImageIO(PNGImageIO::New());
+  writer->SetFileName(memory.GetName());
+  writer->SetInput(picture);
+  writer->UseCompressionOn();
+  writer->Update();
+  WriteFileAtomically(fileName, memory.GetContent());
 }
 
 std::string
@@ -406,38 +368,17 @@ DentalPhantomCaseWriter::Write()
   }
   m_CaseSource->Update();
 
-  const TemporaryDirectory temporary(target);
-  this->WriteFiles(temporary.GetPath());
-
-  std::error_code error;
-  if (!std::filesystem::exists(target))
+  const std::filesystem::path parent = std::filesystem::absolute(target).parent_path();
+  if (!std::filesystem::is_directory(parent))
   {
-    std::filesystem::rename(temporary.GetPath(), target, error);
+    itkDentalInputErrorMacro(target,
+                             "",
+                             "cannot be created: its parent is no folder",
+                             "name a folder whose parent exists and may be written to");
   }
-  else
-  {
-    std::filesystem::path last;
-    for (const auto & entry : std::filesystem::directory_iterator(temporary.GetPath()))
-    {
-      if (entry.path().filename() == "case.json")
-      {
-        last = entry.path();
-      }
-      else if (!error)
-      {
-        std::filesystem::rename(entry.path(), std::filesystem::path(target) / entry.path().filename(), error);
-      }
-    }
-    if (!error)
-    {
-      std::filesystem::rename(last, std::filesystem::path(target) / last.filename(), error);
-    }
-  }
-  if (error)
-  {
-    itkDentalInputErrorMacro(
-      target, "", "cannot be written: " + error.message(), "name a folder that may be written to");
-  }
+  OutputFolder folder(target);
+  this->WriteFiles(folder.GetStagingFolder());
+  folder.Publish("case.json");
 }
 
 void
@@ -579,12 +520,7 @@ DentalPhantomCaseWriter::WriteFiles(const std::string & directory)
     picture->SetRegions(ColourImageType::SizeType{ { 4u * m_PreviewSize, m_PreviewSize } });
     picture->Allocate();
     std::copy(bytes.begin(), bytes.end(), reinterpret_cast<unsigned char *>(picture->GetBufferPointer()));
-    auto writer = ImageFileWriter<ColourImageType>::New();
-    writer->SetImageIO(PNGImageIO::New());
-    writer->SetFileName(base + "preview.png");
-    writer->SetInput(picture);
-    writer->UseCompressionOn();
-    writer->Update();
+    WriteImage(picture.GetPointer(), base + "preview.png");
   }
 
   const auto &       drawn = source.GetAcquisition();

@@ -18,10 +18,9 @@
 #include "itkWritePicture.h"
 
 #include "itkImageFileWriter.h"
+#include "itkMemoryFile.h"
+#include "itkOutputFile.h"
 #include "itkPNGImageIO.h"
-
-#include <filesystem>
-#include <random>
 
 namespace itk
 {
@@ -36,29 +35,18 @@ WritePicture(const Image<RGBPixel<unsigned char>, 2> * picture, const std::strin
   {
     itkGenericExceptionMacro("The name of the picture's file is empty.");
   }
-  const std::filesystem::path target(fileName);
-  // In the same folder: renaming is atomic within a file system only.
-  std::random_device    device;
-  std::filesystem::path temporary = target;
-  temporary.replace_filename("." + target.filename().string() + "." + std::to_string(device()) + ".png");
-  std::error_code ignored;
-  try
-  {
-    using PictureType = Image<RGBPixel<unsigned char>, 2>;
-    auto writer = ImageFileWriter<PictureType>::New();
-    writer->SetImageIO(PNGImageIO::New());
-    writer->SetInput(picture);
-    writer->SetFileName(temporary.string());
-    writer->UseCompressionOn();
-    writer->Update();
-    std::filesystem::rename(temporary, target);
-  }
-  catch (const std::exception & error)
-  {
-    std::filesystem::remove(temporary, ignored);
-    const auto * exception = dynamic_cast<const ExceptionObject *>(&error);
-    itkGenericExceptionMacro("The picture \"" << fileName << "\" cannot be written: "
-                                              << (exception != nullptr ? exception->GetDescription() : error.what()));
-  }
+  // libpng ends the process on a full disk.
+  const MemoryFile memory;
+  using PictureType = Image<RGBPixel<unsigned char>, 2>;
+  auto writer = ImageFileWriter<PictureType>::New();
+  writer->SetImageIO(PNGImageIO::New());
+  writer->SetInput(picture);
+  writer->SetFileName(memory.GetName());
+  writer->UseCompressionOn();
+  writer->Update();
+  const std::string content = memory.GetContent();
+  OutputFile        file(fileName);
+  file.Write(content.data(), content.size());
+  file.Commit();
 }
 } // namespace itk

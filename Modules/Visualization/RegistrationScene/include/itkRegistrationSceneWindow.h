@@ -32,6 +32,8 @@
 
 namespace itk
 {
+class ScreenConnection;
+
 /** \class RegistrationSceneWindow
  * \brief Shows a scene with VTK: in a window, as a picture, or as a file for other programs.
  *
@@ -122,8 +124,9 @@ protected:
 private:
   void
   VerifyScene() const;
+  /** Throws unless it is open. */
   void
-  VerifyScreen() const;
+  VerifyScreen(const ScreenConnection & screen) const;
 
   RegistrationScene::ConstPointer m_Scene;
   std::string                     m_Camera{ "overview" };

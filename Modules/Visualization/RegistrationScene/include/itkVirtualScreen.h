@@ -48,9 +48,6 @@ public:
   /** "" where it is not on the PATH. */
   static std::string
   FindProgram();
-  /** Whether the X server that DISPLAY names answers. */
-  static bool
-  IsDisplayThere();
 
   /** ":99", the value that DISPLAY has meanwhile. */
   const std::string &

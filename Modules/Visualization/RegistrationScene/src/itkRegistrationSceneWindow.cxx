@@ -19,7 +19,7 @@
 
 #include "itkSceneRenderer.h"
 #include "itkSceneToVTK.h"
-#include "itkVirtualScreen.h"
+#include "itkScreenConnection.h"
 
 #include <vtkGLTFExporter.h>
 #include <vtkInteractorStyleTrackballCamera.h>
@@ -216,9 +216,9 @@ RegistrationSceneWindow::VerifyScene() const
 }
 
 void
-RegistrationSceneWindow::VerifyScreen() const
+RegistrationSceneWindow::VerifyScreen(const ScreenConnection & screen) const
 {
-  if (!VirtualScreen::IsDisplayThere())
+  if (!screen.IsOpen())
   {
     itkExceptionMacro(
       "There is no screen: no X server answers at DISPLAY. Write a picture on a VirtualScreen, or export "
@@ -254,7 +254,8 @@ RegistrationSceneWindow::WriteSnapshot(const std::string & fileName) const
   }
   SceneRenderer renderer(*m_Scene, m_ShowLegend);
   renderer.SetCamera(m_Camera, static_cast<double>(m_Size[0]) / m_Size[1]);
-  this->VerifyScreen();
+  const ScreenConnection screen;
+  this->VerifyScreen(screen);
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
@@ -319,7 +320,8 @@ RegistrationSceneWindow::Show() const
   SceneRenderer renderer(*m_Scene, m_ShowLegend);
   const double  aspect = static_cast<double>(m_Size[0]) / m_Size[1];
   renderer.SetCamera(m_Camera, aspect);
-  this->VerifyScreen();
+  const ScreenConnection screen;
+  this->VerifyScreen(screen);
 
   const auto  cameras = this->GetCameras();
   std::string help;

@@ -29,8 +29,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <X11/Xlib.h>
-
 namespace itk
 {
 namespace
@@ -54,18 +52,6 @@ VirtualScreen::FindProgram()
     }
   }
   return "";
-}
-
-bool
-VirtualScreen::IsDisplayThere()
-{
-  Display * const display = XOpenDisplay(nullptr);
-  if (display == nullptr)
-  {
-    return false;
-  }
-  XCloseDisplay(display);
-  return true;
 }
 
 VirtualScreen::VirtualScreen(unsigned int width, unsigned int height)

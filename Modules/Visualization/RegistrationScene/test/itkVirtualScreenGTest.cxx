@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkVirtualScreen.h"
 
+#include "itkScreenConnection.h"
+
 #include "gtest/gtest.h"
 
 #include <cerrno>
@@ -54,7 +56,7 @@ TEST(VirtualScreen, AnswersWhileItLivesAndIsGoneAfterwards)
     GTEST_SKIP() << "Xvfb is not installed";
   }
   const Variable display("DISPLAY", ":no-such-display");
-  EXPECT_FALSE(itk::VirtualScreen::IsDisplayThere());
+  EXPECT_FALSE(itk::ScreenConnection().IsOpen());
   long process = 0;
   {
     const itk::VirtualScreen screen(320, 200);
@@ -63,7 +65,7 @@ TEST(VirtualScreen, AnswersWhileItLivesAndIsGoneAfterwards)
     // Again and again: the server does not turn away who comes after its last client has gone.
     for (unsigned int i = 0; i < 20; ++i)
     {
-      EXPECT_TRUE(itk::VirtualScreen::IsDisplayThere());
+      EXPECT_TRUE(itk::ScreenConnection().IsOpen());
     }
     EXPECT_EQ(kill(static_cast<pid_t>(process), 0), 0);
   }

@@ -15,41 +15,26 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef itkMappedFile_h
-#define itkMappedFile_h
+#ifndef itkTemporaryName_h
+#define itkTemporaryName_h
 
-#include <cstddef>
 #include <string>
 
 namespace itk
 {
-/** \class MappedFile
- * \brief The bytes of a file, mapped read-only where it can be. Throws a SurfaceMeshFileError for what is no readable
- * file with something in it. */
-class MappedFile
-{
-public:
-  explicit MappedFile(const std::string & fileName);
-  ~MappedFile();
-  MappedFile(const MappedFile &) = delete;
-  MappedFile &
-  operator=(const MappedFile &) = delete;
+/** A name in a folder that no other temporary has. It is short whatever it stands for: a name of 250 characters can be
+ * written, too. */
+std::string
+MakeTemporaryName(const std::string & folder);
 
-  const char *
-  GetData() const
-  {
-    return m_Data;
-  }
-  std::size_t
-  GetSize() const
-  {
-    return m_Size;
-  }
+/** Locks what a temporary is, a file or a folder, for as long as the descriptor is open.
+ * \return whether it is still there: a sweep may have found it before it was locked */
+bool
+LockTemporary(int descriptor);
 
-private:
-  const char * m_Data{ nullptr };
-  std::size_t  m_Size{ 0 };
-};
+/** Removes the temporaries in a folder that no process has locked: those that killed runs have left. */
+void
+SweepTemporaries(const std::string & folder);
 } // namespace itk
 
 #endif

@@ -1,0 +1,241 @@
+"""Images made to break their decoders: an error in words, within seconds and 1 GB, whatever the decoder does. Those that
+need one run it in a process of its own (dentalscr-decode, Documentation/Robustness.md)."""
+import io
+import pathlib
+import random
+import resource
+import shutil
+import struct
+import subprocess
+import time
+import zlib
+
+import pytest
+
+
+def bitmap(compression=1, bits=8, width=64, height=64, data=b""):
+    offset = 54 + 1024
+    palette = b"".join(bytes((i, i, i, 0)) for i in range(256))
+    head = b"BM" + struct.pack("<IHHI", offset + len(data), 0, 0, offset)
+    info = struct.pack("<IiiHHIIiiII", 40, width, height, 1, bits, compression, len(data), 2835, 2835, 256, 0)
+    return head + info + palette + data
+
+
+def png(width, height, rows=None):
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    packer = zlib.compressobj(9)
+    data = b""
+    for _ in range(height if rows is None else rows):
+        data += packer.compress(bytes(width + 1))
+    data += packer.flush()
+    head = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
+
+
+def element(group, number, kind, value):
+    value += b" " * (len(value) % 2) if kind != b"OB" else b"\0" * (len(value) % 2)
+    if kind in (b"OB", b"OW", b"SQ"):
+        return struct.pack("<HH", group, number) + kind + struct.pack("<HI", 0, len(value)) + value
+    return struct.pack("<HH", group, number) + kind + struct.pack("<H", len(value)) + value
+
+
+def dicom(rows, columns, pixels, syntax=b"1.2.840.10008.1.2.1", behind=b"", bits=8):
+    meta = element(2, 2, b"UI", b"1.2.840.10008.5.1.4.1.1.1") + element(2, 3, b"UI", b"1.2.3") + element(2, 0x10, b"UI", syntax)
+    meta = element(2, 0, b"UL", struct.pack("<I", len(meta))) + meta
+    short = lambda number: struct.pack("<H", number)
+    image = element(8, 0x16, b"UI", b"1.2.840.10008.5.1.4.1.1.1") + element(8, 0x18, b"UI", b"1.2.3") + element(8, 0x60, b"CS", b"DX")
+    image += element(0x28, 2, b"US", short(1)) + element(0x28, 4, b"CS", b"MONOCHROME2")
+    image += element(0x28, 0x10, b"US", short(rows)) + element(0x28, 0x11, b"US", short(columns))
+    image += element(0x28, 0x100, b"US", short(bits)) + element(0x28, 0x101, b"US", short(bits))
+    image += element(0x28, 0x102, b"US", short(bits - 1)) + element(0x28, 0x103, b"US", short(0))
+    if syntax == b"1.2.840.10008.1.2.1":
+        data = element(0x7FE0, 0x10, b"OW", pixels)
+    else:
+        item = lambda content: struct.pack("<HHI", 0xFFFE, 0xE000, len(content)) + content
+        pixels += b"\0" * (len(pixels) % 2)
+        data = struct.pack("<HH", 0x7FE0, 0x10) + b"OB" + struct.pack("<HI", 0, 0xFFFFFFFF)
+        data += item(b"") + item(pixels) + struct.pack("<HHI", 0xFFFE, 0xE0DD, 0)
+    return bytes(128) + b"DICM" + meta + image + data + behind
+
+
+def jpeg2000(width, height):
+    image = pytest.importorskip("PIL.Image")
+    stream = io.BytesIO()
+    image.new("L", (width, height), 77).save(stream, "JPEG2000", no_jp2=True)
+    return stream.getvalue()
+
+
+J2K = b"1.2.840.10008.1.2.4.90"
+
+# From bytes to a file's name, and whether the file is refused.
+HOSTILE = {
+    "RLE8 that writes behind its row": ("a.bmp", lambda: bitmap(data=b"\xff\x07" * 400)),
+    "RLE8 that jumps out": ("a.bmp", lambda: bitmap(data=b"\x00\x02\xff\xff" * 400 + b"\x00\xff" + b"\x07" * 300)),
+    "RLE8 without an end": ("a.bmp", lambda: bitmap(data=b"\x00\xfe")),
+    "BMP of 2 billion pixels": ("a.bmp", lambda: bitmap(compression=0, width=46000, height=46000, data=bytes(100))),
+    "NRRD with a long header word": ("a.nrrd", lambda: b"NRRD0004\ntype: " + b"x" * 100000 + b"\ndimension: 2\n\n"),
+    "NRRD with a long kind": (
+        "a.nrrd",
+        lambda: b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 9 9\nkinds: " + b"k" * 5000 + b" x\nencoding: raw\n\n" + bytes(81),
+    ),
+    "NRRD of a petabyte": ("a.nrrd", lambda: b"NRRD0004\ntype: double\ndimension: 2\nsizes: 9000000 9000000\nencoding: gzip\n\nx"),
+    "NRRD bomb": (
+        "a.nrrd",
+        lambda: b"NRRD0004\ntype: double\ndimension: 3\nsizes: 8192 8192 8\nencoding: gzip\nendian: little\n\n"
+        + zlib.compressobj(9, zlib.DEFLATED, 31).compress(bytes(1 << 20)),
+    ),
+    "DICOM with bytes behind the pixels": ("a.dcm", lambda: dicom(8, 8, bytes(64), behind=b"\xfe\xff\x0d\xe0\xff\xff\xff\x7f" * 9)),
+    "DICOM of JPEG 2000 larger than it says": ("a.dcm", lambda: dicom(8, 8, jpeg2000(2000, 2000), J2K)),
+    "DICOM of JPEG 2000 that takes gigabytes": (
+        "a.dcm",
+        # The size in its header, and nothing that would fill it.
+        lambda: dicom(65535, 1000, (lambda j: j[:8] + struct.pack(">II", 60000, 60000) + j[16:24] + struct.pack(">II", 60000, 60000) + j[32:])(jpeg2000(64, 64)), J2K),
+    ),
+    "two bytes": ("a.jpg", lambda: b"\xff\xd8"),
+    "JPEG signature": ("a.jpg", lambda: b"\xff\xd8\xff"),
+    "PNG signature": ("a.png", lambda: b"\x89PNG\r\n\x1a\n"),
+    "PNG of 30000 x 30000": ("a.png", lambda: png(30000, 30000, 200)),
+    "TIFF of nothing": ("a.tif", lambda: b"II*\0\x08\0\0\0\0\0"),
+    "MetaImage that names another's file": (
+        "a.mha",
+        lambda: b"ObjectType = Image\nNDims = 2\nDimSize = 8 8\nElementType = MET_UCHAR\nElementDataFile = ../../../../etc/passwd\n",
+    ),
+    "MetaImage that names a file of the root": (
+        "a.mhd",
+        lambda: b"ObjectType = Image\nNDims = 2\nDimSize = 8 8\nElementType = MET_UCHAR\nElementDataFile = /etc/passwd\n",
+    ),
+    "NRRD that names another's file": (
+        "a.nhdr",
+        lambda: b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 8 8\nencoding: raw\ndata file: /etc/passwd\n\n",
+    ),
+    "NRRD that lists files": (
+        "a.nhdr",
+        lambda: b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 8 8\nencoding: raw\ndata file: LIST\n/etc/passwd\n\n",
+    ),
+}
+
+
+def limited():
+    # Of the program and of its decoder each. Two and a half GiB of addresses are far less than 1 GB of memory in use.
+    resource.setrlimit(resource.RLIMIT_AS, (5 << 29, 5 << 29))
+
+
+def read(program, *arguments):
+    start = time.monotonic()
+    done = subprocess.run(
+        [str(program), *map(str, arguments), "--quiet"], capture_output=True, text=True, timeout=120, preexec_fn=limited
+    )
+    return done, time.monotonic() - start
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_hostile_image_is_an_error(program, case, tmp_path, name):
+    file_name, make = HOSTILE[name]
+    image = case.folder / file_name
+    image.write_bytes(make())
+    case.change(cephalogram=dict(case.load()["cephalogram"], image=file_name))
+    for arguments in (
+        ("register", case.file, "--output", tmp_path / "out"),
+        ("contour", "--labels", image, "--output", tmp_path / "out"),
+    ):
+        done, seconds = read(program, *arguments)
+        # What a decoder makes a picture of all the same is a picture, of the wrong size for this case and without a label.
+        assert done.returncode == 2, (done.returncode, done.stderr)
+        assert file_name in done.stderr or "the image is 8 x 8" in done.stderr, done.stderr
+        assert seconds < 30
+    used = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+    assert used < 1 << 20, f"{used} KiB"
+
+
+def test_a_pipe_beside_a_header_is_not_waited_for(program, case, tmp_path):
+    import os
+
+    os.mkfifo(case.folder / "a.raw")
+    for file_name, header in {
+        "a.mhd": b"ObjectType = Image\nNDims = 2\nDimSize = 8 8\nElementType = MET_UCHAR\nElementDataFile = a.raw\n",
+        "a.nhdr": b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 8 8\nencoding: raw\ndata file: a.raw\n\n",
+    }.items():
+        (case.folder / file_name).write_bytes(header)
+        done, seconds = read(program, "contour", "--labels", case.folder / file_name, "--output", tmp_path / "out")
+        assert done.returncode == 2 and "a.raw" in done.stderr and seconds < 10, done.stderr
+
+
+def test_detached_pixels_beside_their_header_are_read(program, tmp_path):
+    labels = bytes(11 if 10 < x < 40 and 10 < y < 40 else 0 for y in range(50) for x in range(50))
+    (tmp_path / "a.raw").write_bytes(labels)
+    (tmp_path / "a.mhd").write_bytes(
+        b"ObjectType = Image\nNDims = 2\nBinaryData = True\nDimSize = 50 50\nElementType = MET_UCHAR\nElementDataFile = a.raw\n"
+    )
+    (tmp_path / "a.nhdr").write_bytes(
+        b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 50 50\nencoding: raw\ndata file: a.raw\n\n"
+    )
+    for name in ("a.mhd", "a.nhdr"):
+        done, _ = read(program, "contour", "--labels", tmp_path / name, "--output", tmp_path / (name + ".json"))
+        assert done.returncode == 0, done.stderr
+
+
+def seeds(case):
+    nrrd = b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 32 32\nencoding: raw\n\n" + bytes(range(256)) * 4
+    mha = b"ObjectType = Image\nNDims = 2\nBinaryData = True\nDimSize = 32 32\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + bytes(range(256)) * 4
+    found = {
+        "a.nrrd": nrrd,
+        "a.mha": mha,
+        "a.dcm": dicom(32, 32, bytes(range(256)) * 4),
+        "a.bmp": bitmap(compression=1, width=32, height=32, data=(b"\x20\x07\x00\x00" * 32) + b"\x00\x01"),
+        "b.bmp": bitmap(compression=0, width=32, height=32, data=bytes(range(256)) * 4),
+    }
+    return found
+
+
+def test_mutants_of_images_never_end_the_program(program, case, tmp_path):
+    """A few of each kind; Utilities/fuzz.sh has as many as there is time for."""
+    random.seed(20)
+    for name, data in seeds(case).items():
+        for k in range(12):
+            mutant = bytearray(data)
+            for _ in range(random.choice((1, 3, 20))):
+                mutant[random.randrange(len(mutant) if k % 2 else min(len(mutant), 400))] = random.randrange(256)
+            if k % 5 == 4:
+                del mutant[random.randrange(len(mutant)) :]
+            image = tmp_path / name
+            image.write_bytes(mutant)
+            done, seconds = read(program, "contour", "--labels", image, "--output", tmp_path / "out.json")
+            assert done.returncode in (0, 2) and seconds < 30, (name, k, done.returncode, done.stderr)
+
+
+def test_a_missing_decoder_is_told(program, case, tmp_path, build_dir):
+    """Nothing is decoded in the program itself when its decoder is missing."""
+    image = tmp_path / "a.bmp"
+    image.write_bytes(seeds(case)["b.bmp"])
+    decoder = build_dir / "bin" / "dentalscr-decode"
+    away = decoder.with_name("dentalscr-decode-away")
+    decoder.rename(away)
+    try:
+        done, _ = read(program, "contour", "--labels", image, "--output", tmp_path / "out.json")
+    finally:
+        away.rename(decoder)
+    assert done.returncode == 2 and "dentalscr-decode" in done.stderr, done.stderr
+
+
+def test_a_bomb_in_a_scan_is_an_error(program, tmp_path):
+    """1 MB of zlib that becomes 1 GB."""
+    import base64
+
+    block = 16 << 20
+    packed = zlib.compress(bytes(block), 9)
+    blocks = 64
+    head = struct.pack(f"<{3 + blocks}I", blocks, block, block, *[len(packed)] * blocks)
+    points = base64.b64encode(head) + base64.b64encode(packed * blocks)
+    count = block * blocks // 12
+    scan = tmp_path / "bomb.vtp"
+    scan.write_bytes(
+        b'<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32" compressor="vtkZLibDataCompressor">'
+        b'<PolyData><Piece NumberOfPoints="%d" NumberOfPolys="1"><Points><DataArray type="Float32" NumberOfComponents="3" '
+        b'format="binary">%s</DataArray></Points><Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2'
+        b'</DataArray><DataArray type="Int32" Name="offsets" format="ascii">3</DataArray></Polys></Piece></PolyData></VTKFile>'
+        % (count, points)
+    )
+    done, seconds = read(program, "axis", "--upper", scan, "--output", tmp_path / "out")
+    assert done.returncode == 2 and "512 MiB when unpacked" in done.stderr and seconds < 20, done.stderr
