@@ -22,6 +22,7 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
+#include "itkDrawingFile.h"
 #include "itkReadDrawings.h"
 #include "itkTextFile.h"
 #include "itkTracingPage.h"
@@ -32,14 +33,24 @@
 
 #include <nlohmann/json.hpp>
 
+#include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <iterator>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
+#include <tuple>
+#include <utility>
 
-#include <pthread.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
 
 namespace dentalscr
 {
@@ -114,52 +125,98 @@ GoOnWith(const std::string & fileName, std::string & drawn)
   }
 }
 
-/** One of the two drawings, as a person may read it. */
-void
-Write(const Json & drawing, const std::string & fileName)
+/** One of the two drawings, as a person may read it; "" where it is not drawn. */
+std::string
+ToText(const Json & drawings, const char * name)
 {
-  if (!fileName.empty() && drawing.is_object())
-  {
-    itk::WriteFileAtomically(fileName, drawing.dump(1) + '\n');
-  }
+  const auto found = drawings.find(name);
+  return found != drawings.end() && found->is_object() ? found->dump(1) + '\n' : std::string();
 }
 
-/** Interrupts wait for a thread that is there for them: what ends a server may not be done in a handler. Threads that
- * are started while this lives, and only they, leave interrupts alone as well: it comes before all others. */
-class HeldInterrupts
+/** A signal that asks the program to end is told to a thread, since what ends a server may not be done in a handler.
+ * The second one ends the program at once. One at a time. */
+class EndOnSignal
 {
 public:
-  HeldInterrupts()
+  explicit EndOnSignal(std::function<void()> end)
   {
-    sigemptyset(&m_Signals);
-    sigaddset(&m_Signals, SIGINT);
-    sigaddset(&m_Signals, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &m_Signals, &m_Before);
+    if (pipe2(s_Pipe, O_CLOEXEC | O_NONBLOCK) != 0)
+    {
+      itkGenericExceptionMacro("A pipe can't be made: " << std::strerror(errno));
+    }
+    for (std::size_t i = 0; i < std::size(Signals); ++i)
+    {
+      struct sigaction action
+      {};
+      action.sa_handler = Handle;
+      sigemptyset(&action.sa_mask);
+      action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+      sigaction(Signals[i], nullptr, &m_Before[i]);
+      // Who starts a program with nohup wants it to go on without a terminal.
+      if (m_Before[i].sa_handler != SIG_IGN)
+      {
+        sigaction(Signals[i], &action, nullptr);
+      }
+    }
+    m_Waiter = std::thread([this, end = std::move(end)]() {
+      pollfd wanted{ s_Pipe[0], POLLIN, 0 };
+      while (poll(&wanted, 1, -1) < 0 && errno == EINTR)
+      {}
+      if (!m_IsOver)
+      {
+        end();
+      }
+    });
   }
-  ~HeldInterrupts() { pthread_sigmask(SIG_SETMASK, &m_Before, nullptr); }
-  HeldInterrupts(const HeldInterrupts &) = delete;
-  HeldInterrupts &
-  operator=(const HeldInterrupts &) = delete;
-
-  void
-  Wait() const
+  ~EndOnSignal()
   {
-    int received = 0;
-    sigwait(&m_Signals, &received);
+    for (std::size_t i = 0; i < std::size(Signals); ++i)
+    {
+      sigaction(Signals[i], &m_Before[i], nullptr);
+    }
+    m_IsOver = true;
+    Handle(0);
+    m_Waiter.join();
+    close(s_Pipe[0]);
+    close(s_Pipe[1]);
   }
+  EndOnSignal(const EndOnSignal &) = delete;
+  EndOnSignal &
+  operator=(const EndOnSignal &) = delete;
 
 private:
-  sigset_t m_Signals{};
-  sigset_t m_Before{};
+  /** Those that mean: please end. A terminal that is closed is one of them. */
+  static constexpr int Signals[] = { SIGINT, SIGTERM, SIGHUP };
+
+  static void
+  Handle(int)
+  {
+    const int                   before = errno;
+    const char                  byte = 0;
+    [[maybe_unused]] const auto written = write(s_Pipe[1], &byte, 1);
+    errno = before;
+  }
+
+  static inline int s_Pipe[2]{ -1, -1 };
+  struct sigaction  m_Before[std::size(Signals)];
+  std::atomic<bool> m_IsOver{ false };
+  std::thread       m_Waiter;
 };
 
 int
 Trace(const TraceOptions & options, const CommonOptions & common)
 {
-  const HeldInterrupts interrupts;
-  itk::DentalCase      description = ReadCase(options);
-  const bool           hasScans = !description.upperFile.empty() || !description.lowerFile.empty();
-  itk::DentalCase      drawn = description;
+  if (!options.output.empty() &&
+      fs::u8path(options.output).lexically_normal() == fs::u8path(options.landmarks).lexically_normal())
+  {
+    itkDentalInputErrorMacro("command line",
+                             "--landmarks",
+                             "is the file of --output, and one would overwrite the other",
+                             "give the landmarks a file of their own");
+  }
+  itk::DentalCase description = ReadCase(options);
+  const bool      hasScans = !description.upperFile.empty() || !description.lowerFile.empty();
+  itk::DentalCase drawn = description;
   GoOnWith(options.output, drawn.contoursFile);
   if (drawn.contoursFile == options.output && !options.output.empty())
   {
@@ -187,6 +244,8 @@ Trace(const TraceOptions & options, const CommonOptions & common)
     description.upperLabelsFile.clear();
     description.lowerLabelsFile.clear();
   }
+  itk::DrawingFile                                 contoursFile(options.output);
+  itk::DrawingFile                                 landmarksFile(options.landmarks);
   const std::shared_ptr<const itk::DentalCaseData> data = itk::LoadDentalCase(description);
   for (const std::string & warning : data->warnings)
   {
@@ -216,6 +275,7 @@ Trace(const TraceOptions & options, const CommonOptions & common)
   content.canRegister = hasScans;
   content.contoursFile = fs::path(options.output).filename().string();
   content.landmarksFile = fs::path(options.landmarks).filename().string();
+  content.savesItself = !contoursFile.WasThere() && !landmarksFile.WasThere();
 
   itk::TracingServer                   server;
   std::unique_ptr<itk::TracingSession> session;
@@ -225,31 +285,59 @@ Trace(const TraceOptions & options, const CommonOptions & common)
       data, common.threads > 0 ? common.threads : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
     server.SetRegister([&session](const std::string & drawings) { return session->Register(drawings); });
   }
+  // What is saved is what a page that is loaded again goes on with.
+  std::mutex contentMutex;
   if (!options.output.empty() || !options.landmarks.empty())
   {
     server.SetSave([&](const std::string & drawings) {
       // What is refused later, by register, is better refused now.
       itk::TracingSession::Verify(drawings, data->imageSize);
-      const Json json = Json::parse(drawings);
-      Write(json.value("contours", Json()), options.output);
-      Write(json.value("landmarks", Json()), options.landmarks);
-      return Json{ { "saved", { content.contoursFile, content.landmarksFile } } }.dump();
+      const Json                        json = Json::parse(drawings);
+      const std::string                 contours = ToText(json, "contours");
+      const std::string                 landmarks = ToText(json, "landmarks");
+      const std::lock_guard<std::mutex> lock(contentMutex);
+      contoursFile.Verify();
+      landmarksFile.Verify();
+      Json saved = Json::array();
+      for (const auto & [file, text, kept, name] :
+           { std::tie(contoursFile, contours, content.contours, content.contoursFile),
+             std::tie(landmarksFile, landmarks, content.landmarks, content.landmarksFile) })
+      {
+        if (!text.empty() && !name.empty())
+        {
+          file.Save(text);
+          kept = text;
+          saved.push_back(name);
+        }
+      }
+      return Json{ { "saved", saved } }.dump();
     });
   }
-  server.SetPage(itk::MakeTracingPage(content));
+  server.SetPage([&](unsigned int number) {
+    const std::lock_guard<std::mutex> lock(contentMutex);
+    content.number = number;
+    return itk::MakeTracingPage(content);
+  });
   server.Bind(options.port);
+  // Before the address: who has read it may ask for the end at once.
+  const EndOnSignal end([&]() {
+    server.Stop();
+    if (session)
+    {
+      session->Abort();
+    }
+  });
   // Said also when all else is quiet: without it nobody finds the page.
   std::cout << server.GetAddress() << std::endl;
   if (!common.quiet)
   {
-    std::cerr << "Open this address in a browser on this machine. Ctrl-C ends it." << std::endl;
+    std::cerr << "Open this address in a browser on this machine. To end, close the page or press Ctrl-C." << std::endl;
   }
-  std::thread waiter([&]() {
-    interrupts.Wait();
-    server.Stop();
-  });
-  server.Run();
-  waiter.join();
+  const bool isClosed = server.Run();
+  if (isClosed && !common.quiet)
+  {
+    std::cerr << "The page was closed." << std::endl;
+  }
   return AllRegistered;
 }
 } // namespace
@@ -273,7 +361,8 @@ AddTraceCommand(CLI::App & program, const CommonOptions & common, RunFunction & 
   options->fields.AddTo(command);
   command->footer(
     "The page is answered on this machine alone, at an address that nobody can guess; only the files named by\n"
-    "--output and --landmarks are written, when you save. Without them the page downloads what is drawn.\n"
+    "--output and --landmarks are written, when you save, or after every change where neither is there yet. Without\n"
+    "them the page downloads what is drawn. The program ends when the page is closed, or by Ctrl-C.\n"
     "Examples:\n"
     "  dentalscr trace ceph.png --output contours.json --landmarks landmarks.json\n"
     "  dentalscr trace ceph.png --upper upper.stl --lower lower.stl --output contours.json\n"

@@ -32,7 +32,11 @@ namespace itk
  * It listens on 127.0.0.1, at a port that the system chooses unless one is asked for, and answers under a path that
  * nobody can guess (128 random bits). A browser that was sent here by another page, under another name of this machine
  * (DNS rebinding) or with a request that another page could make (no JSON, or a foreign origin) is refused. There is
- * nothing to be had but the page, and nothing to be sent but what the two functions below take.
+ * nothing to be had but the page, and nothing to be sent but what the functions below take.
+ *
+ * One page is answered at a time, the one that was loaded last: two windows that draw on one radiograph would overwrite
+ * what the other one saved. A page that is closed says so, and where none is loaded within a few seconds the server
+ * ends.
  *
  * \ingroup Tracing
  */
@@ -41,6 +45,9 @@ class Tracing_EXPORT TracingServer
 public:
   /** Takes the text of a request, returns that of the answer, JSON both. What it throws is told to the page. */
   using FunctionType = std::function<std::string(const std::string &)>;
+  /** Makes the page, HTML. It has to know its number: its requests are POSTs to NUMBER/register, NUMBER/save and
+   * NUMBER/closed beside it. */
+  using PageFunctionType = std::function<std::string(unsigned int number)>;
 
   TracingServer();
   ~TracingServer();
@@ -48,8 +55,9 @@ public:
   TracingServer &
   operator=(const TracingServer &) = delete;
 
+  /** Called at each time that the page is loaded. */
   void
-  SetPage(const std::string & page);
+  SetPage(PageFunctionType function);
   /** Where one is not set, the page is told that there is none. */
   void
   SetRegister(FunctionType function);
@@ -64,8 +72,9 @@ public:
   std::string
   GetAddress() const;
 
-  /** Answers until Stop(), which may be called from another thread. */
-  void
+  /** Answers until Stop(), which may be called at any time and from another thread, or until the page was closed.
+   * \return whether the page was closed */
+  bool
   Run();
   void
   Stop();

@@ -21,20 +21,23 @@
 #include "TracingExport.h"
 #include "itkDentalCaseData.h"
 
+#include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <string>
 
 namespace itk
 {
+class CaseRegistration;
 class CrownDraftSource;
 
 /** \class TracingSession
  * \brief Registers a case again and again while somebody draws on its radiograph.
  *
- * The scans are read once. Each time what is drawn is read by the readers that read it from files, and registered by
- * CaseRegistration as the verb register does: what a session says is what the saved files give. Calls wait for each
- * other; the session may be used from any thread.
+ * The scans are read once, and one CaseRegistration keeps what depends on them alone. Each time what is drawn is read
+ * by the readers that read it from files, and registered as the verb register does: what a session says is what the
+ * saved files give. Calls wait for each other; the session may be used from any thread.
  *
  * \ingroup Tracing
  */
@@ -51,9 +54,14 @@ public:
   /** \param drawings JSON: {"contours": contours.json or null, "landmarks": cephalometric landmarks or null}
    *  \return JSON: status, findings, residuals, sigmas, predicted landmarks and drafts of the crowns
    *
-   * Throws DentalInputError for what cannot be registered, under the names "contours" and "landmarks". */
+   * Throws DentalInputError for what cannot be registered, under the names "contours" and "landmarks", and
+   * ProcessAborted after Abort(). */
   std::string
   Register(const std::string & drawings);
+
+  /** Ends the registration that runs, and all later ones: whoever waits for them is leaving. From any thread. */
+  void
+  Abort();
 
   /** Throws DentalInputError where the readers of the toolkit would refuse what is drawn. `imageSize` is the
    * radiograph's, width and height. */
@@ -62,8 +70,9 @@ public:
 
 private:
   std::mutex                              m_Mutex;
+  std::atomic<bool>                       m_IsAborted{ false };
   std::shared_ptr<const DentalCaseData>   m_Data;
-  unsigned int                            m_NumberOfThreads;
+  SmartPointer<CaseRegistration>          m_Registration;
   std::unique_ptr<const CrownDraftSource> m_Drafts;
 };
 } // namespace itk

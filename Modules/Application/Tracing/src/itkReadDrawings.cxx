@@ -125,6 +125,11 @@ ReadLandmarks(const DentalCaseData & data, const DentalCase & description)
   if (!description.cephalometricLandmarksFile.empty())
   {
     const Json own = ReadObject(description.cephalometricLandmarksFile);
+    if (own.is_object() && own.empty())
+    {
+      // All of them were deleted on the page before.
+      return "";
+    }
     const auto isPlace = [](const Json & value) {
       return value.is_array() || (value.is_object() && value.contains("position")) || value.is_null();
     };

@@ -27,9 +27,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <exception>
+#include <mutex>
+#include <optional>
 #include <random>
+#include <thread>
 #include <utility>
 
 namespace itk
@@ -42,6 +47,9 @@ using AnswerType = TracingTransport::AnswerType;
 constexpr char Host[] = "127.0.0.1";
 constexpr char Scheme[] = "http://";
 constexpr char JsonType[] = "application/json";
+constexpr char HtmlType[] = "text/html; charset=utf-8";
+/** What a page takes that is loaded again. */
+constexpr std::chrono::seconds Farewell{ 5 };
 /** A tracing of all teeth has a hundred kB. */
 constexpr std::size_t LargestRequest = std::size_t{ 8 } << 20;
 
@@ -86,12 +94,21 @@ MakeError(int status, const std::string & text)
 class TracingServer::Implementation
 {
 public:
+  using ClockType = std::chrono::steady_clock;
+
   std::unique_ptr<TracingTransport> transport{ MakeTransport() };
   std::string                       token{ MakeToken() };
-  std::string                       page;
+  PageFunctionType                  page;
   FunctionType                      registerDrawings;
   FunctionType                      save;
   int                               port{ 0 };
+  std::mutex                        mutex;
+  std::condition_variable           changed;
+  /** The number of the page that was loaded last. */
+  unsigned int number{ 0 };
+  /** When that one was closed; nothing while it is open. */
+  std::optional<ClockType::time_point> closed;
+  bool                                 hasEnded{ false };
 
   std::string
   GetAuthority() const
@@ -111,35 +128,115 @@ public:
   }
 
   AnswerType
-  Answer(const RequestType & request) const
+  Answer(const RequestType & request)
   {
     if (!this->IsOwn(request))
     {
-      return MakeError(403, "only the page itself is answered");
+      return MakeError(403,
+                       "only the page itself is answered, under the address that the program has printed: type it, or "
+                       "paste it, into the browser's own line");
     }
     const std::string root = '/' + token + '/';
-    if (request.method == "GET" && request.path == root)
+    if (request.path.rfind(root, 0) != 0)
     {
-      return { 200, "text/html; charset=utf-8", page };
+      return MakeError(404, "there is nothing here: the address is not the one that the program has printed");
     }
-    if (request.method == "POST" && request.path == root + "register" && registerDrawings)
+    const std::string what = request.path.substr(root.size());
+    if (request.method == "GET" && what.empty() && page)
     {
-      return this->Call(registerDrawings, request.body);
+      const unsigned int own = this->Open();
+      return this->Call([this, own](const std::string &) { return page(own); }, "", HtmlType);
     }
-    if (request.method == "POST" && request.path == root + "save" && save)
+    const std::size_t slash = what.find('/');
+    if (request.method != "POST" || slash == std::string::npos)
     {
-      return this->Call(save, request.body);
+      return MakeError(404, "there is nothing here");
     }
-    return MakeError(404, "there is nothing here");
+    const std::string sender = what.substr(0, slash);
+    const std::string verb = what.substr(slash + 1);
+    const bool        isLast = this->IsLast(sender);
+    if (verb == "closed")
+    {
+      if (isLast)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        closed = ClockType::now();
+        changed.notify_all();
+      }
+      return { 200, JsonType, "{}" };
+    }
+    const FunctionType & function = verb == "register" ? registerDrawings : verb == "save" ? save : nothing;
+    if (!function)
+    {
+      return MakeError(404, "there is nothing here");
+    }
+    if (!isLast)
+    {
+      return MakeError(409, "this radiograph was opened in another window since: go on there, or load this page again");
+    }
+    return this->Call(function, request.body, JsonType);
+  }
+
+  /** Waits until the page has been closed for long enough, or until End(). \return the former */
+  bool
+  WaitForFarewell()
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    while (!hasEnded)
+    {
+      if (!closed)
+      {
+        changed.wait(lock);
+      }
+      else if (ClockType::now() >= *closed + Farewell)
+      {
+        return true;
+      }
+      else
+      {
+        changed.wait_until(lock, *closed + Farewell);
+      }
+    }
+    return false;
+  }
+
+  void
+  End()
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    hasEnded = true;
+    changed.notify_all();
   }
 
 private:
-  AnswerType
-  Call(const FunctionType & function, const std::string & body) const
+  const FunctionType nothing;
+
+  unsigned int
+  Open()
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    closed.reset();
+    changed.notify_all();
+    return ++number;
+  }
+
+  bool
+  IsLast(const std::string & sender)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return number > 0 && sender == std::to_string(number);
+  }
+
+  static AnswerType
+  Call(const FunctionType & function, const std::string & body, const char * type)
   {
     try
     {
-      return { 200, JsonType, function(body) };
+      return { 200, type, function(body) };
+    }
+    catch (const ProcessAborted &)
+    {
+      return MakeError(503, "the program is ending");
     }
     catch (const DentalInputError & error)
     {
@@ -167,9 +264,9 @@ TracingServer::TracingServer()
 TracingServer::~TracingServer() = default;
 
 void
-TracingServer::SetPage(const std::string & page)
+TracingServer::SetPage(PageFunctionType function)
 {
-  m_Implementation->page = page;
+  m_Implementation->page = std::move(function);
 }
 
 void
@@ -203,10 +300,22 @@ TracingServer::GetAddress() const
   return Scheme + m_Implementation->GetAuthority() + '/' + m_Implementation->token + '/';
 }
 
-void
+bool
 TracingServer::Run()
 {
-  m_Implementation->transport->Listen();
+  Implementation & own = *m_Implementation;
+  bool             isClosed = false;
+  std::thread      watcher([&own, &isClosed]() {
+    isClosed = own.WaitForFarewell();
+    if (isClosed)
+    {
+      own.transport->Stop();
+    }
+  });
+  own.transport->Listen();
+  own.End();
+  watcher.join();
+  return isClosed;
 }
 
 void

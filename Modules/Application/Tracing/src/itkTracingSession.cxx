@@ -23,31 +23,31 @@
 #include "itkDentalCaseLoader.h"
 #include "itkDentalContourFileReader.h"
 #include "itkDentalInputError.h"
-#include "itkTextFile.h"
+#include "itkMemoryFile.h"
 
+#include "itkCommand.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTimeProbe.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
+#include <fstream>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 namespace itk
 {
 namespace
 {
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using JawEnum = ToothCode::JawEnum;
 
-/** Drawings as the two files that they are saved as: the readers read files, and are to judge the same bytes. Gone with
- * the object. */
+/** Drawings as the two files that they are saved as, in memory: the readers read files, and are to judge the same
+ * bytes.
+ */
 class DrawingFiles
 {
 public:
@@ -58,34 +58,15 @@ public:
     {
       itkDentalInputErrorMacro("drawing", "", "is no JSON object", "load the page again");
     }
-    std::string pattern = (fs::temp_directory_path() / "dentalscr-trace-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
-    {
-      itkDentalInputErrorMacro(pattern,
-                               "",
-                               std::string("cannot be made: ") + std::strerror(errno),
-                               "make room there, or set TMPDIR to a folder that can be written to");
-    }
-    m_Folder = pattern;
     if (HasContours(json))
     {
-      m_Contours = (m_Folder / "contours.json").string();
-      WriteFileAtomically(m_Contours, json["contours"].dump());
+      m_Contours = Write(json["contours"], m_Files[0]);
     }
     if (json.contains("landmarks") && json["landmarks"].is_object() && !json["landmarks"].empty())
     {
-      m_Landmarks = (m_Folder / "landmarks.json").string();
-      WriteFileAtomically(m_Landmarks, json["landmarks"].dump());
+      m_Landmarks = Write(json["landmarks"], m_Files[1]);
     }
   }
-  ~DrawingFiles()
-  {
-    std::error_code ignored;
-    fs::remove_all(m_Folder, ignored);
-  }
-  DrawingFiles(const DrawingFiles &) = delete;
-  DrawingFiles &
-  operator=(const DrawingFiles &) = delete;
 
   /** "" where nothing is drawn. */
   const std::string &
@@ -99,12 +80,18 @@ public:
     return m_Landmarks;
   }
 
-  /** A sentence without the folder, which tells nobody anything. */
+  /** A sentence with the names that the page has for them: what they are called in memory tells nobody anything. */
   std::string
   Clean(std::string text) const
   {
-    for (const auto & [file, name] :
-         { std::make_pair(m_Contours, "contours"), std::make_pair(m_Landmarks, "landmarks") })
+    std::array<std::pair<std::string, const char *>, 2> names{ { { m_Contours, "contours" },
+                                                                 { m_Landmarks, "landmarks" } } };
+    // One may be the beginning of the other.
+    if (names[0].first.size() < names[1].first.size())
+    {
+      std::swap(names[0], names[1]);
+    }
+    for (const auto & [file, name] : names)
     {
       for (std::size_t at = file.empty() ? std::string::npos : text.find(file); at != std::string::npos;
            at = text.find(file))
@@ -124,6 +111,19 @@ public:
   }
 
 private:
+  static std::string
+  Write(const Json & json, std::optional<MemoryFile> & file)
+  {
+    file.emplace();
+    std::ofstream stream(file->GetName(), std::ios::binary);
+    stream << json.dump();
+    if (!stream.flush())
+    {
+      itkGenericExceptionMacro("There is no memory for what is drawn.");
+    }
+    return file->GetName();
+  }
+
   static bool
   HasContours(const Json & json)
   {
@@ -144,9 +144,9 @@ private:
     return false;
   }
 
-  fs::path    m_Folder;
-  std::string m_Contours;
-  std::string m_Landmarks;
+  std::array<std::optional<MemoryFile>, 2> m_Files;
+  std::string                              m_Contours;
+  std::string                              m_Landmarks;
 };
 
 /** Thousandths of a pixel. */
@@ -231,11 +231,27 @@ DescribeJaw(const JawResult & jaw)
 
 TracingSession::TracingSession(std::shared_ptr<const DentalCaseData> data, unsigned int numberOfThreads)
   : m_Data(std::move(data))
-  , m_NumberOfThreads(numberOfThreads > 0 ? numberOfThreads : MultiThreaderBase::GetGlobalDefaultNumberOfThreads())
+  , m_Registration(CaseRegistration::New())
   , m_Drafts(std::make_unique<CrownDraftSource>(*m_Data))
-{}
+{
+  m_Registration->SetNumberOfWorkUnits(numberOfThreads > 0 ? numberOfThreads
+                                                           : MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
+  // An abort reaches the registration between two of its steps, in its own thread.
+  m_Registration->AddObserver(AnyEvent(), [this](const EventObject &) {
+    if (m_IsAborted)
+    {
+      m_Registration->AbortGenerateDataOn();
+    }
+  });
+}
 
 TracingSession::~TracingSession() = default;
+
+void
+TracingSession::Abort()
+{
+  m_IsAborted = true;
+}
 
 std::string
 TracingSession::Register(const std::string & drawings)
@@ -261,11 +277,9 @@ TracingSession::Register(const std::string & drawings)
         "click the incisal tips and the mesiobuccal cusps of the first molars, or outline crowns");
     }
     LoadCaseDrawings(*data);
-    auto registration = CaseRegistration::New();
-    registration->SetData(data);
-    registration->SetNumberOfWorkUnits(m_NumberOfThreads);
-    registration->Update();
-    const CaseResult & result = registration->GetResult();
+    m_Registration->SetData(data);
+    m_Registration->Update();
+    const CaseResult & result = m_Registration->GetResult();
 
     std::ostringstream side;
     side << data->description.tracedSide;

@@ -19,6 +19,9 @@
 
 #include <httplib.h>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace
@@ -35,6 +38,8 @@ public:
                                    { "X-Content-Type-Options", "nosniff" },
                                    { "X-Frame-Options", "DENY" },
                                    { "Cross-Origin-Resource-Policy", "same-origin" } });
+    // A connection that is kept keeps a thread, and the end waits for it.
+    m_Server.set_keep_alive_timeout(1);
     const auto answer = [this](const httplib::Request & request, httplib::Response & response) {
       const AnswerType made = m_Handler({ request.method,
                                           request.path,
@@ -68,17 +73,29 @@ public:
   void
   Listen() override
   {
-    m_Server.listen_after_bind();
+    if (!m_IsStopped)
+    {
+      m_Server.listen_after_bind();
+    }
+    m_HasEnded = true;
   }
   void
   Stop() override
   {
+    m_IsStopped = true;
+    // The library forgets a stop that comes before it listens.
+    while (!m_Server.is_running() && !m_HasEnded)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     m_Server.stop();
   }
 
 private:
-  httplib::Server m_Server;
-  HandlerType     m_Handler;
+  httplib::Server   m_Server;
+  HandlerType       m_Handler;
+  std::atomic<bool> m_IsStopped{ false };
+  std::atomic<bool> m_HasEnded{ false };
 };
 } // namespace
 

@@ -57,6 +57,7 @@ public:
   /** 0: any. \return the port; not positive where it cannot be had */
   virtual int
   Bind(const char * host, int port) = 0;
+  /** Once; returns after Stop(), which may come first and waits until it has been called. */
   virtual void
   Listen() = 0;
   virtual void

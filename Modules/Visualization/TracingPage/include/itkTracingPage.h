@@ -46,9 +46,13 @@ struct TracingPageContent
   std::string landmarks;
   /** The page is answered by a server, which takes what is drawn; else the page stands alone. */
   bool served{ false };
+  /** The number by which the server knows the page. */
+  unsigned int number{ 0 };
   /** The names of the files that the server writes; "" where it writes none. */
   std::string contoursFile;
   std::string landmarksFile;
+  /** Begin with saving after each change: where there is nothing yet that could be lost by it. */
+  bool savesItself{ false };
   /** The server knows the scans. */
   bool canRegister{ false };
 };

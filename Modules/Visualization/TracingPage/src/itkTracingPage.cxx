@@ -91,6 +91,8 @@ MakeTracingPage(const TracingPageContent & content)
                       { "contours", ParseDrawn(content.contours, "contours") },
                       { "landmarks", ParseDrawn(content.landmarks, "landmarks") },
                       { "served", content.served },
+                      { "number", content.number },
+                      { "saves_itself", content.savesItself },
                       { "contours_file", content.contoursFile },
                       { "landmarks_file", content.landmarksFile },
                       { "can_register", content.canRegister } };
