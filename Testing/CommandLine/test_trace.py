@@ -6,24 +6,34 @@ import re
 import signal
 import socket
 import subprocess
+import threading
+import time
 import urllib.parse
 
 import pytest
 
 
-@contextlib.contextmanager
-def served(program, *arguments):
-    """The verb as it answers; ends it as a person does, by Ctrl-C."""
+def start(program, *arguments):
+    """The verb and the address that it prints."""
     process = subprocess.Popen(
         [str(program), "trace", *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
+    address = process.stdout.readline().strip()
+    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/[0-9a-f]{32}/", address), process.stderr.read()
+    return process, address
+
+
+@contextlib.contextmanager
+def served(program, *arguments):
+    """The verb as it answers, its page loaded; ends it as a person does, by Ctrl-C."""
+    process, address = start(program, *arguments)
     try:
-        address = process.stdout.readline().strip()
-        assert re.fullmatch(r"http://127\.0\.0\.1:\d+/[0-9a-f]{32}/", address), process.stderr.read()
+        assert ask(address)[0] == 200
         yield address
     finally:
         process.send_signal(signal.SIGINT)
-        assert process.wait(timeout=60) == 0
+        process.communicate(timeout=60)
+        assert process.returncode == 0
 
 
 def ask(address, method="GET", path="", body=None, **headers):
@@ -68,6 +78,7 @@ def test_only_the_page_itself_is_answered(program, sample, tmp_path):
     with served(program, sample / "ceph.png", "--output", tmp_path / "out.json") as address:
         status, page = ask(address)
         assert status == 200 and "<svg" in page
+        own = f"{data_of(page)['number']}/save"
         # No token, a wrong one, another file.
         assert ask(address, path="/")[0] == 404
         assert ask(address, path="/" + "0" * 32 + "/")[0] == 404
@@ -77,11 +88,16 @@ def test_only_the_page_itself_is_answered(program, sample, tmp_path):
         assert ask(address, Sec_Fetch_Site="cross-site")[0] == 403
         # What another page's form or script can send.
         drawing = json.dumps({"contours": None, "landmarks": None})
-        assert ask(address, "POST", "save", drawing, Origin="http://evil.example")[0] == 403
-        assert ask(address, "POST", "save", drawing, Content_Type="text/plain")[0] == 403
-        assert ask(address, "POST", "/" + "0" * 32 + "/save", drawing)[0] == 404
+        assert ask(address, "POST", own, drawing, Origin="http://evil.example")[0] == 403
+        assert ask(address, "POST", own, drawing, Content_Type="text/plain")[0] == 403
+        assert ask(address, "POST", "/" + "0" * 32 + "/" + own, drawing)[0] == 404
+        # What a form or an image of another page can make a browser load.
+        assert ask(address, path=own)[0] == 404
+        # Of a window that was opened before.
+        assert ask(address, "POST", "1/save", drawing)[0] == 409
+        assert ask(address, "PUT", own, drawing)[0] in (403, 404)
         # No scans: nothing to register.
-        assert ask(address, "POST", "register", drawing)[0] == 404
+        assert ask(address, "POST", own.replace("save", "register"), drawing)[0] == 404
     assert not (tmp_path / "out.json").exists()
 
 
@@ -96,11 +112,87 @@ def test_listens_on_this_machine_alone(program, sample):
 def test_save_writes_the_named_files_and_no_other(program, sample, tmp_path):
     contours = json.loads((sample / "contours.json").read_text())
     with served(program, sample / "ceph.png", "--output", tmp_path / "c.json", "--landmarks", tmp_path / "l.json") as address:
-        status, text = ask(address, "POST", "save", json.dumps({"contours": contours, "landmarks": {"U1_tip": [500.25, 400.5]}}))
+        status, text = ask(address, "POST", "1/save", json.dumps({"contours": contours, "landmarks": {"U1_tip": [500.25, 400.5]}}))
         assert status == 200, text
     assert json.loads((tmp_path / "c.json").read_text()) == contours
     assert json.loads((tmp_path / "l.json").read_text()) == {"U1_tip": [500.25, 400.5]}
     assert sorted(path.name for path in tmp_path.iterdir()) == ["c.json", "l.json"]
+
+
+def test_page_that_is_loaded_again_has_what_was_saved(program, sample, tmp_path):
+    marks = {"U1_tip": [500.25, 400.5]}
+    with served(program, sample / "ceph.png", "--landmarks", tmp_path / "l.json") as address:
+        assert ask(address, "POST", "1/save", json.dumps({"contours": None, "landmarks": marks}))[0] == 200
+        assert data_of(ask(address)[1])["landmarks"] == marks
+        # The first one, which knows nothing of what the second one draws.
+        status, text = ask(address, "POST", "1/save", json.dumps({"contours": None, "landmarks": {"L1_tip": [1, 2]}}))
+        assert status == 409 and "another window" in json.loads(text)["error"]
+        # All deleted: the file holds nothing any more.
+        assert ask(address, "POST", "2/save", json.dumps({"contours": None, "landmarks": {}}))[0] == 200
+    assert json.loads((tmp_path / "l.json").read_text()) == {}
+    with served(program, sample / "ceph.png", "--landmarks", tmp_path / "l.json") as address:
+        assert data_of(ask(address)[1])["landmarks"] is None
+
+
+def test_what_another_program_wrote_is_not_overwritten(program, sample, tmp_path):
+    file = tmp_path / "l.json"
+    drawing = json.dumps({"contours": None, "landmarks": {"U1_tip": [500.25, 400.5]}})
+    with served(program, sample / "ceph.png", "--landmarks", file) as address:
+        assert ask(address, "POST", "1/save", drawing)[0] == 200
+        file.write_text('{"U1_tip": [1, 2]}')
+        status, text = ask(address, "POST", "1/save", drawing)
+        assert status == 422 and "l.json" in text and "another program" in text
+        assert file.read_text() == '{"U1_tip": [1, 2]}'
+        file.unlink()
+        assert ask(address, "POST", "1/save", drawing)[0] == 200
+    assert json.loads(file.read_text()) == {"U1_tip": [500.25, 400.5]}
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_ends_when_it_is_asked_to(program, undrawn, landmarks, tmp_path, number):
+    """At once and well, also while it registers; no process is left."""
+    process, address = start(program, "--case", undrawn.file, "--landmarks", tmp_path / "l.json")
+    ask(address)
+    answers = []
+
+    def register():
+        with contextlib.suppress(OSError, http.client.HTTPException):
+            answers.append(ask(address, "POST", "1/register", json.dumps({"contours": None, "landmarks": landmarks})))
+
+    asking = threading.Thread(target=register)
+    asking.start()
+    time.sleep(0.1)
+    process.send_signal(number)
+    process.communicate(timeout=20)
+    asking.join()
+    assert process.returncode == 0
+    # Done before, ended, or not answered any more.
+    assert all(status in (200, 503) for status, _ in answers)
+    assert list(tmp_path.glob("*.json")) == []
+    with pytest.raises(ConnectionRefusedError):
+        ask(address)
+
+
+def test_signal_before_anybody_asks(program, sample):
+    process, _ = start(program, sample / "ceph.png")
+    process.send_signal(signal.SIGTERM)
+    process.communicate(timeout=20)
+    assert process.returncode == 0
+
+
+def test_ends_with_its_page(program, sample):
+    """A page that is loaded again is there in time; one that is closed ends the program."""
+    process, address = start(program, sample / "ceph.png")
+    ask(address)
+    assert ask(address, "POST", "1/closed", "{}")[0] == 200
+    ask(address)
+    # The page before says it once more: not the one that is open.
+    assert ask(address, "POST", "1/closed", "{}")[0] == 200
+    time.sleep(7)
+    assert process.poll() is None
+    assert ask(address, "POST", "2/closed", "{}")[0] == 200
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 0 and "The page was closed" in said
 
 
 def test_what_register_would_refuse_is_not_saved(program, sample, tmp_path):
@@ -108,20 +200,20 @@ def test_what_register_would_refuse_is_not_saved(program, sample, tmp_path):
     contours = json.loads((sample / "contours.json").read_text())
     contours["contours"]["upper"][0]["code"] = "LR1"
     with served(program, sample / "ceph.png", "--output", tmp_path / "c.json") as address:
-        status, text = ask(address, "POST", "save", json.dumps({"contours": contours, "landmarks": None}))
+        status, text = ask(address, "POST", "1/save", json.dumps({"contours": contours, "landmarks": None}))
         assert status == 422 and "contours.upper[0].code" in json.loads(text)["error"]
         assert "/" not in json.loads(text)["error"].split(":")[0]
-        assert ask(address, "POST", "save", "no JSON")[0] == 422
+        assert ask(address, "POST", "1/save", "no JSON")[0] == 422
     assert (tmp_path / "c.json").read_bytes() == (sample / "contours.json").read_bytes()
 
 
 def test_registers_as_the_files_do(program, run, undrawn, landmarks, tmp_path):
     """Four marks: what the page is told is what the verb register says of the saved file."""
     with served(program, "--case", undrawn.file, "--landmarks", tmp_path / "l.json") as address:
-        status, text = ask(address, "POST", "register", json.dumps({"contours": None, "landmarks": landmarks}))
+        status, text = ask(address, "POST", "1/register", json.dumps({"contours": None, "landmarks": landmarks}))
         assert status == 200, text
         told = json.loads(text)
-        assert ask(address, "POST", "save", json.dumps({"contours": None, "landmarks": landmarks}))[0] == 200
+        assert ask(address, "POST", "1/save", json.dumps({"contours": None, "landmarks": landmarks}))[0] == 200
     undrawn.change(cephalometric_landmarks=str(tmp_path / "l.json"))
     done = run("register", undrawn.file, "--output", tmp_path / "result", "--no-report")
     assert done.returncode == 0, done.stderr
@@ -138,7 +230,7 @@ def test_drafts_are_where_the_crowns_are(program, sample, undrawn, tmp_path):
     contours = json.loads((sample / "contours.json").read_text())
     truth = {entry["code"]: entry["points"] for jaw in contours["contours"].values() for entry in jaw}
     with served(program, "--case", undrawn.file) as address:
-        status, text = ask(address, "POST", "register", json.dumps({"contours": contours, "landmarks": None}))
+        status, text = ask(address, "POST", "1/register", json.dumps({"contours": contours, "landmarks": None}))
         assert status == 200, text
     told = json.loads(text)
     drafts = {draft["code"]: draft["points"] for jaw in told["drafts"].values() for draft in jaw}
@@ -161,6 +253,10 @@ def segment_distance(p, a, b):
     return ((p[0] - a[0] - t * dx) ** 2 + (p[1] - a[1] - t * dy) ** 2) ** 0.5
 
 
+def data_of(page):
+    return json.loads(re.search(r'id="tracing-data">(.*?)</script>', page, re.S).group(1))
+
+
 def test_page_by_itself(run, sample, tmp_path):
     done = run("trace", sample / "ceph.png", "--page", tmp_path / "page.html")
     assert done.returncode == 0, done.stderr
@@ -178,9 +274,23 @@ def test_goes_on_with_what_labelme_wrote(run, sample, tmp_path):
     )
     done = run("trace", sample / "ceph.png", "--output", tmp_path / "labelme.json", "--page", tmp_path / "page.html")
     assert done.returncode == 0, done.stderr
-    data = re.search(r'id="tracing-data">(.*?)</script>', (tmp_path / "page.html").read_text(), re.S).group(1)
-    (contour,) = json.loads(data)["contours"]["contours"]["upper"]
+    (contour,) = data_of((tmp_path / "page.html").read_text())["contours"]["contours"]["upper"]
     assert contour["code"] == "UR1" and contour["points"] == [[500.0, 400.0], [510.0, 409.5], [520.0, 400.0]]
+
+
+def test_goes_on_with_what_slicer_wrote(run, sample, tmp_path):
+    """Slicer tells millimetres of the pixels' centres, with u and v turned about in its usual frame."""
+    node = {
+        "type": "Fiducial",
+        "coordinateSystem": "LPS",
+        "controlPoints": [{"label": "U1_tip", "position": [50.0625, 80.4, 0.0], "positionStatus": "defined"}],
+    }
+    (tmp_path / "marks.mrk.json").write_text(json.dumps({"markups": [node]}))
+    arguments = ("--markups-spacing", 0.125, 0.2, "--landmarks", tmp_path / "marks.mrk.json", "--page", tmp_path / "page.html")
+    done = run("trace", sample / "ceph.png", *arguments)
+    assert done.returncode == 0, done.stderr
+    (place,) = data_of((tmp_path / "page.html").read_text())["landmarks"].values()
+    assert place == [pytest.approx(400.5, abs=0.01), pytest.approx(402.0, abs=0.01)]
 
 
 @pytest.mark.parametrize(
@@ -188,7 +298,7 @@ def test_goes_on_with_what_labelme_wrote(run, sample, tmp_path):
     [
         ([], "there is no radiograph"),
         (["nowhere.png"], "nowhere.png"),
-        (["CEPH", "--spacing", "0.1", "0.1"], "--upper or --lower"),
+        (["CEPH", "--output", "a.json", "--landmarks", "./a.json"], "file of --output"),
         (["CEPH", "--case", "CASE", "--upper", "u.stl"], "beside a case file"),
     ],
 )

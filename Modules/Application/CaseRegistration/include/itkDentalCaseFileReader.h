@@ -42,8 +42,8 @@ CaseRegistration_EXPORT DentalCase
 ParseDentalCase(const std::string & text, const std::string & sourceName, const std::string & folder);
 
 /** \name A case that is yet to be drawn
- * The same, but neither tracing nor landmarks have to be named, and files of these that are named need not be there
- * yet: they may be what the drawing is to be written to.
+ * The same, but neither scans nor tracing nor landmarks have to be named, and tracing and landmarks that are named need
+ * not be there yet: they may be what the drawing is to be written to.
  * @{ */
 CaseRegistration_EXPORT DentalCase
 ReadDentalCaseToDraw(const std::string & fileName);

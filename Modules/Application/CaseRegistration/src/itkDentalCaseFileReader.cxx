@@ -450,7 +450,8 @@ InterpretDentalCase(const JsonDocument & document,
 
   dentalCase.upperFile = FindFile(root, "upper", directory);
   dentalCase.lowerFile = FindFile(root, "lower", directory);
-  if (dentalCase.upperFile.empty() && dentalCase.lowerFile.empty())
+  // Who draws needs the radiograph alone.
+  if (isDrawn && dentalCase.upperFile.empty() && dentalCase.lowerFile.empty())
   {
     itkDentalInputErrorMacro(fileName, "upper", "neither \"upper\" nor \"lower\" is given", "name at least one scan");
   }

@@ -87,14 +87,9 @@ ReadCase(const TraceOptions & options)
   {
     description = itk::ReadDentalCaseToDraw(options.caseFile);
   }
-  else if (!options.fields.GetValue("--upper").empty() || !options.fields.GetValue("--lower").empty())
-  {
-    description = options.fields.Read(false);
-  }
   else if (!given.empty())
   {
-    itkDentalInputErrorMacro(
-      "command line", given, "says something of a case without a scan", "give --upper or --lower too, or leave it out");
+    description = options.fields.Read(false);
   }
   if (!options.image.empty())
   {

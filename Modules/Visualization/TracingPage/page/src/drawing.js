@@ -36,6 +36,8 @@ class Drawing extends EventTarget {
     this.state = { contours: { upper: [], lower: [] }, landmarks: {}, rest: {}, other: {} };
     this.past = [];
     this.future = [];
+    /** Another one after each change. */
+    this.version = 0;
   }
 
   /** Changes the state by a function; one step of undo. Nothing is remembered where nothing changed. */
@@ -54,6 +56,7 @@ class Drawing extends EventTarget {
   }
 
   tell() {
+    this.version++;
     this.dispatchEvent(new Event("change"));
   }
 

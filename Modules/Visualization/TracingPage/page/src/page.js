@@ -256,18 +256,27 @@ function accept(taken) {
 // ---- registration ---------------------------------------------------------------------------------------------------
 
 function toRequest() {
-  return JSON.stringify({ contours: drawing.hasContours() ? drawing.toContours() : null, landmarks: drawing.hasLandmarks() ? drawing.toLandmarks() : null });
+  return { contours: drawing.hasContours() ? drawing.toContours() : null, landmarks: drawing.hasLandmarks() ? drawing.toLandmarks() : null };
 }
 
-async function post(what) {
-  const answer = await fetch(new URL(what, location.href), { method: "POST", headers: { "Content-Type": "application/json" }, body: toRequest() });
+/** The server answers the page that was loaded last, which it knows by its number. */
+const addressOf = what => new URL(`${data.number}/${what}`, location.href);
+async function post(what, request) {
+  const answer = await fetch(addressOf(what), { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(request) });
   const json = await answer.json();
   if (!answer.ok) throw new Error(json.error);
   return json;
 }
 
+function sayProblem(error, advice) {
+  say(error instanceof TypeError ? `The server does not answer: was it ended? ${advice}` : error.message, true);
+}
+
 let registering = false;
 let registersAgain = false;
+/** Of the drawing that the verdict is of. */
+let registeredVersion = -1;
+let refusal = "";
 async function register() {
   if (!data.can_register) return;
   if (registering) {
@@ -276,13 +285,17 @@ async function register() {
   }
   registering = true;
   const started = performance.now();
+  const registered = drawing.version;
   $("#registration").setAttribute("aria-busy", "true");
   try {
-    result = await post("register");
+    result = await post("register", toRequest());
+    registeredVersion = registered;
     showVerdict();
     say(`Registered in ${((performance.now() - started) / 1000).toFixed(2)} s.`);
   } catch (error) {
-    say(error instanceof TypeError ? "The server does not answer: was it ended? What is drawn is kept in this browser." : error.message, true);
+    sayProblem(error, "What is drawn is kept in this browser.");
+    // The verdict is none of this drawing.
+    refusal = error.message;
   }
   $("#registration").removeAttribute("aria-busy");
   registering = false;
@@ -300,7 +313,18 @@ function isEnough() {
 let timer = 0;
 function registerSoon() {
   clearTimeout(timer);
-  if (data.can_register && $("#live").checked && isEnough()) timer = setTimeout(register, 200);
+  refusal = "";
+  if (data.can_register && $("#live").checked && isEnough()) timer = setTimeout(register, 100);
+}
+
+/** A verdict stays until the next one, and says when it is of what was drawn before. */
+function showAge() {
+  if (!data.can_register) return;
+  const isOld = result !== null && registeredVersion !== drawing.version;
+  $("#verdict").classList.toggle("old", isOld);
+  $("#age").hidden = !isOld && !refusal;
+  $("#age").textContent = refusal ? `Not registered: ${refusal}` : $("#live").checked && isEnough() ? "Registering what you changed …" : "You changed the drawing since this verdict.";
+  $("#age").classList.toggle("problem", Boolean(refusal));
 }
 
 const make = (name, text, className = "") => {
@@ -359,19 +383,42 @@ let savedState = "";
 function isDirty() {
   return JSON.stringify(drawing.state) !== savedState;
 }
-async function save() {
+/** What a file holds has to be saved also where it is nothing any more. */
+const isInFile = { contours: Boolean(data.contours), landmarks: Boolean(data.landmarks) };
+let saving = null;
+async function save(isAsked = true) {
   if (!canSave()) return download(data.contours_file || "contours.json", drawing.toContours());
+  await saving;
+  saving = saveNow(isAsked);
+  return saving;
+}
+async function saveNow(isAsked) {
+  /** Beside the buttons, since the line above belongs to the registration while somebody draws. */
+  const sayFiles = (text, isProblem = false) => {
+    $("#saved").textContent = text;
+    $("#saved").classList.toggle("problem", isProblem);
+    if (isAsked || isProblem) say(text, isProblem);
+  };
   const state = JSON.stringify(drawing.state);
+  const hasContours = drawing.hasContours() || isInFile.contours, hasLandmarks = drawing.hasLandmarks() || isInFile.landmarks;
   try {
-    await post("save");
-    const files = [drawing.hasContours() && data.contours_file, drawing.hasLandmarks() && data.landmarks_file].filter(Boolean);
-    const left = [drawing.hasContours() && !data.contours_file && "the tracing (start with --output)", drawing.hasLandmarks() && !data.landmarks_file && "the landmarks (start with --landmarks)"].filter(Boolean);
-    if (left.length) return say(`Saved ${files.join(" and ") || "nothing"}, but not ${left.join(" and ")}: download what is missing.`, true);
+    const { saved } = await post("save", { contours: hasContours ? drawing.toContours() : null, landmarks: hasLandmarks ? drawing.toLandmarks() : null });
+    isInFile.contours ||= hasContours;
+    isInFile.landmarks ||= hasLandmarks;
+    const left = [hasContours && !data.contours_file && "the tracing (start with --output)", hasLandmarks && !data.landmarks_file && "the landmarks (start with --landmarks)"].filter(Boolean);
+    if (left.length) return sayFiles(`${saved.length ? `Saved ${saved.join(" and ")}, but not` : "Not saved:"} ${left.join(" and ")}. Download what is missing.`, true);
     savedState = state;
-    say(`Saved ${files.join(" and ")}.`);
+    keep();
+    sayFiles(saved.length ? `Saved ${saved.join(" and ")}.` : "There is nothing to save yet.");
   } catch (error) {
-    say(error instanceof TypeError ? "The server does not answer: was it ended? Download what is drawn." : error.message, true);
+    sayFiles(error instanceof TypeError ? "The server does not answer: was it ended? Download what is drawn." : `Not saved: ${error.message}`, true);
   }
+  refresh();
+}
+let saveTimer = 0;
+function saveSoon() {
+  clearTimeout(saveTimer);
+  if (canSave() && $("#saves").checked && isDirty()) saveTimer = setTimeout(() => save(false), 1000);
 }
 const canSave = () => data.served && Boolean(data.contours_file || data.landmarks_file);
 
@@ -498,6 +545,7 @@ function refresh() {
   $("[data-action=finish]").disabled = !tooth;
   $("[data-action=download-contours]").disabled = !drawing.hasContours();
   $("[data-action=download-landmarks]").disabled = !drawing.hasLandmarks();
+  showAge();
   for (const button of $$("[data-action=accept]")) button.disabled = chosen?.kind !== "draft";
   for (const button of $$("[data-accept]")) button.disabled = !drafts().some(draft => draft.code[1] === button.dataset.accept);
   picture.redraw();
@@ -554,7 +602,7 @@ const ACTIONS = {
     chosen = { kind: "contour", contour, index: position };
     refresh();
   },
-  register, save, accept: () => chosen?.kind === "draft" && accept([draftOf(chosen.code)]),
+  register, save: () => save(), accept: () => chosen?.kind === "draft" && accept([draftOf(chosen.code)]),
   "download-contours": () => download("contours.json", drawing.toContours()),
   "download-landmarks": () => download("landmarks.json", drawing.toLandmarks()),
 };
@@ -592,7 +640,7 @@ for (const button of $$("[data-action]")) button.addEventListener("click", () =>
 for (const button of $$("[data-accept]")) button.addEventListener("click", () => accept(drafts().filter(draft => draft.code[1] === button.dataset.accept)));
 for (const input of $$("[data-film]")) input.addEventListener("input", () => picture.setFilm(input.dataset.film, input.type === "checkbox" ? input.checked : input.value));
 for (const box of $$("[data-side], #outlines")) box.addEventListener("change", refresh);
-$("#live")?.addEventListener("change", registerSoon);
+$("#live")?.addEventListener("change", () => { registerSoon(); refresh(); });
 $("#kind").addEventListener("change", makeChart);
 $("#closed").addEventListener("change", event => {
   if (chosen?.kind !== "contour") return;
@@ -614,6 +662,11 @@ window.addEventListener("beforeunload", event => {
   // Another page of the server will not find what this one kept.
   if (data.served && isDirty()) event.preventDefault();
 });
+if (data.served) {
+  // A server without a page ends; one that is loaded again comes in time.
+  window.addEventListener("pagehide", () => navigator.sendBeacon(addressOf("closed"), new Blob(["{}"], { type: "application/json" })));
+  window.addEventListener("pageshow", event => { if (event.persisted) location.reload(); });
+}
 
 try {
   if (data.contours) drawing.read(data.contours);
@@ -625,11 +678,16 @@ try {
 drawing.past = [];
 savedState = JSON.stringify(drawing.state);
 $("[data-action=save]").hidden = !canSave();
+$("#saves").closest("label").hidden = !canSave();
+$("#saves").checked = data.saves_itself;
+$("#saves").addEventListener("change", saveSoon);
 makeLandmarks();
 makeChart();
 picture.setPainter(paint);
 takeKept();
-drawing.addEventListener("change", () => { keep(); refresh(); registerSoon(); });
+drawing.addEventListener("change", () => { keep(); registerSoon(); saveSoon(); refresh(); });
 setMode("landmark");
 if (drawing.hasLandmarks() && LANDMARKS.every(([name]) => drawing.state.landmarks[name])) setMode("move");
 registerSoon();
+saveSoon();
+refresh();

@@ -38,8 +38,10 @@ class Picture extends EventTarget {
   get scale() {
     return 1 / (this.svg.getScreenCTM()?.a || 1);
   }
+  /** A mouse points with a pixel of the screen, whose middle is meant; fingers and pens know fractions of one. */
   toUnits(event) {
-    const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
+    const half = event.pointerType === "mouse" ? 0.5 / (window.devicePixelRatio || 1) : 0;
+    const point = new DOMPoint(event.clientX + half, event.clientY + half).matrixTransform(this.svg.getScreenCTM().inverse());
     return { x: point.x, y: point.y };
   }
   /** Continuous pixel index of an event. */
@@ -104,7 +106,7 @@ class Picture extends EventTarget {
       const others = [...this.pointers.values()].filter(pointer => pointer.pointerId !== event.pointerId);
       const [other] = others;
       const spread = pointer => Math.hypot(pointer.clientX - other.clientX, pointer.clientY - other.clientY) || 1;
-      const middle = pointer => this.toUnits({ clientX: (pointer.clientX + other.clientX) / 2, clientY: (pointer.clientY + other.clientY) / 2 });
+      const middle = pointer => this.toUnits({ pointerType: pointer.pointerType, clientX: (pointer.clientX + other.clientX) / 2, clientY: (pointer.clientY + other.clientY) / 2 });
       const from = middle(before), to = middle(event);
       this.box.x += from.x - to.x;
       this.box.y += from.y - to.y;
