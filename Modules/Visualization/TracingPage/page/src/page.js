@@ -92,8 +92,10 @@ function place(at) {
       state.landmarks[landmark] = before && !Array.isArray(before) ? { ...before, position: point } : point;
     });
     chosen = { kind: "landmark", name: landmark };
+    // The next one; after the last one a click that was meant for something else must not take it along.
     const open = LANDMARKS.map(([name]) => name).find(name => !drawing.state.landmarks[name]);
     if (open) landmark = open;
+    else setMode("move");
   } else if (mode === "outline") {
     if (!tooth) return say("Choose a tooth in the chart first.", true);
     drawing.change(state => {
@@ -686,6 +688,8 @@ makeChart();
 picture.setPainter(paint);
 takeKept();
 drawing.addEventListener("change", () => { keep(); registerSoon(); saveSoon(); refresh(); });
+// Goes on where it was left: a click takes nothing away.
+landmark = LANDMARKS.map(([name]) => name).find(name => !drawing.state.landmarks[name]) ?? landmark;
 setMode("landmark");
 if (drawing.hasLandmarks() && LANDMARKS.every(([name]) => drawing.state.landmarks[name])) setMode("move");
 registerSoon();

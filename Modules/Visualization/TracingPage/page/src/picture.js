@@ -66,7 +66,7 @@ class Picture extends EventTarget {
     this.setBox({ x: -0.5, y: -0.5 * this.aspect, width: this.size[0], height: this.size[1] * this.aspect });
   }
   zoom(factor, at = { x: this.box.x + this.box.width / 2, y: this.box.y + this.box.height / 2 }) {
-    const width = Math.min(Math.max(this.box.width * factor, 8), this.size[0] * 3), f = width / this.box.width;
+    const width = Math.min(Math.max(this.box.width * factor, 4), this.size[0] * 3), f = width / this.box.width;
     this.setBox({ x: at.x + (this.box.x - at.x) * f, y: at.y + (this.box.y - at.y) * f, width, height: this.box.height * f });
   }
   move(right, down) {
