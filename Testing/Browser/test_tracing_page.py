@@ -384,6 +384,30 @@ def test_finger_places_and_two_fingers_zoom(open_page, page_file, sample):
     assert len(opened.download("landmarks")) == 1
 
 
+def test_finger_outlines_a_tooth_and_drags_a_point(open_page, page_file, sample):
+    """On a telephone's width the picture stays in sight while the tooth is chosen below it."""
+    opened = open_page(page_file(sample / "ceph.png"), size=WIDTHS["narrow"], touch=True)
+    page = opened.page
+    page.locator("#chart [data-code=LL8]").scroll_into_view_if_needed()
+    page.locator("#chart [data-code=UR1]").tap()
+    box = page.locator(".pane").bounding_box()
+    assert box["y"] >= 0 and box["y"] + box["height"] < 0.6 * WIDTHS["narrow"][1]
+    for point in ((250, 400), (350, 480), (450, 400)):
+        page.touchscreen.tap(*opened.screen(point))
+    (drawn,) = opened.download("contours")["contours"]["upper"]
+    assert drawn["code"] == "UR1" and len(drawn["points"]) == 3
+    session = opened.context.new_cdp_session(page)
+    start, end = opened.screen(drawn["points"][1]), opened.screen((350, 560))
+    for kind, place in (("touchStart", start), ("touchMove", [(a + b) / 2 for a, b in zip(start, end)]), ("touchMove", end), ("touchEnd", None)):
+        points = [] if place is None else [{"x": place[0], "y": place[1], "id": 0}]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    opened.settle()
+    (moved,) = opened.download("contours")["contours"]["upper"]
+    assert moved["points"][1] == [pytest.approx(350, abs=3), pytest.approx(560, abs=3)]
+    assert moved["points"][0] == drawn["points"][0]
+    assert opened.errors == []
+
+
 def test_contrast_changes_what_is_seen(open_page, page_file, sample):
     opened = open_page(page_file(sample / "ceph.png"))
     pane = opened.page.locator(".pane")
@@ -501,7 +525,9 @@ def test_four_clicks_drafts_two_corrections_save_and_register(open_page, serve, 
     assert told["status"] == "ok"
     assert set(told["jaws"]) == {"upper", "lower"} and all(jaw["registered"] for jaw in told["jaws"].values())
     assert "standard" in page.locator("#verdict").inner_text()
-    assert page.locator("#verdict table").count() >= 2
+    # Residuals and sigma are there.
+    assert page.locator("#residuals table").count() == 2 and page.locator("#predicted table").count() == 2
+    assert re.search(r"σ of its landmarks \d+\.\d to \d+\.\d px", page.locator("#verdict").inner_text())
 
     # Another click takes no landmark along.
     opened.click([coordinate + 60 for coordinate in clicks["L6_MB"]])
@@ -593,8 +619,9 @@ def test_take_screenshots(open_page, serve, case, known):
     content = {key: value for key, value in case.load().items() if key not in ("contours", "traced_side", "landmarks_2d")}
     case.save({**content, "cephalometric_landmarks": four_clicks(known)})
     for name, size in WIDTHS.items():
-        opened = open_page(serve("--case", case.file), size=size)
+        opened = open_page(serve("--case", case.file, "--output", case.folder / f"{name}.json"), size=size)
         opened.page.wait_for_selector("#chart .drafted")
+        wait_for_registration(opened, lambda: opened.page.locator("[data-accept=R]").click())
         opened.page.locator("#chart [data-code=UR6]").click()
         opened.page.locator("[data-action=teeth]").click()
         opened.settle()

@@ -323,7 +323,7 @@ function registerSoon() {
 function showAge() {
   if (!data.can_register) return;
   const isOld = result !== null && registeredVersion !== drawing.version;
-  $("#verdict").classList.toggle("old", isOld);
+  for (const part of ["#verdict", "#figures"]) $(part).classList.toggle("old", isOld);
   $("#age").hidden = !isOld && !refusal;
   $("#age").textContent = refusal ? `Not registered: ${refusal}` : $("#live").checked && isEnough() ? "Registering what you changed …" : "You changed the drawing since this verdict.";
   $("#age").classList.toggle("problem", Boolean(refusal));
@@ -351,8 +351,8 @@ function table(caption, heads, rows) {
 }
 
 function showVerdict() {
-  const place = $("#verdict");
-  place.replaceChildren();
+  const place = $("#verdict"), residuals = $("#residuals"), predictions = $("#predicted");
+  for (const part of [place, residuals, predictions]) part.replaceChildren();
   for (const [jaw, said] of Object.entries(result.jaws)) {
     const title = make("h3", `${jaw} `, said.status);
     title.append(make("span", said.status, "badge"));
@@ -360,6 +360,8 @@ function showVerdict() {
     const figures = [];
     if (said.expected_error_px !== undefined) figures.push(`expected error ${number(said.expected_error_px)} px`);
     if (said.fit_px !== undefined) figures.push(`fit ${number(said.fit_px)} px`);
+    const sigmas = (said.predicted ?? []).map(row => row.sigma_px).filter(sigma => sigma !== null);
+    if (sigmas.length) figures.push(`σ of its landmarks ${number(Math.min(...sigmas))} to ${number(Math.max(...sigmas))} px`);
     if (said.placed_by) figures.push(`placed by the ${said.placed_by} jaw`);
     if (figures.length) place.append(make("p", figures.join(", ")));
     if (said.findings.length) {
@@ -368,12 +370,12 @@ function showVerdict() {
       place.append(list);
     }
     if (said.landmarks_used?.length)
-      place.append(table("Landmarks that it was registered with", ["landmark", "away, px", "away, sd", "weight"],
+      residuals.append(table(`Landmarks that the ${jaw} jaw was registered with`, ["landmark", "away, px", "away, sd", "weight"],
         said.landmarks_used.map(used => [used.name, number(Math.hypot(...used.residual_px)), number(used.residual_sd), number(used.weight)])));
     if (said.teeth?.length)
-      place.append(table("Outlines: distance from the scan's", ["tooth", "mean, px", "largest, px"], said.teeth.map(row => [row.tooth || "?", number(row.mean_px), number(row.max_px)])));
+      residuals.append(table(`Outlines of the ${jaw} jaw: distance from the scan's`, ["tooth", "mean, px", "largest, px"], said.teeth.map(row => [row.tooth || "?", number(row.mean_px), number(row.max_px)])));
     if (said.predicted?.length)
-      place.append(table("Where the scan's landmarks lie", ["landmark", "u", "v", "σ, px"], said.predicted.map(row => [row.name, number(row.position[0]), number(row.position[1]), number(row.sigma_px)])));
+      predictions.append(table(`Of the ${jaw} jaw`, ["landmark", "u", "v", "σ, px"], said.predicted.map(row => [row.name, number(row.position[0]), number(row.position[1]), number(row.sigma_px)])));
   }
   for (const [jaw, why] of Object.entries(result.skipped)) place.append(make("p", `${jaw}: skipped, ${why}`, "quiet"));
   place.append(make("p", `Taken as ${result.traced_side === "standard" ? "the middle of both sides (standard)" : `drawn of the ${result.traced_side} side${result.traced_side === "both" ? "s" : ""}`}${result.traced_side_is_given ? ", as the case says" : ""}.`, "quiet"));
@@ -484,9 +486,9 @@ function paint({ drafts: under, drawing: pen, aim }, scale) {
   }
   for (const jaw of Object.values(result?.jaws ?? {})) {
     for (const predicted of jaw.predicted ?? []) {
-      under.circle("predicted", predicted.position, 3);
-      // The 95 % region.
-      if (predicted.sigma_px !== null) under.circle("sigma", predicted.position, (2.448 * predicted.sigma_px) / under.scale);
+      under.circle("predicted", predicted.position, 2.5);
+      // Of all landmarks at once they hide the drafts.
+      if ($("#regions").checked && predicted.sigma_px !== null) under.circle("sigma", predicted.position, (2.448 * predicted.sigma_px) / under.scale);
     }
     for (const used of jaw.landmarks_used ?? []) {
       const marked = drawing.state.landmarks[used.name];
@@ -641,7 +643,7 @@ for (const button of $$("[data-mode]")) button.addEventListener("click", () => s
 for (const button of $$("[data-action]")) button.addEventListener("click", () => ACTIONS[button.dataset.action]());
 for (const button of $$("[data-accept]")) button.addEventListener("click", () => accept(drafts().filter(draft => draft.code[1] === button.dataset.accept)));
 for (const input of $$("[data-film]")) input.addEventListener("input", () => picture.setFilm(input.dataset.film, input.type === "checkbox" ? input.checked : input.value));
-for (const box of $$("[data-side], #outlines")) box.addEventListener("change", refresh);
+for (const box of $$("[data-side], #outlines, #regions")) box.addEventListener("change", refresh);
 $("#live")?.addEventListener("change", () => { registerSoon(); refresh(); });
 $("#kind").addEventListener("change", makeChart);
 $("#closed").addEventListener("change", event => {
