@@ -14,7 +14,7 @@ import statistics
 import pytest
 
 from frozen_records import LANDMARK_PX
-from frozen_runs import BISECTED, BOTH_SIDES, HARD, IDEAL, LEFT, TYPICAL
+from frozen_runs import BISECTED, BOTH_SIDES, HARD, IDEAL, LEFT, PRACTICE, REAL, REAL_HARD, STANDARD, TYPICAL
 from program_runs import Run
 
 CASES = 6
@@ -26,6 +26,10 @@ COHORTS = {
     "left": LEFT,
     "bisected": BISECTED,
     "both sides": BOTH_SIDES,
+    "real": REAL,
+    "real-hard": REAL_HARD,
+    "practice": PRACTICE,
+    "standard": STANDARD,
 }
 # Mean, median and largest landmark error, px.
 MEASURED = {

@@ -8,8 +8,8 @@ import pytest
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
 
-def verdict_thresholds():
-    header = ROOT / "Modules/Registration/PoseRegistration/include/itkRegistrationVerdict.h"
+def verdict_thresholds(verdict="RegistrationVerdict"):
+    header = ROOT / f"Modules/Registration/PoseRegistration/include/itk{verdict}.h"
     body = re.search(r"struct Thresholds\n *{(.*?)\n *};", header.read_text(), re.S).group(1)
     return {name: float(value) for name, value in re.findall(r"double\s+(\w+)\{\s*(-?[\d.]+)\s*\}", body)}
 
@@ -60,11 +60,28 @@ def test_verdicts_table_has_the_codes_thresholds():
     assert len(t) == 30
 
 
+def test_views_table_has_the_codes_thresholds():
+    rows = (ROOT / "Documentation/Findings.md").read_text().split("## Further views")[1].split("\n## ")[0]
+    seen = dict(re.findall(r"^\| `([a-z-]+)` \| suspect \| (.*?) \|", rows, re.M))
+    t = verdict_thresholds("ViewVerdict")
+    for code, end in {
+        "view-sides": f"lower by {-t['suspectDeviance']:g}",
+        "view-source": f"lower by {-t['suspectDeviance']:g}",
+        "view-disagrees": f"> {t['landmarkApart']:g} sd",
+        "view-landmark-apart": f"> {t['landmarkApart']:g} sd",
+        "view-landmarks-rough": f"> {t['suspectLandmarkRatio']:g} sd",
+        "view-poor-fit": f"cost > {t['suspectCost']:g}",
+        "view-head-moved": f"> {t['suspectPriorTension']:g} sd",
+    }.items():
+        assert seen[code].endswith(end), code
+    assert len(t) == 5
+
+
 def test_every_finding_is_listed():
     """Every code that any part of the chain gives, with its severity, and no other."""
     severities = {}
     for source in ROOT.glob("Modules/*/*/src/*.cxx"):
-        found = re.findall(r'(Suspect|Failed|other->second\.status),\s*"([a-z-]+)"', source.read_text())
+        found = re.findall(r'(Suspect|Failed|verdicts\[other\]\.status),\s*"([a-z-]+)"', source.read_text())
         for severity, code in found:
             severities.setdefault(code, set()).add(severity.lower())
     # The film's is chosen by its length, the other jaw's is that jaw's.
@@ -154,3 +171,25 @@ def test_phantoms_page_shows_every_trait():
         row = re.search(rf"^\|[^|]*`{trait}`[^|]*\| !\[\]\((.*?)\)", rows, re.M)
         assert row, trait
         assert (ROOT / "Documentation" / row.group(1)).is_file(), trait
+
+
+def test_every_process_object_is_in_the_pipeline():
+    """Those that can be made, of all headers that are installed."""
+    bases, made = {}, set()
+    for header in ROOT.glob("Modules/*/*/include/*.h"):
+        text = header.read_text()
+        for name, base in re.findall(r"^class\s+(?:\w+_EXPORT\s+)?(\w+)\s*:\s*public\s+(?:itk::)?(\w+)", text, re.M):
+            bases[name] = base
+        if "itkNewMacro(Self)" in text:
+            made.add(header.stem[3:])
+
+    def root_of(name):
+        while name in bases:
+            name = bases[name]
+        return name
+
+    of_itk = {"ProcessObject", "ImageSource", "GenerateImageSource", "MeshSource", "MeshToMeshFilter", "ImageToMeshFilter"}
+    objects = {name for name in made if root_of(name) in of_itk}
+    assert len(objects) > 50
+    page = (ROOT / "Documentation/Pipeline.md").read_text()
+    assert sorted(name for name in objects if f"`{name}`" not in page) == []

@@ -144,3 +144,121 @@ def test_views_are_a_list_of_a_few(run, frontal_phantom, tmp_path):
         case = changed(frontal_phantom, tmp_path / str(number), lambda case: case.update(views=views))
         done, _ = register(run, case, tmp_path / "out")
         assert done.returncode == 2 and word in done.stderr
+
+
+def markups_of(landmarks, spacing):
+    """The same marks as Slicer keeps them, in mm of a picture of this spacing."""
+    points = [
+        {"label": name, "position": [u * spacing, v * spacing, 0.0], "positionStatus": "defined"}
+        for name, (u, v) in landmarks.items()
+    ]
+    return json.dumps(
+        {
+            "markups": [
+                {"type": "Fiducial", "coordinateSystem": "LPS", "coordinateUnits": "mm", "controlPoints": points}
+            ]
+        }
+    )
+
+
+def test_markups_on_a_view_need_its_own_spacing(run, frontal_phantom, tmp_path):
+    marks = json.loads((frontal_phantom / "truth.json").read_text())["views"]["frontal"]["landmarks_px"]
+    results = {}
+    for name, spacing in (("pixels", None), ("missing", None), ("of the case", None), ("given", [0.2, 0.2])):
+        def change(case):
+            view = case["views"][0]
+            view.pop("contours")
+            folder = tmp_path / name
+            if name == "pixels":
+                (folder / "marks.json").write_text(json.dumps(marks))
+                view["cephalometric_landmarks"] = "marks.json"
+                return
+            (folder / "marks.mrk.json").write_text(markups_of(marks, 0.2))
+            view["cephalometric_landmarks"] = "marks.mrk.json"
+            if name == "of the case":
+                # That of another radiograph.
+                case["markups_spacing_mm"] = [0.25, 0.25]
+            if spacing:
+                view["markups_spacing_mm"] = spacing
+
+        done, results[name] = register(run, changed(frontal_phantom, tmp_path / name, change), tmp_path / (name + " out"))
+        if name in ("missing", "of the case"):
+            assert done.returncode == 2 and "views.frontal.markups_spacing_mm" in done.stderr, done.stderr
+        else:
+            assert done.returncode == 0, done.stderr
+    for jaw, own in results["pixels"]["views"]["frontal"]["jaws"].items():
+        other = results["given"]["views"]["frontal"]["jaws"][jaw]
+        for landmark, place in own["landmarks_px"].items():
+            assert math.dist(place, other["landmarks_px"][landmark]) < 1e-3
+
+
+def test_of_a_view_s_distances_the_detector_s_alone_is_enough(run, frontal_phantom, tmp_path):
+    def change(case):
+        case["views"][0]["geometry"].pop("source_to_midcoronal_mm")
+        case["views"][0]["geometry"]["source_to_detector_mm"] = 1400
+
+    done, result = register(run, changed(frontal_phantom, tmp_path / "case", change), tmp_path / "out")
+    assert done.returncode in (0, 1), done.stderr
+    assert result["views"]["frontal"]["geometry"]["source_to_midcoronal_mm"] == {"value": 1250, "source": "default"}
+    assert any("views.frontal.source_to_midcoronal_mm is not known" in text for text in result["warnings"])
+
+
+def test_codes_without_a_side_mean_nothing_on_a_frontal_tracing(run, frontal_phantom, tmp_path):
+    def change(case):
+        path = tmp_path / "case" / case["views"][0]["contours"]
+        tracing = json.loads(path.read_text())
+        polylines = next(iter(tracing["contours"].values()))
+        polylines[0]["code"] = "U1"
+        path.write_text(json.dumps(tracing))
+
+    done, _ = register(run, changed(frontal_phantom, tmp_path / "case", change), tmp_path / "out")
+    assert done.returncode == 2
+    assert "views.frontal.contours" in done.stderr and "without a side" in done.stderr
+
+
+def test_a_file_that_is_only_called_like_an_overlay_stays(run, frontal_phantom, tmp_path):
+    out = tmp_path / "out"
+    for _ in range(2):
+        done, _ = register(run, frontal_phantom / "case.json", out)
+        assert done.returncode == 0, done.stderr
+        (out / "overlay_mine_upper.png").write_bytes(b"mine")
+    assert (out / "overlay_mine_upper.png").read_bytes() == b"mine"
+    assert (out / "overlay_frontal_upper.png").exists()
+
+
+def test_a_scene_says_what_of_a_view_it_does_not_show(program, run, frontal_phantom, tmp_path):
+    if not program.with_name("dentalscr-view").exists():
+        pytest.skip("DentalSCR was built without VTK")
+    case = changed(frontal_phantom, tmp_path / "case", lambda case: None)
+    done, _ = register(run, case, tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+
+    def show():
+        done = run("view", tmp_path / "out", "--snapshot", tmp_path / "scene.png")
+        assert done.returncode == 0, done.stderr
+        return done.stderr
+
+    assert "frontal" not in show()
+    tracing = case.parent / json.loads(case.read_text())["views"][0]["contours"]
+    tracing.write_text(tracing.read_text() + "\n")
+    assert f"{tracing.name}: has changed since it was registered; the tracing is not shown" in show()
+    changed_case = json.loads(case.read_text())
+    changed_case.pop("views")
+    case.write_text(json.dumps(changed_case))
+    assert "the view frontal is not shown" in show()
+
+
+def test_an_experiment_knows_a_case_again_by_its_views_files(run, frontal_phantom, tmp_path):
+    folder = tmp_path / "cases" / "one"
+    case = changed(frontal_phantom, folder, lambda case: None)
+
+    def fit():
+        done = run("experiment", "--from", tmp_path / "cases", "--output", tmp_path / "out", "--methods", "robust", "--no-figures")
+        assert done.returncode == 0, done.stdout + done.stderr
+        return "1 cases were there already" in done.stdout + done.stderr
+
+    assert not fit()
+    assert fit()
+    tracing = folder / json.loads(case.read_text())["views"][0]["contours"]
+    tracing.write_text(tracing.read_text() + "\n")
+    assert not fit()

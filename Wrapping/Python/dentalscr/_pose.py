@@ -354,6 +354,8 @@ class RegistrationVerdicts(NamedTuple):
     lower: Optional[JawVerdict]
     #: What the data could not tell, as sentences.
     notCheckable: Tuple[str, ...]
+    #: The verdict on each further view, by its name. One that is not ok makes the jaws suspect.
+    views: Dict[str, JawVerdict] = {}
 
     @property
     def status(self) -> str:
@@ -370,11 +372,14 @@ class RegistrationVerdictFilter(ProcessObject, _core.RegistrationVerdictFilter):
         self._SetSolution(solution)
         self._Update()
         return RegistrationVerdicts(
-            self._make(_core.Jaw.Upper), self._make(_core.Jaw.Lower), tuple(self.GetNotCheckable())
+            self._make(self._GetVerdict(_core.Jaw.Upper)),
+            self._make(self._GetVerdict(_core.Jaw.Lower)),
+            tuple(self.GetNotCheckable()),
+            {name: self._make(found) for name, found in self._GetViewVerdicts().items()},
         )
 
-    def _make(self, jaw: _core.Jaw) -> Optional[JawVerdict]:
-        found = self._GetVerdict(jaw)
+    @staticmethod
+    def _make(found: Any) -> Any:
         return None if found is None else JawVerdict(found[0], tuple(RegistrationFinding(*each) for each in found[1]))
 
 

@@ -145,17 +145,17 @@ AddView(Case &                       self,
   view.geometry = itk::CephalometricGeometry::New();
   view.geometry->CopyParameters(geometry);
   view.geometry->SetPoseToIdentity();
-  for (itk::ValueSourceEnum * source : { &view.sourceToEarRods,
-                                         &view.sourceToDetector,
-                                         &view.side,
-                                         &view.source,
-                                         &view.pixelSpacing,
-                                         &view.principalPoint })
+  for (itk::ValueSourceEnum * source : { &view.sources.sourceToMidsagittal,
+                                         &view.sources.sourceToDetector,
+                                         &view.sources.facing,
+                                         &view.sources.sourceSide,
+                                         &view.sources.pixelSpacing,
+                                         &view.sources.principalPoint })
   {
     *source = itk::ValueSourceEnum::Given;
   }
+  view.spacingVerdict = itk::PixelSpacingVerdictEnum::UserGiven;
   view.spacingProvenance = "given, detector plane";
-  view.directionProvenance = "given";
   view.principalPointSigma = principalPointSigma;
   view.image = image;
   view.imageSize = { { static_cast<unsigned int>(imageSize[0]), static_cast<unsigned int>(imageSize[1]) } };
@@ -169,9 +169,17 @@ AddView(Case &                       self,
     throw std::invalid_argument("the size of the radiograph of the view \"" + name +
                                 "\" is not known; give image or imageSize");
   }
-  view.contours = { { upperContour, lowerContour } };
-  view.landmarks = ToCephalometricLandmarks(cephalometricLandmarks, view.imageSize, self.data->warnings);
-  if (upperContour == nullptr && lowerContour == nullptr && view.landmarks.IsNull())
+  const auto &                              excluded = self.data->description.excludedTeeth;
+  const std::array<itk::DentalContour *, 2> drawn{ { upperContour, lowerContour } };
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+  {
+    if (drawn[i] != nullptr && drawn[i]->GetNumberOfPoints() > 0)
+    {
+      view.contours[i] = itk::WithoutTeeth(*drawn[i], excluded);
+    }
+  }
+  view.cephalometricLandmarks = ToCephalometricLandmarks(cephalometricLandmarks, view.imageSize, self.data->warnings);
+  if (upperContour == nullptr && lowerContour == nullptr && view.cephalometricLandmarks.IsNull())
   {
     throw std::invalid_argument("nothing was drawn on the view \"" + name +
                                 "\"; give upperContour, lowerContour or cephalometricLandmarks");
@@ -231,7 +239,7 @@ MakeCase(MeshType *                         upper,
     if (geometry->HasPixelSpacing())
     {
       data.sources.pixelSpacing = itk::ValueSourceEnum::Given;
-      data.spacingVerdict = "UserGiven";
+      data.spacingVerdict = itk::PixelSpacingVerdictEnum::UserGiven;
     }
     if (principalPointKnown)
     {
@@ -246,15 +254,7 @@ MakeCase(MeshType *                         upper,
     {
       return;
     }
-    jaw.contour = itk::DentalContour::New();
-    const auto & excluded = data.description.excludedTeeth;
-    for (const auto & polyline : contour->GetPolylines())
-    {
-      if (!polyline.code.IsKnown() || std::find(excluded.begin(), excluded.end(), polyline.code) == excluded.end())
-      {
-        jaw.contour->AddPolyline(polyline);
-      }
-    }
+    jaw.contour = itk::WithoutTeeth(*contour, data.description.excludedTeeth);
   };
   takeJaw(JawEnum::Upper, upper, upperContour);
   takeJaw(JawEnum::Lower, lower, lowerContour);

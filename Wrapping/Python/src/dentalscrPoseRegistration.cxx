@@ -1045,6 +1045,16 @@ ToObject(const RegistrationVerdict::JawVerdict & verdict)
 void
 WrapDownstream(py::module_ & module)
 {
+  using ViewThresholdsType = itk::ViewVerdict::Thresholds;
+  py::class_<ViewThresholdsType>(
+    module, "ViewVerdictThresholds", "When a further view is suspect; standard deviations unless said.")
+    .def(py::init<>())
+    .def_readwrite("landmarkApart", &ViewThresholdsType::landmarkApart)
+    .def_readwrite("suspectLandmarkRatio", &ViewThresholdsType::suspectLandmarkRatio)
+    .def_readwrite("suspectCost", &ViewThresholdsType::suspectCost)
+    .def_readwrite("suspectPriorTension", &ViewThresholdsType::suspectPriorTension)
+    .def_readwrite("suspectDeviance", &ViewThresholdsType::suspectDeviance);
+
   using ThresholdsType = RegistrationVerdict::Thresholds;
   py::class_<ThresholdsType>(
     module, "RegistrationVerdictThresholds", "What is suspect and what has failed; px of 0.25 mm and mm.")
@@ -1078,7 +1088,8 @@ WrapDownstream(py::module_ & module)
     .def_readwrite("maximumArchWidth", &ThresholdsType::maximumArchWidth)
     .def_readwrite("hypothesisGain", &ThresholdsType::hypothesisGain)
     .def_readwrite("spacingScore", &ThresholdsType::spacingScore)
-    .def_readwrite("spacingDifference", &ThresholdsType::spacingDifference);
+    .def_readwrite("spacingDifference", &ThresholdsType::spacingDifference)
+    .def_readwrite("view", &ThresholdsType::view, "Of each further view.");
 
   using VerdictType = itk::RegistrationVerdictFilter;
   ProcessClass<VerdictType>(module, "RegistrationVerdictFilter", "Judges a pose registration.")
@@ -1104,7 +1115,15 @@ WrapDownstream(py::module_ & module)
         }
         return ToObject(self.GetVerdict(jaw));
       },
-      py::arg("jaw"));
+      py::arg("jaw"))
+    .def("_GetViewVerdicts", [](VerdictType & self) {
+      py::dict verdicts;
+      for (const auto & view : self.GetSolution()->GetResult().views)
+      {
+        verdicts[py::str(view.name)] = ToObject(self.GetViewVerdict(view.name));
+      }
+      return verdicts;
+    });
 
   using ProjectionType = itk::LandmarkProjectionFilter;
   ProcessClass<ProjectionType>(

@@ -255,6 +255,8 @@ def test_a_view_joins_the_method(ds, two_views):
     )
     solution = method.Execute(case.geometry, case.upper, case.upperContour, case.lower, case.lowerContour)
     assert solution.GetViewNames() == ["frontal"]
+    by_hand = ds.RegistrationVerdict(solution)
+    assert by_hand.status == "ok" and by_hand.views["frontal"].status == "ok"
     # The same in one call, of a case in memory.
     view = {
         "geometry": ds.CephalometricGeometry(
@@ -283,6 +285,27 @@ def test_a_view_joins_the_method(ds, two_views):
         ds.Case(case.upper, imageSize=(10, 10), views=[{**view, "cephalometricLandmarks": None}])
     with pytest.raises(ValueError, match="two views"):
         ds.Case(case.upper, imageSize=(10, 10), views=[view, view])
+    # By hand a view that contradicts is told as it is by register(): of itself, and of each jaw.
+    wrong = ds.CephalometricGeometry(
+        sourceToMidsagittal=description["geometry"]["source_to_midcoronal_mm"],
+        sourceToDetector=description["geometry"]["source_to_detector_mm"],
+        pixelSpacing=description["cephalogram"]["pixel_spacing_mm"],
+        principalPoint=description["geometry"]["principal_point_px"],
+        direction="Frontal",
+        patientLeft="Left",
+    )
+    other = ds.PoseRegistrationMethod()
+    other.SetFrames(axes)
+    other.AddView(
+        wrong, cephalometricLandmarks={name: tuple(place) for name, place in marks.items()}, counterparts=counterparts
+    )
+    verdict = ds.RegistrationVerdict(
+        other.Execute(case.geometry, case.upper, case.upperContour, case.lower, case.lowerContour)
+    )
+    assert verdict.views["frontal"].status == "suspect"
+    assert [finding.code for finding in verdict.views["frontal"].findings][0] == "view-sides"
+    for jaw in (verdict.upper, verdict.lower):
+        assert jaw.status == "suspect" and "view" in [finding.code for finding in jaw.findings]
     frontal = solution.MakeViewSolution("frontal")
     truth = json.loads((folder / "truth.json").read_text())["frontal_landmarks_px"]
     place = frontal.ProjectPoint("Upper", case.landmarks3D["UR2_tip"])

@@ -241,6 +241,9 @@ struct JawResult
   /** Makes the status at least as bad as the finding; what was said already is not said again. */
   void
   AddFinding(const RegistrationFinding & finding);
+  /** The finding of this code is at least so severe. */
+  void
+  RaiseFinding(const std::string & code, RegistrationStatusEnum severity);
   /** Where no number decides. */
   void
   AddFinding(RegistrationStatusEnum severity, const std::string & code, const std::string & text);

@@ -19,7 +19,7 @@
 #define itkDentalCase_h
 
 #include "itkCephalometricGeometry.h"
-#include "itkCephalometricLandmarkSet.h"
+#include "itkDentalRadiograph.h"
 #include "itkDentalView.h"
 #include "itkToothCode.h"
 #include "itkTracedSide.h"
@@ -61,14 +61,14 @@ struct SimilarityParameters
 };
 
 /** \struct DentalCase
- * \brief One patient as a case file says it: paths, units, what is known of the geometry, manual control.
+ * \brief One patient as a case file says it: scans, the lateral radiograph, further views, manual control.
  *
  * Documentation/FileFormats.md is the contract. Nothing is defaulted here but what the contract defaults: an absent
  * optional is unknown. Paths are as they can be opened from the current directory.
  *
  * \ingroup CaseRegistration
  */
-struct DentalCase
+struct DentalCase : public DentalRadiograph
 {
   /** The case file itself, for messages. */
   std::string fileName;
@@ -84,34 +84,13 @@ struct DentalCase
   std::string lowerLabelsFile;
   CrownsEnum  crowns{ CrownsEnum::Off };
 
-  std::string imageFile;
-  /** Width and height, where the file states them. */
-  std::optional<std::array<unsigned int, 2>>           imageSize;
-  std::optional<std::array<double, 2>>                 pixelSpacing;
-  bool                                                 spacingAtMidsagittalPlane{ false };
-  bool                                                 spacingPlaneIsGiven{ false };
-  std::optional<CephalometricGeometry::FacingEnum>     facing;
-  std::optional<double>                                sourceToMidsagittal;
-  std::optional<double>                                sourceToDetector;
-  std::optional<CephalometricGeometry::SourceSideEnum> sourceSide;
-  std::optional<std::array<double, 2>>                 principalPoint;
-
-  std::string contoursFile;
   /** Masks or drawn lines of one tooth or jaw each, in place of contoursFile: code and file. */
   std::vector<std::pair<std::string, std::string>> contourClassFiles;
-  /** mm a pixel that the radiograph had where markups were made on it, whose positions are in mm. */
-  std::optional<std::array<double, 2>> markupsSpacing;
-  /** A file of landmarks to register with; "" where none is named. */
-  std::string cephalometricLandmarksFile;
-  /** The landmarks themselves, where the case file holds them; else null. */
-  CephalometricLandmarkSet::ConstPointer cephalometricLandmarks;
-  TracedSideEnum                         tracedSide{ TracedSideEnum::Right };
+  TracedSideEnum                                   tracedSide{ TracedSideEnum::Right };
   /** Where the side is not given, and Right, what was drawn may say that it is Standard. */
   bool                                    tracedSideIsGiven{ false };
   std::optional<ToothCode::NumberingEnum> numbering;
   std::string                             landmarks3DFile;
-  /** Only for measuring errors: nothing that registers reads it. */
-  std::string landmarks2DFile;
 
   /** Radiographs beside the lateral one. */
   std::vector<DentalView> views;

@@ -20,19 +20,14 @@
 
 #include "itkCaseInputFile.h"
 #include "itkDentalCase.h"
+#include "itkDentalRadiographData.h"
 #include "itkDentalViewData.h"
-#include "itkValueSource.h"
 
-#include "itkCephalometricLandmarkSet.h"
 #include "itkDentalContour.h"
 #include "itkDentalLandmarkSet.h"
-#include "itkImage.h"
 #include "itkMesh.h"
 
 #include <cstdint>
-#include <array>
-#include <functional>
-#include <optional>
 #include <vector>
 
 namespace itk
@@ -45,10 +40,9 @@ namespace itk
  *
  * \ingroup CaseRegistration
  */
-struct DentalCaseData
+struct DentalCaseData : public DentalRadiographData
 {
   using MeshType = Mesh<float, 3>;
-  using ImageType = Image<float, 2>;
   using JawEnum = ToothCode::JawEnum;
   /** What was read of one jaw. */
   struct JawType
@@ -60,38 +54,12 @@ struct DentalCaseData
     /** Continuous pixel indices; null without a tracing. */
     DentalContour::Pointer contour;
   };
-  /** Where each value of the geometry came from. */
-  struct SourcesType
-  {
-    ValueSourceEnum sourceToMidsagittal{ ValueSourceEnum::Default };
-    ValueSourceEnum sourceToDetector{ ValueSourceEnum::Default };
-    ValueSourceEnum sourceSide{ ValueSourceEnum::Default };
-    ValueSourceEnum facing{ ValueSourceEnum::Default };
-    ValueSourceEnum pixelSpacing{ ValueSourceEnum::Estimated };
-    ValueSourceEnum principalPoint{ ValueSourceEnum::Estimated };
-  };
 
   DentalCase description;
   JawType    upper;
   JawType    lower;
-  /** Null without a radiograph. */
-  ImageType::Pointer          image;
-  std::array<unsigned int, 2> imageSize{ { 0, 0 } };
-  /** Identity pose. Without a known spacing it has none; without a known principal point that is (0, 0). */
-  CephalometricGeometry::Pointer geometry;
-  SourcesType                    sources;
-  /** How the pixel spacing came about, in words. */
-  std::string spacingProvenance;
-  /** Detector, Calibrated, EstimatedMagnification, UserGiven or Unknown. */
-  std::string spacingVerdict{ "Unknown" };
   /** In the mesh files' unit and frame; null where none were given. */
   DentalLandmarkSet<3>::Pointer landmarks3D;
-  /** Marked on the radiograph, to register with; null where none were given. */
-  CephalometricLandmarkSet::Pointer cephalometricLandmarks;
-  /** Contours whose codes do not say their side: U1, L6. */
-  std::size_t sidelessContours{ 0 };
-  /** mm a pixel and origin (mm) of the grid in which markups lie; nothing where nobody knows. */
-  std::optional<std::array<double, 4>> markupsGrid;
   /** Radiographs beside the lateral one. */
   std::vector<DentalViewData> views;
   /** The files that all this was read from, the case file first. */
@@ -108,16 +76,6 @@ struct DentalCaseData
   GetJaw(JawEnum jaw)
   {
     return jaw == JawEnum::Lower ? lower : upper;
-  }
-  bool
-  HasPixelSpacing() const
-  {
-    return geometry->HasPixelSpacing();
-  }
-  bool
-  HasPrincipalPoint() const
-  {
-    return sources.principalPoint != ValueSourceEnum::Estimated;
   }
 };
 } // namespace itk

@@ -42,12 +42,19 @@ CaseRegistration_EXPORT std::shared_ptr<DentalCaseData>
 CaseRegistration_EXPORT void
 LoadCaseDrawings(DentalCaseData & data);
 
-/** Tells a reader of files on the radiograph what a case knows: the radiograph's name, and how many mm markups have a
- * pixel.
+/** Tells a reader of files on a radiograph what a case knows of it: its name, and how many mm a pixel markups have.
  *
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT void
-PrepareReader(const DentalCaseData & data, AnnotationFileReaderBase & reader);
+PrepareReader(const DentalRadiograph &     description,
+              const DentalRadiographData & data,
+              AnnotationFileReaderBase &   reader);
+
+/** What was drawn but of the teeth that the case excludes.
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT DentalContour::Pointer
+                        WithoutTeeth(const DentalContour & contour, const std::vector<ToothCode> & teeth);
 
 /** Throws DentalInputError for a landmark that lies outside the image by more than a tenth of it: a hand or a detector
  * misses by less, a wrong unit or another copy of the image by more. `prefix` stands before the landmark's name in the

@@ -18,10 +18,8 @@
 #ifndef itkDentalView_h
 #define itkDentalView_h
 
-#include "itkCephalometricGeometry.h"
-#include "itkCephalometricLandmarkSet.h"
+#include "itkDentalRadiograph.h"
 
-#include <array>
 #include <optional>
 #include <string>
 
@@ -29,42 +27,19 @@ namespace itk
 {
 /** \struct DentalView
  * \brief A further radiograph of a case, as its case file says it ("views").
- *
- * As of DentalCase nothing is defaulted here but what the contract defaults, and paths are as they can be opened.
- *
  * \ingroup CaseRegistration
  */
-struct DentalView
+struct DentalView : public DentalRadiograph
 {
   std::string                          name;
   CephalometricGeometry::DirectionEnum direction{ CephalometricGeometry::DirectionEnum::Frontal };
 
-  std::string                                imageFile;
-  std::optional<std::array<unsigned int, 2>> imageSize;
-  std::optional<std::array<double, 2>>       pixelSpacing;
-  /** At the plane through the ear rods instead of the detector. */
-  bool spacingAtEarRods{ false };
-
   /** Frontal: where the patient's left and the source are. */
   std::optional<CephalometricGeometry::PatientLeftEnum>   patientLeft;
   std::optional<CephalometricGeometry::FrontalSourceEnum> frontalSource;
-  /** Lateral. */
-  std::optional<CephalometricGeometry::FacingEnum>     facing;
-  std::optional<CephalometricGeometry::SourceSideEnum> sourceSide;
-  /** mm, to the plane through the ear rods, midcoronal or midsagittal. */
-  std::optional<double>                sourceToEarRods;
-  std::optional<double>                sourceToDetector;
-  std::optional<std::array<double, 2>> principalPoint;
   /** px. */
   std::optional<double> principalPointSigma;
-
-  std::string contoursFile;
-  std::string cephalometricLandmarksFile;
-  /** The landmarks themselves, where the case file holds them; else null. */
-  CephalometricLandmarkSet::ConstPointer cephalometricLandmarks;
-  /** Only for measuring errors: nothing that registers reads it. */
-  std::string landmarks2DFile;
-  bool        sameHeadPosition{ true };
+  bool                  sameHeadPosition{ true };
 };
 } // namespace itk
 

@@ -18,17 +18,13 @@
 #ifndef itkDentalViewData_h
 #define itkDentalViewData_h
 
+#include "itkDentalRadiographData.h"
 #include "itkDentalView.h"
-#include "itkValueSource.h"
 
 #include "itkDentalContour.h"
-#include "itkDentalLandmarkSet.h"
-#include "itkImage.h"
-#include "itkScalePrior.h"
 #include "itkToothCode.h"
 
 #include <array>
-#include <string>
 
 namespace itk
 {
@@ -36,33 +32,13 @@ namespace itk
  * \brief A further radiograph in memory: what was drawn on it, and its geometry with the origin of each value.
  * \ingroup CaseRegistration
  */
-struct DentalViewData
+struct DentalViewData : public DentalRadiographData
 {
-  using ImageType = Image<float, 2>;
-
   DentalView description;
-  /** Null without a picture. */
-  ImageType::Pointer          image;
-  std::array<unsigned int, 2> imageSize{ { 0, 0 } };
-  /** Complete, identity pose. */
-  CephalometricGeometry::Pointer geometry;
-  /** Of the distances, of where the patient's left (or face) and the source are, and of pixel spacing and principal
-   * point. */
-  ValueSourceEnum sourceToEarRods{ ValueSourceEnum::Default };
-  ValueSourceEnum sourceToDetector{ ValueSourceEnum::Default };
-  ValueSourceEnum side{ ValueSourceEnum::Default };
-  ValueSourceEnum source{ ValueSourceEnum::Default };
-  ValueSourceEnum pixelSpacing{ ValueSourceEnum::Estimated };
-  ValueSourceEnum principalPoint{ ValueSourceEnum::Estimated };
-  /** How spacing and direction came about, in words. */
-  std::string spacingProvenance;
-  std::string directionProvenance;
   /** px. */
-  double                    principalPointSigma{ 4.0 };
-  ScalePrior::SpacingSource spacingSource{ ScalePrior::SpacingSource::Given };
+  double principalPointSigma{ 4.0 };
   /** Upper, lower; null where nothing was drawn. */
   std::array<DentalContour::Pointer, 2> contours;
-  CephalometricLandmarkSet::Pointer     landmarks;
 
   const DentalContour *
   GetContour(ToothCode::JawEnum jaw) const

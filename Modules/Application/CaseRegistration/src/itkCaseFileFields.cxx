@@ -132,6 +132,27 @@ ReadPrincipalPoint(const JsonNode & node)
   return { { numbers[0], numbers[1] } };
 }
 
+std::optional<std::array<double, 2>>
+ReadMarkupsSpacing(const JsonNode & node)
+{
+  const auto spacing = node.Find("markups_spacing_mm");
+  if (!spacing)
+  {
+    return std::nullopt;
+  }
+  const std::vector<double> numbers = spacing->AsNumbers(2, "[u, v]");
+  for (const double number : numbers)
+  {
+    // 1 mm is what Slicer gives a picture without a spacing.
+    if (!(number > 0.001 && number < 5.0))
+    {
+      spacing->Fail(std::to_string(number) + " mm a pixel is not possible",
+                    "give the spacing that the radiograph had in Slicer (its Volumes module shows it)");
+    }
+  }
+  return { { { numbers[0], numbers[1] } } };
+}
+
 CaseLandmarkField
 ReadCephalometricLandmarks(const JsonNode &                                root,
                            const fs::path &                                directory,

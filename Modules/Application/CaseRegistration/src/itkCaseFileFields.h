@@ -67,6 +67,9 @@ std::optional<std::array<double, 2>>
 ReadPixelSpacing(const JsonNode & node);
 std::optional<std::array<double, 2>>
 ReadPrincipalPoint(const JsonNode & node);
+/** "markups_spacing_mm". */
+std::optional<std::array<double, 2>>
+ReadMarkupsSpacing(const JsonNode & node);
 
 /** A file's name, or the landmarks themselves. */
 struct CaseLandmarkField

@@ -81,7 +81,7 @@ CaseLandmarkErrorFilter::GenerateData()
     {
       reader->SetNumbering(*description.numbering);
     }
-    PrepareReader(*result.data, *reader);
+    PrepareReader(result.data->description, *result.data, *reader);
     reader->Update();
     // Nothing before this has opened the file.
     result.inputs.push_back(MakeCaseInputFile(

@@ -22,6 +22,8 @@
 #include "itkLandmarkProjectionFilter.h"
 #include "itkMatchedContourFilter.h"
 #include "itkMeshSilhouetteContourSource.h"
+#include "itkParallelFor.h"
+#include "itkPixelSpacingVerdict.h"
 
 #include "itkCaseSimilarityRegistration.h"
 
@@ -93,18 +95,88 @@ Measure(DentalContour * tracing, DentalContour * contour, const char * name, Jaw
   result.contours.emplace_back(name, contour);
 }
 
-DentalContour::Pointer
-MakeWholeSilhouette(const DentalCaseData::MeshType * mesh, CephalometricGeometry * placed, unsigned int numberOfPoints)
+ScalePrior::SpacingSource
+SpacingSourceOf(const DentalRadiographData & radiograph)
 {
-  auto silhouette = MeshSilhouetteContourSource<DentalCaseData::MeshType>::New();
-  silhouette->SetInput(mesh);
-  silhouette->SetGeometry(placed);
-  silhouette->LargestPartOnlyOn();
-  silhouette->SetNumberOfPoints(numberOfPoints);
-  silhouette->Update();
-  DentalContour::Pointer contour = silhouette->GetOutput();
-  contour->DisconnectPipeline();
-  return contour;
+  const PixelSpacingVerdictEnum verdict = radiograph.spacingVerdict;
+  switch (radiograph.sources.pixelSpacing)
+  {
+    case ValueSourceEnum::Default:
+    case ValueSourceEnum::Estimated:
+      return ScalePrior::SpacingSource::Default;
+    case ValueSourceEnum::DICOM:
+      // What a file's estimated or corrected magnification hides is not the detector's pixel: it may be off by what the
+      // maker assumed.
+      return verdict == PixelSpacingVerdictEnum::Detector ? ScalePrior::SpacingSource::Given
+                                                          : ScalePrior::SpacingSource::Dicom;
+    default:
+      // A ruler that somebody traced is as sure of its plane as a calibration in DICOM.
+      return verdict == PixelSpacingVerdictEnum::Calibrated ? ScalePrior::SpacingSource::Dicom
+                                                            : ScalePrior::SpacingSource::Given;
+  }
+}
+
+void
+DescribePlacedJaw(const PoseSolution &           solution,
+                  JawEnum                        jaw,
+                  double                         millimetresPerUnit,
+                  const LandmarkCounterpartSet * counterparts,
+                  JawResult &                    result)
+{
+  const PoseJawResult &   own = solution.GetJaw(jaw);
+  const PoseGroupResult & group = solution.GetGroup(jaw);
+  result.registered = true;
+  result.projection = ToRows(solution.GetProjectionMatrix(jaw, millimetresPerUnit));
+  result.meshToCephalostat = ToRows(solution.MakeRigidTransform(jaw));
+  result.pose = { ToRows(own.frame), group.parameters, group.covariance };
+  for (const PoseLandmarkFit & landmark : own.landmarks)
+  {
+    result.usedLandmarks.push_back({ landmark.name,
+                                     counterparts->Find(landmark.name)->source,
+                                     landmark.residual,
+                                     landmark.distance,
+                                     landmark.weight });
+  }
+}
+
+std::array<DentalContour::Pointer, 2>
+MakeWholeSilhouettes(const DentalCaseData &              data,
+                     const PoseSolution &                solution,
+                     const std::array<unsigned int, 2> & numberOfPoints,
+                     unsigned int                        numberOfThreads)
+{
+  using MeshType = DentalCaseData::MeshType;
+  // Each thread has a data object of its own that nobody makes: what fills the other's output is not updated again
+  // under its hands.
+  std::array<MeshType::Pointer, 2>              meshes;
+  std::array<CephalometricGeometry::Pointer, 2> geometries;
+  std::array<DentalContour::Pointer, 2>         silhouettes;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    if (solution.IsRegistered(jaw))
+    {
+      const std::size_t i = jaw == JawEnum::Upper ? 0 : 1;
+      meshes[i] = MeshType::New();
+      meshes[i]->Graft(data.GetJaw(jaw).mesh);
+      geometries[i] = CephalometricGeometry::New();
+      solution.CopyToGeometry(jaw, geometries[i]);
+    }
+  }
+  ParallelFor(2, numberOfThreads, [&](std::size_t i) {
+    if (meshes[i].IsNull())
+    {
+      return;
+    }
+    auto silhouette = MeshSilhouetteContourSource<MeshType>::New();
+    silhouette->SetInput(meshes[i]);
+    silhouette->SetGeometry(geometries[i]);
+    silhouette->LargestPartOnlyOn();
+    silhouette->SetNumberOfPoints(numberOfPoints[i]);
+    silhouette->Update();
+    silhouettes[i] = silhouette->GetOutput();
+    silhouettes[i]->DisconnectPipeline();
+  });
+  return silhouettes;
 }
 
 void

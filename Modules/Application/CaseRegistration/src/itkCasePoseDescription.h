@@ -22,6 +22,7 @@
 #include "itkDentalCaseData.h"
 #include "itkLandmarkCounterpartSet.h"
 #include "itkPoseSolution.h"
+#include "itkScalePrior.h"
 #include "itkUMidlineDentalAxisFilter.h"
 
 #include <array>
@@ -51,9 +52,25 @@ FindCaseCounterparts(const DentalCaseData &           data,
                      const std::string &              prefix,
                      CaseResult &                     result);
 
-/** The exact silhouette of the whole scan at the solution, its points a given number. */
-DentalContour::Pointer
-MakeWholeSilhouette(const DentalCaseData::MeshType * mesh, CephalometricGeometry * placed, unsigned int numberOfPoints);
+/** What a pixel's length is known by. */
+ScalePrior::SpacingSource
+SpacingSourceOf(const DentalRadiographData & radiograph);
+
+/** Where a registered jaw is, and how the landmarks that it was registered with fit. */
+void
+DescribePlacedJaw(const PoseSolution &           solution,
+                  ToothCode::JawEnum             jaw,
+                  double                         millimetresPerUnit,
+                  const LandmarkCounterpartSet * counterparts,
+                  JawResult &                    result);
+
+/** The exact silhouettes of the whole scans at the solution, their points given numbers: upper, lower, each null where
+ * the jaw is not registered. */
+std::array<DentalContour::Pointer, 2>
+MakeWholeSilhouettes(const DentalCaseData &              data,
+                     const PoseSolution &                solution,
+                     const std::array<unsigned int, 2> & numberOfPoints,
+                     unsigned int                        numberOfThreads);
 
 /** The paper's figures between a jaw's tracing and a contour. */
 void

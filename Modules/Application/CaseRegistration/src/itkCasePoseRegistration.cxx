@@ -22,8 +22,6 @@
 #include "itkCasePoseDescription.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkCaseViews.h"
-#include "itkParallelFor.h"
-#include "itkPixelSpacingVerdict.h"
 #include "itkPosePriors.h"
 #include "itkPoseRegistrationMethod.h"
 #include "itkProjectionSimilarityFilter.h"
@@ -34,7 +32,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace itk
 {
@@ -49,22 +46,6 @@ unsigned int
 ToIndex(JawEnum jaw)
 {
   return jaw == JawEnum::Upper ? 0 : 1;
-}
-
-/** What a file's estimated or corrected magnification hides is not the detector's pixel: it may be off by what the
- * maker assumed. */
-ScalePrior::SpacingSource
-SpacingSourceOf(const DentalCaseData & data)
-{
-  std::ostringstream detector;
-  detector << PixelSpacingVerdictEnum::Detector;
-  // A ruler that somebody traced is as sure of its plane as a calibration in DICOM.
-  std::ostringstream calibrated;
-  calibrated << PixelSpacingVerdictEnum::Calibrated;
-  return (data.sources.pixelSpacing == ValueSourceEnum::DICOM && data.spacingVerdict != detector.str()) ||
-             data.spacingVerdict == calibrated.str()
-           ? ScalePrior::SpacingSource::Dicom
-           : ScalePrior::SpacingSource::Given;
 }
 
 MethodType::RigidTransformType::Pointer
@@ -128,18 +109,6 @@ SetInitialTransforms(const DentalCaseData &               data,
                                   similarity->second.scale);
     }
   }
-}
-
-/** The same data with no pipeline behind it. What two threads pull at once must have no source in common: an update
- * that meets another one's takes the meeting for a loop in the pipeline, marks the source as modified, and so runs it
- * again under the other's hands. */
-template <typename TData>
-typename TData::Pointer
-MakeDetached(const TData * data)
-{
-  auto detached = TData::New();
-  detached->Graft(data);
-  return detached;
 }
 
 std::string
@@ -373,24 +342,8 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   // The largest part of what remains, and the jaws do not need each other.
   TimeProbe silhouetteProbe;
   silhouetteProbe.Start();
-  std::array<MeshType::Pointer, 2>              meshes;
-  std::array<CephalometricGeometry::Pointer, 2> geometries;
-  std::array<DentalContour::Pointer, 2>         silhouettes;
-  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
-  {
-    if (solution->IsRegistered(jaw))
-    {
-      const std::size_t i = jaw == JawEnum::Upper ? 0 : 1;
-      meshes[i] = MakeDetached<MeshType>(data.GetJaw(jaw).mesh);
-      geometries[i] = MakeDetached<CephalometricGeometry>(method->GetGeometryOutput(jaw));
-    }
-  }
-  ParallelFor(2, settings.numberOfThreads, [&](std::size_t i) {
-    if (meshes[i].IsNotNull())
-    {
-      silhouettes[i] = MakeWholeSilhouette(meshes[i], geometries[i], settings.numberOfContourPoints[i]);
-    }
-  });
+  const auto silhouettes =
+    MakeWholeSilhouettes(data, *solution, settings.numberOfContourPoints, settings.numberOfThreads);
   silhouetteProbe.Stop();
 
   const double unit = data.description.millimetresPerUnit;
@@ -405,18 +358,10 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       jaw.AddFinding(RegistrationStatusEnum::Failed, "not-registered", poseJaw.failure);
       continue;
     }
-    jaw.registered = true;
+    DescribePlacedJaw(*solution, entry.first, unit, counterparts, jaw);
     if (poseJaw.placedByOther)
     {
       jaw.placedBy = ToName(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
-    }
-    for (const PoseLandmarkFit & landmark : poseJaw.landmarks)
-    {
-      jaw.usedLandmarks.push_back({ landmark.name,
-                                    counterparts->Find(landmark.name)->source,
-                                    landmark.residual,
-                                    landmark.distance,
-                                    landmark.weight });
     }
     for (const PoseOutlineFit & outline : poseJaw.outlines)
     {
@@ -440,8 +385,6 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
         jaw.AddFinding(finding);
       }
     }
-    jaw.projection = ToRows(solution->GetProjectionMatrix(entry.first, unit));
-    jaw.meshToCephalostat = ToRows(method->GetTransform(entry.first));
     jaw.meshToUMDA = ToRows(FrameOf(axis, entry.first)->Get());
 
     auto similarity = ProjectionSimilarityFilter::New();
@@ -454,7 +397,6 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     jaw.similarity = { parameters[0], parameters[1], { { parameters[2], parameters[3] } } };
 
     const PoseGroupResult & group = solution->GetGroup(entry.first);
-    jaw.pose = { ToRows(poseJaw.frame), group.parameters, group.covariance };
     jaw.priors =
       DescribePriors(group, PosePriors(solution->GetOptions(), data.HasPixelSpacing()).GetFitSigmas(group.bisected));
     jaw.outline = KeepMatchedOutline(poseJaw, data.GetJaw(entry.first).contour, spacing[0]);
@@ -510,7 +452,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     jaw.seconds.emplace_back("contour", contourProbe.GetTotal() + silhouetteProbe.GetTotal());
   }
   ProjectLandmarks(data, solution, result);
-  views.Describe(*solution, settings, result);
+  views.Describe(*solution, *verdict, settings, result);
   for (const auto & entry : jaws)
   {
     if (solution->IsRegistered(entry.first))
@@ -523,14 +465,11 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   }
   for (auto & entry : result.jaws)
   {
-    JawResult & jaw = entry.second;
-    if (!jaw.placedBy.empty())
+    if (!entry.second.placedBy.empty())
     {
+      // No better than the jaw that placed it, of whose scan the checks may have said something.
       const auto other = result.jaws.find(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
-      jaw.AddFinding(other->second.status,
-                     "placed-by-other",
-                     "nothing was drawn of this jaw: the " + jaw.placedBy +
-                       " one, whose frame it shares, placed it, as the jaws bit on each other when they were scanned");
+      entry.second.RaiseFinding("placed-by-other", other->second.status);
     }
   }
 }

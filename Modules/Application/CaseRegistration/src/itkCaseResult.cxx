@@ -61,6 +61,19 @@ JawResult::AddFinding(RegistrationStatusEnum severity, const std::string & code,
   this->AddFinding({ severity, code, text, std::nullopt, std::nullopt, "" });
 }
 
+void
+JawResult::RaiseFinding(const std::string & code, RegistrationStatusEnum severity)
+{
+  for (RegistrationFinding & finding : findings)
+  {
+    if (finding.code == code)
+    {
+      finding.severity = std::max(finding.severity, severity);
+      status = std::max(status, finding.severity);
+    }
+  }
+}
+
 bool
 JawResult::HasFinding(const std::string & code) const
 {

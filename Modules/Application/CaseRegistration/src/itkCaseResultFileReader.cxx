@@ -17,77 +17,23 @@
  *=========================================================================*/
 #include "itkCaseResultFileReader.h"
 
-#include "itkDentalCaseFileReader.h"
-#include "itkDentalInputError.h"
-#include "itkJsonDocument.h"
+#include "itkCaseResultDocument.h"
+#include "itkPoseGeometryConversion.h"
+#include "itkValueSource.h"
 
-#include <filesystem>
-#include <stdexcept>
+#include <algorithm>
+#include <string>
 
 namespace itk
 {
 namespace
 {
 using JawEnum = ToothCode::JawEnum;
-namespace fs = std::filesystem;
-
-constexpr char Schema[] = "dentalscr-result/1";
-
-template <std::size_t VRows, std::size_t VColumns>
-std::array<double, VRows * VColumns>
-ReadMatrix(const JsonNode & node, const char * form)
-{
-  std::array<double, VRows * VColumns> matrix{};
-  if (node.GetSize() != VRows)
-  {
-    node.Fail("has " + std::to_string(node.GetSize()) + " rows, not " + std::to_string(VRows),
-              "register the case again");
-  }
-  for (std::size_t row = 0; row < VRows; ++row)
-  {
-    const std::vector<double> numbers = node.At(row).AsNumbers(VColumns, form);
-    std::copy(numbers.begin(), numbers.end(), matrix.begin() + static_cast<std::ptrdiff_t>(VColumns * row));
-  }
-  return matrix;
-}
-
-PoseGeometry
-ReadGeometry(const JsonNode & node)
-{
-  const auto isRight = [&](const char * key) {
-    const std::string word = node.Get(key).Get("value").AsString();
-    if (word != "right" && word != "left")
-    {
-      node.Get(key).Get("value").Fail("is \"" + word + "\"", "it is right or left");
-    }
-    return word == "right";
-  };
-  PoseGeometry geometry;
-  geometry.sourceToMidsagittal = node.Get("source_to_midsagittal_mm").Get("value").AsNumber();
-  geometry.sourceToDetector = node.Get("source_to_detector_mm").Get("value").AsNumber();
-  geometry.sourceSign = isRight("source_side") ? 1.0 : -1.0;
-  geometry.facingSign = isRight("facing") ? 1.0 : -1.0;
-  const auto spacing = node.Get("pixel_spacing_mm").Get("value").AsNumbers(2, "[u, v]");
-  const auto principal = node.Get("principal_point_px").Get("value").AsNumbers(2, "[u, v]");
-  for (unsigned int d = 0; d < 2; ++d)
-  {
-    if (!(spacing[d] > 0.0))
-    {
-      node.Get("pixel_spacing_mm").Get("value").Fail("is not above 0", "register the case again");
-    }
-    geometry.pixelSpacing[d] = spacing[d];
-    geometry.principalPoint[d] = principal[d];
-  }
-  geometry.pixelSpacingKnown = node.Get("pixel_spacing_mm").Get("source").AsString() != "estimated";
-  geometry.principalPointKnown = node.Get("principal_point_px").Get("source").AsString() != "estimated";
-  return geometry;
-}
-
 /** q = R (p - o) from q = R p + t: o = -R' t. */
 PoseFrame
 ReadFrame(const JsonNode & node)
 {
-  const auto rows = ReadMatrix<3, 4>(node, "[r, r, r, t]");
+  const auto rows = CaseResultDocument::ReadMatrix<3, 4>(node, "[r, r, r, t]");
   PoseFrame  frame;
   for (unsigned int row = 0; row < 3; ++row)
   {
@@ -132,36 +78,18 @@ CaseResultFileReader::VerifyPreconditions() ITKv5_CONST
 void
 CaseResultFileReader::GenerateData()
 {
-  std::error_code   error;
-  const fs::path    path = fs::u8path(m_FileName);
-  const std::string fileName = fs::is_directory(path, error) ? (path / "result.json").string() : m_FileName;
-  const auto        root = JsonDocument::ReadFile(fileName).GetRoot();
-  const auto        schema = root.Find("schema");
-  if (!schema || !schema->IsString())
-  {
-    itkDentalInputErrorMacro(
-      fileName, "schema", "missing: this is no result of dentalscr", "name a result.json, or the folder that has one");
-  }
-  if (schema->AsString() != Schema)
-  {
-    schema->Fail("is \"" + schema->AsString() + "\", and this version reads \"" + Schema + "\"",
-                 "register the case again");
-  }
+  const CaseResultDocument document(m_FileName);
+  const JsonNode &         root = document.GetRoot();
   m_Status.fill("");
   PoseRegistrationResult result;
-  result.geometry = ReadGeometry(root.Get("geometry"));
-  m_MillimetresPerUnit = 1.0;
-  if (const auto unit = root.Find("mesh_unit"))
-  {
-    try
-    {
-      m_MillimetresPerUnit = MillimetresPerUnitFromString(unit->AsString());
-    }
-    catch (const std::invalid_argument & problem)
-    {
-      unit->Fail(problem.what(), "register the case again");
-    }
-  }
+  const auto             geometry = root.Get("geometry");
+  result.geometry = ToPoseGeometry(*CaseResultDocument::ReadGeometry(geometry));
+  const auto isKnown = [&geometry](const char * key) {
+    return geometry.Get(key).Get("source").AsString() != ToString(ValueSourceEnum::Estimated);
+  };
+  result.geometry.pixelSpacingKnown = isKnown("pixel_spacing_mm");
+  result.geometry.principalPointKnown = isKnown("principal_point_px");
+  m_MillimetresPerUnit = document.GetMillimetresPerUnit();
   const auto jaws = root.Get("jaws");
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
@@ -177,7 +105,7 @@ CaseResultFileReader::GenerateData()
     result.groupOfJaw.push_back(result.groups.size());
     if (!own.registered)
     {
-      own.failure = "see its reasons in " + fileName;
+      own.failure = "see its reasons in " + document.GetFileName();
       result.jaws.push_back(own);
       continue;
     }
@@ -188,8 +116,8 @@ CaseResultFileReader::GenerateData()
     }
     const auto pose = node->Get("pose");
     own.frame = ReadFrame(pose.Get("mesh_to_dental_mm"));
-    own.projection = ReadMatrix<3, 4>(node->Get("projection_3x4"), "[p, p, p, p]");
-    const auto placement = ReadMatrix<3, 4>(node->Get("mesh_to_cephalostat_mm"), "[r, r, r, t]");
+    own.projection = CaseResultDocument::ReadMatrix<3, 4>(node->Get("projection_3x4"), "[p, p, p, p]");
+    const auto placement = CaseResultDocument::ReadMatrix<3, 4>(node->Get("mesh_to_cephalostat_mm"), "[r, r, r, t]");
     for (unsigned int row = 0; row < 3; ++row)
     {
       own.translation[row] = placement[4 * row + 3];
@@ -204,7 +132,7 @@ CaseResultFileReader::GenerateData()
     group.jaws = { result.jaws.size() };
     const auto parameters = pose.Get("parameters").AsNumbers(7, "[pitch, roll, yaw, x, y, z, kappa]");
     std::copy(parameters.begin(), parameters.end(), group.parameters.begin());
-    group.covariance = ReadMatrix<7, 7>(pose.Get("covariance"), "a row of seven");
+    group.covariance = CaseResultDocument::ReadMatrix<7, 7>(pose.Get("covariance"), "a row of seven");
     result.groups.push_back(group);
     result.jaws.push_back(own);
   }

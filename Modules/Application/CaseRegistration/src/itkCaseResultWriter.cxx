@@ -18,6 +18,7 @@
 #include "itkCaseResultWriter.h"
 
 #include "itkCaseOverlay.h"
+#include "itkCaseResultDocument.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
@@ -42,6 +43,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -79,21 +81,37 @@ Provenance(const TValue & value, ValueSourceEnum source)
   return { { "value", value }, { "source", ToString(source) } };
 }
 
+/** Of the first radiograph or of a view. */
 Json
 GeometryToJson(const CaseResult & result)
 {
+  using GeometryType = CephalometricGeometry;
   const auto & geometry = *result.geometry;
   const auto & sources = result.data->sources;
+  const bool   isLateral = geometry.GetDirection() == GeometryType::DirectionEnum::Lateral;
   Json         json;
-  json["source_to_midsagittal_mm"] = Provenance(geometry.GetSourceToMidsagittalDistance(), sources.sourceToMidsagittal);
+  json[isLateral ? "source_to_midsagittal_mm" : "source_to_midcoronal_mm"] =
+    Provenance(geometry.GetSourceToMidsagittalDistance(), sources.sourceToMidsagittal);
   json["source_to_detector_mm"] = Provenance(geometry.GetSourceToDetectorDistance(), sources.sourceToDetector);
-  json["source_side"] = Provenance(
-    geometry.GetSourceSide() == CephalometricGeometry::SourceSideEnum::Right ? "right" : "left", sources.sourceSide);
-  json["facing"] =
-    Provenance(geometry.GetFacing() == CephalometricGeometry::FacingEnum::Right ? "right" : "left", sources.facing);
+  if (isLateral)
+  {
+    json["source_side"] = Provenance(geometry.GetSourceSide() == GeometryType::SourceSideEnum::Right ? "right" : "left",
+                                     sources.sourceSide);
+    json["facing"] =
+      Provenance(geometry.GetFacing() == GeometryType::FacingEnum::Right ? "right" : "left", sources.facing);
+  }
+  else
+  {
+    json["source"] = Provenance(
+      geometry.GetFrontalSource() == GeometryType::FrontalSourceEnum::Behind ? "behind" : "front", sources.sourceSide);
+    json["patient_left"] =
+      Provenance(geometry.GetPatientLeft() == GeometryType::PatientLeftEnum::Right ? "right" : "left", sources.facing);
+  }
   json["pixel_spacing_mm"] =
     Provenance(Json::array({ geometry.GetPixelSpacing()[0], geometry.GetPixelSpacing()[1] }), sources.pixelSpacing);
-  json["pixel_spacing_mm"]["verdict"] = result.data->spacingVerdict;
+  std::ostringstream verdict;
+  verdict << result.data->spacingVerdict;
+  json["pixel_spacing_mm"]["verdict"] = verdict.str();
   json["pixel_spacing_mm"]["how"] = result.data->spacingProvenance;
   json["principal_point_px"] = Provenance(
     Json::array({ geometry.GetPrincipalPoint()[0], geometry.GetPrincipalPoint()[1] }), sources.principalPoint);
@@ -404,40 +422,6 @@ JawToJson(const JawResult & jaw)
   return json;
 }
 
-/** A distance, a side, as the first radiograph's geometry has them. */
-Json
-ViewGeometryToJson(const CaseViewResult & view)
-{
-  using GeometryType = CephalometricGeometry;
-  const auto & geometry = *view.result->geometry;
-  const auto & sources = view.result->data->sources;
-  const bool   isLateral = geometry.GetDirection() == GeometryType::DirectionEnum::Lateral;
-  Json         json;
-  json[isLateral ? "source_to_midsagittal_mm" : "source_to_midcoronal_mm"] =
-    Provenance(geometry.GetSourceToMidsagittalDistance(), sources.sourceToMidsagittal);
-  json["source_to_detector_mm"] = Provenance(geometry.GetSourceToDetectorDistance(), sources.sourceToDetector);
-  if (isLateral)
-  {
-    json["source_side"] = Provenance(geometry.GetSourceSide() == GeometryType::SourceSideEnum::Right ? "right" : "left",
-                                     sources.sourceSide);
-    json["facing"] =
-      Provenance(geometry.GetFacing() == GeometryType::FacingEnum::Right ? "right" : "left", sources.facing);
-  }
-  else
-  {
-    json["source"] = Provenance(
-      geometry.GetFrontalSource() == GeometryType::FrontalSourceEnum::Behind ? "behind" : "front", sources.sourceSide);
-    json["patient_left"] =
-      Provenance(geometry.GetPatientLeft() == GeometryType::PatientLeftEnum::Right ? "right" : "left", sources.facing);
-  }
-  json["pixel_spacing_mm"] =
-    Provenance(Json::array({ geometry.GetPixelSpacing()[0], geometry.GetPixelSpacing()[1] }), sources.pixelSpacing);
-  json["pixel_spacing_mm"]["how"] = view.result->data->spacingProvenance;
-  json["principal_point_px"] = Provenance(
-    Json::array({ geometry.GetPrincipalPoint()[0], geometry.GetPrincipalPoint()[1] }), sources.principalPoint);
-  return json;
-}
-
 Json
 MoveToJson(const std::array<double, 6> & move)
 {
@@ -458,7 +442,7 @@ ViewToJson(const CaseViewResult & view)
                       { "status", ToString(view.status) },
                       { "findings", ToJson(view.findings) },
                       { "same_head_position", view.sameHeadPosition },
-                      { "geometry", ViewGeometryToJson(view) } };
+                      { "geometry", GeometryToJson(*view.result) } };
   json["jaws"] = Json::object();
   for (const auto & entry : view.result->jaws)
   {
@@ -531,6 +515,12 @@ MakeTitle(const CaseResult & result)
                                                              : folder + " / " + stem;
 }
 
+std::string
+ViewOverlayName(const std::string & view, const std::string & jaw)
+{
+  return "overlay_" + view + '_' + jaw + ".png";
+}
+
 void
 WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputOptions & options)
 {
@@ -560,8 +550,7 @@ WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputO
       {
         if (view.result->jaws.count(entry.first) != 0)
         {
-          WriteCaseOverlay(
-            *view.result, entry.first, (folder / ("overlay_" + view.name + "_" + name + ".png")).string());
+          WriteCaseOverlay(*view.result, entry.first, (folder / ViewOverlayName(view.name, name)).string());
         }
       }
     }
@@ -605,7 +594,8 @@ WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputO
   WriteFileAtomically((folder / "result.json").string(), json);
 }
 
-/** Names of every file that a run can leave: those of an earlier run that this one does not make are stale. */
+/** Names of every file that a run can leave beside those of views: those of an earlier run that this one does not make
+ * are stale. */
 const char * const OutputNames[] = { "upper_ceph.stl",
                                      "lower_ceph.stl",
                                      "upper_umda.tfm",
@@ -618,34 +608,51 @@ const char * const OutputNames[] = { "upper_ceph.stl",
                                      "report.html",
                                      "result.json" };
 
-/** The same with the overlays of views, which have the names of these, of a folder. The last is result.json. */
-std::vector<std::string>
-ListOutputs(const std::vector<fs::path> & folders)
+/** Of the views that the result of a folder has; none where there is no result that can be read. */
+std::set<std::string>
+FindViewNames(const fs::path & folder)
 {
-  std::vector<std::string> names;
-  for (const fs::path & folder : folders)
+  std::set<std::string> names;
+  std::error_code       error;
+  const fs::path        file = folder / "result.json";
+  if (!fs::is_regular_file(file, error))
   {
-    std::error_code error;
-    for (const auto & entry : fs::directory_iterator(folder, error))
+    return names;
+  }
+  try
+  {
+    const CaseResultDocument document(file.u8string());
+    if (const auto views = document.GetRoot().Find("views"))
     {
-      const std::string name = entry.path().filename().string();
-      const auto        endsWith = [&](const std::string & end) {
-        return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-      };
-      if (name.rfind("overlay_", 0) == 0 && (endsWith("_upper.png") || endsWith("_lower.png")) &&
-          std::find(names.begin(), names.end(), name) == names.end())
+      for (const auto & member : views->GetMembers())
       {
-        names.push_back(name);
+        names.insert(member.first);
       }
     }
   }
-  for (const char * name : OutputNames)
+  catch (const DentalInputError &)
   {
-    if (std::find(names.begin(), names.end(), name) == names.end())
+    // What is no result of ours has no files of ours.
+  }
+  return names;
+}
+
+/** Every file that runs of these views can leave, result.json last. A file that has a name like an overlay's, and is of
+ * no view that the folder's result or this one has, is somebody else's. */
+std::vector<std::string>
+ListOutputs(const std::set<std::string> & views)
+{
+  std::vector<std::string> names;
+  for (const std::string & view : views)
+  {
+    // A name from a file is a file of this folder, or none.
+    if (view.find_first_of("/\\") == std::string::npos)
     {
-      names.emplace_back(name);
+      names.push_back(ViewOverlayName(view, "upper"));
+      names.push_back(ViewOverlayName(view, "lower"));
     }
   }
+  names.insert(names.end(), std::begin(OutputNames), std::end(OutputNames));
   return names;
 }
 } // namespace
@@ -845,7 +852,7 @@ void
 RemoveCaseResult(const std::string & folderName)
 {
   std::error_code error;
-  for (const std::string & name : ListOutputs({ fs::u8path(folderName) }))
+  for (const std::string & name : ListOutputs(FindViewNames(fs::u8path(folderName))))
   {
     fs::remove(fs::u8path(folderName) / name, error);
   }
@@ -860,7 +867,12 @@ WriteCaseResult(const CaseResult & result, OutputFolder & folder, const CaseOutp
     return;
   }
   WriteFiles(result, folder.GetStagingFolder(), options);
-  folder.Publish("result.json", ListOutputs({ fs::u8path(folder.GetName()), folder.GetStagingFolder() }));
+  std::set<std::string> views = FindViewNames(fs::u8path(folder.GetName()));
+  for (const CaseViewResult & view : result.views)
+  {
+    views.insert(view.name);
+  }
+  folder.Publish("result.json", ListOutputs(views));
 }
 
 void

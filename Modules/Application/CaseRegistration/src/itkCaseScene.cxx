@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "itkCaseScene.h"
 
-#include "itkVersorRigid3DTransform.h"
+#include "itkProjectionRows.h"
 
 #include <cmath>
 #include <string>
@@ -29,28 +29,6 @@ namespace
 {
 using JawEnum = ToothCode::JawEnum;
 using RowsType = std::array<double, 12>;
-
-/** Mesh file (its unit) to pixels, and mesh (mm) to cephalostat, both row-major: cephalostat to pixels. */
-RowsType
-ComposeWithRigidInverse(const RowsType & projection, double millimetresPerUnit, const RowsType & place)
-{
-  RowsType result{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    result[4 * row + 3] = projection[4 * row + 3];
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      double sum = 0.0;
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        sum += projection[4 * row + d] / millimetresPerUnit * place[4 * column + d];
-      }
-      result[4 * row + column] = sum;
-      result[4 * row + 3] -= sum * place[4 * column + 3];
-    }
-  }
-  return result;
-}
 
 /** How much larger a projection shows things than another: two of its rows grow with the scale, the third with
  * neither's homogeneous factor. */
@@ -65,31 +43,24 @@ ComputeScale(const RowsType & projection, const RowsType & nominal)
   };
   return std::sqrt(relativeVolume(projection) / relativeVolume(nominal));
 }
-/** Product of a projection and a rigid motion before it. */
-RowsType
-ComposeWithRigid(const RowsType & projection, const RowsType & motion)
-{
-  RowsType result{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 4; ++column)
-    {
-      result[4 * row + column] = column == 3 ? projection[4 * row + 3] : 0.0;
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        result[4 * row + column] += projection[4 * row + d] * motion[4 * d + column];
-      }
-    }
-  }
-  return result;
-}
 
 /** Where a jaw stands in a view's cephalostat frame against where it stands in the first one's: how the head was moved.
  */
-RowsType
-ComposePlaces(const RowsType & inView, const RowsType & inFirst)
+void
+MoveHead(const RowsType & inView, const RowsType & inFirst, CephalometricGeometry * geometry)
 {
-  return ComposeWithRigidInverse(inView, 1.0, inFirst);
+  const RowsType                      motion = TimesRigidInverse(inView, inFirst);
+  CephalometricGeometry::RotationType rotation;
+  CephalometricGeometry::VectorType   translation;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    translation[row] = motion[4 * row + 3];
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      rotation(row, column) = motion[4 * row + column];
+    }
+  }
+  geometry->SetPose(rotation, translation);
 }
 
 /** A radiograph as it stands in the first one's cephalostat frame. */
@@ -123,10 +94,11 @@ MakeSceneView(const CaseResult & shown, const CaseResult & first, const std::str
       const auto &      place = placed->second.meshToCephalostat;
       if (isMoved)
       {
-        nominal = ComposeWithRigid(nominal, ComposePlaces(registered.meshToCephalostat, place));
+        MoveHead(registered.meshToCephalostat, place, geometry);
+        nominal = geometry->GetProjection().matrix;
         isMoved = false;
       }
-      own.projection = ComposeWithRigidInverse(registered.projection, unit, place);
+      own.projection = TimesRigidInverse(ScaleColumns(registered.projection, 1.0 / unit), place);
       logarithm += std::log(ComputeScale(*own.projection, nominal));
       ++scales;
       for (const LandmarkPrediction & landmark : registered.landmarks)

@@ -17,14 +17,15 @@
  *=========================================================================*/
 #include "itkCaseSceneFileReader.h"
 
+#include "itkCaseResultDocument.h"
 #include "itkCaseScene.h"
 #include "itkCaseViews.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
-#include "itkDescribePlainly.h"
-#include "itkJsonDocument.h"
+#include "itkProjectionRows.h"
 #include "itkReadDentalMesh.h"
+#include "itkVisitCaseFiles.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -40,136 +41,65 @@ using JawEnum = ToothCode::JawEnum;
 using RowsType = std::array<double, 12>;
 namespace fs = std::filesystem;
 
-constexpr char     Schema[] = "dentalscr-result/1";
 constexpr RowsType Identity{ { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 } };
 
 RowsType
 ReadRows(const JsonNode & node)
 {
-  RowsType rows{};
-  if (node.GetSize() != 3)
-  {
-    node.Fail("has " + std::to_string(node.GetSize()) + " rows, not 3", "register the case again");
-  }
-  for (std::size_t row = 0; row < 3; ++row)
-  {
-    const auto numbers = node.At(row).AsNumbers(4, "a row of four");
-    std::copy(numbers.begin(), numbers.end(), rows.begin() + static_cast<std::ptrdiff_t>(4 * row));
-  }
-  return rows;
+  return CaseResultDocument::ReadMatrix<3, 4>(node, "a row of four");
 }
 
-/** Product of a 3x4 matrix and the inverse of a rigid one. */
-RowsType
-TimesRigidInverse(const RowsType & matrix, const RowsType & rigid)
+/** Views and files a tooth of a case that has no file, as far as the result names them. */
+void
+NameParts(const CaseResultDocument & document, DentalCase & description)
 {
-  RowsType product{};
-  for (unsigned int row = 0; row < 3; ++row)
+  const JsonNode & root = document.GetRoot();
+  if (const auto views = root.Find("views"))
   {
-    product[4 * row + 3] = matrix[4 * row + 3];
-    for (unsigned int column = 0; column < 3; ++column)
+    for (const auto & member : views->GetMembers())
     {
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        product[4 * row + column] += matrix[4 * row + d] * rigid[4 * column + d];
-      }
-      product[4 * row + 3] -= product[4 * row + column] * rigid[4 * column + 3];
+      DentalView view;
+      view.name = member.first;
+      view.direction = member.second.Get("direction").AsString() == "lateral"
+                         ? CephalometricGeometry::DirectionEnum::Lateral
+                         : CephalometricGeometry::DirectionEnum::Frontal;
+      description.views.push_back(view);
     }
   }
-  return product;
-}
-
-bool
-IsRight(const JsonNode & geometry, const char * key)
-{
-  const std::string word = geometry.Get(key).Get("value").AsString();
-  if (word != "right" && word != "left")
+  const std::string prefix = "contours.";
+  for (const auto & member : root.Get("inputs").GetMembers())
   {
-    geometry.Get(key).Get("value").Fail("is \"" + word + "\"", "it is right or left");
-  }
-  return word == "right";
-}
-
-CephalometricGeometry::Pointer
-ReadGeometry(const JsonNode & node, bool isFrontal = false)
-{
-  using GeometryType = CephalometricGeometry;
-  auto geometry = GeometryType::New();
-  geometry->SetSourceToDetectorDistance(node.Get("source_to_detector_mm").Get("value").AsNumber());
-  geometry->SetSourceToMidsagittalDistance(
-    node.Get(isFrontal ? "source_to_midcoronal_mm" : "source_to_midsagittal_mm").Get("value").AsNumber());
-  if (isFrontal)
-  {
-    geometry->SetDirection(GeometryType::DirectionEnum::Frontal);
-    geometry->SetFrontalSource(node.Get("source").Get("value").AsString() == "front"
-                                 ? GeometryType::FrontalSourceEnum::InFront
-                                 : GeometryType::FrontalSourceEnum::Behind);
-    geometry->SetPatientLeft(IsRight(node, "patient_left") ? GeometryType::PatientLeftEnum::Right
-                                                           : GeometryType::PatientLeftEnum::Left);
-  }
-  else
-  {
-    geometry->SetSourceSide(IsRight(node, "source_side") ? GeometryType::SourceSideEnum::Right
-                                                         : GeometryType::SourceSideEnum::Left);
-    geometry->SetFacing(IsRight(node, "facing") ? GeometryType::FacingEnum::Right : GeometryType::FacingEnum::Left);
-  }
-  const auto spacing = node.Get("pixel_spacing_mm").Get("value").AsNumbers(2, "[u, v]");
-  const auto principal = node.Get("principal_point_px").Get("value").AsNumbers(2, "[u, v]");
-  CephalometricGeometry::PixelSpacingType pixelSpacing;
-  CephalometricGeometry::PixelIndexType   principalPoint;
-  for (unsigned int d = 0; d < 2; ++d)
-  {
-    pixelSpacing[d] = spacing[d];
-    principalPoint[d] = principal[d];
-  }
-  geometry->SetPixelSpacing(pixelSpacing);
-  geometry->SetPrincipalPoint(principalPoint);
-  try
-  {
-    geometry->VerifyComplete();
-  }
-  catch (const ExceptionObject & problem)
-  {
-    node.Fail(DescribePlainly(problem), "register the case again");
-  }
-  return geometry;
-}
-
-/** Where a file is that a result names from the directory that its program was started in. */
-std::string
-FindFile(const std::string & name, const fs::path & resultFolder)
-{
-  std::error_code error;
-  for (const fs::path & place :
-       { fs::u8path(name), resultFolder / fs::u8path(name), resultFolder.parent_path() / fs::u8path(name) })
-  {
-    if (fs::is_regular_file(place, error))
+    if (member.first.rfind(prefix, 0) == 0)
     {
-      return place.string();
+      description.contourClassFiles.emplace_back(member.first.substr(prefix.size()), "");
     }
   }
-  return "";
 }
 
 /** The case as its file says it, else as far as the names of its files do. */
 DentalCase
-FindCase(const JsonNode & root, const std::string & caseFileName, const fs::path & folder)
+FindCase(const CaseResultDocument & document, const std::string & caseFileName)
 {
-  const auto inputs = root.Get("inputs");
-  const auto recorded = inputs.Find("case");
+  const JsonNode & root = document.GetRoot();
+  const auto       inputs = root.Get("inputs");
+  const auto       find = [&](const std::string & field) {
+    const std::string found = document.FindInput(field);
+    if (found.empty())
+    {
+      const auto path = inputs.Get(field).Get("path");
+      path.Fail("\"" + path.AsString() + "\" is not there, seen from here",
+                field == "case" ? "name the case file with --case"
+                                      : "start from the directory that the case was registered in");
+    }
+    return found;
+  };
   if (!caseFileName.empty())
   {
     return ReadDentalCase(caseFileName);
   }
-  if (recorded)
+  if (inputs.Find("case"))
   {
-    const std::string name = recorded->Get("path").AsString();
-    const std::string found = FindFile(name, folder);
-    if (found.empty())
-    {
-      recorded->Get("path").Fail("\"" + name + "\" is not there, seen from here", "name the case file with --case");
-    }
-    return ReadDentalCase(found);
+    return ReadDentalCase(find("case"));
   }
   if (!inputs.Find("upper") && !inputs.Find("lower"))
   {
@@ -177,31 +107,44 @@ FindCase(const JsonNode & root, const std::string & caseFileName, const fs::path
   }
   DentalCase description;
   description.fileName = "the files that " + root.GetFileName() + " names";
-  for (const auto & field : { std::make_pair("upper", &description.upperFile),
-                              std::make_pair("lower", &description.lowerFile),
-                              std::make_pair("cephalogram.image", &description.imageFile),
-                              std::make_pair("contours", &description.contoursFile),
-                              std::make_pair("cephalometric_landmarks", &description.cephalometricLandmarksFile),
-                              std::make_pair("landmarks_3d", &description.landmarks3DFile) })
-  {
-    if (const auto input = inputs.Find(field.first))
+  NameParts(document, description);
+  VisitCaseFiles(description, [&](const std::string & field, std::string & path) {
+    if (inputs.Find(field))
     {
-      *field.second = FindFile(input->Get("path").AsString(), folder);
-      if (field.second->empty())
-      {
-        input->Get("path").Fail("\"" + input->Get("path").AsString() + "\" is not there, seen from here",
-                                "start from the directory that the case was registered in");
-      }
+      path = find(field);
     }
-  }
+  });
   if (const auto side = root.Find("traced_side"))
   {
     description.tracedSide = TracedSideFromString(side->AsString());
     description.tracedSideIsGiven = true;
   }
   description.meshUnit = root.Find("mesh_unit") ? root.Get("mesh_unit").AsString() : "mm";
-  description.millimetresPerUnit = MillimetresPerUnitFromString(description.meshUnit);
+  description.millimetresPerUnit = document.GetMillimetresPerUnit();
   return description;
+}
+
+/** Takes out what was read of a file that is not the one that was registered: what is drawn of a radiograph. Returns
+ * what that was; "" where nothing of it is shown. */
+std::string
+TakeOutRadiograph(const std::string &      field,
+                  DentalRadiographData &   radiograph,
+                  DentalContour::Pointer & upperContour,
+                  DentalContour::Pointer & lowerContour)
+{
+  if (field.rfind("contours", 0) == 0)
+  {
+    upperContour = nullptr;
+    lowerContour = nullptr;
+    return "the tracing is";
+  }
+  if (field == "cephalogram.image")
+  {
+    radiograph.image = nullptr;
+    return "the radiograph is";
+  }
+  // Landmarks of an analysis and tooth labels are not shown.
+  return {};
 }
 
 /** Takes out what was read of files that are not the ones that were registered, and says so of each. */
@@ -215,23 +158,11 @@ TakeOutChanges(const JsonNode & root, DentalCaseData & data, std::vector<std::st
     {
       continue;
     }
-    const auto  startsWith = [&input](const char * words) { return input.field.rfind(words, 0) == 0; };
-    std::string what = "what is of it is";
+    std::string what;
     if (input.field == "upper" || input.field == "lower")
     {
       what = "the scan of the result's folder is shown instead; landmarks are";
       data.GetJaw(input.field == "upper" ? JawEnum::Upper : JawEnum::Lower).mesh = nullptr;
-    }
-    else if (startsWith("contours"))
-    {
-      what = "the tracing is";
-      data.upper.contour = nullptr;
-      data.lower.contour = nullptr;
-    }
-    else if (input.field == "cephalogram.image")
-    {
-      what = "the radiograph is";
-      data.image = nullptr;
     }
     else if (input.field == "landmarks_3d")
     {
@@ -240,10 +171,20 @@ TakeOutChanges(const JsonNode & root, DentalCaseData & data, std::vector<std::st
     }
     else
     {
-      // Landmarks of an analysis and tooth labels are not shown.
-      continue;
+      what = TakeOutRadiograph(input.field, data, data.upper.contour, data.lower.contour);
+      for (DentalViewData & view : data.views)
+      {
+        const std::string prefix = "views." + view.description.name + '.';
+        if (input.field.rfind(prefix, 0) == 0)
+        {
+          what = TakeOutRadiograph(input.field.substr(prefix.size()), view, view.contours[0], view.contours[1]);
+        }
+      }
     }
-    warnings.push_back(input.path + ": has changed since it was registered; " + what + " not shown");
+    if (!what.empty())
+    {
+      warnings.push_back(input.path + ": has changed since it was registered; " + what + " not shown");
+    }
   }
 }
 
@@ -269,7 +210,7 @@ ReadPlace(const JsonNode & node, JawResult & jaw)
 
 /** What a result says of its further views, of those whose drawings were read; the others are left out. */
 void
-ReadViews(const JsonNode & root, const DentalCaseData & data, CaseResult & result)
+ReadViews(const JsonNode & root, const DentalCaseData & data, CaseResult & result, std::vector<std::string> & warnings)
 {
   const auto views = root.Find("views");
   if (!views)
@@ -283,14 +224,14 @@ ReadViews(const JsonNode & root, const DentalCaseData & data, CaseResult & resul
     });
     if (found == data.views.end())
     {
+      warnings.push_back("the view " + member.first + " is not shown: what was read of the case has none of that name");
       continue;
     }
     CaseViewResult view;
     view.name = member.first;
     view.result = std::make_shared<CaseResult>();
     view.result->viewName = view.name;
-    view.result->geometry =
-      ReadGeometry(member.second.Get("geometry"), member.second.Get("direction").AsString() == "frontal");
+    view.result->geometry = CaseResultDocument::ReadGeometry(member.second.Get("geometry"));
     view.result->data = MakeCaseOfView(data, *found);
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
@@ -315,15 +256,8 @@ TakePlacedScan(const fs::path & fileName, JawEnum jaw, DentalCaseData & data, Ja
   data.GetJaw(jaw).mesh = ReadDentalMesh<DentalCaseData::MeshType>(fileName.string());
   // The matrix stays one of the case's unit; what is rigid is in mm.
   const double unit = data.description.millimetresPerUnit;
-  const auto   scaleColumns = [&result](double factor) {
-    for (unsigned int i = 0; i < 12; ++i)
-    {
-      result.projection[i] *= i % 4 == 3 ? 1.0 : factor;
-    }
-  };
-  scaleColumns(1.0 / unit);
-  result.projection = TimesRigidInverse(result.projection, result.meshToCephalostat);
-  scaleColumns(unit);
+  result.projection =
+    ScaleColumns(TimesRigidInverse(ScaleColumns(result.projection, 1.0 / unit), result.meshToCephalostat), unit);
   result.meshToUMDA = TimesRigidInverse(result.meshToUMDA, result.meshToCephalostat);
   result.meshToCephalostat = Identity;
   // On the scan they are told in the frame of its own file.
@@ -364,38 +298,14 @@ void
 CaseSceneFileReader::GenerateData()
 {
   m_Warnings.clear();
-  std::error_code   error;
-  const fs::path    path = fs::u8path(m_FileName);
-  const std::string fileName = fs::is_directory(path, error) ? (path / "result.json").string() : m_FileName;
-  const fs::path    folder = fs::absolute(fs::u8path(fileName)).parent_path();
-  const auto        document = JsonDocument::ReadFile(fileName);
-  const auto        root = document.GetRoot();
-  const auto        schema = root.Find("schema");
-  if (!schema || !schema->IsString())
-  {
-    itkDentalInputErrorMacro(
-      fileName, "schema", "missing: this is no result of dentalscr", "name a result.json, or the folder that has one");
-  }
-  if (schema->AsString() != Schema)
-  {
-    schema->Fail("is \"" + schema->AsString() + "\", and this version reads \"" + Schema + "\"",
-                 "register the case again");
-  }
+  const CaseResultDocument document(m_FileName);
+  const JsonNode &         root = document.GetRoot();
+  const std::string &      fileName = document.GetFileName();
+  const fs::path &         folder = document.GetFolder();
 
-  CaseResult result;
-  const auto jaws = root.Get("jaws");
-  double     unit = 1.0;
-  if (const auto meshUnit = root.Find("mesh_unit"))
-  {
-    try
-    {
-      unit = MillimetresPerUnitFromString(meshUnit->AsString());
-    }
-    catch (const std::invalid_argument & problem)
-    {
-      meshUnit->Fail(problem.what(), "register the case again");
-    }
-  }
+  CaseResult   result;
+  const auto   jaws = root.Get("jaws");
+  const double unit = document.GetMillimetresPerUnit();
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     const auto node = jaws.Find(jaw == JawEnum::Upper ? "upper" : "lower");
@@ -414,12 +324,12 @@ CaseSceneFileReader::GenerateData()
                              "no jaw was registered, and there is nothing to show",
                              "see the reasons of each jaw in the file");
   }
-  result.geometry = ReadGeometry(root.Get("geometry"));
+  result.geometry = CaseResultDocument::ReadGeometry(root.Get("geometry"));
 
   std::shared_ptr<DentalCaseData> data;
   try
   {
-    DentalCase description = FindCase(root, m_CaseFileName, folder);
+    DentalCase description = FindCase(document, m_CaseFileName);
     const auto control = root.Find("control");
     if (const auto excluded = control ? control->Find("exclude") : std::nullopt)
     {
@@ -444,7 +354,7 @@ CaseSceneFileReader::GenerateData()
     data = std::make_shared<DentalCaseData>();
   }
   data->description.millimetresPerUnit = unit;
-  ReadViews(root, *data, result);
+  ReadViews(root, *data, result, m_Warnings);
   bool isAny = false;
   for (auto & entry : result.jaws)
   {

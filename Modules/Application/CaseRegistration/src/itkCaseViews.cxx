@@ -17,8 +17,6 @@
  *=========================================================================*/
 #include "itkCaseViews.h"
 
-#include "itkViewVerdict.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -35,25 +33,15 @@ std::shared_ptr<DentalCaseData>
 MakeCaseOfView(const DentalCaseData & data, const DentalViewData & view)
 {
   auto own = std::make_shared<DentalCaseData>(data);
+  static_cast<DentalRadiographData &>(*own) = view;
+  static_cast<DentalRadiograph &>(own->description) = view.description;
+  own->description.contourClassFiles.clear();
+  own->description.views.clear();
   own->views.clear();
   own->inputs.clear();
   own->warnings.clear();
   own->upper.contour = view.contours[0];
   own->lower.contour = view.contours[1];
-  own->image = view.image;
-  own->imageSize = view.imageSize;
-  own->geometry = view.geometry;
-  own->sources.sourceToMidsagittal = view.sourceToEarRods;
-  own->sources.sourceToDetector = view.sourceToDetector;
-  own->sources.sourceSide = view.source;
-  own->sources.facing = view.side;
-  own->sources.pixelSpacing = view.pixelSpacing;
-  own->sources.principalPoint = view.principalPoint;
-  own->spacingProvenance = view.spacingProvenance;
-  own->cephalometricLandmarks = view.landmarks;
-  own->description.landmarks2DFile = view.description.landmarks2DFile;
-  own->description.imageFile = view.description.imageFile;
-  own->description.views.clear();
   if (view.description.direction == CephalometricGeometry::DirectionEnum::Frontal)
   {
     // Names and codes of a frontal radiograph have the sides that they say.
@@ -72,19 +60,19 @@ CaseViews::CaseViews(const DentalCaseData & data, CaseAxisType * axis, CaseResul
     own->SetGeometry(view.geometry);
     own->SetUpperContour(data.upper.mesh.IsNull() ? nullptr : view.GetContour(JawEnum::Upper));
     own->SetLowerContour(data.lower.mesh.IsNull() ? nullptr : view.GetContour(JawEnum::Lower));
-    if (view.landmarks.IsNotNull())
+    if (view.cephalometricLandmarks.IsNotNull())
     {
-      const auto counterparts =
-        FindCaseCounterparts(data, view.landmarks, false, axis, "view " + view.description.name + ": ", result);
+      const auto counterparts = FindCaseCounterparts(
+        data, view.cephalometricLandmarks, false, axis, "view " + view.description.name + ": ", result);
       if (!counterparts->GetCounterparts().empty())
       {
-        own->SetCephalometricLandmarks(view.landmarks);
+        own->SetCephalometricLandmarks(view.cephalometricLandmarks);
         own->SetLandmarkCounterparts(counterparts);
       }
     }
     own->SetSameHeadPosition(view.description.sameHeadPosition);
     own->SetPrincipalPointSigma(view.principalPointSigma);
-    own->SetSpacingSource(view.spacingSource);
+    own->SetSpacingSource(SpacingSourceOf(view));
     if (own->GetUpperContour() == nullptr && own->GetLowerContour() == nullptr &&
         own->GetCephalometricLandmarks() == nullptr)
     {
@@ -113,7 +101,10 @@ CaseViews::HasEvidence(JawEnum jaw) const
 }
 
 void
-CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & settings, CaseResult & result) const
+CaseViews::Describe(const PoseSolution &              solution,
+                    const RegistrationVerdictFilter & verdict,
+                    const CasePoseSettings &          settings,
+                    CaseResult &                      result) const
 {
   for (std::size_t v = 0; v < m_Views.size(); ++v)
   {
@@ -123,8 +114,8 @@ CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & sett
     CaseViewResult              view;
     view.name = data.description.name;
     view.sameHeadPosition = data.description.sameHeadPosition;
-    view.findings = ViewVerdict::Evaluate(solution.GetResult(), v);
-    view.status = ViewVerdict::GetStatus(view.findings);
+    view.findings = verdict.GetViewVerdict(view.name).findings;
+    view.status = verdict.GetViewVerdict(view.name).status;
     view.result = std::make_shared<CaseResult>();
     CaseResult & shown = *view.result;
     shown.preset = result.preset;
@@ -133,6 +124,9 @@ CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & sett
     shown.geometry = CephalometricGeometry::New();
     shown.geometry->CopyParameters(data.geometry);
     shown.jawsShareFrame = result.jawsShareFrame;
+    shown.unusableLandmarks = result.unusableLandmarks;
+    const auto silhouettes =
+      MakeWholeSilhouettes(m_Data, *own, settings.numberOfContourPoints, settings.numberOfThreads);
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
       if (!own->IsRegistered(jaw))
@@ -145,37 +139,15 @@ CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & sett
       view.moves[jaw] = found.moves[group];
       view.moveSigmas[jaw] = found.moveSigmas[group];
       view.scaleFactors[jaw] = std::exp(own->GetGroup(jaw).parameters[PoseKappa]);
-      place.registered = true;
       place.status = view.status;
-      place.projection = ToRows(own->GetProjectionMatrix(jaw, m_Data.description.millimetresPerUnit));
-      const auto rigid = own->MakeRigidTransform(jaw);
-      for (unsigned int row = 0; row < 3; ++row)
-      {
-        place.meshToCephalostat[4 * row + 3] = rigid->GetOffset()[row];
-        for (unsigned int column = 0; column < 3; ++column)
-        {
-          place.meshToCephalostat[4 * row + column] = rigid->GetMatrix()(row, column);
-        }
-      }
-      place.pose = { ToRows(poseJaw.frame), own->GetGroup(jaw).parameters, own->GetGroup(jaw).covariance };
-      for (const PoseLandmarkFit & landmark : poseJaw.landmarks)
-      {
-        place.usedLandmarks.push_back({ landmark.name,
-                                        m_Views[v]->GetLandmarkCounterparts()->Find(landmark.name)->source,
-                                        landmark.residual,
-                                        landmark.distance,
-                                        landmark.weight });
-      }
+      DescribePlacedJaw(*own, jaw, m_Data.description.millimetresPerUnit, m_Views[v]->GetLandmarkCounterparts(), place);
       if (poseJaw.fit.numberOfPoints > 0)
       {
         place.outline =
           KeepMatchedOutline(poseJaw, shown.data->GetJaw(jaw).contour, own->GetResult().geometry.pixelSpacing[0]);
       }
-      auto placed = CephalometricGeometry::New();
-      own->CopyToGeometry(jaw, placed);
-      const DentalContour::Pointer whole = MakeWholeSilhouette(
-        m_Data.GetJaw(jaw).mesh, placed, settings.numberOfContourPoints[jaw == JawEnum::Upper ? 0 : 1]);
-      DentalContour * tracing = shown.data->GetJaw(jaw).contour;
+      const DentalContour::Pointer whole = silhouettes[jaw == JawEnum::Upper ? 0 : 1];
+      DentalContour *              tracing = shown.data->GetJaw(jaw).contour;
       if (tracing != nullptr && tracing->GetNumberOfPoints() > 0 && poseJaw.fit.numberOfPoints > 0)
       {
         Measure(tracing, whole, "whole", place);
@@ -198,18 +170,6 @@ CaseViews::Describe(const PoseSolution & solution, const CasePoseSettings & sett
       const auto & spacing = own->GetResult().geometry.pixelSpacing;
       PredictError(own->GetJaw(entry.first).middleSigma * PoseWorkingPixel / (0.5 * (spacing[0] + spacing[1])),
                    entry.second);
-    }
-    if (view.status != RegistrationStatusEnum::Ok)
-    {
-      for (auto & entry : result.jaws)
-      {
-        if (entry.second.registered)
-        {
-          entry.second.AddFinding(RegistrationStatusEnum::Suspect,
-                                  "view",
-                                  "the view \"" + view.name + "\" is not simply ok: " + view.findings.front().text);
-        }
-      }
     }
     result.views.push_back(std::move(view));
   }

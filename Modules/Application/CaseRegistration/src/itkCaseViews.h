@@ -22,6 +22,7 @@
 #include "itkCasePoseRegistration.h"
 
 #include "itkCephalogramView.h"
+#include "itkRegistrationVerdictFilter.h"
 
 #include <memory>
 #include <vector>
@@ -50,7 +51,10 @@ public:
 
   /** What each shows at the solution. */
   void
-  Describe(const PoseSolution & solution, const CasePoseSettings & settings, CaseResult & result) const;
+  Describe(const PoseSolution &              solution,
+           const RegistrationVerdictFilter & verdict,
+           const CasePoseSettings &          settings,
+           CaseResult &                      result) const;
 
 private:
   const DentalCaseData &                m_Data;

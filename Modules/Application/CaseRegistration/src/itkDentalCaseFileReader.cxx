@@ -508,20 +508,7 @@ InterpretDentalCase(const JsonDocument & document,
   {
     ReadContourFiles(root, directory, dentalCase);
   }
-  if (const auto spacing = root.Find("markups_spacing_mm"))
-  {
-    const std::vector<double> numbers = spacing->AsNumbers(2, "[u, v]");
-    for (const double number : numbers)
-    {
-      // 1 mm is what Slicer gives a picture without a spacing.
-      if (!(number > 0.001 && number < 5.0))
-      {
-        spacing->Fail(std::to_string(number) + " mm a pixel is not possible",
-                      "give the spacing that the radiograph had in Slicer (its Volumes module shows it)");
-      }
-    }
-    dentalCase.markupsSpacing = { { numbers[0], numbers[1] } };
-  }
+  dentalCase.markupsSpacing = ReadMarkupsSpacing(root);
   std::vector<std::string> landmarkWarnings;
   if (isDrawn || !IsYetToBeWritten(root, "cephalometric_landmarks", directory))
   {

@@ -17,11 +17,9 @@
  *=========================================================================*/
 #include "itkDentalCaseLoader.h"
 
-#include "itkCephalogramFileReader.h"
-#include "itkCephalometricLandmarkFileReader.h"
-#include "itkDentalContourFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
+#include "itkDentalRadiographLoader.h"
 #include "itkDentalViewLoader.h"
 #include "itkParallelFor.h"
 #include "itkReadDentalMesh.h"
@@ -34,10 +32,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <exception>
-#include <filesystem>
-#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -52,14 +47,6 @@ void
 Append(std::vector<std::string> & to, const std::vector<std::string> & from)
 {
   to.insert(to.end(), from.begin(), from.end());
-}
-
-std::string
-Print(PixelSpacingVerdictEnum verdict)
-{
-  std::ostringstream text;
-  text << verdict;
-  return text.str();
 }
 
 DentalCaseData::MeshType::Pointer
@@ -114,268 +101,15 @@ LoadLabels(DentalCaseData & data)
   }
 }
 
-/** From the midsagittal plane to the detector, mm: half a head and the cassette's distance from it. The usual one is
- * that of the default geometry. */
-constexpr double SmallestHeadToDetector = 90.0;
-constexpr double UsualHeadToDetector = 150.0;
-constexpr double LargestHeadToDetector = 400.0;
-
-/** Spacing, distances and facing: the case file before DICOM before the default. */
+/** The tracing and the landmarks to register with. */
 void
-SettleGeometry(const CephalogramFileReader * reader, DentalCaseData & data)
+LoadDrawings(DentalRadiographLoader & loader, DentalCaseData & data)
 {
   const DentalCase & description = data.description;
-  data.geometry = CephalometricGeometry::New();
-  const auto settle = [](const auto & given, const auto & fromDicom, auto & source, auto && apply) {
-    if (given)
-    {
-      apply(*given);
-      source = ValueSourceEnum::Given;
-    }
-    else if (fromDicom)
-    {
-      apply(*fromDicom);
-      source = ValueSourceEnum::DICOM;
-    }
-  };
-  std::optional<double>                            dicomDetector;
-  std::optional<double>                            dicomMidsagittal;
-  std::optional<CephalometricGeometry::FacingEnum> dicomFacing;
-  if (reader != nullptr)
-  {
-    if (reader->HasSourceToDetectorDistance())
-    {
-      dicomDetector = reader->GetSourceToDetectorDistance();
-    }
-    if (reader->HasSourceToMidsagittalDistance())
-    {
-      dicomMidsagittal = reader->GetSourceToMidsagittalDistance();
-    }
-    if (reader->HasFacing())
-    {
-      dicomFacing = reader->GetFacing();
-    }
-  }
-  const auto compare = [&data](const char * field, double given, double fromDicom) {
-    // Rounded figures of one machine agree better.
-    constexpr double tolerance = 0.02;
-    if (std::abs(given - fromDicom) > tolerance * fromDicom)
-    {
-      std::ostringstream warning;
-      warning << field << ": the case says " << given << ", the DICOM file " << fromDicom << "; the case's is used";
-      data.warnings.push_back(warning.str());
-    }
-  };
-  if (description.sourceToDetector && dicomDetector)
-  {
-    compare("source_to_detector_mm", *description.sourceToDetector, *dicomDetector);
-  }
-  if (description.sourceToMidsagittal && dicomMidsagittal)
-  {
-    compare("source_to_midsagittal_mm", *description.sourceToMidsagittal, *dicomMidsagittal);
-  }
-  if (description.facing && dicomFacing && *description.facing != *dicomFacing)
-  {
-    data.warnings.emplace_back("facing: the case and the DICOM file's patient orientation contradict each other; the "
-                               "case's is used");
-  }
-  settle(description.sourceToDetector, dicomDetector, data.sources.sourceToDetector, [&](double distance) {
-    data.geometry->SetSourceToDetectorDistance(distance);
-  });
-  settle(description.sourceToMidsagittal, dicomMidsagittal, data.sources.sourceToMidsagittal, [&](double distance) {
-    data.geometry->SetSourceToMidsagittalDistance(distance);
-  });
-  // The detector's distance alone was given: of the head that lies before it only the default tells, and by its
-  // distance from the detector, which is nearly the same in all machines, rather than by that from the source.
-  const double gap = data.geometry->GetSourceToDetectorDistance() - data.geometry->GetSourceToMidsagittalDistance();
-  if (data.sources.sourceToDetector != ValueSourceEnum::Default &&
-      data.sources.sourceToMidsagittal == ValueSourceEnum::Default &&
-      !(gap >= SmallestHeadToDetector && gap <= LargestHeadToDetector) &&
-      data.geometry->GetSourceToDetectorDistance() > UsualHeadToDetector)
-  {
-    std::ostringstream warning;
-    warning << "source_to_midsagittal_mm is not known, and the default does not go with a detector "
-            << data.geometry->GetSourceToDetectorDistance()
-            << " mm from the source: " << data.geometry->GetSourceToDetectorDistance() - UsualHeadToDetector
-            << " is taken, " << UsualHeadToDetector << " mm before the detector";
-    data.warnings.push_back(warning.str());
-    data.geometry->SetSourceToMidsagittalDistance(data.geometry->GetSourceToDetectorDistance() - UsualHeadToDetector);
-  }
-  settle(description.facing, dicomFacing, data.sources.facing, [&](CephalometricGeometry::FacingEnum facing) {
-    data.geometry->SetFacing(facing);
-  });
-  if (data.geometry->GetSourceToDetectorDistance() <= data.geometry->GetSourceToMidsagittalDistance())
-  {
-    std::ostringstream problem;
-    problem << "the source-to-detector distance " << data.geometry->GetSourceToDetectorDistance()
-            << " mm is not larger than the source-to-midsagittal distance "
-            << data.geometry->GetSourceToMidsagittalDistance() << " mm";
-    itkDentalInputErrorMacro(description.fileName, "geometry", problem.str(), "give both distances");
-  }
-  if (description.sourceSide)
-  {
-    data.geometry->SetSourceSide(*description.sourceSide);
-    data.sources.sourceSide = ValueSourceEnum::Given;
-  }
-  if (description.principalPoint)
-  {
-    CephalometricGeometry::PixelIndexType principal;
-    principal[0] = (*description.principalPoint)[0];
-    principal[1] = (*description.principalPoint)[1];
-    data.geometry->SetPrincipalPoint(principal);
-    data.sources.principalPoint = ValueSourceEnum::Given;
-  }
-  CephalometricGeometry::PixelSpacingType spacing;
-  if (description.pixelSpacing)
-  {
-    // At the midsagittal plane a pixel shows less than it measures on the detector.
-    const double factor = description.spacingAtMidsagittalPlane ? data.geometry->GetSourceToDetectorDistance() /
-                                                                    data.geometry->GetSourceToMidsagittalDistance()
-                                                                : 1.0;
-    spacing[0] = (*description.pixelSpacing)[0] * factor;
-    spacing[1] = (*description.pixelSpacing)[1] * factor;
-    data.geometry->SetPixelSpacing(spacing);
-    data.sources.pixelSpacing = ValueSourceEnum::Given;
-    if (reader != nullptr && reader->HasPixelSpacing() && std::string(reader->GetFileFormat()) == "DICOM")
-    {
-      const auto own = reader->GetDetectorPixelSpacing(data.geometry->GetSourceToDetectorDistance(),
-                                                       data.geometry->GetSourceToMidsagittalDistance());
-      // One warning, of the direction in which they differ more.
-      const auto ratio = [&](unsigned int i) { return std::abs(std::log(spacing[i] / own[i])); };
-      const bool isAcross = ratio(0) >= ratio(1);
-      compare(
-        isAcross ? "pixel_spacing_mm[0]" : "pixel_spacing_mm[1]", spacing[isAcross ? 0 : 1], own[isAcross ? 0 : 1]);
-    }
-    data.spacingProvenance = description.spacingAtMidsagittalPlane
-                               ? "case file, midsagittal plane, converted to the detector's"
-                               : "case file, detector plane";
-    data.spacingVerdict = Print(PixelSpacingVerdictEnum::UserGiven);
-  }
-  else if (reader != nullptr && reader->HasPixelSpacing())
-  {
-    data.geometry->SetPixelSpacing(reader->GetDetectorPixelSpacing(data.geometry->GetSourceToDetectorDistance(),
-                                                                   data.geometry->GetSourceToMidsagittalDistance()));
-    data.sources.pixelSpacing =
-      std::string(reader->GetFileFormat()) == "DICOM" ? ValueSourceEnum::DICOM : ValueSourceEnum::Given;
-    data.spacingVerdict = Print(reader->GetPixelSpacingVerdict());
-    data.spacingProvenance = reader->GetProvenance().at("pixel_spacing");
-  }
-  else
-  {
-    data.spacingProvenance =
-      reader != nullptr ? reader->GetProvenance().at("pixel_spacing") : "no radiograph and no spacing given";
-  }
-}
-/** In what grid markups in mm lie: as the case says, else as the radiograph's header does. */
-void
-SettleMarkupsGrid(const CephalogramFileReader * reader, DentalCaseData & data)
-{
-  std::array<double, 4> grid{ { 0.0, 0.0, 0.0, 0.0 } };
-  const bool            header = reader != nullptr && reader->HasHeaderSpacing();
-  if (!header && !data.description.markupsSpacing)
-  {
-    return;
-  }
-  for (unsigned int i = 0; i < 2; ++i)
-  {
-    grid[i] = data.description.markupsSpacing ? (*data.description.markupsSpacing)[i] : reader->GetHeaderSpacing()[i];
-    grid[2 + i] = header ? reader->GetHeaderOrigin()[i] : 0.0;
-  }
-  data.markupsGrid = grid;
-}
-
-/** Throws where a file of markups, in mm, was read and nobody knows how many mm a pixel has. */
-void
-RequireMarkupsGrid(const DentalCaseData & data, const AnnotationFileReaderBase & reader)
-{
-  if (reader.GetReadFileFormat() == AnnotationFileFormatEnum::SlicerMarkups && !data.markupsGrid)
-  {
-    itkDentalInputErrorMacro(
-      data.description.fileName,
-      "markups_spacing_mm",
-      std::string("missing: the markups of \"") + reader.GetFileName() + "\" are in mm",
-      "add the spacing [u, v] that the radiograph had in Slicer: [1, 1] where its Volumes module "
-      "shows none, as of PNG and JPEG");
-  }
-}
-
-/** A line along a ruler is the spacing where nobody gave one. */
-void
-SettleCalibration(const DentalContourFileReader & contourReader, DentalCaseData & data)
-{
-  const DentalContourFileReader::CalibrationType * longest = nullptr;
-  for (const auto & calibration : contourReader.GetCalibrations())
-  {
-    if (calibration.pixels > 0.0 && (longest == nullptr || calibration.pixels > longest->pixels))
-    {
-      longest = &calibration;
-    }
-  }
-  if (longest == nullptr)
-  {
-    return;
-  }
-  // A ruler hangs or is held where the patient's midline is, unless the case says that it lay on the detector.
-  const DentalCase & description = data.description;
-  const bool         midsagittal = !description.spacingPlaneIsGiven || description.spacingAtMidsagittalPlane;
-  const double       factor =
-    midsagittal ? data.geometry->GetSourceToDetectorDistance() / data.geometry->GetSourceToMidsagittalDistance() : 1.0;
-  const double       found = factor * longest->millimetres / longest->pixels;
-  std::ostringstream text;
-  text << "line \"" << longest->label << "\" of the tracing: " << longest->millimetres << " mm on " << longest->pixels
-       << " px"
-       << (midsagittal ? ", taken for the midsagittal plane, converted to the detector's" : ", detector plane");
-  if (data.geometry->HasPixelSpacing())
-  {
-    // Beyond what a ruler's plane and two ends leave open.
-    constexpr double tolerance = 0.15;
-    const double     given = 0.5 * (data.geometry->GetPixelSpacing()[0] + data.geometry->GetPixelSpacing()[1]);
-    if (std::abs(found / given - 1.0) > tolerance)
-    {
-      std::ostringstream warning;
-      warning << description.fileName << ": cephalogram.pixel_spacing_mm: " << given
-              << " mm a pixel on the detector, but " << text.str() << " makes it " << found;
-      data.warnings.push_back(warning.str());
-    }
-    return;
-  }
-  if (!(found > 0.001 && found < 5.0))
-  {
-    itkDentalInputErrorMacro(contourReader.GetFileName(),
-                             longest->label,
-                             "makes a pixel " + std::to_string(found) + " mm, which is not possible",
-                             "draw the line from end to end of the ruler that its label names");
-  }
-  CephalometricGeometry::PixelSpacingType spacing;
-  spacing.Fill(found);
-  data.geometry->SetPixelSpacing(spacing);
-  data.sources.pixelSpacing = ValueSourceEnum::Given;
-  data.spacingVerdict = Print(PixelSpacingVerdictEnum::Calibrated);
-  data.spacingProvenance = text.str();
-}
-
-void
-LoadContours(DentalCaseData & data)
-{
-  const DentalCase & description = data.description;
-  auto               contourReader = DentalContourFileReader::New();
-  contourReader->SetFileName(description.contourClassFiles.empty() ? description.contoursFile : description.fileName);
-  contourReader->SetClassFiles(description.contourClassFiles);
-  contourReader->SetSidelessCodesAreLeft(description.tracedSideIsGiven &&
-                                         description.tracedSide == TracedSideEnum::Left);
-  PrepareReader(data, *contourReader);
-  if (description.numbering)
-  {
-    contourReader->SetNumbering(*description.numbering);
-  }
-  if (data.imageSize[0] > 0)
-  {
-    contourReader->SetImageSize({ { data.imageSize[0], data.imageSize[1] } });
-  }
-  contourReader->Update();
-  RequireMarkupsGrid(data, *contourReader);
-  Append(data.warnings, contourReader->GetWarnings());
-  data.sidelessContours = contourReader->GetNumberOfSidelessCodes();
+  const auto         contours = loader.LoadContours(
+    description.contourClassFiles, description.tracedSideIsGiven && description.tracedSide == TracedSideEnum::Left);
+  data.upper.contour = contours[0];
+  data.lower.contour = contours[1];
   if (data.sidelessContours > 0 && description.tracedSide == TracedSideEnum::Both)
   {
     itkDentalInputErrorMacro(description.fileName,
@@ -384,95 +118,18 @@ LoadContours(DentalCaseData & data)
                                " contours have codes without a side (U1, L6)",
                              "give each contour the code of its side, or write \"standard\"");
   }
-  SettleCalibration(*contourReader, data);
-  data.imageSize = { { static_cast<unsigned int>(contourReader->GetReadImageSize()[0]),
-                       static_cast<unsigned int>(contourReader->GetReadImageSize()[1]) } };
-  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
-  {
-    DentalContour * contour = contourReader->GetOutput(jaw);
-    if (contour->GetNumberOfPoints() > 0)
-    {
-      data.GetJaw(jaw).contour = DentalContour::New();
-      for (const auto & polyline : contour->GetPolylines())
-      {
-        const auto & excluded = description.excludedTeeth;
-        if (!polyline.code.IsKnown() || std::find(excluded.begin(), excluded.end(), polyline.code) == excluded.end())
-        {
-          data.GetJaw(jaw).contour->AddPolyline(polyline);
-        }
-      }
-    }
-  }
-}
-
-/** The radiograph's where there is one, else as the case states it. */
-void
-SettleImageSize(DentalCaseData & data)
-{
-  const auto & stated = data.description.imageSize;
-  if (data.image.IsNull())
-  {
-    data.imageSize = stated.value_or(data.imageSize);
-    return;
-  }
-  const auto size = data.image->GetLargestPossibleRegion().GetSize();
-  data.imageSize = { { static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]) } };
-  if (stated && *stated != data.imageSize)
-  {
-    std::ostringstream problem;
-    problem << "is " << (*stated)[0] << " x " << (*stated)[1] << ", but the image is " << size[0] << " x " << size[1];
-    itkDentalInputErrorMacro(data.description.fileName,
-                             "cephalogram.image_size",
-                             problem.str(),
-                             "name the right image or leave the field out");
-  }
-}
-
-void
-LoadCephalometricLandmarks(DentalCaseData & data)
-{
-  const DentalCase & description = data.description;
-  const bool         own = description.cephalometricLandmarksFile.empty();
-  if (own && description.cephalometricLandmarks.IsNull())
-  {
-    return;
-  }
-  if (own)
-  {
-    data.cephalometricLandmarks = CephalometricLandmarkSet::New();
-    data.cephalometricLandmarks->Graft(description.cephalometricLandmarks);
-  }
-  else
-  {
-    auto reader = CephalometricLandmarkFileReader::New();
-    reader->SetFileName(description.cephalometricLandmarksFile);
-    reader->SetNumbering(description.numbering.value_or(ToothCode::NumberingEnum::Quadrant));
-    PrepareReader(data, *reader);
-    reader->Update();
-    RequireMarkupsGrid(data, *reader);
-    Append(data.warnings, reader->GetWarnings());
-    data.cephalometricLandmarks = reader->GetOutput();
-    data.cephalometricLandmarks->DisconnectPipeline();
-  }
-  if (data.imageSize[0] == 0)
-  {
-    itkDentalInputErrorMacro(description.fileName,
-                             "cephalogram.image_size",
-                             "missing: landmarks without a tracing do not say how large the radiograph is",
-                             "name the image, or add \"image_size\": [width, height] to \"cephalogram\"");
-  }
-  CheckLandmarksInImage(*data.cephalometricLandmarks,
-                        data.imageSize,
-                        own ? description.fileName : description.cephalometricLandmarksFile,
-                        own ? "cephalometric_landmarks." : "");
+  loader.LoadLandmarks();
+  SettleTracedSide(data);
 }
 
 } // namespace
 
 void
-PrepareReader(const DentalCaseData & data, AnnotationFileReaderBase & reader)
+PrepareReader(const DentalRadiograph &     description,
+              const DentalRadiographData & data,
+              AnnotationFileReaderBase &   reader)
 {
-  reader.SetImageFileName(data.description.imageFile);
+  reader.SetImageFileName(description.imageFile);
   if (data.markupsGrid)
   {
     AnnotationFileReaderBase::VectorType spacing, origin;
@@ -484,6 +141,20 @@ PrepareReader(const DentalCaseData & data, AnnotationFileReaderBase & reader)
     reader.SetMarkupsSpacing(spacing);
     reader.SetMarkupsOrigin(origin);
   }
+}
+
+DentalContour::Pointer
+WithoutTeeth(const DentalContour & contour, const std::vector<ToothCode> & teeth)
+{
+  auto kept = DentalContour::New();
+  for (const auto & polyline : contour.GetPolylines())
+  {
+    if (!polyline.code.IsKnown() || std::find(teeth.begin(), teeth.end(), polyline.code) == teeth.end())
+    {
+      kept->AddPolyline(polyline);
+    }
+  }
+  return kept;
 }
 
 void
@@ -515,13 +186,9 @@ CheckLandmarksInImage(const CephalometricLandmarkSet &    landmarks,
 void
 LoadCaseDrawings(DentalCaseData & data)
 {
-  const DentalCase & description = data.description;
-  if (!description.contoursFile.empty() || !description.contourClassFiles.empty())
-  {
-    LoadContours(data);
-  }
-  LoadCephalometricLandmarks(data);
-  SettleTracedSide(data);
+  DentalRadiographLoader loader(
+    data.description, data.description, CephalometricGeometry::DirectionEnum::Lateral, "", data, data.warnings);
+  LoadDrawings(loader, data);
 }
 
 std::shared_ptr<DentalCaseData>
@@ -534,20 +201,11 @@ LoadDentalCase(const DentalCase & description)
   data->warnings = description.warnings;
 
   // The small files first: a mistake in them should not cost the time of reading the scans.
-  CephalogramFileReader::Pointer imageReader;
-  if (!description.imageFile.empty())
-  {
-    imageReader = CephalogramFileReader::New();
-    imageReader->SetFileName(description.imageFile);
-    imageReader->Update();
-    data->image = imageReader->GetOutput();
-    Append(data->warnings, imageReader->GetWarnings());
-  }
-  SettleImageSize(*data);
-  SettleGeometry(imageReader, *data);
-  SettleMarkupsGrid(imageReader, *data);
-
-  LoadCaseDrawings(*data);
+  DentalRadiographLoader loader(
+    description, description, CephalometricGeometry::DirectionEnum::Lateral, "", *data, data->warnings);
+  loader.LoadImage();
+  loader.SettleGeometry();
+  LoadDrawings(loader, *data);
   LoadDentalViews(*data);
   if (!description.landmarks3DFile.empty())
   {

@@ -73,7 +73,8 @@ ReadViewCephalogram(const JsonNode & node, const fs::path & directory, DentalVie
   const bool isLateral = view.direction == DirectionEnum::Lateral;
   if (const auto plane = node.Find("spacing_plane"))
   {
-    view.spacingAtEarRods = IsSecond(*plane, "detector", isLateral ? "midsagittal" : "midcoronal");
+    view.spacingPlaneIsGiven = true;
+    view.spacingAtMidsagittalPlane = IsSecond(*plane, "detector", isLateral ? "midsagittal" : "midcoronal");
   }
   const char * const other = isLateral ? "patient_left" : "facing";
   if (const auto side = node.Find(other))
@@ -104,13 +105,13 @@ ReadViewGeometry(const JsonNode & node, DentalView & view)
                                 "principal_point_sigma_px" });
   if (const auto value = node.Find(distance))
   {
-    view.sourceToEarRods = MachineDistance(*value);
+    view.sourceToMidsagittal = MachineDistance(*value);
   }
   if (const auto value = node.Find("source_to_detector_mm"))
   {
     view.sourceToDetector = MachineDistance(*value);
   }
-  if (view.sourceToEarRods && view.sourceToDetector && *view.sourceToDetector <= *view.sourceToEarRods)
+  if (view.sourceToMidsagittal && view.sourceToDetector && *view.sourceToDetector <= *view.sourceToMidsagittal)
   {
     node.Get("source_to_detector_mm")
       .Fail("the detector is not behind the head",
@@ -163,6 +164,7 @@ ReadDentalViews(const JsonNode &           node,
                                  "geometry",
                                  "contours",
                                  "cephalometric_landmarks",
+                                 "markups_spacing_mm",
                                  "landmarks_2d",
                                  "same_head_position" });
     DentalView view;
@@ -182,6 +184,7 @@ ReadDentalViews(const JsonNode &           node,
       ReadViewGeometry(*geometry, view);
     }
     view.contoursFile = FindFile(own, "contours", directory);
+    view.markupsSpacing = ReadMarkupsSpacing(own);
     const CaseLandmarkField landmarks = ReadCephalometricLandmarks(own, directory, dentalCase.numbering);
     view.cephalometricLandmarksFile = landmarks.fileName;
     view.cephalometricLandmarks = landmarks.landmarks;

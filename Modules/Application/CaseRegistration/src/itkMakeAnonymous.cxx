@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkMakeAnonymous.h"
 
+#include "itkVisitCaseFiles.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -151,26 +153,8 @@ MakeAnonymous(const CaseResult & result)
     folder = fs::u8path(description.fileName).parent_path().u8string();
     // What was read may be named in a sentence, recorded as an input or not.
     cleaner.Add("case", description.fileName, "");
-    cleaner.Add("upper", description.upperFile, "");
-    cleaner.Add("lower", description.lowerFile, "");
-    cleaner.Add("upper_labels", description.upperLabelsFile, "");
-    cleaner.Add("lower_labels", description.lowerLabelsFile, "");
-    cleaner.Add("cephalogram.image", description.imageFile, "");
-    cleaner.Add("contours", description.contoursFile, "");
-    for (const auto & file : description.contourClassFiles)
-    {
-      cleaner.Add("contours", file.second, "");
-    }
-    cleaner.Add("cephalometric_landmarks", description.cephalometricLandmarksFile, "");
-    cleaner.Add("landmarks_3d", description.landmarks3DFile, "");
-    cleaner.Add("landmarks_2d", description.landmarks2DFile, "");
-    for (const DentalView & view : description.views)
-    {
-      cleaner.Add("cephalogram.image", view.imageFile, "");
-      cleaner.Add("contours", view.contoursFile, "");
-      cleaner.Add("cephalometric_landmarks", view.cephalometricLandmarksFile, "");
-      cleaner.Add("landmarks_2d", view.landmarks2DFile, "");
-    }
+    VisitCaseFiles(description,
+                   [&](const std::string & field, const std::string & path) { cleaner.Add(field, path, ""); });
   }
   for (CaseInputFile & input : anonymous.inputs)
   {

@@ -18,6 +18,7 @@
 #include "itkRecordCaseInputs.h"
 
 #include "itkParallelFor.h"
+#include "itkVisitCaseFiles.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -48,25 +49,12 @@ RecordCaseInputs(DentalCaseData & data)
   {
     add("case", description.fileName);
   }
-  add("upper", description.upperFile);
-  add("lower", description.lowerFile);
-  add("upper_labels", description.upperLabelsFile);
-  add("lower_labels", description.lowerLabelsFile);
-  add("cephalogram.image", description.imageFile);
-  add("contours", description.contoursFile);
-  add("cephalometric_landmarks", description.cephalometricLandmarksFile);
-  add("landmarks_3d", description.landmarks3DFile);
-  for (const auto & entry : description.contourClassFiles)
-  {
-    add("contours." + entry.first, entry.second);
-  }
-  for (const DentalView & view : description.views)
-  {
-    const std::string prefix = "views." + view.name + '.';
-    add(prefix + "cephalogram.image", view.imageFile);
-    add(prefix + "contours", view.contoursFile);
-    add(prefix + "cephalometric_landmarks", view.cephalometricLandmarksFile);
-  }
+  VisitCaseFiles(description, [&](const std::string & field, const std::string & file) {
+    if (!IsOnlyForEvaluation(field))
+    {
+      add(field, file);
+    }
+  });
   data.inputs.resize(files.size());
   std::vector<std::exception_ptr> errors(files.size());
   ParallelFor(files.size(), MultiThreaderBase::GetGlobalDefaultNumberOfThreads(), [&](std::size_t i) {

@@ -18,9 +18,8 @@
 #include "itkWriteReportPage.h"
 
 #include "itkCaseInputFile.h"
+#include "itkCaseResultDocument.h"
 #include "itkCephalogramFileReader.h"
-#include "itkDentalInputError.h"
-#include "itkJsonDocument.h"
 #include "itkMakeAnonymous.h"
 #include "itkReadDentalMesh.h"
 #include "itkReportPageWriter.h"
@@ -34,92 +33,74 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** A file that the result was made of, seen from here; "" where it says none. */
-fs::path
-FindInput(const JsonNode & root, const std::string & field)
-{
-  const auto inputs = root.Find("inputs");
-  const auto path = [&](const char * name) {
-    const auto input = inputs ? inputs->Find(name) : std::nullopt;
-    const auto said = input ? input->Find("path") : std::nullopt;
-    return said ? fs::u8path(said->AsString()) : fs::path();
-  };
-  const fs::path file = path(field.c_str());
-  return file.empty() || file.is_absolute() ? file : path("case").parent_path() / file;
-}
-
 /** The name of the folder that the case lies in. */
 std::string
-FindTitle(const JsonNode & root, const fs::path & folder)
+FindTitle(const CaseResultDocument & document)
 {
-  std::error_code error;
-  const fs::path  caseFile = FindInput(root, "case");
-  const fs::path  where = fs::absolute(caseFile.empty() ? folder / "result.json" : caseFile, error).lexically_normal();
-  return where.parent_path().filename().u8string();
+  std::error_code   error;
+  const std::string caseName = document.GetInputPath("case");
+  const fs::path    where = caseName.empty() ? fs::u8path(document.GetFileName()) : fs::u8path(caseName);
+  return fs::absolute(where, error).lexically_normal().parent_path().filename().u8string();
+}
+
+/** The picture of a radiograph, and whether it is still the one that was registered. */
+CephalogramFileReader::OutputImageType::Pointer
+ReadRadiograph(const CaseResultDocument & document,
+               const std::string &        field,
+               const std::string &        fileName,
+               const std::string &        what,
+               std::vector<std::string> & missing)
+{
+  auto reader = CephalogramFileReader::New();
+  reader->SetFileName(fileName);
+  reader->Update();
+  const auto inputs = document.GetRoot().Find("inputs");
+  const auto recorded = inputs ? inputs->Find(field) : std::nullopt;
+  if (recorded && recorded->Get("sha256").AsString() != ComputeFileSHA256(fileName))
+  {
+    missing.push_back(what + " is not the file that was registered: it has changed since");
+  }
+  return reader->GetOutput();
 }
 } // namespace
 
 std::vector<std::string>
 WriteReportPage(const std::string & result, const ReportPageSettings & settings)
 {
-  std::error_code error;
-  const fs::path  given = fs::u8path(result);
-  const fs::path  folder = fs::is_directory(given, error) ? given : given.parent_path();
-  const fs::path  file = fs::is_directory(given, error) ? given / "result.json" : given;
-  std::string     text = ReadTextFile(file.u8string(), "a result");
-  const JsonNode  root = JsonDocument::Parse(text, file.u8string()).GetRoot();
-  const auto      schema = root.Find("schema");
-  if (!schema || !schema->IsString() || schema->AsString() != "dentalscr-result/1")
-  {
-    itkDentalInputErrorMacro(
-      file.u8string(), "schema", "is not \"dentalscr-result/1\"", "name the folder of a result of this version");
-  }
-  const auto said = root.Find("anonymous");
-  const bool anonymous = settings.anonymous || (said && said->AsBoolean());
+  std::error_code          error;
+  const CaseResultDocument document(result);
+  const JsonNode &         root = document.GetRoot();
+  const fs::path &         folder = document.GetFolder();
+  const auto               said = root.Find("anonymous");
+  const bool               anonymous = settings.anonymous || (said && said->AsBoolean());
 
   std::vector<std::string> missing;
   auto                     page = ReportPageWriter::New();
   // Opened by its name where one is given: then that it cannot be read is an error.
-  const fs::path image =
-    settings.imageFile.empty() ? FindInput(root, "cephalogram.image") : fs::u8path(settings.imageFile);
-  if (!settings.imageFile.empty() || fs::is_regular_file(image, error))
+  const std::string field = "cephalogram.image";
+  const std::string image = settings.imageFile.empty() ? document.FindInput(field) : settings.imageFile;
+  if (!image.empty())
   {
-    auto reader = CephalogramFileReader::New();
-    reader->SetFileName(image.string());
-    reader->Update();
-    page->SetRadiograph(reader->GetOutput());
-    const auto inputs = root.Find("inputs");
-    const auto recorded = inputs ? inputs->Find("cephalogram.image") : std::nullopt;
-    if (recorded && recorded->Get("sha256").AsString() != ComputeFileSHA256(image.string()))
-    {
-      missing.push_back("the radiograph is not the file that was registered: it has changed since");
-    }
+    page->SetRadiograph(ReadRadiograph(document, field, image, "the radiograph", missing));
   }
-  else if (root.Find("inputs") && root.Get("inputs").Find("cephalogram.image"))
+  else if (root.Find("inputs") && root.Get("inputs").Find(field))
   {
-    missing.push_back("the radiograph is not where the result says, and left out: name it with --image");
+    missing.emplace_back("the radiograph is not where the result says, and left out: name it with --image");
   }
   if (const auto views = root.Find("views"))
   {
     for (const auto & view : views->GetMembers())
     {
-      const std::string field = "views." + view.first + ".cephalogram.image";
-      const fs::path    picture = FindInput(root, field);
-      if (fs::is_regular_file(picture, error))
+      const std::string what = "the radiograph of the view " + view.first;
+      const std::string own = "views." + view.first + '.' + field;
+      const std::string picture = document.FindInput(own);
+      if (!picture.empty())
       {
-        auto reader = CephalogramFileReader::New();
-        reader->SetFileName(picture.string());
-        reader->Update();
-        page->SetViewRadiograph(view.first, reader->GetOutput());
-        if (root.Get("inputs").Get(field).Get("sha256").AsString() != ComputeFileSHA256(picture.string()))
-        {
-          missing.push_back("the radiograph of the view " + view.first +
-                            " is not the file that was registered: it has changed since");
-        }
+        page->SetViewRadiograph(view.first, ReadRadiograph(document, own, picture, what, missing));
       }
-      else if (!picture.empty())
+      else if (root.Find("inputs") && root.Get("inputs").Find(own))
       {
-        missing.push_back("the radiograph of the view " + view.first + " is not where the result says, and left out");
+        missing.push_back(what + " is not where the result says, and left out");
       }
     }
   }
@@ -149,8 +130,8 @@ WriteReportPage(const std::string & result, const ReportPageSettings & settings)
       }
     }
   }
-  page->SetTitle(anonymous ? "Registration" : FindTitle(root, folder));
-  page->SetResult(anonymous ? MakeResultFileAnonymous(text) : text);
+  page->SetTitle(anonymous ? "Registration" : FindTitle(document));
+  page->SetResult(anonymous ? MakeResultFileAnonymous(document.GetText()) : document.GetText());
   page->SetFileName(settings.fileName.empty() ? (folder / "report.html").u8string() : settings.fileName);
   page->Update();
   return missing;

@@ -524,7 +524,7 @@ TEST(CaseRegistration, CandidatesStandInTheResultBestFirst)
 TEST(CaseRegistration, TheScalesPriorFollowsTheSpacingsSource)
 {
   const PhantomCase phantom(5);
-  const auto        priorOf = [&](itk::ValueSourceEnum source, const char * verdict, const char * option) {
+  const auto priorOf = [&](itk::ValueSourceEnum source, itk::PixelSpacingVerdictEnum verdict, const char * option) {
     phantom.data->sources.pixelSpacing = source;
     phantom.data->spacingVerdict = verdict;
     auto registration = itk::CaseRegistration::New();
@@ -539,12 +539,12 @@ TEST(CaseRegistration, TheScalesPriorFollowsTheSpacingsSource)
     registration->Update();
     return Detail(registration->GetResult().jaws.at(JawEnum::Upper), "scale_prior_sd");
   };
-  EXPECT_EQ(priorOf(itk::ValueSourceEnum::Given, "UserGiven", nullptr), 0.016);
-  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, "Detector", nullptr), 0.016);
-  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, "EstimatedMagnification", nullptr), 0.05);
-  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, "Calibrated", nullptr), 0.05);
+  EXPECT_EQ(priorOf(itk::ValueSourceEnum::Given, itk::PixelSpacingVerdictEnum::UserGiven, nullptr), 0.016);
+  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, itk::PixelSpacingVerdictEnum::Detector, nullptr), 0.016);
+  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, itk::PixelSpacingVerdictEnum::EstimatedMagnification, nullptr), 0.05);
+  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, itk::PixelSpacingVerdictEnum::Calibrated, nullptr), 0.05);
   // The user's word, the default's value included.
-  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, "Calibrated", "kappaSigma=0.016"), 0.016);
+  EXPECT_EQ(priorOf(itk::ValueSourceEnum::DICOM, itk::PixelSpacingVerdictEnum::Calibrated, "kappaSigma=0.016"), 0.016);
 }
 
 TEST(CaseRegistration, WithoutAJointFrameNoJointPoseIsAskedFor)

@@ -286,7 +286,7 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
   data->sources.facing = ValueSourceEnum::Given;
   data->sources.pixelSpacing = ValueSourceEnum::Given;
   data->sources.principalPoint = ValueSourceEnum::Given;
-  data->spacingVerdict = "UserGiven";
+  data->spacingVerdict = PixelSpacingVerdictEnum::UserGiven;
   data->spacingProvenance = "simulated";
   data->description.tracedSide = said;
   data->landmarks3D = DentalLandmarkSet<3>::New();
@@ -342,7 +342,7 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
     geometry->SetPrincipalPoint(data->geometry->GetPrincipalPoint());
     data->geometry = geometry;
     data->sources.pixelSpacing = ValueSourceEnum::Estimated;
-    data->spacingVerdict = "Unknown";
+    data->spacingVerdict = PixelSpacingVerdictEnum::Unknown;
   }
   if (!variation.knowsPrincipalPoint)
   {

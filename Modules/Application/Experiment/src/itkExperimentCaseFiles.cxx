@@ -20,6 +20,7 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkInputFile.h"
+#include "itkVisitCaseFiles.h"
 
 #include <itksys/MD5.h>
 
@@ -143,25 +144,12 @@ DigestExperimentCase(const std::string & fileName)
   try
   {
     const DentalCase description = ReadDentalCase(fileName);
-    for (const auto & classFile : description.contourClassFiles)
-    {
-      digest.AddFile(classFile.second);
-    }
-    for (const std::string & name : { description.upperFile,
-                                      description.lowerFile,
-                                      description.upperLabelsFile,
-                                      description.lowerLabelsFile,
-                                      description.imageFile,
-                                      description.contoursFile,
-                                      description.cephalometricLandmarksFile,
-                                      description.landmarks3DFile,
-                                      description.landmarks2DFile })
-    {
-      if (!name.empty())
+    VisitCaseFiles(description, [&digest](const std::string &, const std::string & path) {
+      if (!path.empty())
       {
-        digest.AddFile(name);
+        digest.AddFile(path);
       }
-    }
+    });
   }
   catch (const ExceptionObject &)
   {

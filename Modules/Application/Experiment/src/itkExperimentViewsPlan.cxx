@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -92,21 +93,21 @@ MakeCase(const DentalCaseData & lateral, const DentalPhantomFrontalView & fronta
   view.geometry->SetSourceToDetectorDistance(frontal.sourceToDetector);
   view.geometry->SetPrincipalPoint(frontal.principalPoint);
   view.geometry->SetPixelSpacing(frontal.spacing);
-  view.pixelSpacing = ValueSourceEnum::Given;
-  view.principalPoint = ValueSourceEnum::Given;
+  view.sources.pixelSpacing = ValueSourceEnum::Given;
+  view.sources.principalPoint = ValueSourceEnum::Given;
   if (variant.tracing)
   {
     view.contours = { { frontal.tracings[0], frontal.tracings[1] } };
   }
   if (variant.landmarks)
   {
-    view.landmarks = CephalometricLandmarkSet::New();
+    view.cephalometricLandmarks = CephalometricLandmarkSet::New();
     for (const auto & landmark : frontal.landmarks->GetLandmarks())
     {
       const auto position = landmark.tooth.GetPosition();
       if (!variant.fewLandmarks || (landmark.tooth.IsRight() && (position == 1 || position == 6)))
       {
-        view.landmarks->AddLandmark(landmark.name, landmark.point, variant.noise / frontal.spacing[0]);
+        view.cephalometricLandmarks->AddLandmark(landmark.name, landmark.point, variant.noise / frontal.spacing[0]);
       }
     }
   }
@@ -215,22 +216,28 @@ public:
   {
     const ExperimentCase lateral =
       MakePhantomExperimentCase(record.seed, DentalPhantomCaseSource::CohortEnum::Typical, false);
-    double part = 0.0;
+    std::map<std::pair<double, bool>, DentalPhantomCaseSource::Pointer> phantoms;
+    double                                                              part = 0.0;
     for (const VariantType & variant : Variants)
     {
       monitor.Advance(part);
       part += 1.0 / static_cast<double>(std::size(Variants));
-      // The same patient, scans and lateral drawing: the frontal radiograph has random numbers of its own.
-      auto source = DentalPhantomCaseSource::New();
-      auto level = DentalPhantomLevel::Named("typical");
-      level.frontalView = true;
-      level.frontalNoise = variant.noise;
-      level.sameHeadPosition = !variant.moved;
-      source->SetLevel(level);
-      source->SetSeed(record.seed);
-      source->MakeRadiographOff();
-      source->SetNumberOfWorkUnits(1);
-      source->Update();
+      // The same patient, scans and lateral drawing: the frontal radiograph has random numbers of its own. Variants
+      // that leave out different parts of one radiograph share its phantom.
+      auto & source = phantoms[{ variant.noise, variant.moved }];
+      if (source.IsNull())
+      {
+        source = DentalPhantomCaseSource::New();
+        auto level = DentalPhantomLevel::Named("typical");
+        level.frontalView = true;
+        level.frontalNoise = variant.noise;
+        level.sameHeadPosition = !variant.moved;
+        source->SetLevel(level);
+        source->SetSeed(record.seed);
+        source->MakeRadiographOff();
+        source->SetNumberOfWorkUnits(1);
+        source->Update();
+      }
       ExperimentCase own = lateral;
       own.data = MakeCase(*lateral.data, *source->GetFrontalView(), variant);
       ExperimentRunner runner(own);

@@ -100,7 +100,7 @@ ReadContours(const DentalCaseData & data, const DentalCase & description)
   auto reader = DentalContourFileReader::New();
   reader->SetFileName(description.contourClassFiles.empty() ? description.contoursFile : description.fileName);
   reader->SetClassFiles(description.contourClassFiles);
-  PrepareReader(data, *reader);
+  PrepareReader(description, data, *reader);
   if (description.numbering)
   {
     reader->SetNumbering(*description.numbering);
@@ -142,7 +142,7 @@ ReadLandmarks(const DentalCaseData & data, const DentalCase & description)
     auto reader = CephalometricLandmarkFileReader::New();
     reader->SetFileName(description.cephalometricLandmarksFile);
     reader->SetNumbering(description.numbering.value_or(ToothCode::NumberingEnum::Quadrant));
-    PrepareReader(data, *reader);
+    PrepareReader(description, data, *reader);
     reader->Update();
     landmarks = reader->GetOutput();
   }

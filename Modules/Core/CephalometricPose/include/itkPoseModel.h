@@ -72,6 +72,11 @@ public:
     return m_Parameters;
   }
 
+  /** Pitch, roll, yaw of a rotation (3x3, row-major): of Ry(pitch) Rx(roll) Rz(yaw), the yaw 0 where the roll is a
+   * right angle and pitch and yaw turn about one axis. */
+  static std::array<double, 3>
+  FindAngles(const std::array<double, 9> & rotation);
+
   /** The translations along the film that bring a point of the dental frame to a place of the working plane: t_x (of a
    * frontal radiograph t_y) and t_z. The rest of the pose stays. */
   void

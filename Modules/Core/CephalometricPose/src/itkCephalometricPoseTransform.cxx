@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkCephalometricPoseTransform.h"
 
+#include "itkPoseModel.h"
+
 #include "itkPoseGeometryConversion.h"
 
 #include <algorithm>
@@ -306,20 +308,16 @@ CephalometricPoseTransform::SetParametersFromRotation(const RotationType &    ro
   // The geometry knows what a rigid pose is, and says what is wrong with one that is not.
   CephalometricGeometry::New()->SetPose(rotation, translation);
 
-  // R = Ry Rx Rz: the second row is (cos roll sin yaw, cos roll cos yaw, -sin roll), the last column
-  // (sin pitch cos roll, -sin roll, cos pitch cos roll).
-  const bool   gimbal = std::hypot(rotation(0, 2), rotation(2, 2)) < 1e-12;
-  const double pitch =
-    gimbal ? std::atan2(-rotation(2, 0), rotation(0, 0)) : std::atan2(rotation(0, 2), rotation(2, 2));
-  // The rest from Ry(-pitch) R = Rx Rz, so that they make up for the rounding of a pitch that is hardly determined.
-  const double c = std::cos(pitch);
-  const double s = std::sin(pitch);
-
+  std::array<double, 9> rows{};
+  for (unsigned int i = 0; i < 9; ++i)
+  {
+    rows[i] = rotation(i / 3, i % 3);
+  }
+  const auto     angles = PoseModel::FindAngles(rows);
   ParametersType parameters(NumberOfParameters);
-  parameters[PosePitch] = pitch;
-  parameters[PoseRoll] = std::atan2(-rotation(1, 2), s * rotation(0, 2) + c * rotation(2, 2));
-  parameters[PoseYaw] =
-    gimbal ? 0.0 : std::atan2(s * rotation(2, 1) - c * rotation(0, 1), c * rotation(0, 0) - s * rotation(2, 0));
+  parameters[PosePitch] = angles[0];
+  parameters[PoseRoll] = angles[1];
+  parameters[PoseYaw] = angles[2];
   for (unsigned int d = 0; d < 3; ++d)
   {
     parameters[PoseTx + d] = translation[d];

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkPoseComposition.h"
 
+#include "itkPoseModel.h"
+
 #include "itkMatrix.h"
 #include "itkVector.h"
 
@@ -32,20 +34,11 @@ using Vector3 = Vector<double, 3>;
 Matrix3
 MakeRotation(const PoseComposition::SixType & pose)
 {
-  const double cp = std::cos(pose[PosePitch]), sp = std::sin(pose[PosePitch]);
-  const double cr = std::cos(pose[PoseRoll]), sr = std::sin(pose[PoseRoll]);
-  const double cy = std::cos(pose[PoseYaw]), sy = std::sin(pose[PoseYaw]);
-  // Ry(pitch) Rx(roll) Rz(yaw)
-  const double rows[3][3] = { { cp * cy + sp * sr * sy, -cp * sy + sp * sr * cy, sp * cr },
-                              { cr * sy, cr * cy, -sr },
-                              { -sp * cy + cp * sr * sy, sp * sy + cp * sr * cy, cp * cr } };
-  Matrix3      rotation;
-  for (unsigned int i = 0; i < 3; ++i)
+  const PoseModel model(PoseGeometry(), { { pose[PosePitch], pose[PoseRoll], pose[PoseYaw], 0.0, 0.0, 0.0, 0.0 } });
+  Matrix3         rotation;
+  for (unsigned int i = 0; i < 9; ++i)
   {
-    for (unsigned int k = 0; k < 3; ++k)
-    {
-      rotation(i, k) = rows[i][k];
-    }
+    rotation(i / 3, i % 3) = model.GetRotation()[i];
   }
   return rotation;
 }
@@ -85,11 +78,15 @@ PoseComposition::PoseComposition(const SixType & pose, const SixType & move)
   }
   const Vector3 carried = head * shift;
 
-  // The second row of a rotation is (cos roll sin yaw, cos roll cos yaw, -sin roll), its last column (sin pitch cos
-  // roll, -sin roll, cos pitch cos roll).
-  m_Pose[PosePitch] = std::atan2(rotation(0, 2), rotation(2, 2));
-  m_Pose[PoseRoll] = std::atan2(-rotation(1, 2), std::hypot(rotation(0, 2), rotation(2, 2)));
-  m_Pose[PoseYaw] = std::atan2(rotation(1, 0), rotation(1, 1));
+  std::array<double, 9> rows{};
+  for (unsigned int i = 0; i < 9; ++i)
+  {
+    rows[i] = rotation(i / 3, i % 3);
+  }
+  const auto angles = PoseModel::FindAngles(rows);
+  m_Pose[PosePitch] = angles[0];
+  m_Pose[PoseRoll] = angles[1];
+  m_Pose[PoseYaw] = angles[2];
   for (unsigned int d = 0; d < 3; ++d)
   {
     m_Pose[PoseTx + d] = carried[d] + move[PoseTx + d];
@@ -97,10 +94,10 @@ PoseComposition::PoseComposition(const SixType & pose, const SixType & move)
 
   // The head turns by its own change and by what it carries of the body's: axes(pose') d angles' = axes(move) d move
   // + R(move) axes(pose) d pose.
-  const Matrix3 toAngles(MakeTurningAxes(m_Pose).GetInverse());
-  const Matrix3 byMove = toAngles * MakeTurningAxes(move);
-  const Matrix3 byPose = toAngles * head * MakeTurningAxes(pose);
   const Matrix3 moveAxes = MakeTurningAxes(move);
+  const Matrix3 toAngles(MakeTurningAxes(m_Pose).GetInverse());
+  const Matrix3 byMove = toAngles * moveAxes;
+  const Matrix3 byPose = toAngles * head * MakeTurningAxes(pose);
   for (unsigned int i = 0; i < 3; ++i)
   {
     for (unsigned int k = 0; k < 3; ++k)

@@ -119,6 +119,22 @@ PoseModel::ProjectWithJacobian(const double p[3], double w[2], double jacobian[1
   return depth > 0.0;
 }
 
+std::array<double, 3>
+PoseModel::FindAngles(const std::array<double, 9> & rotation)
+{
+  // R = Ry Rx Rz: the second row is (cos roll sin yaw, cos roll cos yaw, -sin roll), the last column
+  // (sin pitch cos roll, -sin roll, cos pitch cos roll).
+  const auto & r = rotation;
+  const bool   gimbal = std::hypot(r[2], r[8]) < 1e-12;
+  const double pitch = gimbal ? std::atan2(-r[6], r[0]) : std::atan2(r[2], r[8]);
+  // The rest from Ry(-pitch) R = Rx Rz, so that they make up for the rounding of a pitch that is hardly determined.
+  const double c = std::cos(pitch);
+  const double s = std::sin(pitch);
+  return { { pitch,
+             std::atan2(-r[5], s * r[2] + c * r[8]),
+             gimbal ? 0.0 : std::atan2(s * r[7] - c * r[1], c * r[0] - s * r[6]) } };
+}
+
 std::array<double, 4>
 PoseModel::PropagateCovariance(const double jacobian[14], const std::array<double, 49> & covariance)
 {

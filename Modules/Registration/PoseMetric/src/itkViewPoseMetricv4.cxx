@@ -259,8 +259,7 @@ ViewPoseMetricv4::InternalClone() const
   clone->m_View = m_View;
   if (m_Term.IsNotNull())
   {
-    const LightObject::Pointer copy = m_Term->LightObject::Clone();
-    clone->m_Term = dynamic_cast<TermType *>(copy.GetPointer());
+    clone->m_Term = static_cast<TermType *>(CloneTerm(*m_Term).GetPointer());
   }
   clone->CopyState(*this);
   return clone.GetPointer();

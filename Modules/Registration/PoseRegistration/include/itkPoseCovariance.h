@@ -27,6 +27,8 @@
 #include "vnl/vnl_matrix.h"
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 namespace itk
 {
@@ -37,6 +39,16 @@ PoseRegistration_EXPORT vnl_matrix<double>
                                                const PoseRegistrationOptions & options,
                                                const PosePriors &              priors,
                                                const ResidualNoiseModel *      noiseModel = nullptr);
+
+/** Rows and columns of a state's covariance at some places of the state, in their order.
+ * \ingroup PoseRegistration */
+PoseRegistration_EXPORT vnl_matrix<double>
+                        PickCovariance(const vnl_matrix<double> & covariance, const std::vector<std::size_t> & places);
+
+/** Covariance of pose and scale, 7x7 in the order of PoseParameters, row-major, of a state's.
+ * \ingroup PoseRegistration */
+PoseRegistration_EXPORT std::array<double, 49>
+                        PickPoseCovariance(const vnl_matrix<double> & covariance, const RegistrationState & state);
 
 /** Covariance of pose and scale at the position and the noise levels of a metric, 7x7 in the order of PoseParameters,
  * row-major, rad and mm: the inverse of the information of residuals and priors, with the noise model's longer

@@ -21,6 +21,7 @@
 #include "PoseRegistrationExport.h"
 #include "itkPoseRegistrationTypes.h"
 #include "itkRegistrationFinding.h"
+#include "itkViewVerdict.h"
 
 #include <array>
 #include <cstddef>
@@ -116,12 +117,15 @@ public:
      * on it is another: 8 %, beyond what magnification and its default leave open. */
     double spacingScore{ 0.15 };
     double spacingDifference{ 0.08 };
+    /** Of each further view. */
+    ViewVerdict::Thresholds view;
   };
 
   /** Columns and rows of the radiograph; {0, 0} where nobody knows. */
   using ImageSizeType = std::array<std::size_t, 2>;
 
-  /** One verdict a jaw, in the order of the result. */
+  /** One verdict a jaw, in the order of the result. A further view that is not simply ok makes each jaw suspect; a jaw
+   * that the other one placed is no better than that. */
   static std::vector<JawVerdict>
   Evaluate(const PoseRegistrationResult & result,
            const Thresholds &             thresholds,

@@ -33,7 +33,7 @@ namespace itk
  * \brief Judges a pose registration: ok, suspect (a person should look) or failed, a jaw each, with findings.
  *
  * Input: a PoseSolution. Output: the verdicts of upper and lower jaw, decorated; a jaw without input has a verdict that
- * is ok and has no findings. RegistrationVerdict has the rules.
+ * is ok and has no findings. The verdict of each further view is there too. RegistrationVerdict has the rules.
  *
  * \ingroup PoseRegistration
  */
@@ -80,6 +80,10 @@ public:
   const JawVerdictType &
   GetVerdict(JawEnum jaw);
 
+  /** Of a further view, by its name; throws for another name. Valid after Update(). */
+  const JawVerdictType &
+  GetViewVerdict(const std::string & view) const;
+
   /** What the data could not tell, as sentences; valid after Update(). */
   const std::vector<std::string> &
   GetNotCheckable() const
@@ -102,6 +106,8 @@ private:
   ThresholdsType           m_Thresholds;
   Size<2>                  m_ImageSize{ { 0, 0 } };
   std::vector<std::string> m_NotCheckable;
+
+  std::map<std::string, JawVerdictType> m_ViewVerdicts;
 };
 } // namespace itk
 

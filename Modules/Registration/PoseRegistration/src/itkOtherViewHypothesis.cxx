@@ -36,11 +36,27 @@ OtherViewHypothesis::GetCode() const
 bool
 OtherViewHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult &) const
 {
-  // Few landmarks beside a long tracing hardly show in a score: always, as it costs no search. But the source moves teeth
-  // by a millimetre against each other, and outlines that hide behind one another are as uncertain.
-  return std::any_of(problem.views.begin(), problem.views.end(), [this](const PoseViewInput & view) {
-    return view.name == m_View &&
-           (m_Question == QuestionEnum::Sides || (view.tracings[0].IsNull() && view.tracings[1].IsNull()));
+  const auto found = std::find_if(
+    problem.views.begin(), problem.views.end(), [this](const PoseViewInput & view) { return view.name == m_View; });
+  if (found == problem.views.end())
+  {
+    // It is an obstacle, and said as one.
+    return true;
+  }
+  const PoseViewInput & view = *found;
+  // Few landmarks beside a long tracing hardly show in a score: always, as it costs no search. But the source moves
+  // teeth by a millimetre against each other, and outlines that hide behind one another are as uncertain.
+  if (m_Question == QuestionEnum::Source && (view.tracings[0].IsNotNull() || view.tracings[1].IsNotNull()))
+  {
+    return false;
+  }
+  // What the view says of another group's jaw alone, it cannot say of these.
+  return std::any_of(problem.jaws.begin(), problem.jaws.end(), [&view](const PoseJawInput & input) {
+    const auto * const counterparts = view.counterparts.GetPointer();
+    const auto         isOfJaw = [&input](const auto & counterpart) { return counterpart.jaw == input.jaw; };
+    return view.tracings[input.jaw == ToothCode::JawEnum::Upper ? 0 : 1].IsNotNull() ||
+           (counterparts != nullptr &&
+            std::any_of(counterparts->GetCounterparts().begin(), counterparts->GetCounterparts().end(), isOfJaw));
   });
 }
 

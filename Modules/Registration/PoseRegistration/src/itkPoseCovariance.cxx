@@ -155,25 +155,41 @@ ComputeStateCovariance(const LeastSquaresSumMetricv4 & original,
   return covariance;
 }
 
+vnl_matrix<double>
+PickCovariance(const vnl_matrix<double> & covariance, const std::vector<std::size_t> & places)
+{
+  const auto         count = static_cast<unsigned int>(places.size());
+  vnl_matrix<double> picked(count, count);
+  for (unsigned int a = 0; a < count; ++a)
+  {
+    for (unsigned int b = 0; b < count; ++b)
+    {
+      picked(a, b) = covariance(static_cast<unsigned int>(places[a]), static_cast<unsigned int>(places[b]));
+    }
+  }
+  return picked;
+}
+
+std::array<double, 49>
+PickPoseCovariance(const vnl_matrix<double> & covariance, const RegistrationState & state)
+{
+  std::vector<std::size_t> places;
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    places.push_back(k == PoseKappa ? state.GetOffset("scale") : state.GetOffset("pose") + k);
+  }
+  const vnl_matrix<double> picked = PickCovariance(covariance, places);
+  std::array<double, 49>   rows{};
+  std::copy(picked.begin(), picked.end(), rows.begin());
+  return rows;
+}
+
 std::array<double, 49>
 ComputePoseCovariance(const LeastSquaresSumMetricv4 & metric,
                       const PoseRegistrationOptions & options,
                       const PosePriors &              priors,
                       const ResidualNoiseModel *      noiseModel)
 {
-  const vnl_matrix<double>  all = ComputeStateCovariance(metric, options, priors, noiseModel);
-  const RegistrationState & state = metric.GetState();
-  const auto                place = [&](unsigned int k) {
-    return static_cast<unsigned int>(k == PoseKappa ? state.GetOffset("scale") : state.GetOffset("pose") + k);
-  };
-  std::array<double, 49> covariance{};
-  for (unsigned int a = 0; a < 7; ++a)
-  {
-    for (unsigned int b = 0; b < 7; ++b)
-    {
-      covariance[7 * a + b] = all(place(a), place(b));
-    }
-  }
-  return covariance;
+  return PickPoseCovariance(ComputeStateCovariance(metric, options, priors, noiseModel), metric.GetState());
 }
 } // namespace itk

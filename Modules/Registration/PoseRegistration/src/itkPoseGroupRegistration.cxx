@@ -690,16 +690,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   {
     const vnl_matrix<double> covariance = this->ComputeCovariance(*reference, pool);
     group.stateCovariance.assign(covariance.begin(), covariance.end());
-    const std::size_t pose = m_Metric->GetState().GetOffset("pose");
-    const std::size_t scale = m_Metric->GetState().GetOffset("scale");
-    for (unsigned int a = 0; a < 7; ++a)
-    {
-      for (unsigned int b = 0; b < 7; ++b)
-      {
-        group.covariance[7 * a + b] = covariance(static_cast<unsigned int>(a == PoseKappa ? scale : pose + a),
-                                                 static_cast<unsigned int>(b == PoseKappa ? scale : pose + b));
-      }
-    }
+    group.covariance = PickPoseCovariance(covariance, m_Metric->GetState());
   }
   this->Settle(*m_Metric, best);
   const auto sigmas = m_Priors.GetFitSigmas(false);

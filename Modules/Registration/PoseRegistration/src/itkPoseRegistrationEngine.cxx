@@ -275,7 +275,7 @@ PoseRegistrationEngine::Run(const PoseProblem & problem, std::vector<GroupType> 
         }
       },
       index,
-      !stageObserver);
+      false);
     if (!registration.Run(group))
     {
       result.aborted = true;

@@ -20,6 +20,7 @@
 #include "itkCorrelatedNoiseModel.h"
 #include "itkGemanMcClureKernel.h"
 #include "itkParameterPriorMetricv4.h"
+#include "itkPoseCovariance.h"
 #include "itkPoseJawDescription.h"
 #include "itkPoseStateBlocks.h"
 #include "itkPoseTerms.h"
@@ -214,29 +215,20 @@ PoseRegistrationEngine::DescribeViews(const PoseProblem &          problem,
         }
         const auto position = ViewPoseMetricv4::MakeTermPosition(x);
         std::copy(position.begin(), position.end(), own.parameters.begin());
-        const auto variance = [&](std::size_t a, std::size_t b) {
-          return group.stateCovariance.empty() ? 0.0
-                                               : group.stateCovariance[places[a] * group.state.size() + places[b]];
-        };
-        const auto jacobian = ViewPoseMetricv4::MakeTermJacobian(x);
-        own.covariance.fill(0.0);
-        for (unsigned int i = 0; i < 7; ++i)
+        const auto         size = static_cast<unsigned int>(group.state.size());
+        vnl_matrix<double> covariance(
+          static_cast<unsigned int>(places.size()), static_cast<unsigned int>(places.size()), 0.0);
+        if (!group.stateCovariance.empty())
         {
-          for (unsigned int j = 0; j < 7; ++j)
-          {
-            for (unsigned int a = 0; a < jacobian.cols(); ++a)
-            {
-              for (unsigned int b = 0; b < jacobian.cols(); ++b)
-              {
-                own.covariance[7 * i + j] += jacobian(i, a) * variance(a, b) * jacobian(j, b);
-              }
-            }
-          }
+          covariance = PickCovariance(vnl_matrix<double>(group.stateCovariance.data(), size, size), places);
         }
+        const auto               jacobian = ViewPoseMetricv4::MakeTermJacobian(x);
+        const vnl_matrix<double> ofView = jacobian * covariance * jacobian.transpose();
+        std::copy(ofView.begin(), ofView.end(), own.covariance.begin());
         for (unsigned int k = 0; k < 6; ++k)
         {
           move[k] = x[6 + k];
-          moveSigma[k] = std::sqrt(std::max(0.0, variance(6 + k, 6 + k)));
+          moveSigma[k] = std::sqrt(std::max(0.0, covariance(6 + k, 6 + k)));
           tension = sigmas[k] > 0.0 ? std::max(tension, std::abs(move[k]) / sigmas[k]) : tension;
         }
         tension = std::max(tension, std::abs(x[12]) / input.kappaSigma);

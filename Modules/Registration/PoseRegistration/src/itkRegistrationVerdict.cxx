@@ -24,13 +24,12 @@
 #include "itkOtherSideHypothesis.h"
 #include "itkOtherSpacingHypothesis.h"
 #include "itkTurnedDrawingHypothesis.h"
+#include "itkVerdictText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <locale>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace itk
@@ -47,17 +46,6 @@ constexpr double MajorityOfCodes = 0.5;
  * is either judged by its winding or said not to be. */
 constexpr double WindingOfClosedCast = 0.1;
 constexpr double DegreesPerRadian = 180.0 / 3.14159265358979323846;
-
-std::string
-Number(double value, int digits)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.setf(std::ios::fixed);
-  text.precision(digits);
-  text << value;
-  return text.str();
-}
 
 /** What a rule measured and the limit that it is beyond. */
 struct Measure
@@ -109,7 +97,7 @@ JudgeWidth(const PoseJawResult &                   jaw,
   {
     return;
   }
-  std::string text = "the arch is " + Number(width, width < 1.0 ? 4 : 1) + " mm wide";
+  std::string text = "the arch is " + FormatNumber(width, width < 1.0 ? 4 : 1) + " mm wide";
   struct Unit
   {
     double       factor;
@@ -120,7 +108,7 @@ JudgeWidth(const PoseJawResult &                   jaw,
     if (width * unit.factor >= thresholds.minimumArchWidth && width * unit.factor <= thresholds.maximumArchWidth)
     {
       text += std::string("; the mesh may be in ") + unit.name + " (it would then be " +
-              Number(width * unit.factor, 1) + " mm)";
+              FormatNumber(width * unit.factor, 1) + " mm)";
       break;
     }
   }
@@ -136,9 +124,9 @@ JudgeFit(const PoseFitStatistics &               fit,
          const RegistrationVerdict::Thresholds & thresholds,
          RegistrationVerdict::JawVerdict &       verdict)
 {
-  const std::string residuals = "median distance " + Number(fit.medianResidual, 1) + " px, 90 % below " +
-                                Number(fit.p90Residual, 1) + " px of 0.25 mm, " + Number(100.0 * fit.inlierShare, 0) +
-                                " % of the tracing within 4 px";
+  const std::string residuals = "median distance " + FormatNumber(fit.medianResidual, 1) + " px, 90 % below " +
+                                FormatNumber(fit.p90Residual, 1) + " px of 0.25 mm, " +
+                                FormatNumber(100.0 * fit.inlierShare, 0) + " % of the tracing within 4 px";
   if (fit.cost > thresholds.failedCost || fit.inlierShare < thresholds.failedInlierShare)
   {
     Add(verdict,
@@ -173,7 +161,7 @@ JudgeUncertainty(const PoseFitStatistics &               fit,
     Add(verdict,
         StatusEnum::Suspect,
         "rough-tracing",
-        "tracing and outline differ by " + Number(group.smoothSigma, 1) +
+        "tracing and outline differ by " + FormatNumber(group.smoothSigma, 1) +
           " px (sd) along the teeth, more than hands draw: shapes of another patient, jaw or date?",
         { group.smoothSigma, thresholds.suspectSmoothSigma, "px" });
   }
@@ -190,7 +178,7 @@ JudgeUncertainty(const PoseFitStatistics &               fit,
     Add(verdict,
         StatusEnum::Suspect,
         "code-offset",
-        "the teeth lie " + Number(std::abs(fit.codeOffset), 1) +
+        "the teeth lie " + FormatNumber(std::abs(fit.codeOffset), 1) +
           " mm along the arch from where teeth of their codes are on average: slipped by a tooth, wrong codes, or "
           "teeth missing",
         { std::abs(fit.codeOffset), thresholds.suspectCodeOffset, "mm" });
@@ -203,24 +191,12 @@ JudgeUncertainty(const PoseFitStatistics &               fit,
     Add(verdict,
         StatusEnum::Suspect,
         "uncertain",
-        "the tracing does not determine the pose: the predicted uncertainty is " + Number(fit.predictedSigma, 1) +
-          " px an axis at the tracing and up to " + Number(fit.extrapolatedSigma, 1) +
+        "the tracing does not determine the pose: the predicted uncertainty is " + FormatNumber(fit.predictedSigma, 1) +
+          " px an axis at the tracing and up to " + FormatNumber(fit.extrapolatedSigma, 1) +
           " px elsewhere; trace more teeth",
         FirstAbove({ { fit.predictedSigma, thresholds.suspectPredictedSigma, "px" },
                      { fit.extrapolatedSigma, thresholds.suspectExtrapolatedSigma, "px" } }));
   }
-}
-
-/** Names of landmarks, for a sentence. */
-std::string
-Join(const std::vector<std::string> & names)
-{
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-  {
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  }
-  return text;
 }
 
 /** The landmarks of a group against each other: one that stands apart, or all of them. */
@@ -231,42 +207,28 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
                const RegistrationVerdict::Thresholds & thresholds,
                RegistrationVerdict::JawVerdict &       verdict)
 {
-  std::vector<std::string> apart;
-  double                   sum = 0.0;
-  double                   largest = 0.0;
-  std::size_t              kept = 0;
-  const auto               judge = [&](const std::string & name, double distance) {
-    if (distance > thresholds.landmarkApart)
-    {
-      apart.push_back(name);
-      largest = std::max(largest, distance);
-    }
-    else
-    {
-      sum += distance * distance;
-      ++kept;
-    }
-  };
+  LandmarkTally tally(thresholds.landmarkApart);
   for (const std::size_t j : group.jaws)
   {
     for (const PoseLandmarkFit & landmark : result.jaws[j].landmarks)
     {
-      judge("landmark " + landmark.name, landmark.distance);
+      tally.Add("landmark " + landmark.name, landmark.distance);
     }
     for (const PoseOutlineFit & outline : result.jaws[j].outlines)
     {
-      judge("outline " + outline.name, outline.distance);
+      tally.Add("outline " + outline.name, outline.distance);
     }
   }
+  const std::vector<std::string> & apart = tally.GetApart();
   // As many against as for: none of them is a gross error among good ones.
-  if (!apart.empty() && (kept < 2 || apart.size() >= kept) && jaw.fit.numberOfPoints == 0)
+  if (!apart.empty() && (tally.GetKept() < 2 || apart.size() >= tally.GetKept()) && jaw.fit.numberOfPoints == 0)
   {
     Add(verdict,
         StatusEnum::Failed,
         "landmarks-disagree",
-        "the landmarks do not fit the scans: " + Join(apart) +
+        "the landmarks do not fit the scans: " + JoinNames(apart) +
           " lie far from where the others put them; were names of the two jaws, or of incisor and molar, exchanged?",
-        { largest, thresholds.landmarkApart, "sd" });
+        { tally.GetLargest(), thresholds.landmarkApart, "sd" });
     return;
   }
   if (!result.geometry.pixelSpacingKnown && jaw.fit.numberOfPoints == 0)
@@ -281,17 +243,17 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
     Add(verdict,
         StatusEnum::Suspect,
         "landmark-apart",
-        "" + Join(apart) + (apart.size() == 1 ? " lies" : " lie") +
+        "" + JoinNames(apart) + (apart.size() == 1 ? " lies" : " lie") +
           " far from where everything else puts it and was left out: is it the right tooth and point?",
-        { largest, thresholds.landmarkApart, "sd" });
+        { tally.GetLargest(), thresholds.landmarkApart, "sd" });
   }
-  const double ratio = kept > 0 ? std::sqrt(sum / (2.0 * static_cast<double>(kept))) : 0.0;
+  const double ratio = tally.GetRatio();
   if (ratio > thresholds.suspectLandmarkRatio)
   {
     Add(verdict,
         StatusEnum::Suspect,
         "landmarks-rough",
-        "the landmarks lie " + Number(ratio, 1) +
+        "the landmarks lie " + FormatNumber(ratio, 1) +
           " times as far from their places as their errors tell: another patient, jaw or unit?",
         { ratio, thresholds.suspectLandmarkRatio, "sd" });
   }
@@ -303,9 +265,9 @@ JudgeMiddle(const PoseJawResult &                   jaw,
             const RegistrationVerdict::Thresholds & thresholds,
             RegistrationVerdict::JawVerdict &       verdict)
 {
-  const std::string figures = "the predicted uncertainty of the middle of both sides is " + Number(jaw.middleSigma, 1) +
-                              " px an axis and up to " + Number(jaw.largestMiddleSigma, 1) +
-                              " px at incisors or first molars";
+  const std::string figures = "the predicted uncertainty of the middle of both sides is " +
+                              FormatNumber(jaw.middleSigma, 1) + " px an axis and up to " +
+                              FormatNumber(jaw.largestMiddleSigma, 1) + " px at incisors or first molars";
   if (jaw.middleSigma > thresholds.failedPredictedSigma)
   {
     Add(verdict,
@@ -343,7 +305,7 @@ JudgeFilm(const PoseGeometry &                       geometry,
       Add(verdict,
           StatusEnum::Suspect,
           "film-size",
-          "by its pixel spacing the radiograph would be " + Number(length, 0) +
+          "by its pixel spacing the radiograph would be " + FormatNumber(length, 0) +
             " mm long: is pixel_spacing_mm in cm, or of another resolution?",
           { length, isShort ? thresholds.shortestFilm : thresholds.failedFilmLength, "mm" });
     }
@@ -357,7 +319,7 @@ JudgeFilm(const PoseGeometry &                       geometry,
   Add(verdict,
       failed ? StatusEnum::Failed : StatusEnum::Suspect,
       "film-size",
-      "the radiograph would be " + Number(length, 0) +
+      "the radiograph would be " + FormatNumber(length, 0) +
         " mm long: was it drawn in mm, or on a smaller copy of the image? Give pixels of this one, or pixel_spacing_mm",
       { length, failed ? thresholds.failedFilmLength : thresholds.suspectFilmLength, "mm" });
 }
@@ -380,17 +342,17 @@ JudgePriors(const PoseGroupResult &                 group,
     switch (k)
     {
       case PoseKappa:
-        text = "the scale contradicts pixel spacing and distances by " + Number(100.0 * (std::exp(value) - 1.0), 1) +
-               " %: check the pixel spacing and its plane";
+        text = "the scale contradicts pixel spacing and distances by " +
+               FormatNumber(100.0 * (std::exp(value) - 1.0), 1) + " %: check the pixel spacing and its plane";
         break;
       case PoseRoll:
-        text = "the head would be rolled by " + Number(value * DegreesPerRadian, 1) + " degrees";
+        text = "the head would be rolled by " + FormatNumber(value * DegreesPerRadian, 1) + " degrees";
         break;
       case PoseYaw:
-        text = "the head would be turned by " + Number(value * DegreesPerRadian, 1) + " degrees";
+        text = "the head would be turned by " + FormatNumber(value * DegreesPerRadian, 1) + " degrees";
         break;
       default:
-        text = "the midline would be " + Number(value, 1) + " mm off the midsagittal plane";
+        text = "the midline would be " + FormatNumber(value, 1) + " mm off the midsagittal plane";
         break;
     }
     Add(verdict, StatusEnum::Suspect, "prior-tension", text, { group.priorTension[k], limit, "sd" });
@@ -466,8 +428,8 @@ JudgeReadings(const PoseGeometry &                    geometry,
     Add(verdict,
         StatusEnum::Failed,
         "pixel-spacing",
-        "the tracing fits with a pixel spacing of " + Number(spacing, spacing < 0.1 ? 3 : 2) + " mm, not of " +
-          Number(given, given < 0.1 ? 3 : 2) +
+        "the tracing fits with a pixel spacing of " + FormatNumber(spacing, spacing < 0.1 ? 3 : 2) + " mm, not of " +
+          FormatNumber(given, given < 0.1 ? 3 : 2) +
           " mm: check pixel_spacing_mm and its unit, or whether the tracing was made on a copy of another size",
         { spacing, given, "mm" });
   }
@@ -483,6 +445,57 @@ JudgeReadings(const PoseGeometry &                    geometry,
   else
   {
     Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`", gain);
+  }
+}
+
+/** A view that contradicts the first one is told of each jaw: nobody knows which of the two is wrong. */
+void
+AddOfViews(const PoseRegistrationResult &                 result,
+           const RegistrationVerdict::Thresholds &        thresholds,
+           std::vector<RegistrationVerdict::JawVerdict> & verdicts)
+{
+  for (std::size_t v = 0; v < result.views.size(); ++v)
+  {
+    const auto findings = ViewVerdict::Evaluate(result, v, thresholds.view);
+    if (ViewVerdict::GetStatus(findings) == StatusEnum::Ok)
+    {
+      continue;
+    }
+    for (std::size_t j = 0; j < result.jaws.size(); ++j)
+    {
+      if (result.jaws[j].registered)
+      {
+        Add(verdicts[j],
+            StatusEnum::Suspect,
+            "view",
+            "the view \"" + result.views[v].name + "\" is not simply ok: " + findings.front().text);
+      }
+    }
+  }
+}
+
+/** A jaw of which nothing was drawn is where the other one is, and as sure. */
+void
+AddOfOtherJaw(const PoseRegistrationResult & result, std::vector<RegistrationVerdict::JawVerdict> & verdicts)
+{
+  for (std::size_t j = 0; j < result.jaws.size(); ++j)
+  {
+    if (!result.jaws[j].registered || !result.jaws[j].placedByOther)
+    {
+      continue;
+    }
+    for (const std::size_t other : result.groups[result.groupOfJaw[j]].jaws)
+    {
+      if (other != j)
+      {
+        Add(verdicts[j],
+            verdicts[other].status,
+            "placed-by-other",
+            std::string("nothing was drawn of this jaw: the ") +
+              (result.jaws[other].jaw == ToothCode::JawEnum::Upper ? "upper" : "lower") +
+              " one, whose frame it shares, placed it, as the jaws bit on each other when they were scanned");
+      }
+    }
   }
 }
 } // namespace
@@ -587,7 +600,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
       Add(verdict,
           StatusEnum::Suspect,
           "ambiguous",
-          "another position, " + Number(distance, 0) + " px away, fits nearly as well",
+          "another position, " + FormatNumber(distance, 0) + " px away, fits nearly as well",
           { group.margin, thresholds.suspectMargin, "" });
     }
     JudgePriors(group, thresholds, verdict);
@@ -597,7 +610,8 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
         verdict,
         StatusEnum::Failed,
         "upside-down",
-        "the patient would stand on the head, tipped by " + Number(group.parameters[PosePitch] * DegreesPerRadian, 0) +
+        "the patient would stand on the head, tipped by " +
+          FormatNumber(group.parameters[PosePitch] * DegreesPerRadian, 0) +
           " degrees: check `facing`, a mirrored or turned image, and exchanged names",
         { std::abs(group.parameters[PosePitch]) * DegreesPerRadian, thresholds.failedPitch * DegreesPerRadian, "deg" });
     }
@@ -606,7 +620,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
       Add(verdict,
           StatusEnum::Suspect,
           "search-limit",
-          "the head would be tipped by " + Number(group.parameters[PosePitch] * DegreesPerRadian, 0) +
+          "the head would be tipped by " + FormatNumber(group.parameters[PosePitch] * DegreesPerRadian, 0) +
             " degrees, at or beyond what is searched",
           { std::abs(group.parameters[PosePitch]) * DegreesPerRadian,
             thresholds.suspectPitch * DegreesPerRadian,
@@ -634,6 +648,8 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
     }
     JudgeReadings(result.geometry, group, thresholds, verdict);
   }
+  AddOfViews(result, thresholds, verdicts);
+  AddOfOtherJaw(result, verdicts);
   return verdicts;
 }
 

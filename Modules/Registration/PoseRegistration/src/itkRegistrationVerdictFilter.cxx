@@ -52,6 +52,17 @@ RegistrationVerdictFilter::GetVerdict(JawEnum jaw)
   return this->GetVerdictOutput(jaw)->Get();
 }
 
+const RegistrationVerdictFilter::JawVerdictType &
+RegistrationVerdictFilter::GetViewVerdict(const std::string & view) const
+{
+  const auto found = m_ViewVerdicts.find(view);
+  if (found == m_ViewVerdicts.end())
+  {
+    itkExceptionMacro("There is no verdict on a view \"" << view << "\"; call Update() after AddView() of it.");
+  }
+  return found->second;
+}
+
 void
 RegistrationVerdictFilter::GenerateData()
 {
@@ -63,6 +74,15 @@ RegistrationVerdictFilter::GenerateData()
     const int index = solution->GetIndex(jaw);
     this->GetVerdictOutput(jaw)->Set(index < 0 ? JawVerdictType() : verdicts[static_cast<std::size_t>(index)]);
   }
+  m_ViewVerdicts.clear();
+  const auto & views = solution->GetResult().views;
+  for (std::size_t v = 0; v < views.size(); ++v)
+  {
+    JawVerdictType verdict;
+    verdict.findings = ViewVerdict::Evaluate(solution->GetResult(), v, m_Thresholds.view);
+    verdict.status = ViewVerdict::GetStatus(verdict.findings);
+    m_ViewVerdicts[views[v].name] = verdict;
+  }
   m_NotCheckable = RegistrationVerdict::GetNotCheckable(solution->GetResult(), solution->GetOptions());
 }
 
@@ -73,6 +93,7 @@ RegistrationVerdictFilter::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Thresholds: suspect cost " << m_Thresholds.suspectCost << ", failed cost " << m_Thresholds.failedCost
      << std::endl;
   os << indent << "ImageSize: " << m_ImageSize << std::endl;
+  os << indent << "ViewVerdicts: " << m_ViewVerdicts.size() << std::endl;
   os << indent << "NotCheckable: " << m_NotCheckable.size() << std::endl;
 }
 } // namespace itk

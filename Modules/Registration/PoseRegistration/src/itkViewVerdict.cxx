@@ -18,37 +18,13 @@
 #include "itkViewVerdict.h"
 
 #include "itkOtherViewHypothesis.h"
+#include "itkVerdictText.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <string>
 
 namespace itk
 {
-namespace
-{
-std::string
-Number(double value)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << value;
-  return text.str();
-}
-
-std::string
-Join(const std::vector<std::string> & names)
-{
-  std::string text;
-  for (const std::string & name : names)
-  {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
-} // namespace
-
 RegistrationStatusEnum
 ViewVerdict::GetStatus(const std::vector<RegistrationFinding> & findings)
 {
@@ -110,12 +86,9 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
         "");
   }
 
-  std::vector<std::string> apart;
-  double                   largest = 0.0;
-  double                   sum = 0.0;
-  std::size_t              fitting = 0;
-  double                   cost = 0.0;
-  bool                     isTraced = false;
+  LandmarkTally tally(thresholds.landmarkApart);
+  double        cost = 0.0;
+  bool          isTraced = false;
   for (const PoseJawResult & jaw : view.result.jaws)
   {
     if (!jaw.registered)
@@ -124,16 +97,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
     }
     for (const PoseLandmarkFit & landmark : jaw.landmarks)
     {
-      if (landmark.distance > thresholds.landmarkApart)
-      {
-        apart.push_back(landmark.name);
-        largest = std::max(largest, landmark.distance);
-      }
-      else
-      {
-        sum += landmark.distance * landmark.distance;
-        ++fitting;
-      }
+      tally.Add(landmark.name, landmark.distance);
     }
     if (jaw.fit.numberOfPoints > 0)
     {
@@ -141,6 +105,8 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
       cost = std::max(cost, jaw.fit.cost);
     }
   }
+  const std::vector<std::string> & apart = tally.GetApart();
+  const std::size_t                fitting = tally.GetKept();
   if (apart.empty() && fitting == 0 && !isTraced)
   {
     findings.push_back({ Suspect,
@@ -151,16 +117,15 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
                          "" });
     return findings;
   }
-  // Two dimensions a landmark.
-  const double ratio = fitting > 0 ? std::sqrt(0.5 * sum / static_cast<double>(fitting)) : 0.0;
+  const double ratio = tally.GetRatio();
   if (apart.size() > fitting)
   {
     add(Suspect,
         "view-disagrees",
         "it contradicts the first radiograph: " + std::to_string(apart.size()) + " of " +
-          std::to_string(apart.size() + fitting) + " landmarks do not fit (" + Join(apart) +
+          std::to_string(apart.size() + fitting) + " landmarks do not fit (" + JoinNames(apart) +
           "); is it of the same patient, and its geometry right?",
-        largest,
+        tally.GetLargest(),
         thresholds.landmarkApart,
         "sd");
   }
@@ -168,8 +133,8 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   {
     add(Suspect,
         "view-landmark-apart",
-        "landmarks on it stand apart and were let go: " + Join(apart),
-        largest,
+        "landmarks on it stand apart and were let go: " + JoinNames(apart),
+        tally.GetLargest(),
         thresholds.landmarkApart,
         "sd");
   }
@@ -177,7 +142,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   {
     add(Suspect,
         "view-landmarks-rough",
-        "the landmarks on it lie " + Number(ratio) + " standard deviations from where they are expected",
+        "the landmarks on it lie " + FormatNumber(ratio, 1) + " standard deviations from where they are expected",
         ratio,
         thresholds.suspectLandmarkRatio,
         "");

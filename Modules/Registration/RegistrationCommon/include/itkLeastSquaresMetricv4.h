@@ -260,6 +260,12 @@ protected:
   LightObject::Pointer
   InternalClone() const override = 0;
 
+  /** A copy of a metric that another one has as a part, for InternalClone(). Throws where it is of another class: that
+   * of a class that inherits InternalClone() is one of its base class, or by ITK's default none, and would be another
+   * metric, without a word. */
+  static Pointer
+  CloneTerm(const Self & term);
+
   /** Copies state and parameters of another metric of the same blocks, for InternalClone(). */
   void
   CopyState(const Self & other);

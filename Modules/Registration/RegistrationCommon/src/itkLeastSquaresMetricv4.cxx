@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <typeinfo>
 #include <utility>
 
 namespace itk
@@ -495,6 +496,21 @@ LeastSquaresMetricv4::ComputeJacobianByDifferences(const PositionType & x, Matri
       jacobian(i, k) = (after[i] - before[i]) / (2.0 * step);
     }
   }
+}
+
+LeastSquaresMetricv4::Pointer
+LeastSquaresMetricv4::CloneTerm(const Self & term)
+{
+  const LightObject::Pointer copy = term.InternalClone();
+  auto * const               metric = dynamic_cast<Self *>(copy.GetPointer());
+  if (metric == nullptr || typeid(*metric) != typeid(term))
+  {
+    itkGenericExceptionMacro("The term " << term.GetNameOfClass() << " cannot be cloned: implement InternalClone() of "
+                                         << term.GetNameOfClass() << ", which makes one with New() and copies members "
+                                         << "and state. What it has now makes "
+                                         << (copy.IsNull() ? "nothing" : copy->GetNameOfClass()) << '.');
+  }
+  return metric;
 }
 
 void

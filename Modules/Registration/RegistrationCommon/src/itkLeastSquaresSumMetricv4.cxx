@@ -18,7 +18,6 @@
 #include "itkLeastSquaresSumMetricv4.h"
 
 #include <algorithm>
-#include <typeinfo>
 
 namespace itk
 {
@@ -383,19 +382,7 @@ LeastSquaresSumMetricv4::InternalClone() const
   auto clone = Self::New();
   for (const TermType & term : m_Metrics)
   {
-    const MetricType &         original = *term.metric;
-    const LightObject::Pointer copy = original.InternalClone();
-    auto * const               metric = dynamic_cast<MetricType *>(copy.GetPointer());
-    // The clone of a class that inherits InternalClone() is one of its base class, or by ITK's default none: it would
-    // be another metric, without a word.
-    if (metric == nullptr || typeid(*metric) != typeid(original))
-    {
-      itkExceptionMacro("The term " << original.GetNameOfClass() << " cannot be cloned: implement InternalClone() of "
-                                    << original.GetNameOfClass() << ", which makes one with New() and copies members "
-                                    << "and state. What it has now makes "
-                                    << (copy.IsNull() ? "nothing" : copy->GetNameOfClass()) << '.');
-    }
-    clone->m_Metrics.push_back({ metric, term.settings, term.places });
+    clone->m_Metrics.push_back({ CloneTerm(*term.metric), term.settings, term.places });
   }
   clone->CopyState(*this);
   return clone.GetPointer();
