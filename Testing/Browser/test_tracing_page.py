@@ -510,7 +510,8 @@ def test_four_clicks_drafts_two_corrections_save_and_register(open_page, serve, 
 
     def note(what, told):
         """How long a person has to wait, beside what hands and eyes take: python -m pytest -s."""
-        print(f"\n{what}: {told['status']} {time.monotonic() - begun:.1f} s after the program was started, {told['seconds']:.2f} s for the registration")
+        spent = time.monotonic() - begun
+        print(f"\n{what}: {told['status']} {spent:.1f} s after the program was started, of which {told['seconds']:.2f} s is this registration")
         record_property(what, told["seconds"])
 
     opened = open_page(serve("--case", case.file, "--output", tracing, "--landmarks", marks))
@@ -543,6 +544,10 @@ def test_four_clicks_drafts_two_corrections_save_and_register(open_page, serve, 
     assert page.locator("#chart .drawn").count() >= 10
     assert page.locator("#drafts path.draft").count() >= 8
 
+    # What was taken as it was is said to be no evidence, here and in the file.
+    assert "outlines are drafts as they were taken" in page.locator("#verdict .warned").inner_text()
+    assert all(c["_drafted"] for jaw in opened.download("contours")["contours"].values() for c in jaw)
+
     # Two corrections by hand, each registered at once.
     for code in ("UR1", "LR6"):
         page.locator(f"#chart [data-code={code}]").click()
@@ -563,6 +568,7 @@ def test_four_clicks_drafts_two_corrections_save_and_register(open_page, serve, 
         corrected = {c["code"]: c["points"] for jaw in opened.download("contours")["contours"].values() for c in jaw}
         assert corrected[code][len(drawn[code]) // 2] == [pytest.approx(middle[0] + 1.5, abs=0.2), pytest.approx(middle[1] + 1.0, abs=0.2)]
         note(f"{code} corrected", told)
+        assert "_drafted" not in {c["code"]: c for jaw in opened.download("contours")["contours"].values() for c in jaw}[code]
     assert {row["tooth"] for jaw in told["jaws"].values() for row in jaw["teeth"]} >= {"UR1", "LR6"}
 
     with page.expect_response(lambda answer: answer.url.endswith("/save")) as saving:

@@ -77,13 +77,20 @@ class Drawing extends EventTarget {
     return [...this.state.contours.upper, ...this.state.contours.lower];
   }
 
+  /** A draft that a hand has changed is the hand's. What was taken as it was says so in the file. */
+  own(contour) {
+    delete contour._drafted;
+  }
+
   /** Points have companions in lists of their own; they come and go together. */
   insertPoint(contour, index, point) {
+    this.own(contour);
     contour.points.splice(index, 0, point);
     if (Array.isArray(contour.weights)) contour.weights.splice(index, 0, 1);
     if (Array.isArray(contour.sigma_px)) contour.sigma_px.splice(index, 0, null);
   }
   removePoint(contour, index) {
+    this.own(contour);
     for (const list of [contour.points, contour.weights, contour.sigma_px])
       if (Array.isArray(list)) list.splice(index, 1);
     // Three points are the fewest that close.

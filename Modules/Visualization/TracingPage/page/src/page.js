@@ -57,7 +57,8 @@ function chooseTooth(code) {
   tooth = code;
   const contour = drawing.find(code);
   chosen = contour ? { kind: "contour", contour, index: contour.points.length - 1 } : draftOf(code) ? { kind: "draft", code } : null;
-  setMode(chosen?.kind === "draft" ? "move" : "outline");
+  // What is there is looked at: a click beside it must not draw it on. O goes on with it.
+  setMode(chosen ? "move" : "outline");
 }
 
 /** Contours are other objects after an undo. */
@@ -176,7 +177,7 @@ function insertOnLine(contour, at) {
 let held = null;
 picture.addEventListener("grab", ({ detail: target }) => {
   const at = target.kind === "landmark" ? positionOf(drawing.state.landmarks[target.name]) : contourOf(target).points[+target.index];
-  held = { before: JSON.stringify(drawing.state), at, start: [...at] };
+  held = { before: JSON.stringify(drawing.state), at, start: [...at], contour: target.kind === "landmark" ? null : contourOf(target) };
   chosen = target.kind === "landmark" ? { kind: "landmark", name: target.name } : { kind: "contour", contour: contourOf(target), index: +target.index };
 });
 picture.addEventListener("drag", ({ detail: [du, dv] }) => {
@@ -186,6 +187,7 @@ picture.addEventListener("drag", ({ detail: [du, dv] }) => {
 });
 picture.addEventListener("release", ({ detail: { cancelled } }) => {
   if (cancelled) held.at.splice(0, 2, ...held.start);
+  else if (held.contour) drawing.own(held.contour);
   drawing.remember(held.before);
   held = null;
   refresh();
@@ -205,6 +207,7 @@ function nudge(du, dv) {
     const point = chosenPoint();
     point[0] = round(point[0] + du);
     point[1] = round(point[1] + dv);
+    if (chosen.kind === "contour") drawing.own(chosen.contour);
   });
 }
 
@@ -241,7 +244,7 @@ function accept(taken) {
   drawing.change(state => {
     for (const draft of taken) {
       const list = state.contours[jawOf(draft.code)];
-      const made = { code: draft.code, points: draft.points.map(point => [...point]) };
+      const made = { code: draft.code, points: draft.points.map(point => [...point]), _drafted: true };
       const empty = list.findIndex(contour => contour.code === draft.code);
       if (empty >= 0) list.splice(empty, 1, made);
       else list.push(made);
@@ -377,6 +380,9 @@ function showVerdict() {
     if (said.predicted?.length)
       predictions.append(table(`Of the ${jaw} jaw`, ["landmark", "u", "v", "σ, px"], said.predicted.map(row => [row.name, number(row.position[0]), number(row.position[1]), number(row.sigma_px)])));
   }
+  const outlines = drawing.all().filter(contour => contour.points.length > 0), taken = outlines.filter(contour => contour._drafted).length;
+  if (taken > 0)
+    place.prepend(make("p", `${taken} of ${outlines.length} outlines are drafts as they were taken. Of these the registration knows only what it said itself: fit, σ and expected error look better than they are. Correct what lies beside its crown.`, "warned"));
   for (const [jaw, why] of Object.entries(result.skipped)) place.append(make("p", `${jaw}: skipped, ${why}`, "quiet"));
   place.append(make("p", `Taken as ${result.traced_side === "standard" ? "the middle of both sides (standard)" : `drawn of the ${result.traced_side} side${result.traced_side === "both" ? "s" : ""}`}${result.traced_side_is_given ? ", as the case says" : ""}.`, "quiet"));
 }
