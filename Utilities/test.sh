@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs, builds and runs every test: ctest for the toolkit, pytest for the program and what is installed, doxygen for
-# the words on the classes.
+# Installs, builds and runs every test: ctest for the toolkit, pytest for the program and what is installed, doxygen and
+# the site for the words.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -24,5 +24,7 @@ python=build/python-venv/bin/python
 # 5: every test of it was skipped as it was read.
 [ "${browser:-0}" -eq 0 ] || [ "$browser" -eq 5 ] || status=1
 "$python" -m pytest -q -p no:cacheprovider Wrapping/Python/tests --build-dir build/test || status=1
-Utilities/doxygen.sh || status=1
+# Pages of the classes, and the site, which needs packages as well; without them it says that it is not built.
+Utilities/site.sh || site=$?
+[ "${site:-0}" -eq 0 ] || [ "$site" -eq 5 ] || status=1
 exit $status

@@ -5,9 +5,10 @@ import os
 import shutil
 import signal
 import subprocess
-import time
 
 import pytest
+
+from program_faults import processes_of, wait_until
 
 COLUMNS = ["case", "jaw", "status", "findings", "matched_px", "expected_error_px", "seconds", "message"]
 
@@ -114,16 +115,14 @@ def test_killed_and_started_again_it_loses_nothing(program, run, patients, tmp_p
     output = tmp_path / "out"
     arguments = ["batch", str(patients), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"]
     process = subprocess.Popen([str(program), *arguments], stderr=subprocess.DEVNULL)
-    deadline = time.monotonic() + 120
-    while not list(output.glob(".batch/*.json")) and time.monotonic() < deadline:
-        time.sleep(0.01)
+    wait_until(lambda: list(output.glob(".batch/*.json")), "a case is recorded")
     process.send_signal(signal.SIGKILL)
     process.wait()
     recorded = {path.stem for path in output.glob(".batch/*.json")}
     before = times_of(output)
     assert recorded and len(recorded) < 3
-    # Its process ends with it, and the folder is free again.
-    time.sleep(1.0)
+    # The process that it has started ends with it, and the folder is free again.
+    wait_until(lambda: not processes_of(output), "nobody is at work in the folder")
     done = run(*arguments[:-1], "--resume")
     assert done.returncode == 2
     after = times_of(output)
@@ -141,9 +140,7 @@ def test_stopped_it_tells_of_no_case_that_failed(program, run, patients, tmp_pat
         text=True,
         start_new_session=True,
     )
-    deadline = time.monotonic() + 120
-    while not list(output.glob(".batch/*.log")) and time.monotonic() < deadline:
-        time.sleep(0.01)
+    wait_until(lambda: list(output.glob(".batch/*.log")), "a case is begun")
     os.killpg(process.pid, signal.SIGINT)
     said = process.communicate(timeout=60)[1]
     assert process.returncode == 2 and "interrupted" in said, said
@@ -177,9 +174,7 @@ def test_one_owner_of_a_folder_at_a_time(program, run, patients, tmp_path):
         [str(program), "batch", str(patients), "--output", str(output), "--jobs", "1", "--no-report", "--quiet"],
         stderr=subprocess.DEVNULL,
     )
-    deadline = time.monotonic() + 60
-    while not (output / ".batch").exists() and time.monotonic() < deadline:
-        time.sleep(0.01)
+    wait_until(lambda: (output / ".batch").exists(), "the first owner is at work")
     done = run("batch", patients, "--output", output)
     assert done.returncode == 2 and "another run is at work" in done.stderr
     process.send_signal(signal.SIGINT)

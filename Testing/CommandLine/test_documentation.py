@@ -2,6 +2,8 @@
 import math
 import pathlib
 import re
+import shutil
+import subprocess
 
 import pytest
 
@@ -193,3 +195,23 @@ def test_every_process_object_is_in_the_pipeline():
     assert len(objects) > 50
     page = (ROOT / "Documentation/Pipeline.md").read_text()
     assert sorted(name for name in objects if f"`{name}`" not in page) == []
+
+
+def test_classes_have_pages_in_a_checkout_below_any_folder(tmp_path):
+    """A path with "src" and "test" in it once gave no page, no warning and exit code 0."""
+    if shutil.which("doxygen") is None:
+        pytest.skip("doxygen is not installed")
+    tree = tmp_path / "src" / "test" / "it's mine"
+    for file in [*ROOT.glob("Modules/*/*/include/*.h"), *ROOT.glob("Modules/*/*/itk-module.cmake"),
+                 *map(ROOT.joinpath, ("CMakeLists.txt", "Documentation/Doxyfile", "Utilities/doxygen.sh"))]:
+        copy = tree / file.relative_to(ROOT)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(file, copy)
+    run = [tree / "Utilities/doxygen.sh"]
+    done = subprocess.run(run, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert (tree / "build/doxygen/html/classitk_1_1CephalometricGeometry.html").is_file()
+    for file in tree.glob("Modules/*/*/include/*.h"):
+        file.write_text("")
+    done = subprocess.run(run, capture_output=True, text=True, timeout=300)
+    assert done.returncode != 0 and "0 classes" in done.stderr

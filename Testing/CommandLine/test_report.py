@@ -3,9 +3,10 @@ import base64
 import json
 import re
 import shutil
-import struct
 
 import pytest
+
+from dicom_file import dicom
 
 
 @pytest.fixture(scope="module")
@@ -215,48 +216,10 @@ def test_anonymous_names_nobody(run, patient, tmp_path):
     assert "musterfrau" not in page and "erika_1964" not in page and str(patient.parent).lower() not in page
 
 
-def dicom(rows, name, identifier):
-    """A radiograph with the name and the number of a patient, explicit little endian."""
-
-    def element(group, number, kind, value):
-        value += (b"\0" if kind == "UI" else b" ") if len(value) % 2 else b""
-        head = struct.pack("<HH2s", group, number, kind.encode())
-        long = kind in ("OB", "OW")
-        return head + (struct.pack("<HI", 0, len(value)) if long else struct.pack("<H", len(value))) + value
-
-    meta = b"".join(
-        [
-            element(2, 1, "OB", b"\0\1"),
-            element(2, 2, "UI", b"1.2.840.10008.5.1.4.1.1.7"),
-            element(2, 3, "UI", b"1.2.826.0.1.3680043.2.1125.1"),
-            element(2, 16, "UI", b"1.2.840.10008.1.2.1"),
-        ]
-    )
-    height, width = len(rows), len(rows[0])
-    data = b"".join(
-        [
-            element(8, 0x16, "UI", b"1.2.840.10008.5.1.4.1.1.7"),
-            element(8, 0x18, "UI", b"1.2.826.0.1.3680043.2.1125.1"),
-            element(0x10, 0x10, "PN", name),
-            element(0x10, 0x20, "LO", identifier),
-            element(0x28, 2, "US", struct.pack("<H", 1)),
-            element(0x28, 4, "CS", b"MONOCHROME2"),
-            element(0x28, 0x10, "US", struct.pack("<H", height)),
-            element(0x28, 0x11, "US", struct.pack("<H", width)),
-            element(0x28, 0x100, "US", struct.pack("<H", 8)),
-            element(0x28, 0x101, "US", struct.pack("<H", 8)),
-            element(0x28, 0x102, "US", struct.pack("<H", 7)),
-            element(0x28, 0x103, "US", struct.pack("<H", 0)),
-            element(0x7FE0, 0x10, "OB", b"".join(bytes(row) for row in rows)),
-        ]
-    )
-    return b"\0" * 128 + b"DICM" + element(2, 0, "UL", struct.pack("<I", len(meta))) + meta + data
-
-
 def test_identifiers_of_a_dicom_file_are_nowhere(run, case, tmp_path):
     width, height = case.load("contours.json")["image_size"]
-    rows = [bytes((u + v) % 256 for u in range(width)) for v in range(height)]
-    (case.folder / "film.dcm").write_bytes(dicom(rows, b"Musterfrau^Erika", b"PAT-4711"))
+    pixels = b"".join(bytes((u + v) % 256 for u in range(width)) for v in range(height))
+    (case.folder / "film.dcm").write_bytes(dicom(height, width, pixels, patient=(b"Musterfrau^Erika", b"PAT-4711")))
     content = case.load()
     content["cephalogram"]["image"] = "film.dcm"
     case.save(content)

@@ -12,6 +12,8 @@ import time
 
 import pytest
 
+from program_faults import wait_until
+
 
 def digests(folder):
     return {
@@ -204,8 +206,7 @@ def test_signals_that_ask_to_end(program, sample, tmp_path, number):
         text=True,
         restore_signals=True,
     )
-    while not (output / "experiment.json").exists():
-        time.sleep(0.01)
+    wait_until(lambda: (output / "experiment.json").exists() or process.poll() is not None, "the experiment begins")
     process.send_signal(number)
     errors = process.communicate(timeout=60)[1]
     assert process.returncode == 2 and "interrupted" in errors, (process.returncode, errors)
@@ -218,32 +219,91 @@ def test_nohup_is_heeded(program, sample, tmp_path):
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
-    for _ in range(20):
-        time.sleep(0.05)
-        if process.poll() is not None:
-            break
+    # Of the program and not of the shell before it, and each time again until it ends.
+    wait_until(lambda: pathlib.Path(f"/proc/{process.pid}/exe").resolve() == program, "the program starts")
+    sent = 0
+    while process.poll() is None:
         process.send_signal(signal.SIGHUP)
-    assert process.wait(timeout=60) == 0
+        sent += 1
+        time.sleep(0.05)
+    assert process.returncode == 0 and sent > 0
 
 
-def test_killed_at_any_moment_nothing_is_half_written(program, run, sample, tmp_path):
-    """A result.json beside which everything is of its run, or none; and the next run sweeps up."""
+@pytest.fixture(scope="module")
+def small_case(run, tmp_path_factory):
+    """One that is registered in half a second, into files that say which of two runs they are of."""
+    folder = tmp_path_factory.mktemp("small") / "case"
+    done = run("phantom", "--seed", 11, "--triangles", 6000, "--no-radiograph", "--output", folder)
+    assert done.returncode == 0, done.stderr
+    return folder / "case.json"
+
+
+def poses(result):
+    return {jaw: found["projection_3x4"] for jaw, found in json.loads(result)["jaws"].items()}
+
+
+def test_killed_at_each_change_of_its_folder_nothing_is_half_written(program, run, small_case, faults, tmp_path):
+    """Over an earlier result, and before each file that is made, renamed or removed: what is there then is all of the
+    earlier run, all of this one, or without the result.json that says that the others belong together."""
+    commands, wholes = {}, {}
+    for name, options in {"earlier": ["--fix", "scale"], "this": []}.items():
+        commands[name] = ["register", str(small_case), "--quiet", "--no-report", *options, "--output"]
+        assert run(*commands[name], tmp_path / name).returncode == 0
+        wholes[name] = {path.name: path.read_bytes() for path in (tmp_path / name).iterdir()}
+    assert set(wholes["earlier"]) == set(wholes["this"])
+    # Every file says of which run it is; the result's times are of no run alone.
+    for name in wholes["this"]:
+        if name.endswith("similarity2d.tfm"):
+            assert wholes["earlier"][name] != wholes["this"][name], name
+    assert poses(wholes["earlier"]["result.json"]) != poses(wholes["this"]["result.json"])
+
+    def is_of(name, files):
+        whole = wholes[name]
+        return set(files) == set(whole) and all(
+            poses(files[file]) == poses(whole[file]) if file == "result.json" else files[file] == whole[file] for file in files
+        )
+
     output = tmp_path / "out"
-    command = [str(program), "register", str(sample / "case.json"), "--output", str(output), "--quiet"]
-    start = time.monotonic()
-    assert subprocess.run(command).returncode == 0
-    duration = time.monotonic() - start
-    whole = set(digests(output))
-    for k in range(12):
-        process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
-        time.sleep(duration * (0.4 + 0.6 * k / 12))
-        process.kill()
-        process.wait()
-        if (output / "result.json").exists():
-            json.loads((output / "result.json").read_text())
-            assert whole <= {name for name in digests(output) if ".part" not in name}
-    assert run(*command[1:]).returncode == 0
-    assert set(digests(output)) == whole and len(list(output.iterdir())) == len(whole)
+    found = []
+    for change in range(1, 200):
+        shutil.rmtree(output, ignore_errors=True)
+        shutil.copytree(tmp_path / "earlier", output)
+        done = subprocess.run([str(program), *commands["this"], str(output)], env=faults(KILL_AT=change))
+        files = {path.name: path.read_bytes() for path in output.iterdir() if not path.name.startswith(".dentalscr-")}
+        if is_of("earlier", files):
+            found.append("earlier")
+        elif is_of("this", files):
+            found.append("this")
+        else:
+            assert "result.json" not in files, (change, sorted(files))
+            found.append("none")
+        if done.returncode == 0:
+            assert found[-1] == "this"
+            break
+        assert done.returncode == -signal.SIGKILL
+    else:
+        pytest.fail("it never came to its end")
+    # First the one, at last the other, and there are moments between: it is these that the test is about.
+    order = [state for i, state in enumerate(found) if i == 0 or state != found[i - 1]]
+    assert order == ["earlier", "none", "this"], order
+    assert found.count("earlier") > 5 and found.count("none") >= len(wholes["this"]) - 1, found
+    # And the next run sweeps up what the last killed one has left.
+    (output / "result.json").unlink()
+    subprocess.run([str(program), *commands["this"], str(output)], env=faults(KILL_AT=4))
+    assert [path for path in output.iterdir() if path.name.startswith(".dentalscr-")], "nothing is left to be swept up"
+    assert run(*commands["this"], output).returncode == 0
+    assert is_of("this", {path.name: path.read_bytes() for path in output.iterdir()})
+
+
+def test_a_sweep_that_is_faster_than_its_owner_takes_nothing(program, small_case, faults, tmp_path):
+    """Between the making of a temporary folder and its locking another process may find it and remove it."""
+    command = [str(program), "register", str(small_case), "--quiet", "--no-report", "--output", str(tmp_path / "out")]
+    done = subprocess.run(command, env=faults(SWEEP=3), capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "out" / "result.json").exists()
+    # Where it is removed each time, whoever does it, there is an end, and it is told.
+    done = subprocess.run(command, env=faults(SWEEP=10**6), capture_output=True, text=True)
+    fails_in_words(done, "out", "can't be written")
 
 
 def test_control_characters_are_shown_and_not_sent(run, case, tmp_path):

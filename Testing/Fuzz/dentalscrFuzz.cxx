@@ -29,6 +29,7 @@
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
 #include "itkMemoryFile.h"
+#include "itkMutate.h"
 #include "itkReadDentalMesh.h"
 #include "itkReadLabelImage.h"
 #include "itkReadTransformText.h"
@@ -67,7 +68,9 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using ReadFunction = std::function<void(const std::string &)>;
 
+/** Of the processor, which a busy machine doesn't make more of; and by the clock, for what only waits. */
 constexpr int         SecondsPerMutant = 10;
+constexpr int         SecondsOfWaiting = 300;
 constexpr std::size_t BytesPerMutant = std::size_t{ 1 } << 30;
 constexpr int         MutantsPerChild = 300;
 /** Of a child, for an exception that a reader must not let out. */
@@ -160,78 +163,35 @@ WriteAll(const std::string & fileName, const std::string & bytes)
   std::ofstream(fileName, std::ios::binary | std::ios::trunc) << bytes;
 }
 
-/** One to four of the ways in which files break, or are broken. */
-std::string
-Mutate(const std::vector<std::string> & seeds, std::size_t which, itk::ReproducibleRandom & random)
-{
-  static const std::vector<std::string> words = { "nan",
-                                                  "inf",
-                                                  "-1",
-                                                  "0",
-                                                  "1e999",
-                                                  "-1e30",
-                                                  "4294967295",
-                                                  "2147483648",
-                                                  "99999999999999999999",
-                                                  "\n",
-                                                  "\"",
-                                                  "{",
-                                                  "[",
-                                                  "]",
-                                                  "}",
-                                                  "null",
-                                                  "true",
-                                                  "\xff",
-                                                  std::string(1, '\0'),
-                                                  std::string("\xff\xff\xff\xff", 4),
-                                                  std::string("\x00\x00\x00\x80", 4),
-                                                  std::string("\xff\xff\xff\x7f", 4),
-                                                  std::string(300, 'x'),
-                                                  "\\u0000",
-                                                  "<",
-                                                  "</",
-                                                  "&",
-                                                  ";" };
-  std::string                           bytes = seeds[which];
-  for (std::uint32_t step = 1 + random.Integer(4); step > 0 && !bytes.empty(); --step)
-  {
-    // Half of them in the beginning, where the headers are.
-    const auto        size = static_cast<std::uint32_t>(bytes.size());
-    const std::size_t at = random.Integer(random.Integer(2) == 0 ? std::min(size, 400u) : size);
-    const std::size_t length = random.Integer(static_cast<std::uint32_t>(std::min<std::size_t>(size - at, 60)) + 1);
-    const auto &      word = words[random.Integer(static_cast<std::uint32_t>(words.size()))];
-    switch (random.Integer(8))
-    {
-      case 0:
-        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.Integer(8)));
-        break;
-      case 1:
-        bytes[at] = static_cast<char>(random.Integer(256));
-        break;
-      case 2:
-        bytes.resize(at);
-        break;
-      case 3:
-        bytes.erase(at, length);
-        break;
-      case 4:
-        bytes.insert(at, bytes.substr(at, length));
-        break;
-      case 5:
-        bytes.insert(at, word);
-        break;
-      case 6: {
-        const std::string & other = seeds[random.Integer(static_cast<std::uint32_t>(seeds.size()))];
-        const std::size_t   from = random.Integer(static_cast<std::uint32_t>(other.size()));
-        bytes.replace(at, length, other.substr(from, length + 8));
-        break;
-      }
-      default:
-        bytes.replace(at, std::min(word.size(), bytes.size() - at), word);
-    }
-  }
-  return bytes;
-}
+/** That are in no file, or mean what a reader doesn't expect. */
+const std::vector<std::string> Words = { "nan",
+                                         "inf",
+                                         "-1",
+                                         "0",
+                                         "1e999",
+                                         "-1e30",
+                                         "4294967295",
+                                         "2147483648",
+                                         "99999999999999999999",
+                                         "\n",
+                                         "\"",
+                                         "{",
+                                         "[",
+                                         "]",
+                                         "}",
+                                         "null",
+                                         "true",
+                                         "\xff",
+                                         std::string(1, '\0'),
+                                         std::string("\xff\xff\xff\xff", 4),
+                                         std::string("\x00\x00\x00\x80", 4),
+                                         std::string("\xff\xff\xff\x7f", 4),
+                                         std::string(300, 'x'),
+                                         "\\u0000",
+                                         "<",
+                                         "</",
+                                         "&",
+                                         ";" };
 
 /** What a child and this process share. */
 struct Board
@@ -262,8 +222,10 @@ LimitYourself()
 bool
 ReadOne(const ReadFunction & read, const std::string & fileName, Board & board)
 {
-  const ::itimerval timer{ { 0, 0 }, { SecondsPerMutant, 0 } };
-  ::setitimer(ITIMER_REAL, &timer, nullptr);
+  const ::itimerval computing{ { 0, 0 }, { SecondsPerMutant, 0 } };
+  const ::itimerval waiting{ { 0, 0 }, { SecondsOfWaiting, 0 } };
+  ::setitimer(ITIMER_PROF, &computing, nullptr);
+  ::setitimer(ITIMER_REAL, &waiting, nullptr);
   const auto escape = [&board](const std::string & what) {
     std::strncpy(board.words, what.c_str(), sizeof(board.words) - 1);
     ::_exit(Escaped);
@@ -298,8 +260,9 @@ Describe(int status, const Board & board)
 {
   if (WIFSIGNALED(status))
   {
-    return WTERMSIG(status) == SIGALRM ? "takes more than " + std::to_string(SecondsPerMutant) + " seconds"
-                                       : "ended by signal " + std::to_string(WTERMSIG(status));
+    return WTERMSIG(status) == SIGPROF   ? "takes more than " + std::to_string(SecondsPerMutant) + " seconds"
+           : WTERMSIG(status) == SIGALRM ? "waits for more than " + std::to_string(SecondsOfWaiting) + " seconds"
+                                         : "ended by signal " + std::to_string(WTERMSIG(status));
   }
   if (WEXITSTATUS(status) == Escaped)
   {
@@ -362,11 +325,13 @@ Minimise(const ReadFunction & read, const std::string & fileName, Board & board)
 int
 Help()
 {
-  std::cout << "dentalscr-fuzz TARGET --seconds N --seed S --findings FOLDER SEED...   mutants of the seeds\n"
-               "dentalscr-fuzz TARGET --replay FILE...                                reads files as they are\n"
-               "dentalscr-fuzz TARGET --minimise FILE...                              makes files smaller that fail\n"
-               "Ends with 1 where a file ends its reader, takes more than "
-            << SecondsPerMutant << " s or " << (BytesPerMutant >> 20) << " MiB, or lets an exception out.\nTargets:";
+  std::cout
+    << "dentalscr-fuzz TARGET --seconds N --seed S --findings FOLDER SEED...   mutants of the seeds\n"
+       "dentalscr-fuzz TARGET --mutants N --seed S --findings FOLDER SEED...   as many, however long that takes\n"
+       "dentalscr-fuzz TARGET --replay FILE...                                reads files as they are\n"
+       "dentalscr-fuzz TARGET --minimise FILE...                              makes files smaller that fail\n"
+       "Ends with 1 where a file ends its reader, takes more than "
+    << SecondsPerMutant << " s or " << (BytesPerMutant >> 20) << " MiB, or lets an exception out.\nTargets:";
   for (const auto & target : Targets)
   {
     std::cout << ' ' << target.first;
@@ -388,6 +353,7 @@ main(int argc, char * argv[])
   std::string              mode = "mutants";
   std::string              findings = "findings";
   double                   seconds = 5.0;
+  std::uint64_t            mutants = 0;
   std::uint64_t            seed = 1;
   std::vector<std::string> files;
   for (std::size_t i = 1; i < words.size(); ++i)
@@ -399,6 +365,10 @@ main(int argc, char * argv[])
     else if (words[i] == "--seconds" && i + 1 < words.size())
     {
       seconds = std::stod(words[++i]);
+    }
+    else if (words[i] == "--mutants" && i + 1 < words.size())
+    {
+      mutants = std::stoull(words[++i]);
     }
     else if (words[i] == "--seed" && i + 1 < words.size())
     {
@@ -462,21 +432,22 @@ main(int argc, char * argv[])
     itk::ReproducibleRandom random(seed, number);
     const std::size_t       which = number % seeds.size();
     extension = extensions[which];
-    return Mutate(seeds, which, random);
+    return itk::Mutate(seeds[which], Words, seeds, random);
   };
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  const auto goesOn = [&](std::uint64_t number) { return mutants > 0 ? number < mutants : Clock::now() < end; };
   std::uint64_t         next = 0;
   std::set<std::string> told;
-  while (Clock::now() < end)
+  while (goesOn(next))
   {
     board.words[0] = '\0';
     const pid_t child = ::fork();
     if (child == 0)
     {
       LimitYourself();
-      for (int i = 0; i < MutantsPerChild && Clock::now() < end; ++i)
+      for (std::uint64_t number = next; number < next + MutantsPerChild && goesOn(number); ++number)
       {
-        board.current = next + static_cast<std::uint64_t>(i);
+        board.current = number;
         std::string       extension;
         const std::string bytes = make(board.current, extension);
         const std::string file = folder + "/mutant" + extension;

@@ -98,7 +98,7 @@ def landmarks(dimension):
 
 
 def images():
-    made = hostile.seeds(None)
+    made = hostile.seeds()
     made["a.png"] = hostile.png(20, 20)
     made["detached.mhd"] = b"ObjectType = Image\nNDims = 2\nDimSize = 8 8\nElementType = MET_UCHAR\nElementDataFile = a.raw\n"
     strip = bytes(range(256)) * 4

@@ -61,5 +61,6 @@ def test_transforms_of_a_result_are_read(inputs, fuzz, target):
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_some_mutants_are_read_or_refused(inputs, fuzz, target, tmp_path):
-    told = fuzz("--seconds", 2, "--seed", 1, "--findings", tmp_path, *sorted((inputs / "seeds" / target).iterdir()))
-    assert int(told.split(": ")[-1].split(" mutants")[0]) > 10 and " 0 failed" in told, told
+    # As many on each machine, however busy it is.
+    told = fuzz("--mutants", 60, "--seed", 1, "--findings", tmp_path, *sorted((inputs / "seeds" / target).iterdir()))
+    assert f"{target}: 60 mutants" in told and " 0 failed" in told, told

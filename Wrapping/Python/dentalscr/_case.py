@@ -349,6 +349,7 @@ class CaseResult:
 
     @property
     def preset(self) -> str:
+        """Name of the chain that ran: "robust" or one of the paper's."""
         return str(self._dict["preset"])
 
     @property
@@ -373,14 +374,17 @@ class CaseResult:
 
     @property
     def warnings(self) -> list[str]:
+        """What a person should know of the input, a sentence each."""
         return list(self._dict["warnings"])
 
     @property
     def upper(self) -> JawResult:
+        """The upper jaw's result; an error is raised where the case has no such jaw."""
         return self._jaw("upper")
 
     @property
     def lower(self) -> JawResult:
+        """The lower jaw's result; an error is raised where the case has no such jaw."""
         return self._jaw("lower")
 
     def _jaw(self, name: str) -> JawResult:

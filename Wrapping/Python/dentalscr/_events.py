@@ -33,4 +33,5 @@ class Command:
     """An observer as a class: override :meth:`Execute`."""
 
     def Execute(self) -> None:
+        """Called at each event that the command was added for; it takes and returns nothing."""
         raise NotImplementedError("override Execute()")

@@ -230,6 +230,9 @@ BindEnum(py::handle scope, const char * name, const std::vector<std::pair<const 
     type.value(value.first, value.second);
   }
   const std::string typeName = name;
+  // pybind11 gives these no words.
+  type.def_property_readonly(
+    "value", [](E value) { return static_cast<int>(value); }, "The value as a number.");
   type.def(py::init([values, typeName](const std::string & text) {
              std::string all;
              for (const auto & value : values)
@@ -283,10 +286,14 @@ void
 WrapExperiment(py::module_ & module);
 } // namespace dentalscr
 
-/** Set and Get of a member under one name. */
-#define dentalscrProperty(T, name) def("Set" #name, &T::Set##name, py::arg("value")).def("Get" #name, &T::Get##name)
+/** Set and Get of a member under one name. What is set is said in words that follow "Sets" and "Returns": "the width of
+ * the splats, mm; 0.5 by default.", and of a switch "whether ...". */
+#define dentalscrProperty(T, name, words) \
+  def("Set" #name, &T::Set##name, py::arg("value"), "Sets " words).def("Get" #name, &T::Get##name, "Returns " words)
 /** The same with On and Off. */
-#define dentalscrBoolean(T, name) \
-  dentalscrProperty(T, name).def(#name "On", &T::name##On).def(#name "Off", &T::name##Off)
+#define dentalscrBoolean(T, name, words)                                             \
+  dentalscrProperty(T, name, words)                                                  \
+    .def(#name "On", &T::name##On, "The same as Set" #name "(True). It sets " words) \
+    .def(#name "Off", &T::name##Off, "The same as Set" #name "(False). It sets " words)
 
 #endif

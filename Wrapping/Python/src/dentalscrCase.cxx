@@ -23,7 +23,9 @@
 #include "itkCaseLandmarkErrorFilter.h"
 #include "itkCaseResultFolderWriter.h"
 #include "itkWriteReportPage.h"
+#include "itkCaseResultToJson.h"
 #include "itkCaseResultWriter.h"
+#include "itkMeasureLandmarkErrors.h"
 #include "itkCaseScene.h"
 #include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalCaseFileReader.h"
@@ -530,12 +532,29 @@ WrapCase(py::module_ & module)
 
   ProcessClass<CaseRegistration>(module, "CaseRegistration", "A case through the whole chain; see register().")
     .def(New<CaseRegistration>())
-    .def("SetPreset", &CaseRegistration::SetPreset, py::arg("preset"))
-    .def("GetPreset", &CaseRegistration::GetPreset)
-    .dentalscrProperty(CaseRegistration, NumberOfUpperContourPoints)
-    .dentalscrProperty(CaseRegistration, NumberOfLowerContourPoints)
-    .dentalscrBoolean(CaseRegistration, UseSurfaceDRR)
-    .dentalscrBoolean(CaseRegistration, RefineMidline)
+    .def("SetPreset",
+         &CaseRegistration::SetPreset,
+         py::arg("preset"),
+         "Sets the chain that runs: Robust (the default) or one of the paper's.")
+    .def("GetPreset",
+         &CaseRegistration::GetPreset,
+         "Returns the chain that runs: Robust (the default) or one of the paper's.")
+    .dentalscrProperty(CaseRegistration,
+                       NumberOfUpperContourPoints,
+                       "the number of points that the upper silhouette is resampled to, in the paper's presets: 441 "
+                       "by default.")
+    .dentalscrProperty(CaseRegistration,
+                       NumberOfLowerContourPoints,
+                       "the number of points that the lower silhouette is resampled to, in the paper's presets: 439 "
+                       "by default.")
+    .dentalscrBoolean(CaseRegistration,
+                      UseSurfaceDRR,
+                      "whether the paper's presets take the silhouette from the surface DRR (the default) or "
+                      "exactly from the mesh.")
+    .dentalscrBoolean(CaseRegistration,
+                      RefineMidline,
+                      "whether preset Robust moves the midline plane of the dental axis to the scan's mirror "
+                      "plane. On by default.")
     .def("SetPoseOptions", &CaseRegistration::SetPoseOptions, py::arg("options"), "Ingredients of preset Robust.")
     .def(
       "GetPoseOptions", [](const CaseRegistration & self) { return self.GetPoseOptions(); }, "A copy.")
@@ -543,7 +562,10 @@ WrapCase(py::module_ & module)
          &CaseRegistration::SetOption,
          py::arg("assignment"),
          "One ingredient of preset Robust, \"NAME=VALUE\" (Documentation/Robust.md).")
-    .def("GetCurrentStage", [](const CaseRegistration & self) { return self.GetCurrentStage(); })
+    .def(
+      "GetCurrentStage",
+      [](const CaseRegistration & self) { return self.GetCurrentStage(); },
+      "What runs now, in words: \"upper: registration\".")
     .def(
       "_SetData", [](CaseRegistration & self, const Case & input) { self.SetData(input.data); }, py::arg("case"))
     .def("_TakeResult", &TakeResult, py::arg("case"));
@@ -554,8 +576,12 @@ WrapCase(py::module_ & module)
     .def(
       "SetFileName",
       [](ReaderType & self, const std::string & fileName) { self.SetFileName(fileName); },
-      py::arg("fileName"))
-    .def("GetFileName", [](const ReaderType & self) { return std::string(self.GetFileName()); })
+      py::arg("fileName"),
+      "Sets the name of the case file.")
+    .def(
+      "GetFileName",
+      [](const ReaderType & self) { return std::string(self.GetFileName()); },
+      "Returns the name of the case file.")
     .def("_TakeOutput", [](ReaderType & self) {
       auto result = std::make_shared<Case>();
       // Nobody changes it: Python has no setters of it.
@@ -591,11 +617,21 @@ WrapCase(py::module_ & module)
     .def(
       "SetFolderName",
       [](WriterType & self, const std::string & folderName) { self.SetFolderName(folderName); },
-      py::arg("folderName"))
-    .def("GetFolderName", [](const WriterType & self) { return std::string(self.GetFolderName()); })
-    .dentalscrBoolean(WriterType, WriteReport)
-    .dentalscrBoolean(WriterType, WritePage)
-    .dentalscrBoolean(WriterType, Anonymous);
+      py::arg("folderName"),
+      "Sets the folder that is written to. It is made where it is not there, and files of an "
+      "earlier result in it are replaced.")
+    .def(
+      "GetFolderName",
+      [](const WriterType & self) { return std::string(self.GetFolderName()); },
+      "Returns the folder that is written to. It is made where it is not there, and files of an "
+      "earlier result in it are replaced.")
+    .dentalscrBoolean(WriterType,
+                      WriteReport,
+                      "whether what is for people is written as well: overlays, the scans in the cephalostat "
+                      "frame, the page. On by default.")
+    .dentalscrBoolean(
+      WriterType, WritePage, "whether report.html is written where what is for people is. On by default.")
+    .dentalscrBoolean(WriterType, Anonymous, "whether paths and names are left out of all files. Off by default.");
 
   module.def(
     "_WriteReportPage",

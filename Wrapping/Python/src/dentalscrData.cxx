@@ -199,8 +199,14 @@ triangles : (M, 3) array of integers
 labels : (N,) array of integers, optional
     FDI number of the tooth of each point, 0 for gingiva.)")
     .def(py::init(&MakeMesh), py::arg("points"), py::arg("triangles"), py::arg("labels") = py::none())
-    .def("GetNumberOfPoints", [](const MeshType & self) { return self.GetNumberOfPoints(); })
-    .def("GetNumberOfTriangles", [](const MeshType & self) { return self.GetNumberOfCells(); })
+    .def(
+      "GetNumberOfPoints",
+      [](const MeshType & self) { return self.GetNumberOfPoints(); },
+      "How many vertices the mesh has.")
+    .def(
+      "GetNumberOfTriangles",
+      [](const MeshType & self) { return self.GetNumberOfCells(); },
+      "How many triangles the mesh has.")
     .def_property_readonly("points", &ViewPoints, "(N, 3) float32: a read-only view, no copy.")
     .def_property_readonly("triangles", &CopyTriangles, "(M, 3) uint32: a copy.")
     .def_property_readonly("vertices", &ViewPoints, "The points, under the name that trimesh has.")
@@ -328,17 +334,31 @@ index : pair of int, optional
     })
     .def(
       "GetSize", [](const ImageType & self) { return self.GetBufferedRegion().GetSize(); }, "(width, height)")
-    .def("GetIndex", [](const ImageType & self) { return self.GetBufferedRegion().GetIndex(); })
-    .def("GetSpacing", [](const ImageType & self) { return VectorType(self.GetSpacing()); })
-    .def("GetOrigin", [](const ImageType & self) { return self.GetOrigin(); })
-    .def("GetDirection",
-         [](const ImageType & self) {
-           const auto direction = GetDirection(self);
-           return py::make_tuple(direction[0], direction[1], direction[2], direction[3]);
-         })
-    .def("GetWidth", [](const ImageType & self) { return self.GetBufferedRegion().GetSize()[0]; })
-    .def("GetHeight", [](const ImageType & self) { return self.GetBufferedRegion().GetSize()[1]; })
-    .def("GetDimension", [](const ImageType &) { return 2; })
+    .def(
+      "GetIndex",
+      [](const ImageType & self) { return self.GetBufferedRegion().GetIndex(); },
+      "First pixel of the image's region, (u, v). A simulated radiograph may begin below 0.")
+    .def(
+      "GetSpacing",
+      [](const ImageType & self) { return VectorType(self.GetSpacing()); },
+      "Distance between pixels, (u, v), in mm where a spacing is known and 1 otherwise.")
+    .def(
+      "GetOrigin",
+      [](const ImageType & self) { return self.GetOrigin(); },
+      "Physical point of the pixel with index (0, 0), (u, v), in the unit of the spacing.")
+    .def(
+      "GetDirection",
+      [](const ImageType & self) {
+        const auto direction = GetDirection(self);
+        return py::make_tuple(direction[0], direction[1], direction[2], direction[3]);
+      },
+      "Directions of the axes as a row-major tuple of 4; the identity for radiographs.")
+    .def(
+      "GetWidth", [](const ImageType & self) { return self.GetBufferedRegion().GetSize()[0]; }, "Number of columns.")
+    .def(
+      "GetHeight", [](const ImageType & self) { return self.GetBufferedRegion().GetSize()[1]; }, "Number of rows.")
+    .def(
+      "GetDimension", [](const ImageType &) { return 2; }, "Number of axes, which is 2.")
     .def(
       "TransformContinuousIndexToPhysicalPoint",
       [](const ImageType & self, const itk::ContinuousIndex<double, 2> & index) {
@@ -346,13 +366,15 @@ index : pair of int, optional
         self.TransformContinuousIndexToPhysicalPoint(index, point);
         return point;
       },
-      py::arg("index"))
+      py::arg("index"),
+      "Continuous pixel index (u, v) to the physical point (x, y).")
     .def(
       "TransformPhysicalPointToContinuousIndex",
       [](const ImageType & self, const PointType & point) {
         return self.TransformPhysicalPointToContinuousIndex<double, double>(point);
       },
-      py::arg("point"))
+      py::arg("point"),
+      "Physical point (x, y) to the continuous pixel index (u, v).")
     .def_property_readonly("array", &ViewPixels, "(height, width) float32: a read-only view, no copy.")
     .def(
       "_repr_png_",
@@ -543,7 +565,8 @@ outline : "crown", "tooth" or "labial", optional
       "code", [](const PolylineType & self) { return self.code.GetName(); }, "\"UR1\" or \"\".")
     .def_property_readonly(
       "fdi", [](const PolylineType & self) { return static_cast<int>(self.code.GetFDI()); }, "0 is unknown.")
-    .def_readonly("closed", &PolylineType::closed)
+    .def_readonly(
+      "closed", &PolylineType::closed, "Whether the last point is joined to the first, which is not repeated.")
     .def_property_readonly(
       "weights",
       [](const PolylineType & self) -> py::object {
@@ -594,7 +617,10 @@ polylines : sequence of Polyline, optional)")
       py::arg("closed") = false,
       py::arg("weights") = py::none(),
       py::arg("sigmas") = py::none(),
-      py::arg("outline") = py::none())
+      py::arg("outline") = py::none(),
+      "Appends a polyline of continuous pixel indices (u, v). It raises an error where a point is "
+      "not finite, where weights or sigmas are not one a point, or where a closed one has fewer "
+      "than 3 points.")
     .def_property_readonly("polylines", &DentalContour::GetPolylines, "Copies.")
     .def_property_readonly(
       "points",
@@ -607,7 +633,10 @@ polylines : sequence of Polyline, optional)")
         return MakeRows<2>(points);
       },
       "(N, 2) float64: the points of all polylines, a copy.")
-    .def("GetNumberOfPoints", [](const DentalContour & self) { return self.GetNumberOfPoints(); })
+    .def(
+      "GetNumberOfPoints",
+      [](const DentalContour & self) { return self.GetNumberOfPoints(); },
+      "How many points all polylines have together.")
     .def("GetLength", &DentalContour::GetLength, "Sum of the segments' lengths, pixels.")
     .def("__len__", [](const DentalContour & self) { return self.GetPolylines().size(); })
     .def(

@@ -84,10 +84,15 @@ WrapEvaluation(py::module_ & module)
       [](ErrorType & self, const py::dict & landmarks) { self.SetReferenceLandmarks(FromDict<2>(landmarks)); },
       py::arg("landmarks"))
     .def("SetJaw", &ErrorType::SetJaw, py::arg("jaw"), "Unknown, the default, is both.")
-    .def("GetJaw", &ErrorType::GetJaw)
-    .dentalscrBoolean(ErrorType, BisectSides)
+    .def("GetJaw", &ErrorType::GetJaw, "The jaw whose landmarks count; Unknown, the default, is both.")
+    .dentalscrBoolean(ErrorType,
+                      BisectSides,
+                      "whether the middle between left and right is measured where both are there. Off by default.")
     .def("SetPixelSpacing", &ErrorType::SetPixelSpacing, py::arg("spacing"), "mm (u, v); 0 is unknown.")
-    .def("GetPixelSpacing", [](const ErrorType & self) { return self.GetPixelSpacing(); })
+    .def(
+      "GetPixelSpacing",
+      [](const ErrorType & self) { return self.GetPixelSpacing(); },
+      "The pixel spacing (u, v) by which errors are told in mm; 0, the default, is unknown.")
     .def("GetUnpairedLandmarks", &ErrorType::GetUnpairedLandmarks, "Names whose partner is missing.")
     .def("_GetStatistics", [](const ErrorType & self) { return ToDict(self.GetStatistics()); })
     .def("_GetErrors", [](const ErrorType & self) {
@@ -121,21 +126,66 @@ WrapEvaluation(py::module_ & module)
       [](OverlayType & self, const py::dict & landmarks) { self.SetReferenceLandmarks(FromDict<2>(landmarks)); },
       py::arg("landmarks"))
     .def("SetLandmarkSigmas", &OverlayType::SetLandmarkSigmas, py::arg("sigmas"), "px by name.")
-    .def("GetLandmarkSigmas", &OverlayType::GetLandmarkSigmas)
-    .def("SetPixelSpacing", &OverlayType::SetPixelSpacing, py::arg("spacing"))
-    .def("GetPixelSpacing", [](const OverlayType & self) { return self.GetPixelSpacing(); })
-    .def("SetRadiographSize", &OverlayType::SetRadiographSize, py::arg("width"), py::arg("height"))
-    .def("SetWindow", &OverlayType::SetWindow, py::arg("black"), py::arg("white"))
-    .def("SetPictureSize", &OverlayType::SetPictureSize, py::arg("width"), py::arg("height"))
-    .def("GetPictureSize", [](const OverlayType & self) { return self.GetPictureSize(); })
+    .def("GetLandmarkSigmas",
+         &OverlayType::GetLandmarkSigmas,
+         "Standard deviation an axis of each predicted landmark by its name, pixels.")
+    .def("SetPixelSpacing",
+         &OverlayType::SetPixelSpacing,
+         py::arg("spacing"),
+         "Sets the pixel spacing (u, v) in the detector plane, mm. With 0, the default, lengths are "
+         "written in pixels.")
     .def(
-      "SetTitle", [](OverlayType & self, const std::string & title) { self.SetTitle(title); }, py::arg("title"))
-    .def("GetTitle", [](const OverlayType & self) { return std::string(self.GetTitle()); })
+      "GetPixelSpacing",
+      [](const OverlayType & self) { return self.GetPixelSpacing(); },
+      "Returns the pixel spacing (u, v) in the detector plane, mm. With 0, the default, lengths "
+      "are written in pixels.")
+    .def("SetRadiographSize",
+         &OverlayType::SetRadiographSize,
+         py::arg("width"),
+         py::arg("height"),
+         "Width and height of the radiograph, pixels, for the frame where there is no image to show.")
+    .def("SetWindow",
+         &OverlayType::SetWindow,
+         py::arg("black"),
+         py::arg("white"),
+         "Grey values that are shown as black and as white. Both 0, the default, stand for the 0.2 "
+         "and 99.8 % quantiles.")
+    .def("SetPictureSize",
+         &OverlayType::SetPictureSize,
+         py::arg("width"),
+         py::arg("height"),
+         "Sets the size of the output (width, height), pixels; 1400 by 900 by default.")
     .def(
-      "SetStatus", [](OverlayType & self, const std::string & status) { self.SetStatus(status); }, py::arg("status"))
-    .def("GetStatus", [](const OverlayType & self) { return std::string(self.GetStatus()); })
-    .def("SetTextLines", &OverlayType::SetTextLines, py::arg("lines"))
-    .def("GetTextLines", &OverlayType::GetTextLines)
+      "GetPictureSize",
+      [](const OverlayType & self) { return self.GetPictureSize(); },
+      "Returns the size of the output (width, height), pixels; 1400 by 900 by default.")
+    .def(
+      "SetTitle",
+      [](OverlayType & self, const std::string & title) { self.SetTitle(title); },
+      py::arg("title"),
+      "Sets the line above the picture.")
+    .def(
+      "GetTitle",
+      [](const OverlayType & self) { return std::string(self.GetTitle()); },
+      "Returns the line above the picture.")
+    .def(
+      "SetStatus",
+      [](OverlayType & self, const std::string & status) { self.SetStatus(status); },
+      py::arg("status"),
+      "Sets the word of the badge: \"ok\", \"suspect\", \"failed\" or any other. None is drawn "
+      "where it is empty, which is the default.")
+    .def(
+      "GetStatus",
+      [](const OverlayType & self) { return std::string(self.GetStatus()); },
+      "Returns the word of the badge: \"ok\", \"suspect\", \"failed\" or any other. None is drawn "
+      "where it is empty, which is the default.")
+    .def("SetTextLines",
+         &OverlayType::SetTextLines,
+         py::arg("lines"),
+         "Sets the lines of text beside the radiograph; long ones are wrapped.")
+    .def("GetTextLines",
+         &OverlayType::GetTextLines,
+         "Returns the lines of text beside the radiograph; long ones are wrapped.")
     .def("SetView",
          &OverlayType::SetView,
          py::arg("firstU"),
@@ -143,8 +193,13 @@ WrapEvaluation(py::module_ & module)
          py::arg("firstV"),
          py::arg("lastV"),
          "First and last pixel index of u, then of v.")
-    .def("SetViewToContours", &OverlayType::SetViewToContours)
-    .dentalscrProperty(OverlayType, Margin)
+    .def("SetViewToContours",
+         &OverlayType::SetViewToContours,
+         "Shows the region around tracing and landmarks, which is the default.")
+    .dentalscrProperty(OverlayType,
+                       Margin,
+                       "the free border around tracing and landmarks, as a part of their larger extent; 0.2 by "
+                       "default.")
     .def("_TakeOutput", [](OverlayType & self) {
       itk::SmartPointer<PictureType> picture = self.GetOutput();
       picture->DisconnectPipeline();

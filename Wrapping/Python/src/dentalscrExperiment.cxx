@@ -39,29 +39,62 @@ WrapExperiment(py::module_ & module)
                       "What an experiment asks.");
   ProcessClass<ExperimentType>(module, "CohortExperiment", "Methods on a cohort: tables, statistics, plot data.")
     .def(New<ExperimentType>())
-    .dentalscrProperty(ExperimentType, NumberOfCases)
-    .dentalscrProperty(ExperimentType, Seed)
-    .def("SetLevel", &ExperimentType::SetLevel, py::arg("level"))
-    .def("GetLevel", &ExperimentType::GetLevel)
+    .dentalscrProperty(ExperimentType, NumberOfCases, "the number of simulated cases; 34 by default, the paper's.")
+    .dentalscrProperty(ExperimentType, Seed, "the seed of the first case and of the statistics; 1 by default.")
+    .def("SetLevel",
+         &ExperimentType::SetLevel,
+         py::arg("level"),
+         "Sets the level of difficulty of the simulated cases; Typical by default. Some studies have "
+         "levels of their own.")
+    .def("GetLevel",
+         &ExperimentType::GetLevel,
+         "Returns the level of difficulty of the simulated cases; Typical by default. Some studies "
+         "have levels of their own.")
     .def(
       "SetCaseDirectory",
       [](ExperimentType & self, const std::string & folder) { self.SetCaseDirectory(folder); },
-      py::arg("folder"))
-    .def("GetCaseDirectory", [](const ExperimentType & self) { return std::string(self.GetCaseDirectory()); })
+      py::arg("folder"),
+      "Sets the folder whose cases are used instead of simulated ones, by the studies Tables and "
+      "Capture.")
+    .def(
+      "GetCaseDirectory",
+      [](const ExperimentType & self) { return std::string(self.GetCaseDirectory()); },
+      "Returns the folder whose cases are used instead of simulated ones, by the studies Tables "
+      "and Capture.")
     .def(
       "SetOutputDirectory",
       [](ExperimentType & self, const std::string & folder) { self.SetOutputDirectory(folder); },
-      py::arg("folder"))
-    .def("GetOutputDirectory", [](const ExperimentType & self) { return std::string(self.GetOutputDirectory()); })
-    .def("SetStudy", &ExperimentType::SetStudy, py::arg("study"))
-    .def("GetStudy", &ExperimentType::GetStudy)
-    .dentalscrProperty(ExperimentType, NumberOfStarts)
-    .def("SetMethods", &ExperimentType::SetMethods, py::arg("names"))
-    .def("GetMethods", &ExperimentType::GetMethods)
-    .dentalscrBoolean(ExperimentType, DrawFigures)
-    .def("GetCurrentStage", [](const ExperimentType & self) { return self.GetCurrentStage(); })
+      py::arg("folder"),
+      "Sets the folder that everything is written to. It is made where it is missing, and an "
+      "experiment that was stopped goes on from it.")
+    .def(
+      "GetOutputDirectory",
+      [](const ExperimentType & self) { return std::string(self.GetOutputDirectory()); },
+      "Returns the folder that everything is written to. It is made where it is missing, and an "
+      "experiment that was stopped goes on from it.")
+    .def("SetStudy", &ExperimentType::SetStudy, py::arg("study"), "Sets the study that is run; Tables by default.")
+    .def("GetStudy", &ExperimentType::GetStudy, "Returns the study that is run; Tables by default.")
+    .dentalscrProperty(ExperimentType,
+                       NumberOfStarts,
+                       "the number of starts a case and jaw in the study of the capture range; 100 by default.")
+    .def("SetMethods",
+         &ExperimentType::SetMethods,
+         py::arg("names"),
+         "Sets the names of methods and of groups of them that are compared; see experiment_methods().")
+    .def("GetMethods",
+         &ExperimentType::GetMethods,
+         "Returns the names of methods and of groups of them that are compared; see "
+         "experiment_methods().")
+    .dentalscrBoolean(
+      ExperimentType, DrawFigures, "whether the study Tables draws the figure of representative cases. On by default.")
+    .def(
+      "GetCurrentStage",
+      [](const ExperimentType & self) { return self.GetCurrentStage(); },
+      "How far it is, in words: \"12 of 34 cases\".")
     .def("GetWrittenFiles", &ExperimentType::GetWrittenFiles, "Names in the output folder, after Execute().")
-    .def("GetNumberOfResumedCases", &ExperimentType::GetNumberOfResumedCases);
+    .def("GetNumberOfResumedCases",
+         &ExperimentType::GetNumberOfResumedCases,
+         "How many cases were in the output folder before, valid after Execute().");
   module.def(
     "experiment_methods",
     []() {

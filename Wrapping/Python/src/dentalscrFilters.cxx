@@ -97,15 +97,35 @@ WrapAxis(py::module_ & module)
     .def(New<AxisType>())
     .def("_SetUpperMesh", &AxisType::SetUpperMesh, py::arg("mesh"))
     .def("_SetLowerMesh", &AxisType::SetLowerMesh, py::arg("mesh"))
-    .def("SetJawsShareFrame", &AxisType::SetJawsShareFrame, py::arg("mode"))
-    .def("GetJawsShareFrame", &AxisType::GetJawsShareFrame)
-    .dentalscrProperty(AxisType, CrownFraction)
-    .dentalscrProperty(AxisType, MaximumIterations)
-    .dentalscrBoolean(AxisType, RefineMidline)
-    .dentalscrBoolean(AxisType, EmbedAxes)
-    .dentalscrProperty(AxisType, AxesLength)
-    .dentalscrBoolean(AxisType, TransformMeshes)
-    .dentalscrBoolean(AxisType, RequireArches)
+    .def("SetJawsShareFrame",
+         &AxisType::SetJawsShareFrame,
+         py::arg("mode"),
+         "Sets whether both scans lie in one frame, in occlusion. Check, the default, looks at "
+         "contact, heights and directions of the arches.")
+    .def("GetJawsShareFrame",
+         &AxisType::GetJawsShareFrame,
+         "Returns whether both scans lie in one frame, in occlusion. Check, the default, looks at "
+         "contact, heights and directions of the arches.")
+    .dentalscrProperty(AxisType,
+                       CrownFraction,
+                       "the share of the surface that is taken for crowns, in (0, 1]; 0.15 by default, the paper's "
+                       "p.")
+    .dentalscrProperty(AxisType,
+                       MaximumIterations,
+                       "the most rounds of crown candidates, principal axes and occlusal direction; 20 by default. "
+                       "It stops when the direction does.")
+    .dentalscrBoolean(
+      AxisType, RefineMidline, "whether the midline plane is moved to the scan's mirror plane. Off by default.")
+    .dentalscrBoolean(
+      AxisType, EmbedAxes, "whether arrows along the axes are added to the output meshes. Off by default.")
+    .dentalscrProperty(AxisType, AxesLength, "the length of the arrow along x, mm; 40 by default.")
+    .dentalscrBoolean(AxisType,
+                      TransformMeshes,
+                      "whether the output meshes are made. On by default; off for those who want the frames alone.")
+    .dentalscrBoolean(AxisType,
+                      RequireArches,
+                      "whether a mesh without an arch is an error. On by default; off, its outputs are empty and "
+                      "the other jaw is none the worse.")
     .def("_TakeMesh",
          [](AxisType & self, JawEnum jaw) {
            return Detach(jaw == JawEnum::Lower ? self.GetLowerOutput() : self.GetUpperOutput());
@@ -141,15 +161,18 @@ WrapAxis(py::module_ & module)
     .def(
       "GetBaselineLeft",
       [](const AxisType & self, JawEnum jaw) { return self.GetBaselineLeft(ToAxisJaw(jaw)); },
-      py::arg("jaw"))
+      py::arg("jaw"),
+      "Left end of the molar baseline, mm, in the mesh's frame.")
     .def(
       "GetBaselineMidpoint",
       [](const AxisType & self, JawEnum jaw) { return self.GetBaselineMidpoint(ToAxisJaw(jaw)); },
-      py::arg("jaw"))
+      py::arg("jaw"),
+      "Middle of the molar baseline, mm, in the mesh's frame.")
     .def(
       "GetIncisalEdge",
       [](const AxisType & self, JawEnum jaw) { return self.GetIncisalEdge(ToAxisJaw(jaw)); },
-      py::arg("jaw"))
+      py::arg("jaw"),
+      "Middle of the incisal edge, mm, in the mesh's frame.")
     .def(
       "GetArchWidth",
       [](const AxisType & self, JawEnum jaw) { return self.GetArchWidth(ToAxisJaw(jaw)); },
@@ -165,7 +188,10 @@ WrapAxis(py::module_ & module)
       [](const AxisType & self, JawEnum jaw) { return self.GetConfidence(ToAxisJaw(jaw)); },
       py::arg("jaw"),
       "In [0, 1]; below 0.5 a person should look at the axes.")
-    .def("GetJawsAreInOneFrame", &AxisType::GetJawsAreInOneFrame)
+    .def("GetJawsAreInOneFrame",
+         &AxisType::GetJawsAreInOneFrame,
+         "Whether the jaws were treated as in one frame. Overjet and overbite mean something only "
+         "then.")
     .def("GetOverjet", &AxisType::GetOverjet, "mm; means something only where the jaws are in one frame.")
     .def("GetOverbite", &AxisType::GetOverbite, "mm; means something only where the jaws are in one frame.");
 
@@ -174,9 +200,14 @@ WrapAxis(py::module_ & module)
     .def("_SetUpperMesh", &PlaneFilterType::SetUpperMesh, py::arg("mesh"))
     .def("_SetLowerMesh", &PlaneFilterType::SetLowerMesh, py::arg("mesh"))
     .def("_GetPlane", [](const PlaneFilterType & self) { return ToDict(self.GetPlaneOutput()->Get()); })
-    .def("GetNormal", &PlaneFilterType::GetNormal)
-    .def("GetOffset", &PlaneFilterType::GetOffset)
-    .def("SignedDistance", &PlaneFilterType::SignedDistance, py::arg("point"));
+    .def(
+      "GetNormal", &PlaneFilterType::GetNormal, "Unit normal of the plane that was found, in the frame of the meshes.")
+    .def("GetOffset", &PlaneFilterType::GetOffset, "Distance of the plane from the origin along its normal, mm.")
+    .def("SignedDistance",
+         &PlaneFilterType::SignedDistance,
+         py::arg("point"),
+         "Distance of a point (mm, in the frame of the meshes) from the plane, positive on the side "
+         "of the normal.");
 }
 
 void
@@ -203,36 +234,90 @@ WrapDRR(py::module_ & module)
       py::arg("mesh"))
     .def("_GetNumberOfMeshes", &DRRType::GetNumberOfMeshes)
     .def("_SetGeometry", &DRRType::SetGeometry, py::arg("geometry"))
-    .dentalscrProperty(DRRType, Sigma)
-    .def("SetMeshSigma", &DRRType::SetMeshSigma, py::arg("number"), py::arg("sigma"))
-    .def("GetMeshSigma", &DRRType::GetMeshSigma, py::arg("number"))
-    .def("SetVertexSigmas", &DRRType::SetVertexSigmas, py::arg("number"), py::arg("sigmas"))
-    .def("GetVertexSigmas", &DRRType::GetVertexSigmas, py::arg("number"))
-    .def("SetNormalization", &DRRType::SetNormalization, py::arg("normalization"))
-    .def("GetNormalization", &DRRType::GetNormalization)
-    .def("SetOutputMode", &DRRType::SetOutputMode, py::arg("mode"))
-    .def("GetOutputMode", &DRRType::GetOutputMode)
-    .dentalscrProperty(DRRType, Density)
-    .dentalscrProperty(DRRType, SourceIntensity)
-    .dentalscrProperty(DRRType, Attenuation)
-    .dentalscrProperty(DRRType, Tolerance)
-    .dentalscrBoolean(DRRType, UseGeometrySpacing)
+    .dentalscrProperty(DRRType,
+                       Sigma,
+                       "the width of the splats, mm in the detector plane, of every mesh without one of its own; "
+                       "0.5 by default.")
+    .def("SetMeshSigma",
+         &DRRType::SetMeshSigma,
+         py::arg("number"),
+         py::arg("sigma"),
+         "Sets the width of the splats of one mesh by its number, mm in the detector plane; 0 returns "
+         "to Sigma.")
+    .def("GetMeshSigma",
+         &DRRType::GetMeshSigma,
+         py::arg("number"),
+         "Width of the splats of one mesh by its number, mm in the detector plane; 0 stands for Sigma.")
+    .def("SetVertexSigmas",
+         &DRRType::SetVertexSigmas,
+         py::arg("number"),
+         py::arg("sigmas"),
+         "Sets the widths of the splats of one mesh, one a vertex in the order of the points, mm; an "
+         "empty list returns to one width.")
+    .def("GetVertexSigmas",
+         &DRRType::GetVertexSigmas,
+         py::arg("number"),
+         "Widths of the splats of one mesh, one a vertex, mm; empty where it has one width.")
+    .def("SetNormalization",
+         &DRRType::SetNormalization,
+         py::arg("normalization"),
+         "Sets how the sum of the splats becomes a thickness: Physical (the default, mm) or Paper.")
+    .def("GetNormalization",
+         &DRRType::GetNormalization,
+         "Returns how the sum of the splats becomes a thickness: Physical (the default, mm) or Paper.")
+    .def("SetOutputMode", &DRRType::SetOutputMode, py::arg("mode"), "Sets what the pixels hold; Thickness by default.")
+    .def("GetOutputMode", &DRRType::GetOutputMode, "Returns what the pixels hold; Thickness by default.")
+    .dentalscrProperty(
+      DRRType, Density, "the thickness of the shell, mm, under Physical, and a factor under Paper; 1 by default.")
+    .dentalscrProperty(DRRType, SourceIntensity, "the intensity without anything in the beam; 1 by default.")
+    .dentalscrProperty(DRRType,
+                       Attenuation,
+                       "the attenuation coefficient, 1/mm under Physical; 0.08 by default, that of enamel at about "
+                       "60 keV.")
+    .dentalscrProperty(DRRType,
+                       Tolerance,
+                       "the largest error relative to the maximum on the detector plane, in [1e-6, 0.1]; 1e-3 by "
+                       "default.")
+    .dentalscrBoolean(DRRType, UseGeometrySpacing, "whether the pixel spacing is that of the geometry. On by default.")
     .def(
-      "SetSize", [](DRRType & self, const itk::Size<2> & size) { self.SetSize(size); }, py::arg("size"))
-    .def("GetSize", [](const DRRType & self) { return self.GetSize(); })
+      "SetSize",
+      [](DRRType & self, const itk::Size<2> & size) { self.SetSize(size); },
+      py::arg("size"),
+      "Sets the size of the output region (width, height), pixels. To set it turns CoverMeshes off.")
     .def(
-      "SetStartIndex", [](DRRType & self, const itk::Index<2> & index) { self.SetStartIndex(index); }, py::arg("index"))
-    .def("GetStartIndex", [](const DRRType & self) { return self.GetStartIndex(); })
+      "GetSize",
+      [](const DRRType & self) { return self.GetSize(); },
+      "Returns the size of the output region (width, height), pixels. To set it turns CoverMeshes "
+      "off.")
+    .def(
+      "SetStartIndex",
+      [](DRRType & self, const itk::Index<2> & index) { self.SetStartIndex(index); },
+      py::arg("index"),
+      "Sets the first pixel of the output region, (u, v), which may be negative.")
+    .def(
+      "GetStartIndex",
+      [](const DRRType & self) { return self.GetStartIndex(); },
+      "Returns the first pixel of the output region, (u, v), which may be negative.")
     .def(
       "SetSpacing",
       [](DRRType & self, const itk::Vector<double, 2> & spacing) { self.SetSpacing(spacing); },
-      py::arg("spacing"))
-    .def("GetSpacing", [](const DRRType & self) { return itk::Vector<double, 2>(self.GetSpacing()); })
+      py::arg("spacing"),
+      "Sets the distance between pixels (u, v), mm in the detector plane, where UseGeometrySpacing "
+      "is off.")
+    .def(
+      "GetSpacing",
+      [](const DRRType & self) { return itk::Vector<double, 2>(self.GetSpacing()); },
+      "Returns the distance between pixels (u, v), mm in the detector plane, where "
+      "UseGeometrySpacing is off.")
     .def(
       "SetOrigin",
       [](DRRType & self, const itk::Point<double, 2> & origin) { self.SetOrigin(origin); },
-      py::arg("origin"))
-    .def("GetOrigin", [](const DRRType & self) { return self.GetOrigin(); })
+      py::arg("origin"),
+      "Sets the physical point of the pixel with index (0, 0), mm in the detector plane.")
+    .def(
+      "GetOrigin",
+      [](const DRRType & self) { return self.GetOrigin(); },
+      "Returns the physical point of the pixel with index (0, 0), mm in the detector plane.")
     .def(
       "_SetReferenceImage",
       [](DRRType & self, const ImageType * image) {
@@ -240,9 +325,18 @@ WrapDRR(py::module_ & module)
         self.SetUseReferenceImage(image != nullptr);
       },
       py::arg("image"))
-    .dentalscrBoolean(DRRType, CoverMeshes)
-    .dentalscrProperty(DRRType, CoverMargin)
-    .def("SetSizeToCoverMeshes", &DRRType::SetSizeToCoverMeshes, py::arg("margin"))
+    .dentalscrBoolean(DRRType,
+                      CoverMeshes,
+                      "whether the region holds every projected vertex and a margin. On by default; SetSize() "
+                      "turns it off.")
+    .dentalscrProperty(DRRType,
+                       CoverMargin,
+                       "the margin of CoverMeshes, mm in the detector plane. A negative one, the default, stands "
+                       "for four times the largest sigma.")
+    .def("SetSizeToCoverMeshes",
+         &DRRType::SetSizeToCoverMeshes,
+         py::arg("margin"),
+         "Turns CoverMeshes on and sets its margin, mm in the detector plane.")
     .def(
       "_UpdateRegion",
       [](DRRType & self, const itk::Index<2> & index, const itk::Size<2> & size) {
@@ -306,21 +400,56 @@ WrapContours(py::module_ & module)
     .def(New<SilhouetteType>())
     .def(
       "_SetInput", [](SilhouetteType & self, const ImageType * image) { self.SetInput(image); }, py::arg("image"))
-    .def("SetContent", &SilhouetteType::SetContent, py::arg("content"))
-    .def("GetContent", &SilhouetteType::GetContent)
-    .def("SetLevel", &SilhouetteType::SetLevel, py::arg("level"))
-    .def("GetLevel", &SilhouetteType::GetLevel)
-    .dentalscrProperty(SilhouetteType, LevelValue)
-    .dentalscrProperty(SilhouetteType, LevelFraction)
-    .dentalscrBoolean(SilhouetteType, ObjectIsDark)
-    .dentalscrBoolean(SilhouetteType, LargestPartOnly)
-    .dentalscrProperty(SilhouetteType, MinimumArea)
-    .dentalscrProperty(SilhouetteType, NumberOfStreamDivisions)
-    .dentalscrProperty(SilhouetteType, LabelSmoothing)
-    .def("SetOutputCoordinates", &SilhouetteType::SetOutputCoordinates, py::arg("coordinates"))
-    .def("GetOutputCoordinates", &SilhouetteType::GetOutputCoordinates)
-    .def("SetOutputOffset", &SilhouetteType::SetOutputOffset, py::arg("offset"))
-    .def("GetOutputOffset", [](const SilhouetteType & self) { return self.GetOutputOffset(); })
+    .def("SetContent",
+         &SilhouetteType::SetContent,
+         py::arg("content"),
+         "Sets what the pixels are: grey values (Intensity, the default), FDI numbers (ToothLabels), or "
+         "labels of any meaning (MergedLabels).")
+    .def("GetContent",
+         &SilhouetteType::GetContent,
+         "Returns what the pixels are: grey values (Intensity, the default), FDI numbers (ToothLabels), or "
+         "labels of any meaning (MergedLabels).")
+    .def("SetLevel",
+         &SilhouetteType::SetLevel,
+         py::arg("level"),
+         "Sets how the level of the contour is chosen; Automatic by default.")
+    .def("GetLevel", &SilhouetteType::GetLevel, "Returns how the level of the contour is chosen; Automatic by default.")
+    .dentalscrProperty(SilhouetteType, LevelValue, "the level under Absolute, in grey values; 0.5 by default.")
+    .dentalscrProperty(SilhouetteType,
+                       LevelFraction,
+                       "the level under Fraction, between the darkest and the brightest pixel, above 0 and below 1; "
+                       "0.5 by default.")
+    .dentalscrBoolean(SilhouetteType, ObjectIsDark, "whether the object is darker than the background. Off by default.")
+    .dentalscrBoolean(SilhouetteType,
+                      LargestPartOnly,
+                      "whether only the part with the largest area is kept, of each label under ToothLabels. On by "
+                      "default.")
+    .dentalscrProperty(
+      SilhouetteType, MinimumArea, "the area below which parts are left out, square pixels; 0 by default.")
+    .dentalscrProperty(SilhouetteType,
+                       NumberOfStreamDivisions,
+                       "the number of strips in which the image is pulled; 1 by default, the whole image at once.")
+    .dentalscrProperty(SilhouetteType,
+                       LabelSmoothing,
+                       "the width of the Gaussian under which labels are outlined, pixels, up to 100; 0 by default: "
+                       "the edges of pixels.")
+    .def("SetOutputCoordinates",
+         &SilhouetteType::SetOutputCoordinates,
+         py::arg("coordinates"),
+         "Sets whether the points come out as continuous pixel indices (Index, the default) or as "
+         "physical points.")
+    .def("GetOutputCoordinates",
+         &SilhouetteType::GetOutputCoordinates,
+         "Returns whether the points come out as continuous pixel indices (Index, the default) or as "
+         "physical points.")
+    .def("SetOutputOffset",
+         &SilhouetteType::SetOutputOffset,
+         py::arg("offset"),
+         "Sets what is subtracted from every point of the output, (u, v) in its unit; 0 by default.")
+    .def(
+      "GetOutputOffset",
+      [](const SilhouetteType & self) { return self.GetOutputOffset(); },
+      "Returns what is subtracted from every point of the output, (u, v) in its unit; 0 by default.")
     .def("GetUsedLevel", &SilhouetteType::GetUsedLevel, "Of the last Execute().")
     .def("_TakeOutput", [](SilhouetteType & self) { return Detach(self.GetOutput()); });
 
@@ -329,8 +458,14 @@ WrapContours(py::module_ & module)
     .def(
       "_SetInput", [](MeshSilhouetteType & self, const MeshType * mesh) { self.SetInput(mesh); }, py::arg("mesh"))
     .def("_SetGeometry", &MeshSilhouetteType::SetGeometry, py::arg("geometry"))
-    .dentalscrBoolean(MeshSilhouetteType, LargestPartOnly)
-    .dentalscrProperty(MeshSilhouetteType, NumberOfPoints)
+    .dentalscrBoolean(MeshSilhouetteType,
+                      LargestPartOnly,
+                      "whether only the part with the largest area is given. On by default; off, all parts that do "
+                      "not hide in another.")
+    .dentalscrProperty(MeshSilhouetteType,
+                       NumberOfPoints,
+                       "the number of points of the output, at equal distances; 0, the default, gives the corners "
+                       "of the silhouette.")
     .def("_GetSamples",
          [](const MeshSilhouetteType & self) {
            std::vector<std::array<double, 2>> normals;
@@ -366,9 +501,15 @@ WrapContours(py::module_ & module)
         }
       },
       py::arg("transform"))
-    .def("SetJaw", &OpenType::SetJaw, py::arg("jaw"))
-    .def("GetJaw", &OpenType::GetJaw)
-    .dentalscrProperty(OpenType, Spacing)
+    .def("SetJaw",
+         &OpenType::SetJaw,
+         py::arg("jaw"),
+         "Sets the jaw of the mesh, which says which way is occlusal: Upper (the default) or Lower.")
+    .def("GetJaw",
+         &OpenType::GetJaw,
+         "Returns the jaw of the mesh, which says which way is occlusal: Upper (the default) or Lower.")
+    .dentalscrProperty(
+      OpenType, Spacing, "the distance between points of the output, mm in the detector plane; 0.125 by default.")
     .def(
       "GetRimPoints",
       [](const OpenType & self) { return MakeRows<3>(self.GetRimPoints()); },
@@ -399,8 +540,13 @@ WrapContours(py::module_ & module)
         self.SetMaskImage(mask);
       },
       py::arg("image"))
-    .def("SetMinimumNumberOfPoints", &MaskFilterType::SetMinimumNumberOfPoints, py::arg("number"))
-    .def("GetMinimumNumberOfPoints", &MaskFilterType::GetMinimumNumberOfPoints)
+    .def("SetMinimumNumberOfPoints",
+         &MaskFilterType::SetMinimumNumberOfPoints,
+         py::arg("number"),
+         "Sets the number of points below which a stretch is left out; 2 by default.")
+    .def("GetMinimumNumberOfPoints",
+         &MaskFilterType::GetMinimumNumberOfPoints,
+         "Returns the number of points below which a stretch is left out; 2 by default.")
     .def("_TakeOutput", [](MaskFilterType & self) { return Detach(self.GetOutput()); });
 
   ProcessClass<ResampleType>(module, "ContourResampleFilter", "Points at equal distances along a contour.")
@@ -409,8 +555,10 @@ WrapContours(py::module_ & module)
       "_SetInput",
       [](ResampleType & self, const itk::DentalContour * contour) { self.SetInput(contour); },
       py::arg("contour"))
-    .dentalscrProperty(ResampleType, NumberOfPoints)
-    .dentalscrProperty(ResampleType, Spacing)
+    .dentalscrProperty(
+      ResampleType, NumberOfPoints, "the number of points in total; 0, the default, goes by the spacing.")
+    .dentalscrProperty(
+      ResampleType, Spacing, "the distance between points, pixels, where the number of points is 0; 1 by default.")
     .def("_TakeOutput", [](ResampleType & self) { return Detach(self.GetOutput()); });
 }
 
@@ -435,17 +583,36 @@ WrapCrowns(py::module_ & module)
       },
       py::arg("transform"))
     .def(
-      "SetJaw", [](CrownType & self, JawEnum jaw) { self.SetJaw(ToAxisJaw(jaw)); }, py::arg("jaw"))
-    .def("GetJaw",
-         [](const CrownType & self) {
-           return self.GetJaw() == itk::UMidlineDentalAxisFilterEnums::Jaw::Upper ? JawEnum::Upper : JawEnum::Lower;
-         })
-    .dentalscrBoolean(CrownType, UseLabels)
-    .def("SetLabelNumbering", &CrownType::SetLabelNumbering, py::arg("numbering"))
-    .def("GetLabelNumbering", &CrownType::GetLabelNumbering)
-    .dentalscrBoolean(CrownType, KeepWholeMesh)
-    .dentalscrProperty(CrownType, MinimumCrownHeight)
-    .dentalscrProperty(CrownType, MaximumCrownHeight)
+      "SetJaw",
+      [](CrownType & self, JawEnum jaw) { self.SetJaw(ToAxisJaw(jaw)); },
+      py::arg("jaw"),
+      "Sets the jaw of the mesh; Upper by default.")
+    .def(
+      "GetJaw",
+      [](const CrownType & self) {
+        return self.GetJaw() == itk::UMidlineDentalAxisFilterEnums::Jaw::Upper ? JawEnum::Upper : JawEnum::Lower;
+      },
+      "Returns the jaw of the mesh; Upper by default.")
+    .dentalscrBoolean(
+      CrownType, UseLabels, "whether tooth labels of the mesh, where it has any, say what is crown. On by default.")
+    .def("SetLabelNumbering",
+         &CrownType::SetLabelNumbering,
+         py::arg("numbering"),
+         "Sets how the labels number teeth: FDI (the default) or Universal.")
+    .def("GetLabelNumbering",
+         &CrownType::GetLabelNumbering,
+         "Returns how the labels number teeth: FDI (the default) or Universal.")
+    .dentalscrBoolean(CrownType,
+                      KeepWholeMesh,
+                      "whether the whole mesh comes out, with what is crown as its point data. Off by default.")
+    .dentalscrProperty(CrownType,
+                       MinimumCrownHeight,
+                       "the least depth below the occlusal surface at which the gingival margin is looked for, mm; "
+                       "2.5 by default.")
+    .dentalscrProperty(CrownType,
+                       MaximumCrownHeight,
+                       "the greatest depth below the occlusal surface at which the gingival margin is looked for, "
+                       "mm; 12.5 by default.")
     .def(
       "GetPointMask", [](const CrownType & self) { return MakeArray(self.GetPointMask()); }, "(N,) of 0 and 1.")
     .def(
@@ -453,7 +620,7 @@ WrapCrowns(py::module_ & module)
     .def("GetCrownArea", &CrownType::GetCrownArea, "mm^2.")
     .def("GetMeanCrownHeight", &CrownType::GetMeanCrownHeight, "mm.")
     .def("GetMarginAngle", &CrownType::GetMarginAngle, "rad.")
-    .def("GetLabelsWereUsed", &CrownType::GetLabelsWereUsed)
+    .def("GetLabelsWereUsed", &CrownType::GetLabelsWereUsed, "Whether the last run took the labels.")
     .def("_TakeOutput", [](CrownType & self) { return Detach(self.GetOutput()); });
 
   using SideEnum = itk::MidlineSideMeshFilterEnums::Side;
@@ -467,9 +634,12 @@ WrapCrowns(py::module_ & module)
       "_SetFrameTransform",
       [](SideType & self, const RigidType & transform) { self.SetFrameTransform(&transform); },
       py::arg("transform"))
-    .def("SetSide", &SideType::SetSide, py::arg("side"))
-    .def("GetSide", &SideType::GetSide)
-    .dentalscrProperty(SideType, Margin)
+    .def("SetSide", &SideType::SetSide, py::arg("side"), "Sets the patient's side that is kept; Right by default.")
+    .def("GetSide", &SideType::GetSide, "Returns the patient's side that is kept; Right by default.")
+    .dentalscrProperty(SideType,
+                       Margin,
+                       "how far beyond the midline plane the mesh is kept, mm; -0.5 by default, so that the other "
+                       "side's incisor is not the outline.")
     .def(
       "GetTriangleMask", [](const SideType & self) { return MakeArray(self.GetTriangleMask()); }, "(M,) of 0 and 1.")
     .def("_TakeOutput", [](SideType & self) { return Detach(self.GetOutput()); });

@@ -186,29 +186,95 @@ patientLeft : PatientLeft or str, optional
          py::arg_v("direction", DirectionEnum::Lateral, "Direction.Lateral"),
          py::arg_v("frontalSource", FrontalSourceEnum::Behind, "FrontalSource.Behind"),
          py::arg_v("patientLeft", PatientLeftEnum::Right, "PatientLeft.Right"))
-    .def("SetDirection", &GeometryType::SetDirection, py::arg("direction"))
-    .def("GetDirection", [](const GeometryType & self) { return self.GetDirection(); })
-    .def("SetFrontalSource", &GeometryType::SetFrontalSource, py::arg("source"))
-    .def("GetFrontalSource", [](const GeometryType & self) { return self.GetFrontalSource(); })
-    .def("SetPatientLeft", &GeometryType::SetPatientLeft, py::arg("side"))
-    .def("GetPatientLeft", [](const GeometryType & self) { return self.GetPatientLeft(); })
-    .dentalscrProperty(GeometryType, SourceToMidsagittalDistance)
-    .dentalscrProperty(GeometryType, SourceToDetectorDistance)
-    .def("SetSourceSide", &GeometryType::SetSourceSide, py::arg("side"))
-    .def("GetSourceSide", [](const GeometryType & self) { return self.GetSourceSide(); })
-    .def("SetFacing", &GeometryType::SetFacing, py::arg("facing"))
-    .def("GetFacing", [](const GeometryType & self) { return self.GetFacing(); })
-    .def("SetPrincipalPoint", &GeometryType::SetPrincipalPoint, py::arg("index"))
-    .def("GetPrincipalPoint", [](const GeometryType & self) { return self.GetPrincipalPoint(); })
-    .def("SetPixelSpacing", &GeometryType::SetPixelSpacing, py::arg("spacing"))
-    .def("GetPixelSpacing", [](const GeometryType & self) { return self.GetPixelSpacing(); })
-    .def("HasPixelSpacing", &GeometryType::HasPixelSpacing)
+    .def("SetDirection",
+         &GeometryType::SetDirection,
+         py::arg("direction"),
+         "Sets the direction of the radiograph: Lateral (the default) or Frontal. What is said of "
+         "sides holds in its own direction.")
+    .def(
+      "GetDirection",
+      [](const GeometryType & self) { return self.GetDirection(); },
+      "Returns the direction of the radiograph: Lateral (the default) or Frontal. What is said of "
+      "sides holds in its own direction.")
+    .def("SetFrontalSource",
+         &GeometryType::SetFrontalSource,
+         py::arg("source"),
+         "Sets where the source of a frontal radiograph is: Behind (the default) the patient or in "
+         "front.")
+    .def(
+      "GetFrontalSource",
+      [](const GeometryType & self) { return self.GetFrontalSource(); },
+      "Returns where the source of a frontal radiograph is: Behind (the default) the patient or in "
+      "front.")
+    .def("SetPatientLeft",
+         &GeometryType::SetPatientLeft,
+         py::arg("side"),
+         "Sets the side of a frontal image at which the patient's left is: Right by default, as one "
+         "faces the patient.")
+    .def(
+      "GetPatientLeft",
+      [](const GeometryType & self) { return self.GetPatientLeft(); },
+      "Returns the side of a frontal image at which the patient's left is: Right by default, as "
+      "one faces the patient.")
+    .dentalscrProperty(GeometryType,
+                       SourceToMidsagittalDistance,
+                       "the distance from the source to the midsagittal plane, mm, above 0 and below that to the "
+                       "detector; 1524 by default (60 inches). In a frontal cephalogram it is that to the "
+                       "midcoronal plane.")
+    .dentalscrProperty(
+      GeometryType, SourceToDetectorDistance, "the distance from the source to the detector, mm; 1674 by default.")
+    .def("SetSourceSide",
+         &GeometryType::SetSourceSide,
+         py::arg("side"),
+         "Sets the patient's side at which the source of a lateral radiograph is; Right by default.")
+    .def(
+      "GetSourceSide",
+      [](const GeometryType & self) { return self.GetSourceSide(); },
+      "Returns the patient's side at which the source of a lateral radiograph is; Right by default.")
+    .def("SetFacing",
+         &GeometryType::SetFacing,
+         py::arg("facing"),
+         "Sets the side of the image to which the face of a lateral radiograph looks; Right by "
+         "default.")
+    .def(
+      "GetFacing",
+      [](const GeometryType & self) { return self.GetFacing(); },
+      "Returns the side of the image to which the face of a lateral radiograph looks; Right by "
+      "default.")
+    .def("SetPrincipalPoint",
+         &GeometryType::SetPrincipalPoint,
+         py::arg("index"),
+         "Sets the continuous pixel index (u, v) where the central ray meets the detector, the "
+         "ear-rod ring of a cephalostat; (0, 0) by default.")
+    .def(
+      "GetPrincipalPoint",
+      [](const GeometryType & self) { return self.GetPrincipalPoint(); },
+      "Returns the continuous pixel index (u, v) where the central ray meets the detector, the "
+      "ear-rod ring of a cephalostat; (0, 0) by default.")
+    .def("SetPixelSpacing",
+         &GeometryType::SetPixelSpacing,
+         py::arg("spacing"),
+         "Sets the pixel spacing (u, v) in the detector plane, mm, both above 0. It is not set by "
+         "default.")
+    .def(
+      "GetPixelSpacing",
+      [](const GeometryType & self) { return self.GetPixelSpacing(); },
+      "Returns the pixel spacing (u, v) in the detector plane, mm, both above 0. It is not set by "
+      "default.")
+    .def("HasPixelSpacing", &GeometryType::HasPixelSpacing, "Whether a pixel spacing was set.")
     .def("SetPose", &SetPose, py::arg("matrix"), "Rigid 4x4 or 3x4: object frame (mm) to cephalostat frame (mm).")
-    .def("SetPoseToIdentity", &GeometryType::SetPoseToIdentity)
+    .def("SetPoseToIdentity", &GeometryType::SetPoseToIdentity, "Takes the object frame for the cephalostat frame.")
     .def(
       "GetPose", [](const GeometryType & self) { return MakeMatrix44(GetPose(self)); }, "(4, 4), a copy.")
-    .def("GetMagnification", &GeometryType::GetMagnification, py::arg("point"))
-    .def("TransformToCephalostat", &GeometryType::TransformToCephalostat, py::arg("point"))
+    .def("GetMagnification",
+         &GeometryType::GetMagnification,
+         py::arg("point"),
+         "Magnification of a point of the object frame (mm): the length of its picture in the "
+         "detector plane over its own.")
+    .def("TransformToCephalostat",
+         &GeometryType::TransformToCephalostat,
+         py::arg("point"),
+         "Point of the object frame (mm) to the cephalostat frame (mm).")
     .def("ProjectPoint",
          &GeometryType::ProjectPoint,
          py::arg("point"),
@@ -256,12 +322,14 @@ patientLeft : PatientLeft or str, optional
       },
       py::arg("index"),
       "The ray of a pixel in the object frame: the source, and the unit direction.")
-    .def("GetSourcePosition", &GeometryType::GetSourcePosition)
+    .def("GetSourcePosition", &GeometryType::GetSourcePosition, "The X-ray source in the object frame, mm.")
     .def(
       "GetProjectionMatrix",
       [](const GeometryType & self) { return ToArray(self.GetProjectionMatrix()); },
       "(3, 4): object frame (mm) to homogeneous pixel index, pose included.")
-    .def("VerifyComplete", &GeometryType::VerifyComplete)
+    .def("VerifyComplete",
+         &GeometryType::VerifyComplete,
+         "Raises an error that names what is missing, and the remedy, unless the geometry can project.")
     .def("__copy__",
          [](const GeometryType & self) {
            auto copy = GeometryType::New();

@@ -51,7 +51,9 @@ DefineQuasiNewton(ProcessClass<TMethod> & type)
       py::arg("numberOfIterations") = 500,
       py::arg("maximumNumberOfCorrections") = 5,
       py::arg("maximumNumberOfFunctionEvaluations") = 2000,
-      py::arg("costFunctionConvergenceFactor") = 1e7)
+      py::arg("costFunctionConvergenceFactor") = 1e7,
+      "Optimizes with ITK's LBFGSBOptimizerv4, a quasi-Newton method within bounds. The parameters "
+      "are ITK's.")
     .def(
       "SetOptimizerAsLBFGS2",
       [](TMethod & self,
@@ -75,7 +77,9 @@ DefineQuasiNewton(ProcessClass<TMethod> & type)
       py::arg("hessianApproximateAccuracy") = 6,
       py::arg("deltaConvergenceDistance") = 0,
       py::arg("deltaConvergenceTolerance") = 1e-5,
-      py::arg("lineSearchMaximumEvaluations") = 40);
+      py::arg("lineSearchMaximumEvaluations") = 40,
+      "Optimizes with ITK's LBFGS2Optimizerv4, a quasi-Newton method without bounds. The "
+      "parameters are ITK's.");
 }
 } // namespace dentalscr
 

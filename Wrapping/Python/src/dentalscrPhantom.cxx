@@ -147,22 +147,33 @@ WrapPhantom(py::module_ & module)
          &SetMissingTeeth,
          py::arg("teeth"),
          "FDI numbers: 11-17, 21-27, 31-37, 41-47. All others are there.")
-    .def("GetMissingTeeth", &GetMissingTeeth)
-    .def_readwrite("archFamily", &ParametersType::archFamily)
-    .def_readwrite("archExponent", &ParametersType::archExponent)
-    .def_readwrite("archCoverage", &ParametersType::archCoverage)
-    .def_readwrite("archHalfWidth", &ParametersType::archHalfWidth)
-    .def_readwrite("overjet", &ParametersType::overjet)
-    .def_readwrite("overbite", &ParametersType::overbite)
-    .def_readwrite("speeDepth", &ParametersType::speeDepth)
-    .def_readwrite("wilson", &ParametersType::wilson)
-    .def_readwrite("stoneBase", &ParametersType::stoneBase)
-    .def_readwrite("baseHeight", &ParametersType::baseHeight)
-    .def_readwrite("scannerNoise", &ParametersType::scannerNoise)
-    .def_readwrite("noiseSeed", &ParametersType::noiseSeed)
-    .def_readwrite("frame", &ParametersType::frame)
-    .def_readwrite("frameSeed", &ParametersType::frameSeed)
-    .def_readwrite("numberOfTriangles", &ParametersType::numberOfTriangles)
+    .def("GetMissingTeeth", &GetMissingTeeth, "FDI numbers of the teeth that the jaws lack.")
+    .def_readwrite("archFamily", &ParametersType::archFamily, "The shape of the arch.")
+    .def_readwrite("archExponent",
+                   &ParametersType::archExponent,
+                   "Exponent p of the arch |y/w|^p + |x/d|^p = 1: 2 is an ellipse, more is squarer.")
+    .def_readwrite("archCoverage",
+                   &ParametersType::archCoverage,
+                   "How far along a quarter of the arch's curve the second molar ends: less is more tapered.")
+    .def_readwrite("archHalfWidth",
+                   &ParametersType::archHalfWidth,
+                   "Half the width of the upper arch between the crown lines at the distal ends of the second "
+                   "molars, mm.")
+    .def_readwrite(
+      "overjet", &ParametersType::overjet, "How far the upper incisors stand in front of the lower ones, mm.")
+    .def_readwrite("overbite", &ParametersType::overbite, "How far the upper incisors cover the lower ones, mm.")
+    .def_readwrite("speeDepth", &ParametersType::speeDepth, "Depth of the curve of Spee, mm.")
+    .def_readwrite("wilson", &ParametersType::wilson, "Curve of Wilson: factor on the molars' transverse inclination.")
+    .def_readwrite(
+      "stoneBase", &ParametersType::stoneBase, "Whether the scan is a trimmed plaster cast, a closed body with a base.")
+    .def_readwrite("baseHeight", &ParametersType::baseHeight, "Thickness of the base below the deepest gingiva, mm.")
+    .def_readwrite(
+      "scannerNoise", &ParametersType::scannerNoise, "Standard deviation of the scan along its normals, mm.")
+    .def_readwrite("noiseSeed", &ParametersType::noiseSeed, "Seed of the scan's noise.")
+    .def_readwrite("frame", &ParametersType::frame, "The frame that the meshes come in.")
+    .def_readwrite("frameSeed", &ParametersType::frameSeed, "Seed of the frame, where it is drawn.")
+    .def_readwrite(
+      "numberOfTriangles", &ParametersType::numberOfTriangles, "Triangles of each jaw, reached within 10 %.")
     .def("__repr__", [](const ParametersType & self) {
       std::ostringstream text;
       self.Print(text, "  ");
@@ -171,10 +182,16 @@ WrapPhantom(py::module_ & module)
 
   ProcessClass<MeshSourceType>(module, "DentalPhantomMeshSource", "A pair of parametric arches in occlusion.")
     .def(New<MeshSourceType>())
-    .def("SetParameters", &MeshSourceType::SetParameters, py::arg("parameters"))
+    .def("SetParameters",
+         &MeshSourceType::SetParameters,
+         py::arg("parameters"),
+         "Sets what to make. The default is an average pair of jaws in the anatomical frame.")
     .def(
       "GetParameters", [](const MeshSourceType & self) { return self.GetParameters(); }, "A copy.")
-    .def("DrawParameters", &MeshSourceType::DrawParameters, py::arg("seed"))
+    .def("DrawParameters",
+         &MeshSourceType::DrawParameters,
+         py::arg("seed"),
+         "Draws parameters of a kind for a seed; the same seed gives the same jaws.")
     .def("_TakeMesh",
          [](MeshSourceType & self, JawEnum jaw) {
            return Detach(jaw == JawEnum::Lower ? self.GetLowerOutput() : self.GetUpperOutput());
@@ -185,30 +202,74 @@ WrapPhantom(py::module_ & module)
 
   ProcessClass<SourceType>(module, "DentalPhantomCaseSource", "A simulated case for a seed, with the truth.")
     .def(New<SourceType>())
-    .dentalscrProperty(SourceType, Seed)
-    .def("SetCohort", &SourceType::SetCohort, py::arg("cohort"))
-    .def("GetCohort", &SourceType::GetCohort)
-    .def("SetTracedSide", &SourceType::SetTracedSide, py::arg("side"))
-    .def("GetTracedSide", &SourceType::GetTracedSide)
-    .dentalscrBoolean(SourceType, BuccalOutline)
-    .dentalscrProperty(SourceType, ToothBias)
-    .dentalscrProperty(SourceType, DropOutFraction)
-    .dentalscrProperty(SourceType, AdditionalYaw)
-    .dentalscrProperty(SourceType, AdditionalRoll)
-    .dentalscrProperty(SourceType, MissingTeeth)
-    .dentalscrProperty(SourceType, UpperNumberOfPoints)
-    .dentalscrProperty(SourceType, LowerNumberOfPoints)
-    .def("SetFacing", &SourceType::SetFacing, py::arg("facing"))
-    .def("GetFacing", &SourceType::GetFacing)
-    .def("SetSourceSide", &SourceType::SetSourceSide, py::arg("side"))
-    .def("GetSourceSide", &SourceType::GetSourceSide)
-    .def("SetFrame", &SourceType::SetFrame, py::arg("frame"))
-    .def("GetFrame", &SourceType::GetFrame)
-    .dentalscrBoolean(SourceType, StoneBase)
-    .dentalscrProperty(SourceType, NumberOfTriangles)
-    .def("SetImageSize", &SourceType::SetImageSize, py::arg("size"))
-    .def("GetImageSize", [](const SourceType & self) { return self.GetImageSize(); })
-    .dentalscrBoolean(SourceType, MakeRadiograph)
+    .dentalscrProperty(SourceType, Seed, "the seed: the same one gives the same case.")
+    .def("SetCohort",
+         &SourceType::SetCohort,
+         py::arg("cohort"),
+         "Sets the level's table of parameters; Typical by default. It sets traced side, frame and "
+         "number of triangles too, hence comes first.")
+    .def("GetCohort",
+         &SourceType::GetCohort,
+         "Returns the level's table of parameters; Typical by default. It sets traced side, frame and "
+         "number of triangles too, hence comes first.")
+    .def("SetTracedSide",
+         &SourceType::SetTracedSide,
+         py::arg("side"),
+         "Sets the patient's side whose outline is traced; Right by default.")
+    .def("GetTracedSide",
+         &SourceType::GetTracedSide,
+         "Returns the patient's side whose outline is traced; Right by default.")
+    .dentalscrBoolean(SourceType,
+                      BuccalOutline,
+                      "whether the tracing follows the buccal cusps of premolars and molars, which lie inside the "
+                      "silhouette where the oral ones hang lower. Off by default.")
+    .dentalscrProperty(SourceType,
+                       ToothBias,
+                       "the error with which each tooth is drawn, as a factor on 1.2 px shift, 2 degrees and 3 % "
+                       "scale (standard deviations); 0 by default.")
+    .dentalscrProperty(SourceType, DropOutFraction, "the part of each tooth's border that is not drawn; 0 by default.")
+    .dentalscrProperty(SourceType,
+                       AdditionalYaw,
+                       "the turn of the head about the vertical axis beyond what the level draws, rad; 0 by default.")
+    .dentalscrProperty(SourceType,
+                       AdditionalRoll,
+                       "the turn of the head about the anterior axis beyond what the level draws, rad; 0 by default.")
+    .dentalscrProperty(SourceType,
+                       MissingTeeth,
+                       "the FDI numbers of teeth that the jaws lack beyond what the level draws; none by default.")
+    .dentalscrProperty(
+      SourceType, UpperNumberOfPoints, "the number of points of the upper tracing; 79 by default, as in the paper.")
+    .dentalscrProperty(
+      SourceType, LowerNumberOfPoints, "the number of points of the lower tracing; 75 by default, as in the paper.")
+    .def("SetFacing",
+         &SourceType::SetFacing,
+         py::arg("facing"),
+         "Sets the side of the image to which the face looks; Right by default.")
+    .def(
+      "GetFacing", &SourceType::GetFacing, "Returns the side of the image to which the face looks; Right by default.")
+    .def("SetSourceSide",
+         &SourceType::SetSourceSide,
+         py::arg("side"),
+         "Sets the patient's side at which the source is; Right by default.")
+    .def("GetSourceSide",
+         &SourceType::GetSourceSide,
+         "Returns the patient's side at which the source is; Right by default.")
+    .def("SetFrame", &SourceType::SetFrame, py::arg("frame"), "Sets the frame of the meshes; SharedScanner by default.")
+    .def("GetFrame", &SourceType::GetFrame, "Returns the frame of the meshes; SharedScanner by default.")
+    .dentalscrBoolean(
+      SourceType, StoneBase, "whether the scans are closed casts with bases instead of open shells. Off by default.")
+    .dentalscrProperty(
+      SourceType, NumberOfTriangles, "the number of triangles of each jaw, from 2000 to 4000000; 60000 by default.")
+    .def("SetImageSize",
+         &SourceType::SetImageSize,
+         py::arg("size"),
+         "Sets the width and height of the radiograph, pixels; 703 by 938 by default.")
+    .def(
+      "GetImageSize",
+      [](const SourceType & self) { return self.GetImageSize(); },
+      "Returns the width and height of the radiograph, pixels; 703 by 938 by default.")
+    .dentalscrBoolean(
+      SourceType, MakeRadiograph, "whether the radiograph is simulated, which costs most of the time. On by default.")
     .def(
       "GetParameters", [](const SourceType & self) { return self.GetParameters(); }, "What was drawn; a copy.")
     .def("_TakeMesh", [](SourceType & self, JawEnum jaw) { return Detach(self.GetMesh(ToNumber(jaw))); })

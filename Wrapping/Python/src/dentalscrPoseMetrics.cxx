@@ -100,11 +100,16 @@ isFree : bool, optional
          py::arg("scale") = 1.0,
          py::arg("maximumStep") = 0.0,
          py::arg("isFree") = true)
-    .def_readonly("name", &ParameterType::name)
-    .def_readonly("value", &ParameterType::value)
-    .def_readonly("scale", &ParameterType::scale)
-    .def_readonly("maximumStep", &ParameterType::maximumStep)
-    .def_readonly("isFree", &ParameterType::isFree)
+    .def_readonly("name", &ParameterType::name, "Name of the parameter.")
+    .def_readonly("value", &ParameterType::value, "Its value, in its natural unit: mm, rad or none.")
+    .def_readonly("scale",
+                  &ParameterType::scale,
+                  "How many of the optimizer's units there are in one natural unit: the lever arm of an angle "
+                  "in mm, 1 of a length.")
+    .def_readonly("maximumStep",
+                  &ParameterType::maximumStep,
+                  "The longest step that an optimizer should take, in the natural unit; 0 is any.")
+    .def_readonly("isFree", &ParameterType::isFree, "Whether an optimizer may move it.")
     .def("__repr__", [](const ParameterType & self) {
       return "<dentalscr.StateParameter " + self.name + " = " + std::to_string(self.value) +
              (self.isFree ? ">" : ", held>");
@@ -118,8 +123,11 @@ isFree : bool, optional
          }),
          py::arg("name"),
          py::arg("parameters"))
-    .def_readonly("name", &BlockType::name)
-    .def_property_readonly("parameters", [](const BlockType & self) { return self.parameters; })
+    .def_readonly("name", &BlockType::name, "Name of the block.")
+    .def_property_readonly(
+      "parameters",
+      [](const BlockType & self) { return self.parameters; },
+      "Its parameters in their order, a list of StateParameter.")
     .def("__repr__", [](const BlockType & self) {
       std::string text = "<dentalscr.StateBlock " + self.name + ":";
       for (const auto & parameter : self.parameters)
@@ -136,7 +144,9 @@ isFree : bool, optional
                 py::arg("name") = "scale",
                 "kappa, the logarithm of the factor on the geometry's magnification.")
     .def_property_readonly_static(
-      "Arm", [](const py::object &) { return itk::PoseStateBlocks::Arm; }, "mm that an angle is multiplied by.");
+      "Arm",
+      [](const py::object &) { return itk::PoseStateBlocks::Arm; },
+      "The length that an angle is multiplied by, mm.");
 }
 
 void
@@ -145,7 +155,10 @@ WrapModels(py::module_ & module)
   using KernelType = itk::RobustKernel;
   py::class_<KernelType, itk::SmartPointer<KernelType>>(
     module, "RobustKernel", "How much a residual counts by its size.")
-    .def("GetName", [](const KernelType & self) { return std::string(self.GetNameOfClass()); })
+    .def(
+      "GetName",
+      [](const KernelType & self) { return std::string(self.GetNameOfClass()); },
+      "Name of the class in C++.")
     .def("GetWeight",
          &KernelType::GetWeight,
          py::arg("squaredDistance"),
@@ -161,13 +174,17 @@ WrapModels(py::module_ & module)
   using NoiseType = itk::ResidualNoiseModel;
   py::class_<NoiseType, itk::SmartPointer<NoiseType>>(
     module, "ResidualNoiseModel", "How the errors of a tracing's points hang together.")
-    .def("GetName", [](const NoiseType & self) { return std::string(self.GetNameOfClass()); })
+    .def(
+      "GetName", [](const NoiseType & self) { return std::string(self.GetNameOfClass()); }, "Name of the class in C++.")
     .def("GetCorrelation", &NoiseType::GetCorrelation, py::arg("arcDistance"), "px of 0.25 mm along the tracing.");
   using CorrelatedType = itk::CorrelatedNoiseModel;
   py::class_<CorrelatedType, NoiseType, itk::SmartPointer<CorrelatedType>>(
     module, "CorrelatedNoiseModel", "The hand drifts smoothly along a tracing; length 0 is independent errors.")
     .def(New<CorrelatedType>())
-    .dentalscrProperty(CorrelatedType, CorrelationLength);
+    .dentalscrProperty(CorrelatedType,
+                       CorrelationLength,
+                       "the length along the tracing over which its errors hang together, in pixels of 0.25 mm; 14 "
+                       "by default, 0 is independent.");
 }
 
 void
@@ -185,7 +202,10 @@ WrapMetricBase(py::module_ & module)
 
 Values of blocks are in natural units (rad, mm, 1). The parameters of SetParameters(), GetParameters() and
 GetDerivative() are an optimizer's: the free ones alone, each multiplied by its scale.)")
-    .def("GetName", [](const MetricBaseType & self) { return std::string(self.GetNameOfClass()); })
+    .def(
+      "GetName",
+      [](const MetricBaseType & self) { return std::string(self.GetNameOfClass()); },
+      "Name of the class in C++.")
     .def(
       "GetBlocks",
       [](const MetricBaseType & self) { return self.GetState().GetBlocks(); },
@@ -193,20 +213,29 @@ GetDerivative() are an optimizer's: the free ones alone, each multiplied by its 
     .def(
       "GetBlockValues",
       [](const MetricBaseType & self, const std::string & block) { return ToArray(self.GetBlockValues(block)); },
-      py::arg("block"))
-    .def("SetBlockValues", &MetricBaseType::SetBlockValues, py::arg("block"), py::arg("values"))
+      py::arg("block"),
+      "Values of a block by its name, natural units.")
+    .def("SetBlockValues",
+         &MetricBaseType::SetBlockValues,
+         py::arg("block"),
+         py::arg("values"),
+         "Sets the values of a block by its name, natural units. Initialize() keeps them.")
     .def(
       "GetValues",
       [](const MetricBaseType & self) { return ToArray(self.GetState().GetValues()); },
       "Of all blocks, one behind the other.")
-    .def("SetValues", &MetricBaseType::SetValues, py::arg("values"))
+    .def("SetValues",
+         &MetricBaseType::SetValues,
+         py::arg("values"),
+         "Sets the values of all blocks, one behind the other, natural units.")
     .def(
       "SetBlockFree",
       [](MetricBaseType & self, const std::string & block, const std::vector<bool> & isFree) {
         self.SetBlockFree(block, isFree);
       },
       py::arg("block"),
-      py::arg("isFree"))
+      py::arg("isFree"),
+      "Sets which parameters of a block an optimizer may move.")
     .def(
       "SetBlockFree",
       [](MetricBaseType & self, const std::string & block, bool isFree) { self.SetBlockFree(block, isFree); },
@@ -224,7 +253,8 @@ GetDerivative() are an optimizer's: the free ones alone, each multiplied by its 
     .def(
       "GetValue",
       [](const MetricBaseType & self) { return Ready(self).GetValue(); },
-      py::call_guard<py::gil_scoped_release>())
+      py::call_guard<py::gil_scoped_release>(),
+      "What is minimized, at the current values.")
     .def(
       "GetDerivative",
       [](const MetricBaseType & self) {
@@ -236,16 +266,18 @@ GetDerivative() are an optimizer's: the free ones alone, each multiplied by its 
         return ToArray(derivative);
       },
       "By the optimizer's parameters, with ITK's sign: minus the gradient.")
-    .def("GetValueAndDerivative",
-         [](const MetricBaseType & self) {
-           MetricBaseType::MeasureType    value;
-           MetricBaseType::DerivativeType derivative;
-           {
-             const py::gil_scoped_release released;
-             Ready(self).GetValueAndDerivative(value, derivative);
-           }
-           return py::make_tuple(value, ToArray(derivative));
-         })
+    .def(
+      "GetValueAndDerivative",
+      [](const MetricBaseType & self) {
+        MetricBaseType::MeasureType    value;
+        MetricBaseType::DerivativeType derivative;
+        {
+          const py::gil_scoped_release released;
+          Ready(self).GetValueAndDerivative(value, derivative);
+        }
+        return py::make_tuple(value, ToArray(derivative));
+      },
+      "The value and its derivatives by the free parameters, at the current values.")
     .def(
       "GetNumberOfParameters",
       [](const MetricBaseType & self) { return self.GetState().GetNumberOfFreeParameters(); },
@@ -263,12 +295,17 @@ GetDerivative() are an optimizer's: the free ones alone, each multiplied by its 
         std::copy(values.begin(), values.end(), parameters.begin());
         self.SetParameters(parameters);
       },
-      py::arg("parameters"))
-    .def("GetParameters", [](const MetricBaseType & self) { return ToArray(self.GetState().GetFreeParameters()); })
+      py::arg("parameters"),
+      "Sets the free parameters, in the optimizer's unit.")
+    .def(
+      "GetParameters",
+      [](const MetricBaseType & self) { return ToArray(self.GetState().GetFreeParameters()); },
+      "The free parameters, in the optimizer's unit.")
     .def(
       "GetNumberOfResiduals",
       [](const MetricBaseType & self) { return Ready(self).GetNumberOfResiduals(); },
-      py::call_guard<py::gil_scoped_release>())
+      py::call_guard<py::gil_scoped_release>(),
+      "How many residuals the metric has at the current values.")
     .def(
       "GetResiduals",
       [](const MetricBaseType & self) {
@@ -300,11 +337,13 @@ GetDerivative() are an optimizer's: the free ones alone, each multiplied by its 
     .def(
       "SetRobustKernel",
       [](MetricBaseType & self, const itk::RobustKernel * kernel) { self.SetRobustKernel(kernel); },
-      py::arg("kernel"))
+      py::arg("kernel"),
+      "Sets the robust kernel of every term that has one; widths are in pixels of 0.25 mm.")
     .def(
       "SetNoiseModel",
       [](MetricBaseType & self, const itk::ResidualNoiseModel * model) { self.SetNoiseModel(model); },
-      py::arg("model"))
+      py::arg("model"),
+      "Sets the model of the noise of every term that has one.")
     .def(
       "SetNoiseLevels",
       [](MetricBaseType & self, double smooth, double white) {
@@ -346,7 +385,9 @@ A metric that was not told takes it from the first place that is evaluated: call
         Ready(self);
         self.Hold(what);
       },
-      py::arg("what"))
+      py::arg("what"),
+      "Says what stays as it is at the current values while the parameters move: Nothing, Contours "
+      "or Matches.")
     .def("Modified", &MetricBaseType::Modified, "Says that what the metric computes has changed.")
     .def(
       "Clone",
@@ -376,8 +417,10 @@ WrapTerms(py::module_ & module)
                        { "Standard", SideEnum::Standard } },
                      "Which side's outline was traced, or is to be; Standard is a cephalometric analysis's own way.");
   using PythonType = PythonLeastSquaresMetric;
-  py::class_<PythonType, MetricBaseType, itk::SmartPointer<PythonType>>(
-    module, "_LeastSquaresMetric", py::custom_type_setup(&PythonType::SetupType))
+  py::class_<PythonType, MetricBaseType, itk::SmartPointer<PythonType>>(module,
+                                                                        "_LeastSquaresMetric",
+                                                                        "What a metric written in Python stands on.",
+                                                                        py::custom_type_setup(&PythonType::SetupType))
     .def(New<PythonType>())
     .def("_Bind", &PythonType::Bind, py::arg("object"));
 
@@ -398,12 +441,16 @@ from the moment it is added.)")
       py::arg("keepsSettings") = false,
       "keepsSettings: robust kernel and noise stay as the term has them, where else the sum's setters reach them.")
     .def(
-      "RemoveMetric", [](SumType & self, MetricBaseType * metric) { self.RemoveMetric(metric); }, py::arg("metric"))
-    .def("GetNumberOfMetrics", &SumType::GetNumberOfMetrics)
+      "RemoveMetric",
+      [](SumType & self, MetricBaseType * metric) { self.RemoveMetric(metric); },
+      py::arg("metric"),
+      "Takes a term out of the sum.")
+    .def("GetNumberOfMetrics", &SumType::GetNumberOfMetrics, "How many terms the sum has.")
     .def(
       "GetMetric",
       [](const SumType & self, std::size_t index) { return itk::SmartPointer<MetricBaseType>(self.GetMetric(index)); },
-      py::arg("index"));
+      py::arg("index"),
+      "A term of the sum by its number.");
 
   using PriorMetricType = itk::ParameterPriorMetricv4;
   using PriorType = PriorMetricType::PriorType;
@@ -416,9 +463,11 @@ from the moment it is added.)")
          py::arg("mean") = 0.0,
          py::arg("sigma") = 1.0,
          py::arg("degreesOfFreedom") = 0.0)
-    .def_readonly("mean", &PriorType::mean)
+    .def_readonly("mean", &PriorType::mean, "Mean, in the parameter's natural unit.")
     .def_readonly("sigma", &PriorType::sigma, "Infinity: nothing is known.")
-    .def_readonly("degreesOfFreedom", &PriorType::degreesOfFreedom)
+    .def_readonly("degreesOfFreedom",
+                  &PriorType::degreesOfFreedom,
+                  "Degrees of freedom of Student's t distribution; infinite for a normal one.")
     .def("__repr__", [](const PriorType & self) {
       std::ostringstream text;
       text << "<dentalscr.ParameterPrior " << self.mean << " +- " << self.sigma << '>';
@@ -427,11 +476,23 @@ from the moment it is added.)")
   MetricClass<PriorMetricType>(
     module, "ParameterPriorMetricv4", "What is known of a block's parameters beforehand, as a term.")
     .def(New<PriorMetricType>())
-    .def("SetBlock", &PriorMetricType::SetBlock, py::arg("block"))
-    .def("GetBlock", [](const PriorMetricType & self) { return self.GetBlock(); })
+    .def("SetBlock",
+         &PriorMetricType::SetBlock,
+         py::arg("block"),
+         "Sets the name of the block whose parameters the priors hold for.")
+    .def(
+      "GetBlock",
+      [](const PriorMetricType & self) { return self.GetBlock(); },
+      "Returns the name of the block whose parameters the priors hold for.")
     .def("SetPriors", &PriorMetricType::SetPriors, py::arg("priors"), "One a parameter of the block.")
-    .def("GetPriors", [](const PriorMetricType & self) { return self.GetPriors(); })
-    .dentalscrBoolean(PriorMetricType, UseVariancePrecision);
+    .def(
+      "GetPriors",
+      [](const PriorMetricType & self) { return self.GetPriors(); },
+      "The priors in the order of the block's parameters.")
+    .dentalscrBoolean(PriorMetricType,
+                      UseVariancePrecision,
+                      "whether the curvature is that of the prior's variance, also where its long tails are "
+                      "flatter.");
 
   using PoseMetricType = itk::PoseMetricv4;
   MetricClass<PoseMetricType>(
@@ -440,15 +501,22 @@ from the moment it is added.)")
          &PoseMetricType::SetTransform,
          py::arg("transform"),
          "Its geometry is the radiograph's; its parameters are where pose and scale begin.")
-    .def("GetTransform",
-         [](const PoseMetricType & self) {
-           return PoseMetricType::TransformType::Pointer(
-             const_cast<PoseMetricType::TransformType *>(self.GetTransform()));
-         })
+    .def(
+      "GetTransform",
+      [](const PoseMetricType & self) {
+        return PoseMetricType::TransformType::Pointer(const_cast<PoseMetricType::TransformType *>(self.GetTransform()));
+      },
+      "The transform from the dental frame (mm) to pixels that the metric moves.")
     .def("SetPoseBlock", &PoseMetricType::SetPoseBlock, py::arg("name"), "Another body has another one.")
-    .def("GetPoseBlock", [](const PoseMetricType & self) { return std::string(self.GetPoseBlock()); })
+    .def(
+      "GetPoseBlock",
+      [](const PoseMetricType & self) { return std::string(self.GetPoseBlock()); },
+      "Name of the block of the pose.")
     .def("SetScaleBlock", &PoseMetricType::SetScaleBlock, py::arg("name"), "Another view has another one.")
-    .def("GetScaleBlock", [](const PoseMetricType & self) { return std::string(self.GetScaleBlock()); });
+    .def(
+      "GetScaleBlock",
+      [](const PoseMetricType & self) { return std::string(self.GetScaleBlock()); },
+      "Name of the block of the scale.");
 
   using LandmarkType = itk::LandmarkPoseMetricv4;
   py::class_<LandmarkType, PoseMetricType, itk::SmartPointer<LandmarkType>>(
@@ -462,8 +530,12 @@ from the moment it is added.)")
       "_SetFixedLandmarks",
       [](LandmarkType & self, const py::dict & landmarks) { self.SetFixedLandmarks(FromDict<2>(landmarks)); },
       py::arg("landmarks"))
-    .dentalscrProperty(LandmarkType, Sigma)
-    .dentalscrProperty(LandmarkType, KernelWidthInSigmas)
+    .dentalscrProperty(LandmarkType,
+                       Sigma,
+                       "the standard deviation an axis of marks without a covariance of their own, pixels of the "
+                       "radiograph; 4 by default.")
+    .dentalscrProperty(
+      LandmarkType, KernelWidthInSigmas, "the width of the robust kernel in standard deviations; 4 by default.")
     .def(
       "SetCovariance",
       [](LandmarkType & self, const std::string & name, const DoubleArray & covariance) {
@@ -481,7 +553,7 @@ from the moment it is added.)")
       py::arg("name"),
       py::arg("covariance"),
       "Of one mark, square pixels, instead of Sigma.")
-    .def("ClearCovariances", &LandmarkType::ClearCovariances)
+    .def("ClearCovariances", &LandmarkType::ClearCovariances, "Takes back all covariances.")
     .def("GetMatchedNames", &LandmarkType::GetMatchedNames, "In the order of the residuals, u and v each.");
 
   using SilhouetteType = itk::SilhouettePoseMetricv4;
@@ -502,27 +574,54 @@ Reads the blocks "pose" and "scale", or as named. The mesh is in its dental fram
       "_SetMovingContour",
       [](SilhouetteType & self, const itk::DentalContour * contour) { self.SetMovingContour(contour); },
       py::arg("contour"))
-    .def("SetJaw", &SilhouetteType::SetJaw, py::arg("jaw"))
-    .def("GetJaw", &SilhouetteType::GetJaw)
-    .def("SetTracedSide", &SilhouetteType::SetTracedSide, py::arg("side"))
-    .def("GetTracedSide", &SilhouetteType::GetTracedSide)
-    .dentalscrBoolean(SilhouetteType, UseSideSelection)
-    .dentalscrProperty(SilhouetteType, MidlineMargin)
-    .dentalscrBoolean(SilhouetteType, UseFacingFilter)
-    .dentalscrBoolean(SilhouetteType, UseOrientation)
-    .dentalscrProperty(SilhouetteType, OrientationWeight)
-    .dentalscrProperty(SilhouetteType, MaximumTracingPoints)
-    .dentalscrBoolean(SilhouetteType, GateByTooth)
-    .dentalscrProperty(SilhouetteType, ToothRange)
-    .dentalscrProperty(SilhouetteType, ReverseWeight)
-    .dentalscrProperty(SilhouetteType, TaperLength)
-    .dentalscrProperty(SilhouetteType, GapLength)
+    .def("SetJaw", &SilhouetteType::SetJaw, py::arg("jaw"), "Sets the jaw of the scan: Upper (the default) or Lower.")
+    .def("GetJaw", &SilhouetteType::GetJaw, "Returns the jaw of the scan: Upper (the default) or Lower.")
+    .def("SetTracedSide",
+         &SilhouetteType::SetTracedSide,
+         py::arg("side"),
+         "Sets the patient's side whose outline was traced; Right by default.")
+    .def("GetTracedSide",
+         &SilhouetteType::GetTracedSide,
+         "Returns the patient's side whose outline was traced; Right by default.")
+    .dentalscrBoolean(SilhouetteType, UseSideSelection, "whether the scan is cut at the midline plane. On by default.")
+    .dentalscrProperty(
+      SilhouetteType, MidlineMargin, "how far beyond the midline plane the scan is kept, mm; -0.5 by default.")
+    .dentalscrBoolean(SilhouetteType,
+                      UseFacingFilter,
+                      "whether the occlusal and anterior part of the outline alone is kept. On by default.")
+    .dentalscrBoolean(SilhouetteType, UseOrientation, "whether directions are matched beside positions. On by default.")
+    .dentalscrProperty(
+      SilhouetteType, OrientationWeight, "the weight of directions, pixels a unit normal; 8 by default.")
+    .dentalscrProperty(
+      SilhouetteType, MaximumTracingPoints, "the number of points above which a tracing is thinned; 200 by default.")
+    .dentalscrBoolean(SilhouetteType,
+                      GateByTooth,
+                      "whether a point that carries a tooth's code is matched with that tooth alone, or one up to "
+                      "ToothRange positions away. Off by default.")
+    .dentalscrProperty(SilhouetteType,
+                       ToothRange,
+                       "the number of positions along the arch that a code may be off, under GateByTooth; 1 by "
+                       "default.")
+    .dentalscrProperty(SilhouetteType,
+                       ReverseWeight,
+                       "the weight of the direction from the outline to the tracing, beside the forward one; 0 by "
+                       "default.")
+    .dentalscrProperty(SilhouetteType,
+                       TaperLength,
+                       "the length from an end of the tracing over which the reverse direction fades in, pixels; 6 "
+                       "by default.")
+    .dentalscrProperty(SilhouetteType,
+                       GapLength,
+                       "the length of a gap in the tracing below which it has no ends there, pixels; 8 by default.")
     .def("SetExcludedTeeth", &SilhouetteType::SetExcludedTeeth, py::arg("teeth"), "FDI numbers.")
-    .def("GetExcludedTeeth",
-         [](const SilhouetteType & self) {
-           return std::vector<int>(self.GetExcludedTeeth().begin(), self.GetExcludedTeeth().end());
-         })
-    .def("GetKernelWidth", &SilhouetteType::GetKernelWidth)
+    .def(
+      "GetExcludedTeeth",
+      [](const SilhouetteType & self) {
+        return std::vector<int>(self.GetExcludedTeeth().begin(), self.GetExcludedTeeth().end());
+      },
+      "FDI numbers of the teeth that are left out.")
+    .def(
+      "GetKernelWidth", &SilhouetteType::GetKernelWidth, "Width of the robust kernel, pixels of 0.25 mm; 3 by default.")
     .def("GetFailure", &SilhouetteType::GetFailure, "Why the tracing can't be matched; empty where it can.")
     .def(
       "GetFit",
@@ -561,9 +660,14 @@ WrapOptimizer(py::module_ & module)
                      "Why a run of LevenbergMarquardtOptimizerv4 ended.");
   py::class_<OptimizerBaseType, itk::SmartPointer<OptimizerBaseType>>(
     module, "ObjectToObjectOptimizerBase", "An optimizer of ITK's v4 framework.")
-    .def("GetName", [](const OptimizerBaseType & self) { return std::string(self.GetNameOfClass()); })
-    .def("GetStopConditionDescription",
-         [](const OptimizerBaseType & self) { return self.GetStopConditionDescription(); })
+    .def(
+      "GetName",
+      [](const OptimizerBaseType & self) { return std::string(self.GetNameOfClass()); },
+      "Name of the class in C++.")
+    .def(
+      "GetStopConditionDescription",
+      [](const OptimizerBaseType & self) { return self.GetStopConditionDescription(); },
+      "Why the last run ended, in words.")
     .def("__str__", [](const OptimizerBaseType & self) {
       std::ostringstream text;
       self.Print(text);
@@ -575,14 +679,27 @@ WrapOptimizer(py::module_ & module)
     "Levenberg-Marquardt for metrics that are, or are majorised by, sums of squares.")
     .def(New<OptimizerType>())
     .def(
-      "SetMetric", [](OptimizerType & self, MetricBaseType * metric) { self.SetMetric(metric); }, py::arg("metric"))
+      "SetMetric",
+      [](OptimizerType & self, MetricBaseType * metric) { self.SetMetric(metric); },
+      py::arg("metric"),
+      "Sets the sum of squares that is minimized.")
     .def(
       "SetNumberOfIterations", &OptimizerType::SetNumberOfIterations, py::arg("value"), "Most steps that are accepted.")
-    .def("GetNumberOfIterations", [](const OptimizerType & self) { return self.GetNumberOfIterations(); })
-    .dentalscrProperty(OptimizerType, MaximumNumberOfEvaluations)
-    .dentalscrProperty(OptimizerType, StepTolerance)
-    .dentalscrProperty(OptimizerType, ValueTolerance)
-    .dentalscrProperty(OptimizerType, InitialDamping)
+    .def(
+      "GetNumberOfIterations",
+      [](const OptimizerType & self) { return self.GetNumberOfIterations(); },
+      "The most steps accepted in a run; 100 by default.")
+    .dentalscrProperty(
+      OptimizerType, MaximumNumberOfEvaluations, "the most steps tried in a run, accepted or not; 1000 by default.")
+    .dentalscrProperty(OptimizerType,
+                       StepTolerance,
+                       "the length of step below which a run ends, in the metric's own unit of step length "
+                       "(pixels); 1e-6 by default.")
+    .dentalscrProperty(OptimizerType,
+                       ValueTolerance,
+                       "the part of the value below which an accepted step ends a run; 1e-8 by default, 0 is never.")
+    .dentalscrProperty(
+      OptimizerType, InitialDamping, "the damping of the first step of a run; 0 by default, which is Gauss-Newton.")
     .def(
       "StartOptimization",
       [](OptimizerType & self) {
@@ -608,7 +725,10 @@ WrapOptimizer(py::module_ & module)
       },
       "Runs from the metric's position and leaves the metric at the best one found.")
     .def("StopOptimization", &OptimizerType::StopOptimization, "In a command: the run ends before the next evaluation.")
-    .def("GetCurrentIteration", [](const OptimizerType & self) { return self.GetCurrentIteration(); })
+    .def(
+      "GetCurrentIteration",
+      [](const OptimizerType & self) { return self.GetCurrentIteration(); },
+      "How many steps were accepted in this or the last run.")
     .def(
       "GetCurrentPosition",
       [](const OptimizerType & self) { return ToArray(self.GetCurrentPosition()); },
@@ -616,12 +736,14 @@ WrapOptimizer(py::module_ & module)
     .def(
       "GetCurrentMetricValue", [](const OptimizerType & self) { return self.GetCurrentMetricValue(); }, "There.")
     .def("GetTrialValue", &OptimizerType::GetTrialValue, "Where the last step was tried.")
-    .def("GetStepAccepted", &OptimizerType::GetStepAccepted)
+    .def("GetStepAccepted", &OptimizerType::GetStepAccepted, "Whether the last step tried lowered the value.")
     .def("GetStepLength", &OptimizerType::GetStepLength, "In the metric's own unit.")
-    .def("GetDamping", &OptimizerType::GetDamping)
-    .def("GetNumberOfEvaluations", &OptimizerType::GetNumberOfEvaluations)
-    .def("GetStopCondition", &OptimizerType::GetStopCondition)
-    .def("HasConverged", &OptimizerType::HasConverged)
+    .def("GetDamping", &OptimizerType::GetDamping, "The damping now or at the end of the last run.")
+    .def("GetNumberOfEvaluations",
+         &OptimizerType::GetNumberOfEvaluations,
+         "How many steps were tried in this or the last run.")
+    .def("GetStopCondition", &OptimizerType::GetStopCondition, "Why the last run ended.")
+    .def("HasConverged", &OptimizerType::HasConverged, "Whether the last run ended by one of the two tolerances.")
     .def(
       "_AddCommand",
       [](const py::object & self, int event, unsigned long key) {
@@ -703,12 +825,15 @@ WrapIterationCommand(py::module_ & module)
                        { "End", KindEnum::End } },
                      "What a record of RegistrationIterationCommand is of.");
   py::class_<RecordType>(module, "RegistrationIterationRecord", "One event of a registration.")
-    .def_readonly("kind", &RecordType::kind)
-    .def_readonly("level", &RecordType::level)
-    .def_readonly("candidate", &RecordType::candidate)
-    .def_readonly("iteration", &RecordType::iteration)
+    .def_readonly("kind", &RecordType::kind, "What the record is of: a start, an iteration or an end.")
+    .def_readonly("level", &RecordType::level, "Number of the level, from 0.")
+    .def_readonly("candidate", &RecordType::candidate, "Number of the candidate that is refined, from 0.")
+    .def_readonly("iteration", &RecordType::iteration, "Number of the iteration, from 0.")
     .def_readonly("value", &RecordType::value, "Of the metric, at parameters.")
-    .def_property_readonly("parameters", [](const RecordType & self) { return ToArray(self.parameters); })
+    .def_property_readonly(
+      "parameters",
+      [](const RecordType & self) { return ToArray(self.parameters); },
+      "The parameters, as the registration reports them.")
     .def_readonly("stepLength", &RecordType::stepLength, "In the method's own unit of length.")
     .def_readonly("accepted", &RecordType::accepted, "Whether the step was taken.")
     .def_readonly("stopReason", &RecordType::stopReason, "At a level's start that of the level before; at the end.")
@@ -740,7 +865,10 @@ Records every step, not the mere evaluations, and is cleared at each start, so t
          py::arg("stream"),
          "What has a write(text), as sys.stdout, to write one line an event to; None writes nothing.")
     .def("SetWriteEvery", &PythonIterationCommand::SetWriteEvery, py::arg("iterations"), "Records all of them.")
-    .def("GetWriteEvery", [](const PythonIterationCommand & self) { return self.GetWriteEvery(); })
+    .def(
+      "GetWriteEvery",
+      [](const PythonIterationCommand & self) { return self.GetWriteEvery(); },
+      "Every how many iterations a line is written; 1 by default. All are recorded.")
     .def(
       "GetRecords", [](const PythonIterationCommand & self) { return self.GetRecords(); }, "A copy.")
     .def(

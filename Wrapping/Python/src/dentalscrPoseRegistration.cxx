@@ -389,18 +389,19 @@ WrapIteration(py::module_ & module)
       [](const IterationType & self) { return 4 * self.group + static_cast<unsigned int>(self.stage); },
       "4 group + stage.")
     .def_readonly("group", &IterationType::group, "Jaws with a pose of their own are groups, one after the other.")
-    .def_readonly("stage", &IterationType::stage)
+    .def_readonly("stage", &IterationType::stage, "The part of the registration that runs.")
     .def_readonly(
       "candidate", &IterationType::candidate, "Candidates are refined at the same time; their steps may alternate.")
     .def_readonly(
       "hypothesis", &IterationType::hypothesis, "Whether it is of another reading that is tried beside the result.")
     .def_readonly(
       "pose", &IterationType::pose, "Best so far: pitch, roll, yaw (rad), tx, ty, tz (mm), kappa of the dental frame.")
-    .def_property_readonly("position",
-                           [](const IterationType & self) {
-                             return MakeArray(
-                               std::vector<double>(self.step.position.begin(), self.step.position.end()));
-                           })
+    .def_property_readonly(
+      "position",
+      [](const IterationType & self) {
+        return MakeArray(std::vector<double>(self.step.position.begin(), self.step.position.end()));
+      },
+      "The free parameters as an optimizer sees them.")
     .def_property_readonly(
       "value", [](const IterationType & self) { return self.step.value; }, "Of the criterion, at the best position.")
     .def_property_readonly(
@@ -409,7 +410,8 @@ WrapIteration(py::module_ & module)
       "accepted", [](const IterationType & self) { return self.step.accepted; }, "Whether it lowered the value.")
     .def_property_readonly(
       "stepLength", [](const IterationType & self) { return self.step.stepLength; }, "Root mean square, px of 0.25 mm.")
-    .def_property_readonly("damping", [](const IterationType & self) { return self.step.damping; })
+    .def_property_readonly(
+      "damping", [](const IterationType & self) { return self.step.damping; }, "The damping of the step.")
     .def_property_readonly(
       "iteration",
       [](const IterationType & self) { return self.step.iteration; },
@@ -446,8 +448,8 @@ WrapSolution(py::module_ & module)
                   &CandidateType::deviance,
                   "What candidates are ranked by: minus twice the logarithm of their posterior weight.")
     .def_readonly("score", &CandidateType::score, "Cost and code term: what starts are ranked by.")
-    .def_readonly("cost", &CandidateType::cost)
-    .def_readonly("codeTerm", &CandidateType::codeTerm)
+    .def_readonly("cost", &CandidateType::cost, "Robust cost at a fixed kernel width, without the code term; no unit.")
+    .def_readonly("codeTerm", &CandidateType::codeTerm, "What tooth codes that do not fit add to the cost.")
     .def_readonly("distance", &CandidateType::distance, "Of its contour from the best candidate's, px of 0.25 mm.")
     .def("__repr__", [](const CandidateType & self) {
       return "<dentalscr.PoseCandidate score " + std::to_string(self.score) + ", " + std::to_string(self.distance) +
@@ -490,7 +492,8 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
     .def(
       "IsRegistered",
       [](const SolutionType & self, JawEnum jaw) { return self.IsRegistered(Checked(jaw)); },
-      py::arg("jaw"))
+      py::arg("jaw"),
+      "Whether a jaw has a pose.")
     .def(
       "GetFailure",
       [](const SolutionType & self, JawEnum jaw) { return self.GetJaw(Checked(jaw)).failure; },
@@ -523,7 +526,8 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
         return self.ProjectPoint(Checked(jaw), point);
       },
       py::arg("jaw"),
-      py::arg("point"))
+      py::arg("point"),
+      "Point of a jaw's scan (mm, in the frame of its mesh) to the continuous pixel index (u, v).")
     .def(
       "ProjectPoints",
       [](const SolutionType & self, JawEnum jaw, const DoubleArray & points) {
@@ -626,7 +630,9 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
     .def(
       "GetScore",
       [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).score; },
-      py::arg("jaw"))
+      py::arg("jaw"),
+      "Score of a jaw's fit, by which minima are ranked: the cost at a fixed kernel width and the "
+      "code term. It has no unit, and less is better.")
     .def(
       "GetMargin",
       [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).margin; },
@@ -660,15 +666,18 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
     .def(
       "HasConverged",
       [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).converged; },
-      py::arg("jaw"))
+      py::arg("jaw"),
+      "Whether the optimizer ended by a tolerance.")
     .def(
       "GetStopConditionDescription",
       [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).stopCondition; },
-      py::arg("jaw"))
+      py::arg("jaw"),
+      "Why the optimizer ended, in words.")
     .def(
       "GetNumberOfEvaluations",
       [](const SolutionType & self, JawEnum jaw) { return self.GetGroup(Checked(jaw)).evaluations; },
-      py::arg("jaw"))
+      py::arg("jaw"),
+      "How many times the metric was evaluated.")
     .def(
       "GetOptions", [](const SolutionType & self) { return self.GetOptions(); }, "What was asked for; a copy.")
     .def(py::pickle(
@@ -702,7 +711,10 @@ WrapParts(py::module_ & module)
   using HypothesisType = itk::PoseHypothesis;
   py::class_<HypothesisType, itk::SmartPointer<HypothesisType>>(
     module, "PoseHypothesis", "Another reading of the same input, tried beside the result to name a likely mistake.")
-    .def("GetName", [](const HypothesisType & self) { return std::string(self.GetNameOfClass()); })
+    .def(
+      "GetName",
+      [](const HypothesisType & self) { return std::string(self.GetNameOfClass()); },
+      "Name of the class in C++.")
     .def("GetCode", &HypothesisType::GetCode, "Short and stable, as the verdict's codes.");
   const auto wrapHypothesis = [&module](auto pointer, const char * name, const char * doc) {
     using T = typename decltype(pointer)::ObjectType;
@@ -728,7 +740,9 @@ WrapParts(py::module_ & module)
     module, "TurnedDrawingHypothesis", "The radiograph was turned by quarter turns before or after it was drawn on.")
     .def(New<TurnedType>())
     .def("SetQuarterTurns", &TurnedType::SetQuarterTurns, py::arg("turns"), "1, 2 or 3, clockwise.")
-    .def("GetQuarterTurns", &TurnedType::GetQuarterTurns);
+    .def("GetQuarterTurns",
+         &TurnedType::GetQuarterTurns,
+         "By how many quarter turns, clockwise as it is seen, the drawing is turned back.");
 
   using StartType = itk::PoseStart;
   using SearchType = itk::PoseStartSearch;
@@ -739,16 +753,25 @@ WrapParts(py::module_ & module)
     "PoseStartSearch",
     "Exhaustive search over in-plane rotation, shift and scale of the tracing against one contour.")
     .def(New<SearchType>())
-    .dentalscrProperty(SearchType, RotationRange)
-    .dentalscrProperty(SearchType, RotationStep)
-    .dentalscrProperty(SearchType, HorizontalRange)
-    .dentalscrProperty(SearchType, VerticalRange)
-    .dentalscrProperty(SearchType, ShiftStep)
+    .dentalscrProperty(
+      SearchType, RotationRange, "half the range of rotations that are tried, rad; 0.559 by default (32 degrees).")
+    .dentalscrProperty(SearchType, RotationStep, "the step between rotations, rad; 0.070 by default (4 degrees).")
+    .dentalscrProperty(SearchType,
+                       HorizontalRange,
+                       "half the range of horizontal shifts of the contour's centre from the tracing's, pixels; 64 "
+                       "by default.")
+    .dentalscrProperty(SearchType,
+                       VerticalRange,
+                       "half the range of vertical shifts of the contour's centre from the tracing's, pixels; 40 by "
+                       "default.")
+    .dentalscrProperty(SearchType, ShiftStep, "the step between shifts, pixels; 8 by default.")
     .def("SetKappas",
          &SearchType::SetKappas,
          py::arg("kappas"),
          "Logarithms of the scale factors that are tried where the scale is searched.")
-    .def("GetKappas", &SearchType::GetKappas);
+    .def("GetKappas",
+         &SearchType::GetKappas,
+         "Logarithms of the scale factors that are tried where the scale is searched.");
 }
 
 std::vector<itk::ToothCode>
@@ -919,12 +942,13 @@ WrapPoseMethod(py::module_ & module)
       py::arg("sameHeadPosition"),
       py::arg("principalPointSigma"))
     .def("ClearViews", &MethodType::ClearViews, "Back to the lateral radiograph alone.")
-    .def("SetOptions", &MethodType::SetOptions, py::arg("options"))
+    .def("SetOptions", &MethodType::SetOptions, py::arg("options"), "Sets all options at once.")
     .def(
       "GetOptions", [](const MethodType & self) { return self.GetOptions(); }, "A copy.")
-    .def("SetTracedSide", &MethodType::SetTracedSide, py::arg("side"))
-    .def("GetTracedSide", &MethodType::GetTracedSide)
-    .dentalscrBoolean(MethodType, PrincipalPointKnown)
+    .def(
+      "SetTracedSide", &MethodType::SetTracedSide, py::arg("side"), "Sets the patient's side whose outline was traced.")
+    .def("GetTracedSide", &MethodType::GetTracedSide, "Returns the patient's side whose outline was traced.")
+    .dentalscrBoolean(MethodType, PrincipalPointKnown, "whether the geometry's principal point is known, not a guess.")
     .def(
       "_SetInitialTransform",
       [](MethodType & self, JawEnum jaw, const RigidType & transform, double scaleFactor) {
@@ -942,8 +966,11 @@ WrapPoseMethod(py::module_ & module)
 
 Its own tolerances and numbers of iterations are set by the options; its events are sent in the thread that runs
 Execute(), and StopOptimization() in a command of it ends the registration.)")
-    .def("GetOptimizer", [](MethodType & self) { return OptimizerBaseType::Pointer(self.GetModifiableOptimizer()); })
-    .def("SetStart", &MethodType::SetStart, py::arg("start"))
+    .def(
+      "GetOptimizer",
+      [](MethodType & self) { return OptimizerBaseType::Pointer(self.GetModifiableOptimizer()); },
+      "The optimizer.")
+    .def("SetStart", &MethodType::SetStart, py::arg("start"), "Sets where the registration starts from.")
     .def(
       "SetSpacingSource",
       [](MethodType & self, SourceEnum source) { self.SetSpacingSource(source); },
@@ -966,7 +993,7 @@ Execute(), and StopOptimization() in a command of it ends the registration.)")
 It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. Jaws that
 stand apart have a sum each: with a jaw it is a term of that jaw's alone. Its robust kernel and noise stay its own. The
 registration works on clones of it.)")
-    .def("ClearMetrics", &MethodType::ClearMetrics)
+    .def("ClearMetrics", &MethodType::ClearMetrics, "Takes all terms of one's own out.")
     .def(
       "GetMetrics", [](const MethodType & self) { return self.GetMetrics(); }, "What was added.")
     .def(
@@ -976,8 +1003,9 @@ registration works on clones of it.)")
     .def(
       "AddHypothesis",
       [](MethodType & self, const itk::PoseHypothesis * hypothesis) { self.AddHypothesis(hypothesis); },
-      py::arg("hypothesis"))
-    .def("ClearHypotheses", &MethodType::ClearHypotheses)
+      py::arg("hypothesis"),
+      "Adds another hypothesis of what the drawing may be, which is fitted too.")
+    .def("ClearHypotheses", &MethodType::ClearHypotheses, "Takes all hypotheses out.")
     .def(
       "_TryHypothesis",
       [](MethodType & self, const itk::PoseHypothesis & hypothesis, JawEnum jaw) {
@@ -990,7 +1018,7 @@ registration works on clones of it.)")
     .def("GetCurrentLevel",
          &MethodType::GetCurrentLevel,
          "4 group + stage: 0 starts, 1 candidates, 2 refinement, 3 uncertainty.")
-    .def("GetNumberOfLevels", &MethodType::GetNumberOfLevels)
+    .def("GetNumberOfLevels", &MethodType::GetNumberOfLevels, "How many levels a refinement has.")
     .def(
       "GetCurrentIteration",
       [](const MethodType & self) { return self.GetCurrentIteration(); },
@@ -1005,7 +1033,9 @@ registration works on clones of it.)")
          &MethodType::GetMetricValue,
          "With the kernel width and the noise of GetCurrentIteration(): comparable as long as these stay.")
     .def("GetStepLength", &MethodType::GetStepLength, "Root mean square, px of 0.25 mm.")
-    .def("GetStepAccepted", &MethodType::GetStepAccepted)
+    .def("GetStepAccepted",
+         &MethodType::GetStepAccepted,
+         "Whether the last step tried lowered the value, within an iteration event.")
     .def(
       "GetOptimizerPosition",
       [](const MethodType & self) {
@@ -1013,7 +1043,9 @@ registration works on clones of it.)")
         return py::tuple(py::cast(std::vector<double>(position.begin(), position.end())));
       },
       "pitch, roll, yaw (rad), tx, ty, tz (mm), kappa.")
-    .def("GetOptimizerStopConditionDescription", &MethodType::GetOptimizerStopConditionDescription)
+    .def("GetOptimizerStopConditionDescription",
+         &MethodType::GetOptimizerStopConditionDescription,
+         "Why the optimizer ended, in words.")
     .def("GetJawsShareFrame", &MethodType::GetJawsShareFrame, "Whether one frame was used for both jaws.")
     .def("_GetSolution", [](const MethodType & self) {
       // A copy: the next Execute() does not change it.
@@ -1049,60 +1081,134 @@ WrapDownstream(py::module_ & module)
   py::class_<ViewThresholdsType>(
     module, "ViewVerdictThresholds", "When a further view is suspect; standard deviations unless said.")
     .def(py::init<>())
-    .def_readwrite("landmarkApart", &ViewThresholdsType::landmarkApart)
-    .def_readwrite("suspectLandmarkRatio", &ViewThresholdsType::suspectLandmarkRatio)
-    .def_readwrite("suspectCost", &ViewThresholdsType::suspectCost)
-    .def_readwrite("suspectPriorTension", &ViewThresholdsType::suspectPriorTension)
-    .def_readwrite("suspectDeviance", &ViewThresholdsType::suspectDeviance);
+    .def_readwrite("landmarkApart",
+                   &ViewThresholdsType::landmarkApart,
+                   "Distance above which a landmark of the view is a gross error, standard deviations.")
+    .def_readwrite(
+      "suspectLandmarkRatio",
+      &ViewThresholdsType::suspectLandmarkRatio,
+      "Root mean square of the other landmarks' distances above which the view is suspect, standard deviations.")
+    .def_readwrite("suspectCost",
+                   &ViewThresholdsType::suspectCost,
+                   "Robust cost of the view's tracing above which it is suspect, no unit.")
+    .def_readwrite("suspectPriorTension",
+                   &ViewThresholdsType::suspectPriorTension,
+                   "Distance of move and scale from their priors above which the view is suspect, standard deviations.")
+    .def_readwrite(
+      "suspectDeviance",
+      &ViewThresholdsType::suspectDeviance,
+      "Difference of the robust criterion below which the other reading of the view (sides, source) is named.");
 
   using ThresholdsType = RegistrationVerdict::Thresholds;
   py::class_<ThresholdsType>(
     module, "RegistrationVerdictThresholds", "What is suspect and what has failed; px of 0.25 mm and mm.")
     .def(py::init<>())
-    .def_readwrite("suspectCost", &ThresholdsType::suspectCost)
-    .def_readwrite("failedCost", &ThresholdsType::failedCost)
-    .def_readwrite("suspectP90", &ThresholdsType::suspectP90)
-    .def_readwrite("suspectMedian", &ThresholdsType::suspectMedian)
-    .def_readwrite("suspectInlierShare", &ThresholdsType::suspectInlierShare)
-    .def_readwrite("failedInlierShare", &ThresholdsType::failedInlierShare)
-    .def_readwrite("suspectSmoothSigma", &ThresholdsType::suspectSmoothSigma)
-    .def_readwrite("suspectPredictedSigma", &ThresholdsType::suspectPredictedSigma)
-    .def_readwrite("suspectExtrapolatedSigma", &ThresholdsType::suspectExtrapolatedSigma)
-    .def_readwrite("failedPredictedSigma", &ThresholdsType::failedPredictedSigma)
-    .def_readwrite("suspectCodeOffset", &ThresholdsType::suspectCodeOffset)
-    .def_readwrite("suspectMargin", &ThresholdsType::suspectMargin)
-    .def_readwrite("suspectPitch", &ThresholdsType::suspectPitch)
-    .def_readwrite("suspectPriorTension", &ThresholdsType::suspectPriorTension)
-    .def_readwrite("suspectRotationTension", &ThresholdsType::suspectRotationTension)
-    .def_readwrite("suspectOtherSideDeviance", &ThresholdsType::suspectOtherSideDeviance)
-    .def_readwrite("suspectWinding", &ThresholdsType::suspectWinding)
-    .def_readwrite("failedPitch", &ThresholdsType::failedPitch)
-    .def_readwrite("suspectMiddleSigma", &ThresholdsType::suspectMiddleSigma)
-    .def_readwrite("suspectLargestMiddleSigma", &ThresholdsType::suspectLargestMiddleSigma)
-    .def_readwrite("landmarkApart", &ThresholdsType::landmarkApart)
-    .def_readwrite("suspectLandmarkRatio", &ThresholdsType::suspectLandmarkRatio)
-    .def_readwrite("shortestFilm", &ThresholdsType::shortestFilm)
-    .def_readwrite("suspectFilmLength", &ThresholdsType::suspectFilmLength)
-    .def_readwrite("failedFilmLength", &ThresholdsType::failedFilmLength)
-    .def_readwrite("minimumArchWidth", &ThresholdsType::minimumArchWidth)
-    .def_readwrite("maximumArchWidth", &ThresholdsType::maximumArchWidth)
-    .def_readwrite("hypothesisGain", &ThresholdsType::hypothesisGain)
-    .def_readwrite("spacingScore", &ThresholdsType::spacingScore)
-    .def_readwrite("spacingDifference", &ThresholdsType::spacingDifference)
+    .def_readwrite(
+      "suspectCost", &ThresholdsType::suspectCost, "Robust cost above which a jaw is suspect (poor-fit), no unit.")
+    .def_readwrite(
+      "failedCost", &ThresholdsType::failedCost, "Robust cost above which a jaw has failed (no-fit), no unit.")
+    .def_readwrite("suspectP90",
+                   &ThresholdsType::suspectP90,
+                   "90 % quantile of the distances above which a jaw is suspect, pixels of 0.25 mm.")
+    .def_readwrite("suspectMedian",
+                   &ThresholdsType::suspectMedian,
+                   "Median distance above which a jaw is suspect, pixels of 0.25 mm.")
+    .def_readwrite("suspectInlierShare",
+                   &ThresholdsType::suspectInlierShare,
+                   "Share of the tracing within 4 px below which a jaw is suspect, 0 to 1.")
+    .def_readwrite("failedInlierShare",
+                   &ThresholdsType::failedInlierShare,
+                   "Share of the tracing within 4 px below which a jaw has failed, 0 to 1.")
+    .def_readwrite("suspectSmoothSigma",
+                   &ThresholdsType::suspectSmoothSigma,
+                   "Estimated drift of the tracing above which it is called rough, pixels of 0.25 mm.")
+    .def_readwrite("suspectPredictedSigma",
+                   &ThresholdsType::suspectPredictedSigma,
+                   "Predicted standard deviation at the tracing above which a jaw is suspect, pixels of 0.25 mm.")
+    .def_readwrite("suspectExtrapolatedSigma",
+                   &ThresholdsType::suspectExtrapolatedSigma,
+                   "Predicted standard deviation anywhere on the outline above which a jaw is suspect, pixels "
+                   "of 0.25 mm.")
+    .def_readwrite("failedPredictedSigma",
+                   &ThresholdsType::failedPredictedSigma,
+                   "Predicted standard deviation above which a jaw has failed (undetermined), pixels of 0.25 mm.")
+    .def_readwrite("suspectCodeOffset",
+                   &ThresholdsType::suspectCodeOffset,
+                   "Offset of tooth codes along the arch above which a jaw is suspect, mm.")
+    .def_readwrite("suspectMargin",
+                   &ThresholdsType::suspectMargin,
+                   "Margin to the best other place below which a jaw is suspect (ambiguous), in the score's "
+                   "unit.")
+    .def_readwrite("suspectPitch",
+                   &ThresholdsType::suspectPitch,
+                   "Pitch beyond which the pose stands at the edge of the search, rad, either way.")
+    .def_readwrite("suspectPriorTension",
+                   &ThresholdsType::suspectPriorTension,
+                   "Distance of scale or move from their priors above which a jaw is suspect, standard "
+                   "deviations.")
+    .def_readwrite("suspectRotationTension",
+                   &ThresholdsType::suspectRotationTension,
+                   "Distance of roll and yaw from their prior above which a jaw is suspect, standard deviations.")
+    .def_readwrite("suspectOtherSideDeviance",
+                   &ThresholdsType::suspectOtherSideDeviance,
+                   "Difference of minus twice the log likelihood below which the other side is named.")
+    .def_readwrite("suspectWinding",
+                   &ThresholdsType::suspectWinding,
+                   "Share of the surface, signed, below which the faces are taken to look inward.")
+    .def_readwrite("failedPitch", &ThresholdsType::failedPitch, "Pitch beyond which a patient stands on the head, rad.")
+    .def_readwrite("suspectMiddleSigma",
+                   &ThresholdsType::suspectMiddleSigma,
+                   "Predicted standard deviation of the middles of both sides, over incisors and first molars, "
+                   "where landmarks alone placed a jaw, pixels of 0.25 mm.")
+    .def_readwrite("suspectLargestMiddleSigma",
+                   &ThresholdsType::suspectLargestMiddleSigma,
+                   "The same of the worse of them, pixels of 0.25 mm.")
+    .def_readwrite("landmarkApart",
+                   &ThresholdsType::landmarkApart,
+                   "Distance of a landmark above which it is a gross error, standard deviations.")
+    .def_readwrite("suspectLandmarkRatio",
+                   &ThresholdsType::suspectLandmarkRatio,
+                   "Root mean square of the landmarks' distances above which they are rough, standard "
+                   "deviations.")
+    .def_readwrite("shortestFilm", &ThresholdsType::shortestFilm, "Length below which a radiograph is no head's, mm.")
+    .def_readwrite("suspectFilmLength",
+                   &ThresholdsType::suspectFilmLength,
+                   "Length of the radiograph above which a spacing that only the fit tells is suspect, mm.")
+    .def_readwrite(
+      "failedFilmLength", &ThresholdsType::failedFilmLength, "Length of the radiograph above which it has failed, mm.")
+    .def_readwrite(
+      "minimumArchWidth", &ThresholdsType::minimumArchWidth, "Width below which an arch is no human's, mm.")
+    .def_readwrite(
+      "maximumArchWidth", &ThresholdsType::maximumArchWidth, "Width above which an arch is no human's, mm.")
+    .def_readwrite("hypothesisGain",
+                   &ThresholdsType::hypothesisGain,
+                   "How much better the score of another hypothesis must be to be named.")
+    .def_readwrite("spacingScore",
+                   &ThresholdsType::spacingScore,
+                   "Score up to which the drawing is said to fit with another pixel spacing.")
+    .def_readwrite("spacingDifference",
+                   &ThresholdsType::spacingDifference,
+                   "Logarithm of the ratio of two spacings from which on they differ.")
     .def_readwrite("view", &ThresholdsType::view, "Of each further view.");
 
   using VerdictType = itk::RegistrationVerdictFilter;
   ProcessClass<VerdictType>(module, "RegistrationVerdictFilter", "Judges a pose registration.")
     .def(New<VerdictType>())
     .def("_SetSolution", &VerdictType::SetSolution, py::arg("solution"))
-    .def("SetThresholds", &VerdictType::SetThresholds, py::arg("thresholds"))
+    .def("SetThresholds",
+         &VerdictType::SetThresholds,
+         py::arg("thresholds"),
+         "Sets the limits beyond which findings are given.")
     .def(
       "SetImageSize",
       [](VerdictType & self, const itk::Size<2> & size) { self.SetImageSize(size); },
       py::arg("size"),
       "(width, height) of the radiograph, pixels: what a spacing that only the fit tells is judged by. (0, 0): "
       "unknown.")
-    .def("GetImageSize", [](const VerdictType & self) { return self.GetImageSize(); })
+    .def(
+      "GetImageSize",
+      [](const VerdictType & self) { return self.GetImageSize(); },
+      "Width and height of the radiograph, pixels; (0, 0), the default, is unknown.")
     .def(
       "GetThresholds", [](const VerdictType & self) { return self.GetThresholds(); }, "A copy.")
     .def("GetNotCheckable", &VerdictType::GetNotCheckable, "What the data could not tell, as sentences.")
@@ -1134,7 +1240,7 @@ WrapDownstream(py::module_ & module)
       "_SetLandmarks",
       [](ProjectionType & self, const py::dict & landmarks) { self.SetLandmarks(FromDict<3>(landmarks)); },
       py::arg("landmarks"))
-    .dentalscrProperty(ProjectionType, MillimetresPerUnit)
+    .dentalscrProperty(ProjectionType, MillimetresPerUnit, "the length of the scan landmarks' unit, mm; 1 by default.")
     .def("_GetOutput", [](ProjectionType & self) { return ToDict<2>(self.GetOutput()); })
     .def(
       "GetCovariance",
@@ -1142,7 +1248,11 @@ WrapDownstream(py::module_ & module)
       py::arg("name"),
       "(2, 2) square pixels.")
     .def("GetSigma", &ProjectionType::GetSigma, py::arg("name"), "Standard deviation an axis, pixels.")
-    .def("HasMiddleCovariance", &ProjectionType::HasMiddleCovariance, py::arg("name"))
+    .def("HasMiddleCovariance",
+         &ProjectionType::HasMiddleCovariance,
+         py::arg("name"),
+         "Whether a landmark of the output, by its name, has a covariance of the middle of both "
+         "sides. Valid after Execute().")
     .def(
       "GetMiddles",
       [](const ProjectionType & self) {
@@ -1171,7 +1281,8 @@ WrapDownstream(py::module_ & module)
       "_SetLandmarks",
       [](CheckType & self, const py::dict & landmarks) { self.SetLandmarks(FromDict<3>(landmarks)); },
       py::arg("landmarks"))
-    .dentalscrProperty(CheckType, MillimetresPerUnit)
+    .dentalscrProperty(
+      CheckType, MillimetresPerUnit, "the length of the unit of landmarks and mesh files, mm; 1 by default.")
     .def(
       "_GetFindings",
       [](CheckType & self, JawEnum jaw) { return FindingsToList(self.GetFindings(Checked(jaw))); },
@@ -1207,14 +1318,20 @@ WrapDownstream(py::module_ & module)
          py::arg("jaw"),
          py::arg("labels"),
          "FDI number by point of the jaw's mesh, 0 gingiva; empty: none.")
-    .def("GetLabels", &CounterpartType::GetLabels, py::arg("jaw"))
+    .def("GetLabels",
+         &CounterpartType::GetLabels,
+         py::arg("jaw"),
+         "FDI number by point of the mesh, 0 for gingiva; empty where there are none.")
     .def(
       "SetExcludedTeeth",
       [](CounterpartType & self, const std::vector<std::string> & teeth) { self.SetExcludedTeeth(ToTeeth(teeth)); },
       py::arg("teeth"),
       "Codes of teeth that are left out: [\"UR3\"].")
-    .dentalscrProperty(CounterpartType, MillimetresPerUnit)
-    .dentalscrBoolean(CounterpartType, IgnoreSides)
+    .dentalscrProperty(CounterpartType, MillimetresPerUnit, "the length of the scan landmarks' unit, mm; 1 by default.")
+    .dentalscrBoolean(CounterpartType,
+                      IgnoreSides,
+                      "whether the side in a name is ignored, so that \"UR6_MB\" is the middle of both as in a "
+                      "standard tracing. Off by default.")
     .def("_GetCounterparts",
          [](CounterpartType & self) {
            py::dict result;
@@ -1234,14 +1351,17 @@ WrapDownstream(py::module_ & module)
            }
            return result;
          })
-    .def("GetUnused", [](const CounterpartType & self) {
-      std::vector<std::pair<std::string, std::string>> unused;
-      for (const auto & entry : self.GetUnused())
-      {
-        unused.emplace_back(entry.name, entry.reason);
-      }
-      return unused;
-    });
+    .def(
+      "GetUnused",
+      [](const CounterpartType & self) {
+        std::vector<std::pair<std::string, std::string>> unused;
+        for (const auto & entry : self.GetUnused())
+        {
+          unused.emplace_back(entry.name, entry.reason);
+        }
+        return unused;
+      },
+      "The landmarks that are not used, as their file calls them, and why. Valid after Execute().");
 
   using CrownType = itk::ToothCrownFilter;
   ProcessClass<CrownType>(
@@ -1268,13 +1388,16 @@ WrapDownstream(py::module_ & module)
          py::arg("jaw"),
          py::arg("labels"),
          "FDI number by point of the jaw's mesh, 0 gingiva; empty: none.")
-    .def("GetLabels", &CrownType::GetLabels, py::arg("jaw"))
+    .def("GetLabels",
+         &CrownType::GetLabels,
+         py::arg("jaw"),
+         "FDI number by point of the mesh, 0 for gingiva; empty where there are none.")
     .def(
       "SetExcludedTeeth",
       [](CrownType & self, const std::vector<std::string> & teeth) { self.SetExcludedTeeth(ToTeeth(teeth)); },
       py::arg("teeth"),
       "Codes of teeth that are left out: [\"UR3\"].")
-    .dentalscrProperty(CrownType, MillimetresPerUnit)
+    .dentalscrProperty(CrownType, MillimetresPerUnit, "the length of the scan landmarks' unit, mm; 1 by default.")
     .def("_GetCrowns",
          [](CrownType & self) {
            py::dict result;
@@ -1317,8 +1440,9 @@ WrapDownstream(py::module_ & module)
     .def(New<MatchedType>())
     .def("_SetFixedContour", &MatchedType::SetFixedContour, py::arg("contour"))
     .def("_SetMovingContour", &MatchedType::SetMovingContour, py::arg("contour"))
-    .dentalscrProperty(MatchedType, MaximumDistance)
-    .dentalscrProperty(MatchedType, MaximumGap)
+    .dentalscrProperty(
+      MatchedType, MaximumDistance, "the distance up to which a point is matched, pixels; 10 by default.")
+    .dentalscrProperty(MatchedType, MaximumGap, "the length of a gap that is closed, pixels; 12 by default.")
     .def("_TakeOutput", [](MatchedType & self) {
       itk::DentalContour::Pointer contour = self.GetOutput();
       contour->DisconnectPipeline();
@@ -1335,8 +1459,8 @@ WrapDownstream(py::module_ & module)
       "_SetFrame",
       [](SimilarityType & self, const RigidType & transform) { self.SetFrame(ToFrame(&transform)); },
       py::arg("transform"))
-    .def("SetJaw", &SimilarityType::SetJaw, py::arg("jaw"))
-    .def("GetJaw", &SimilarityType::GetJaw)
+    .def("SetJaw", &SimilarityType::SetJaw, py::arg("jaw"), "Sets the jaw: Upper (the default) or Lower.")
+    .def("GetJaw", &SimilarityType::GetJaw, "Returns the jaw: Upper (the default) or Lower.")
     .def("GetRMS", &SimilarityType::GetRMS, "What the similarity leaves, pixels.")
     .def("_GetTransform", [](SimilarityType & self) {
       return itk::Similarity2DTransform<double>::Pointer(self.GetTransformOutput()->GetModifiable());
@@ -1354,7 +1478,9 @@ WrapSimilarityChain(py::module_ & module)
       "_SetFrame",
       [](PlacementType & self, const RigidType & transform) { self.SetFrame(ToFrame(&transform)); },
       py::arg("transform"))
-    .dentalscrBoolean(PlacementType, CentralRayThroughOrigin)
+    .dentalscrBoolean(PlacementType,
+                      CentralRayThroughOrigin,
+                      "whether the central ray is laid through the origin of the frame. Off by default.")
     .def("_TakeOutput", [](PlacementType & self) {
       itk::CephalometricGeometry::Pointer geometry = self.GetOutput();
       geometry->DisconnectPipeline();
@@ -1366,7 +1492,9 @@ WrapSimilarityChain(py::module_ & module)
     .def(New<WidthType>())
     .def("_SetMesh", &WidthType::SetMesh, py::arg("mesh"))
     .def("_SetGeometry", &WidthType::SetGeometry, py::arg("geometry"))
-    .dentalscrProperty(WidthType, WidthFactor)
+    .dentalscrProperty(WidthType,
+                       WidthFactor,
+                       "the standard deviation of a splat over the mean distance between vertices; 0.7 by default.")
     .def("GetSigma", &WidthType::GetSigma, "mm in the detector plane.");
 
   using SpacingType = itk::TracingPixelSpacingFilter;
@@ -1385,7 +1513,9 @@ WrapSimilarityChain(py::module_ & module)
       py::arg("mesh"),
       py::arg("contour"),
       py::arg("frame"))
-    .dentalscrProperty(SpacingType, DefaultPixelSpacing)
+    .dentalscrProperty(SpacingType,
+                       DefaultPixelSpacing,
+                       "the pixel spacing in the detector plane where nothing can be measured, mm; 0.25 by default.")
     .def("_TakeOutput", [](SpacingType & self) {
       itk::CephalometricGeometry::Pointer geometry = self.GetOutput();
       geometry->DisconnectPipeline();
@@ -1406,7 +1536,9 @@ WrapSimilarityChain(py::module_ & module)
       [](SimilarityType & self, const RigidType & transform) { self.SetFrame(ToFrame(&transform)); },
       py::arg("transform"))
     .def("_SetGeometry", &SimilarityType::SetGeometry, py::arg("geometry"))
-    .dentalscrProperty(SimilarityType, MillimetresPerUnit)
+    .dentalscrProperty(SimilarityType,
+                       MillimetresPerUnit,
+                       "the length of the unit of the points that the projection matrix acts on, mm; 1 by default.")
     .def(
       "GetProjectionMatrix",
       [](SimilarityType & self) { return ToArray(self.GetProjectionMatrix()); },
@@ -1453,8 +1585,11 @@ WrapSimilarityChain(py::module_ & module)
         self.SetProjectionMatrix(matrix);
       },
       py::arg("matrix"))
-    .def("SetJaw", &MatrixType::SetJaw, py::arg("jaw"))
-    .def("GetJaw", &MatrixType::GetJaw)
+    .def("SetJaw",
+         &MatrixType::SetJaw,
+         py::arg("jaw"),
+         "Sets the jaw whose landmarks are projected; Unknown, the default, is both.")
+    .def("GetJaw", &MatrixType::GetJaw, "Returns the jaw whose landmarks are projected; Unknown, the default, is both.")
     .def("_GetOutput", [](MatrixType & self) { return ToDict<2>(self.GetOutput()); });
 }
 } // namespace

@@ -99,11 +99,15 @@ parameters : seven numbers, optional)")
     .def(
       "SetParameters",
       [](TransformType & self, const std::vector<double> & values) { self.SetParameters(ToParameters(values)); },
-      py::arg("parameters"))
+      py::arg("parameters"),
+      "Sets the seven parameters: rotation (rad), translation (mm), kappa (the logarithm of the "
+      "scale).")
     .def(
       "SetFixedParameters",
       [](TransformType & self, const std::vector<double> & values) { self.SetFixedParameters(ToParameters(values)); },
-      py::arg("parameters"))
+      py::arg("parameters"),
+      "Sets the nine fixed parameters, the geometry; eight, as in older files, are those of a "
+      "lateral radiograph.")
     .def("SetIdentity", &TransformType::SetIdentity, "All seven parameters 0; the geometry stays.")
     .def("SetGeometry", &TransformType::SetGeometry, py::arg("geometry"), "Copies it; its pose is not taken.")
     .def("CopyToGeometry",
@@ -133,7 +137,8 @@ parameters : seven numbers, optional)")
     .def(
       "TransformPoint",
       [](const TransformType & self, const PointType & point) { return self.TransformPoint(point); },
-      py::arg("point"))
+      py::arg("point"),
+      "Point of the dental frame (mm) to the continuous pixel index (u, v).")
     .def(
       "TransformPoints",
       [](const TransformType & self, const DoubleArray & points) {

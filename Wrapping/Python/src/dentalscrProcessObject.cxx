@@ -290,14 +290,20 @@ WrapProcessObject(py::module_ & module)
   using itk::MultiThreaderBase;
   using itk::ProcessObject;
   py::class_<ProcessObject, itk::SmartPointer<ProcessObject>>(module, "ProcessObject", "What every filter has.")
-    .def("GetName", [](const ProcessObject & self) { return std::string(self.GetNameOfClass()); })
+    .def(
+      "GetName",
+      [](const ProcessObject & self) { return std::string(self.GetNameOfClass()); },
+      "Name of the class in C++.")
     .def("GetProgress", &ProcessObject::GetProgress, "Share that is done, 0 to 1.")
     .def(
       "Abort",
       [](ProcessObject & self) { self.AbortGenerateDataOn(); },
       "Ends the run that is under way: Execute raises AbortedError.")
-    .def("SetNumberOfWorkUnits", &ProcessObject::SetNumberOfWorkUnits, py::arg("numberOfWorkUnits"))
-    .def("GetNumberOfWorkUnits", &ProcessObject::GetNumberOfWorkUnits)
+    .def("SetNumberOfWorkUnits",
+         &ProcessObject::SetNumberOfWorkUnits,
+         py::arg("numberOfWorkUnits"),
+         "Sets the number of parts that the work is split in; the result does not depend on it.")
+    .def("GetNumberOfWorkUnits", &ProcessObject::GetNumberOfWorkUnits, "The number of parts that the work is split in.")
     .def("__str__",
          [](const ProcessObject & self) {
            std::ostringstream text;
@@ -318,8 +324,10 @@ WrapProcessObject(py::module_ & module)
       },
       py::arg("threads"),
       "Threads of every object made from now on; 0: all of the machine's. No result depends on it.")
-    .def_static("GetGlobalDefaultNumberOfThreads",
-                []() { return static_cast<unsigned int>(MultiThreaderBase::GetGlobalDefaultNumberOfThreads()); })
+    .def_static(
+      "GetGlobalDefaultNumberOfThreads",
+      []() { return static_cast<unsigned int>(MultiThreaderBase::GetGlobalDefaultNumberOfThreads()); },
+      "The number of threads of every process object that is made from now on.")
     .def(
       "_AddCommand",
       [](py::object self, int event, unsigned long key) {

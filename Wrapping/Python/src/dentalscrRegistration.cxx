@@ -99,14 +99,22 @@ DefineContourMethod(ProcessClass<TMethod> & type)
       "The start (scale, rad, px, px).")
     .def(
       "GetCurrentLevel", [](const TMethod & self) { return self.GetCurrentLevel(); }, "0 is the coarsest.")
-    .def("GetOptimizerIteration", [](const TMethod & self) { return self.GetOptimizerIteration(); })
-    .def("GetMetricValue", [](const TMethod & self) { return self.GetMetricValue(); })
+    .def(
+      "GetOptimizerIteration",
+      [](const TMethod & self) { return self.GetOptimizerIteration(); },
+      "Number of the current iteration, from 0.")
+    .def(
+      "GetMetricValue",
+      [](const TMethod & self) { return self.GetMetricValue(); },
+      "Value of the metric at the current iteration, pixels for the chamfer metrics.")
     .def(
       "GetOptimizerPosition",
       [](const TMethod & self) { return ToTuple(self.GetOptimizerPosition()); },
       "Parameters of the transform: (scale, rad, px, px).")
-    .def("GetOptimizerStopConditionDescription",
-         [](const TMethod & self) { return self.GetOptimizerStopConditionDescription(); });
+    .def(
+      "GetOptimizerStopConditionDescription",
+      [](const TMethod & self) { return self.GetOptimizerStopConditionDescription(); },
+      "Why the optimizer ended, in words.");
 }
 
 void
@@ -140,8 +148,15 @@ WrapMetrics(py::module_ & module)
         }
       },
       py::arg("transform"))
-    .def("SetDistance", &DistanceFilterType::SetDistance, py::arg("distance"))
-    .def("GetDistance", &DistanceFilterType::GetDistance)
+    .def("SetDistance",
+         &DistanceFilterType::SetDistance,
+         py::arg("distance"),
+         "Sets how the distance of a point is measured: PointToPoint (the default, the paper's) or "
+         "PointToSegment.")
+    .def("GetDistance",
+         &DistanceFilterType::GetDistance,
+         "Returns how the distance of a point is measured: PointToPoint (the default, the paper's) or "
+         "PointToSegment.")
     .def(
       "GetMovingToFixedMean", [](const DistanceFilterType & self) { return self.GetMovingToFixedMean(); }, "px.")
     .def(
@@ -184,8 +199,12 @@ WrapMetrics(py::module_ & module)
         }
       },
       py::arg("transform"))
-    .dentalscrProperty(OverlapFilterType, MaximumDistance)
-    .dentalscrProperty(OverlapFilterType, GapLength)
+    .dentalscrProperty(OverlapFilterType,
+                       MaximumDistance,
+                       "the distance beyond which contours do not lie together, pixels; 5 by default.")
+    .dentalscrProperty(OverlapFilterType,
+                       GapLength,
+                       "the length of a gap in the tracing below which it has no ends there, pixels; 8 by default.")
     .def(
       "GetFixedShare", [](const OverlapFilterType & self) { return self.GetFixedShare(); }, "Of the tracing, 0 to 1.")
     .def(
@@ -221,7 +240,10 @@ WrapMetricObjects(py::module_ & module)
                               "Where a pixel spacing comes from, for the scale's prior.");
   py::class_<MetricType, itk::SmartPointer<MetricType>>(
     module, "ContourToContourMetricv4", "A figure of merit between two contours, for SetMetric().")
-    .def("GetName", [](const MetricType & self) { return std::string(self.GetNameOfClass()); })
+    .def(
+      "GetName",
+      [](const MetricType & self) { return std::string(self.GetNameOfClass()); },
+      "Name of the class in C++.")
     .def(
       "GetPivot",
       [](const MetricType & self) { return std::make_pair(self.GetPivot()[0], self.GetPivot()[1]); },
@@ -235,11 +257,26 @@ WrapMetricObjects(py::module_ & module)
   py::class_<ChamferType, MetricType, itk::SmartPointer<ChamferType>>(
     module, "ContourChamferMetricv4", "Symmetric or one-sided Chamfer distance: the sum of the directed means, px.")
     .def(New<ChamferType>())
-    .def("SetDirection", &ChamferType::SetDirection, py::arg("direction"))
-    .def("GetDirection", &ChamferType::GetDirection)
-    .def("SetDistance", &ChamferType::SetDistance, py::arg("distance"))
-    .def("GetDistance", &ChamferType::GetDistance)
-    .dentalscrProperty(ChamferType, Truncation);
+    .def("SetDirection",
+         &ChamferType::SetDirection,
+         py::arg("direction"),
+         "Sets which contour's points are measured: Symmetric (both, the default), MovingToFixed or "
+         "FixedToMoving.")
+    .def("GetDirection",
+         &ChamferType::GetDirection,
+         "Returns which contour's points are measured: Symmetric (both, the default), MovingToFixed "
+         "or FixedToMoving.")
+    .def("SetDistance",
+         &ChamferType::SetDistance,
+         py::arg("distance"),
+         "Sets how the distance of a point is measured: PointToPoint (the default, the paper's) or "
+         "PointToSegment.")
+    .def("GetDistance",
+         &ChamferType::GetDistance,
+         "Returns how the distance of a point is measured: PointToPoint (the default, the paper's) or "
+         "PointToSegment.")
+    .dentalscrProperty(
+      ChamferType, Truncation, "the distance that all larger ones count as, pixels; infinity by default.");
 }
 
 void
@@ -285,28 +322,50 @@ numberOfIterations : int
          py::arg("numberOfTranslations") = 0,
          py::arg("numberOfStarts") = 1,
          py::arg("numberOfIterations") = 0)
-    .def_readwrite("scaleBound", &LevelType::scaleBound)
-    .def_readwrite("rotationBound", &LevelType::rotationBound)
-    .def_readwrite("translationBound", &LevelType::translationBound)
-    .def_readwrite("numberOfScales", &LevelType::numberOfScales)
-    .def_readwrite("numberOfRotations", &LevelType::numberOfRotations)
-    .def_readwrite("numberOfTranslations", &LevelType::numberOfTranslations)
-    .def_readwrite("numberOfStarts", &LevelType::numberOfStarts)
-    .def_readwrite("numberOfIterations", &LevelType::numberOfIterations)
+    .def_readwrite("scaleBound",
+                   &LevelType::scaleBound,
+                   "How far the scale may move, as a part of the current one, in [0, 1): 0.35 allows 0.65 to "
+                   "1.35 times it.")
+    .def_readwrite("rotationBound", &LevelType::rotationBound, "How far the angle may move from the current one, rad.")
+    .def_readwrite("translationBound",
+                   &LevelType::translationBound,
+                   "How far the silhouette's centroid may move in u and in v, mm in the plane of the pixel "
+                   "spacing.")
+    .def_readwrite("numberOfScales",
+                   &LevelType::numberOfScales,
+                   "How many scales within the bound are tried before the optimizer runs; 0 is none.")
+    .def_readwrite("numberOfRotations",
+                   &LevelType::numberOfRotations,
+                   "How many angles within the bound are tried before the optimizer runs; 0 is none.")
+    .def_readwrite("numberOfTranslations",
+                   &LevelType::numberOfTranslations,
+                   "How many shifts an axis within the bound are tried before the optimizer runs; 0 is none.")
+    .def_readwrite("numberOfStarts", &LevelType::numberOfStarts, "How many of the best places are refined.")
+    .def_readwrite("numberOfIterations",
+                   &LevelType::numberOfIterations,
+                   "The most iterations of the optimizer from a start; 0 leaves the optimizer's own limit.")
     .def("__repr__", [](const LevelType & self) {
       return "<dentalscr.RegistrationLevel scale " + std::to_string(self.scaleBound) + ", rotation " +
              std::to_string(self.rotationBound) + " rad, translation " + std::to_string(self.translationBound) + " mm>";
     });
   py::class_<ResultType>(module, "RegistrationLevelResult", "How a level went.")
-    .def_readonly("initialParameters", &ResultType::initialParameters)
-    .def_readonly("finalParameters", &ResultType::finalParameters)
-    .def_readonly("initialValue", &ResultType::initialValue)
-    .def_readonly("finalValue", &ResultType::finalValue)
-    .def_readonly("boundsHit", &ResultType::boundsHit)
-    .def_readonly("numberOfIterations", &ResultType::numberOfIterations)
-    .def_readonly("numberOfEvaluations", &ResultType::numberOfEvaluations)
-    .def_readonly("numberOfCandidates", &ResultType::numberOfCandidates)
-    .def_readonly("stopConditionDescription", &ResultType::stopConditionDescription)
+    .def_readonly("initialParameters",
+                  &ResultType::initialParameters,
+                  "Parameters at which the level began: scale, angle (rad), shift (pixels).")
+    .def_readonly("finalParameters",
+                  &ResultType::finalParameters,
+                  "Parameters at which the level ended: scale, angle (rad), shift (pixels).")
+    .def_readonly("initialValue", &ResultType::initialValue, "Value of the metric at the beginning.")
+    .def_readonly("finalValue", &ResultType::finalValue, "Value of the metric at the end.")
+    .def_readonly("boundsHit",
+                  &ResultType::boundsHit,
+                  "Of scale, rotation, shift in u and in v: -1 where the result lies on the lower bound, 1 on "
+                  "the upper, else 0.")
+    .def_readonly("numberOfIterations", &ResultType::numberOfIterations, "How many iterations the optimizer needed.")
+    .def_readonly("numberOfEvaluations", &ResultType::numberOfEvaluations, "How many times the metric was evaluated.")
+    .def_readonly("numberOfCandidates", &ResultType::numberOfCandidates, "How many places the exploration tried.")
+    .def_readonly(
+      "stopConditionDescription", &ResultType::stopConditionDescription, "Why the optimizer ended, in words.")
     .def("__repr__", [](const ResultType & self) {
       return "<dentalscr.RegistrationLevelResult " + std::to_string(self.initialValue) + " to " +
              std::to_string(self.finalValue) + ", " + std::to_string(self.numberOfIterations) + " iterations, " +
@@ -337,7 +396,8 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       py::arg("learningRate"),
       py::arg("numberOfIterations"),
       py::arg("convergenceMinimumValue") = 1e-6,
-      py::arg("convergenceWindowSize") = 10)
+      py::arg("convergenceWindowSize") = 10,
+      "Optimizes with ITK's GradientDescentOptimizerv4. The parameters are ITK's.")
     .def(
       "SetOptimizerAsRegularStepGradientDescent",
       [](MethodType & self,
@@ -358,7 +418,8 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       py::arg("minStep"),
       py::arg("numberOfIterations"),
       py::arg("relaxationFactor") = 0.5,
-      py::arg("gradientMagnitudeTolerance") = 1e-4)
+      py::arg("gradientMagnitudeTolerance") = 1e-4,
+      "Optimizes with ITK's RegularStepGradientDescentOptimizerv4. The parameters are ITK's.")
     .def(
       "SetOptimizerAsGradientDescentLineSearch",
       [](MethodType & self,
@@ -389,7 +450,8 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       py::arg("lineSearchLowerLimit") = 0.0,
       py::arg("lineSearchUpperLimit") = 5.0,
       py::arg("lineSearchEpsilon") = 0.01,
-      py::arg("lineSearchMaximumIterations") = 20)
+      py::arg("lineSearchMaximumIterations") = 20,
+      "Optimizes with ITK's GradientDescentLineSearchOptimizerv4. The parameters are ITK's.")
     .def(
       "SetOptimizerAsAmoeba",
       [](MethodType & self,
@@ -437,7 +499,9 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       py::arg("maximumLineIterations") = 100,
       py::arg("stepLength") = 1.0,
       py::arg("stepTolerance") = 1e-6,
-      py::arg("valueTolerance") = 1e-6)
+      py::arg("valueTolerance") = 1e-6,
+      "Optimizes with ITK's PowellOptimizerv4, which needs no derivatives. The parameters are "
+      "ITK's.")
     .def(
       "SetOptimizerAsOnePlusOneEvolutionary",
       [](MethodType &  self,
@@ -514,7 +578,8 @@ WrapMethod(py::module_ & module)
         metric->SetTruncation(truncation);
         self.SetMetric(metric);
       },
-      py::arg_v("truncation", std::numeric_limits<double>::infinity(), "float('inf')"))
+      py::arg_v("truncation", std::numeric_limits<double>::infinity(), "float('inf')"),
+      "Measures the mean distance of each contour's points from the other contour, pixels.")
     .def(
       "SetMetric",
       [](MethodType & self, MetricType * metric) { self.SetMetric(metric); },
@@ -567,22 +632,51 @@ function : callable
         return false;
       },
       "Ends the optimizer's present run at the present iteration, keeping the result; False where it can't.")
-    .def("SetNumberOfLevels", &MethodType::SetNumberOfLevels, py::arg("number"))
-    .def("GetNumberOfLevels", &MethodType::GetNumberOfLevels)
-    .def("SetLevel", &MethodType::SetLevel, py::arg("index"), py::arg("level"))
+    .def("SetNumberOfLevels",
+         &MethodType::SetNumberOfLevels,
+         py::arg("number"),
+         "Sets the number of levels; 3 by default, and 0 gives the start itself. A level that is "
+         "added has half the bounds of the one before.")
+    .def("GetNumberOfLevels",
+         &MethodType::GetNumberOfLevels,
+         "Returns the number of levels; 3 by default, and 0 gives the start itself. A level that is "
+         "added has half the bounds of the one before.")
+    .def("SetLevel",
+         &MethodType::SetLevel,
+         py::arg("index"),
+         py::arg("level"),
+         "Sets bounds and effort of a level by its number, from 0.")
     .def(
-      "GetLevel", [](const MethodType & self, unsigned int index) { return self.GetLevel(index); }, py::arg("index"))
+      "GetLevel",
+      [](const MethodType & self, unsigned int index) { return self.GetLevel(index); },
+      py::arg("index"),
+      "Bounds and effort of a level by its number, from 0.")
     .def("GetLevelResults", &MethodType::GetLevelResults, "How the levels went, after Execute().")
     .def("SetPixelSpacing", &MethodType::SetPixelSpacing, py::arg("spacing"), "mm, mean of u and v.")
-    .def("GetPixelSpacing", &MethodType::GetPixelSpacing)
-    .dentalscrBoolean(MethodType, FixScale)
-    .dentalscrBoolean(MethodType, FixRotation)
-    .dentalscrBoolean(MethodType, FixTranslation)
-    .dentalscrProperty(MethodType, RandomSeed)
-    .def("SetPresetToPaper", &MethodType::SetPresetToPaper)
-    .def("SetPresetToGlobal", &MethodType::SetPresetToGlobal)
-    .def("SetPresetToBoundingBox", &MethodType::SetPresetToBoundingBox)
-    .def("SetPresetToSingleStage", &MethodType::SetPresetToSingleStage)
+    .def("GetPixelSpacing",
+         &MethodType::GetPixelSpacing,
+         "Pixel spacing of the fixed contour (mean of u and v), mm; 0.25 by default. It turns the "
+         "bounds on the shift into pixels.")
+    .dentalscrBoolean(MethodType, FixScale, "whether the scale of the start is held. Off by default.")
+    .dentalscrBoolean(MethodType, FixRotation, "whether the angle of the start is held. Off by default.")
+    .dentalscrBoolean(MethodType, FixTranslation, "whether the translation of the start is held. Off by default.")
+    .dentalscrProperty(
+      MethodType, RandomSeed, "the seed that the evolutionary optimizer gets at each run; the others draw nothing.")
+    .def("SetPresetToPaper",
+         &MethodType::SetPresetToPaper,
+         "Sets the paper's three levels, the default: scale 35, 10 and 3 %, rotation 20, 6 and 2 "
+         "degrees, shift 15, 3.75 and 1 mm.")
+    .def("SetPresetToGlobal",
+         &MethodType::SetPresetToGlobal,
+         "Sets two levels for a start that is far off: scale 50 %, rotation 45 degrees, shift 15 mm, "
+         "of which the first explores all.")
+    .def("SetPresetToBoundingBox",
+         &MethodType::SetPresetToBoundingBox,
+         "Takes all levels away: the start from bounding box and centroid is the result.")
+    .def("SetPresetToSingleStage",
+         &MethodType::SetPresetToSingleStage,
+         "Sets one level with the broad bounds and 80 iterations that does not explore: the paper's "
+         "\"w/o coarse-to-fine\".")
     .def_static(
       "_ComputeBoundingBoxTransform",
       [](const DentalContour & fixed, const DentalContour & moving) {
@@ -629,26 +723,52 @@ WrapBaselines(py::module_ & module)
     DefineContourMethod(type);
     type
       .def(
-        "SetMotion", [](MethodClass & self, MotionEnum motion) { self.SetMotion(motion); }, py::arg("motion"))
-      .def("GetMotion", [](const MethodClass & self) { return self.GetMotion(); })
-      .def("SetMaximumNumberOfIterations", &MethodClass::SetMaximumNumberOfIterations, py::arg("value"))
-      .def("GetMaximumNumberOfIterations", &MethodClass::GetMaximumNumberOfIterations);
+        "SetMotion",
+        [](MethodClass & self, MotionEnum motion) { self.SetMotion(motion); },
+        py::arg("motion"),
+        "Sets what may move: Rigid (shift and angle) or Similarity (the default, and scale).")
+      .def(
+        "GetMotion",
+        [](const MethodClass & self) { return self.GetMotion(); },
+        "Returns what may move: Rigid (shift and angle) or Similarity (the default, and scale).")
+      .def("SetMaximumNumberOfIterations",
+           &MethodClass::SetMaximumNumberOfIterations,
+           py::arg("value"),
+           "Sets the most iterations of a run.")
+      .def("GetMaximumNumberOfIterations",
+           &MethodClass::GetMaximumNumberOfIterations,
+           "Returns the most iterations of a run.");
   };
 
   using ICPType = itk::IterativeClosestPointContourRegistrationMethod;
   ProcessClass<ICPType> icp(
     module, "IterativeClosestPointContourRegistrationMethod", "Iterative closest points between two contours.");
   defineBaseline(icp);
-  icp.def("SetDirection", &ICPType::SetDirection, py::arg("direction"))
-    .def("GetDirection", &ICPType::GetDirection)
-    .dentalscrProperty(ICPType, TrimmedFraction)
-    .dentalscrProperty(ICPType, Tolerance);
+  icp
+    .def("SetDirection",
+         &ICPType::SetDirection,
+         py::arg("direction"),
+         "Sets whose points look for their nearest: FixedToMoving (the default), MovingToFixed or "
+         "Symmetric.")
+    .def("GetDirection",
+         &ICPType::GetDirection,
+         "Returns whose points look for their nearest: FixedToMoving (the default), MovingToFixed or "
+         "Symmetric.")
+    .dentalscrProperty(ICPType,
+                       TrimmedFraction,
+                       "the share of the pairs that is left out, in [0, 0.9]; 0 by default, which is plain ICP.")
+    .dentalscrProperty(
+      ICPType, Tolerance, "the move below which it ends, pixels of the fixed contour; 1e-4 by default.");
 
   using CPDType = itk::CoherentPointDriftContourRegistrationMethod;
   ProcessClass<CPDType> cpd(
     module, "CoherentPointDriftContourRegistrationMethod", "Coherent point drift between two contours.");
   defineBaseline(cpd);
-  cpd.dentalscrProperty(CPDType, OutlierWeight).dentalscrProperty(CPDType, Tolerance);
+  cpd
+    .dentalscrProperty(
+      CPDType, OutlierWeight, "the share of points that belong to nothing, in [0, 0.99]; 0 by default.")
+    .dentalscrProperty(
+      CPDType, Tolerance, "the move below which it ends, pixels of the fixed contour; 1e-3 by default.");
 
   using IntensityType = itk::IntensityRegistrationMethod;
   using MeasureEnum = itk::IntensityRegistrationEnums::Measure;
@@ -663,9 +783,17 @@ WrapBaselines(py::module_ & module)
   defineBaseline(intensity);
   intensity.def("_SetFixedImage", &IntensityType::SetFixedImage, py::arg("image"))
     .def("_SetMovingImage", &IntensityType::SetMovingImage, py::arg("image"))
-    .def("SetMeasure", &IntensityType::SetMeasure, py::arg("measure"))
-    .def("GetMeasure", &IntensityType::GetMeasure)
-    .dentalscrProperty(IntensityType, Margin);
+    .def("SetMeasure",
+         &IntensityType::SetMeasure,
+         py::arg("measure"),
+         "Sets the measure of likeness of the two images; MutualInformation by default.")
+    .def("GetMeasure",
+         &IntensityType::GetMeasure,
+         "Returns the measure of likeness of the two images; MutualInformation by default.")
+    .dentalscrProperty(IntensityType,
+                       Margin,
+                       "the free border of the region of interest, as a part of the tracing's larger extent; 0.15 "
+                       "by default.");
 }
 } // namespace
 

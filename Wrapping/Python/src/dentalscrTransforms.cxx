@@ -85,21 +85,33 @@ DefineTransform(py::class_<TTransform, BaseType, itk::SmartPointer<TTransform>> 
     .def(
       "SetParameters",
       [](TTransform & self, const std::vector<double> & values) { SetParameters(self, values, false); },
-      py::arg("parameters"))
+      py::arg("parameters"),
+      "Sets the parameters, in the order that ITK's transform of the same name has.")
     .def(
       "SetFixedParameters",
       [](TTransform & self, const std::vector<double> & values) { SetParameters(self, values, true); },
-      py::arg("parameters"))
-    .def("GetDimension", [](const TTransform &) { return dimension; })
+      py::arg("parameters"),
+      "Sets the fixed parameters: the centre.")
     .def(
-      "SetCenter", [](TTransform & self, const PointType & center) { self.SetCenter(center); }, py::arg("center"))
-    .def("GetCenter", [](const TTransform & self) { return PointType(self.GetCenter()); })
+      "GetDimension", [](const TTransform &) { return dimension; }, "Number of axes of the points.")
+    .def(
+      "SetCenter",
+      [](TTransform & self, const PointType & center) { self.SetCenter(center); },
+      py::arg("center"),
+      "Sets the centre of rotation and scale, in the unit of the points.")
+    .def(
+      "GetCenter",
+      [](const TTransform & self) { return PointType(self.GetCenter()); },
+      "Returns the centre of rotation and scale, in the unit of the points.")
     .def(
       "SetTranslation",
       [](TTransform & self, const itk::Vector<double, dimension> & translation) { self.SetTranslation(translation); },
-      py::arg("translation"))
-    .def("GetTranslation",
-         [](const TTransform & self) { return itk::Vector<double, dimension>(self.GetTranslation()); })
+      py::arg("translation"),
+      "Sets the translation, in the unit of the points.")
+    .def(
+      "GetTranslation",
+      [](const TTransform & self) { return itk::Vector<double, dimension>(self.GetTranslation()); },
+      "Returns the translation, in the unit of the points.")
     .def(
       "GetMatrix",
       [](const TTransform & self) {
@@ -111,19 +123,22 @@ DefineTransform(py::class_<TTransform, BaseType, itk::SmartPointer<TTransform>> 
         return ToTuple(values);
       },
       "Row-major.")
-    .def("GetInverse",
-         [](const TTransform & self) {
-           auto inverse = TTransform::New();
-           if (!self.GetInverse(inverse))
-           {
-             throw std::invalid_argument("the transform has no inverse");
-           }
-           return inverse;
-         })
+    .def(
+      "GetInverse",
+      [](const TTransform & self) {
+        auto inverse = TTransform::New();
+        if (!self.GetInverse(inverse))
+        {
+          throw std::invalid_argument("the transform has no inverse");
+        }
+        return inverse;
+      },
+      "The inverse as a new transform of the same class.")
     .def(
       "TransformPoint",
       [](const TTransform & self, const PointType & point) { return PointType(self.TransformPoint(point)); },
-      py::arg("point"))
+      py::arg("point"),
+      "The place that a point goes to, in the unit of the points.")
     .def(
       "TransformPoints",
       [](const TTransform & self, const DoubleArray & points) {
@@ -209,14 +224,23 @@ WrapTransforms(py::module_ & module)
 {
   py::class_<BaseType, itk::SmartPointer<BaseType>>(
     module, "Transform", "Maps points; which way is the maker's to say.")
-    .def("GetName", [](const BaseType & self) { return std::string(self.GetNameOfClass()); })
-    .def("GetParameters", [](const BaseType & self) { return ToTuple(ToVector(self.GetParameters())); })
-    .def("GetFixedParameters",
-         [](const BaseType & self) {
-           const auto & fixed = self.GetFixedParameters();
-           return ToTuple(std::vector<double>(fixed.begin(), fixed.end()));
-         })
-    .def("GetNumberOfParameters", [](const BaseType & self) { return self.GetParameters().size(); })
+    .def(
+      "GetName", [](const BaseType & self) { return std::string(self.GetNameOfClass()); }, "Name of the class in C++.")
+    .def(
+      "GetParameters",
+      [](const BaseType & self) { return ToTuple(ToVector(self.GetParameters())); },
+      "The parameters, in the order that ITK's transform of the same name has.")
+    .def(
+      "GetFixedParameters",
+      [](const BaseType & self) {
+        const auto & fixed = self.GetFixedParameters();
+        return ToTuple(std::vector<double>(fixed.begin(), fixed.end()));
+      },
+      "The fixed parameters.")
+    .def(
+      "GetNumberOfParameters",
+      [](const BaseType & self) { return self.GetParameters().size(); },
+      "How many parameters it has.")
     .def(
       "__eq__",
       [](const BaseType & self, const BaseType & other) {
@@ -255,10 +279,12 @@ translation, center : pair of numbers, optional)");
          py::arg("angle") = 0.0,
          py::arg("translation") = itk::Vector<double, 2>(0.0),
          py::arg("center") = itk::Point<double, 2>(0.0))
-    .def("SetScale", &SimilarityType::SetScale, py::arg("scale"))
-    .def("GetScale", [](const SimilarityType & self) { return self.GetScale(); })
-    .def("SetAngle", &SimilarityType::SetAngle, py::arg("angle"))
-    .def("GetAngle", [](const SimilarityType & self) { return self.GetAngle(); });
+    .def("SetScale", &SimilarityType::SetScale, py::arg("scale"), "Sets the scale factor, no unit.")
+    .def(
+      "GetScale", [](const SimilarityType & self) { return self.GetScale(); }, "Returns the scale factor, no unit.")
+    .def("SetAngle", &SimilarityType::SetAngle, py::arg("angle"), "Sets the angle of rotation, rad.")
+    .def(
+      "GetAngle", [](const SimilarityType & self) { return self.GetAngle(); }, "Returns the angle of rotation, rad.");
   DefineTransform(similarity);
 
   py::class_<RigidType, BaseType, itk::SmartPointer<RigidType>> rigid(
@@ -324,7 +350,9 @@ matrix : (4, 4) or (3, 4) array, optional
       }
       return transform;
     },
-    py::arg("fileName"));
+    py::arg("fileName"),
+    "Reads a transform of any kind that the package knows from an ITK transform file (.tfm, "
+    ".txt).");
   module.def(
     "WriteTransform",
     [](const BaseType & transform, const std::string & fileName) {
@@ -338,6 +366,7 @@ matrix : (4, 4) or (3, 4) array, optional
       itk::WriteFileAtomically(fileName, memory.GetContent());
     },
     py::arg("transform"),
-    py::arg("fileName"));
+    py::arg("fileName"),
+    "Writes a transform to an ITK transform file (.tfm, .txt).");
 }
 } // namespace dentalscr

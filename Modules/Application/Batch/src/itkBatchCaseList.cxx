@@ -204,7 +204,7 @@ BatchCaseList::AddFolder(const std::string & folder, std::vector<BatchCase> & ca
 void
 BatchCaseList::AddTable(const std::string & fileName, std::vector<BatchCase> & cases)
 {
-  const Table table(ReadTextFile(fileName, "table of cases"), fileName);
+  const Table table(ReadTextFile(fileName, "a table of cases"), fileName);
   if (table.rows.size() < 2)
   {
     itkDentalInputErrorMacro(fileName, "", "has no row of a case", "give a header and a row a case");

@@ -27,21 +27,6 @@ namespace itk
 {
 class OutputFolder;
 
-/** Adds the landmark errors: the only place where 2-D landmarks meet a result. With a bisected tracing the errors are
- * those of the middle between a right and its left landmark.
- *
- * \ingroup CaseRegistration */
-CaseRegistration_EXPORT void
-MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked);
-
-/** The text of result.json (Documentation/FileFormats.md). \ingroup CaseRegistration */
-CaseRegistration_EXPORT std::string
-                        CaseResultToJson(const CaseResult & result);
-
-/** The text of a list of findings as it stands there. \ingroup CaseRegistration */
-CaseRegistration_EXPORT std::string
-                        FindingsToJson(const std::vector<RegistrationFinding> & findings);
-
 /** \struct CaseOutputOptions
  * \brief What of a result is written. \ingroup CaseRegistration */
 struct CaseOutputOptions

@@ -47,11 +47,18 @@ ComputeFileSHA256(const std::string & fileName)
     sha256_update(&context, count, block.data());
     left -= count;
   }
-  const auto problem = file.GetProblem();
-  if ((problem != InputFile::ProblemEnum::None && problem != InputFile::ProblemEnum::Empty) ||
-      file.GetSystemError() != 0)
+  const auto error = DescribeProblem(file, "a file of a case");
+  // What reads it says whether it may be empty.
+  if (error && file.GetProblem() != InputFile::ProblemEnum::Empty)
   {
-    itkDentalInputErrorMacro(fileName, "", "cannot be read", "check the name and the permissions");
+    itkDentalInputErrorMacro(fileName, "", error->what(), error->GetRemedy());
+  }
+  if (file.GetSystemError() != 0)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             "",
+                             "it cannot be read (system error " + std::to_string(file.GetSystemError()) + ')',
+                             "check the medium");
   }
   if (left > 0 || file.HasChanged())
   {

@@ -17,9 +17,9 @@
  *=========================================================================*/
 #include "itkCaseLandmarkErrorFilter.h"
 
-#include "itkCaseResultWriter.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalLandmarkFileReader.h"
+#include "itkMeasureLandmarkErrors.h"
 
 #include <filesystem>
 #include <memory>
@@ -72,48 +72,37 @@ void
 CaseLandmarkErrorFilter::GenerateData()
 {
   CaseResult result = this->GetInput()->Get();
-  if (result.data && !result.data->description.landmarks2DFile.empty())
-  {
-    const DentalCase & description = result.data->description;
+  // Of the first radiograph, or of a view: nothing before this has opened the file.
+  const auto measure = [&result](const std::string & field, CaseResult & own) {
+    const DentalCase & description = own.data->description;
     auto               reader = DentalLandmarkFileReader<2>::New();
     reader->SetFileName(description.landmarks2DFile);
     if (description.numbering)
     {
       reader->SetNumbering(*description.numbering);
     }
-    PrepareReader(result.data->description, *result.data, *reader);
+    PrepareReader(description, *own.data, *reader);
     reader->Update();
-    // Nothing before this has opened the file.
-    result.inputs.push_back(MakeCaseInputFile(
-      "landmarks_2d", description.landmarks2DFile, std::filesystem::path(description.fileName).parent_path().string()));
+    result.inputs.push_back(
+      MakeCaseInputFile(field,
+                        description.landmarks2DFile,
+                        std::filesystem::path(result.data->description.fileName).parent_path().string()));
     result.warnings.insert(result.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
-    MeasureLandmarkErrors(result, reader->GetOutput());
-    result.markedLandmarks = reader->GetOutput();
+    MeasureLandmarkErrors(own, reader->GetOutput());
+    own.markedLandmarks = reader->GetOutput();
+  };
+  if (result.data && !result.data->description.landmarks2DFile.empty())
+  {
+    measure("landmarks_2d", result);
   }
   for (CaseViewResult & view : result.views)
   {
-    const std::string & fileName = view.result->data->description.landmarks2DFile;
-    if (fileName.empty())
+    if (!view.result->data->description.landmarks2DFile.empty())
     {
-      continue;
+      // Its own: what it came from goes on without errors.
+      view.result = std::make_shared<CaseResult>(*view.result);
+      measure("views." + view.name + ".landmarks_2d", *view.result);
     }
-    // Its own: what it came from goes on without errors.
-    view.result = std::make_shared<CaseResult>(*view.result);
-    auto reader = DentalLandmarkFileReader<2>::New();
-    reader->SetFileName(fileName);
-    if (view.result->data->description.numbering)
-    {
-      reader->SetNumbering(*view.result->data->description.numbering);
-    }
-    reader->SetImageFileName(view.result->data->description.imageFile);
-    reader->Update();
-    result.inputs.push_back(
-      MakeCaseInputFile("views." + view.name + ".landmarks_2d",
-                        fileName,
-                        std::filesystem::path(result.data->description.fileName).parent_path().string()));
-    result.warnings.insert(result.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
-    MeasureLandmarkErrors(*view.result, reader->GetOutput());
-    view.result->markedLandmarks = reader->GetOutput();
   }
   this->GetOutput()->Set(result);
 }

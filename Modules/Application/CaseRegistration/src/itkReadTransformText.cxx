@@ -89,7 +89,7 @@ std::string
 ReadTransformText(const std::string & fileName)
 {
   constexpr std::size_t longest = std::size_t{ 1 } << 16;
-  const std::string     text = ReadTextFile(fileName, "transform", longest);
+  const std::string     text = ReadTextFile(fileName, "a transform file", longest);
   const auto            fail = [&fileName](const std::string & problem) {
     itkDentalInputErrorMacro(fileName,
                              "",

@@ -20,6 +20,7 @@
 
 #include "itkCaseRegistration.h"
 #include "itkCaseResultWriter.h"
+#include "itkMeasureLandmarkErrors.h"
 #include "itkDentalPhantomCaseSource.h"
 
 #include <algorithm>

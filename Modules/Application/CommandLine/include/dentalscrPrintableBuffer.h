@@ -30,7 +30,7 @@ namespace dentalscr
  * Names of files, teeth and landmarks come from others; with an escape sequence in them they could move the cursor,
  * colour what follows or make a terminal answer. New lines and tabs pass, and so does every letter of every language in
  * UTF-8; other control characters, of ASCII and of Unicode, those that turn the direction of writing among them, and
- * bytes that are no UTF-8 appear as \xNN. */
+ * bytes that are no UTF-8 appear as `\\xNN`. */
 class PrintableBuffer : public std::streambuf
 {
 public:

@@ -18,6 +18,7 @@
 #include "dentalscrCommands.h"
 #include "dentalscrScanOptions.h"
 
+#include "itkCaseResultToJson.h"
 #include "itkCaseResultWriter.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkMakeDentalFrameTransform.h"

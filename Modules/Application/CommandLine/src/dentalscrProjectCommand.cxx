@@ -76,7 +76,7 @@ std::vector<NamedPoint>
 ReadPoints(const ProjectOptions & options)
 {
   std::vector<NamedPoint> points;
-  const std::string       text = itk::ReadTextFile(options.points, "points");
+  const std::string       text = itk::ReadTextFile(options.points, "a table of points");
   const std::size_t       first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
   const bool              isOwn = first != std::string::npos && text[first] == '{' &&
                      text.find("\"markups\"") == std::string::npos && text.find("\"shapes\"") == std::string::npos;

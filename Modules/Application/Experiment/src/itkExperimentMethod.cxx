@@ -19,7 +19,7 @@
 
 #include "itkDescribePlainly.h"
 #include "itkCaseRegistration.h"
-#include "itkCaseResultWriter.h"
+#include "itkMeasureLandmarkErrors.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkGeometryPlacementFilter.h"
 #include "itkIntensityRegistrationMethod.h"

@@ -19,7 +19,7 @@
 #include "itkExperimentRecord.h"
 
 #include "itkCaseRegistration.h"
-#include "itkCaseResultWriter.h"
+#include "itkMeasureLandmarkErrors.h"
 
 #include <gtest/gtest.h>
 

@@ -23,16 +23,39 @@
 #include <sys/stat.h>
 
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace itk
 {
+/** \class InputFileError
+ * \brief Why a file can't be read, and what to do about it; whoever named the file puts its name to it.
+ *
+ * \ingroup DentalCommon
+ */
+class DentalCommon_EXPORT InputFileError : public std::runtime_error
+{
+public:
+  InputFileError(const std::string & problem, const std::string & remedy);
+  ~InputFileError() override;
+
+  const std::string &
+  GetRemedy() const
+  {
+    return m_Remedy;
+  }
+
+private:
+  std::string m_Remedy;
+};
+
 /** \class InputFile
  * \brief A regular file that is open for reading: the one door through which the toolkit reads files.
  *
  * Opening never waits: a named pipe, a device, a socket or a folder is none, and neither is what the kernel makes up
  * (/proc has files of no length that never end). Reading doesn't map: a file that is cut short meanwhile is an error
- * and no signal. Whoever opens it puts the problem into words.
+ * and no signal. DescribeProblem() puts what is wrong into words.
  *
  * \ingroup DentalCommon
  */
@@ -89,6 +112,23 @@ private:
   struct stat m_Status
   {};
 };
+
+/** Why a file that was opened holds nothing to be read; none where it does.
+ *
+ * \param what What it should have been, with its article: "a scan", "a JSON file". \ingroup DentalCommon */
+DentalCommon_EXPORT std::optional<InputFileError>
+                    DescribeProblem(const InputFile & file, const std::string & what);
+
+/** All of its bytes, as many as GetSize() says. Throws an InputFileError where it can't be read or is another one after
+ * than before. For who has memory of another kind than a string's; DescribeProblem() comes first. \ingroup DentalCommon
+ */
+DentalCommon_EXPORT void
+ReadWhole(InputFile & file, void * data);
+
+/** All of its bytes. Throws an InputFileError for what DescribeProblem() says, for a file of more bytes than given, and
+ * for one that is another one after than before. \ingroup DentalCommon */
+DentalCommon_EXPORT std::string
+                    ReadWhole(InputFile & file, const std::string & what, std::size_t maximumSize);
 
 /** The first bytes of a file, to tell its format by; nothing of what is no regular file. \ingroup DentalCommon */
 DentalCommon_EXPORT std::string

@@ -21,14 +21,16 @@
 #include "DentalCommonExport.h"
 
 #include <string>
+#include <string_view>
 
 namespace itk
 {
 /** \class MemoryFile
- * \brief A file in memory with a name, for libraries that only write to names.
+ * \brief A file in memory with a name, for libraries that only write to names, and only read from them.
  *
  * Image libraries don't survive a full disk: libpng ends the process, MetaIO says nothing. They write here, where there
- * is room, and OutputFile writes their bytes to the disk.
+ * is room, and OutputFile writes their bytes to the disk. And they open a file again that was looked at: what they read
+ * from here is what was looked at, whatever has become of the file meanwhile.
  *
  * \ingroup DentalCommon
  */
@@ -48,6 +50,17 @@ public:
   {
     return m_Name;
   }
+
+  /** Of the process; to be handed to another one. */
+  int
+  GetDescriptor() const
+  {
+    return m_File;
+  }
+
+  /** Writes all of it anew. */
+  void
+  SetContent(std::string_view content);
 
   /** All that was written. */
   std::string

@@ -24,6 +24,13 @@
 
 namespace itk
 {
+InputFileError::InputFileError(const std::string & problem, const std::string & remedy)
+  : std::runtime_error(problem)
+  , m_Remedy(remedy)
+{}
+
+InputFileError::~InputFileError() = default;
+
 InputFile::InputFile(const std::string & fileName)
 {
   // Not blocking: opening a named pipe would wait for a writer for ever. Not the terminal of this process, either.
@@ -86,6 +93,64 @@ InputFile::HasChanged() const
   {};
   return m_File < 0 || ::fstat(m_File, &now) != 0 || now.st_size != m_Status.st_size ||
          now.st_mtim.tv_sec != m_Status.st_mtim.tv_sec || now.st_mtim.tv_nsec != m_Status.st_mtim.tv_nsec;
+}
+
+std::optional<InputFileError>
+DescribeProblem(const InputFile & file, const std::string & what)
+{
+  using ProblemEnum = InputFile::ProblemEnum;
+  switch (file.GetProblem())
+  {
+    case ProblemEnum::None:
+      return std::nullopt;
+    case ProblemEnum::Missing:
+      return InputFileError("there is no such file", "check the path; in a case file it is relative to that file");
+    case ProblemEnum::Forbidden:
+      return InputFileError("there is no permission to read it", "check its permissions and those of its folder");
+    case ProblemEnum::Folder:
+      return InputFileError("this is a directory, not " + what, "name the file in it");
+    case ProblemEnum::NotRegular:
+      return InputFileError("this is not a regular file but a pipe, a socket or a device",
+                            "write what it gives to a file first, and name that");
+    case ProblemEnum::Empty:
+      return InputFileError("the file is empty (0 bytes)", "export or copy it again");
+    default:
+      // Not strerror: it speaks the locale's language and is not safe with threads.
+      return InputFileError("it cannot be opened (system error " + std::to_string(file.GetSystemError()) + ')',
+                            "check the path and the permissions");
+  }
+}
+
+void
+ReadWhole(InputFile & file, void * data)
+{
+  const bool isWhole = file.Read(data, file.GetSize()) == file.GetSize();
+  if (!isWhole && file.GetSystemError() != 0)
+  {
+    throw InputFileError("it cannot be read (system error " + std::to_string(file.GetSystemError()) + ')',
+                         "check the medium");
+  }
+  if (!isWhole || file.HasChanged())
+  {
+    throw InputFileError("it was changed while it was read", "start again when it is written completely");
+  }
+}
+
+std::string
+ReadWhole(InputFile & file, const std::string & what, std::size_t maximumSize)
+{
+  if (const auto error = DescribeProblem(file, what))
+  {
+    throw InputFileError(*error);
+  }
+  if (file.GetSize() > maximumSize)
+  {
+    throw InputFileError("it is longer than " + std::to_string(maximumSize) + " bytes, too long for " + what,
+                         "check that this is the right file");
+  }
+  std::string bytes(file.GetSize(), '\0');
+  ReadWhole(file, &bytes[0]);
+  return bytes;
 }
 
 std::string

@@ -73,6 +73,23 @@ MemoryFile::~MemoryFile()
   ::close(m_File);
 }
 
+void
+MemoryFile::SetContent(std::string_view content)
+{
+  bool isWritten = ::ftruncate(m_File, 0) == 0;
+  for (std::size_t done = 0; isWritten && done < content.size();)
+  {
+    const ::ssize_t count = ::pwrite(m_File, content.data() + done, content.size() - done, static_cast<::off_t>(done));
+    isWritten = count > 0 || (count < 0 && errno == EINTR);
+    done += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+  if (!isWritten)
+  {
+    itkGenericExceptionMacro("There is no memory for a file of " << content.size()
+                                                                 << " bytes: " << std::strerror(errno));
+  }
+}
+
 std::string
 MemoryFile::GetContent() const
 {

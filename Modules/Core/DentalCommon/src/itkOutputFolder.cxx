@@ -133,18 +133,30 @@ OutputFolder::~OutputFolder()
 const std::string &
 OutputFolder::GetStagingFolder()
 {
-  if (m_Staging.empty())
+  // Again where a sweep has found it before it was locked.
+  for (unsigned int attempt = 0; m_Staging.empty(); ++attempt)
   {
     const std::string staging = MakeTemporaryName(m_Path);
     if (::mkdir(staging.c_str(), 0777) != 0)
     {
       Fail(m_Path, std::strerror(errno));
     }
-    m_Staging = staging;
     m_StagingLock = ::open(staging.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int why = m_StagingLock < 0 ? errno : ENOENT;
+    if (m_StagingLock >= 0 && LockTemporary(m_StagingLock))
+    {
+      m_Staging = staging;
+      break;
+    }
     if (m_StagingLock >= 0)
     {
-      LockTemporary(m_StagingLock);
+      ::close(m_StagingLock);
+    }
+    // Of one that is there and can't be opened nothing was swept.
+    if (why != ENOENT || attempt == 100)
+    {
+      ::rmdir(staging.c_str());
+      Fail(m_Path, std::strerror(why));
     }
   }
   return m_Staging;

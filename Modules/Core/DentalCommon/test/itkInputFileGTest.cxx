@@ -41,6 +41,70 @@ TEST(InputFile, OpensNothingButRegularFilesAndNeverWaits)
   EXPECT_EQ(itk::ReadFileHead(pipe, 10), "");
 }
 
+namespace
+{
+/** What ReadWhole() throws. */
+itk::InputFileError
+ErrorOf(const std::string & path, std::size_t maximumSize = 100)
+{
+  try
+  {
+    itk::InputFile file(path);
+    itk::ReadWhole(file, "a scan", maximumSize);
+  }
+  catch (const itk::InputFileError & error)
+  {
+    return error;
+  }
+  ADD_FAILURE() << "no InputFileError for " << path;
+  return itk::InputFileError("none", "none");
+}
+} // namespace
+
+TEST(InputFile, SaysWhyNothingIsRead)
+{
+  const std::string pipe = itk::TestFolder() + "/pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string whole = itk::WriteTestFile("whole", "0123456789");
+  for (const auto & [path, words] :
+       { std::pair<std::string, std::string>{ pipe, "this is not a regular file but a pipe" },
+         { itk::TestFolder(), "this is a directory, not a scan" },
+         { itk::TestFolder() + "/none", "there is no such file" },
+         { whole + "/none", "there is no such file" },
+         { itk::WriteTestFile("empty", ""), "the file is empty (0 bytes)" },
+         { itk::TestFolder() + '/' + std::string(300, 'x'), "it cannot be opened (system error 36)" } })
+  {
+    const itk::InputFileError error = ErrorOf(path);
+    EXPECT_TRUE(itk::Contains(error.what(), words)) << error.what();
+    EXPECT_FALSE(error.GetRemedy().empty()) << path;
+  }
+  EXPECT_TRUE(itk::Contains(ErrorOf(whole, 9).what(), "longer than 9 bytes, too long for a scan"));
+  itk::InputFile file(whole);
+  EXPECT_FALSE(itk::DescribeProblem(file, "a scan"));
+  EXPECT_EQ(itk::ReadWhole(file, "a scan", 10), "0123456789");
+}
+
+TEST(InputFile, IsReadWholeOrIsAnError)
+{
+  const std::string path = itk::WriteTestFile("file", "0123456789");
+  itk::InputFile    cut(path);
+  ASSERT_EQ(truncate(path.c_str(), 5), 0);
+  itk::InputFile longer(path);
+  ASSERT_EQ(truncate(path.c_str(), 8), 0);
+  for (itk::InputFile * file : { &cut, &longer })
+  {
+    try
+    {
+      itk::ReadWhole(*file, "a scan", 100);
+      FAIL();
+    }
+    catch (const itk::InputFileError & error)
+    {
+      EXPECT_TRUE(itk::Contains(error.what(), "was changed while it was read")) << error.what();
+    }
+  }
+}
+
 TEST(InputFile, ReadsItsBytesAndNoMore)
 {
   const std::string path = itk::WriteTestFile("file", "0123456789");
@@ -65,6 +129,18 @@ TEST(InputFile, NoticesThatAFileIsCutShortOrWrittenOver)
   EXPECT_EQ(file.Read(bytes, 10), 5u);
   EXPECT_EQ(file.GetSystemError(), 0);
   EXPECT_TRUE(file.HasChanged());
+}
+
+TEST(MemoryFile, IsReadByItsNameAgainAndAgain)
+{
+  itk::MemoryFile file;
+  for (const std::string content : { "content", "less", "" })
+  {
+    file.SetContent(content);
+    EXPECT_EQ(itk::ReadTestFile(file.GetName()), content);
+    EXPECT_EQ(itk::ReadTestFile(file.GetName()), content);
+    EXPECT_EQ(file.GetContent(), content);
+  }
 }
 
 TEST(MemoryFile, HoldsWhatIsWrittenToItsName)

@@ -26,7 +26,8 @@
 namespace itk
 {
 /** The whole of a small file. Throws DentalInputError for a file that is missing, no regular file, not readable, empty,
- * longer than the cap, or changed while it is read; `what` names in the messages what was expected, e.g. "JSON".
+ * longer than the cap, or changed while it is read; `what` names in the messages what was expected, with its article:
+ * "a JSON file".
  *
  * \ingroup Annotation */
 Annotation_EXPORT std::string

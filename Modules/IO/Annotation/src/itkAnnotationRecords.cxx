@@ -561,7 +561,7 @@ ReadHeader(const std::string &              fileName,
 std::vector<CSVRow>
 ReadCSV(const std::string & fileName, unsigned int dimension, std::vector<std::string> & warnings)
 {
-  std::string text = ReadTextFile(fileName, "CSV");
+  std::string text = ReadTextFile(fileName, "a CSV file");
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0)
   {
     text.erase(0, 3);

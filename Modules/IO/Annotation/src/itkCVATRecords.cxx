@@ -285,7 +285,7 @@ ReadSize(const std::string & fileName, const Picture & picture, const char * nam
 AnnotationRecords
 ReadCVATRecords(const std::string & fileName, const std::string & imageName)
 {
-  const std::string          text = ReadTextFile(fileName, "XML");
+  const std::string          text = ReadTextFile(fileName, "an XML file");
   const std::vector<Picture> pictures = Parser(fileName, text).Run();
   std::vector<std::string>   names;
   names.reserve(pictures.size());

@@ -237,7 +237,7 @@ struct Line
 std::vector<Line>
 ReadLines(const std::string & fileName)
 {
-  std::string text = ReadTextFile(fileName, "text");
+  std::string text = ReadTextFile(fileName, "a text file");
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0)
   {
     text.erase(0, 3);

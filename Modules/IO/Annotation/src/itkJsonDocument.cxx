@@ -472,7 +472,7 @@ JsonNode::Warn(const std::string & text) const
 JsonDocument
 JsonDocument::ReadFile(const std::string & fileName)
 {
-  return Parse(ReadTextFile(fileName, "JSON"), fileName);
+  return Parse(ReadTextFile(fileName, "a JSON file"), fileName);
 }
 
 JsonDocument

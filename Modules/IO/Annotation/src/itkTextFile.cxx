@@ -21,8 +21,6 @@
 #include "itkInputFile.h"
 #include "itkOutputFile.h"
 
-#include <cstring>
-
 namespace itk
 {
 std::string
@@ -30,53 +28,18 @@ ReadTextFile(const std::string & fileName, const std::string & what, std::size_t
 {
   if (fileName.empty())
   {
-    itkDentalInputErrorMacro("(no file name)", "", "no " + what + " file was named", "call SetFileName()");
-  }
-  using ProblemEnum = InputFile::ProblemEnum;
-  InputFile file(fileName);
-  switch (file.GetProblem())
-  {
-    case ProblemEnum::None:
-    case ProblemEnum::Empty:
-      break;
-    case ProblemEnum::Folder:
-      itkDentalInputErrorMacro(fileName, "", "is a directory, not a " + what + " file", "name the file in it");
-    case ProblemEnum::NotRegular:
-      itkDentalInputErrorMacro(
-        fileName, "", "is no regular file but a pipe, a socket or a device", "write what it gives to a file first");
-    default:
-      itkDentalInputErrorMacro(fileName,
-                               "",
-                               file.GetProblem() == ProblemEnum::Missing
-                                 ? "no such file"
-                                 : std::string("cannot be opened: ") + std::strerror(file.GetSystemError()),
-                               "check the path; in a case file it is relative to that file");
-  }
-  if (file.GetSize() > maximumSize)
-  {
-    itkDentalInputErrorMacro(fileName,
-                             "",
-                             "is longer than " + std::to_string(maximumSize) + " bytes, too long for a " + what +
-                               " file",
-                             "check that this is the right file");
-  }
-  std::string content(file.GetSize(), '\0');
-  const bool  isWhole = file.Read(&content[0], content.size()) == content.size();
-  if (!isWhole && file.GetSystemError() != 0)
-  {
     itkDentalInputErrorMacro(
-      fileName, "", std::string("reading failed: ") + std::strerror(file.GetSystemError()), "check the medium");
+      "(no file name)", "", "no file was named where " + what + " is read", "call SetFileName()");
   }
-  if (!content.empty() && (!isWhole || file.HasChanged()))
+  try
   {
-    itkDentalInputErrorMacro(
-      fileName, "", "was changed while it was read", "start again when it is written completely");
+    InputFile file(fileName);
+    return ReadWhole(file, what, maximumSize);
   }
-  if (content.empty())
+  catch (const InputFileError & error)
   {
-    itkDentalInputErrorMacro(fileName, "", "is empty", "write the " + what + " file again");
+    itkDentalInputErrorMacro(fileName, "", error.what(), error.GetRemedy());
   }
-  return content;
 }
 
 void

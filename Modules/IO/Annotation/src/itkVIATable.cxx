@@ -88,7 +88,7 @@ WithSingleQuotes(std::string cell)
 std::vector<Row>
 ReadRows(const std::string & fileName)
 {
-  const std::string      text = ReadTextFile(fileName, "CSV");
+  const std::string      text = ReadTextFile(fileName, "a CSV file");
   std::optional<Columns> columns;
   std::vector<Row>       rows;
   std::size_t            lineNumber = 0;

@@ -28,6 +28,7 @@
 #include "itkNrrdImageIO.h"
 #include "itkTIFFImageIO.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <exception>
@@ -44,29 +45,47 @@ namespace
 using itk::DecoderProtocol::Head;
 using itk::DecoderProtocol::OutcomeEnum;
 
+/** Lowers a limit; a host may have set a lower one, which stays: to raise it would fail, and leave no limit of ours. */
+void
+Limit(int what, ::rlim_t soft, ::rlim_t hard)
+{
+  const auto resource = static_cast<__rlimit_resource>(what);
+  ::rlimit   limit{ RLIM_INFINITY, RLIM_INFINITY };
+  ::getrlimit(resource, &limit);
+  limit.rlim_max = std::min(hard, limit.rlim_max);
+  limit.rlim_cur = std::min(soft, std::min(limit.rlim_cur, limit.rlim_max));
+  ::setrlimit(resource, &limit);
+}
+
 void
 Limit(int what, ::rlim_t value)
 {
-  const ::rlimit limit{ value, value };
-  ::setrlimit(static_cast<__rlimit_resource>(what), &limit);
+  Limit(what, value, value);
 }
 
 void
 LimitYourself()
 {
-  // It ends with who has started it.
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // No PR_SET_PDEATHSIG: it fires when the thread that has started this process ends, which may be long before the
+  // program does. Of a program that has ended the socket is closed: waiting ends, and so does writing.
   ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
 #if !defined(__SANITIZE_ADDRESS__)
   // The sanitizer keeps its books in terabytes of addresses.
   Limit(RLIMIT_AS, itk::DecoderProtocol::MemoryLimit);
 #endif
-  Limit(RLIMIT_CPU, itk::DecoderProtocol::SecondsLimit);
+  // At the soft limit SIGXCPU ends this process, by which its end is told from others, and at the hard one SIGKILL:
+  // were they the same, SIGKILL would come first. Who has started it may ignore or block the signal, and both are
+  // inherited.
+  ::signal(SIGXCPU, SIG_DFL);
+  ::sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  Limit(RLIMIT_CPU, itk::DecoderProtocol::SecondsLimit, itk::DecoderProtocol::SecondsLimit + 1);
   // No file of any length is written: sockets are not counted.
   Limit(RLIMIT_FSIZE, 0);
   Limit(RLIMIT_CORE, 0);
   Limit(RLIMIT_NPROC, 0);
-  for (int file = STDERR_FILENO + 1; file < 1024; ++file)
+  for (int file = itk::DecoderProtocol::FileDescriptor + 1; file < 1024; ++file)
   {
     ::close(file);
   }

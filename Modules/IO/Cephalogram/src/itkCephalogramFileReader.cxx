@@ -249,7 +249,7 @@ void
 CephalogramFileReader::ReadHeaderSpacing()
 {
   const ImageIOBase &         imageIO = *m_File->GetImageIO();
-  const std::string           header = ReadRadiographTextHeader(m_FileName);
+  const std::string           header = m_File->GetTextHeader();
   const std::array<double, 2> spacing{ { imageIO.GetSpacing(0), imageIO.GetSpacing(1) } };
   const std::string           text = "header spacing " + ToString(spacing[0]) + ' ' + ToString(spacing[1]);
   std::string &               provenance = m_Provenance["pixel_spacing"];
@@ -386,6 +386,16 @@ CephalogramFileReader::GenerateData()
 {
   this->AllocateOutputs();
   this->UpdateProgress(0.0f);
+  if (!m_File)
+  {
+    // Asked for its pixels again: they were released.
+    m_File = std::make_shared<const RadiographFile>(m_FileName, RadiographFile::PaletteEnum::Colours);
+    if (m_File->GetSize() != this->GetOutput()->GetLargestPossibleRegion().GetSize())
+    {
+      m_File.reset();
+      itkDentalInputErrorMacro(m_FileName, "", "was changed since its header was read", "read it again");
+    }
+  }
   const std::vector<char> pixels = m_File->Decode();
   const unsigned int      components = m_File->GetNumberOfComponents();
   const double            full = m_File->GetLargestValue();
@@ -411,6 +421,8 @@ CephalogramFileReader::GenerateData()
     const float white = *std::max_element(grey, end);
     std::transform(grey, end, grey, [white](float value) { return white - value; });
   }
+  // It holds the file's bytes.
+  m_File.reset();
   this->UpdateProgress(1.0f);
 }
 

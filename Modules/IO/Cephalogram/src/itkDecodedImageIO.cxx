@@ -91,7 +91,7 @@ NeedsMemory()
 class DecodedImageIO::Process
 {
 public:
-  Process(const std::string & fileName, RadiographFileFormatEnum format, bool expandsPalette);
+  Process(int file, RadiographFileFormatEnum format, bool expandsPalette);
   ~Process() { this->End(); }
   Process(const Process &) = delete;
   Process &
@@ -126,7 +126,7 @@ private:
   std::chrono::steady_clock::time_point m_Deadline;
 };
 
-DecodedImageIO::Process::Process(const std::string & fileName, RadiographFileFormatEnum format, bool expandsPalette)
+DecodedImageIO::Process::Process(int file, RadiographFileFormatEnum format, bool expandsPalette)
 {
   const std::string program = FindProgram();
   int               sockets[2];
@@ -135,16 +135,29 @@ DecodedImageIO::Process::Process(const std::string & fileName, RadiographFileFor
     throw std::runtime_error(std::string("no decoder can be started: ") + std::strerror(errno));
   }
   // Never fork(): what another thread holds at that moment, a lock of malloc() for one, it would hold for ever there.
+  // Above those that they become there, which each step would close; a host may have closed its own standard streams.
+  const int                    theirs = ::fcntl(sockets[1], F_DUPFD_CLOEXEC, DecoderProtocol::FileDescriptor + 1);
+  const int                    image = ::fcntl(file, F_DUPFD_CLOEXEC, DecoderProtocol::FileDescriptor + 1);
   ::posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, sockets[1], STDIN_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, sockets[1], STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, theirs, STDIN_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, theirs, STDOUT_FILENO);
   ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  std::string words[] = { program, ToString(format), expandsPalette ? "colours" : "numbers", fileName };
+  ::posix_spawn_file_actions_adddup2(&actions, image, DecoderProtocol::FileDescriptor);
+  std::string words[] = { program,
+                          ToString(format),
+                          expandsPalette ? "colours" : "numbers",
+                          "/proc/self/fd/" + std::to_string(DecoderProtocol::FileDescriptor) };
   char *      arguments[] = { &words[0][0], &words[1][0], &words[2][0], &words[3][0], nullptr };
   const int   error = ::posix_spawn(&m_Process, program.c_str(), &actions, nullptr, arguments, environ);
   ::posix_spawn_file_actions_destroy(&actions);
-  ::close(sockets[1]);
+  for (const int descriptor : { sockets[1], theirs, image })
+  {
+    if (descriptor >= 0)
+    {
+      ::close(descriptor);
+    }
+  }
   m_Socket = sockets[0];
   if (error != 0)
   {
@@ -263,7 +276,7 @@ void
 DecodedImageIO::ReadImageInformation()
 {
   m_Process = nullptr;
-  auto       process = std::make_unique<Process>(m_FileName, m_Format, this->GetExpandRGBPalette());
+  auto       process = std::make_unique<Process>(m_File, m_Format, this->GetExpandRGBPalette());
   const Head head = process->Receive<Head>();
   if (head.outcome == OutcomeEnum::OutOfMemory)
   {
@@ -341,6 +354,7 @@ DecodedImageIO::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "Format: " << ToString(m_Format) << std::endl;
+  os << indent << "File: " << m_File << std::endl;
   os << indent << "Bytes: " << m_Bytes << std::endl;
   os << indent << "Process: " << (m_Process == nullptr ? "none" : "waiting") << std::endl;
 }

@@ -53,6 +53,14 @@ public:
     m_Format = format;
   }
 
+  /** The file that is decoded, open and in memory, which the process can open again by its descriptor; it has to stay
+   * open until ReadImageInformation() returns. The name is for messages alone. */
+  void
+  SetFile(int descriptor)
+  {
+    m_File = descriptor;
+  }
+
   bool
   CanReadFile(const char *) override
   {
@@ -84,6 +92,7 @@ private:
   class Process;
 
   RadiographFileFormatEnum m_Format{ RadiographFileFormatEnum::DICOM };
+  int                      m_File{ -1 };
   std::uint64_t            m_Bytes{ 0 };
   std::unique_ptr<Process> m_Process;
 };

@@ -50,6 +50,9 @@ struct Head
   std::uint64_t bytes;
 };
 
+/** By which the program has the image: it knows no name of a file, and opens none. */
+constexpr int FileDescriptor = 3;
+
 /** What a decoder may use. Every image that is read fits: of the most pixels (CephalogramFileReader) in four values of
  * 16 bits it is half a GiB, and some decoders hold it twice. */
 constexpr std::uint64_t MemoryLimit = std::uint64_t{ 3 } << 29;

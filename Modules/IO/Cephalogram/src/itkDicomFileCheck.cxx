@@ -18,7 +18,6 @@
 #include "itkDicomFileCheck.h"
 
 #include "itkDentalInputError.h"
-#include "itkInputFile.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -26,7 +25,7 @@
 #include <cstring>
 #include <map>
 #include <stdexcept>
-#include <vector>
+#include <string_view>
 
 namespace itk
 {
@@ -64,7 +63,7 @@ struct Element
 class Walker
 {
 public:
-  explicit Walker(const std::vector<char> & bytes)
+  explicit Walker(std::string_view bytes)
     : m_Bytes(bytes)
   {}
 
@@ -393,18 +392,15 @@ private:
     }
   }
 
-  const std::vector<char> &       m_Bytes;
+  std::string_view                m_Bytes;
   std::map<uint32_t, std::string> m_Meta;
   std::map<uint32_t, std::string> m_Values;
 };
 } // namespace
 
 void
-VerifyDicomFile(const std::string & fileName)
+VerifyDicomFile(const std::string & fileName, std::string_view bytes)
 {
-  InputFile         file(fileName);
-  std::vector<char> bytes(file.GetSize());
-  bytes.resize(bytes.empty() ? 0 : file.Read(bytes.data(), bytes.size()));
   try
   {
     Walker(bytes).Walk();

@@ -19,6 +19,7 @@
 #define itkDicomFileCheck_h
 
 #include <string>
+#include <string_view>
 
 namespace itk
 {
@@ -27,7 +28,7 @@ namespace itk
  * is cut off or nested wrongly, for an unknown VR or transfer syntax, and for pixels that do not fit their description.
  */
 void
-VerifyDicomFile(const std::string & fileName);
+VerifyDicomFile(const std::string & fileName, std::string_view bytes);
 } // namespace itk
 
 #endif

@@ -17,8 +17,6 @@
  *=========================================================================*/
 #include "itkExifOrientation.h"
 
-#include "itkInputFile.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -29,8 +27,7 @@ namespace itk
 {
 namespace
 {
-/** In memory: a file may have a segment or a fill byte at each byte, and each would cost a read of its own. Segments
- * have at most 64 KiB, and one or two stand before Exif's. */
+/** Segments have at most 64 KiB, and one or two stand before Exif's. */
 constexpr std::size_t HeadSize = std::size_t{ 1 } << 18;
 
 /** A number of the bytes, in either order; 0 where they end before it. */
@@ -79,11 +76,10 @@ FindExif(std::string_view bytes)
 } // namespace
 
 unsigned int
-ReadExifOrientation(const std::string & fileName)
+ReadExifOrientation(std::string_view jpeg)
 {
-  const std::string head = ReadFileHead(fileName, HeadSize);
   // The block is a TIFF of which only the first directory counts here.
-  const std::string_view block = FindExif(head);
+  const std::string_view block = FindExif(jpeg.substr(0, HeadSize));
   const bool             bigEndian = block.substr(0, 2) == "MM";
   if ((!bigEndian && block.substr(0, 2) != "II") || GetNumber(block, 2, 2, bigEndian) != 42)
   {

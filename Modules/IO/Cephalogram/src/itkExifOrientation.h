@@ -18,7 +18,7 @@
 #ifndef itkExifOrientation_h
 #define itkExifOrientation_h
 
-#include <string>
+#include <string_view>
 
 namespace itk
 {
@@ -26,7 +26,7 @@ namespace itk
  * 1, as it is, to 8. 1 where it does not say it. Exif stands at the beginning; behind the first 256 KiB nobody looks
  * for it. */
 unsigned int
-ReadExifOrientation(const std::string & fileName);
+ReadExifOrientation(std::string_view jpeg);
 } // namespace itk
 
 #endif

@@ -159,10 +159,16 @@ GetTraits(IOComponentEnum type)
 
 RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette)
   : m_FileName(fileName)
-  , m_Format(DetectRadiographFileFormat(fileName))
 {
-  VerifyRadiographFileIsComplete(fileName, m_Format, CephalogramFileReader::MaximumNumberOfPixels);
-  CallRadiographImageIO(fileName, ToString(m_Format), [&] { this->ReadInformation(palette); });
+  {
+    std::string bytes = ReadRadiographBytes(fileName);
+    m_Format = DetectRadiographFileFormat(fileName, bytes);
+    VerifyRadiographFileIsComplete(fileName, bytes, m_Format, CephalogramFileReader::MaximumNumberOfPixels);
+    CallRadiographImageIO(fileName, ToString(m_Format), [&] {
+      m_Memory.SetContent(bytes);
+      this->ReadInformation(bytes, palette);
+    });
+  }
   this->VerifySize();
   const bool mayHaveAlphaAlone = m_Format == Format::PNG || m_Format == Format::TIFF;
   if (m_Components != 1 && m_Components != 3 && m_Components != 4 && !(m_Components == 2 && mayHaveAlphaAlone))
@@ -178,15 +184,19 @@ RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette
 }
 
 void
-RadiographFile::ReadInformation(PaletteEnum palette)
+RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
 {
+  if (m_Format == Format::NRRD || m_Format == Format::MetaImage)
+  {
+    m_TextHeader = GetRadiographTextHeader(bytes);
+  }
   if (m_Format == Format::JPEG)
   {
-    m_Orientation = ReadExifOrientation(m_FileName);
+    m_Orientation = ReadExifOrientation(bytes);
   }
   else if (m_Format == Format::TIFF)
   {
-    m_TIFF = ReadTIFFLayout(m_FileName);
+    m_TIFF = ReadTIFFLayout(m_Memory.GetName());
     m_Orientation = m_TIFF ? m_TIFF->orientation : 1;
   }
   if (m_TIFF && m_TIFF->HasNumbers() && (m_TIFF->isGrey || palette == PaletteEnum::Numbers))
@@ -206,8 +216,7 @@ RadiographFile::ReadInformation(PaletteEnum palette)
                                " values a pixel of a kind that is not read",
                              "export it in grey alone");
   }
-  m_ImageIO = MakeRadiographImageIO(m_Format);
-  m_ImageIO->SetFileName(m_FileName);
+  m_ImageIO = MakeRadiographImageIO(m_Format, m_Memory);
   m_ImageIO->SetExpandRGBPalette(palette == PaletteEnum::Colours);
   m_ImageIO->ReadImageInformation();
   for (unsigned int i = 0; i < m_ImageIO->GetNumberOfDimensions(); ++i)
@@ -269,7 +278,7 @@ RadiographFile::Decode() const
   CallRadiographImageIO(m_FileName, ToString(m_Format), [&] {
     if (!m_ImageIO)
     {
-      pixels = ReadTIFFNumbers(m_FileName, *m_TIFF);
+      pixels = ReadTIFFNumbers(m_Memory.GetName(), *m_TIFF);
       return;
     }
     if (GetTraits(m_ComponentType).copy == nullptr)

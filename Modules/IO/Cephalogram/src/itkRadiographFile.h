@@ -18,6 +18,7 @@
 #ifndef itkRadiographFile_h
 #define itkRadiographFile_h
 
+#include "itkMemoryFile.h"
 #include "itkRadiographFileFormat.h"
 #include "itkTIFFLayout.h"
 
@@ -36,8 +37,10 @@ namespace itk
  * \brief Not installed. A file of pixels in the grid of a radiograph: what has to be checked and known before a pixel
  * of it can be trusted, whether it is the radiograph itself or a label map or mask of it.
  *
- * Opening reads no pixel. The picture is upright, as viewers show it: the file's orientation (TIFF, Exif in a JPEG) is
- * applied here and nowhere else. Numbers are those of the file, but for what ITK makes of a TIFF in colours.
+ * The file is read once, into memory, and what is decoded are the bytes that were checked: by its name another one
+ * could be opened meanwhile. Opening decodes no pixel. The picture is upright, as viewers show it: the file's
+ * orientation (TIFF, Exif in a JPEG) is applied here and nowhere else. Numbers are those of the file, but for what ITK
+ * makes of a TIFF in colours.
  *
  * Throws DentalInputError for what CephalogramFileReader says.
  */
@@ -95,6 +98,12 @@ public:
   /** Bits of a value. */
   unsigned int
   GetDepth() const;
+  /** The header of a NRRD or MetaImage as GetRadiographTextHeader() has it; "" of other formats. */
+  const std::string &
+  GetTextHeader() const
+  {
+    return m_TextHeader;
+  }
   /** For the header of formats that have one, which TIFF has not; may be null. */
   ImageIOBase *
   GetImageIO() const
@@ -113,11 +122,14 @@ public:
 
 private:
   void
-  ReadInformation(PaletteEnum palette);
+  ReadInformation(const std::string & bytes, PaletteEnum palette);
   void
   VerifySize() const;
 
-  std::string               m_FileName;
+  std::string m_FileName;
+  /** What was read and checked, for decoders. */
+  MemoryFile                m_Memory;
+  std::string               m_TextHeader;
   RadiographFileFormatEnum  m_Format{ RadiographFileFormatEnum::PNG };
   std::optional<TIFFLayout> m_TIFF;
   /** Null where the pixels are read without it. */

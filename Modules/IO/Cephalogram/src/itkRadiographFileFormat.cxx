@@ -39,40 +39,49 @@ namespace itk
 namespace
 {
 using Format = RadiographFileFormatEnum;
-using Bytes = std::vector<unsigned char>;
 
-Bytes
-ReadBytes(const std::string & fileName, std::size_t maximum)
+/** A radiograph of the most pixels that are read, in colours of 16 bits, has half. */
+constexpr std::size_t LongestFile = std::size_t{ 1 } << 30;
+/** In which a format is told. */
+constexpr std::size_t HeadSize = 4096;
+
+/** Bytes that belong to another, as numbers from 0 to 255. */
+class Bytes : public std::string_view
 {
-  InputFile file(fileName);
-  Bytes     bytes(std::min(maximum, file.GetSize()));
-  bytes.resize(bytes.empty() ? 0 : file.Read(bytes.data(), bytes.size()));
-  return bytes;
-}
+public:
+  Bytes(std::string_view bytes)
+    : std::string_view(bytes)
+  {}
+  unsigned char
+  operator[](std::size_t position) const
+  {
+    return static_cast<unsigned char>(*(this->data() + position));
+  }
+};
 
 bool
-StartsWith(const Bytes & bytes, const std::string & signature, std::size_t offset = 0)
+StartsWith(std::string_view bytes, const std::string & signature, std::size_t offset = 0)
 {
   return bytes.size() >= offset + signature.size() &&
          std::memcmp(bytes.data() + offset, signature.data(), signature.size()) == 0;
 }
 
 uint32_t
-BigEndian32(const Bytes & bytes, std::size_t offset)
+BigEndian32(Bytes bytes, std::size_t offset)
 {
   return (uint32_t{ bytes[offset] } << 24) | (uint32_t{ bytes[offset + 1] } << 16) |
          (uint32_t{ bytes[offset + 2] } << 8) | uint32_t{ bytes[offset + 3] };
 }
 
 uint32_t
-LittleEndian32(const Bytes & bytes, std::size_t offset)
+LittleEndian32(Bytes bytes, std::size_t offset)
 {
   return uint32_t{ bytes[offset] } | (uint32_t{ bytes[offset + 1] } << 8) | (uint32_t{ bytes[offset + 2] } << 16) |
          (uint32_t{ bytes[offset + 3] } << 24);
 }
 
 uint32_t
-CyclicRedundancyCheck(const unsigned char * bytes, std::size_t count)
+CyclicRedundancyCheck(Bytes bytes)
 {
   static const std::array<uint32_t, 256> table = [] {
     std::array<uint32_t, 256> values{};
@@ -88,7 +97,7 @@ CyclicRedundancyCheck(const unsigned char * bytes, std::size_t count)
     return values;
   }();
   uint32_t value = 0xffffffffu;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < bytes.size(); ++i)
   {
     value = table[(value ^ bytes[i]) & 255u] ^ (value >> 8);
   }
@@ -98,7 +107,7 @@ CyclicRedundancyCheck(const unsigned char * bytes, std::size_t count)
 /** Chunks whole, their checksums right, and a header that libpng accepts: in reading the information ITK has no answer
  * to libpng's errors, which then abort the program. */
 bool
-PNGIsComplete(const Bytes & bytes)
+PNGIsComplete(Bytes bytes)
 {
   constexpr uint32_t largest = 1000000;
   std::size_t        position = 8;
@@ -110,13 +119,12 @@ PNGIsComplete(const Bytes & bytes)
   {
     const std::size_t length = BigEndian32(bytes, position);
     if (length > bytes.size() - position - 12 ||
-        CyclicRedundancyCheck(bytes.data() + position + 4, length + 4) != BigEndian32(bytes, position + 8 + length))
+        CyclicRedundancyCheck(bytes.substr(position + 4, length + 4)) != BigEndian32(bytes, position + 8 + length))
     {
       return false;
     }
-    const std::string type(bytes.begin() + static_cast<std::ptrdiff_t>(position + 4),
-                           bytes.begin() + static_cast<std::ptrdiff_t>(position + 8));
-    const bool        first = position == 8;
+    const std::string_view type = bytes.substr(position + 4, 4);
+    const bool             first = position == 8;
     if (first != (type == "IHDR"))
     {
       return false;
@@ -172,7 +180,7 @@ PNGIsComplete(const Bytes & bytes)
 }
 
 bool
-JPEGIsComplete(const Bytes & bytes)
+JPEGIsComplete(Bytes bytes)
 {
   std::size_t position = 2;
   while (position + 2 <= bytes.size())
@@ -210,7 +218,7 @@ JPEGIsComplete(const Bytes & bytes)
 }
 
 bool
-BMPIsComplete(const Bytes & bytes)
+BMPIsComplete(Bytes bytes)
 {
   if (bytes.size() < 34)
   {
@@ -233,7 +241,7 @@ BMPIsComplete(const Bytes & bytes)
 
 /** Every value and every strip or tile of every directory lies in the file. BigTIFF is left to the decoder. */
 bool
-TIFFIsComplete(const Bytes & bytes)
+TIFFIsComplete(Bytes bytes)
 {
   const bool bigEndian = bytes[0] == 'M';
   const auto number = [&bytes, bigEndian](uint64_t offset, unsigned int count) {
@@ -310,32 +318,47 @@ TIFFIsComplete(const Bytes & bytes)
   return true;
 }
 
-/** What is wrong with the file that a header names for its pixels; empty where nothing is. A header comes from somebody
- * else: it may name a file beside it and no other one of who opens it, nor a pipe that is waited for. */
+/** The bytes of the file that a header names for its pixels. A header comes from somebody else: it may name a file
+ * beside it and no other one of who opens it, nor a pipe that is waited for. Throws a DentalInputError of the header's
+ * field.
+ */
 std::string
-FindDefectOfDataFile(const std::string & fileName, const std::string & dataFile)
+ReadDataFile(const std::string & fileName, const std::string & field, const std::string & dataFile)
 {
-  if (dataFile.find('/') != std::string::npos || dataFile.find('\\') != std::string::npos)
+  const std::string remedy = "save the image with its pixels in the same file";
+  const std::string name = '"' + dataFile.substr(0, 200) + '"';
+  if (LowerCase(dataFile).compare(0, 4, "list") == 0 || dataFile.find('%') != std::string::npos)
   {
-    return "\"" + dataFile.substr(0, 200) + "\" is not beside the header, in its folder";
+    itkDentalInputErrorMacro(fileName, field, "names several files", remedy);
   }
-  std::error_code ignored;
-  const auto      path = std::filesystem::path(fileName).parent_path() / dataFile;
-  if (!std::filesystem::is_regular_file(path, ignored))
+  if (dataFile.find_first_of("/\\") != std::string::npos || dataFile.find('\0') != std::string::npos)
   {
-    return "\"" + dataFile.substr(0, 200) + "\" is not there, or is no file";
+    itkDentalInputErrorMacro(fileName, field, name + " is not beside the header, in its folder", remedy);
   }
-  return std::string();
+  try
+  {
+    InputFile file((std::filesystem::path(fileName).parent_path() / dataFile).string());
+    return ReadWhole(file, "a file of pixels", LongestFile);
+  }
+  catch (const InputFileError & error)
+  {
+    itkDentalInputErrorMacro(fileName, field, name + ": " + error.what(), remedy);
+  }
 }
 
-/** The one check that ITK's decoder, which has a process of its own, doesn't make. */
+/** Finds where the pixels are, which ITK's decoder, that has a process of its own and checks all else, would open by
+ * their name. */
 void
-VerifyNrrd(const std::string & fileName)
+VerifyNrrd(const std::string & fileName, std::string & bytes)
 {
-  const Bytes        bytes = ReadBytes(fileName, 1u << 16);
-  std::istringstream header(std::string(bytes.begin(), bytes.end()));
-  for (std::string line; std::getline(header, line);)
+  std::string header;
+  std::string dataFile;
+  bool        isDetached = false;
+  for (std::size_t begin = 0; begin < bytes.size();)
   {
+    const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
+    std::string       line = bytes.substr(begin, end - begin);
+    begin = end + 1;
     if (!line.empty() && line.back() == '\r')
     {
       line.pop_back();
@@ -348,38 +371,39 @@ VerifyNrrd(const std::string & fileName)
     const std::string field = LowerCase(line.substr(0, colon));
     if (colon == std::string::npos || (field != "data file" && field != "datafile"))
     {
+      header += line + '\n';
       continue;
     }
-    const std::size_t first = line.find_first_not_of(" \t", colon + 1);
-    const std::string name = first == std::string::npos ? std::string() : line.substr(first);
-    const bool        isList = LowerCase(name).compare(0, 4, "list") == 0 || name.find('%') != std::string::npos;
-    const std::string problem = isList ? "names several files" : FindDefectOfDataFile(fileName, name);
-    if (!problem.empty())
+    if (isDetached)
     {
-      itkDentalInputErrorMacro(
-        fileName, "data file", problem, "save the image with its pixels in the same file (.nrrd)");
+      itkDentalInputErrorMacro(fileName, "data file", "is there twice", "save the image again");
     }
+    isDetached = true;
+    const std::size_t first = line.find_first_not_of(" \t", colon + 1);
+    dataFile = first == std::string::npos ? std::string() : line.substr(first);
+  }
+  if (isDetached)
+  {
+    bytes = header + '\n' + ReadDataFile(fileName, "data file", dataFile);
   }
 }
 
 /** MetaImage's own reader prints what it misses, and returns what there is. */
 void
-VerifyMetaImage(const std::string & fileName)
+VerifyMetaImage(const std::string & fileName, std::string & bytes)
 {
   const auto fail = [&fileName](const std::string & field, const std::string & problem) {
     itkDentalInputErrorMacro(fileName, field, problem, "write the MetaImage again, binary, in one piece");
   };
-  const Bytes                        head = ReadBytes(fileName, 1u << 16);
   std::map<std::string, std::string> fields;
-  std::size_t                        position = 0;
-  while (position < head.size() && fields.count("elementdatafile") == 0)
+  // All lines but those that say where the pixels are.
+  std::string header;
+  std::size_t position = 0;
+  while (position < bytes.size() && fields.count("elementdatafile") == 0)
   {
-    std::string line;
-    while (position < head.size() && head[position] != '\n')
-    {
-      line += static_cast<char>(head[position++]);
-    }
-    ++position;
+    const std::size_t end = std::min(bytes.find('\n', position), bytes.size());
+    const std::string line = bytes.substr(position, end - position);
+    position = std::min(end + 1, bytes.size());
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos)
     {
@@ -390,7 +414,12 @@ VerifyMetaImage(const std::string & fileName)
       return first == std::string::npos ? std::string()
                                         : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
     };
-    fields[LowerCase(trim(line.substr(0, equals)))] = trim(line.substr(equals + 1));
+    const std::string name = LowerCase(trim(line.substr(0, equals)));
+    fields[name] = trim(line.substr(equals + 1));
+    if (name != "headersize" && name != "elementdatafile")
+    {
+      header += line + '\n';
+    }
   }
   for (const char * name : { "NDims", "DimSize", "ElementType", "ElementDataFile" })
   {
@@ -443,8 +472,13 @@ VerifyMetaImage(const std::string & fileName)
   if (!fields["elementnumberofchannels"].empty())
   {
     expected *= numbers("ElementNumberOfChannels", fields["elementnumberofchannels"]).front();
+    if (!(expected >= 1.0))
+    {
+      fail("ElementNumberOfChannels", "is no number of values a pixel");
+    }
   }
-  if (LowerCase(fields["compresseddata"]) == "true")
+  const bool isCompressed = LowerCase(fields["compresseddata"]) == "true";
+  if (isCompressed)
   {
     // Without its own length the decompressor finds the end.
     expected =
@@ -453,36 +487,29 @@ VerifyMetaImage(const std::string & fileName)
   const double headerSize = fields["headersize"].empty() ? 0.0 : numbers("HeaderSize", fields["headersize"]).front();
 
   const std::string dataFile = fields["elementdatafile"];
-  const bool        local = LowerCase(dataFile) == "local";
-  if (LowerCase(dataFile).compare(0, 4, "list") == 0 || dataFile.find('%') != std::string::npos)
-  {
-    fail("ElementDataFile", "names several files");
-  }
-  if (!local)
-  {
-    const std::string problem = FindDefectOfDataFile(fileName, dataFile);
-    if (!problem.empty())
-    {
-      fail("ElementDataFile", problem);
-    }
-  }
-  const std::filesystem::path path =
-    local ? std::filesystem::path(fileName) : std::filesystem::path(fileName).parent_path() / dataFile;
-  std::error_code status;
-  const auto      fileSize = std::filesystem::file_size(path, status);
-  if (status)
-  {
-    fail("ElementDataFile", "\"" + dataFile.substr(0, 200) + "\" is not there");
-  }
-  const double available =
-    static_cast<double>(fileSize) - (local ? static_cast<double>(position) : std::max(headerSize, 0.0));
-  if (available < expected)
+  const bool        isLocal = LowerCase(dataFile) == "local";
+  const std::string data = isLocal ? std::string() : ReadDataFile(fileName, "ElementDataFile", dataFile);
+  // A header in the same file is a part of what a size counts.
+  const double skipped = headerSize > 0.0 ? headerSize : isLocal ? static_cast<double>(position) : 0.0;
+  const double available = static_cast<double>(isLocal ? bytes.size() : data.size()) - skipped;
+  if (!(available >= expected))
   {
     std::ostringstream os;
     os.imbue(std::locale::classic());
     os.precision(17);
     os << "the pixels are truncated: " << std::max(available, 0.0) << " of " << expected << " bytes are there";
     fail("", os.str());
+  }
+  if (!isLocal)
+  {
+    // Behind a header of so many bytes, or, where it says -1, at the end.
+    const bool isAtEnd = headerSize < 0.0 && !isCompressed;
+    const auto begin = isAtEnd ? data.size() - static_cast<std::size_t>(expected) : static_cast<std::size_t>(skipped);
+    if (isCompressed && fields["compresseddatasize"].empty())
+    {
+      header += "CompressedDataSize = " + std::to_string(data.size() - begin) + '\n';
+    }
+    bytes = header + "ElementDataFile = LOCAL\n" + data.substr(begin);
   }
 }
 } // namespace
@@ -509,34 +536,37 @@ ToString(RadiographFileFormatEnum format)
   }
 }
 
+std::string
+ReadRadiographBytes(const std::string & fileName)
+{
+  try
+  {
+    InputFile file(fileName);
+    return ReadWhole(file, "an image", LongestFile);
+  }
+  catch (const InputFileError & error)
+  {
+    itkDentalInputErrorMacro(fileName, "", error.what(), error.GetRemedy());
+  }
+}
+
 RadiographFileFormatEnum
 DetectRadiographFileFormat(const std::string & fileName)
 {
-  using ProblemEnum = InputFile::ProblemEnum;
-  const InputFile file(fileName);
-  switch (file.GetProblem())
+  InputFile file(fileName);
+  if (const auto error = DescribeProblem(file, "an image"))
   {
-    case ProblemEnum::None:
-    case ProblemEnum::Empty:
-      break;
-    case ProblemEnum::Folder:
-      itkDentalInputErrorMacro(fileName, "", "is a directory, not an image", "name the image file in it");
-    case ProblemEnum::Missing:
-      itkDentalInputErrorMacro(fileName, "", "no such file", "check the path");
-    case ProblemEnum::NotRegular:
-      itkDentalInputErrorMacro(
-        fileName, "", "is no regular file but a pipe, a socket or a device", "name the image file");
-    default:
-      itkDentalInputErrorMacro(fileName,
-                               "",
-                               std::string("cannot be opened: ") + std::strerror(file.GetSystemError()),
-                               "check the file's permissions");
+    itkDentalInputErrorMacro(fileName, "", error->what(), error->GetRemedy());
   }
-  const Bytes head = ReadBytes(fileName, 4096);
-  if (head.empty())
-  {
-    itkDentalInputErrorMacro(fileName, "", "is empty", "export the image again");
-  }
+  std::string head(std::min(file.GetSize(), HeadSize), '\0');
+  head.resize(file.Read(&head[0], head.size()));
+  return DetectRadiographFileFormat(fileName, head);
+}
+
+RadiographFileFormatEnum
+DetectRadiographFileFormat(const std::string & fileName, std::string_view bytes)
+{
+  const std::string_view head = bytes.substr(0, HeadSize);
   if (StartsWith(head, "\x89PNG\r\n\x1a\n"))
   {
     return Format::PNG;
@@ -561,10 +591,9 @@ DetectRadiographFileFormat(const std::string & fileName)
   {
     return Format::DICOM;
   }
-  const std::string start(head.begin(),
-                          head.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(head.size(), 512)));
+  const std::string_view start = head.substr(0, 512);
   if ((start.compare(0, 10, "ObjectType") == 0 || start.compare(0, 5, "NDims") == 0) &&
-      start.find('=') != std::string::npos)
+      start.find('=') != std::string_view::npos)
   {
     return Format::MetaImage;
   }
@@ -579,47 +608,45 @@ DetectRadiographFileFormat(const std::string & fileName)
 
 void
 VerifyRadiographFileIsComplete(const std::string &      fileName,
+                               std::string &            bytes,
                                RadiographFileFormatEnum format,
                                std::size_t              maximumNumberOfPixels)
 {
   if (format == Format::MetaImage)
   {
-    VerifyMetaImage(fileName);
+    VerifyMetaImage(fileName, bytes);
     return;
   }
   if (format == Format::DICOM)
   {
-    VerifyDicomFile(fileName);
+    VerifyDicomFile(fileName, bytes);
     return;
   }
   if (format == Format::NRRD)
   {
-    VerifyNrrd(fileName);
+    VerifyNrrd(fileName, bytes);
     return;
   }
-  std::error_code status;
-  const auto      size = std::filesystem::file_size(fileName, status);
-  // No radiograph is longer; its decoder decides on what follows.
-  constexpr std::uintmax_t longest = std::uintmax_t{ 1 } << 30;
-  const Bytes bytes = ReadBytes(fileName, static_cast<std::size_t>(status ? longest : std::min(size, longest)));
+  const Bytes view(bytes);
   bool        complete = true;
   switch (format)
   {
     case Format::PNG:
-      complete = PNGIsComplete(bytes);
+      complete = PNGIsComplete(view);
       break;
     case Format::JPEG:
-      complete = JPEGIsComplete(bytes);
+      complete = JPEGIsComplete(view);
       break;
     case Format::TIFF:
-      complete = TIFFIsComplete(bytes);
+      complete = TIFFIsComplete(view);
       break;
     default:
-      complete = BMPIsComplete(bytes);
+      complete = BMPIsComplete(view);
   }
   if (complete && format == Format::JPEG)
   {
-    const std::string defect = FindDefectOfJPEG(bytes.data(), bytes.size(), maximumNumberOfPixels);
+    const std::string defect =
+      FindDefectOfJPEG(reinterpret_cast<const unsigned char *>(bytes.data()), bytes.size(), maximumNumberOfPixels);
     if (!defect.empty())
     {
       itkDentalInputErrorMacro(fileName, "", "the JPEG file is damaged: " + defect, "copy or export it again");
@@ -636,11 +663,11 @@ VerifyRadiographFileIsComplete(const std::string &      fileName,
 }
 
 std::string
-ReadRadiographTextHeader(const std::string & fileName)
+GetRadiographTextHeader(std::string_view bytes)
 {
-  const Bytes bytes = ReadBytes(fileName, 1u << 16);
-  std::string header;
-  for (const unsigned char byte : bytes)
+  constexpr std::size_t longest = std::size_t{ 1 } << 16;
+  std::string           header;
+  for (const char byte : LowerCase(std::string(bytes.substr(0, longest))))
   {
     // A NRRD's header ends with an empty line, a MetaImage's with the line of its data file.
     if (byte == '\n' && (header.empty() || header.back() == '\n' ||
@@ -650,7 +677,7 @@ ReadRadiographTextHeader(const std::string & fileName)
     }
     if (byte != '\r')
     {
-      header += byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : static_cast<char>(byte);
+      header += byte;
     }
   }
   return header + '\n';

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace itk
 {
@@ -39,22 +40,33 @@ enum class RadiographFileFormatEnum : uint8_t
 const char *
 ToString(RadiographFileFormatEnum format);
 
-/** By what stands in the file; throws DentalInputError for a missing, empty or unreadable file, a directory, or one
- * that is none of the formats. */
+/** By what stands in the file's beginning; throws DentalInputError for a missing, empty or unreadable file, a
+ * directory, or one that is none of the formats. */
 RadiographFileFormatEnum
 DetectRadiographFileFormat(const std::string & fileName);
+/** By its bytes, which have been read. */
+RadiographFileFormatEnum
+DetectRadiographFileFormat(const std::string & fileName, std::string_view bytes);
+
+/** All bytes of a file, of at most 1 GiB; throws DentalInputError. */
+std::string
+ReadRadiographBytes(const std::string & fileName);
 
 /** Throws DentalInputError where the file is not whole, before a decoder sees it: some of them fill up what is missing
  * and tell nobody, some print, and one aborts the program. NRRD is left to its decoder, which checks; what has more
- * pixels than given is not decoded. */
+ * pixels than given is not decoded.
+ *
+ * Whoever decodes gives these bytes to the decoder and not the file's name, by which another file may be opened
+ * meanwhile. The pixels that a header of NRRD or MetaImage names in a file beside it are moved into the bytes. */
 void
 VerifyRadiographFileIsComplete(const std::string &      fileName,
+                               std::string &            bytes,
                                RadiographFileFormatEnum format,
                                std::size_t              maximumNumberOfPixels);
 
 /** The header of a NRRD or MetaImage, a line "key: value" or "key = value" each, in lower case, at most 64 KiB. */
 std::string
-ReadRadiographTextHeader(const std::string & fileName);
+GetRadiographTextHeader(std::string_view bytes);
 } // namespace itk
 
 #endif

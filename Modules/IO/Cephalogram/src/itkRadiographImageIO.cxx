@@ -23,7 +23,9 @@
 #include "itkJPEGImageIO.h"
 #include "itkPNGImageIO.h"
 
+#include <algorithm>
 #include <new>
+#include <string>
 
 namespace itk
 {
@@ -48,23 +50,41 @@ public:
 private:
   bool m_Before;
 };
+
+std::string
+HideMemoryFiles(std::string text)
+{
+  const std::string folder = "/proc/self/fd/";
+  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
+  {
+    const std::size_t end = text.find_first_not_of("0123456789", at + folder.size());
+    text.replace(at, std::min(end, text.size()) - at, "it");
+  }
+  return text;
+}
 } // namespace
 
 ImageIOBase::Pointer
-MakeRadiographImageIO(RadiographFileFormatEnum format)
+MakeRadiographImageIO(RadiographFileFormatEnum format, const MemoryFile & file)
 {
+  ImageIOBase::Pointer io;
   switch (format)
   {
     case Format::PNG:
-      return PNGImageIO::New().GetPointer();
+      io = PNGImageIO::New().GetPointer();
+      break;
     case Format::JPEG:
-      return JPEGImageIO::New().GetPointer();
+      io = JPEGImageIO::New().GetPointer();
+      break;
     default: {
-      const auto io = DecodedImageIO::New();
-      io->SetFormat(format);
-      return io.GetPointer();
+      const auto decoded = DecodedImageIO::New();
+      decoded->SetFormat(format);
+      decoded->SetFile(file.GetDescriptor());
+      io = decoded.GetPointer();
     }
   }
+  io->SetFileName(file.GetName());
+  return io;
 }
 
 void
@@ -87,11 +107,12 @@ CallRadiographImageIO(const std::string & fileName, const std::string & format, 
   }
   catch (const ExceptionObject & error)
   {
-    itkDentalInputErrorMacro(fileName, "", problem + ": " + std::string(error.GetDescription()).substr(0, 200), remedy);
+    itkDentalInputErrorMacro(
+      fileName, "", problem + ": " + HideMemoryFiles(error.GetDescription()).substr(0, 200), remedy);
   }
   catch (const std::exception & error)
   {
-    itkDentalInputErrorMacro(fileName, "", problem + ": " + std::string(error.what()).substr(0, 200), remedy);
+    itkDentalInputErrorMacro(fileName, "", problem + ": " + HideMemoryFiles(error.what()).substr(0, 200), remedy);
   }
 }
 } // namespace itk

@@ -18,6 +18,7 @@
 #ifndef itkRadiographImageIO_h
 #define itkRadiographImageIO_h
 
+#include "itkMemoryFile.h"
 #include "itkRadiographFileFormat.h"
 
 #include "itkImageIOBase.h"
@@ -28,11 +29,12 @@
 namespace itk
 {
 /** Not installed: the decoder of a format. Those of PNG and JPEG are called here, behind checks of the whole file; all
- * others run in a process of their own. */
+ * others run in a process of their own. It reads the given file, which has to live as long as it. */
 ImageIOBase::Pointer
-MakeRadiographImageIO(RadiographFileFormatEnum format);
+MakeRadiographImageIO(RadiographFileFormatEnum format, const MemoryFile & file);
 
-/** Calls a decoder's code, silences what it prints, and turns what it throws into an input error. */
+/** Calls a decoder's code, silences what it prints, and turns what it throws into an input error, in which the names of
+ * files in memory, that mean nothing to anybody, are "it". */
 void
 CallRadiographImageIO(const std::string & fileName, const std::string & format, const std::function<void()> & function);
 } // namespace itk

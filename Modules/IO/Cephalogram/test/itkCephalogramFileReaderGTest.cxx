@@ -576,6 +576,103 @@ TEST(CephalogramFileReader, InformationComesWithoutPixelsAndOnce)
   EXPECT_EQ(verdict, "UserGiven");
 }
 
+TEST(CephalogramFileReader, DecodesTheBytesThatWereCheckedWhateverBecomesOfTheFile)
+{
+  const auto image = MakeImage<unsigned char>(Ramp);
+  // Of the formats that are decoded here, and of those that have a process.
+  const std::vector<std::string> files = { WriteImage<itk::PNGImageIO>("a.png", image.GetPointer()),
+                                           WriteImage<itk::TIFFImageIO>("a.tif", image.GetPointer()),
+                                           WriteImage<itk::BMPImageIO>("a.bmp", image.GetPointer()),
+                                           WriteImage<itk::NrrdImageIO>("a.nrrd", image.GetPointer()),
+                                           WriteImage<itk::NrrdImageIO>("b.nhdr", image.GetPointer()),
+                                           WriteImage<itk::MetaImageIO>("a.mha", image.GetPointer()),
+                                           WriteImage<itk::MetaImageIO>("c.mhd", image.GetPointer()) };
+  for (const std::string & file : files)
+  {
+    const auto reader = CephalogramFileReader::New();
+    reader->SetFileName(file);
+    reader->UpdateOutputInformation();
+    // The file, and the pixels beside a header.
+    const std::filesystem::path path(file);
+    for (const auto & entry : std::filesystem::directory_iterator(path.parent_path()))
+    {
+      if (entry.path().stem() == path.stem() && (path.stem() != "a" || entry.path() == path))
+      {
+        std::ofstream(entry.path(), std::ios::binary) << "another file";
+      }
+    }
+    ASSERT_NO_THROW(reader->Update()) << file;
+    EXPECT_EQ(GetPixel(reader, 7, 5), 75.0f) << file;
+    EXPECT_EQ(GetPixel(reader, 19, 11), 201.0f) << file;
+    // And a second time it is read anew.
+    reader->Modified();
+    EXPECT_THROW(reader->Update(), itk::DentalInputError) << file;
+  }
+}
+
+TEST(CephalogramFileReader, ReadsItsPixelsAgainWhereTheyWereReleased)
+{
+  const std::string file = WriteImage<itk::PNGImageIO>("a.png", MakeImage<unsigned char>(Ramp).GetPointer());
+  const auto        reader = Read(file);
+  reader->GetOutput()->ReleaseData();
+  reader->Update();
+  EXPECT_EQ(GetPixel(reader, 7, 5), 75.0f);
+  // Another picture is no answer to what its header has said.
+  const auto small = itk::Image<unsigned char, 2>::New();
+  small->SetRegions(itk::Size<2>{ { 3, 3 } });
+  small->Allocate(true);
+  WriteImage<itk::PNGImageIO>("a.png", small.GetPointer());
+  reader->GetOutput()->ReleaseData();
+  const auto error = itk::ExpectInputError([&] { reader->Update(); });
+  EXPECT_TRUE(itk::Contains(error.GetProblem(), "was changed since its header was read")) << error.GetProblem();
+}
+
+TEST(CephalogramFileReader, PixelsBesideAHeaderBeginWhereItSays)
+{
+  std::string pixels;
+  for (unsigned int i = 0; i < 12; ++i)
+  {
+    pixels += static_cast<char>(i);
+  }
+  itk::WriteTestFile("a.raw", "four" + pixels);
+  const std::string meta = "ObjectType = Image\nNDims = 2\nBinaryData = True\nDimSize = 4 3\nElementType = MET_UCHAR\n";
+  const std::string nrrd = "NRRD0004\ntype: uint8\ndimension: 2\nsizes: 4 3\nencoding: raw\n";
+  for (const auto & [name, header] :
+       { std::pair<std::string, std::string>{ "a.mhd", meta + "HeaderSize = 4\nElementDataFile = a.raw\n" },
+         { "b.mhd", meta + "HeaderSize = -1\nElementDataFile = a.raw\n" },
+         { "a.nhdr", nrrd + "byte skip: 4\ndata file: a.raw\n" },
+         { "b.nhdr", nrrd + "data file: a.raw\nbyte skip: -1\n\n" } })
+  {
+    const auto reader = Read(itk::WriteTestFile(name, header));
+    EXPECT_EQ(GetPixel(reader, 0, 0), 0.0f) << name;
+    EXPECT_EQ(GetPixel(reader, 3, 2), 11.0f) << name;
+  }
+}
+
+TEST(CephalogramFileReader, NoFileIsReadThatIsLongerThanAnyRadiograph)
+{
+  for (const char * head : { "\x89PNG\r\n\x1a\n", "\xff\xd8\xff", "NRRD0004\n", "BM" })
+  {
+    const std::string file = itk::WriteTestFile("long", head);
+    // Of which the disk holds nothing.
+    std::filesystem::resize_file(file, (std::uintmax_t{ 1 } << 30) + 1);
+    EXPECT_TRUE(itk::Contains(ReadProblem(file), "longer than 1073741824 bytes, too long for an image")) << head;
+  }
+  const std::string dicom = itk::WriteTestFile("long", std::string(128, '\0') + "DICM");
+  std::filesystem::resize_file(dicom, (std::uintmax_t{ 1 } << 30) + 1);
+  EXPECT_TRUE(itk::Contains(ReadProblem(dicom), "longer than 1073741824 bytes"));
+}
+
+TEST(CephalogramFileReader, NoMessageNamesAFileInMemory)
+{
+  // Whole as far as is checked, and nothing that its decoder would make a picture of.
+  const std::string file = itk::WriteTestFile("a.bmp", "BM" + std::string(100, '\0'));
+  const std::string problem = ReadProblem(file);
+  EXPECT_FALSE(itk::Contains(problem, "/proc/")) << problem;
+  const std::string nrrd = itk::WriteTestFile("a.nrrd", "NRRD0004\ntype: wrong\n\n");
+  EXPECT_FALSE(itk::Contains(ReadProblem(nrrd), "/proc/")) << ReadProblem(nrrd);
+}
+
 TEST(CephalogramFileReader, SaysWhatToCall)
 {
   const auto reader = CephalogramFileReader::New();

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkMeshFileFormat.h"
 
+#include "itkLowerCase.h"
+
 #include <algorithm>
 #include <cstring>
 #include <string_view>
@@ -95,11 +97,7 @@ MeshFileFormatFromName(const std::string & fileName)
   {
     return MeshFileFormatEnum::Unknown;
   }
-  std::string extension = fileName.substr(dot + 1);
-  for (char & character : extension)
-  {
-    character = character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-  }
+  const std::string extension = LowerCase(fileName.substr(dot + 1));
   return extension == "stl"   ? MeshFileFormatEnum::BinarySTL
          : extension == "ply" ? MeshFileFormatEnum::PLY
          : extension == "obj" ? MeshFileFormatEnum::OBJ

@@ -29,27 +29,10 @@ namespace itk
 {
 ScanFile::ScanFile(const std::string & fileName)
 {
-  using ProblemEnum = InputFile::ProblemEnum;
   InputFile file(fileName);
-  switch (file.GetProblem())
+  if (const auto error = DescribeProblem(file, "a scan"))
   {
-    case ProblemEnum::None:
-      break;
-    case ProblemEnum::Missing:
-      throw SurfaceMeshFileError("", "there is no such file", "check the name and the permissions");
-    case ProblemEnum::Forbidden:
-      throw SurfaceMeshFileError("", "no permission to read it", "check the name and the permissions");
-    case ProblemEnum::Folder:
-      throw SurfaceMeshFileError("", "this is a directory", "name an STL, PLY, OBJ or OFF file");
-    case ProblemEnum::NotRegular:
-      throw SurfaceMeshFileError("", "this is not a regular file", "name an STL, PLY, OBJ or OFF file");
-    case ProblemEnum::Empty:
-      throw SurfaceMeshFileError("", "the file is empty (0 bytes)", "export or copy the scan again");
-    default:
-      // Not strerror: it speaks the locale's language and is not safe with threads.
-      throw SurfaceMeshFileError("",
-                                 "it cannot be opened (system error " + std::to_string(file.GetSystemError()) + ')',
-                                 "check the name and the permissions");
+    throw SurfaceMeshFileError("", error->what(), error->GetRemedy());
   }
   m_Size = file.GetSize();
   // Not a vector, which would write noughts into all of it first; in large pages, as each page costs a visit to the
@@ -67,16 +50,13 @@ ScanFile::ScanFile(const std::string & fileName)
     ::madvise(m_Data.get(), rounded, MADV_HUGEPAGE);
   }
 #endif
-  const std::size_t count = file.Read(m_Data.get(), m_Size);
-  if (count != m_Size && file.GetSystemError() != 0)
+  try
   {
-    throw SurfaceMeshFileError(
-      "", "it cannot be read (system error " + std::to_string(file.GetSystemError()) + ')', "check the medium");
+    ReadWhole(file, m_Data.get());
   }
-  if (count != m_Size || file.HasChanged())
+  catch (const InputFileError & error)
   {
-    throw SurfaceMeshFileError(
-      "", "it was changed while it was read", "start again when the scan is copied completely");
+    throw SurfaceMeshFileError("", error.what(), error.GetRemedy());
   }
 }
 } // namespace itk

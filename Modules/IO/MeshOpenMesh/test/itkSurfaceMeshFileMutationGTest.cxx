@@ -18,21 +18,19 @@
 #include "itkSurfaceMeshFile.h"
 #include "itkMeshFileBytes.h"
 
-#include "itkReproducibleRandom.h"
+#include "itkMutate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace
 {
 constexpr int MutantsPerFile = 15000;
 
-/** One to four of the ways in which files break: bits, cut ends, lost and doubled stretches, wild numbers. */
-std::string
-Mutate(std::string bytes, itk::ReproducibleRandom & random)
-{
-  static const char * const  words[] = { "nan",
+const std::vector<std::string> Words = { "nan",
                                          "inf",
                                          "-1",
                                          "0",
@@ -58,46 +56,15 @@ Mutate(std::string bytes, itk::ReproducibleRandom & random)
                                          "/",
                                          "//",
                                          "\xff",
-                                         "\xEF\xBB\xBF" };
-  static const std::uint32_t fields[] = { 0u, 1u, 0x7fffffffu, 0x80000000u, 0xffffffffu, 0x7fc00000u, 0x7f800000u };
-  const std::uint32_t        steps = 1 + random.Integer(4);
-  for (std::uint32_t step = 0; step < steps && !bytes.empty(); ++step)
-  {
-    const std::size_t at = random.Integer(static_cast<std::uint32_t>(bytes.size()));
-    const std::size_t length =
-      random.Integer(static_cast<std::uint32_t>(std::min<std::size_t>(bytes.size() - at, 60)) + 1);
-    switch (random.Integer(8))
-    {
-      case 0:
-        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.Integer(8)));
-        break;
-      case 1:
-        bytes[at] = static_cast<char>(random.Integer(256));
-        break;
-      case 2:
-        bytes.resize(at);
-        break;
-      case 3:
-        bytes.erase(at, length);
-        break;
-      case 4:
-        bytes.insert(at, bytes.substr(at, length));
-        break;
-      case 5:
-        bytes.insert(at, words[random.Integer(std::size(words))]);
-        break;
-      case 6:
-        bytes.replace(at, random.Integer(4), words[random.Integer(std::size(words))]);
-        break;
-      default:
-        if (bytes.size() >= at + 4)
-        {
-          std::memcpy(&bytes[at], &fields[random.Integer(std::size(fields))], 4);
-        }
-    }
-  }
-  return bytes;
-}
+                                         "\xEF\xBB\xBF",
+                                         // Numbers of a binary file: the largest ones, infinity and no number at all.
+                                         std::string(4, '\0'),
+                                         std::string("\x01\x00\x00\x00", 4),
+                                         "\xff\xff\xff\x7f",
+                                         std::string("\x00\x00\x00\x80", 4),
+                                         "\xff\xff\xff\xff",
+                                         std::string("\x00\x00\xc0\x7f", 4),
+                                         std::string("\x00\x00\x80\x7f", 4) };
 
 /** Either a good mesh or our own exception: anything else fails, a crash or a hang included. */
 void
@@ -108,7 +75,7 @@ ExpectSoundOrRefused(const std::string & whole, const char * name, std::uint64_t
   for (int mutant = 0; mutant < MutantsPerFile; ++mutant)
   {
     // A buffer of the exact size, so that memory checkers see a byte read too far.
-    const std::string       mutated = Mutate(whole, random);
+    const std::string       mutated = itk::Mutate(whole, Words, { whole }, random);
     const std::vector<char> bytes(mutated.begin(), mutated.end());
     try
     {

@@ -285,6 +285,7 @@ private:
       {
         this->FailTooMany(components, tuples);
       }
+      m_Budget.SpendNumbers(count, m_Field);
       values.resize(count);
       for (double & value : values)
       {
@@ -316,6 +317,7 @@ private:
     {
       this->FailTooMany(components, tuples);
     }
+    m_Budget.SpendNumbers(count, m_Field);
     values.resize(count);
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -490,6 +492,7 @@ private:
   bool            m_OffsetsAndConnectivity{ false };
   Attributes      m_Attributes{ Attributes::None };
   std::size_t     m_Tuples{ 0 };
+  VTKMemoryBudget m_Budget;
   VTKSurfaceParts m_Parts;
 };
 } // namespace

@@ -19,10 +19,10 @@
 
 #include "itkDentalInputError.h"
 #include "itkInputFile.h"
+#include "itkLowerCase.h"
 #include "itkVTKSurfaceParts.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -34,41 +34,21 @@ namespace
 {
 constexpr const char * LabelNames[] = { "Universal_ID", "UniversalID", "PredictedID" };
 
-bool
-HasExtension(const std::string & fileName, const char * extension)
-{
-  const std::size_t size = std::char_traits<char>::length(extension);
-  return fileName.size() >= size && std::equal(fileName.end() - static_cast<std::ptrdiff_t>(size),
-                                               fileName.end(),
-                                               extension,
-                                               [](unsigned char a, char b) { return std::tolower(a) == b; });
-}
+/** No scan of teeth is longer. */
+constexpr std::size_t LongestFile = std::size_t{ 1 } << 30;
 
 std::string
 ReadAll(const std::string & fileName)
 {
-  using ProblemEnum = InputFile::ProblemEnum;
-  InputFile file(fileName);
-  if (file.GetProblem() == ProblemEnum::Empty)
+  try
   {
-    throw VTKFileError("", "the file is empty (0 bytes)");
+    InputFile file(fileName);
+    return ReadWhole(file, "a scan", LongestFile);
   }
-  if (file.GetProblem() == ProblemEnum::Missing || file.GetProblem() == ProblemEnum::Folder ||
-      file.GetProblem() == ProblemEnum::NotRegular)
+  catch (const InputFileError & error)
   {
-    throw VTKFileError("", "there is no such file", "name a .vtk or .vtp file");
+    throw VTKFileError("", error.what(), error.GetRemedy());
   }
-  std::string bytes(file.GetSize(), '\0');
-  const auto  count = file.Read(&bytes[0], bytes.size());
-  if (file.GetSystemError() != 0)
-  {
-    throw VTKFileError("", "cannot be read", "check its permissions");
-  }
-  if (count != bytes.size() || file.HasChanged())
-  {
-    throw VTKFileError("", "was changed while it was read", "start again when the scan is copied completely");
-  }
-  return bytes;
 }
 
 void
@@ -219,7 +199,8 @@ ToVTKInteger(double value, const std::string & field)
 bool
 IsVTKSurfaceFileName(const std::string & fileName)
 {
-  return HasExtension(fileName, ".vtk") || HasExtension(fileName, ".vtp");
+  const std::string end = LowerCase(fileName.substr(fileName.size() - std::min<std::size_t>(fileName.size(), 4)));
+  return end == ".vtk" || end == ".vtp";
 }
 
 VTKSurfaceFile

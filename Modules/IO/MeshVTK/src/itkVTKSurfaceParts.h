@@ -19,6 +19,7 @@
 #define itkVTKSurfaceParts_h
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -36,6 +37,35 @@ struct VTKFileError : std::runtime_error
   {}
   std::string field;
   std::string remedy;
+};
+
+/** \class VTKMemoryBudget
+ * \brief Not installed. What the numbers of one file may take, whatever they are written as.
+ *
+ * A small file may hold many: zlib makes 2 GB of 2 MB, and a bit becomes a double. Parsers spend before they allocate.
+ */
+class VTKMemoryBudget
+{
+public:
+  /** Those of the largest scans, of 3 million triangles, take a third. */
+  static constexpr std::size_t Largest = std::size_t{ 1 } << 29;
+
+  /** Every number is read as a double. Throws VTKFileError where less is left. */
+  void
+  SpendNumbers(std::size_t count, const std::string & field)
+  {
+    if (count > m_Left / sizeof(double))
+    {
+      throw VTKFileError(field,
+                         "and what stands before it take more than " + std::to_string(Largest >> 20) +
+                           " MiB as numbers, which no scan of teeth does",
+                         "thin the scan out, or export it again");
+    }
+    m_Left -= count * sizeof(double);
+  }
+
+private:
+  std::size_t m_Left{ Largest };
 };
 
 /** What the parsers find, before anything is checked but counts. */

@@ -50,8 +50,6 @@ constexpr TypeInfo Types[] = { { "Int8", 1, false, true },   { "UInt8", 1, false
 
 /** Compression makes at most a thousandth of constant data. */
 constexpr std::size_t LargestRatio = 1100;
-/** Bytes that all arrays of a file may have: those of the largest scans, of 3 million triangles, have a fifth. */
-constexpr std::size_t LargestUnpacked = std::size_t{ 1 } << 29;
 
 bool
 IsSpace(char c)
@@ -380,23 +378,28 @@ private:
     std::vector<double> values;
     if (format == "ascii")
     {
-      const char * at = m_Text.data();
-      const char * end = at + m_Text.size();
-      while (true)
+      const char *       at = m_Text.data();
+      const char * const end = at + m_Text.size();
+      // A word begins behind a blank.
+      std::size_t words = 0;
+      bool        isBlank = true;
+      for (const char letter : m_Text)
       {
-        at = std::find_if_not(at, end, IsSpace);
-        if (at == end)
-        {
-          break;
-        }
-        const char * stop = std::find_if(at, end, IsSpace);
+        words += isBlank && !IsSpace(letter) ? 1 : 0;
+        isBlank = IsSpace(letter);
+      }
+      m_Budget.SpendNumbers(words, m_Field);
+      values.reserve(words);
+      while ((at = std::find_if_not(at, end, IsSpace)) != end)
+      {
+        const char * const stop = std::find_if(at, end, IsSpace);
         values.push_back(ParseVTKNumber(at, stop, m_Field));
         at = stop;
       }
     }
     else
     {
-      const std::string bytes = this->Bytes(format);
+      const std::string bytes = this->Bytes(format, type->size);
       values.resize(bytes.size() / type->size);
       for (std::size_t i = 0; i < values.size(); ++i)
       {
@@ -411,12 +414,13 @@ private:
     return values;
   }
 
+  /** Of numbers of so many bytes each. */
   std::string
-  Bytes(const std::string & format)
+  Bytes(const std::string & format, std::size_t size)
   {
     if (format == "binary")
     {
-      return this->Unpack([this, at = std::size_t{ 0 }](std::size_t count, bool whole) mutable {
+      return this->Unpack(size, [this, at = std::size_t{ 0 }](std::size_t count, bool whole) mutable {
         return this->NextBase64(m_Text, at, count, whole);
       });
     }
@@ -432,7 +436,7 @@ private:
     std::size_t at = m_AppendedBegin + offset;
     if (m_AppendedIsRaw)
     {
-      return this->Unpack([this, at](std::size_t count, bool) mutable {
+      return this->Unpack(size, [this, at](std::size_t count, bool) mutable {
         if (count > m_Bytes.size() - at)
         {
           throw VTKFileError(m_Field, "ends behind the end of the file: it is truncated");
@@ -442,7 +446,7 @@ private:
       });
     }
     return this->Unpack(
-      [this, at](std::size_t count, bool whole) mutable { return this->NextBase64(m_Bytes, at, count, whole); });
+      size, [this, at](std::size_t count, bool whole) mutable { return this->NextBase64(m_Bytes, at, count, whole); });
   }
 
   /** The next `count` bytes; where `whole`, what follows begins a new group of base64. */
@@ -475,14 +479,26 @@ private:
    * blocks. */
   template <typename TNext>
   std::string
-  Unpack(TNext && next)
+  Unpack(std::size_t sizeOfNumber, TNext && nextBytes)
   {
+    const auto next = [&](std::size_t count, bool whole) {
+      // Each byte belongs to one array. Were it not so, a thousand pieces could read the same appended data, each time
+      // into memory of its own, or for ever.
+      m_Claimed += count;
+      if (m_Claimed > m_Bytes.size())
+      {
+        throw VTKFileError(m_Field, "and what stands before it name more bytes than the file has");
+      }
+      return nextBytes(count, whole);
+    };
     m_Rest.clear();
     const std::size_t largest = m_Bytes.size() * LargestRatio;
     if (m_Compressor.empty())
     {
       const std::string head = next(m_HeaderSize, false);
-      return next(this->Header(head, 0, m_Bytes.size()), true);
+      const std::size_t length = this->Header(head, 0, m_Bytes.size());
+      m_Budget.SpendNumbers(length / sizeOfNumber, m_Field);
+      return next(length, true);
     }
     if (m_Compressor != "vtkZLibDataCompressor")
     {
@@ -515,15 +531,7 @@ private:
       {
         throw VTKFileError(m_Field, "promises more than the file can hold");
       }
-      // Of all arrays together: what zlib makes of a file of 2 MB may be 2 GB.
-      m_Unpacked += out;
-      if (m_Unpacked > LargestUnpacked)
-      {
-        throw VTKFileError(m_Field,
-                           "and what stands before it are more than " + std::to_string(LargestUnpacked >> 20) +
-                             " MiB when unpacked, which no scan of teeth is",
-                           "thin the scan out, or export it again");
-      }
+      m_Budget.SpendNumbers(out / sizeOfNumber + 1, m_Field);
       bytes.resize(before + out);
       auto length = static_cast<uLongf>(out);
       if (uncompress(reinterpret_cast<Bytef *>(&bytes[before]),
@@ -608,8 +616,10 @@ private:
   std::string                m_Text;
   std::string                m_Field;
   /** Decoded bytes that were not asked for yet. */
-  std::string     m_Rest;
-  std::size_t     m_Unpacked{ 0 };
+  std::string m_Rest;
+  /** Of the file, by arrays so far. */
+  std::size_t     m_Claimed{ 0 };
+  VTKMemoryBudget m_Budget;
   VTKSurfaceParts m_Parts;
 };
 } // namespace

@@ -16,11 +16,14 @@
  *
  *=========================================================================*/
 #include "itkReadVTKMesh.h"
+#include "itkMemoryFile.h"
 #include "itkTestFile.h"
 #include "itkVTKTestFiles.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -155,8 +158,81 @@ TEST(VTKSurfaceFile, NamesFileAndRemedyForWhatIsWrong)
     Contains(lineOf("image.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"ImageData\"></VTKFile>"), "PolyData"));
   EXPECT_TRUE(
     Contains(ExpectInputError([]() { itk::ReadVTKSurfaceFile("nowhere.vtk"); }).GetOneLine(), "no such file"));
-  EXPECT_TRUE(
-    Contains(ExpectInputError([]() { itk::ReadVTKSurfaceFile(itk::TestFolder()); }).GetOneLine(), "no such file"));
+  EXPECT_TRUE(Contains(ExpectInputError([]() { itk::ReadVTKSurfaceFile(itk::TestFolder()); }).GetOneLine(),
+                       "this is a directory"));
+}
+
+std::string
+XMLFile(const std::string & pieces, const std::string & appended = {})
+{
+  return "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\" header_type=\"UInt32\"><PolyData>" + pieces +
+         "</PolyData>" + appended + "</VTKFile>";
+}
+
+TEST(VTKSurfaceFile, TakesNoMoreMemoryThanItsBytesWhateverTheyAreWrittenAs)
+{
+  // A hundred pieces that all read the same appended megabyte.
+  constexpr std::uint32_t points = 87381;
+  const std::uint32_t     length = 12 * points;
+  std::string             data = "_";
+  data.append(reinterpret_cast<const char *>(&length), sizeof(length));
+  data.append(length, '\0');
+  const std::string piece =
+    "<Piece NumberOfPoints=\"" + std::to_string(points) +
+    "\"><Points><DataArray type=\"Float32\" format=\"appended\" offset=\"0\"/></Points></Piece>";
+  for (const bool shared : { false, true })
+  {
+    std::string pieces;
+    for (int i = 0; i < (shared ? 100 : 1); ++i)
+    {
+      pieces += piece;
+    }
+    const auto file =
+      WriteTestFile("raw.vtp", XMLFile(pieces, "<AppendedData encoding=\"raw\">" + data + "</AppendedData>"));
+    const auto problem = ExpectInputError([&]() { itk::ReadVTKSurfaceFile(file); }).GetOneLine();
+    EXPECT_TRUE(Contains(problem, shared ? "name more bytes than the file has" : "has no triangles")) << problem;
+  }
+}
+
+/** The problem of a file that is too large to be written to the disk for a test. */
+std::string
+ProblemOf(const char * extension, const std::string & content)
+{
+  const itk::MemoryFile file(extension);
+  std::ofstream(file.GetName(), std::ios::binary) << content;
+  return ExpectInputError([&]() { itk::ReadVTKSurfaceFile(file.GetName()); }).GetOneLine();
+}
+
+TEST(VTKSurfaceFile, HasABoundOfItsNumbersWhateverTheyAreWrittenAs)
+{
+  // Eight bytes of memory for each number: these files are 64, 8 and 4 times as small.
+  constexpr std::size_t points = (std::size_t{ 1 } << 26) / 3 + 1;
+  constexpr std::size_t numbers = 3 * points;
+  const std::string     count = std::to_string(points);
+  std::string           problem = ProblemOf(".vtk",
+                                  "# vtk DataFile Version 3.0\nscan\nBINARY\nDATASET POLYDATA\nPOINTS " + count +
+                                    " bit\n" + std::string(numbers / 8 + 1, '\0'));
+  EXPECT_TRUE(Contains(problem, "POINTS: and what stands before it take more than 512 MiB as numbers")) << problem;
+
+  const auto  length = static_cast<std::uint32_t>(numbers);
+  std::string data = "_";
+  data.append(reinterpret_cast<const char *>(&length), sizeof(length));
+  data.append(length, '\0');
+  const std::string pointsBegin = "<Piece NumberOfPoints=\"" + count + "\"><Points>";
+  const std::string pointsEnd = "</Points></Piece>";
+  problem = ProblemOf(".vtp",
+                      XMLFile(pointsBegin + "<DataArray type=\"UInt8\" format=\"appended\" offset=\"0\"/>" + pointsEnd,
+                              "<AppendedData encoding=\"raw\">" + data + "</AppendedData>"));
+  EXPECT_TRUE(Contains(problem, "512 MiB as numbers")) << problem;
+
+  std::string text(2 * numbers, '1');
+  for (std::size_t i = 1; i < text.size(); i += 2)
+  {
+    text[i] = ' ';
+  }
+  problem = ProblemOf(
+    ".vtp", XMLFile(pointsBegin + "<DataArray type=\"Float32\" format=\"ascii\">" + text + "</DataArray>" + pointsEnd));
+  EXPECT_TRUE(Contains(problem, "512 MiB as numbers")) << problem;
 }
 
 TEST(VTKSurfaceFile, IsToldByItsExtension)

@@ -15,7 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "itkReproducibleRandom.h"
+#include "itkMutate.h"
 #include "itkTestFile.h"
 #include "itkVTKSurfaceFile.h"
 #include "itkVTKTestFiles.h"
@@ -26,45 +26,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace
 {
-/** One to three of the ways in which files break: bits, cut ends, lost and doubled stretches, wild numbers. */
-std::string
-Mutate(std::string bytes, itk::ReproducibleRandom & random)
-{
-  static const char * const words[] = { "nan", "-1",     "0",        "1e999",      "4294967296", "99999999999",
-                                        "\n",  " ",      "POINTS 9", "POLYGONS 2", "</Points>",  "<DataArray",
-                                        "\"",  "FIELD ", "\xff",     "METADATA\n", "int",        "3" };
-  for (std::uint64_t step = 1 + random.Integer(3); step > 0 && !bytes.empty(); --step)
-  {
-    const std::size_t at = random.Integer(static_cast<std::uint32_t>(bytes.size()));
-    const std::size_t length =
-      random.Integer(static_cast<std::uint32_t>(std::min<std::size_t>(bytes.size() - at, 40)) + 1);
-    const char * word = words[random.Integer(std::size(words))];
-    switch (random.Integer(6))
-    {
-      case 0:
-        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.Integer(8)));
-        break;
-      case 1:
-        bytes.resize(at);
-        break;
-      case 2:
-        bytes.erase(at, length);
-        break;
-      case 3:
-        bytes.insert(at, bytes.substr(at, length));
-        break;
-      case 4:
-        bytes.insert(at, word);
-        break;
-      default:
-        bytes.replace(at, std::min<std::size_t>(std::string(word).size(), bytes.size() - at), word);
-    }
-  }
-  return bytes;
-}
+const std::vector<std::string> Words = { "nan", "-1",     "0",        "1e999",      "4294967296", "99999999999",
+                                         "\n",  " ",      "POINTS 9", "POLYGONS 2", "</Points>",  "<DataArray",
+                                         "\"",  "FIELD ", "\xff",     "METADATA\n", "int",        "3" };
 
 TEST(VTKSurfaceFileMutants, AreReadWholeOrRefused)
 {
@@ -82,7 +50,7 @@ TEST(VTKSurfaceFileMutants, AreReadWholeOrRefused)
     const std::string bytes = itk::ReadTestFile(whole);
     for (int m = 0; m < mutants; ++m)
     {
-      const std::string file = itk::WriteTestFile("mutant" + extension, Mutate(bytes, random));
+      const std::string file = itk::WriteTestFile("mutant" + extension, itk::Mutate(bytes, Words, { bytes }, random));
       try
       {
         const auto surface = itk::ReadVTKSurfaceFile(file);

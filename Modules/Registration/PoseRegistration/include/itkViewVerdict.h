@@ -39,6 +39,7 @@ namespace itk
 class PoseRegistration_EXPORT ViewVerdict
 {
 public:
+  /** Limits beyond which a finding is given. */
   struct Thresholds
   {
     /** Standard deviations beyond which a landmark is a gross error. */
