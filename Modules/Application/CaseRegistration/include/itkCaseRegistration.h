@@ -54,7 +54,7 @@ class UMidlineDentalAxisFilter;
  * RegistrationIterationCommand logs a case as it logs a method.
  *
  * Dental axis and checks of the scans depend on the scans alone. They are kept: who registers again what changed of the
- * drawing, in a copy of the data with the same scans, has the same result in a good half of the time.
+ * drawing, in a copy of the data with the same scans, has the same result in two thirds of the time.
  *
  * \ingroup CaseRegistration
  */
