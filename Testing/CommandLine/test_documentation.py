@@ -203,7 +203,8 @@ def test_classes_have_pages_in_a_checkout_below_any_folder(tmp_path):
         pytest.skip("doxygen is not installed")
     tree = tmp_path / "src" / "test" / "it's mine"
     for file in [*ROOT.glob("Modules/*/*/include/*.h"), *ROOT.glob("Modules/*/*/itk-module.cmake"),
-                 *map(ROOT.joinpath, ("CMakeLists.txt", "Documentation/Doxyfile", "Utilities/doxygen.sh"))]:
+                 *map(ROOT.joinpath, ("CMakeLists.txt", "Documentation/Doxyfile", "Utilities/doxygen.sh",
+                                           "Utilities/doxygen_filter.py"))]:
         copy = tree / file.relative_to(ROOT)
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(file, copy)

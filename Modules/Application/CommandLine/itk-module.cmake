@@ -4,6 +4,8 @@ itk_module(CommandLine
     CaseRegistration
     DentalPhantom
     Experiment
+    Tracing
+    TracingPage
     ITKCommon
     ITKIOImageBase
     ITKIOBMP

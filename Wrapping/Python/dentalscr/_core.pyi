@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'TracedSide', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'TracedSide', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'ViewVerdictThresholds', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -3009,7 +3009,7 @@ class ContourDistanceFilter(ProcessObject):
         """
     def SetDistance(self, distance: ContourPointDistance | str) -> None:
         """
-        Sets how the distance of a point is measured: PointToPoint (the default, the paper's) or PointToSegment.
+        Sets how the distance of a point, in pixels, is measured: PointToPoint (the default, the paper's) or PointToSegment.
         """
     def _SetFixedContour(self, contour: Contour | None) -> None:
         ...
@@ -3162,7 +3162,7 @@ class ContourChamferMetricv4(ContourToContourMetricv4):
         """
     def SetDistance(self, distance: ContourPointDistance | str) -> None:
         """
-        Sets how the distance of a point is measured: PointToPoint (the default, the paper's) or PointToSegment.
+        Sets how the distance of a point, in pixels, is measured: PointToPoint (the default, the paper's) or PointToSegment.
         """
     def SetTruncation(self, value: float) -> None:
         """
@@ -3898,7 +3898,7 @@ class StateBlock:
         """
 class PoseStateBlocks:
     """
-    The blocks that the metrics of a pose read.
+    The blocks that the metrics of a pose read. ``Arm`` is the length that an angle is multiplied by, mm.
     """
     Arm: typing.ClassVar[float] = 64.0
     @staticmethod
@@ -5684,7 +5684,7 @@ class PoseSolution(DataObject):
         """
     def GetViewNames(self) -> list[str]:
         """
-        Of the views beside the first.
+        Returns the names of the views beside the first radiograph, in the order in which they were added.
         """
     def HasConverged(self, jaw: Jaw | str) -> bool:
         """
@@ -5700,7 +5700,7 @@ class PoseSolution(DataObject):
         """
     def MakeViewSolution(self, name: str) -> PoseSolution:
         """
-        The same solution as another view shows it: everything downstream takes it.
+        Returns the same solution as the view of that name shows it: its geometry takes points of a scan (mm) to pixels of that radiograph. Everything downstream takes it.
         """
     def ProjectPoint(self, jaw: Jaw | str, point: typing.Sequence[float]) -> tuple[float, float]:
         """
@@ -5872,7 +5872,7 @@ class PoseRegistrationMethod(ProcessObject):
         """
     def ClearViews(self) -> None:
         """
-        Back to the lateral radiograph alone.
+        Removes all views: the lateral radiograph stands alone again.
         """
     def GetCurrentCandidate(self) -> int:
         """
@@ -6028,6 +6028,52 @@ class PoseRegistrationMethod(ProcessObject):
     def _TryHypothesis(self, hypothesis: PoseHypothesis, jaw: Jaw | str) -> PoseHypothesisOutcome:
         ...
     def __init__(self) -> None:
+        ...
+class ViewVerdictThresholds:
+    """
+    When a further view is suspect; standard deviations unless said.
+    """
+    def __init__(self) -> None:
+        ...
+    @property
+    def landmarkApart(self) -> float:
+        """
+        Distance above which a landmark of the view is a gross error, standard deviations.
+        """
+    @landmarkApart.setter
+    def landmarkApart(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectCost(self) -> float:
+        """
+        Robust cost of the view's tracing above which it is suspect, no unit.
+        """
+    @suspectCost.setter
+    def suspectCost(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectDeviance(self) -> float:
+        """
+        Difference of the robust criterion below which the other reading of the view (sides, source) is named.
+        """
+    @suspectDeviance.setter
+    def suspectDeviance(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectLandmarkRatio(self) -> float:
+        """
+        Root mean square of the other landmarks' distances above which the view is suspect, standard deviations.
+        """
+    @suspectLandmarkRatio.setter
+    def suspectLandmarkRatio(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectPriorTension(self) -> float:
+        """
+        Distance of move and scale from their priors above which the view is suspect, standard deviations.
+        """
+    @suspectPriorTension.setter
+    def suspectPriorTension(self, arg0: float) -> None:
         ...
 class RegistrationVerdictThresholds:
     """
@@ -6275,6 +6321,14 @@ class RegistrationVerdictThresholds:
     @suspectWinding.setter
     def suspectWinding(self, arg0: float) -> None:
         ...
+    @property
+    def view(self) -> ViewVerdictThresholds:
+        """
+        Of each further view.
+        """
+    @view.setter
+    def view(self, arg0: ViewVerdictThresholds) -> None:
+        ...
 class RegistrationVerdictFilter(ProcessObject):
     """
     Judges a pose registration.
@@ -6300,6 +6354,8 @@ class RegistrationVerdictFilter(ProcessObject):
         Sets the limits beyond which findings are given.
         """
     def _GetVerdict(self, jaw: Jaw | str) -> typing.Any:
+        ...
+    def _GetViewVerdicts(self) -> dict[str, typing.Any]:
         ...
     def _SetSolution(self, solution: PoseSolution) -> None:
         ...

@@ -151,7 +151,7 @@ WrapPhantom(py::module_ & module)
     .def_readwrite("archFamily", &ParametersType::archFamily, "The shape of the arch.")
     .def_readwrite("archExponent",
                    &ParametersType::archExponent,
-                   "Exponent p of the arch |y/w|^p + |x/d|^p = 1: 2 is an ellipse, more is squarer.")
+                   "Exponent p of the arch ``|y/w|^p + |x/d|^p = 1``: 2 is an ellipse, more is squarer.")
     .def_readwrite("archCoverage",
                    &ParametersType::archCoverage,
                    "How far along a quarter of the arch's curve the second molar ends: less is more tapered.")

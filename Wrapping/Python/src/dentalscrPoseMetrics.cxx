@@ -136,17 +136,18 @@ isFree : bool, optional
       }
       return text + '>';
     });
-  py::class_<itk::PoseStateBlocks>(module, "PoseStateBlocks", "The blocks that the metrics of a pose read.")
+  // An attribute, not a property: pybind11 loses the words on a static one.
+  py::class_<itk::PoseStateBlocks>(module,
+                                   "PoseStateBlocks",
+                                   "The blocks that the metrics of a pose read. ``Arm`` is the length that an angle is "
+                                   "multiplied by, mm.")
     .def_static(
       "MakePose", &itk::PoseStateBlocks::MakePose, py::arg("name") = "pose", "pitch, roll, yaw (rad), tx, ty, tz (mm).")
     .def_static("MakeScale",
                 &itk::PoseStateBlocks::MakeScale,
                 py::arg("name") = "scale",
                 "kappa, the logarithm of the factor on the geometry's magnification.")
-    .def_property_readonly_static(
-      "Arm",
-      [](const py::object &) { return itk::PoseStateBlocks::Arm; },
-      "The length that an angle is multiplied by, mm.");
+    .attr("Arm") = double(itk::PoseStateBlocks::Arm);
 }
 
 void

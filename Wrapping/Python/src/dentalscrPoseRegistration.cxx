@@ -484,11 +484,15 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       [](const SolutionType & self, JawEnum jaw) { return self.GetIndex(Checked(jaw)) >= 0; },
       py::arg("jaw"),
       "Whether the jaw had a mesh and a contour.")
-    .def("GetViewNames", &SolutionType::GetViewNames, "Of the views beside the first.")
+    .def("GetViewNames",
+         &SolutionType::GetViewNames,
+         "Returns the names of the views beside the first radiograph, in the order in which they were added.")
     .def("MakeViewSolution",
          &SolutionType::MakeViewSolution,
          py::arg("name"),
-         "The same solution as another view shows it: everything downstream takes it.")
+         "Returns the same solution as the view of that name shows it: its geometry takes points of a scan (mm) to "
+         "pixels of "
+         "that radiograph. Everything downstream takes it.")
     .def(
       "IsRegistered",
       [](const SolutionType & self, JawEnum jaw) { return self.IsRegistered(Checked(jaw)); },
@@ -941,7 +945,7 @@ WrapPoseMethod(py::module_ & module)
       py::arg("counterparts"),
       py::arg("sameHeadPosition"),
       py::arg("principalPointSigma"))
-    .def("ClearViews", &MethodType::ClearViews, "Back to the lateral radiograph alone.")
+    .def("ClearViews", &MethodType::ClearViews, "Removes all views: the lateral radiograph stands alone again.")
     .def("SetOptions", &MethodType::SetOptions, py::arg("options"), "Sets all options at once.")
     .def(
       "GetOptions", [](const MethodType & self) { return self.GetOptions(); }, "A copy.")

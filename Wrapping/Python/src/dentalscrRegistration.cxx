@@ -151,7 +151,7 @@ WrapMetrics(py::module_ & module)
     .def("SetDistance",
          &DistanceFilterType::SetDistance,
          py::arg("distance"),
-         "Sets how the distance of a point is measured: PointToPoint (the default, the paper's) or "
+         "Sets how the distance of a point, in pixels, is measured: PointToPoint (the default, the paper's) or "
          "PointToSegment.")
     .def("GetDistance",
          &DistanceFilterType::GetDistance,
@@ -269,7 +269,7 @@ WrapMetricObjects(py::module_ & module)
     .def("SetDistance",
          &ChamferType::SetDistance,
          py::arg("distance"),
-         "Sets how the distance of a point is measured: PointToPoint (the default, the paper's) or "
+         "Sets how the distance of a point, in pixels, is measured: PointToPoint (the default, the paper's) or "
          "PointToSegment.")
     .def("GetDistance",
          &ChamferType::GetDistance,

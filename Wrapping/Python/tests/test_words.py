@@ -45,7 +45,7 @@ def test_everything_has_words(ds):
 def test_settings_say_what_is_set(ds):
     """A setter of a length, a width or an angle says its unit, or that of which it is a part."""
     units = re.compile(
-        r"\b(mm|pixels?|px|rad|degrees?|triangles|points|standard deviations?|parts?|share|metric|unit|vertices|radiograph|"
+        r"\b(mm|pixels?|px|rad|degrees?|triangles|points|positions|standard deviations?|parts?|share|metric|unit|vertices|radiograph|"
         r"picture|image|raster|frame|shown)\b"
     )
     lengths = re.compile(r"Set\w*(Spacing|Distance|Margin|Length|Width|Height|Range|Step|Gap|Sigma|Size)$")

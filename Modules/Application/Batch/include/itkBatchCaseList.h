@@ -51,6 +51,7 @@ public:
   std::vector<BatchCase>
   Find(const std::vector<std::string> & inputs);
 
+  /** What of the inputs was left out, a sentence each. */
   const std::vector<std::string> &
   GetWarnings() const
   {

@@ -46,6 +46,7 @@ public:
     , m_Output(std::move(output))
   {}
 
+  /** The records of all parts, in the order of the cases. */
   std::vector<BatchRecord>
   Collect(const std::vector<BatchCase> & cases);
 

@@ -61,6 +61,7 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(BatchRunner, ProcessObject);
 
+  /** What is run, in this order. */
   void
   SetCases(const std::vector<BatchCase> & cases);
   /** The program dentalscr, and what stands before its verb: "python3", "-m", "dentalscr" is one as well. */

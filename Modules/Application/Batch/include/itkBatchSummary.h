@@ -51,19 +51,23 @@ public:
   static BatchSummary
   ReadFile(const std::string & fileName);
 
+  /** One a case, in the order of the cohort. */
   const std::vector<BatchRecord> &
   GetRecords() const
   {
     return m_Records;
   }
+  /** Whether every case of the cohort has been run. */
   bool
   IsComplete() const
   {
     return m_IsComplete;
   }
 
+  /** The text of summary.csv: a row a case and jaw, with names that no spreadsheet runs. */
   std::string
   ToCSV() const;
+  /** The text of summary.json. */
   std::string
   ToJson() const;
   /** One self-contained page but for the pictures, which it shows from the cases' folders. It links to the pages of the

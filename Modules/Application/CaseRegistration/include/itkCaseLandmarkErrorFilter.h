@@ -57,11 +57,13 @@ public:
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
 
   using Superclass::SetInput;
+  /** The result of a CaseRegistration; it stays as it is. */
   void
   SetInput(const InputType * input);
   const InputType *
   GetInput() const;
 
+  /** The same result with errors, where the case names marked landmarks. */
   OutputType *
   GetOutput();
 

@@ -35,6 +35,7 @@ namespace itk
 {
 class DentalFrameObject;
 class PoseRegistrationMethodBase;
+class ScanCheckFilter;
 template <typename TMesh>
 class UMidlineDentalAxisFilter;
 
@@ -51,6 +52,9 @@ class UMidlineDentalAxisFilter;
  * IterationEvent at each of the method that runs, EndEvent; AbortGenerateDataOn() ends the run with ProcessAborted.
  * What RegistrationIterationInformation tells is that of the method which runs or ran last, its level among it: a
  * RegistrationIterationCommand logs a case as it logs a method.
+ *
+ * Dental axis and checks of the scans depend on the scans alone. They are kept: who registers again what changed of the
+ * drawing, in a copy of the data with the same scans, has the same result in a good half of the time.
  *
  * \ingroup CaseRegistration
  */
@@ -188,7 +192,7 @@ public:
 
 protected:
   CaseRegistration();
-  ~CaseRegistration() override = default;
+  ~CaseRegistration() override;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
   void
@@ -198,6 +202,7 @@ protected:
 
 private:
   using JawEnum = ToothCode::JawEnum;
+  using AxisType = UMidlineDentalAxisFilter<DentalCaseData::MeshType>;
 
   void
   EnterStage(const std::string & stage, float progress);
@@ -206,16 +211,19 @@ private:
   HasLandmarks(JawEnum jaw) const;
   void
   SkipWhatIsIncomplete();
+  /** The dental axis of the scans, that of the last run where nothing that it depends on is another. */
+  void
+  PrepareAxis();
   /** What can be said of the scans before anything is registered. */
   void
-  CheckScans(DentalFrameObject * frames);
+  CheckScans();
   /** A jaw of which nothing was drawn goes along with the other one, whose frame it shares. */
   void
   PlaceBesideTheOther();
   void
-  RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis);
+  RegisterBySimilarity();
   void
-  RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis);
+  RegisterByPose();
   /** What a method says of itself, kept: it does not outlive its stage. */
   struct IterationType
   {
@@ -244,11 +252,13 @@ private:
   bool                    m_KappaSigmaIsGiven{ false };
   bool                    m_RefineMidline{ true };
   CaseResult              m_Result;
+  SmartPointer<AxisType>  m_Axis;
   std::string             m_CurrentStage;
   IterationType           m_Iteration;
+  /** Of the axis' frames. */
+  SmartPointer<ScanCheckFilter> m_Checks;
   /** What runs, to be told of an abort; null between. */
-  ProcessObject *  m_Running{ nullptr };
-  ModifiedTimeType m_ResultMTime{ 0 };
+  ProcessObject * m_Running{ nullptr };
 };
 } // namespace itk
 

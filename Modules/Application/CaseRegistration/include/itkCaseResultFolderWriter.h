@@ -54,6 +54,7 @@ public:
   using InputType = CaseResultObject;
 
   using Superclass::SetInput;
+  /** What is written. */
   void
   SetInput(const InputType * input);
   const InputType *

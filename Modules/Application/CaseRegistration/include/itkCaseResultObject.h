@@ -42,6 +42,7 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(CaseResultObject, DataObject);
 
+  /** Takes a result; what is made of the object before is made again. */
   void
   Set(const CaseResult & result);
   const CaseResult &

@@ -67,6 +67,7 @@ struct DentalCaseData : public DentalRadiographData
   std::vector<std::string>   warnings;
   double                     readSeconds{ 0.0 };
 
+  /** What was read of a jaw; the upper one's for any other value than Lower. */
   const JawType &
   GetJaw(JawEnum jaw) const
   {

@@ -41,6 +41,16 @@ IsDentalCaseFile(const std::string & fileName);
 CaseRegistration_EXPORT DentalCase
 ParseDentalCase(const std::string & text, const std::string & sourceName, const std::string & folder);
 
+/** \name A case that is yet to be drawn
+ * The same, but neither scans nor tracing nor landmarks have to be named, and tracing and landmarks that are named need
+ * not be there yet: they may be what the drawing is to be written to.
+ * @{ */
+CaseRegistration_EXPORT DentalCase
+ReadDentalCaseToDraw(const std::string & fileName);
+CaseRegistration_EXPORT DentalCase
+ParseDentalCaseToDraw(const std::string & text, const std::string & sourceName, const std::string & folder);
+/** @} */
+
 /** Reads an alignment to start from, as the case file's "init", out of a file of its own; or takes that of an earlier
  * result (result.json, or its folder). \ingroup CaseRegistration */
 CaseRegistration_EXPORT void

@@ -34,6 +34,14 @@ namespace itk
 CaseRegistration_EXPORT std::shared_ptr<DentalCaseData>
                         LoadDentalCase(const DentalCase & description);
 
+/** Of that the second part alone, for who draws on: reads the tracing and the landmarks to register with that the
+ * description names and settles the traced side. What was drawn before must not be in the data; their geometry is
+ * changed where a ruler was drawn, and must be their own.
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+LoadCaseDrawings(DentalCaseData & data);
+
 /** Tells a reader of files on a radiograph what a case knows of it: its name, and how many mm a pixel markups have.
  *
  * \ingroup CaseRegistration */

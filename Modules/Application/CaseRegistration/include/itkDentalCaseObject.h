@@ -49,6 +49,7 @@ public:
 
   using DataPointer = std::shared_ptr<const DentalCaseData>;
 
+  /** Takes a case, which nobody changes any more. */
   void
   Set(DataPointer data);
   /** Null where there is none. */

@@ -75,11 +75,13 @@ struct DentalRadiographData
   /** mm a pixel and origin (mm) of the grid in which markups lie; nothing where nobody knows. */
   std::optional<std::array<double, 4>> markupsGrid;
 
+  /** Whether the geometry has a pixel spacing, known or begun with. */
   bool
   HasPixelSpacing() const
   {
     return geometry->HasPixelSpacing();
   }
+  /** Whether somebody said where the central ray meets the detector. */
   bool
   HasPrincipalPoint() const
   {

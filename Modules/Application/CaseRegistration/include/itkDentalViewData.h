@@ -40,6 +40,7 @@ struct DentalViewData : public DentalRadiographData
   /** Upper, lower; null where nothing was drawn. */
   std::array<DentalContour::Pointer, 2> contours;
 
+  /** What was drawn of a jaw; null where nothing was. */
   const DentalContour *
   GetContour(ToothCode::JawEnum jaw) const
   {

@@ -58,6 +58,9 @@ CaseRegistration::CaseRegistration()
   this->SetNthOutput(0, this->MakeOutput(0));
 }
 
+// Here, where what it holds is known.
+CaseRegistration::~CaseRegistration() = default;
+
 CaseRegistration::DataObjectPointer
 CaseRegistration::MakeOutput(DataObjectPointerArraySizeType)
 {
@@ -384,16 +387,42 @@ CaseRegistration::SkipWhatIsIncomplete()
 }
 
 void
-CaseRegistration::CheckScans(DentalFrameObject * frames)
+CaseRegistration::PrepareAxis()
+{
+  const bool refines = m_Preset == CasePresetEnum::Robust && m_RefineMidline;
+  const auto share = ToJawsShareFrame(m_Data->description.occlusion);
+  if (m_Axis.IsNotNull() && m_Axis->GetUpperMesh() == m_Data->upper.mesh &&
+      m_Axis->GetLowerMesh() == m_Data->lower.mesh && m_Axis->GetJawsShareFrame() == share &&
+      m_Axis->GetRefineMidline() == refines && m_Axis->GetNumberOfWorkUnits() == this->GetNumberOfWorkUnits())
+  {
+    return;
+  }
+  // A new one: earlier results hold on to the frames of the old one.
+  m_Axis = AxisType::New();
+  m_Axis->SetUpperMesh(m_Data->upper.mesh);
+  m_Axis->SetLowerMesh(m_Data->lower.mesh);
+  m_Axis->SetJawsShareFrame(share);
+  m_Axis->SetRefineMidline(refines);
+  m_Axis->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  m_Axis->RequireArchesOff();
+  m_Axis->TransformMeshesOff();
+}
+
+void
+CaseRegistration::CheckScans()
 {
   if (m_Data->upper.mesh.IsNull() && m_Data->lower.mesh.IsNull())
   {
     return;
   }
-  auto checks = ScanCheckFilter::New();
+  if (m_Checks.IsNull())
+  {
+    m_Checks = ScanCheckFilter::New();
+  }
+  ScanCheckFilter * checks = m_Checks;
   checks->SetUpperMesh(m_Data->upper.mesh);
   checks->SetLowerMesh(m_Data->lower.mesh);
-  checks->SetFrames(frames);
+  checks->SetFrames(m_Axis->GetFrameOutput());
   checks->SetLandmarks(m_Data->landmarks3D);
   checks->SetMillimetresPerUnit(m_Data->description.millimetresPerUnit);
   checks->Update();
@@ -430,17 +459,9 @@ CaseRegistration::GenerateData()
   this->EnterStage("dental axis", 0.1F);
   TimeProbe axisProbe;
   axisProbe.Start();
-  using AxisType = UMidlineDentalAxisFilter<DentalCaseData::MeshType>;
-  auto axis = AxisType::New();
-  axis->SetUpperMesh(m_Data->upper.mesh);
-  axis->SetLowerMesh(m_Data->lower.mesh);
-  axis->SetJawsShareFrame(ToJawsShareFrame(m_Data->description.occlusion));
-  axis->SetRefineMidline(m_Preset == CasePresetEnum::Robust && m_RefineMidline);
-  axis->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
-  axis->RequireArchesOff();
-  axis->TransformMeshesOff();
-  this->Run(axis, 0.1F, 0.3F);
-  const DentalFrameResult & frames = axis->GetFrame();
+  this->PrepareAxis();
+  this->Run(m_Axis, 0.1F, 0.3F);
+  const DentalFrameResult & frames = m_Axis->GetFrame();
   axisProbe.Stop();
   this->EnterStage("checks", 0.3F);
   m_Result.jawsShareFrame = frames.jawsShareFrame;
@@ -466,7 +487,7 @@ CaseRegistration::GenerateData()
     entry.second.seconds.emplace_back("read", m_Data->readSeconds);
     entry.second.seconds.emplace_back("axis", axisProbe.GetTotal());
   }
-  this->CheckScans(axis->GetFrameOutput());
+  this->CheckScans();
 
   m_Result.geometry = CephalometricGeometry::New();
   m_Result.geometry->CopyParameters(m_Data->geometry);
@@ -477,11 +498,11 @@ CaseRegistration::GenerateData()
   }
   if (m_Preset == CasePresetEnum::Robust)
   {
-    this->RegisterByPose(axis);
+    this->RegisterByPose();
   }
   else
   {
-    this->RegisterBySimilarity(axis);
+    this->RegisterBySimilarity();
   }
   total.Stop();
   m_Result.totalSeconds = total.GetTotal() + m_Data->readSeconds;
@@ -490,7 +511,7 @@ CaseRegistration::GenerateData()
 }
 
 void
-CaseRegistration::RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis)
+CaseRegistration::RegisterByPose()
 {
   this->EnterStage("registration", 0.35F);
   CasePoseSettings settings;
@@ -507,7 +528,7 @@ CaseRegistration::RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshTy
   settings.run = [this](ProcessObject * process) { this->Run(process, 0.35F, 0.95F); };
   try
   {
-    RegisterCaseByPose(*m_Data, axis, settings, m_Result);
+    RegisterCaseByPose(*m_Data, m_Axis, settings, m_Result);
   }
   catch (const ProcessAborted &)
   {
@@ -537,10 +558,10 @@ CaseRegistration::RegisterByPose(UMidlineDentalAxisFilter<DentalCaseData::MeshTy
 }
 
 void
-CaseRegistration::RegisterBySimilarity(UMidlineDentalAxisFilter<DentalCaseData::MeshType> * axis)
+CaseRegistration::RegisterBySimilarity()
 {
-  const auto frameOf = [axis](JawEnum jaw) {
-    return jaw == JawEnum::Upper ? axis->GetUpperTransformOutput() : axis->GetLowerTransformOutput();
+  const auto frameOf = [this](JawEnum jaw) {
+    return jaw == JawEnum::Upper ? m_Axis->GetUpperTransformOutput() : m_Axis->GetLowerTransformOutput();
   };
   if (m_Data->description.initialPose || !m_Data->description.initialPlacements.empty())
   {
@@ -636,6 +657,8 @@ CaseRegistration::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "KappaSigmaIsGiven: " << (m_KappaSigmaIsGiven ? "On" : "Off") << std::endl;
   os << indent << "PoseMethodCallback: " << (m_PoseMethodCallback ? "set" : "(none)") << std::endl;
   os << indent << "RefineMidline: " << (m_RefineMidline ? "On" : "Off") << std::endl;
+  itkPrintSelfObjectMacro(Axis);
+  itkPrintSelfObjectMacro(Checks);
   os << indent << "CurrentStage: " << m_CurrentStage << std::endl;
   os << indent << "Iteration: level " << m_Iteration.level << ", iteration " << m_Iteration.iteration << ", value "
      << m_Iteration.value << std::endl;

@@ -404,8 +404,21 @@ ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase)
 
 namespace
 {
+/** A file that a case yet to be drawn names may be the one that the drawing is to be written to. */
+bool
+IsYetToBeWritten(const JsonNode & root, const char * key, const fs::path & directory)
+{
+  const auto      node = root.Find(key);
+  std::error_code ignored;
+  return node && node->IsString() && !node->AsString().empty() &&
+         !fs::exists(directory / fs::u8path(node->AsString()), ignored);
+}
+
 DentalCase
-InterpretDentalCase(const JsonDocument & document, const std::string & fileName, const fs::path & directory)
+InterpretDentalCase(const JsonDocument & document,
+                    const std::string &  fileName,
+                    const fs::path &     directory,
+                    bool                 isDrawn = true)
 {
   const JsonNode root = document.GetRoot();
   if (!root.IsObject())
@@ -437,7 +450,8 @@ InterpretDentalCase(const JsonDocument & document, const std::string & fileName,
 
   dentalCase.upperFile = FindFile(root, "upper", directory);
   dentalCase.lowerFile = FindFile(root, "lower", directory);
-  if (dentalCase.upperFile.empty() && dentalCase.lowerFile.empty())
+  // Who draws needs the radiograph alone.
+  if (isDrawn && dentalCase.upperFile.empty() && dentalCase.lowerFile.empty())
   {
     itkDentalInputErrorMacro(fileName, "upper", "neither \"upper\" nor \"lower\" is given", "name at least one scan");
   }
@@ -455,7 +469,7 @@ InterpretDentalCase(const JsonDocument & document, const std::string & fileName,
   {
     dentalCase.crowns = Interpret(*crowns, CrownsFromString);
   }
-  if (!root.Find("contours") && !root.Find("cephalometric_landmarks") && !root.Find("views"))
+  if (isDrawn && !root.Find("contours") && !root.Find("cephalometric_landmarks") && !root.Find("views"))
   {
     itkDentalInputErrorMacro(fileName,
                              "contours",
@@ -490,13 +504,19 @@ InterpretDentalCase(const JsonDocument & document, const std::string & fileName,
   {
     dentalCase.numbering = Interpret(*numbering, ToothCode::NumberingFromString);
   }
-  ReadContourFiles(root, directory, dentalCase);
+  if (isDrawn || !IsYetToBeWritten(root, "contours", directory))
+  {
+    ReadContourFiles(root, directory, dentalCase);
+  }
   dentalCase.markupsSpacing = ReadMarkupsSpacing(root);
   std::vector<std::string> landmarkWarnings;
-  const CaseLandmarkField  landmarks = ReadCephalometricLandmarks(root, directory, dentalCase.numbering);
-  dentalCase.cephalometricLandmarksFile = landmarks.fileName;
-  dentalCase.cephalometricLandmarks = landmarks.landmarks;
-  landmarkWarnings = landmarks.warnings;
+  if (isDrawn || !IsYetToBeWritten(root, "cephalometric_landmarks", directory))
+  {
+    const CaseLandmarkField landmarks = ReadCephalometricLandmarks(root, directory, dentalCase.numbering);
+    dentalCase.cephalometricLandmarksFile = landmarks.fileName;
+    dentalCase.cephalometricLandmarks = landmarks.landmarks;
+    landmarkWarnings = landmarks.warnings;
+  }
   if (const auto cephalogram = root.Find("cephalogram"))
   {
     ReadCephalogram(*cephalogram, directory, dentalCase);
@@ -550,6 +570,12 @@ ReadDentalCase(const std::string & fileName)
   return InterpretDentalCase(JsonDocument::ReadFile(fileName), fileName, fs::path(fileName).parent_path());
 }
 
+DentalCase
+ReadDentalCaseToDraw(const std::string & fileName)
+{
+  return InterpretDentalCase(JsonDocument::ReadFile(fileName), fileName, fs::path(fileName).parent_path(), false);
+}
+
 bool
 IsDentalCaseFile(const std::string & fileName)
 {
@@ -574,5 +600,11 @@ DentalCase
 ParseDentalCase(const std::string & text, const std::string & sourceName, const std::string & folder)
 {
   return InterpretDentalCase(JsonDocument::Parse(text, sourceName), sourceName, fs::path(folder));
+}
+
+DentalCase
+ParseDentalCaseToDraw(const std::string & text, const std::string & sourceName, const std::string & folder)
+{
+  return InterpretDentalCase(JsonDocument::Parse(text, sourceName), sourceName, fs::path(folder), false);
 }
 } // namespace itk

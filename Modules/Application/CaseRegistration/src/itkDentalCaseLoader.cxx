@@ -101,6 +101,27 @@ LoadLabels(DentalCaseData & data)
   }
 }
 
+/** The tracing and the landmarks to register with. */
+void
+LoadDrawings(DentalRadiographLoader & loader, DentalCaseData & data)
+{
+  const DentalCase & description = data.description;
+  const auto         contours = loader.LoadContours(
+    description.contourClassFiles, description.tracedSideIsGiven && description.tracedSide == TracedSideEnum::Left);
+  data.upper.contour = contours[0];
+  data.lower.contour = contours[1];
+  if (data.sidelessContours > 0 && description.tracedSide == TracedSideEnum::Both)
+  {
+    itkDentalInputErrorMacro(description.fileName,
+                             "traced_side",
+                             "is \"both\", but " + std::to_string(data.sidelessContours) +
+                               " contours have codes without a side (U1, L6)",
+                             "give each contour the code of its side, or write \"standard\"");
+  }
+  loader.LoadLandmarks();
+  SettleTracedSide(data);
+}
+
 } // namespace
 
 void
@@ -162,6 +183,14 @@ CheckLandmarksInImage(const CephalometricLandmarkSet &    landmarks,
   }
 }
 
+void
+LoadCaseDrawings(DentalCaseData & data)
+{
+  DentalRadiographLoader loader(
+    data.description, data.description, CephalometricGeometry::DirectionEnum::Lateral, "", data, data.warnings);
+  LoadDrawings(loader, data);
+}
+
 std::shared_ptr<DentalCaseData>
 LoadDentalCase(const DentalCase & description)
 {
@@ -176,20 +205,7 @@ LoadDentalCase(const DentalCase & description)
     description, description, CephalometricGeometry::DirectionEnum::Lateral, "", *data, data->warnings);
   loader.LoadImage();
   loader.SettleGeometry();
-  const auto contours = loader.LoadContours(
-    description.contourClassFiles, description.tracedSideIsGiven && description.tracedSide == TracedSideEnum::Left);
-  data->upper.contour = contours[0];
-  data->lower.contour = contours[1];
-  if (data->sidelessContours > 0 && description.tracedSide == TracedSideEnum::Both)
-  {
-    itkDentalInputErrorMacro(description.fileName,
-                             "traced_side",
-                             "is \"both\", but " + std::to_string(data->sidelessContours) +
-                               " contours have codes without a side (U1, L6)",
-                             "give each contour the code of its side, or write \"standard\"");
-  }
-  loader.LoadLandmarks();
-  SettleTracedSide(*data);
+  LoadDrawings(loader, *data);
   LoadDentalViews(*data);
   if (!description.landmarks3DFile.empty())
   {

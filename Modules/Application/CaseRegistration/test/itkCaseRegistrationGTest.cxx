@@ -237,6 +237,48 @@ TEST(CaseRegistration, ASecondUpdateRunsNothing)
   EXPECT_EQ(starts, 2);
 }
 
+TEST(CaseRegistration, WhatIsKeptOfTheScansChangesNoResult)
+{
+  // Who draws registers the same scans again and again, and then another case's.
+  const PhantomCase first(11);
+  const PhantomCase other(12);
+  auto              drawing = std::make_shared<itk::DentalCaseData>(*first.data);
+  drawing->upper.contour = itk::DentalContour::New();
+  for (const auto & polyline : first.data->upper.contour->GetPolylines())
+  {
+    auto moved = polyline;
+    for (auto & point : moved.points)
+    {
+      point[0] += 1.5;
+    }
+    drawing->upper.contour->AddPolyline(moved);
+  }
+  auto kept = itk::CaseRegistration::New();
+  kept->SetData(first.data);
+  kept->Update();
+  const itk::CaseResult before = kept->GetResult();
+  for (const auto & data : { std::shared_ptr<const itk::DentalCaseData>(drawing),
+                             std::shared_ptr<const itk::DentalCaseData>(other.data),
+                             std::shared_ptr<const itk::DentalCaseData>(first.data) })
+  {
+    auto anew = itk::CaseRegistration::New();
+    anew->SetData(data);
+    anew->Update();
+    kept->SetData(data);
+    kept->Update();
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      const itk::JawResult & expected = anew->GetResult().jaws.at(jaw);
+      const itk::JawResult & result = kept->GetResult().jaws.at(jaw);
+      EXPECT_EQ(result.projection, expected.projection);
+      EXPECT_EQ(result.archWidth, expected.archWidth);
+      EXPECT_EQ(result.status, expected.status);
+      EXPECT_EQ(result.findings.size(), expected.findings.size());
+    }
+  }
+  EXPECT_EQ(before.jaws.at(JawEnum::Upper).projection, kept->GetResult().jaws.at(JawEnum::Upper).projection);
+}
+
 TEST(CaseRegistration, TwoJawsAtOnceDoNotPullOneSource)
 {
   // An update of one thread in the middle of another's marks the common source as modified; it once ran again under the

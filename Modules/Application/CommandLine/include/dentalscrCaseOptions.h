@@ -55,9 +55,10 @@ public:
   static std::set<std::string>
   GetFileNames();
 
-  /** The case that they make; the names of files are from the current directory. Throws DentalInputError. */
+  /** The case that they make; the names of files are from the current directory. One that is yet to be drawn needs
+   * neither tracing nor landmarks. Throws DentalInputError. */
   itk::DentalCase
-  Read() const;
+  Read(bool isDrawn = true) const;
 
 private:
   /** One field: where it stands in a case file, and what the command line gave for it. */

@@ -42,6 +42,8 @@ using RunFunction = std::function<int()>;
 CommandLine_EXPORT void
 AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 CommandLine_EXPORT void
+AddTraceCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
+CommandLine_EXPORT void
 AddNewCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);
 CommandLine_EXPORT void
 AddBatchCommand(CLI::App & program, const CommonOptions & common, RunFunction & run);

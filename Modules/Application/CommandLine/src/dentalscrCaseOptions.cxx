@@ -162,7 +162,7 @@ CaseOptions::GetFirstGiven() const
 }
 
 itk::DentalCase
-CaseOptions::Read() const
+CaseOptions::Read(bool isDrawn) const
 {
   Json json = Json::object();
   for (const FieldType & field : m_Fields)
@@ -200,6 +200,6 @@ CaseOptions::Read() const
       value = field.values[0];
     }
   }
-  return itk::ParseDentalCase(json.dump(), Source, "");
+  return isDrawn ? itk::ParseDentalCase(json.dump(), Source, "") : itk::ParseDentalCaseToDraw(json.dump(), Source, "");
 }
 } // namespace dentalscr

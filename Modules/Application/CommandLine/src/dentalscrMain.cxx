@@ -144,6 +144,7 @@ Run(int argc, const char * const * argv)
 
   RunFunction run;
   AddRegisterCommand(program, common, run);
+  AddTraceCommand(program, common, run);
   AddNewCommand(program, common, run);
   AddBatchCommand(program, common, run);
   AddAxisCommand(program, common, run);

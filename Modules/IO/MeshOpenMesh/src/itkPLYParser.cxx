@@ -108,7 +108,10 @@ ParseHeader(MeshTextCursor & cursor, EncodingEnum & encoding)
 {
   std::vector<ElementType> elements;
   bool                     hasFormat = false;
-  cursor.NextWord(); // "ply"
+  if (cursor.NextWord() != "ply")
+  {
+    cursor.Fail("does not begin with \"ply\"", CopyAgain);
+  }
   cursor.SkipLine();
   for (;;)
   {

@@ -259,6 +259,8 @@ TEST(SurfaceMeshFile, SaysWhatIsWrongAndWhere)
     { Replaced(obj, "v 1.5 0 0", "v 1.5 inf 0"), "a.obj", "line 5: a coordinate \"inf\" is infinite" },
     { Replaced(obj, "v 1.5 0 0", "\x01\x02 1.5"), "a.obj", "line 5: \"??\" is no OBJ record" },
     { "v 0 0 0\nv 1 0 0\nf 1 1 2\n", "a.obj", "all of its 1 faces name a point twice" },
+    { "PK\x03\x04" + ply, "a.ply", "does not begin with \"ply\"" },
+    { Replaced(ply, "ply", "plx"), "a.ply", "does not begin with \"ply\"" },
     { Replaced(off, "4 4 6", "4 5 6"), "a.off", "the file ends before face 5 of 5" },
     { Replaced(off, "4 4 6", "4 3 6"), "a.off", "line 10: there is more after the 4 points and 3 faces" },
     { Replaced(off, "4 4 6", "5 4 6"), "a.off", "the file ends before face 4 of 4" },

@@ -1,5 +1,6 @@
-# Makes a C++ file of text files: cmake "-DPARTS=Name=file|…" -DOUTPUT=file -P EmbedParts.cmake
-set(_source "#include \"itkReportParts.h\"\n\nnamespace itk\n{\nnamespace ReportParts\n{\n")
+# Makes a C++ file of text files: cmake "-DPARTS=Name=file|…" -DNAMESPACE=ReportParts -DOUTPUT=file -P EmbedParts.cmake
+# Each part becomes a function of itk::NAMESPACE, which itkNAMESPACE.h declares.
+set(_source "#include \"itk${NAMESPACE}.h\"\n\nnamespace itk\n{\nnamespace ${NAMESPACE}\n{\n")
 string(REPLACE "|" ";" _parts "${PARTS}")
 foreach(_part IN LISTS _parts)
   string(REGEX MATCH "^([A-Za-z]+)=(.*)$" _matched "${_part}")
@@ -10,5 +11,5 @@ foreach(_part IN LISTS _parts)
   string(APPEND _source "namespace\n{\nconst unsigned char ${_name}Bytes[] = { ${_bytes}0 };\n}\n"
     "std::string_view\n${_name}()\n{\n  return { reinterpret_cast<const char *>(${_name}Bytes), sizeof(${_name}Bytes) - 1 };\n}\n")
 endforeach()
-string(APPEND _source "} // namespace ReportParts\n} // namespace itk\n")
+string(APPEND _source "} // namespace ${NAMESPACE}\n} // namespace itk\n")
 file(WRITE "${OUTPUT}" "${_source}")

@@ -18,13 +18,18 @@
 #ifndef itkRadiographForPage_h
 #define itkRadiographForPage_h
 
+#include "ReportPageExport.h"
+
 #include "itkImage.h"
 
 #include <string>
 
 namespace itk
 {
-/** A radiograph that travels in a page. */
+/** \struct RadiographForPage
+ * \brief A radiograph that travels in a page.
+ * \ingroup ReportPage
+ */
 struct RadiographForPage
 {
   /** "data:image/jpeg;base64,…" */
@@ -35,8 +40,8 @@ struct RadiographForPage
 };
 
 /** Grey JPEG between the 0.2 and 99.8 % quantiles, as the overlays show it, shrunk by a whole factor where a side is
- * longer than asked for. Throws ExceptionObject where it cannot be compressed. */
-RadiographForPage
+ * longer than asked for. Throws ExceptionObject where it cannot be compressed. \ingroup ReportPage */
+ReportPage_EXPORT RadiographForPage
 MakeRadiographForPage(const Image<float, 2> * radiograph, unsigned int maximumSide);
 } // namespace itk
 

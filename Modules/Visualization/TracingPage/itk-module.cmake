@@ -1,0 +1,8 @@
+itk_module(TracingPage
+  DEPENDS
+    DentalCommon
+    ReportPage
+    ITKCommon
+  DESCRIPTION
+    "The page on which a radiograph is traced: one HTML file with everything in it."
+)
