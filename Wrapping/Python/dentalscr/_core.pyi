@@ -7039,7 +7039,7 @@ class DentalPhantomParameters:
     @property
     def archExponent(self) -> float:
         """
-        Exponent p of the arch |y/w|^p + |x/d|^p = 1: 2 is an ellipse, more is squarer.
+        Exponent p of the arch ``|y/w|^p + |x/d|^p = 1``: 2 is an ellipse, more is squarer.
         """
     @archExponent.setter
     def archExponent(self, arg0: float) -> None:
