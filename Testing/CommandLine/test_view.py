@@ -209,6 +209,19 @@ def test_unusable_arguments_are_one_line(view, result, tmp_path, arguments, word
     assert os.listdir(tmp_path) == []
 
 
+def test_an_export_replaces_blocks_of_its_own_and_nobody_elses_folder(view, result, tmp_path):
+    for _ in range(2):
+        assert view(result, "--export", tmp_path / "scene.vtm").returncode == 0
+    mine = tmp_path / "mine"
+    mine.mkdir()
+    (mine / "thesis.tex").write_text("years of work")
+    done = view(result, "--export", tmp_path / "mine.vtm")
+    assert done.returncode != 0 and "holds something else" in done.stderr, done.stderr
+    assert (mine / "thesis.tex").read_text() == "years of work"
+    assert sorted(os.listdir(tmp_path)) == ["mine", "scene", "scene.vtm"]
+
+
+
 def test_what_is_no_result_is_named(view, sample, tmp_path):
     for file, words in (("nothing", "nothing"), (sample / "case.json", "no result of dentalscr")):
         done = view(file, "--export", tmp_path / "scene.vtp")

@@ -60,12 +60,38 @@ GetExtension(const std::string & fileName)
   return extension;
 }
 
+/** Whether a folder holds blocks of an earlier export of this name, and nothing else: then it may be replaced. */
+bool
+HoldsBlocksOnly(const fs::path & folder)
+{
+  const std::string prefix = folder.filename().string() + '_';
+  std::error_code   error;
+  for (const auto & entry : fs::directory_iterator(folder, error))
+  {
+    const std::string extension = GetExtension(entry.path().string());
+    if (!fs::is_regular_file(entry.symlink_status(error)) || entry.path().filename().string().rfind(prefix, 0) != 0 ||
+        (extension != ".vtp" && extension != ".vti"))
+    {
+      return false;
+    }
+  }
+  return !error;
+}
+
 /** Has a file written, and what its writer puts beside it, in a folder beside the target, and moves it there whole.
  * `write` is given the name to write to and tells whether it succeeded. */
 void
 WriteWhole(const std::string & fileName, const std::function<bool(const std::string &)> & write)
 {
-  const fs::path     target = fs::absolute(fs::u8path(fileName));
+  const fs::path target = fs::absolute(fs::u8path(fileName));
+  // Blocks lie in a folder that is named as the file without its end.
+  const fs::path  folder = target.parent_path() / target.stem();
+  std::error_code isNoFolder;
+  if (GetExtension(fileName) == ".vtm" && fs::exists(folder, isNoFolder) && !HoldsBlocksOnly(folder))
+  {
+    itkGenericExceptionMacro(<< fileName << " cannot be written: its blocks would replace "
+                             << folder.filename().u8string() << ", which holds something else. Choose another name.");
+  }
   std::random_device device;
   const fs::path     staging = target.parent_path() / (".part-" + std::to_string(device()));
   std::error_code    error;
@@ -80,8 +106,6 @@ WriteWhole(const std::string & fileName, const std::function<bool(const std::str
   const bool succeeded = write(made.string()) && fs::file_size(made, error) > 0 && !error;
   if (succeeded)
   {
-    // Blocks lie in a folder that is named as the file without its end.
-    const fs::path  folder = target.parent_path() / target.stem();
     std::error_code hasNoBlocks;
     if (fs::is_directory(staging / target.stem(), hasNoBlocks))
     {
@@ -164,7 +188,13 @@ CompleteGLTF(const std::string & fileName, const RegistrationScene & scene)
       { "matrix", { 0.001, 0.0, 0.0, 0.0, 0.0, 0.0, -0.001, 0.0, 0.0, 0.001, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0 } } });
   json["scenes"] = { { { "name", "DentalSCR" }, { "nodes", { root } } } };
   json["scene"] = 0;
-  std::ofstream(fs::u8path(fileName), std::ios::binary) << json.dump();
+  std::ofstream stream(fs::u8path(fileName), std::ios::binary);
+  stream << json.dump();
+  stream.close();
+  if (!stream)
+  {
+    itkGenericExceptionMacro(<< fileName << " cannot be written. Look for space on the disk.");
+  }
 }
 
 /** Turning as in VTK's viewers; keys choose cameras and what is shown. */
