@@ -34,7 +34,7 @@ function makeGeometry(result) {
   const source = new Vector3(0, -k * S, 0);
   const plane = k * (D - S);
   const jaw = Object.values(result.jaws).find(candidate => candidate.projection_3x4 && candidate.mesh_to_cephalostat_mm);
-  const unit = { mm: 1, cm: 10, m: 1000, um: 0.001 }[result.mesh_unit] ?? 1;
+  const unit = { mm: 1, cm: 10, inch: 25.4, m: 1000, um: 0.001 }[result.mesh_unit] ?? 1;
   const back = toMatrix(jaw.mesh_to_cephalostat_mm).invert();
   const project = point => {
     const p = point.clone().applyMatrix4(back).divideScalar(unit);
