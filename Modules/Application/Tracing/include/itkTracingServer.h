@@ -76,6 +76,8 @@ public:
    * \return whether the page was closed */
   bool
   Run();
+
+  /** Ends Run(); a registration that is at work is given up. */
   void
   Stop();
 
