@@ -13,10 +13,19 @@ import urllib.parse
 import pytest
 
 
+def heed_hangups():
+    """Whoever started these tests with nohup ignores hangups, and so would the program, on purpose."""
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
+
+
 def start(program, *arguments):
     """The verb and the address that it prints."""
     process = subprocess.Popen(
-        [str(program), "trace", *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [str(program), "trace", *map(str, arguments)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=heed_hangups,
     )
     address = process.stdout.readline().strip()
     assert re.fullmatch(r"http://127\.0\.0\.1:\d+/[0-9a-f]{32}/", address), process.stderr.read()
