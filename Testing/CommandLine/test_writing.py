@@ -184,6 +184,8 @@ def test_signals_that_ask_to_end(program, sample, tmp_path, number):
         stderr=subprocess.PIPE,
         text=True,
         restore_signals=True,
+        # Tests that were started with nohup would have the program ignore hangups, on purpose.
+        preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL),
     )
     wait_until(lambda: (output / "experiment.json").exists() or process.poll() is not None, "the experiment begins")
     process.send_signal(number)
