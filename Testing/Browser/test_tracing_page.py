@@ -302,8 +302,11 @@ def test_outlines_teeth_by_mouse_and_keys(open_page, page_file, sample):
     drawn = opened.download("contours")
     upper = {contour["code"]: contour for contour in drawn["contours"]["upper"]}
     assert [len(upper[code]["points"]) for code in ("UR1", "UR2")] == [3, 3]
+    # A mouse tells which pixel of the screen it is in, and its middle is meant: half of one is what a click may be off.
+    (left, top), (right, bottom) = opened.screen((0, 0)), opened.screen((100, 100))
+    half = (50 / (right - left) + 1e-3, 50 / (bottom - top) + 1e-3)
     for got, meant in zip(upper["UR1"]["points"], points):
-        assert got == [pytest.approx(meant[0], abs=0.6), pytest.approx(meant[1], abs=0.6)]
+        assert got == [pytest.approx(meant[0], abs=half[0]), pytest.approx(meant[1], abs=half[1])]
     assert upper["UR2"]["closed"] is True and "closed" not in upper["UR1"]
     assert [contour["code"] for contour in drawn["contours"]["lower"]] == ["LL6"]
 
