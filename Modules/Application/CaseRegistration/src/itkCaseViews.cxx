@@ -80,6 +80,14 @@ CaseViews::CaseViews(const DentalCaseData & data, CaseAxisType * axis, CaseResul
                                 " is not used: nothing that was drawn on it is of a scan that is there");
       continue;
     }
+    if (view.description.direction == CephalometricGeometry::DirectionEnum::Frontal &&
+        (own->GetUpperContour() != nullptr || own->GetLowerContour() != nullptr))
+    {
+      // Measured by `dentalscr experiment --study views` (Documentation/Views.md).
+      result.warnings.push_back("view " + view.description.name +
+                                ": a tracing from the front makes the place of jaws worse than landmarks alone do, and "
+                                "their uncertainty too small: mark landmarks, and leave its contours out");
+    }
     m_Views.push_back(own);
     m_ViewData.push_back(&view);
   }
