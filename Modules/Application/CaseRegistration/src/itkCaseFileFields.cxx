@@ -91,10 +91,13 @@ ReadImageSize(const JsonNode & node)
              static_cast<unsigned int>(size->At(1).AsInteger(1, limit)) } };
 }
 
-std::optional<std::array<double, 2>>
-ReadPixelSpacing(const JsonNode & node)
+namespace
 {
-  const auto spacing = node.Find("pixel_spacing_mm");
+/** mm a pixel, [u, v]; nothing where absent. */
+std::optional<std::array<double, 2>>
+ReadSpacing(const JsonNode & node, const char * key, const char * remedy)
+{
+  const auto spacing = node.Find(key);
   if (!spacing)
   {
     return std::nullopt;
@@ -102,14 +105,22 @@ ReadPixelSpacing(const JsonNode & node)
   const std::vector<double> numbers = spacing->AsNumbers(2, "[u, v]");
   for (const double number : numbers)
   {
-    // A cephalogram's pixels are 0.05 to 0.5 mm; 5 mm is no radiograph.
+    // A cephalogram's pixels are 0.05 to 0.5 mm, and 1 mm is what Slicer gives a picture without a spacing; 5 mm is no
+    // radiograph.
     if (!(number > 0.001 && number < 5.0))
     {
-      spacing->Fail(std::to_string(number) + " mm a pixel is not possible",
-                    "give mm a pixel, about 0.1 to 0.3, or leave the field out where it is unknown");
+      spacing->Fail(std::to_string(number) + " mm a pixel is not possible", remedy);
     }
   }
   return { { numbers[0], numbers[1] } };
+}
+} // namespace
+
+std::optional<std::array<double, 2>>
+ReadPixelSpacing(const JsonNode & node)
+{
+  return ReadSpacing(
+    node, "pixel_spacing_mm", "give mm a pixel, about 0.1 to 0.3, or leave the field out where it is unknown");
 }
 
 std::optional<std::array<double, 2>>
@@ -135,22 +146,8 @@ ReadPrincipalPoint(const JsonNode & node)
 std::optional<std::array<double, 2>>
 ReadMarkupsSpacing(const JsonNode & node)
 {
-  const auto spacing = node.Find("markups_spacing_mm");
-  if (!spacing)
-  {
-    return std::nullopt;
-  }
-  const std::vector<double> numbers = spacing->AsNumbers(2, "[u, v]");
-  for (const double number : numbers)
-  {
-    // 1 mm is what Slicer gives a picture without a spacing.
-    if (!(number > 0.001 && number < 5.0))
-    {
-      spacing->Fail(std::to_string(number) + " mm a pixel is not possible",
-                    "give the spacing that the radiograph had in Slicer (its Volumes module shows it)");
-    }
-  }
-  return { { { numbers[0], numbers[1] } } };
+  return ReadSpacing(
+    node, "markups_spacing_mm", "give the spacing that the radiograph had in Slicer (its Volumes module shows it)");
 }
 
 CaseLandmarkField
