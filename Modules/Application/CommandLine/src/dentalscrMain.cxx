@@ -30,15 +30,20 @@
 #include "itkNrrdImageIOFactory.h"
 #include "itkPNGImageIOFactory.h"
 #include "itkTIFFImageIOFactory.h"
+#include "itkThreadPool.h"
 #include "itkVersion.h"
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <mutex>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -79,8 +84,28 @@ HoldStandardStreams()
   }
 }
 
-/** Tells ITK of as many threads as there are to be had: its pool starts all of them at once, and where the system gives
- * fewer it ends the process. Tried before, with threads that do nothing; what is missing is said once. */
+/** Waits until this process has no thread but this one. A thread that was joined is counted among the user's processes
+ * for a moment longer, in which the system may give no new one. */
+void
+WaitUntilAlone()
+{
+#if defined(__linux__)
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  const auto isAlone = []() {
+    std::error_code error;
+    const auto      threads = std::filesystem::directory_iterator("/proc/self/task", error);
+    return error || std::distance(begin(threads), std::filesystem::directory_iterator()) <= 1;
+  };
+  while (!isAlone() && std::chrono::steady_clock::now() < end)
+  {
+    std::this_thread::yield();
+  }
+#endif
+}
+
+/** Starts ITK's pool with as many threads as there are to be had. The pool would start all of them at once, and end the
+ * process where the system gives fewer. So threads that do nothing are tried before; what is missing is said once. Then
+ * the pool gets them one by one, as others of the user's processes may have taken some meanwhile. */
 void
 SetNumberOfThreads(unsigned int wanted)
 {
@@ -104,12 +129,30 @@ SetNumberOfThreads(unsigned int wanted)
   {
     thread.join();
   }
-  if (threads.empty())
+  auto number = static_cast<itk::ThreadIdType>(threads.size());
+  if (number == 0)
   {
     // Its pool has at least one thread beside this; the other kind works without.
     itk::MultiThreaderBase::SetGlobalDefaultThreader(itk::MultiThreaderBase::ThreaderEnum::Platform);
+    number = 1;
   }
-  const auto number = static_cast<itk::ThreadIdType>(std::max<std::size_t>(1, threads.size()));
+  else
+  {
+    WaitUntilAlone();
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
+    const itk::ThreadPool::Pointer pool = itk::ThreadPool::GetInstance();
+    try
+    {
+      while (pool->GetMaximumNumberOfThreads() < number)
+      {
+        pool->AddThreads(1);
+      }
+    }
+    catch (const std::system_error &)
+    {
+      number = pool->GetMaximumNumberOfThreads();
+    }
+  }
   itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(number);
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(number);
 }

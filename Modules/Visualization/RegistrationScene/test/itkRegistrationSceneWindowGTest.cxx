@@ -215,10 +215,18 @@ TEST_F(RegistrationSceneWindowTest, RefusesNamesOfOtherFormatsAndFoldersThatAreN
 TEST_F(RegistrationSceneWindowTest, ReplacesWhatItExportedBefore)
 {
   m_Window->WriteExport(NameOf("scene.vtm"));
-  std::ofstream(NameOf("scene/stale.txt")) << "of an earlier one";
+  std::ofstream(NameOf("scene/scene_99.vtp")) << "of an earlier one";
   m_Window->WriteExport(NameOf("scene.vtm"));
-  EXPECT_FALSE(fs::exists(NameOf("scene/stale.txt")));
+  EXPECT_FALSE(fs::exists(NameOf("scene/scene_99.vtp")));
   EXPECT_EQ(CountFiles(), 2u);
+}
+
+TEST_F(RegistrationSceneWindowTest, KeepsAFolderThatHoldsSomethingElse)
+{
+  m_Window->WriteExport(NameOf("scene.vtm"));
+  std::ofstream(NameOf("scene/notes.txt")) << "of the user's";
+  EXPECT_THROW(m_Window->WriteExport(NameOf("scene.vtm")), itk::ExceptionObject);
+  EXPECT_TRUE(fs::exists(NameOf("scene/notes.txt")));
 }
 
 TEST_F(RegistrationSceneWindowTest, SaysThatThereIsNoScreen)
