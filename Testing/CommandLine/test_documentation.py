@@ -76,7 +76,8 @@ def test_views_table_has_the_codes_thresholds():
         "view-head-moved": f"> {t['suspectPriorTension']:g} sd",
     }.items():
         assert seen[code].endswith(end), code
-    assert len(t) == 5
+    assert f"lower by {-t['suspectMoveDeviance']:g}" in seen["view-head-moved"]
+    assert len(t) == 6
 
 
 def test_every_finding_is_listed():

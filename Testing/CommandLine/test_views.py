@@ -60,8 +60,12 @@ def test_a_frontal_view_tells_what_a_lateral_one_cannot(run, frontal_phantom, tm
     for name in ("overlay_frontal_upper.png", "overlay_frontal_lower.png"):
         assert (tmp_path / "two" / name).read_bytes().startswith(b"\x89PNG")
     assert {"views.frontal.contours", "views.frontal.cephalometric_landmarks"} <= set(two["inputs"])
-    # What was measured of tracings from the front is said where one is used.
-    assert any("a tracing from the front" in warning for warning in two["warnings"]) and not one["warnings"]
+    # Each tooth that was drawn is compared with its own crown.
+    for jaw, quadrants in (("upper", ("UR", "UL")), ("lower", ("LR", "LL"))):
+        used = view["jaws"][jaw]["outlines_used"]
+        assert set(used) == {f"{quadrant}{position}" for quadrant in quadrants for position in (1, 2, 3, 6)}
+        assert all(outline["weight"] > 0.5 and outline["residual_sd"] < 3.0 for outline in used.values())
+    assert not two["warnings"] and not one["warnings"]
     # Registered again without the view nothing of it is left.
     done, _ = register(run, alone, tmp_path / "two")
     assert done.returncode == 0 and not (tmp_path / "two" / "overlay_frontal_upper.png").exists()

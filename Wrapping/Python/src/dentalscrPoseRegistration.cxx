@@ -1101,7 +1101,10 @@ WrapDownstream(py::module_ & module)
     .def_readwrite(
       "suspectDeviance",
       &ViewThresholdsType::suspectDeviance,
-      "Difference of the robust criterion below which the other reading of the view (sides, source) is named.");
+      "Difference of the robust criterion below which the other reading of the view (sides, source) is named.")
+    .def_readwrite("suspectMoveDeviance",
+                   &ViewThresholdsType::suspectMoveDeviance,
+                   "The same of a head that was turned between the radiographs and not said to be.");
 
   using ThresholdsType = RegistrationVerdict::Thresholds;
   py::class_<ThresholdsType>(

@@ -19,6 +19,7 @@
 
 #include "itkCrownRegionMeshFilter.h"
 #include "itkDentalInputError.h"
+#include "itkToothCrownFilter.h"
 
 #include <algorithm>
 
@@ -76,6 +77,72 @@ SelectCaseCrowns(const DentalCaseData & data, ToothCode::JawEnum jaw, const Vers
     fail();
   }
   MeshType::Pointer crowns = filter->GetOutput();
+  crowns->DisconnectPipeline();
+  return crowns;
+}
+
+ToothCrownSet::Pointer
+FindCaseToothCrowns(const DentalCaseData & data, CaseAxisType * axis)
+{
+  using JawEnum = ToothCode::JawEnum;
+  auto filter = ToothCrownFilter::New();
+  bool isAnyDrawn = false;
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    const auto & input = data.GetJaw(jaw);
+    // Of all radiographs, since of a drawing the codes alone are read.
+    const auto drawn = DentalContour::New();
+    const auto add = [&drawn](const DentalContour * contour) {
+      if (contour != nullptr)
+      {
+        for (const auto & polyline : contour->GetPolylines())
+        {
+          drawn->AddPolyline(polyline.points, polyline.code);
+        }
+      }
+    };
+    if (data.description.tracedSide == TracedSideEnum::Standard)
+    {
+      add(input.contour);
+    }
+    for (const DentalViewData & view : data.views)
+    {
+      if (view.description.direction == CephalometricGeometry::DirectionEnum::Frontal)
+      {
+        add(view.GetContour(jaw));
+      }
+    }
+    if (input.mesh.IsNull() || drawn->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
+    isAnyDrawn = true;
+    filter->SetLabels(jaw, input.labels);
+    if (jaw == JawEnum::Upper)
+    {
+      filter->SetUpperContour(drawn);
+      filter->SetUpperMesh(input.mesh);
+      filter->SetUpperFrame(FrameOf(axis, jaw));
+    }
+    else
+    {
+      filter->SetLowerContour(drawn);
+      filter->SetLowerMesh(input.mesh);
+      filter->SetLowerFrame(FrameOf(axis, jaw));
+    }
+  }
+  if (!isAnyDrawn)
+  {
+    return nullptr;
+  }
+  if (data.landmarks3D.IsNotNull())
+  {
+    filter->SetScanLandmarks(data.landmarks3D);
+    filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  }
+  filter->SetExcludedTeeth(data.description.excludedTeeth);
+  filter->Update();
+  ToothCrownSet::Pointer crowns = filter->GetOutput();
   crowns->DisconnectPipeline();
   return crowns;
 }

@@ -18,8 +18,10 @@
 #ifndef itkCaseCrowns_h
 #define itkCaseCrowns_h
 
+#include "itkCasePoseDescription.h"
 #include "itkDentalCaseData.h"
 
+#include "itkToothCrownSet.h"
 #include "itkVersorRigid3DTransform.h"
 
 namespace itk
@@ -28,6 +30,11 @@ namespace itk
  * are none. The transform is that of the jaw's dental frame, mesh to frame. */
 DentalCaseData::MeshType::Pointer
 SelectCaseCrowns(const DentalCaseData & data, ToothCode::JawEnum jaw, const VersorRigid3DTransform<double> * frame);
+
+/** The crowns of the teeth that were drawn one by one, in a standard tracing or on a frontal radiograph, cut out of the
+ * scans; null where no tooth was. */
+ToothCrownSet::Pointer
+FindCaseToothCrowns(const DentalCaseData & data, CaseAxisType * axis);
 } // namespace itk
 
 #endif

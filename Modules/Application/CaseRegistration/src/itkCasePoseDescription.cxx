@@ -137,6 +137,11 @@ DescribePlacedJaw(const PoseSolution &           solution,
                                      landmark.distance,
                                      landmark.weight });
   }
+  for (const PoseOutlineFit & outline : own.outlines)
+  {
+    result.usedOutlines.push_back(
+      { outline.name, outline.shift, outline.distance, outline.weight, outline.matchedShare, outline.isTemplate });
+  }
 }
 
 std::array<DentalContour::Pointer, 2>

@@ -56,7 +56,7 @@ FindCaseCounterparts(const DentalCaseData &           data,
 ScalePrior::SpacingSource
 SpacingSourceOf(const DentalRadiographData & radiograph);
 
-/** Where a registered jaw is, and how the landmarks that it was registered with fit. */
+/** Where a registered jaw is, and how the landmarks and outlines that it was registered with fit. */
 void
 DescribePlacedJaw(const PoseSolution &           solution,
                   ToothCode::JawEnum             jaw,

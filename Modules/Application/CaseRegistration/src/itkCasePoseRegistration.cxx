@@ -26,7 +26,6 @@
 #include "itkPoseRegistrationMethod.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
-#include "itkToothCrownFilter.h"
 
 #include "itkTimeProbe.h"
 
@@ -124,44 +123,6 @@ HasCounterpart(const LandmarkCounterpartSet * counterparts, JawEnum jaw)
   return std::any_of(all.begin(), all.end(), [jaw](const auto & counterpart) { return counterpart.jaw == jaw; });
 }
 
-/** The crowns that the outlines of a standard tracing are compared with. */
-ToothCrownSet::Pointer
-FindCrowns(const DentalCaseData & data, AxisType * axis)
-{
-  auto filter = ToothCrownFilter::New();
-  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
-  {
-    const auto & input = data.GetJaw(jaw);
-    if (input.mesh.IsNull() || input.contour.IsNull())
-    {
-      continue;
-    }
-    filter->SetLabels(jaw, input.labels);
-    if (jaw == JawEnum::Upper)
-    {
-      filter->SetUpperContour(input.contour);
-      filter->SetUpperMesh(input.mesh);
-      filter->SetUpperFrame(FrameOf(axis, jaw));
-    }
-    else
-    {
-      filter->SetLowerContour(input.contour);
-      filter->SetLowerMesh(input.mesh);
-      filter->SetLowerFrame(FrameOf(axis, jaw));
-    }
-  }
-  if (data.landmarks3D.IsNotNull())
-  {
-    filter->SetScanLandmarks(data.landmarks3D);
-    filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
-  }
-  filter->SetExcludedTeeth(data.description.excludedTeeth);
-  filter->Update();
-  ToothCrownSet::Pointer crowns = filter->GetOutput();
-  crowns->DisconnectPipeline();
-  return crowns;
-}
-
 /** Whether a jaw has something to register with: a tracing, or a landmark that was found on its scan. */
 bool
 HasEvidence(const DentalCaseData & data, const LandmarkCounterpartSet * counterparts, JawEnum jaw)
@@ -257,10 +218,9 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   {
     return;
   }
-  const auto isTraced = [&](const auto & entry) { return CountTracingPoints(data.GetJaw(entry.first).contour) > 0; };
-  if (data.description.tracedSide == TracedSideEnum::Standard && std::any_of(jaws.begin(), jaws.end(), isTraced))
+  if (const auto crowns = FindCaseToothCrowns(data, axis); crowns.IsNotNull())
   {
-    method->SetToothCrowns(FindCrowns(data, axis));
+    method->SetToothCrowns(crowns);
   }
   for (const auto & entry : jaws)
   {
@@ -362,11 +322,6 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     if (poseJaw.placedByOther)
     {
       jaw.placedBy = ToName(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
-    }
-    for (const PoseOutlineFit & outline : poseJaw.outlines)
-    {
-      jaw.usedOutlines.push_back(
-        { outline.name, outline.shift, outline.distance, outline.weight, outline.matchedShare, outline.isTemplate });
     }
     for (const std::string & unused : poseJaw.unusedOutlines)
     {

@@ -295,6 +295,19 @@ AddLandmarks(const JawResult & jaw, Json & json)
 }
 
 void
+AddOutlines(const JawResult & jaw, Json & json)
+{
+  for (const UsedOutline & outline : jaw.usedOutlines)
+  {
+    json["outlines_used"][outline.name] = { { "shift_px", outline.shift },
+                                            { "residual_sd", outline.distance },
+                                            { "weight", outline.weight },
+                                            { "matched_share", outline.matchedShare },
+                                            { "template", outline.isTemplate } };
+  }
+}
+
+void
 AddErrors(const JawResult & jaw, Json & json)
 {
   if (jaw.expectedError)
@@ -384,14 +397,7 @@ JawToJson(const JawResult & jaw)
     {
       json["middles"][middle.name] = { { "position", middle.position }, { "sigma_px", middle.sigma } };
     }
-    for (const UsedOutline & outline : jaw.usedOutlines)
-    {
-      json["outlines_used"][outline.name] = { { "shift_px", outline.shift },
-                                              { "residual_sd", outline.distance },
-                                              { "weight", outline.weight },
-                                              { "matched_share", outline.matchedShare },
-                                              { "template", outline.isTemplate } };
-    }
+    AddOutlines(jaw, json);
     AddErrors(jaw, json);
   }
   json["arch"] = { { "width_mm", jaw.archWidth },
@@ -435,6 +441,7 @@ ViewToJson(const CaseViewResult & view)
     own["head_moved_sigma"] = MoveToJson(view.moveSigmas.at(entry.first));
     AddMetrics(jaw, own);
     AddLandmarks(jaw, own);
+    AddOutlines(jaw, own);
     AddErrors(jaw, own);
     json["jaws"][Name(entry.first)] = own;
   }

@@ -80,14 +80,6 @@ CaseViews::CaseViews(const DentalCaseData & data, CaseAxisType * axis, CaseResul
                                 " is not used: nothing that was drawn on it is of a scan that is there");
       continue;
     }
-    if (view.description.direction == CephalometricGeometry::DirectionEnum::Frontal &&
-        (own->GetUpperContour() != nullptr || own->GetLowerContour() != nullptr))
-    {
-      // Measured by `dentalscr experiment --study views` (Documentation/Views.md).
-      result.warnings.push_back("view " + view.description.name +
-                                ": a tracing from the front makes the place of jaws worse than landmarks alone do, and "
-                                "their uncertainty too small: mark landmarks, and leave its contours out");
-    }
     m_Views.push_back(own);
     m_ViewData.push_back(&view);
   }
@@ -166,7 +158,11 @@ CaseViews::Describe(const PoseSolution &              solution,
       {
         place.contours.emplace_back("whole", whole);
       }
-      if (!poseJaw.tracingFailure.empty())
+      for (const std::string & unused : poseJaw.unusedOutlines)
+      {
+        result.warnings.push_back("view " + view.name + ": outline " + unused);
+      }
+      if (!poseJaw.tracingFailure.empty() && poseJaw.unusedOutlines.empty())
       {
         result.warnings.push_back("view " + view.name + ": the " + (jaw == JawEnum::Upper ? "upper" : "lower") +
                                   " tracing is not used: " + poseJaw.tracingFailure);

@@ -35,16 +35,18 @@
 namespace itk
 {
 class PoseToothContourModel;
-class WholeToothOutline;
+class ToothOutline;
 
 /** \class ToothOutlinePoseMetricv4
- * \brief Outlines of whole teeth, as a standard cephalometric tracing has them, against the crowns of a scan: a term of
- * a registration of the scan's pose.
+ * \brief Outlines of single teeth, as a standard cephalometric tracing and one of a frontal radiograph have them,
+ * against the crowns of a scan: a term of a registration of the scan's pose.
  *
- * Of each closed polyline with a tooth's code the crown's part (WholeToothOutline) is matched with the projected crown
- * (PoseToothContourModel): of a front tooth the foremost of both sides, of a tooth behind the canine the middle of both
- * sides' images; the side in the code does not matter. What a hand gets wrong of a tooth, it gets wrong of the whole
- * tooth: n points of one are not n measurements. The residuals r of a tooth, along the normals, have the covariance
+ * On a lateral radiograph the crown's part of each closed polyline with a tooth's code (WholeToothOutline) is matched
+ * with the projected crown (PoseToothContourModel): of a front tooth the foremost of both sides, of a tooth behind the
+ * canine the middle of both sides' images; the side in the code does not matter. On a frontal radiograph both sides are
+ * seen beside each other, and an edge, a border or a closed crown (FrontalToothOutline) is matched with the crown of its
+ * code. What a hand gets wrong of a tooth, it gets wrong of the whole tooth: n points of one are not n measurements. The
+ * residuals r of a tooth, along the normals, have the covariance
  *
  *   K = B S B' + smooth^2 G + white^2 W^-1
  *
@@ -62,7 +64,7 @@ class WholeToothOutline;
  * tooth moves, turns and scales it a little about its centroid. A stock template is placed by tip and axis: its shape
  * is another tooth's, by a larger turn and size, but about the tooth's reference point
  * (WholeToothOutline::GetReference()), which that leaves where it is. Taken for the tooth's own shape it would pull the
- * tip by millimetres.
+ * tip by millimetres. From the front nobody uses templates.
  *
  * Where an outline's points have sigmas (DentalContour::PolylineType), their root mean square stands for the hand's
  * part of a shift's error, and turn and size change in proportion. An outline that is said to be of a crown or of a
@@ -130,7 +132,7 @@ public:
     return dynamic_cast<const ToothCrownSet *>(this->GetMovingObject());
   }
 
-  /** The tracing of this jaw: closed outlines of whole teeth with their codes. Same as SetFixedObject(). */
+  /** The tracing of this jaw: polylines with their teeth's codes. Same as SetFixedObject(). */
   void
   SetFixedContour(const ContourType * contour)
   {
@@ -159,7 +161,8 @@ public:
    * what is registered with both is a seventh too wide or a tenth too narrow where it is 0 or 0.6. */
   static constexpr double SharedErrorShare = 0.3;
   /** Positions (1 to 8) of teeth whose landmarks are registered with as well. Two measurements that share a part of
-   * their error are worth as much as two independent ones whose variances are larger by that part. */
+   * their error are worth as much as two independent ones whose variances are larger by that part. Of a frontal
+   * radiograph both sides are meant. */
   void
   SetMarkedTeeth(const std::vector<unsigned int> & positions);
 
@@ -181,7 +184,8 @@ public:
   {
     return m_Failure;
   }
-  /** An outline that is not used, "U6", and why. Valid after Prepare() or Initialize(). */
+  /** An outline that is not used, "U6" ("UR6" of a frontal radiograph), and why. Valid after Prepare() or
+   * Initialize(). */
   struct UnusedType
   {
     std::string name;
@@ -200,7 +204,7 @@ public:
   /** How a tooth's outline is explained. */
   struct ResidualType
   {
-    /** "U1", "L6". */
+    /** "U1", "L6"; of a frontal radiograph "UR1". */
     std::string name;
     /** How far the hand has shifted it, as far as can be told: drawn minus projected, pixels. */
     std::array<double, 2> shift;
@@ -259,7 +263,7 @@ private:
   /** A way of drawing a tooth. */
   struct WayType
   {
-    /** About which the tooth is turned and scaled. */
+    /** About which the tooth is turned and scaled, px of 0.25 mm. */
     std::array<double, 2> origin{};
     /** Variances of B's columns, px^2 of 0.25 mm, rad^2, 1. */
     std::array<double, 6> variances{};
@@ -268,10 +272,14 @@ private:
   struct ToothType
   {
     std::string                                  name;
-    std::shared_ptr<const WholeToothOutline>     outline;
+    std::shared_ptr<const ToothOutline>          outline;
     std::shared_ptr<const PoseToothContourModel> model;
     /** By hand, by a template. */
     std::array<WayType, 2> ways;
+    /** Whether normals along u are those of the ends at which the crown was cut from its neighbours. */
+    bool endsAreCut{ false };
+    /** Whether templates are known of such a drawing. */
+    bool mayBeTemplate{ true };
     /** log |K0|. */
     double logDeterminant{ 0.0 };
   };

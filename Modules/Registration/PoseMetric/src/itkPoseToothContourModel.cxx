@@ -76,11 +76,13 @@ PoseToothContourModel::ComputeOne(std::size_t crown, const PoseModel & model) co
 {
   OpenSilhouetteOptions options;
   options.jaw = m_Jaw;
-  options.pitch = model.GetParameters()[PosePitch];
+  options.direction = model.GetGeometry().direction;
+  // What turns the occlusal direction in the picture: from the side the head's pitch, from the front nothing much.
+  options.pitch = options.direction == CephalometricDirectionEnum::Lateral ? model.GetParameters()[PosePitch] : 0.0;
   options.spacing = Spacing;
   options.facingOnly = false;
   const OpenSilhouette all = ComputeOpenSilhouette(*m_Silhouettes[crown], model.GetProjection(), options);
-  // The occlusal direction in the picture: the dental frame's z, turned by the head's pitch.
+  // The occlusal direction in the picture: the dental frame's z.
   const double sign = m_Jaw == ToothCode::JawEnum::Upper ? 1.0 : -1.0;
   const double occlusal[2] = { -sign * std::sin(options.pitch), sign * std::cos(options.pitch) };
   PoseContour  kept;

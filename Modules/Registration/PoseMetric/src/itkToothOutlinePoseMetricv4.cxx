@@ -18,6 +18,7 @@
 #include "itkToothOutlinePoseMetricv4.h"
 
 #include "itkContourNoiseModel.h"
+#include "itkFrontalToothOutline.h"
 #include "itkPoseContourIndex.h"
 #include "itkPoseMatching.h"
 #include "itkPoseToothContourModel.h"
@@ -34,6 +35,9 @@ constexpr std::size_t NoMatch = PoseContourIndex::None;
 constexpr std::size_t NumberOfErrors = 6;
 /** Positions of front teeth, of which an analysis draws the most prominent; behind them it draws between the images. */
 constexpr unsigned int LastFrontTooth = 3;
+/** On a frontal radiograph: cosine between the arch at each position, 1 to 8, and the film. In the front the arch runs
+ * along it, from the canine on it turns into the depth. */
+constexpr double ArchAlongFilm[8] = { 1.0, 0.95, 0.8, 0.5, 0.4, 0.3, 0.3, 0.3 };
 /** px a unit normal in the matching, as of a tracing's points (PoseSilhouetteSettings::orientationWeight). */
 constexpr double OrientationWeight = 8.0;
 /** Smallest width of the points' robust kernel, px: 1 mm, what lies further from its tooth's outline is not of it. */
@@ -157,12 +161,14 @@ ToothOutlinePoseMetricv4::Prepare()
   const bool           upper = m_Jaw == JawEnum::Upper;
   const double         perMillimetre = 1.0 / PoseWorkingPixel;
   const double         magnification = geometry.sourceToDetector / geometry.sourceToMidsagittal;
+  const bool           isFrontal = geometry.direction == CephalometricDirectionEnum::Frontal;
   auto                 teeth = std::make_shared<TeethType>();
   for (const auto & polyline : this->GetFixedContour()->GetPolylines())
   {
     const unsigned int position = polyline.code.GetPosition();
     ToothType          tooth;
-    tooth.name = (upper ? "U" : "L") + std::to_string(position);
+    tooth.name = (upper ? "U" : "L") + std::string(!isFrontal ? "" : polyline.code.IsLeft() ? "L" : "R") +
+                 std::to_string(position);
     if (!polyline.code.IsKnown())
     {
       m_Unused.push_back({ "without a code", "nothing says which tooth it is of" });
@@ -179,7 +185,15 @@ ToothOutlinePoseMetricv4::Prepare()
       m_Unused.push_back({ tooth.name, "there is an outline of this tooth already" });
       continue;
     }
-    const auto outline = std::make_shared<const WholeToothOutline>(geometry, polyline, m_Jaw);
+    std::shared_ptr<const ToothOutline> outline;
+    if (isFrontal)
+    {
+      outline = std::make_shared<const FrontalToothOutline>(geometry, polyline, m_Jaw);
+    }
+    else
+    {
+      outline = std::make_shared<const WholeToothOutline>(geometry, polyline, m_Jaw);
+    }
     if (!outline->GetFailure().empty())
     {
       m_Unused.push_back({ tooth.name, outline->GetFailure() });
@@ -191,7 +205,9 @@ ToothOutlinePoseMetricv4::Prepare()
     for (const unsigned int quadrant : { upper ? 1U : 4U, upper ? 2U : 3U })
     {
       const unsigned int tens = quadrant + (polyline.code.IsPrimary() ? 4U : 0U);
-      if (const auto * crown = this->GetCrowns()->Find(ToothCode(10 * tens + position)))
+      const ToothCode    code(10 * tens + position);
+      if (const auto * crown = this->GetCrowns()->Find(code);
+          crown != nullptr && (!isFrontal || code == polyline.code))
       {
         crowns.push_back(crown->surface);
         sigmaAlong = std::max(sigmaAlong, crown->sigmaAlong);
@@ -213,12 +229,16 @@ ToothOutlinePoseMetricv4::Prepare()
     }
     const bool front = position <= LastFrontTooth;
     tooth.outline = outline;
+    // From the side it is a back tooth that has neighbours before and behind it, from the front it is a front tooth.
+    tooth.endsAreCut = front == isFrontal;
+    tooth.mayBeTemplate = !isFrontal;
     tooth.model = std::make_shared<const PoseToothContourModel>(
       crowns, front ? LandmarkCounterpartSet::RuleEnum::Foremost : LandmarkCounterpartSet::RuleEnum::Middle, m_Jaw);
     const ErrorsType errors = WithSigma(m_Errors, ComputeSigma(polyline, geometry));
     const bool       marked = std::find(m_MarkedTeeth.begin(), m_MarkedTeeth.end(), position) != m_MarkedTeeth.end();
     const double     shared = marked ? 1.0 + SharedErrorShare : 1.0;
-    const double     along = std::hypot(errors.along, magnification * sigmaAlong) * perMillimetre;
+    const double     ofArch = isFrontal ? ArchAlongFilm[position - 1] : 1.0;
+    const double     along = std::hypot(errors.along, magnification * ofArch * sigmaAlong) * perMillimetre;
     const double     across = errors.across * perMillimetre;
     const double     lingual = m_Errors.lingual * perMillimetre;
     const double     width = magnification * sigmaWidth * perMillimetre;
@@ -260,7 +280,9 @@ ToothOutlinePoseMetricv4::Prepare()
   m_Teeth = teeth;
   if (teeth->empty())
   {
-    m_Failure = m_Unused.empty() ? "the tracing has no outline" : "no outline of a whole tooth can be matched";
+    m_Failure = m_Unused.empty() ? "the tracing has no outline"
+                : isFrontal      ? "no outline of a tooth can be matched"
+                                 : "no outline of a whole tooth can be matched";
     for (const UnusedType & unused : m_Unused)
     {
       m_Failure += (&unused == &m_Unused.front() ? ": " : "; ") + unused.name + ": " + unused.reason;
@@ -430,9 +452,9 @@ ToothOutlinePoseMetricv4::ComputeLogDeterminant(const NoiseType & noise)
 void
 ToothOutlinePoseMetricv4::MakeBasis(const ToothType & tooth, const EvaluationType & at, NoiseType & noise)
 {
-  const WholeToothOutline & outline = *tooth.outline;
-  const std::size_t         n = outline.GetPoints().size();
-  const auto &              origin = tooth.ways[noise.way].origin;
+  const ToothOutline & outline = *tooth.outline;
+  const std::size_t    n = outline.GetPoints().size();
+  const auto &         origin = tooth.ways[noise.way].origin;
   noise.basis.assign(NumberOfErrors * n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -443,10 +465,10 @@ ToothOutlinePoseMetricv4::MakeBasis(const ToothType & tooth, const EvaluationTyp
     noise.basis[2 * n + i] = at.nv[i] * a - at.nu[i] * b;
     noise.basis[3 * n + i] = at.nu[i] * a + at.nv[i] * b;
     noise.basis[4 * n + i] = outline.GetLingual()[i];
-    // Where the outline faces along the arch it is the cut that ends the crown; a front tooth's faces are its own.
+    // Where the outline faces along the arch it is the cut that ends the crown.
     const double facing = std::abs(outline.GetNormals()[i][0]);
     noise.basis[5 * n + i] =
-      outline.GetPosition() > LastFrontTooth ? std::max(0.0, (facing - CutFacing) / (1.0 - CutFacing)) : 0.0;
+      tooth.endsAreCut ? std::max(0.0, (facing - CutFacing) / (1.0 - CutFacing)) : 0.0;
   }
 }
 
@@ -469,10 +491,14 @@ ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at) 
   for (std::size_t t = 0; t < at.size(); ++t)
   {
     byHand.push_back(this->ComputeNoise(this->GetTeeth()[t], at[t], 0));
+    if (!this->GetTeeth()[t].mayBeTemplate)
+    {
+      continue;
+    }
     byTemplate.push_back(this->ComputeNoise(this->GetTeeth()[t], at[t], 1));
     difference += byTemplate.back().deviance - byHand.back().deviance;
   }
-  if (difference < 0.0)
+  if (difference < 0.0 && byTemplate.size() == byHand.size())
   {
     byTemplate.front().charge += TemplatePenalty;
     return byTemplate;
@@ -483,9 +509,9 @@ ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at) 
 ToothOutlinePoseMetricv4::NoiseType
 ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const EvaluationType & at, std::size_t way) const
 {
-  const WholeToothOutline & outline = *tooth.outline;
-  const std::size_t         n = outline.GetPoints().size();
-  NoiseType                 noise;
+  const ToothOutline & outline = *tooth.outline;
+  const std::size_t    n = outline.GetPoints().size();
+  NoiseType            noise;
   noise.way = way;
   MakeBasis(tooth, at, noise);
   noise.weights = at.facing;

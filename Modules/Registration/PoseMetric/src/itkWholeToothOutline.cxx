@@ -43,8 +43,6 @@ constexpr double LongestTooth = 40.0;
 constexpr double SmallestElongation = 1.1;
 /** px over which the lingual side begins behind the incisal edge, 1.5 mm. */
 constexpr double EdgeLength = 6.0;
-/** Points to either side whose chord is a point's tangent: 5 px, over which a tracing's directions are taken. */
-constexpr std::size_t TangentReach = 2;
 
 double
 ShareOf(ToothCode::JawEnum jaw, unsigned int position)
@@ -57,8 +55,8 @@ ShareOf(ToothCode::JawEnum jaw, unsigned int position)
 WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometry,
                                      const DentalContour::PolylineType & polyline,
                                      ToothCode::JawEnum                  jaw)
-  : m_Position(polyline.code.GetPosition())
 {
+  m_Position = polyline.code.GetPosition();
   std::vector<PointType> drawn;
   for (const auto & pixel : polyline.points)
   {
@@ -181,12 +179,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     {
       lingual = std::min(1.0, (high - along(points[i])) / EdgeLength);
     }
-    m_Arc.push_back(m_Points.empty() ? 0.0
-                                     : m_Arc.back() + std::hypot(points[i][0] - m_Points.back()[0],
-                                                                 points[i][1] - m_Points.back()[1]));
-    m_Points.push_back(points[i]);
-    m_Normals.push_back(normal);
-    m_Lingual.push_back(lingual);
+    this->AddPoint(points[i], normal, lingual);
   }
   m_Reference = *std::max_element(
     m_Points.begin(), m_Points.end(), [&](const PointType & a, const PointType & b) { return along(a) < along(b); });

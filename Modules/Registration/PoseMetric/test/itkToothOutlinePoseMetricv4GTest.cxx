@@ -18,6 +18,7 @@
 #include "itkToothOutlinePoseMetricv4.h"
 
 #include "itkCephalometricPoseTransform.h"
+#include "itkFrontalToothOutline.h"
 #include "itkLeastSquaresMetricChecker.h"
 #include "itkLeastSquaresSumMetricv4.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
@@ -506,6 +507,191 @@ TEST(ToothOutlinePoseMetricv4, WhatTheFileSaysOfAnOutlineGoesBeforeItsShape)
   }
   EXPECT_NE(use(circle, 16, OutlineEnum::Unspecified).find("about as wide as it is long"), std::string::npos);
   EXPECT_EQ(use(circle, 16, OutlineEnum::Tooth).find("about as wide as it is long"), std::string::npos);
+}
+
+namespace
+{
+TransformType::Pointer
+MakeFrontalTransform(const double * parameters)
+{
+  auto geometry = itk::CephalometricGeometry::New();
+  geometry->SetDirection(itk::CephalometricGeometry::DirectionEnum::Frontal);
+  geometry->SetPixelSpacing(itk::CephalometricGeometry::PixelSpacingType(0.2));
+  auto transform = TransformType::New();
+  transform->SetGeometry(geometry);
+  TransformType::ParametersType values(7);
+  std::copy_n(parameters, 7, values.begin());
+  transform->SetParameters(values);
+  return transform;
+}
+
+/** As drawn from the front, at the truth: of incisors the part that looks occlusally, of molars that which looks to
+ * their side, or the closed crown. */
+itk::DentalContour::Pointer
+MakeFrontalTracing(bool closed)
+{
+  itk::PoseParameters pose{ {} };
+  std::copy_n(Truth, 7, pose.begin());
+  const auto           geometry = MakeFrontalTransform(Truth)->GetPoseGeometry();
+  const itk::PoseModel model(geometry, pose);
+  auto                 tracing = itk::DentalContour::New();
+  for (const Tooth & tooth : Teeth)
+  {
+    const itk::MeshSilhouette silhouette(MakeEllipsoid(tooth, 0.5));
+    const auto                boundary = silhouette.ComputeOuterBoundary(model.GetProjection());
+    PointsType                points;
+    const bool                isMolar = tooth.fdi % 10 == 6;
+    for (const auto & sample : itk::ResampleSilhouetteLoop(boundary.loops.at(0), model.GetProjection(), 120))
+    {
+      const double to = isMolar ? (tooth.fdi == 26 ? sample.normal[0] : -sample.normal[0]) : sample.normal[1];
+      if (closed || to > 0.5)
+      {
+        const auto pixel = itk::PoseModel::ToPixel(geometry, { { sample.u, sample.v } });
+        points.emplace_back(pixel.data());
+      }
+    }
+    // The loop may begin within the part.
+    const auto gap = [&points](std::size_t i) {
+      return points[i].EuclideanDistanceTo(points[(i + 1) % points.size()]);
+    };
+    std::size_t widest = points.size() - 1;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      widest = gap(i) > gap(widest) ? i : widest;
+    }
+    std::rotate(points.begin(),
+                points.begin() + static_cast<std::ptrdiff_t>((widest + 1) % points.size()),
+                points.end());
+    tracing->AddPolyline(points, itk::ToothCode(tooth.fdi), closed);
+  }
+  return tracing;
+}
+
+MetricType::Pointer
+MakeFrontalMetric(const itk::DentalContour * tracing, const double * start = Truth)
+{
+  auto metric = MakeMetric(tracing);
+  metric->SetTransform(MakeFrontalTransform(start));
+  return metric;
+}
+} // namespace
+
+TEST(ToothOutlinePoseMetricv4, FromTheFrontEachToothLiesOnTheCrownOfItsCode)
+{
+  for (const bool closed : { false, true })
+  {
+    const auto metric = MakeFrontalMetric(MakeFrontalTracing(closed));
+    metric->Initialize();
+    ASSERT_EQ(metric->GetUnused().size(), 0u);
+    ASSERT_EQ(metric->GetTeethPositions().size(), 4u);
+    const auto at = metric->ComputeOutlineResiduals(metric->GetState().GetValues());
+    EXPECT_EQ(at.front().name, "UR1");
+    EXPECT_EQ(at.back().name, "UL6");
+    for (const auto & residual : at)
+    {
+      EXPECT_LT(residual.distance, 0.1) << residual.name << closed;
+      EXPECT_GT(residual.matchedShare, 0.95) << residual.name << closed;
+    }
+    // Two degrees of roll and a shift of 2 mm are found again.
+    const double start[7] = { Truth[0], 0.035, 0.0, Truth[3], 2.0, Truth[5] - 1.0, 0.0 };
+    auto         sum = itk::LeastSquaresSumMetricv4::New();
+    sum->AddMetric(MakeFrontalMetric(MakeFrontalTracing(closed), start),
+                   itk::LeastSquaresSumMetricv4::SettingsEnum::Own);
+    sum->Initialize();
+    sum->SetBlockFree("pose", { false, true, false, false, true, true });
+    sum->SetBlockFree("scale", false);
+    for (int round = 0; round < 6; ++round)
+    {
+      sum->UpdateNoiseCorrelation(sum->GetState().GetValues());
+      auto optimizer = itk::LevenbergMarquardtOptimizerv4::New();
+      optimizer->SetMetric(sum);
+      optimizer->StartOptimization();
+    }
+    const auto x = sum->GetState().GetValues();
+    EXPECT_NEAR(x[1], Truth[1], 0.003) << closed;
+    EXPECT_NEAR(x[4], Truth[4], 0.05) << closed;
+    EXPECT_NEAR(x[5], Truth[5], 0.05) << closed;
+  }
+}
+
+TEST(ToothOutlinePoseMetricv4, FromTheFrontDerivativesAreThoseOfDifferences)
+{
+  const double start[7] = { 0.09, 0.02, -0.02, 55.5, 0.6, -40.4, 0.01 };
+  const auto   metric = MakeFrontalMetric(MakeFrontalTracing(false), start);
+  metric->Initialize();
+  LeastSquaresMetricChecker::Check(*metric);
+}
+
+TEST(ToothOutlinePoseMetricv4, FromTheFrontOnlyTheCrownOfTheCodeCounts)
+{
+  // Codes of the other side: each lies where its fellow is, 8 mm and 48 mm away, and is let go.
+  auto exchanged = itk::DentalContour::New();
+  for (const auto & polyline : MakeFrontalTracing(false)->GetPolylines())
+  {
+    exchanged->AddPolyline(polyline.points, polyline.code.GetContralateral());
+  }
+  const auto metric = MakeFrontalMetric(exchanged);
+  metric->Initialize();
+  for (const auto & residual : metric->ComputeOutlineResiduals(metric->GetState().GetValues()))
+  {
+    EXPECT_TRUE(residual.distance > 4.0 || residual.matchedShare < 0.3)
+      << residual.name << ' ' << residual.distance << ' ' << residual.matchedShare;
+  }
+  // What cannot be used is named with its side.
+  auto few = itk::DentalContour::New();
+  few->AddPolyline(MakeFrontalTracing(false)->GetPolylines().front());
+  auto whole = MakeFrontalTracing(true)->GetPolylines().back();
+  whole.outline = itk::DentalContour::OutlineEnum::Tooth;
+  few->AddPolyline(whole);
+  const double places[2][2] = { { 100.0, 100.0 }, { 102.0, 100.0 } };
+  few->AddPolyline({ itk::DentalContour::PointType(places[0]), itk::DentalContour::PointType(places[1]) },
+                   itk::ToothCode(16));
+  few->AddPolyline(MakeFrontalTracing(false)->GetPolylines().at(1).points, itk::ToothCode(22));
+  const auto some = MakeFrontalMetric(few);
+  some->Initialize();
+  ASSERT_EQ(some->GetUnused().size(), 3u);
+  EXPECT_EQ(some->GetUnused()[0].name, "UL6");
+  EXPECT_NE(some->GetUnused()[0].reason.find("with its root"), std::string::npos);
+  EXPECT_EQ(some->GetUnused()[1].name, "UR6");
+  EXPECT_NE(some->GetUnused()[1].reason.find("2 px of 0.25 mm long"), std::string::npos);
+  EXPECT_EQ(some->GetUnused()[2].name, "UL2");
+  EXPECT_NE(some->GetUnused()[2].reason.find("not found on the scan"), std::string::npos);
+}
+
+TEST(FrontalToothOutline, NormalsLookAwayFromTheTooth)
+{
+  const auto geometry = MakeFrontalTransform(Truth)->GetPoseGeometry();
+  for (const bool closed : { false, true })
+  {
+    for (auto polyline : MakeFrontalTracing(closed)->GetPolylines())
+    {
+      for (const bool reversed : { false, true })
+      {
+        if (reversed)
+        {
+          std::reverse(polyline.points.begin(), polyline.points.end());
+        }
+        const itk::FrontalToothOutline outline(geometry, polyline, JawEnum::Upper);
+        ASSERT_TRUE(outline.GetFailure().empty()) << outline.GetFailure();
+        ASSERT_GT(outline.GetPoints().size(), 4u);
+        double sum[2] = { 0.0, 0.0 };
+        for (const auto & normal : outline.GetNormals())
+        {
+          EXPECT_NEAR(std::hypot(normal[0], normal[1]), 1.0, 1e-9);
+          EXPECT_GT(normal[1], -0.51);
+          sum[0] += normal[0];
+          sum[1] += normal[1];
+        }
+        const double outward = polyline.code.GetFDI() == 26 ? sum[0] : -sum[0];
+        EXPECT_GT(polyline.code.GetPosition() == 6 && !closed ? outward : sum[1], 0.0);
+        for (std::size_t i = 1; i < outline.GetArc().size(); ++i)
+        {
+          // One run, without the jump over the neck.
+          EXPECT_LT(outline.GetArc()[i] - outline.GetArc()[i - 1], 1.05 * itk::FrontalToothOutline::Spacing);
+        }
+      }
+    }
+  }
 }
 
 TEST(ToothOutlinePoseMetricv4, MissingInputsNameTheCallToMake)

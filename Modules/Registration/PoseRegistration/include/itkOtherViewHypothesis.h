@@ -23,8 +23,8 @@
 namespace itk
 {
 /** \class OtherViewHypothesis
- * \brief A further view was taken otherwise than said: the patient's sides exchanged in it, or the source on the other
- * side of the head.
+ * \brief A further view was taken otherwise than said: the patient's sides exchanged in it, the source on the other side
+ * of the head, or the head turned in the ear rods between the two.
  *
  * It begins at the solution, which hangs on the first view, and asks whether what was drawn on the other one is
  * explained better: its deviance is that of the robust criterion, in which what fits nowhere costs what the kernel
@@ -50,7 +50,9 @@ public:
     /** The picture is mirrored against what was said: right and left exchanged, or the face the other way. */
     Sides,
     /** Front for back, or right for left. */
-    Source
+    Source,
+    /** The head was turned between the radiographs, of a view that was said to be taken with it held still. */
+    Head
   };
   itkSetEnumMacro(Question, QuestionEnum);
   itkGetEnumMacro(Question, QuestionEnum);
@@ -59,7 +61,7 @@ public:
   itkSetStringMacro(View);
   itkGetStringMacro(View);
 
-  /** "view-sides:frontal", "view-source:frontal" */
+  /** "view-sides:frontal", "view-source:frontal", "view-head-moved:frontal" */
   static std::string
   MakeCode(QuestionEnum question, const std::string & view);
   std::string

@@ -42,16 +42,19 @@ public:
   /** Limits beyond which a finding is given. */
   struct Thresholds
   {
-    /** Standard deviations beyond which a landmark is a gross error. */
+    /** Standard deviations beyond which a landmark, or the outline of a tooth, is a gross error. */
     double landmarkApart{ 4.0 };
     /** Root mean square of the others' distances over their standard deviations. */
     double suspectLandmarkRatio{ 2.0 };
-    /** Of the tracing: the outer outline of a jaw hides behind that of others more than a lateral one does. */
+    /** Of a tracing on a further lateral radiograph. */
     double suspectCost{ 0.5 };
     /** Of move and scale, in standard deviations of their priors. */
     double suspectPriorTension{ 4.5 };
     /** Difference of the robust criterion: 10 is odds of 150. */
     double suspectDeviance{ -10.0 };
+    /** The same of a head that was turned between the radiographs and not said to be: five more unknowns explain more of
+     * any noise. */
+    double suspectMoveDeviance{ -14.0 };
   };
 
   /** Findings of a view of the result, by its index; none where it agrees. */

@@ -67,6 +67,25 @@ ExchangedJawsHypothesis::GetObstacle(const PoseProblem & problem) const
   return "";
 }
 
+namespace
+{
+/** The crowns that were cut out of each scan, under the codes that its teeth have in the other jaw. The frame turns over
+ * about x, and the patient's right of one is the left of the other. */
+ToothCrownSet::Pointer
+RenameCrowns(const ToothCrownSet & crowns)
+{
+  const auto renamed = ToothCrownSet::New();
+  for (ToothCrownSet::CrownType crown : crowns.GetCrowns())
+  {
+    // 1 upper right, 2 upper left, 3 lower left, 4 lower right; 5 to 8 of milk teeth.
+    constexpr unsigned int others[9] = { 0, 3, 4, 1, 2, 7, 8, 5, 6 };
+    crown.tooth = ToothCode(10 * others[crown.tooth.GetQuadrant()] + crown.tooth.GetPosition());
+    renamed->Add(crown);
+  }
+  return renamed;
+}
+} // namespace
+
 PoseProblem
 ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
 {
@@ -86,6 +105,7 @@ ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
     // What was called upper is the lower jaw, the frame stands on its head about x.
     jaw.initialPose.reset();
     jaw.landmarks = nullptr;
+    jaw.crowns = jaw.crowns.IsNull() ? nullptr : RenameCrowns(*jaw.crowns);
     jaw.jaw = jaw.jaw == ToothCode::JawEnum::Upper ? ToothCode::JawEnum::Lower : ToothCode::JawEnum::Upper;
     for (int k = 3; k < 9; ++k)
     {

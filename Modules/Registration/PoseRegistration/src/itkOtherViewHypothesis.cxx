@@ -24,7 +24,15 @@ namespace itk
 std::string
 OtherViewHypothesis::MakeCode(QuestionEnum question, const std::string & view)
 {
-  return (question == QuestionEnum::Sides ? "view-sides:" : "view-source:") + view;
+  switch (question)
+  {
+    case QuestionEnum::Sides:
+      return "view-sides:" + view;
+    case QuestionEnum::Source:
+      return "view-source:" + view;
+    default:
+      return "view-head-moved:" + view;
+  }
 }
 
 std::string
@@ -45,8 +53,12 @@ OtherViewHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupR
   }
   const PoseViewInput & view = *found;
   // Few landmarks beside a long tracing hardly show in a score: always, as it costs no search. But the source moves
-  // teeth by a millimetre against each other, and outlines that hide behind one another are as uncertain.
+  // teeth by a millimetre against each other, and a tooth's outline is as uncertain.
   if (m_Question == QuestionEnum::Source && (view.tracings[0].IsNotNull() || view.tracings[1].IsNotNull()))
+  {
+    return false;
+  }
+  if (m_Question == QuestionEnum::Head && !view.sameHeadPosition)
   {
     return false;
   }
@@ -75,7 +87,15 @@ OtherViewHypothesis::Apply(const PoseProblem & problem) const
   other.options.checkHypotheses = false;
   for (PoseViewInput & view : other.views)
   {
-    if (view.name == m_View)
+    if (view.name != m_View)
+    {
+      continue;
+    }
+    if (m_Question == QuestionEnum::Head)
+    {
+      view.sameHeadPosition = false;
+    }
+    else
     {
       double & sign = m_Question == QuestionEnum::Sides ? view.geometry.facingSign : view.geometry.sourceSign;
       sign = -sign;
@@ -92,7 +112,7 @@ void
 OtherViewHypothesis::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "Question: " << (m_Question == QuestionEnum::Sides ? "Sides" : "Source") << std::endl;
+  os << indent << "Question: " << MakeCode(m_Question, m_View) << std::endl;
   os << indent << "View: " << m_View << std::endl;
 }
 } // namespace itk

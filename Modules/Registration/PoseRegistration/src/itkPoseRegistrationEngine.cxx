@@ -58,7 +58,14 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     }
     if (options.tracedSide == TracedSideEnum::Standard)
     {
-      tracingFailures[j] = this->PrepareOutlines(input, options, transform, jaws[j], result.jaws[j]);
+      const auto outlines =
+        MakeOutlineTerm(input, input.tracing, input.landmarks, jaws[j].landmarks, transform, options);
+      tracingFailures[j] = outlines->GetFailure();
+      for (const auto & unused : outlines->GetUnused())
+      {
+        result.jaws[j].unusedOutlines.push_back(unused.name + ": " + unused.reason);
+      }
+      jaws[j].outlines = tracingFailures[j].empty() ? outlines : nullptr;
       continue;
     }
     jaws[j].metric = MakeSilhouetteTerm(input.jaw, input.tracing, transform, options);
@@ -91,63 +98,6 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     }
   });
   return jaws;
-}
-
-std::string
-PoseRegistrationEngine::PrepareOutlines(const PoseJawInput &               input,
-                                        const PoseRegistrationOptions &    options,
-                                        const CephalometricPoseTransform * transform,
-                                        JawType &                          jaw,
-                                        PoseJawResult &                    result) const
-{
-  const auto crowns = ToothCrownSet::New();
-  if (input.crowns.IsNotNull())
-  {
-    for (ToothCrownSet::CrownType crown : input.crowns->GetCrowns())
-    {
-      if (crown.tooth.GetJaw() == input.jaw)
-      {
-        crown.surface = ToDentalFrame(*crown.surface, input.frame);
-        crowns->Add(crown);
-      }
-    }
-  }
-  auto metric = ToothOutlinePoseMetricv4::New();
-  metric->SetTransform(transform);
-  metric->SetCrowns(crowns);
-  metric->SetFixedContour(input.tracing);
-  metric->SetJaw(input.jaw);
-  metric->SetExcludedTeeth(options.excludedTeeth);
-  std::vector<unsigned int> marked;
-  if (jaw.landmarks.IsNotNull())
-  {
-    for (const auto & landmark : input.landmarks->GetLandmarks())
-    {
-      if (landmark.meaning.jaw == input.jaw &&
-          jaw.landmarks->GetCounterparts()->Find(CephalometricLandmarkSet::MakeName(landmark.meaning)) != nullptr)
-      {
-        marked.push_back(landmark.meaning.position);
-      }
-    }
-    metric->SetMarkedTeeth(marked);
-    // What a textbook's place gets wrong, landmark and crown get wrong alike: both together were worse than one.
-    constexpr double surestPlaceOfATextbook = 1.0;
-    metric->SetMaximumCutSigma(surestPlaceOfATextbook);
-  }
-  metric->Prepare();
-  for (const auto & unused : metric->GetUnused())
-  {
-    result.unusedOutlines.push_back(unused.name + ": " + unused.reason);
-  }
-  if (metric->GetFailure().empty())
-  {
-    jaw.outlines = metric;
-    if (jaw.landmarks.IsNotNull())
-    {
-      jaw.landmarks->SetOutlinedTeeth(metric->GetTeethPositions());
-    }
-  }
-  return metric->GetFailure();
 }
 
 PoseRegistrationEngine::MetricType::Pointer

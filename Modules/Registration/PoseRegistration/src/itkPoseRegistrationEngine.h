@@ -86,10 +86,19 @@ private:
     /** Its terms of a further view. */
     struct ViewType
     {
-      SilhouettePoseMetricv4::Pointer silhouette;
-      LandmarkPoseMetricv4::Pointer   landmarks;
+      SilhouettePoseMetricv4::Pointer   silhouette;
+      ToothOutlinePoseMetricv4::Pointer outlines;
+      LandmarkPoseMetricv4::Pointer     landmarks;
+      /** Outlines of it that are not used, with the reason. */
+      std::vector<std::string> unusedOutlines;
       /** Why its tracing on that view cannot be used. */
       std::string failure;
+
+      bool
+      HasEvidence() const
+      {
+        return silhouette.IsNotNull() || outlines.IsNotNull() || landmarks.IsNotNull();
+      }
     };
 
     std::shared_ptr<const TriangleSurface> surface;
@@ -108,21 +117,12 @@ private:
     bool
     HasEvidenceOfAView() const
     {
-      return std::any_of(views.begin(), views.end(), [](const ViewType & view) {
-        return view.silhouette.IsNotNull() || view.landmarks.IsNotNull();
-      });
+      return std::any_of(views.begin(), views.end(), [](const ViewType & view) { return view.HasEvidence(); });
     }
   };
 
   std::vector<JawType>
   PrepareJaws(const PoseProblem & problem, const PoseGeometry & geometry, PoseRegistrationResult & result) const;
-  /** Returns why none of them can be used, empty where one is. */
-  std::string
-  PrepareOutlines(const PoseJawInput &               input,
-                  const PoseRegistrationOptions &    options,
-                  const CephalometricPoseTransform * transform,
-                  JawType &                          jaw,
-                  PoseJawResult &                    result) const;
   void
   PrepareViews(const PoseProblem & problem, std::size_t jaw, JawType & prepared) const;
   /** The terms of the views, and what is known of where the head was. */

@@ -36,9 +36,8 @@ namespace itk
 {
 namespace
 {
-/** px of 0.25 mm: noise of an outline on a further view. It is not the hand's alone, as of the first view, whose levels
- * are estimated: what stands behind the tooth that was drawn, seen from there, may reach further than it, by a
- * millimetre where molars stand behind one another. */
+/** px of 0.25 mm: noise of a tracing of crowns on a further lateral view, wide, as its levels are not estimated as those
+ * of the first one are. */
 constexpr ContourNoiseLevels OutlineNoise{ 4.0, 0.6 };
 
 /** What is known of how far the head was moved for a view, 1 sd: of a patient who was turned in the ear rods pitch,
@@ -83,18 +82,24 @@ PoseRegistrationEngine::PrepareViews(const PoseProblem & problem, std::size_t j,
     {
       continue;
     }
-    PoseRegistrationOptions options = problem.options;
-    // From the front both sides are seen; whole teeth of a standard tracing are drawn from the side.
-    options.tracedSide = view.geometry.direction == CephalometricDirectionEnum::Frontal ||
-                             problem.options.tracedSide == TracedSideEnum::Standard
-                           ? TracedSideEnum::Right
-                           : problem.options.tracedSide;
     if (view.geometry.direction == CephalometricDirectionEnum::Frontal)
     {
-      // The border of a first molar is no border of the second one, which may stand further out.
-      options.gateByTooth = true;
-      options.toothRange = 0;
+      // Teeth stand behind one another there, and the outer outline of the jaw is mostly that of others than were
+      // drawn: each is compared with its own crown.
+      const auto outlines =
+        MakeOutlineTerm(input, view.tracings[index], view.landmarks, own.landmarks, transform, problem.options);
+      own.failure = outlines->GetFailure();
+      for (const auto & unused : outlines->GetUnused())
+      {
+        own.unusedOutlines.push_back(unused.name + ": " + unused.reason);
+      }
+      own.outlines = own.failure.empty() ? outlines : nullptr;
+      continue;
     }
+    PoseRegistrationOptions options = problem.options;
+    // Whole teeth of a standard tracing are drawn on the first view.
+    options.tracedSide =
+      problem.options.tracedSide == TracedSideEnum::Standard ? TracedSideEnum::Right : problem.options.tracedSide;
     own.silhouette = MakeSilhouetteTerm(input.jaw, view.tracings[index], transform, options);
     if (options.useRobustKernel)
     {
@@ -125,7 +130,7 @@ PoseRegistrationEngine::AddViews(const PoseProblem &              problem,
   {
     const PoseViewInput & view = problem.views[v];
     const auto            has = [&](std::size_t j) {
-      return jaws[j].views[v].silhouette.IsNotNull() || jaws[j].views[v].landmarks.IsNotNull();
+      return jaws[j].views[v].HasEvidence();
     };
     if (std::none_of(members.begin(), members.end(), has))
     {
@@ -162,6 +167,7 @@ PoseRegistrationEngine::AddViews(const PoseProblem &              problem,
     for (const std::size_t j : members)
     {
       add(jaws[j].views[v].silhouette, MetricType::SettingsEnum::Own);
+      add(jaws[j].views[v].outlines, MetricType::SettingsEnum::Own);
       add(jaws[j].views[v].landmarks, MetricType::SettingsEnum::Own);
     }
     sum.SetBlockFree(move, isFree);
@@ -249,6 +255,7 @@ PoseRegistrationEngine::DescribeViews(const PoseProblem &          problem,
       if (v < jaws[j].views.size())
       {
         jaw.tracingFailure = jaws[j].views[v].failure;
+        jaw.unusedOutlines = jaws[j].views[v].unusedOutlines;
       }
       if (jaw.registered)
       {
@@ -259,6 +266,10 @@ PoseRegistrationEngine::DescribeViews(const PoseProblem &          problem,
         if (own.silhouette.IsNotNull())
         {
           DescribeFit(*own.silhouette, x, group.covariance, input.geometry, jaw);
+        }
+        if (own.outlines.IsNotNull())
+        {
+          DescribeOutlines(*own.outlines, x, jaw);
         }
         if (own.landmarks.IsNotNull())
         {

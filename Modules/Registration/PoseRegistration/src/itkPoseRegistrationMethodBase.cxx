@@ -417,6 +417,15 @@ PoseRegistrationMethodBase::VerifyPreconditions() ITKv5_CONST
   for (const auto & view : m_Views)
   {
     view->Verify();
+    const bool isTraced =
+      view->GetContour(JawEnum::Upper) != nullptr || view->GetContour(JawEnum::Lower) != nullptr;
+    if (isTraced && view->GetGeometry()->GetDirection() == CephalometricDirectionEnum::Frontal &&
+        this->GetToothCrowns() == nullptr)
+    {
+      itkExceptionMacro("The tracing of view \"" << view->GetName()
+                                                << "\" is of single teeth: call SetToothCrowns() with what "
+                                                   "ToothCrownFilter cuts out of the scans.");
+    }
   }
   if (m_Optimizer.IsNull())
   {
@@ -585,7 +594,9 @@ PoseRegistrationMethodBase::GenerateData()
   engine.hypotheses = m_Hypotheses;
   for (const auto & view : m_Views)
   {
-    for (const auto question : { OtherViewHypothesis::QuestionEnum::Sides, OtherViewHypothesis::QuestionEnum::Source })
+    for (const auto question : { OtherViewHypothesis::QuestionEnum::Sides,
+                                 OtherViewHypothesis::QuestionEnum::Source,
+                                 OtherViewHypothesis::QuestionEnum::Head })
     {
       auto hypothesis = OtherViewHypothesis::New();
       hypothesis->SetView(view->GetName());

@@ -21,6 +21,7 @@
 #include "itkPoseFrameOperations.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace itk
 {
@@ -118,6 +119,56 @@ MakeSilhouetteTerm(ToothCode::JawEnum                 jaw,
   term->SetGapLength(options.gapLength);
   term->SetMaximumTracingPoints(options.maximumTracingPoints);
   term->SetExcludedTeeth(options.excludedTeeth);
+  return term;
+}
+
+ToothOutlinePoseMetricv4::Pointer
+MakeOutlineTerm(const PoseJawInput &               jaw,
+                const DentalContour *              tracing,
+                const CephalometricLandmarkSet *   landmarks,
+                LandmarkPoseMetricv4 *             landmarkTerm,
+                const CephalometricPoseTransform * transform,
+                const PoseRegistrationOptions &    options)
+{
+  const auto crowns = ToothCrownSet::New();
+  if (jaw.crowns.IsNotNull())
+  {
+    for (ToothCrownSet::CrownType crown : jaw.crowns->GetCrowns())
+    {
+      if (crown.tooth.GetJaw() == jaw.jaw)
+      {
+        crown.surface = ToDentalFrame(*crown.surface, jaw.frame);
+        crowns->Add(crown);
+      }
+    }
+  }
+  auto term = ToothOutlinePoseMetricv4::New();
+  term->SetTransform(transform);
+  term->SetCrowns(crowns);
+  term->SetFixedContour(tracing);
+  term->SetJaw(jaw.jaw);
+  term->SetExcludedTeeth(options.excludedTeeth);
+  if (landmarkTerm != nullptr)
+  {
+    std::vector<unsigned int> marked;
+    for (const auto & landmark : landmarks->GetLandmarks())
+    {
+      if (landmark.meaning.jaw == jaw.jaw && landmarkTerm->GetCounterparts()->Find(
+                                               CephalometricLandmarkSet::MakeName(landmark.meaning)) != nullptr)
+      {
+        marked.push_back(landmark.meaning.position);
+      }
+    }
+    term->SetMarkedTeeth(marked);
+    // What a textbook's place gets wrong, landmark and crown get wrong alike: both together were worse than one.
+    constexpr double surestPlaceOfATextbook = 1.0;
+    term->SetMaximumCutSigma(surestPlaceOfATextbook);
+  }
+  term->Prepare();
+  if (landmarkTerm != nullptr && term->GetFailure().empty())
+  {
+    landmarkTerm->SetOutlinedTeeth(term->GetTeethPositions());
+  }
   return term;
 }
 } // namespace itk

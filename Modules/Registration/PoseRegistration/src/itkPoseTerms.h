@@ -21,6 +21,7 @@
 #include "itkLandmarkPoseMetricv4.h"
 #include "itkPoseRegistrationTypes.h"
 #include "itkSilhouettePoseMetricv4.h"
+#include "itkToothOutlinePoseMetricv4.h"
 
 #include <memory>
 
@@ -46,6 +47,16 @@ MakeSilhouetteTerm(ToothCode::JawEnum                 jaw,
                    const DentalContour *              tracing,
                    const CephalometricPoseTransform * transform,
                    const PoseRegistrationOptions &    options);
+
+/** The term of outlines of single teeth, prepared: where none of them can be used its GetFailure() says why. Where it is
+ * registered with landmarks as well (their set and their term, or null) both are told of what they share. */
+ToothOutlinePoseMetricv4::Pointer
+MakeOutlineTerm(const PoseJawInput &               jaw,
+                const DentalContour *              tracing,
+                const CephalometricLandmarkSet *   landmarks,
+                LandmarkPoseMetricv4 *             landmarkTerm,
+                const CephalometricPoseTransform * transform,
+                const PoseRegistrationOptions &    options);
 } // namespace itk
 
 #endif

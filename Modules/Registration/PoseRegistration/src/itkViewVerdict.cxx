@@ -87,6 +87,8 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   }
 
   LandmarkTally tally(thresholds.landmarkApart);
+  bool          hasLandmarks = false;
+  bool          hasOutlines = false;
   double        cost = 0.0;
   bool          isTraced = false;
   for (const PoseJawResult & jaw : view.result.jaws)
@@ -98,6 +100,12 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
     for (const PoseLandmarkFit & landmark : jaw.landmarks)
     {
       tally.Add(landmark.name, landmark.distance);
+      hasLandmarks = true;
+    }
+    for (const PoseOutlineFit & outline : jaw.outlines)
+    {
+      tally.Add("outline " + outline.name, outline.distance);
+      hasOutlines = true;
     }
     if (jaw.fit.numberOfPoints > 0)
     {
@@ -117,13 +125,14 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
                          "" });
     return findings;
   }
-  const double ratio = tally.GetRatio();
+  const std::string drawings = !hasOutlines ? "landmarks" : hasLandmarks ? "landmarks and outlines" : "outlines";
+  const double      ratio = tally.GetRatio();
   if (apart.size() > fitting)
   {
     add(Suspect,
         "view-disagrees",
         "it contradicts the first radiograph: " + std::to_string(apart.size()) + " of " +
-          std::to_string(apart.size() + fitting) + " landmarks do not fit (" + JoinNames(apart) +
+          std::to_string(apart.size() + fitting) + " " + drawings + " do not fit (" + JoinNames(apart) +
           "); is it of the same patient, and its geometry right?",
         tally.GetLargest(),
         thresholds.landmarkApart,
@@ -133,7 +142,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   {
     add(Suspect,
         "view-landmark-apart",
-        "landmarks on it stand apart and were let go: " + JoinNames(apart),
+        drawings + " on it stand apart and were let go: " + JoinNames(apart),
         tally.GetLargest(),
         thresholds.landmarkApart,
         "sd");
@@ -142,7 +151,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   {
     add(Suspect,
         "view-landmarks-rough",
-        "the landmarks on it lie " + FormatNumber(ratio, 1) + " standard deviations from where they are expected",
+        "the " + drawings + " on it lie " + FormatNumber(ratio, 1) + " standard deviations from where they are expected",
         ratio,
         thresholds.suspectLandmarkRatio,
         "");
@@ -151,7 +160,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   {
     add(Suspect,
         "view-poor-fit",
-        "its tracing fits poorly: is it of the jaws' outer outline, incisal edges and buccal borders of the molars?",
+        "its tracing fits poorly: is it of the crowns, and of the side that \"traced_side\" says?",
         cost,
         thresholds.suspectCost,
         "");
@@ -161,19 +170,20 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   {
     tension = std::max(tension, own);
   }
-  if (tension > thresholds.suspectPriorTension)
+  const double moved = getDeviance(QuestionEnum::Head);
+  if (tension > thresholds.suspectPriorTension || moved < thresholds.suspectMoveDeviance)
   {
-    add(
-      Suspect,
-      "view-head-moved",
-      view.sameHeadPosition
-        ? "it fits only with the head elsewhere, or at another scale, than in the first one: say "
-          "\"same_head_position\": false where the patient was turned, and check its principal point and pixel spacing"
-        : "it fits only with the head far from where it was in the first one, or at another scale: check its "
-          "principal point and pixel spacing",
-      tension,
-      thresholds.suspectPriorTension,
-      "sd");
+    const bool isTense = tension > thresholds.suspectPriorTension;
+    add(Suspect,
+        "view-head-moved",
+        view.sameHeadPosition
+          ? "it fits better with the head elsewhere, or at another scale, than in the first one: say "
+            "\"same_head_position\": false where the patient was turned, and check its principal point and pixel spacing"
+          : "it fits only with the head far from where it was in the first one, or at another scale: check its "
+            "principal point and pixel spacing",
+        isTense ? tension : moved,
+        isTense ? thresholds.suspectPriorTension : thresholds.suspectMoveDeviance,
+        isTense ? "sd" : "");
   }
   return findings;
 }
