@@ -34,8 +34,8 @@ namespace itk
 class MeshSilhouette;
 
 /** \class PoseToothContourModel
- * \brief Makes the outline of a single tooth's crown, as it is drawn: of one alone, as on a frontal radiograph, of the one
- * that stands foremost of two, or the middle of both sides' images.
+ * \brief Makes the outline of a single tooth's crown, as it is drawn: of one alone, as on a frontal radiograph, of the
+ * one that stands foremost of two, or the middle of both sides' images.
  *
  * The outline of a crown is all of the outer boundary of its projection but what faces the root, where the crown was
  * cut out of the scan. For a middle each sample of the right tooth is paired with the left one's that lies nearest once

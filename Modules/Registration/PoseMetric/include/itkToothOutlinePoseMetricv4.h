@@ -44,9 +44,9 @@ class ToothOutline;
  * On a lateral radiograph the crown's part of each closed polyline with a tooth's code (WholeToothOutline) is matched
  * with the projected crown (PoseToothContourModel): of a front tooth the foremost of both sides, of a tooth behind the
  * canine the middle of both sides' images; the side in the code does not matter. On a frontal radiograph both sides are
- * seen beside each other, and an edge, a border or a closed crown (FrontalToothOutline) is matched with the crown of its
- * code. What a hand gets wrong of a tooth, it gets wrong of the whole tooth: n points of one are not n measurements. The
- * residuals r of a tooth, along the normals, have the covariance
+ * seen beside each other, and an edge, a border or a closed crown (FrontalToothOutline) is matched with the crown of
+ * its code. What a hand gets wrong of a tooth, it gets wrong of the whole tooth: n points of one are not n
+ * measurements. The residuals r of a tooth, along the normals, have the covariance
  *
  *   K = B S B' + smooth^2 G + white^2 W^-1
  *

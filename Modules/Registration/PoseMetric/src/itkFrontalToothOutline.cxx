@@ -102,7 +102,7 @@ FrontalToothOutline::FrontalToothOutline(const PoseGeometry &                geo
   for (std::size_t k = 0; k < n; ++k)
   {
     const std::size_t i = (begin + k) % n;
-    const PointType   normal{ { isInward ? -normals[i][0] : normals[i][0], isInward ? -normals[i][1] : normals[i][1] } };
+    const PointType normal{ { isInward ? -normals[i][0] : normals[i][0], isInward ? -normals[i][1] : normals[i][1] } };
     if (!polyline.closed || occlusal * normal[1] >= -FacesRoot)
     {
       this->AddPoint(points[i], normal, 0.0);

@@ -24,9 +24,8 @@ namespace itk
 void
 ToothOutline::AddPoint(const PointType & point, const PointType & normal, double lingual)
 {
-  m_Arc.push_back(m_Points.empty()
-                    ? 0.0
-                    : m_Arc.back() + std::hypot(point[0] - m_Points.back()[0], point[1] - m_Points.back()[1]));
+  m_Arc.push_back(
+    m_Points.empty() ? 0.0 : m_Arc.back() + std::hypot(point[0] - m_Points.back()[0], point[1] - m_Points.back()[1]));
   m_Points.push_back(point);
   m_Normals.push_back(normal);
   m_Lingual.push_back(lingual);

@@ -167,8 +167,8 @@ ToothOutlinePoseMetricv4::Prepare()
   {
     const unsigned int position = polyline.code.GetPosition();
     ToothType          tooth;
-    tooth.name = (upper ? "U" : "L") + std::string(!isFrontal ? "" : polyline.code.IsLeft() ? "L" : "R") +
-                 std::to_string(position);
+    const std::string  side = !isFrontal ? "" : polyline.code.IsLeft() ? "L" : "R";
+    tooth.name = (upper ? "U" : "L") + side + std::to_string(position);
     if (!polyline.code.IsKnown())
     {
       m_Unused.push_back({ "without a code", "nothing says which tooth it is of" });
@@ -206,8 +206,7 @@ ToothOutlinePoseMetricv4::Prepare()
     {
       const unsigned int tens = quadrant + (polyline.code.IsPrimary() ? 4U : 0U);
       const ToothCode    code(10 * tens + position);
-      if (const auto * crown = this->GetCrowns()->Find(code);
-          crown != nullptr && (!isFrontal || code == polyline.code))
+      if (const auto * crown = this->GetCrowns()->Find(code); crown != nullptr && (!isFrontal || code == polyline.code))
       {
         crowns.push_back(crown->surface);
         sigmaAlong = std::max(sigmaAlong, crown->sigmaAlong);
@@ -467,8 +466,7 @@ ToothOutlinePoseMetricv4::MakeBasis(const ToothType & tooth, const EvaluationTyp
     noise.basis[4 * n + i] = outline.GetLingual()[i];
     // Where the outline faces along the arch it is the cut that ends the crown.
     const double facing = std::abs(outline.GetNormals()[i][0]);
-    noise.basis[5 * n + i] =
-      tooth.endsAreCut ? std::max(0.0, (facing - CutFacing) / (1.0 - CutFacing)) : 0.0;
+    noise.basis[5 * n + i] = tooth.endsAreCut ? std::max(0.0, (facing - CutFacing) / (1.0 - CutFacing)) : 0.0;
   }
 }
 

@@ -34,12 +34,13 @@ constexpr double UpperBackShare = 7.5 / 20.0;
 constexpr double LowerBackShare = 7.5 / 21.5;
 /** Of the crown from its occlusal end: what gingiva leaves free. */
 constexpr double FreeShare = 0.9;
-/** Shortest and longest tooth with its root, mm. A lower central incisor of 16 mm and a canine of 33 are known; roots are
- * resorbed by a quarter in orthodontic treatment, are seen at a slant, and hands end them early, where bone hides them. */
+/** Shortest and longest tooth with its root, mm. A lower central incisor of 16 mm and a canine of 33 are known; roots
+ * are resorbed by a quarter in orthodontic treatment, are seen at a slant, and hands end them early, where bone hides
+ * them. */
 constexpr double ShortestTooth = 10.0;
 constexpr double LongestTooth = 40.0;
-/** A molar with its roots is twice as long as it is wide, an incisor thrice, and half of the difference to a crown alone,
- * which is as wide as it is high, may be lost by roots that are drawn short. */
+/** A molar with its roots is twice as long as it is wide, an incisor thrice, and half of the difference to a crown
+ * alone, which is as wide as it is high, may be lost by roots that are drawn short. */
 constexpr double SmallestElongation = 1.1;
 /** px over which the lingual side begins behind the incisal edge, 1.5 mm. */
 constexpr double EdgeLength = 6.0;

@@ -559,9 +559,8 @@ MakeFrontalTracing(bool closed)
     {
       widest = gap(i) > gap(widest) ? i : widest;
     }
-    std::rotate(points.begin(),
-                points.begin() + static_cast<std::ptrdiff_t>((widest + 1) % points.size()),
-                points.end());
+    std::rotate(
+      points.begin(), points.begin() + static_cast<std::ptrdiff_t>((widest + 1) % points.size()), points.end());
     tracing->AddPolyline(points, itk::ToothCode(tooth.fdi), closed);
   }
   return tracing;

@@ -23,8 +23,8 @@
 namespace itk
 {
 /** \class OtherViewHypothesis
- * \brief A further view was taken otherwise than said: the patient's sides exchanged in it, the source on the other side
- * of the head, or the head turned in the ear rods between the two.
+ * \brief A further view was taken otherwise than said: the patient's sides exchanged in it, the source on the other
+ * side of the head, or the head turned in the ear rods between the two.
  *
  * It begins at the solution, which hangs on the first view, and asks whether what was drawn on the other one is
  * explained better: its deviance is that of the robust criterion, in which what fits nowhere costs what the kernel

@@ -52,8 +52,8 @@ public:
     double suspectPriorTension{ 4.5 };
     /** Difference of the robust criterion: 10 is odds of 150. */
     double suspectDeviance{ -10.0 };
-    /** The same of a head that was turned between the radiographs and not said to be: five more unknowns explain more of
-     * any noise. */
+    /** The same of a head that was turned between the radiographs and not said to be: five more unknowns explain more
+     * of any noise. */
     double suspectMoveDeviance{ -14.0 };
   };
 

@@ -69,8 +69,8 @@ ExchangedJawsHypothesis::GetObstacle(const PoseProblem & problem) const
 
 namespace
 {
-/** The crowns that were cut out of each scan, under the codes that its teeth have in the other jaw. The frame turns over
- * about x, and the patient's right of one is the left of the other. */
+/** The crowns that were cut out of each scan, under the codes that its teeth have in the other jaw. The frame turns
+ * over about x, and the patient's right of one is the left of the other. */
 ToothCrownSet::Pointer
 RenameCrowns(const ToothCrownSet & crowns)
 {

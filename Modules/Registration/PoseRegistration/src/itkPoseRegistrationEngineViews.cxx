@@ -36,8 +36,8 @@ namespace itk
 {
 namespace
 {
-/** px of 0.25 mm: noise of a tracing of crowns on a further lateral view, wide, as its levels are not estimated as those
- * of the first one are. */
+/** px of 0.25 mm: noise of a tracing of crowns on a further lateral view, wide, as its levels are not estimated as
+ * those of the first one are. */
 constexpr ContourNoiseLevels OutlineNoise{ 4.0, 0.6 };
 
 /** What is known of how far the head was moved for a view, 1 sd: of a patient who was turned in the ear rods pitch,
@@ -129,9 +129,7 @@ PoseRegistrationEngine::AddViews(const PoseProblem &              problem,
   for (std::size_t v = 0; v < problem.views.size(); ++v)
   {
     const PoseViewInput & view = problem.views[v];
-    const auto            has = [&](std::size_t j) {
-      return jaws[j].views[v].HasEvidence();
-    };
+    const auto            has = [&](std::size_t j) { return jaws[j].views[v].HasEvidence(); };
     if (std::none_of(members.begin(), members.end(), has))
     {
       continue;

@@ -417,14 +417,13 @@ PoseRegistrationMethodBase::VerifyPreconditions() ITKv5_CONST
   for (const auto & view : m_Views)
   {
     view->Verify();
-    const bool isTraced =
-      view->GetContour(JawEnum::Upper) != nullptr || view->GetContour(JawEnum::Lower) != nullptr;
+    const bool isTraced = view->GetContour(JawEnum::Upper) != nullptr || view->GetContour(JawEnum::Lower) != nullptr;
     if (isTraced && view->GetGeometry()->GetDirection() == CephalometricDirectionEnum::Frontal &&
         this->GetToothCrowns() == nullptr)
     {
       itkExceptionMacro("The tracing of view \"" << view->GetName()
-                                                << "\" is of single teeth: call SetToothCrowns() with what "
-                                                   "ToothCrownFilter cuts out of the scans.");
+                                                 << "\" is of single teeth: call SetToothCrowns() with what "
+                                                    "ToothCrownFilter cuts out of the scans.");
     }
   }
   if (m_Optimizer.IsNull())

@@ -153,8 +153,8 @@ MakeOutlineTerm(const PoseJawInput &               jaw,
     std::vector<unsigned int> marked;
     for (const auto & landmark : landmarks->GetLandmarks())
     {
-      if (landmark.meaning.jaw == jaw.jaw && landmarkTerm->GetCounterparts()->Find(
-                                               CephalometricLandmarkSet::MakeName(landmark.meaning)) != nullptr)
+      if (landmark.meaning.jaw == jaw.jaw &&
+          landmarkTerm->GetCounterparts()->Find(CephalometricLandmarkSet::MakeName(landmark.meaning)) != nullptr)
       {
         marked.push_back(landmark.meaning.position);
       }

@@ -48,8 +48,8 @@ MakeSilhouetteTerm(ToothCode::JawEnum                 jaw,
                    const CephalometricPoseTransform * transform,
                    const PoseRegistrationOptions &    options);
 
-/** The term of outlines of single teeth, prepared: where none of them can be used its GetFailure() says why. Where it is
- * registered with landmarks as well (their set and their term, or null) both are told of what they share. */
+/** The term of outlines of single teeth, prepared: where none of them can be used its GetFailure() says why. Where it
+ * is registered with landmarks as well (their set and their term, or null) both are told of what they share. */
 ToothOutlinePoseMetricv4::Pointer
 MakeOutlineTerm(const PoseJawInput &               jaw,
                 const DentalContour *              tracing,

@@ -151,7 +151,8 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   {
     add(Suspect,
         "view-landmarks-rough",
-        "the " + drawings + " on it lie " + FormatNumber(ratio, 1) + " standard deviations from where they are expected",
+        "the " + drawings + " on it lie " + FormatNumber(ratio, 1) +
+          " standard deviations from where they are expected",
         ratio,
         thresholds.suspectLandmarkRatio,
         "");
@@ -174,16 +175,17 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   if (tension > thresholds.suspectPriorTension || moved < thresholds.suspectMoveDeviance)
   {
     const bool isTense = tension > thresholds.suspectPriorTension;
-    add(Suspect,
-        "view-head-moved",
-        view.sameHeadPosition
-          ? "it fits better with the head elsewhere, or at another scale, than in the first one: say "
-            "\"same_head_position\": false where the patient was turned, and check its principal point and pixel spacing"
-          : "it fits only with the head far from where it was in the first one, or at another scale: check its "
-            "principal point and pixel spacing",
-        isTense ? tension : moved,
-        isTense ? thresholds.suspectPriorTension : thresholds.suspectMoveDeviance,
-        isTense ? "sd" : "");
+    add(
+      Suspect,
+      "view-head-moved",
+      view.sameHeadPosition
+        ? "it fits better with the head elsewhere, or at another scale, than in the first one: say "
+          "\"same_head_position\": false where the patient was turned, and check its principal point and pixel spacing"
+        : "it fits only with the head far from where it was in the first one, or at another scale: check its "
+          "principal point and pixel spacing",
+      isTense ? tension : moved,
+      isTense ? thresholds.suspectPriorTension : thresholds.suspectMoveDeviance,
+      isTense ? "sd" : "");
   }
   return findings;
 }
