@@ -34,6 +34,7 @@
 
 namespace itk
 {
+class PoseContourIndex;
 class PoseToothContourModel;
 class ToothOutline;
 
@@ -73,7 +74,8 @@ class ToothOutline;
  * W, S and the way of drawing are made by UpdateNoiseCorrelation(), between runs of an optimizer, and held: a point
  * counts less where it lies apart from its tooth's others, by the Geman-McClure kernel on what the tooth's own errors
  * leave of r, and S is widened by the same kernel where the tooth as a whole lies further off than hands draw: one
- * gross error of four outlines does not move the others.
+ * gross error of four outlines does not move the others. Where most of four or more teeth lie far off, it is the jaw
+ * that is not at its place yet, and the kernel is as wide as they are spread.
  *
  * Inputs: SetTransform() (its geometry), SetCrowns() in the dental frame (mm), SetFixedContour() (continuous pixel
  * indices), SetJaw(). Blocks read: "pose" and "scale", or as named (PoseStateBlocks). Clone() shares what is prepared.
@@ -280,6 +282,8 @@ private:
     bool endsAreCut{ false };
     /** Whether templates are known of such a drawing. */
     bool mayBeTemplate{ true };
+    /** Whether its points are matched as if it stood where it fits best: no start has brought it there. */
+    bool findsItsShift{ false };
     /** log |K0|. */
     double logDeterminant{ 0.0 };
   };
@@ -318,13 +322,29 @@ private:
 
   void
   Evaluate(std::size_t tooth, const PositionType & x, EvaluationType & at) const;
+  /** Matches the outline's points, moved back by a shift, with the contour. */
+  static void
+  Match(const ToothOutline &          outline,
+        const PoseContourIndex &      index,
+        const std::array<double, 2> & shift,
+        EvaluationType &              at);
+  /** How far the outline lies beside the contour by its matches, px of 0.25 mm. */
+  static std::array<double, 2>
+  ComputeShift(const ToothOutline & outline, const EvaluationType & at);
   const std::vector<EvaluationType> &
   EvaluateAll(const PositionType & x) const;
   /** Of all teeth, in the likelier way of drawing. */
   std::vector<NoiseType>
   ComputeNoises(const std::vector<EvaluationType> & at) const;
+  /** In one way of drawing. */
+  std::vector<NoiseType>
+  ComputeNoises(const std::vector<EvaluationType> & at, std::size_t way) const;
+  /** Weights of a tooth's points, and its own errors as if it were none of those that are let go. */
   NoiseType
   ComputeNoise(const ToothType & tooth, const EvaluationType & at, std::size_t way) const;
+  /** Of a tooth that counts so much. */
+  void
+  WidenErrors(const ToothType & tooth, const EvaluationType & at, double weight, NoiseType & noise) const;
   /** B of the noise's way of drawing. */
   static void
   MakeBasis(const ToothType & tooth, const EvaluationType & at, NoiseType & noise);

@@ -48,6 +48,14 @@ constexpr double WidthInSigmas = 2.5;
 constexpr double SigmaOfMedian = 1.48;
 /** Width of the teeth's robust kernel, standard deviations, as of landmarks. */
 constexpr double ToothWidthInSigmas = 4.0;
+/** Rounds of matching in which a tooth finds how far it is beside its crown, and weight of a shift of 0 beside points,
+ * (1 px / 12 px)^2: a jaw that was placed from the side alone may lie 3 mm beside its frontal image, and the nearest
+ * sample of a crown is then one of its other end. */
+constexpr int    ShiftRounds = 4;
+constexpr double ShiftRidge = 1.0 / 144.0;
+/** Fewest teeth that have a spread. As of points the width follows it where it is larger: a jaw that is still some
+ * millimetres beside its place is off with all of its teeth, and is not to be caught by the one that happens to fit. */
+constexpr std::size_t FewestTeethWithASpread = 4;
 /** No weight is quite 0: the covariance is inverted. */
 constexpr double SmallestWeight = 1e-4;
 /** Component along the arch of a normal above which its point is at an end of the tooth. */
@@ -231,6 +239,7 @@ ToothOutlinePoseMetricv4::Prepare()
     // From the side it is a back tooth that has neighbours before and behind it, from the front it is a front tooth.
     tooth.endsAreCut = front == isFrontal;
     tooth.mayBeTemplate = !isFrontal;
+    tooth.findsItsShift = isFrontal;
     tooth.model = std::make_shared<const PoseToothContourModel>(
       crowns, front ? LandmarkCounterpartSet::RuleEnum::Foremost : LandmarkCounterpartSet::RuleEnum::Middle, m_Jaw);
     const ErrorsType errors = WithSigma(m_Errors, ComputeSigma(polyline, geometry));
@@ -333,6 +342,56 @@ ToothOutlinePoseMetricv4::GetNumberOfResiduals() const
 }
 
 void
+ToothOutlinePoseMetricv4::Match(const ToothOutline &          outline,
+                                const PoseContourIndex &      index,
+                                const std::array<double, 2> & shift,
+                                EvaluationType &              at)
+{
+  const auto &      points = outline.GetPoints();
+  const auto &      normals = outline.GetNormals();
+  const std::size_t n = points.size();
+  at.match.assign(n, NoMatch);
+  at.nu.assign(n, 0.0);
+  at.nv.assign(n, 1.0);
+  at.facing.assign(n, 0.0);
+  for (std::size_t i = 0; i < n && !index.Empty(); ++i)
+  {
+    const std::size_t j = index.Nearest(points[i][0] - shift[0],
+                                        points[i][1] - shift[1],
+                                        normals[i][0],
+                                        normals[i][1],
+                                        OrientationWeight * OrientationWeight);
+    at.match[i] = j;
+    at.nu[i] = at.contour.nu[j];
+    at.nv[i] = at.contour.nv[j];
+    const auto & direction = index.GetDirection(j);
+    at.facing[i] = PoseMatching::FacingWeight(direction[0] * normals[i][0] + direction[1] * normals[i][1]);
+  }
+}
+
+std::array<double, 2>
+ToothOutlinePoseMetricv4::ComputeShift(const ToothOutline & outline, const EvaluationType & at)
+{
+  double uu = ShiftRidge, uv = 0.0, vv = ShiftRidge, bu = 0.0, bv = 0.0;
+  for (std::size_t i = 0; i < at.match.size(); ++i)
+  {
+    if (at.match[i] == NoMatch)
+    {
+      continue;
+    }
+    const auto & p = outline.GetPoints()[i];
+    const double r = at.nu[i] * (p[0] - at.contour.u[at.match[i]]) + at.nv[i] * (p[1] - at.contour.v[at.match[i]]);
+    uu += at.facing[i] * at.nu[i] * at.nu[i];
+    uv += at.facing[i] * at.nu[i] * at.nv[i];
+    vv += at.facing[i] * at.nv[i] * at.nv[i];
+    bu += at.facing[i] * at.nu[i] * r;
+    bv += at.facing[i] * at.nv[i] * r;
+  }
+  const double determinant = uu * vv - uv * uv;
+  return { { (vv * bu - uv * bv) / determinant, (uu * bv - uv * bu) / determinant } };
+}
+
+void
 ToothOutlinePoseMetricv4::Evaluate(std::size_t number, const PositionType & x, EvaluationType & at) const
 {
   const ToothType &    tooth = this->GetTeeth()[number];
@@ -348,7 +407,6 @@ ToothOutlinePoseMetricv4::Evaluate(std::size_t number, const PositionType & x, E
     at.contour = tooth.model->Compute(model);
   }
   const auto &      points = tooth.outline->GetPoints();
-  const auto &      normals = tooth.outline->GetNormals();
   const std::size_t n = points.size();
   at.residual.assign(n, 0.0);
   if (m_Hold == HoldEnum::Matches)
@@ -361,20 +419,13 @@ ToothOutlinePoseMetricv4::Evaluate(std::size_t number, const PositionType & x, E
   else
   {
     const PoseContourIndex index(at.contour);
-    at.match.assign(n, NoMatch);
-    at.nu.assign(n, 0.0);
-    at.nv.assign(n, 1.0);
-    at.facing.assign(n, 0.0);
-    for (std::size_t i = 0; i < n && !index.Empty(); ++i)
+    std::array<double, 2>  shift{};
+    for (int round = 0; tooth.findsItsShift && round < ShiftRounds; ++round)
     {
-      const std::size_t j =
-        index.Nearest(points[i][0], points[i][1], normals[i][0], normals[i][1], OrientationWeight * OrientationWeight);
-      at.match[i] = j;
-      at.nu[i] = at.contour.nu[j];
-      at.nv[i] = at.contour.nv[j];
-      const auto & direction = index.GetDirection(j);
-      at.facing[i] = PoseMatching::FacingWeight(direction[0] * normals[i][0] + direction[1] * normals[i][1]);
+      Match(*tooth.outline, index, shift, at);
+      shift = ComputeShift(*tooth.outline, at);
     }
+    Match(*tooth.outline, index, shift, at);
   }
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -484,24 +535,50 @@ ToothOutlinePoseMetricv4::ComputeDistance(const ToothType & tooth, const NoiseTy
 std::vector<ToothOutlinePoseMetricv4::NoiseType>
 ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at) const
 {
-  std::vector<NoiseType> byHand, byTemplate;
+  std::vector<NoiseType> byHand = this->ComputeNoises(at, 0);
+  const bool             mayBeTemplates = std::all_of(
+    this->GetTeeth().begin(), this->GetTeeth().end(), [](const ToothType & tooth) { return tooth.mayBeTemplate; });
+  if (!mayBeTemplates || byHand.empty())
+  {
+    return byHand;
+  }
+  std::vector<NoiseType> byTemplate = this->ComputeNoises(at, 1);
   double                 difference = TemplatePenalty;
   for (std::size_t t = 0; t < at.size(); ++t)
   {
-    byHand.push_back(this->ComputeNoise(this->GetTeeth()[t], at[t], 0));
-    if (!this->GetTeeth()[t].mayBeTemplate)
-    {
-      continue;
-    }
-    byTemplate.push_back(this->ComputeNoise(this->GetTeeth()[t], at[t], 1));
-    difference += byTemplate.back().deviance - byHand.back().deviance;
+    difference += byTemplate[t].deviance - byHand[t].deviance;
   }
-  if (difference < 0.0 && byTemplate.size() == byHand.size())
+  if (difference < 0.0)
   {
     byTemplate.front().charge += TemplatePenalty;
     return byTemplate;
   }
   return byHand;
+}
+
+std::vector<ToothOutlinePoseMetricv4::NoiseType>
+ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at, std::size_t way) const
+{
+  std::vector<NoiseType> noises;
+  std::vector<double>    distances;
+  for (std::size_t t = 0; t < at.size(); ++t)
+  {
+    noises.push_back(this->ComputeNoise(this->GetTeeth()[t], at[t], way));
+    distances.push_back(ComputeDistance(this->GetTeeth()[t], noises.back()));
+  }
+  double width = ToothWidthInSigmas;
+  if (distances.size() >= FewestTeethWithASpread)
+  {
+    auto       sorted = distances;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    width = std::max(width, WidthInSigmas * SigmaOfMedian * *middle);
+  }
+  for (std::size_t t = 0; t < at.size(); ++t)
+  {
+    this->WidenErrors(this->GetTeeth()[t], at[t], GemanMcClure(distances[t] * distances[t], width), noises[t]);
+  }
+  return noises;
 }
 
 ToothOutlinePoseMetricv4::NoiseType
@@ -566,8 +643,17 @@ ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const Evaluation
       noise.weights[i] = at.facing[i] * GemanMcClure(left[i] * left[i] + beyond * beyond, width);
     }
   }
-  const double distance = ComputeDistance(tooth, noise);
-  noise.weight = GemanMcClure(distance * distance, ToothWidthInSigmas);
+  return noise;
+}
+
+void
+ToothOutlinePoseMetricv4::WidenErrors(const ToothType &      tooth,
+                                      const EvaluationType & at,
+                                      double                 weight,
+                                      NoiseType &            noise) const
+{
+  const std::size_t n = noise.weights.size();
+  noise.weight = weight;
   this->Factorize(tooth, noise);
   noise.charge = ComputeLogDeterminant(noise) - tooth.logDeterminant;
   // With what the kernel leaves of the tooth: a gross error is none of the other way's successes.
@@ -578,7 +664,6 @@ ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const Evaluation
   {
     noise.deviance += residual * residual;
   }
-  return noise;
 }
 
 void
