@@ -111,12 +111,6 @@ SetInitialTransforms(const DentalCaseData &               data,
   }
 }
 
-std::string
-ToName(JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? "upper" : "lower";
-}
-
 bool
 HasCounterpart(const LandmarkCounterpartSet * counterparts, JawEnum jaw)
 {
@@ -189,7 +183,7 @@ SettleEvidence(const DentalCaseData &          data,
       continue;
     }
     const bool    isOnAView = views.HasEvidence(jaw);
-    const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
+    const JawEnum other = OtherJaw(jaw);
     if (!share || jaws.count(other) == 0 || !HasEvidence(data, counterparts, other))
     {
       result.jaws[jaw].AddFinding(
@@ -361,7 +355,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     DescribePlacedJaw(*solution, entry.first, unit, counterparts, jaw);
     if (poseJaw.placedByOther)
     {
-      jaw.placedBy = ToName(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
+      jaw.placedBy = ToString(OtherJaw(entry.first));
     }
     for (const PoseOutlineFit & outline : poseJaw.outlines)
     {
@@ -468,7 +462,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     if (!entry.second.placedBy.empty())
     {
       // No better than the jaw that placed it, of whose scan the checks may have said something.
-      const auto other = result.jaws.find(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
+      const auto other = result.jaws.find(OtherJaw(entry.first));
       entry.second.RaiseFinding("placed-by-other", other->second.status);
     }
   }

@@ -43,12 +43,6 @@ constexpr ToothCode::JawEnum Jaws[] = { ToothCode::JawEnum::Upper, ToothCode::Ja
 /** The one option that is not in PoseRegistrationOptions. */
 constexpr char RefineMidlineName[] = "refineMidline";
 
-std::string
-Name(ToothCode::JawEnum jaw)
-{
-  return jaw == ToothCode::JawEnum::Upper ? "upper" : "lower";
-}
-
 } // namespace
 
 CaseRegistration::CaseRegistration()
@@ -323,7 +317,7 @@ CaseRegistration::PlaceBesideTheOther()
 {
   for (const JawEnum jaw : Jaws)
   {
-    const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
+    const JawEnum other = OtherJaw(jaw);
     const auto    drawn = m_Result.jaws.find(other);
     if (m_Result.skipped.count(jaw) != 0 && m_Data->GetJaw(jaw).mesh.IsNotNull() && drawn != m_Result.jaws.end() &&
         drawn->second.status != RegistrationStatusEnum::Failed)
@@ -480,7 +474,7 @@ CaseRegistration::GenerateData()
   }
   for (auto & entry : m_Result.jaws)
   {
-    const DentalJawFrame & frame = entry.first == JawEnum::Upper ? frames.upper : frames.lower;
+    const DentalJawFrame & frame = frames.GetJaw(entry.first);
     entry.second.archWidth = frame.archWidth;
     entry.second.archDepth = frame.archDepth;
     entry.second.frameConfidence = frame.confidence;
@@ -598,7 +592,7 @@ CaseRegistration::RegisterBySimilarity()
     {
       continue;
     }
-    this->EnterStage(Name(entry.first) + ": registration", progress);
+    this->EnterStage(std::string(ToString(entry.first)) + ": registration", progress);
     settings.numberOfContourPoints =
       entry.first == JawEnum::Upper ? m_NumberOfUpperContourPoints : m_NumberOfLowerContourPoints;
     try

@@ -93,7 +93,7 @@ CaseResultFileReader::GenerateData()
   const auto jaws = root.Get("jaws");
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
-    const auto node = jaws.Find(jaw == JawEnum::Upper ? "upper" : "lower");
+    const auto node = jaws.Find(ToString(jaw));
     if (!node)
     {
       continue;

@@ -46,12 +46,6 @@ namespace fs = std::filesystem;
 using JawEnum = ToothCode::JawEnum;
 using MeshType = DentalCaseData::MeshType;
 
-const char *
-Name(JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? "upper" : "lower";
-}
-
 MeshType::Pointer
 MoveMesh(const MeshType * mesh, const std::array<double, 12> & matrix)
 {
@@ -118,7 +112,7 @@ WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputO
   for (const auto & entry : result.jaws)
   {
     const JawResult & jaw = entry.second;
-    const std::string name = Name(entry.first);
+    const std::string name = ToString(entry.first);
     if (!jaw.registered)
     {
       continue;

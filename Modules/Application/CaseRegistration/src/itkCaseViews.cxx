@@ -168,7 +168,7 @@ CaseViews::Describe(const PoseSolution &              solution,
       }
       if (!poseJaw.tracingFailure.empty())
       {
-        result.warnings.push_back("view " + view.name + ": the " + (jaw == JawEnum::Upper ? "upper" : "lower") +
+        result.warnings.push_back("view " + view.name + ": the " + ToString(jaw) +
                                   " tracing is not used: " + poseJaw.tracingFailure);
       }
     }

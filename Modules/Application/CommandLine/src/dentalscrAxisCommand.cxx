@@ -68,10 +68,9 @@ Axis(const AxisOptions & options, const CommonOptions & common)
     {
       continue;
     }
-    const bool        upper = jaw == JawEnum::Upper;
-    const std::string name = upper ? "upper" : "lower";
-    const auto &      frame = upper ? frames.upper : frames.lower;
-    itk::WriteDentalMesh(upper ? filter->GetUpperOutput() : filter->GetLowerOutput(),
+    const std::string name = itk::ToString(jaw);
+    const auto &      frame = frames.GetJaw(jaw);
+    itk::WriteDentalMesh(jaw == JawEnum::Upper ? filter->GetUpperOutput() : filter->GetLowerOutput(),
                          (folder / (name + "_umda.stl")).string());
     const auto matrix = itk::ToRows(itk::MakeDentalFrameTransform(frame.axes, frame.origin));
     itk::WriteUMDATransform(matrix, (folder / (name + "_umda.tfm")).string());

@@ -182,7 +182,7 @@ PlaceJaw(const itk::DentalCaseData &    data,
   if (resultFile.empty())
   {
     // Jaws in one frame keep their relation to each other.
-    const itk::DentalJawFrame & own = jaw == JawEnum::Upper ? frames.upper : frames.lower;
+    const itk::DentalJawFrame & own = frames.GetJaw(jaw);
     const itk::DentalJawFrame & frame = frames.jawsShareFrame && frames.joint.valid ? frames.joint : own;
     const auto                  transform = itk::MakeDentalFrameTransform(frame.axes, frame.origin);
     rotation = transform->GetMatrix();
@@ -194,7 +194,7 @@ PlaceJaw(const itk::DentalCaseData &    data,
   else
   {
     const auto root = itk::JsonDocument::ReadFile(resultFile).GetRoot();
-    const auto node = root.Get("jaws").Get(jaw == JawEnum::Upper ? "upper" : "lower");
+    const auto node = root.Get("jaws").Get(itk::ToString(jaw));
     const auto matrix = ReadMatrix(node.Get("mesh_to_cephalostat_mm"));
     for (unsigned int row = 0; row < 3; ++row)
     {

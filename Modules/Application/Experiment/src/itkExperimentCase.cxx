@@ -367,10 +367,7 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
       auto & input = data->GetJaw(jaw);
       if (input.mesh.IsNotNull())
       {
-        input.mesh =
-          TrimDistally(input.mesh,
-                       jaw == ToothCode::JawEnum::Upper ? experimentCase.frames.upper : experimentCase.frames.lower,
-                       variation.distalTrim);
+        input.mesh = TrimDistally(input.mesh, experimentCase.frames.GetJaw(jaw), variation.distalTrim);
       }
     }
     EstimateFrames(experimentCase);

@@ -233,8 +233,8 @@ SilhouettePoseMetricv4::InitializeTerm()
   this->Prepare();
   if (!m_Kernel->GetFailure().empty())
   {
-    itkExceptionMacro("The tracing of the " << (m_Jaw == JawEnum::Upper ? "upper" : "lower")
-                                            << " jaw cannot be matched: " << m_Kernel->GetFailure() << '.');
+    itkExceptionMacro("The tracing of the " << ToString(m_Jaw) << " jaw cannot be matched: " << m_Kernel->GetFailure()
+                                            << '.');
   }
   this->UpdateCorrelations();
 }

@@ -274,8 +274,7 @@ ToothOutlinePoseMetricv4::InitializeTerm()
   this->Prepare();
   if (!m_Failure.empty())
   {
-    itkExceptionMacro("The outlines of the " << (m_Jaw == JawEnum::Upper ? "upper" : "lower")
-                                             << " jaw cannot be matched: " << m_Failure << '.');
+    itkExceptionMacro("The outlines of the " << ToString(m_Jaw) << " jaw cannot be matched: " << m_Failure << '.');
   }
 }
 

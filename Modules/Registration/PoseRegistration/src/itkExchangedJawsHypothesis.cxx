@@ -86,7 +86,7 @@ ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
     // What was called upper is the lower jaw, the frame stands on its head about x.
     jaw.initialPose.reset();
     jaw.landmarks = nullptr;
-    jaw.jaw = jaw.jaw == ToothCode::JawEnum::Upper ? ToothCode::JawEnum::Lower : ToothCode::JawEnum::Upper;
+    jaw.jaw = OtherJaw(jaw.jaw);
     for (int k = 3; k < 9; ++k)
     {
       jaw.frame.rotation[k] = -jaw.frame.rotation[k];

@@ -80,8 +80,7 @@ PoseSolution::GetJaw(JawEnum jaw) const
   const int index = this->GetIndex(jaw);
   if (index < 0)
   {
-    itkExceptionMacro("The " << (jaw == JawEnum::Upper ? "upper" : "lower")
-                             << " jaw had no input: give the registration its mesh and its contour.");
+    itkExceptionMacro("The " << ToString(jaw) << " jaw had no input: give the registration its mesh and its contour.");
   }
   return m_Result.jaws[static_cast<std::size_t>(index)];
 }
@@ -92,8 +91,8 @@ PoseSolution::GetGroup(JawEnum jaw) const
   const PoseJawResult & result = this->GetJaw(jaw);
   if (!result.registered)
   {
-    itkExceptionMacro("The " << (jaw == JawEnum::Upper ? "upper" : "lower")
-                             << " jaw was not registered: " << result.failure << ". Ask IsRegistered() first.");
+    itkExceptionMacro("The " << ToString(jaw) << " jaw was not registered: " << result.failure
+                             << ". Ask IsRegistered() first.");
   }
   return m_Result.groups[m_Result.groupOfJaw[static_cast<std::size_t>(this->GetIndex(jaw))]];
 }
@@ -284,8 +283,8 @@ PoseSolution::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Jaws: " << m_Result.jaws.size() << std::endl;
   for (const PoseJawResult & jaw : m_Result.jaws)
   {
-    os << indent.GetNextIndent() << (jaw.jaw == JawEnum::Upper ? "upper" : "lower") << ": "
-       << (jaw.registered ? "registered" : jaw.failure) << std::endl;
+    os << indent.GetNextIndent() << ToString(jaw.jaw) << ": " << (jaw.registered ? "registered" : jaw.failure)
+       << std::endl;
   }
   os << indent << "Groups: " << m_Result.groups.size() << std::endl;
   for (const PoseGroupResult & group : m_Result.groups)
