@@ -18,6 +18,7 @@
 #include "itkToothOutlinePoseMetricv4.h"
 
 #include "itkContourNoiseModel.h"
+#include "itkGemanMcClureKernel.h"
 #include "itkPoseContourIndex.h"
 #include "itkPoseMatching.h"
 #include "itkPoseToothContourModel.h"
@@ -53,13 +54,6 @@ constexpr double CutFacing = 0.5;
 constexpr double TemplatePenalty = 12.0;
 /** Rounds of weights and errors in one update: each settles the other, and optimizer runs follow. */
 constexpr int Rounds = 3;
-
-double
-GemanMcClure(double squaredDistance, double width)
-{
-  const double a = width * width / (width * width + squaredDistance);
-  return a * a;
-}
 
 /** mm by which a tooth's outline and its crown differ where no hand is wrong: part of a shift's error. */
 constexpr double OutlineSigma = 0.25;
@@ -538,11 +532,11 @@ ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const Evaluation
         // As far as the tooth is shifted its points may be.
         beyond = std::max(0.0, beyond - std::hypot(noise.errors[0], noise.errors[1]));
       }
-      noise.weights[i] = at.facing[i] * GemanMcClure(left[i] * left[i] + beyond * beyond, width);
+      noise.weights[i] = at.facing[i] * GemanMcClureKernel::Weight(left[i] * left[i] + beyond * beyond, width);
     }
   }
   const double distance = ComputeDistance(tooth, noise);
-  noise.weight = GemanMcClure(distance * distance, ToothWidthInSigmas);
+  noise.weight = GemanMcClureKernel::Weight(distance * distance, ToothWidthInSigmas);
   this->Factorize(tooth, noise);
   noise.charge = ComputeLogDeterminant(noise) - tooth.logDeterminant;
   // With what the kernel leaves of the tooth: a gross error is none of the other way's successes.
