@@ -696,7 +696,7 @@ ToothOutlinePoseMetricv4::GetCorrespondences() const
 }
 
 double
-ToothOutlinePoseMetricv4::ComputeToothDeviance(const PositionType & x) const
+ToothOutlinePoseMetricv4::ComputeKnownDeviance(const PositionType & x, bool) const
 {
   constexpr double unit = ToothWidthInSigmas * ToothWidthInSigmas;
   double           deviance = 0.0;
@@ -712,7 +712,7 @@ void
 ToothOutlinePoseMetricv4::AddFit(const PositionType & x, RegistrationFit & fit) const
 {
   // As of landmarks, of which one that is not explained at all costs 1.
-  fit.cost += this->ComputeToothDeviance(x) / (ToothWidthInSigmas * ToothWidthInSigmas);
+  fit.cost += this->ComputeKnownDeviance(x, false) / (ToothWidthInSigmas * ToothWidthInSigmas);
   fit.numberOfPoints += this->GetTeeth().size();
 }
 
