@@ -27,8 +27,6 @@
 
 #include "itkCaseSimilarityRegistration.h"
 
-#include "itkMath.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -42,14 +40,6 @@ using JawEnum = ToothCode::JawEnum;
 /** mm on the detector within which the moving contour counts as matched, and what is a gap of it. */
 constexpr double MatchedWithin = 2.5;
 constexpr double MatchedGap = 3.0;
-
-/** The mean distance of a two-dimensional normal error of this standard deviation an axis. */
-double
-ToMeanDistance(double sigma)
-{
-  return std::sqrt(0.5 * Math::pi) * sigma;
-}
-
 } // namespace
 
 CaseAxisType::DecoratedTransformType *
@@ -207,31 +197,9 @@ MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw)
   distances->SetDistance(ContourDistanceFilter::DistanceEnum::PointToSegment);
   distances->Update();
   jaw.tracingDistances = distances->GetFixedToMovingDistances();
-  for (DentalContour::PointIdentifier id = 0; id < tracing->GetNumberOfPoints(); ++id)
+  for (const auto & tooth : distances->GetFixedToMovingDistancesByTooth())
   {
-    const double distance = jaw.tracingDistances[id];
-    if (!std::isfinite(distance))
-    {
-      continue;
-    }
-    const ToothCode   code = tracing->GetToothCode(id);
-    const std::string name = code.IsKnown() ? code.GetName() : std::string();
-    auto              tooth = std::find_if(
-      jaw.residuals.begin(), jaw.residuals.end(), [&](const ToothResidual & other) { return other.code == name; });
-    if (tooth == jaw.residuals.end())
-    {
-      tooth = jaw.residuals.insert(tooth, ToothResidual());
-      tooth->code = name;
-    }
-    ++tooth->count;
-    tooth->mean += distance;
-    tooth->rms += distance * distance;
-    tooth->maximum = std::max(tooth->maximum, distance);
-  }
-  for (ToothResidual & tooth : jaw.residuals)
-  {
-    tooth.mean /= static_cast<double>(tooth.count);
-    tooth.rms = std::sqrt(tooth.rms / static_cast<double>(tooth.count));
+    jaw.residuals.push_back({ tooth.tooth.GetName(), tooth.numberOfPoints, tooth.mean, tooth.rms, tooth.maximum });
   }
 }
 
@@ -270,11 +238,11 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
   projection->SetSolution(solution);
   projection->SetLandmarks(data.landmarks3D);
   projection->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  projection->SetBisected(IsBisected(data.description.tracedSide));
   projection->Update();
   const auto toRows = [](const LandmarkProjectionFilter::CovarianceType & covariance) {
     return std::array<double, 4>{ { covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1) } };
   };
-  const bool bisected = IsBisected(data.description.tracedSide);
   for (auto & entry : result.jaws)
   {
     JawResult & jaw = entry.second;
@@ -292,45 +260,26 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
       landmark.name = place.name;
       landmark.position = { { place.point[0], place.point[1] } };
       landmark.covariance = toRows(projection->GetCovariance(place.name));
-      if (bisected && projection->HasMiddleCovariance(place.name))
+      if (projection->GetBisected() && projection->HasMiddleCovariance(place.name))
       {
         landmark.middleCovariance = toRows(projection->GetMiddleCovariance(place.name));
       }
       jaw.landmarks.push_back(landmark);
     }
+    if (projection->HasExpectedError(entry.first))
+    {
+      jaw.expectedError = projection->GetExpectedError(entry.first);
+    }
   }
   for (const auto & middle : projection->GetMiddles())
   {
-    if (bisected)
+    if (projection->GetBisected())
     {
       result.jaws[middle.jaw].middles.push_back({ middle.name,
                                                   { { middle.point[0], middle.point[1] } },
                                                   LandmarkProjectionFilter::ToSigma(middle.covariance) });
     }
   }
-}
-
-void
-PredictError(double ownSigma, JawResult & jaw)
-{
-  double      sum = 0.0;
-  std::size_t count = 0;
-  const auto  add = [&](double sigma) {
-    sum += sigma;
-    ++count;
-  };
-  for (const MiddlePrediction & middle : jaw.middles)
-  {
-    add(middle.sigma);
-  }
-  if (count == 0)
-  {
-    for (const LandmarkPrediction & landmark : jaw.landmarks)
-    {
-      add(landmark.GetSigma());
-    }
-  }
-  jaw.expectedError = ToMeanDistance(count > 0 ? sum / static_cast<double>(count) : ownSigma);
 }
 
 LandmarkCounterpartSet::Pointer

@@ -89,13 +89,10 @@ MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw);
 std::vector<std::array<double, 3>>
 KeepMatchedOutline(const PoseJawResult & jaw, const DentalContour * tracing, double pixel);
 
-/** Of the jaws that are there, registered or not. */
+/** Of the jaws that are there, registered or not, with how far off they are expected to be. */
 void
 ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseResult & result);
 
-/** How far off the jaw's landmarks are expected to be; without any, what is drawn of it. */
-void
-PredictError(double ownSigma, JawResult & jaw);
 } // namespace itk
 
 #endif

@@ -22,6 +22,7 @@
 #include "itkCasePoseDescription.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkCaseViews.h"
+#include "itkLandmarkProjectionFilter.h"
 #include "itkPosePriors.h"
 #include "itkPoseRegistrationMethod.h"
 #include "itkProjectionSimilarityFilter.h"
@@ -449,12 +450,13 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   views.Describe(*solution, *verdict, settings, result);
   for (const auto & entry : jaws)
   {
-    if (solution->IsRegistered(entry.first))
+    JawResult & jaw = result.jaws[entry.first];
+    if (solution->IsRegistered(entry.first) && !jaw.expectedError)
     {
-      const PoseJawResult & jaw = solution->GetJaw(entry.first);
-      const double          ownSigma = jaw.fit.numberOfPoints > 0 ? jaw.fit.predictedSigma : jaw.middleSigma;
-      // The verdict's pixels are those that it works in.
-      PredictError(ownSigma * PoseWorkingPixel / (0.5 * (spacing[0] + spacing[1])), result.jaws[entry.first]);
+      // Without landmarks it is what was drawn that is expected to be so far off.
+      const bool traced = solution->GetJaw(entry.first).fit.numberOfPoints > 0;
+      jaw.expectedError = LandmarkProjectionFilter::ToMeanDistance(traced ? solution->GetTracingSigma(entry.first)
+                                                                          : solution->GetMiddleSigma(entry.first));
     }
   }
   for (auto & entry : result.jaws)

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkCaseViews.h"
 
+#include "itkLandmarkProjectionFilter.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -175,9 +177,10 @@ CaseViews::Describe(const PoseSolution &              solution,
     ProjectLandmarks(*shown.data, own, shown);
     for (auto & entry : shown.jaws)
     {
-      const auto & spacing = own->GetResult().geometry.pixelSpacing;
-      PredictError(own->GetJaw(entry.first).middleSigma * PoseWorkingPixel / (0.5 * (spacing[0] + spacing[1])),
-                   entry.second);
+      if (!entry.second.expectedError)
+      {
+        entry.second.expectedError = LandmarkProjectionFilter::ToMeanDistance(own->GetMiddleSigma(entry.first));
+      }
     }
     result.views.push_back(std::move(view));
   }

@@ -115,12 +115,66 @@ PoseSolution::GetProjectionMatrix(JawEnum jaw, double millimetresPerUnit) const
   return ToProjectionMatrix(this->GetJaw(jaw).projection, millimetresPerUnit);
 }
 
+PoseSolution::ProjectionMatrixType
+PoseSolution::GetProjectionMatrix(JawEnum jaw, const PoseParameters & parameters, double millimetresPerUnit) const
+{
+  this->GetGroup(jaw);
+  return ToProjectionMatrix(PoseModel(m_Result.geometry, parameters).GetPixelProjection(this->GetJaw(jaw).frame),
+                            millimetresPerUnit);
+}
+
+double
+PoseSolution::ComputeMotion(std::size_t group, const PoseParameters & from, const PoseParameters & to) const
+{
+  if (group >= m_Result.groups.size())
+  {
+    itkExceptionMacro("There are " << m_Result.groups.size() << " groups of jaws with one pose, and no group " << group
+                                   << '.');
+  }
+  const PoseModel models[2] = { PoseModel(m_Result.geometry, from), PoseModel(m_Result.geometry, to) };
+  double          sum = 0.0;
+  std::size_t     count = 0;
+  for (const std::size_t j : m_Result.groups[group].jaws)
+  {
+    for (const auto & point : m_Result.jaws[j].contourPoints)
+    {
+      const auto p = ToDentalFrame(m_Result.jaws[j].frame, point);
+      double     w[2][2];
+      if (models[0].Project(p.data(), w[0]) && models[1].Project(p.data(), w[1]))
+      {
+        const double du = w[1][0] - w[0][0];
+        const double dv = w[1][1] - w[0][1];
+        sum += du * du + dv * dv;
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+}
+
+double
+PoseSolution::ToRadiographPixels(double workingPixels) const
+{
+  const auto & spacing = m_Result.geometry.pixelSpacing;
+  return workingPixels * PoseWorkingPixel / (0.5 * (spacing[0] + spacing[1]));
+}
+
+double
+PoseSolution::GetTracingSigma(JawEnum jaw) const
+{
+  return this->ToRadiographPixels(this->GetJaw(jaw).fit.predictedSigma);
+}
+
+double
+PoseSolution::GetMiddleSigma(JawEnum jaw) const
+{
+  return this->ToRadiographPixels(this->GetJaw(jaw).middleSigma);
+}
+
 std::vector<PoseSolution::AlternativeType>
 PoseSolution::GetAlternatives(JawEnum jaw, double millimetresPerUnit) const
 {
   constexpr double             samePlace = 1.0;
-  const PoseGeometry &         geometry = m_Result.geometry;
-  const double                 pixel = 0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]);
   std::vector<AlternativeType> alternatives;
   for (const PoseCandidate & minimum : this->GetGroup(jaw).candidates)
   {
@@ -129,10 +183,9 @@ PoseSolution::GetAlternatives(JawEnum jaw, double millimetresPerUnit) const
       continue;
     }
     AlternativeType alternative;
-    alternative.projection = ToProjectionMatrix(
-      PoseModel(geometry, minimum.parameters).GetPixelProjection(this->GetJaw(jaw).frame), millimetresPerUnit);
+    alternative.projection = this->GetProjectionMatrix(jaw, minimum.parameters, millimetresPerUnit);
     alternative.score = minimum.score;
-    alternative.distance = minimum.distance * PoseWorkingPixel / pixel;
+    alternative.distance = this->ToRadiographPixels(minimum.distance);
     alternatives.push_back(alternative);
   }
   return alternatives;
