@@ -445,6 +445,10 @@ WrapContours(py::module_ & module)
                       LargestPartOnly,
                       "whether only the part with the largest area is given. On by default; off, all parts that do "
                       "not hide in another.")
+    .dentalscrBoolean(MeshSilhouetteType,
+                      UseLabels,
+                      "whether the mesh's point data are FDI numbers of teeth, so that the output's points know their "
+                      "tooth. Off by default.")
     .dentalscrProperty(MeshSilhouetteType,
                        NumberOfPoints,
                        "the number of points of the output, at equal distances; 0, the default, gives the corners "
@@ -491,6 +495,10 @@ WrapContours(py::module_ & module)
     .def("GetJaw",
          &OpenType::GetJaw,
          "Returns the jaw of the mesh, which says which way is occlusal: Upper (the default) or Lower.")
+    .dentalscrBoolean(OpenType,
+                      UseLabels,
+                      "whether the mesh's point data are FDI numbers of teeth, so that the output's points know their "
+                      "tooth. Off by default.")
     .dentalscrProperty(
       OpenType, Spacing, "the distance between points of the output, mm in the detector plane; 0.125 by default.")
     .def(

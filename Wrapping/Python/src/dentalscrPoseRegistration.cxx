@@ -147,6 +147,7 @@ VisitFields(itk::PoseJawResult & jaw, TField && field)
   field(jaw.winding);
   field(jaw.otherSideCodes);
   field(jaw.contour);
+  field(jaw.contourNormals);
   field(jaw.contourPoints);
   std::size_t landmarks = jaw.landmarks.size();
   field(landmarks);

@@ -169,6 +169,18 @@ MakeWholeSilhouettes(const DentalCaseData &              data,
   return silhouettes;
 }
 
+std::vector<std::array<double, 3>>
+CollectRimPoints(const DentalContour & contour)
+{
+  std::vector<std::array<double, 3>> points;
+  for (DentalContour::PointIdentifier id = 0; contour.HasRimPoints() && id < contour.GetNumberOfPoints(); ++id)
+  {
+    const auto rim = contour.GetRimPoint(id);
+    points.push_back({ { rim[0], rim[1], rim[2] } });
+  }
+  return points;
+}
+
 void
 MeasureMatched(DentalContour * tracing, const PoseSolution & solution, JawEnum jaw, JawResult & result)
 {
@@ -180,6 +192,7 @@ MeasureMatched(DentalContour * tracing, const PoseSolution & solution, JawEnum j
   matched->SetMaximumDistance(MatchedWithin / pixel);
   matched->SetMaximumGap(MatchedGap / pixel);
   matched->Update();
+  result.outline = CollectRimPoints(*matched->GetOutput());
   if (matched->GetOutput()->GetNumberOfPoints() > 0)
   {
     DentalContour::Pointer contour = matched->GetOutput();
@@ -201,30 +214,6 @@ MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw)
   {
     jaw.residuals.push_back({ tooth.tooth.GetName(), tooth.numberOfPoints, tooth.mean, tooth.rms, tooth.maximum });
   }
-}
-
-std::vector<std::array<double, 3>>
-KeepMatchedOutline(const PoseJawResult & jaw, const DentalContour * tracing, double pixel)
-{
-  const double within = MatchedWithin / pixel;
-  if (jaw.fit.numberOfPoints == 0 || tracing == nullptr || tracing->GetNumberOfPoints() == 0)
-  {
-    return jaw.contourPoints;
-  }
-  std::vector<std::array<double, 3>> kept;
-  for (std::size_t i = 0; i < jaw.contour.size(); ++i)
-  {
-    for (DentalContour::PointIdentifier id = 0; id < tracing->GetNumberOfPoints(); ++id)
-    {
-      const auto point = tracing->GetPoint(id);
-      if (std::hypot(point[0] - jaw.contour[i][0], point[1] - jaw.contour[i][1]) < within)
-      {
-        kept.push_back(jaw.contourPoints[i]);
-        break;
-      }
-    }
-  }
-  return kept;
 }
 
 void

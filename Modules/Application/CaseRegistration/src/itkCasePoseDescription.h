@@ -76,18 +76,18 @@ MakeWholeSilhouettes(const DentalCaseData &              data,
 void
 Measure(DentalContour * tracing, DentalContour * contour, const char * name, JawResult & result);
 
-/** The same of what of the moving contour lies on the tracing. */
+/** The points of the scan that project to a contour, in its order. */
+std::vector<std::array<double, 3>>
+CollectRimPoints(const DentalContour & contour);
+
+/** The same figures of what of the moving contour lies within a few mm of the tracing; its points on the scan are kept:
+ * of the rest nobody can see whether it fits. */
 void
 MeasureMatched(DentalContour * tracing, const PoseSolution & solution, ToothCode::JawEnum jaw, JawResult & result);
 
 /** How far each point of the tracing, and each tooth's drawing, lies from the contour that it was matched with. */
 void
 MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw);
-
-/** The points of the outline that lie within a few mm of the tracing: of the rest nobody can see whether it fits. All
- * of them where nothing was traced. The pixel is in mm. */
-std::vector<std::array<double, 3>>
-KeepMatchedOutline(const PoseJawResult & jaw, const DentalContour * tracing, double pixel);
 
 /** Of the jaws that are there, registered or not, with how far off they are expected to be. */
 void

@@ -394,7 +394,6 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     const PoseGroupResult & group = solution->GetGroup(entry.first);
     jaw.priors =
       DescribePriors(group, PosePriors(solution->GetOptions(), data.HasPixelSpacing()).GetFitSigmas(group.bisected));
-    jaw.outline = KeepMatchedOutline(poseJaw, data.GetJaw(entry.first).contour, spacing[0]);
     const double kappa = group.parameters[PoseKappa];
     jaw.details = { { "pitch_rad", group.parameters[PosePitch] },
                     { "roll_rad", group.parameters[PoseRoll] },
@@ -436,6 +435,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     if (!traced)
     {
       // Nothing that distances could be measured from: the silhouette is there to look at.
+      jaw.outline = CollectRimPoints(*solution->MakeMovingContour(entry.first));
       jaw.contours.emplace_back("whole", silhouettes[ToIndex(entry.first)]);
       jaw.seconds.emplace_back("contour", silhouetteProbe.GetTotal());
       continue;

@@ -151,11 +151,6 @@ CaseViews::Describe(const PoseSolution &              solution,
       view.scaleFactors[jaw] = std::exp(own->GetGroup(jaw).parameters[PoseKappa]);
       place.status = view.status;
       DescribePlacedJaw(*own, jaw, m_Data.description.millimetresPerUnit, m_Views[v]->GetLandmarkCounterparts(), place);
-      if (poseJaw.fit.numberOfPoints > 0)
-      {
-        place.outline =
-          KeepMatchedOutline(poseJaw, shown.data->GetJaw(jaw).contour, own->GetResult().geometry.pixelSpacing[0]);
-      }
       const DentalContour::Pointer whole = silhouettes[jaw == JawEnum::Upper ? 0 : 1];
       DentalContour *              tracing = shown.data->GetJaw(jaw).contour;
       if (tracing != nullptr && tracing->GetNumberOfPoints() > 0 && poseJaw.fit.numberOfPoints > 0)

@@ -146,7 +146,8 @@ public:
   Pointer
   MakeViewSolution(const std::string & name) const;
 
-  /** The moving contour at the solution, open, continuous pixel indices: everything that could be matched. */
+  /** The moving contour at the solution, open, continuous pixel indices: everything that could be matched, with normals
+   * and rim points (frame of the mesh, mm). */
   DentalContour::Pointer
   MakeMovingContour(JawEnum jaw) const;
 

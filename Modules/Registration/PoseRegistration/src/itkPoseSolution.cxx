@@ -270,16 +270,22 @@ PoseSolution::MakeViewSolution(const std::string & name) const
 DentalContour::Pointer
 PoseSolution::MakeMovingContour(JawEnum jaw) const
 {
-  std::vector<DentalContour::PointType> points;
-  for (const auto & position : this->GetJaw(jaw).contour)
+  const PoseJawResult &       own = this->GetJaw(jaw);
+  DentalContour::PolylineType polyline;
+  for (const auto & position : own.contour)
   {
-    DentalContour::PointType point;
-    point[0] = position[0];
-    point[1] = position[1];
-    points.push_back(point);
+    polyline.points.emplace_back(position.data());
+  }
+  for (const auto & normal : own.contourNormals)
+  {
+    polyline.normals.emplace_back(normal.data());
+  }
+  for (const auto & rim : own.contourPoints)
+  {
+    polyline.rimPoints.emplace_back(rim.data());
   }
   auto contour = DentalContour::New();
-  contour->AddPolyline(points);
+  contour->AddPolyline(polyline);
   return contour;
 }
 

@@ -121,6 +121,15 @@ TEST(PoseSolution, MovingContourHoldsAllThatCouldBeMatched)
   ASSERT_EQ(contour->GetNumberOfPoints(), 3u);
   EXPECT_EQ(contour->GetPolylines()[0].points[2][0], 3.5);
   EXPECT_FALSE(contour->GetPolylines()[0].closed);
+  EXPECT_FALSE(contour->HasRimPoints()) << "nobody gave the solution any";
+  auto result = MakeResult();
+  result.jaws[1].contourPoints = { { { 1, 2, 3 } }, { { 4, 5, 6 } }, { { 7, 8, 9 } } };
+  result.jaws[1].contourNormals = { { { 1, 0 } }, { { 0.6, 0.8 } }, { { 0, -1 } } };
+  const auto polyline = MakeSolution(result)->MakeMovingContour(JawEnum::Lower)->GetPolylines()[0];
+  ASSERT_EQ(polyline.rimPoints.size(), 3u);
+  EXPECT_EQ(polyline.rimPoints[1][2], 6.0);
+  ASSERT_EQ(polyline.normals.size(), 3u);
+  EXPECT_EQ(polyline.normals[1][1], 0.8);
 }
 
 TEST(PoseSolution, AlternativesAreMinimaThatArePlacesOfTheirOwnInTheUnitThatIsAskedFor)
