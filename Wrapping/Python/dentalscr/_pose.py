@@ -192,7 +192,7 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
             Of this radiograph, ``direction="Frontal"`` for one from the front; with pixel spacing and principal point.
         upperContour, lowerContour : contour-like, optional
             Drawn on it, continuous pixel indices: of a frontal one the outer outline.
-        cephalometricLandmarks : dict, optional
+        cephalometricLandmarks : dict or path, optional
             Marked on it, with their sides: ``{"UR1_tip": (u, v)}``.
         counterparts : dict, optional
             Of ``FindLandmarkCounterparts()``.
@@ -208,7 +208,7 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
             as_geometry(geometry),
             None if upperContour is None else as_contour(upperContour, "upper"),
             None if lowerContour is None else as_contour(lowerContour, "lower"),
-            None if cephalometricLandmarks is None else as_cephalometric_landmarks(cephalometricLandmarks),
+            _read_landmarks(cephalometricLandmarks),
             None if counterparts is None else dict(counterparts),
             sameHeadPosition,
             principalPointSigma,

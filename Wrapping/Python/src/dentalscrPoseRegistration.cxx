@@ -36,6 +36,7 @@
 #include "itkPoseStartSearch.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
+#include "itkRigidTransformRows.h"
 #include "itkScanCheckFilter.h"
 #include "itkToothCrownFilter.h"
 #include "itkTracedSideFilter.h"
@@ -589,19 +590,7 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       "Dental frame to the radiograph.")
     .def(
       "GetFrame",
-      [](const SolutionType & self, JawEnum jaw) {
-        const itk::PoseFrame & frame = self.GetJaw(Checked(jaw)).frame;
-        std::array<double, 12> rows{};
-        for (unsigned int row = 0; row < 3; ++row)
-        {
-          for (unsigned int column = 0; column < 3; ++column)
-          {
-            rows[4 * row + column] = frame.rotation[3 * row + column];
-            rows[4 * row + 3] -= frame.rotation[3 * row + column] * frame.origin[column];
-          }
-        }
-        return MakeMatrix44(rows);
-      },
+      [](const SolutionType & self, JawEnum jaw) { return MakeMatrix44(itk::ToRows(self.GetJaw(Checked(jaw)).frame)); },
       py::arg("jaw"),
       "(4, 4): mesh frame to the dental frame that the pose is of.")
     .def(

@@ -299,6 +299,14 @@ def test_every_threshold_of_the_verdict_can_be_set(ds):
 # How it is set up ------------------------------------------------------------------------------------------------------
 
 
+def test_landmarks_of_a_view_may_be_a_file(ds, phantom, tmp_path):
+    method = ds.PoseRegistrationMethod()
+    (tmp_path / "frontal.json").write_text('{"UR1_tip": [10, 20], "UL1_tip": [14, 20]}')
+    method.AddView(phantom.geometry, cephalometricLandmarks=tmp_path / "frontal.json", name="frontal")
+    with pytest.raises(ds.InputError, match="nothing.json"):
+        method.AddView(phantom.geometry, cephalometricLandmarks=tmp_path / "nothing.json", name="other")
+
+
 def test_given_frames_are_those_that_are_estimated(ds, phantom, axes, solution):
     assert axes.jointTransform is not None
     estimated = ds.PoseRegistration(*inputs(phantom))

@@ -24,6 +24,7 @@
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkParallelFor.h"
 #include "itkPixelSpacingVerdict.h"
+#include "itkRigidTransformRows.h"
 
 #include "itkCaseSimilarityRegistration.h"
 
@@ -55,21 +56,6 @@ ToRows(const PoseSolution::ProjectionMatrixType & projection)
   for (unsigned int i = 0; i < 12; ++i)
   {
     rows[i] = projection(i / 4, i % 4);
-  }
-  return rows;
-}
-
-std::array<double, 12>
-ToRows(const PoseFrame & frame)
-{
-  std::array<double, 12> rows{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rows[4 * row + column] = frame.rotation[3 * row + column];
-      rows[4 * row + 3] -= frame.rotation[3 * row + column] * frame.origin[column];
-    }
   }
   return rows;
 }
@@ -117,7 +103,7 @@ DescribePlacedJaw(const PoseSolution &           solution,
   const PoseGroupResult & group = solution.GetGroup(jaw);
   result.registered = true;
   result.projection = ToRows(solution.GetProjectionMatrix(jaw, millimetresPerUnit));
-  result.meshToCephalostat = ToRows(solution.MakeRigidTransform(jaw));
+  result.meshToCephalostat = ToRows(*solution.MakeRigidTransform(jaw));
   result.pose = { ToRows(own.frame), group.parameters, group.covariance };
   for (const PoseLandmarkFit & landmark : own.landmarks)
   {

@@ -39,9 +39,6 @@ FrameOf(CaseAxisType * axis, ToothCode::JawEnum jaw);
 
 std::array<double, 12>
 ToRows(const PoseSolution::ProjectionMatrixType & projection);
-/** Mesh to dental frame. */
-std::array<double, 12>
-ToRows(const PoseFrame & frame);
 
 /** Where the landmarks are on the scans; what is not used, and why, is a warning that begins with the prefix. */
 LandmarkCounterpartSet::Pointer

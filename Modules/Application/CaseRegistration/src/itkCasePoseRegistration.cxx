@@ -27,6 +27,7 @@
 #include "itkPoseRegistrationMethod.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
+#include "itkRigidTransformRows.h"
 #include "itkToothCrownFilter.h"
 
 #include "itkTimeProbe.h"
@@ -49,25 +50,8 @@ ToIndex(JawEnum jaw)
   return jaw == JawEnum::Upper ? 0 : 1;
 }
 
-MethodType::RigidTransformType::Pointer
-MakeTransform(const std::array<double, 12> & rows)
-{
-  MethodType::RigidTransformType::MatrixType rotation;
-  MethodType::RigidTransformType::OffsetType offset;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    offset[row] = rows[4 * row + 3];
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation(row, column) = rows[4 * row + column];
-    }
-  }
-  auto transform = MethodType::RigidTransformType::New();
-  // A case file's pose is checked to 1e-4 when it is read.
-  transform->SetMatrix(rotation, 1e-3);
-  transform->SetOffset(offset);
-  return transform;
-}
+/** A case file's pose is checked to 1e-4 when it is read. */
+constexpr double RotationTolerance = 1e-3;
 
 /** What the case says to start from, a jaw each. */
 void
@@ -93,12 +77,12 @@ SetInitialTransforms(const DentalCaseData &               data,
     if (placement != description.initialPlacements.end())
     {
       method->SetInitialTransform(
-        entry.first, MakeTransform(placement->second.meshToCephalostat), placement->second.scale);
+        entry.first, ToRigidTransform(placement->second.meshToCephalostat, RotationTolerance), placement->second.scale);
       continue;
     }
     if (description.initialPose)
     {
-      method->SetInitialTransform(entry.first, MakeTransform(*description.initialPose));
+      method->SetInitialTransform(entry.first, ToRigidTransform(*description.initialPose, RotationTolerance));
       continue;
     }
     const auto similarity = description.initialSimilarity.find(entry.first);
@@ -380,7 +364,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
         jaw.AddFinding(finding);
       }
     }
-    jaw.meshToUMDA = ToRows(FrameOf(axis, entry.first)->Get());
+    jaw.meshToUMDA = ToRows(*FrameOf(axis, entry.first)->Get());
 
     auto similarity = ProjectionSimilarityFilter::New();
     similarity->SetSolution(solution);

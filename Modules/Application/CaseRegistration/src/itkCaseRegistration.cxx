@@ -24,6 +24,7 @@
 #include "itkDescribePlainly.h"
 
 #include "itkPoseRegistrationOptionTable.h"
+#include "itkRigidTransformRows.h"
 #include "itkScanCheckFilter.h"
 #include "itkCommand.h"
 #include "itkTimeProbe.h"
@@ -442,6 +443,14 @@ CaseRegistration::GenerateData()
   {
     itkExceptionMacro("The input holds no case: call Set() of the DentalCaseObject, or use a DentalCaseReader.");
   }
+  const DentalCase & description = m_Data->description;
+  if (description.fixScale && description.fixRotation && description.fixTranslation && !description.HasStart())
+  {
+    itkDentalInputErrorMacro(description.fileName,
+                             "init",
+                             "scale, rotation and translation are held, but there is no start to hold them at",
+                             "give a start (--init, or \"init\" in the case file), or hold less (--fix)");
+  }
   m_Result = CaseResult();
   m_Iteration = IterationType();
   m_Result.preset = m_Preset;
@@ -622,7 +631,8 @@ CaseRegistration::RegisterBySimilarity()
     }
     if (havePrincipalPoint)
     {
-      result.meshToCephalostat = ToRows(PlaceInCephalostat(frameOf(entry.first), result.similarity, m_Result.geometry));
+      result.meshToCephalostat =
+        ToRows(*PlaceInCephalostat(frameOf(entry.first), result.similarity, m_Result.geometry));
     }
     PredictLandmarks(*m_Data, entry.first, result);
     // The paper's recipe can fit the wrong place well (Documentation/Registration.md): it never vouches for itself.

@@ -30,6 +30,7 @@
 #include "itkOtherViewHypothesis.h"
 #include "itkTurnedDrawingHypothesis.h"
 #include "itkPoseFrameOperations.h"
+#include "itkPoseGeometryCompletion.h"
 #include "itkPoseRegistrationEngine.h"
 #include "itkPoseRegistrationOptionTable.h"
 #include "itkPoseStartSearch.h"
@@ -618,7 +619,7 @@ PoseRegistrationMethodBase::GenerateData()
   {
     result = engine.Run(problem, &answered->groups);
   }
-  catch (const std::invalid_argument & error)
+  catch (const PoseGeometryError & error)
   {
     itkExceptionMacro("The geometry cannot be used: " << error.what() << ". Correct it with SetGeometry().");
   }

@@ -21,6 +21,7 @@
 
 #include "itkPoseFrameOperations.h"
 #include "itkPoseModel.h"
+#include "itkRigidTransformRows.h"
 
 #include <cmath>
 
@@ -293,22 +294,9 @@ PoseSolution::RigidTransformType::Pointer
 PoseSolution::MakeRigidTransform(JawEnum jaw) const
 {
   this->GetGroup(jaw);
-  const PoseJawResult &          result = this->GetJaw(jaw);
-  RigidTransformType::MatrixType rotation;
-  RigidTransformType::OffsetType offset;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    offset[row] = result.translation[row];
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation(row, column) = result.rotation[3 * row + column];
-    }
-  }
-  auto transform = RigidTransformType::New();
+  const PoseJawResult & result = this->GetJaw(jaw);
   // As far as rounding goes: products of rotations.
-  transform->SetMatrix(rotation, 1e-6);
-  transform->SetOffset(offset);
-  return transform;
+  return ToRigidTransform(MakeRigidTransformRows(result.rotation, result.translation), 1e-6);
 }
 
 CephalometricPoseTransform::Pointer

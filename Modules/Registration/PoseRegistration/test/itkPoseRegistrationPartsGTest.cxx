@@ -47,6 +47,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -428,6 +429,31 @@ TEST(PoseRegistrationParts, ATermsErrorsComeThrough)
   method->ClearMetrics();
   method->Update();
   EXPECT_EQ(method->GetOutput()->GetResult().groups[0].parameters, Plain().groups[0].parameters);
+}
+
+TEST(PoseRegistrationParts, WhatAUsersFunctionThrowsIsNotTakenForAWrongGeometry)
+{
+  const auto method = MakeMethod();
+  const auto term = itk::LeastSquaresFunctionMetricv4::New();
+  term->SetBlocks({ itk::PoseStateBlocks::MakePose() });
+  term->SetFunction([](const std::vector<double> &) -> std::vector<double> {
+    throw std::invalid_argument("a table of the user's has no such row");
+  });
+  method->AddMetric(term);
+  try
+  {
+    method->Update();
+    FAIL() << "it was swallowed";
+  }
+  catch (const std::invalid_argument & error)
+  {
+    EXPECT_STREQ(error.what(), "a table of the user's has no such row");
+  }
+  // A geometry that cannot be is still an ExceptionObject that says what to call.
+  itk::PoseGeometry geometry = Typical().geometry;
+  geometry.sourceToDetector = 0.5 * geometry.sourceToMidsagittal;
+  const auto wrong = PoseRegistrationTestCase::MakeMethod(Typical().jaws, geometry, itk::PoseRegistrationOptions());
+  EXPECT_TRUE(Contains(MessageOfCall([&] { wrong->Update(); }), "SetGeometry()"));
 }
 
 TEST(PoseRegistrationParts, UpdateExecutesWhereSomethingHasChangedAndNotElse)
