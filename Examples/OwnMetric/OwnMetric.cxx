@@ -70,7 +70,7 @@ main()
     registration->SetGeometry(phantom->GetNominalGeometry());
 
     // The plane goes through the place where the incisal edge truly is, and is known to a tenth of a millimetre.
-    const auto   edge = axis->GetIncisalEdge(itk::UMidlineDentalAxisFilterEnums::Jaw::Upper);
+    const auto   edge = axis->GetIncisalEdge(itk::ToothCode::JawEnum::Upper);
     const double height = phantom->GetTrueGeometry(0)->TransformToCephalostat(edge)[2];
     const auto   plane = MakePlaneMetric(axis->GetUpperTransformOutput()->Get()->TransformPoint(edge), height, 0.1);
 

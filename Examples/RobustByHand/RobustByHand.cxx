@@ -119,7 +119,7 @@ main(int argc, char * argv[])
 
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
-      const std::string name = jaw == JawEnum::Upper ? "upper" : "lower";
+      const std::string name = itk::ToString(jaw);
       std::cout << name << " verdict: " << words[static_cast<int>(verdict->GetVerdict(jaw).status)] << std::endl;
       for (const auto & finding : verdict->GetVerdict(jaw).findings)
       {

@@ -234,7 +234,7 @@ main(int argc, char * argv[])
     auto phantom = itk::DentalPhantomMeshSource<MeshType>::New();
     phantom->SetParameters(parameters);
 
-    using JawEnum = itk::UMidlineDentalAxisFilterEnums::Jaw;
+    using JawEnum = itk::ToothCode::JawEnum;
     auto frame = itk::UMidlineDentalAxisFilter<MeshType>::New();
     frame->SetUpperMesh(phantom->GetUpperOutput());
     frame->SetLowerMesh(phantom->GetLowerOutput());

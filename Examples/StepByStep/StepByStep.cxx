@@ -91,7 +91,7 @@ main(int argc, char * argv[])
     axis->EmbedAxesOn();
     axis->SetAxesLength(25.0);
     axis->Update();
-    std::cout << "arch width mm: " << axis->GetArchWidth(itk::UMidlineDentalAxisFilterEnums::Jaw::Upper) << std::endl;
+    std::cout << "arch width mm: " << axis->GetArchWidth(itk::ToothCode::JawEnum::Upper) << std::endl;
     // The frame seen by a source far above: z becomes y.
     auto fromAbove = itk::CephalometricGeometry::New();
     fromAbove->SetPixelSpacing(data->geometry->GetPixelSpacing());

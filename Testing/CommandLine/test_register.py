@@ -338,6 +338,15 @@ def test_manual_control(run, case, tmp_path):
     assert similarity["rotation_rad"] == pytest.approx(0.05, abs=1e-9)
 
 
+@pytest.mark.parametrize("preset", ["robust", "paper"])
+def test_all_held_without_a_start_says_what_to_give(run, case, tmp_path, preset):
+    done = run(
+        "register", case.file, "--output", tmp_path / "out", "--preset", preset, "--fix", "scale,rotation,translation"
+    )
+    assert done.returncode == 1 and "--init" in done.stderr and "--fix" in done.stderr, done.stderr
+    assert not (tmp_path / "out").exists()
+
+
 def test_excluded_teeth_do_not_count(run, case, registered, tmp_path):
     done = run("register", case.file, "--output", tmp_path / "out", "--preset", "bounding-box", "--exclude", "UR7,LR7")
     assert done.returncode == 0, done.stderr

@@ -1,6 +1,7 @@
 itk_module(UMidlineDentalAxis
   DEPENDS
     DentalCommon
+    DentalContour
     ITKCommon
     ITKMesh
     ITKTransform

@@ -200,6 +200,7 @@ from ._phantom import (
 from ._pose import (
     FindLandmarkCounterparts,
     FindToothCrowns,
+    FindTracedSide,
     JawVerdict,
     LandmarkCounterpart,
     LandmarkCounterpartFilter,
@@ -226,6 +227,8 @@ from ._pose import (
     SilhouettePoseMetricv4,
     ToothCrown,
     ToothCrownFilter,
+    TracedSideFilter,
+    TracedSides,
 )
 from ._process import ProcessObject
 from ._registration import (
@@ -316,6 +319,7 @@ __all__ = [
     "FilterError",
     "FindLandmarkCounterparts",
     "FindToothCrowns",
+    "FindTracedSide",
     "GemanMcClureKernel",
     "GeometryPlacement",
     "GeometryPlacementFilter",
@@ -452,6 +456,8 @@ __all__ = [
     "ToothCrownFilter",
     "ToothLabelFileReader",
     "TracedSide",
+    "TracedSideFilter",
+    "TracedSides",
     "TracingPixelSpacing",
     "TracingPixelSpacingFilter",
     "Transform",

@@ -26,6 +26,12 @@ from ._process import Observable, ProcessObject, apply_settings
 JawLike = Union[str, _core.Jaw]
 
 
+def _read_landmarks(value: Any) -> Optional[Dict[str, Dict[str, Any]]]:
+    """Landmarks of an analysis from what ``Case`` takes: a dictionary, the path of a file, or None."""
+    given = None if value is None else as_cephalometric_landmarks(value)
+    return ReadCephalometricLandmarks(given) if isinstance(given, str) else given
+
+
 class LevenbergMarquardtOptimizerv4(Observable, _core.LevenbergMarquardtOptimizerv4):
     """Levenberg-Marquardt for metrics that are, or are majorised by, sums of squares.
 
@@ -186,7 +192,7 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
             Of this radiograph, ``direction="Frontal"`` for one from the front; with pixel spacing and principal point.
         upperContour, lowerContour : contour-like, optional
             Drawn on it, continuous pixel indices: of a frontal one the outer outline.
-        cephalometricLandmarks : dict, optional
+        cephalometricLandmarks : dict or path, optional
             Marked on it, with their sides: ``{"UR1_tip": (u, v)}``.
         counterparts : dict, optional
             Of ``FindLandmarkCounterparts()``.
@@ -202,7 +208,7 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
             as_geometry(geometry),
             None if upperContour is None else as_contour(upperContour, "upper"),
             None if lowerContour is None else as_contour(lowerContour, "lower"),
-            None if cephalometricLandmarks is None else as_cephalometric_landmarks(cephalometricLandmarks),
+            _read_landmarks(cephalometricLandmarks),
             None if counterparts is None else dict(counterparts),
             sameHeadPosition,
             principalPointSigma,
@@ -251,8 +257,7 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
                 "landmarks and where they are on the scans belong together: give cephalometricLandmarks and the "
                 "counterparts that FindLandmarkCounterparts() finds"
             )
-        given = None if cephalometricLandmarks is None else as_cephalometric_landmarks(cephalometricLandmarks)
-        self._SetCephalometricLandmarks(ReadCephalometricLandmarks(given) if isinstance(given, str) else given)
+        self._SetCephalometricLandmarks(_read_landmarks(cephalometricLandmarks))
         self._SetLandmarkCounterparts(None if counterparts is None else dict(counterparts))
         self._SetToothCrowns(None if toothCrowns is None else dict(toothCrowns))
         self._SetGeometry(as_geometry(geometry))
@@ -610,6 +615,63 @@ class ToothCrownFilter(ProcessObject, _core.ToothCrownFilter):
 def FindToothCrowns(**inputs: Any) -> Dict[str, ToothCrown]:
     """The crowns of teeth that an analysis has outlined; see :class:`ToothCrownFilter`."""
     return ToothCrownFilter().Execute(**inputs)
+
+
+class TracedSides(NamedTuple):
+    """What :class:`TracedSideFilter` found out of a drawing."""
+
+    #: Which side was traced.
+    side: _core.TracedSide
+    #: What that was decided by, as a clause.
+    reason: str
+    #: The drawing without the teeth of the other side; empty for a jaw without one.
+    upper: _core.Contour
+    lower: _core.Contour
+    #: Names of the teeth that were left out, one a polyline.
+    leftOut: Tuple[str, ...]
+
+
+class TracedSideFilter(ProcessObject, _core.TracedSideFilter):
+    """Which side's outlines a drawing shows, where nobody says it, and the drawing without the other side's."""
+
+    def Execute(
+        self,
+        upperContour: Optional[ContourLike] = None,
+        lowerContour: Optional[ContourLike] = None,
+        cephalometricLandmarks: Optional[Any] = None,
+    ) -> TracedSides:
+        """Settles the side; ``SetTracedSide`` and ``TracedSideIsGivenOn`` say one.
+
+        Parameters
+        ----------
+        upperContour, lowerContour : contour-like, optional
+            What was drawn of each jaw, continuous pixel indices.
+        cephalometricLandmarks : dict or path, optional
+            As the argument of :class:`Case`.
+        """
+        self._SetUpperContour(None if upperContour is None else as_contour(upperContour, "upper"))
+        self._SetLowerContour(None if lowerContour is None else as_contour(lowerContour, "lower"))
+        self._SetCephalometricLandmarks(_read_landmarks(cephalometricLandmarks))
+        self._Update()
+        return TracedSides(
+            self.GetSettledSide(),
+            self.GetReason(),
+            self._TakeOutput(_core.Jaw.Upper),
+            self._TakeOutput(_core.Jaw.Lower),
+            tuple(self.GetLeftOutTeeth()),
+        )
+
+
+def FindTracedSide(
+    upperContour: Optional[ContourLike] = None,
+    lowerContour: Optional[ContourLike] = None,
+    cephalometricLandmarks: Optional[Any] = None,
+    **settings: Any,
+) -> TracedSides:
+    """Which side a drawing shows; see :class:`TracedSideFilter`. Settings: ``tracedSide``, ``codesHaveSides``, ..."""
+    process = TracedSideFilter()
+    apply_settings(process, settings)
+    return process.Execute(upperContour, lowerContour, cephalometricLandmarks)
 
 
 class MatchedContourFilter(ProcessObject, _core.MatchedContourFilter):

@@ -486,7 +486,7 @@ WrapCase(py::module_ & module)
            std::vector<std::string> names;
            for (const auto & entry : self.jaws)
            {
-             names.push_back(entry.first == JawEnum::Lower ? "lower" : "upper");
+             names.push_back(itk::ToString(entry.first));
            }
            return names;
          })

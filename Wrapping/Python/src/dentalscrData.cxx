@@ -458,7 +458,10 @@ MakePolyline(const DoubleArray & points,
              bool                closed,
              const py::object &  weights,
              const py::object &  sigmas,
-             const py::object &  outline)
+             const py::object &  outline,
+             const py::object &  normals,
+             const py::object &  rimPoints,
+             const py::object &  teeth)
 {
   CheckShape(points, 2, "points");
   PolylineType polyline;
@@ -489,7 +492,60 @@ MakePolyline(const DoubleArray & points,
   {
     polyline.outline = DentalContour::OutlineFromString(outline.cast<std::string>());
   }
+  if (!normals.is_none())
+  {
+    const auto array = normals.cast<DoubleArray>();
+    CheckShape(array, 2, "normals");
+    for (py::ssize_t i = 0; i < array.shape(0); ++i)
+    {
+      polyline.normals.emplace_back(array.data(i, 0));
+    }
+  }
+  if (!rimPoints.is_none())
+  {
+    const auto array = rimPoints.cast<DoubleArray>();
+    CheckShape(array, 3, "rimPoints");
+    for (py::ssize_t i = 0; i < array.shape(0); ++i)
+    {
+      polyline.rimPoints.emplace_back(array.data(i, 0));
+    }
+  }
+  if (!teeth.is_none())
+  {
+    for (const py::handle name : teeth)
+    {
+      polyline.teeth.push_back(MakeToothCode(py::reinterpret_borrow<py::object>(name)));
+    }
+  }
   return polyline;
+}
+
+/** What a silhouette's points know, each None where they do not. */
+py::object
+NormalsOf(const PolylineType & polyline)
+{
+  return polyline.normals.empty() ? py::object(py::none()) : py::object(MakeRows<2>(polyline.normals));
+}
+
+py::object
+RimPointsOf(const PolylineType & polyline)
+{
+  return polyline.rimPoints.empty() ? py::object(py::none()) : py::object(MakeRows<3>(polyline.rimPoints));
+}
+
+py::object
+TeethOf(const PolylineType & polyline)
+{
+  if (polyline.teeth.empty())
+  {
+    return py::none();
+  }
+  std::vector<std::string> names;
+  for (const itk::ToothCode & tooth : polyline.teeth)
+  {
+    names.push_back(tooth.GetName());
+  }
+  return py::cast(names);
 }
 
 /** "crown", "tooth", "labial", or None. */
@@ -527,7 +583,10 @@ MakeState(const DentalContour & contour)
                                 polyline.closed,
                                 std::move(weights),
                                 SigmasOf(polyline),
-                                OutlineOf(polyline)));
+                                OutlineOf(polyline),
+                                NormalsOf(polyline),
+                                RimPointsOf(polyline),
+                                TeethOf(polyline)));
   }
   return py::tuple(state);
 }
@@ -551,14 +610,32 @@ weights : (N,) array, optional
 sigmas : float or (N,) array, optional
     Drawing errors of the points, pixels; 0 where nobody knows.
 outline : "crown", "tooth" or "labial", optional
-    What of the tooth was drawn; found out unless given.)")
+    What of the tooth was drawn; found out unless given.
+normals : (N, 2) array, optional
+    Of a silhouette: outward unit normals in the image, (0, 0) where one is not known.
+rimPoints : (N, 3) array, optional
+    Of a silhouette: the points of the scan that project to its points, frame of the mesh, mm; NaN where one is not
+    known.
+teeth : sequence of str or int, optional
+    The teeth of the points where they are not all of one; the code is then that of the first.)")
     .def(py::init(&MakePolyline),
          py::arg("points"),
          py::arg("code") = "",
          py::arg("closed") = false,
          py::arg("weights") = py::none(),
          py::arg("sigmas") = py::none(),
-         py::arg("outline") = py::none())
+         py::arg("outline") = py::none(),
+         py::arg("normals") = py::none(),
+         py::arg("rimPoints") = py::none(),
+         py::arg("teeth") = py::none())
+    .def_property_readonly(
+      "normals", &NormalsOf, "(N, 2) copy: outward unit normals in the image, (0, 0) where one is not known; or None.")
+    .def_property_readonly(
+      "rimPoints",
+      &RimPointsOf,
+      "(N, 3) copy: the points of the scan that project to these, frame of the mesh, mm, NaN where "
+      "one is not known; or None.")
+    .def_property_readonly("teeth", &TeethOf, "The names of the points' teeth where they are not all of one, or None.")
     .def_property_readonly(
       "points", [](const PolylineType & self) { return MakeRows<2>(self.points); }, "(N, 2) copy.")
     .def_property_readonly(
@@ -609,8 +686,11 @@ polylines : sequence of Polyline, optional)")
          bool                closed,
          const py::object &  weights,
          const py::object &  sigmas,
-         const py::object &  outline) {
-        self.AddPolyline(MakePolyline(points, code, closed, weights, sigmas, outline));
+         const py::object &  outline,
+         const py::object &  normals,
+         const py::object &  rimPoints,
+         const py::object &  teeth) {
+        self.AddPolyline(MakePolyline(points, code, closed, weights, sigmas, outline, normals, rimPoints, teeth));
       },
       py::arg("points"),
       py::arg("code") = "",
@@ -618,9 +698,12 @@ polylines : sequence of Polyline, optional)")
       py::arg("weights") = py::none(),
       py::arg("sigmas") = py::none(),
       py::arg("outline") = py::none(),
-      "Appends a polyline of continuous pixel indices (u, v). It raises an error where a point is "
-      "not finite, where weights or sigmas are not one a point, or where a closed one has fewer "
-      "than 3 points.")
+      py::arg("normals") = py::none(),
+      py::arg("rimPoints") = py::none(),
+      py::arg("teeth") = py::none(),
+      "Appends a polyline of continuous pixel indices (u, v), as Polyline describes it. It raises an error where a "
+      "point is not finite, where weights, sigmas, normals, rimPoints or teeth are not one a point, or where a closed "
+      "one has fewer than 3 points.")
     .def_property_readonly("polylines", &DentalContour::GetPolylines, "Copies.")
     .def_property_readonly(
       "points",
@@ -656,14 +739,19 @@ polylines : sequence of Polyline, optional)")
                       for (const py::handle item : state)
                       {
                         const auto polyline = item.cast<py::tuple>();
-                        // Pickles of 0.1 have four members.
-                        const bool whole = polyline.size() > 5;
+                        // Earlier pickles have four or six members.
+                        const auto member = [&polyline](std::size_t i) {
+                          return i < polyline.size() ? py::object(polyline[i]) : py::object(py::none());
+                        };
                         contour->AddPolyline(MakePolyline(polyline[0].cast<DoubleArray>(),
                                                           polyline[1],
                                                           polyline[2].cast<bool>(),
-                                                          polyline[3],
-                                                          whole ? py::object(polyline[4]) : py::object(py::none()),
-                                                          whole ? py::object(polyline[5]) : py::object(py::none())));
+                                                          member(3),
+                                                          member(4),
+                                                          member(5),
+                                                          member(6),
+                                                          member(7),
+                                                          member(8)));
                       }
                       return contour;
                     }));

@@ -52,17 +52,6 @@ Detach(TOutput * output)
   return result;
 }
 
-itk::UMidlineDentalAxisFilterEnums::Jaw
-ToAxisJaw(JawEnum jaw)
-{
-  if (jaw == JawEnum::Unknown)
-  {
-    throw std::invalid_argument("a jaw is Upper or Lower here");
-  }
-  return jaw == JawEnum::Upper ? itk::UMidlineDentalAxisFilterEnums::Jaw::Upper
-                               : itk::UMidlineDentalAxisFilterEnums::Jaw::Lower;
-}
-
 py::array_t<double>
 ToArray(const std::array<double, 3> & values)
 {
@@ -155,37 +144,31 @@ WrapAxis(py::module_ & module)
       "Of both jaws together for Unknown.")
     .def(
       "GetBaselineRight",
-      [](const AxisType & self, JawEnum jaw) { return self.GetBaselineRight(ToAxisJaw(jaw)); },
+      [](const AxisType & self, JawEnum jaw) { return self.GetBaselineRight(jaw); },
       py::arg("jaw"),
       "End of the molar baseline on the patient's right, mesh frame, mm.")
     .def(
       "GetBaselineLeft",
-      [](const AxisType & self, JawEnum jaw) { return self.GetBaselineLeft(ToAxisJaw(jaw)); },
+      [](const AxisType & self, JawEnum jaw) { return self.GetBaselineLeft(jaw); },
       py::arg("jaw"),
       "Left end of the molar baseline, mm, in the mesh's frame.")
     .def(
       "GetBaselineMidpoint",
-      [](const AxisType & self, JawEnum jaw) { return self.GetBaselineMidpoint(ToAxisJaw(jaw)); },
+      [](const AxisType & self, JawEnum jaw) { return self.GetBaselineMidpoint(jaw); },
       py::arg("jaw"),
       "Middle of the molar baseline, mm, in the mesh's frame.")
     .def(
       "GetIncisalEdge",
-      [](const AxisType & self, JawEnum jaw) { return self.GetIncisalEdge(ToAxisJaw(jaw)); },
+      [](const AxisType & self, JawEnum jaw) { return self.GetIncisalEdge(jaw); },
       py::arg("jaw"),
       "Middle of the incisal edge, mm, in the mesh's frame.")
     .def(
-      "GetArchWidth",
-      [](const AxisType & self, JawEnum jaw) { return self.GetArchWidth(ToAxisJaw(jaw)); },
-      py::arg("jaw"),
-      "mm.")
+      "GetArchWidth", [](const AxisType & self, JawEnum jaw) { return self.GetArchWidth(jaw); }, py::arg("jaw"), "mm.")
     .def(
-      "GetArchDepth",
-      [](const AxisType & self, JawEnum jaw) { return self.GetArchDepth(ToAxisJaw(jaw)); },
-      py::arg("jaw"),
-      "mm.")
+      "GetArchDepth", [](const AxisType & self, JawEnum jaw) { return self.GetArchDepth(jaw); }, py::arg("jaw"), "mm.")
     .def(
       "GetConfidence",
-      [](const AxisType & self, JawEnum jaw) { return self.GetConfidence(ToAxisJaw(jaw)); },
+      [](const AxisType & self, JawEnum jaw) { return self.GetConfidence(jaw); },
       py::arg("jaw"),
       "In [0, 1]; below 0.5 a person should look at the axes.")
     .def("GetJawsAreInOneFrame",
@@ -462,6 +445,10 @@ WrapContours(py::module_ & module)
                       LargestPartOnly,
                       "whether only the part with the largest area is given. On by default; off, all parts that do "
                       "not hide in another.")
+    .dentalscrBoolean(MeshSilhouetteType,
+                      UseLabels,
+                      "whether the mesh's point data are FDI numbers of teeth, so that the output's points know their "
+                      "tooth. Off by default.")
     .dentalscrProperty(MeshSilhouetteType,
                        NumberOfPoints,
                        "the number of points of the output, at equal distances; 0, the default, gives the corners "
@@ -508,6 +495,10 @@ WrapContours(py::module_ & module)
     .def("GetJaw",
          &OpenType::GetJaw,
          "Returns the jaw of the mesh, which says which way is occlusal: Upper (the default) or Lower.")
+    .dentalscrBoolean(OpenType,
+                      UseLabels,
+                      "whether the mesh's point data are FDI numbers of teeth, so that the output's points know their "
+                      "tooth. Off by default.")
     .dentalscrProperty(
       OpenType, Spacing, "the distance between points of the output, mm in the detector plane; 0.125 by default.")
     .def(
@@ -584,15 +575,11 @@ WrapCrowns(py::module_ & module)
       py::arg("transform"))
     .def(
       "SetJaw",
-      [](CrownType & self, JawEnum jaw) { self.SetJaw(ToAxisJaw(jaw)); },
+      [](CrownType & self, JawEnum jaw) { self.SetJaw(jaw); },
       py::arg("jaw"),
       "Sets the jaw of the mesh; Upper by default.")
     .def(
-      "GetJaw",
-      [](const CrownType & self) {
-        return self.GetJaw() == itk::UMidlineDentalAxisFilterEnums::Jaw::Upper ? JawEnum::Upper : JawEnum::Lower;
-      },
-      "Returns the jaw of the mesh; Upper by default.")
+      "GetJaw", [](const CrownType & self) { return self.GetJaw(); }, "Returns the jaw of the mesh; Upper by default.")
     .dentalscrBoolean(
       CrownType, UseLabels, "whether tooth labels of the mesh, where it has any, say what is crown. On by default.")
     .def("SetLabelNumbering",

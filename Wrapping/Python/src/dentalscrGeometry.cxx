@@ -18,6 +18,7 @@
 #include "dentalscrBinding.h"
 
 #include "itkCephalometricGeometry.h"
+#include "itkRigidTransformRows.h"
 
 #include <cmath>
 #include <sstream>
@@ -37,16 +38,7 @@ using PatientLeftEnum = GeometryType::PatientLeftEnum;
 std::array<double, 12>
 GetPose(const GeometryType & geometry)
 {
-  std::array<double, 12> pose{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      pose[4 * row + column] = geometry.GetPoseRotation()(row, column);
-    }
-    pose[4 * row + 3] = geometry.GetPoseTranslation()[row];
-  }
-  return pose;
+  return itk::MakeRigidTransformRows(geometry.GetPoseRotation(), geometry.GetPoseTranslation());
 }
 
 void

@@ -225,6 +225,14 @@ GetDerivative() are an optimizer's: the free ones alone, each multiplied by its 
       "GetValues",
       [](const MetricBaseType & self) { return ToArray(self.GetState().GetValues()); },
       "Of all blocks, one behind the other.")
+    .def("SetTakesPartInStart",
+         &MetricBaseType::SetTakesPartInStart,
+         py::arg("takesPart"),
+         "Sets whether a registration evaluates this term while it looks for where to begin. On by default; off, the "
+         "term joins when the starts that were found are refined.")
+    .def("GetTakesPartInStart",
+         &MetricBaseType::GetTakesPartInStart,
+         "Returns whether a registration evaluates this term while it looks for where to begin. On by default.")
     .def("SetValues",
          &MetricBaseType::SetValues,
          py::arg("values"),

@@ -36,8 +36,10 @@
 #include "itkPoseStartSearch.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
+#include "itkRigidTransformRows.h"
 #include "itkScanCheckFilter.h"
 #include "itkToothCrownFilter.h"
+#include "itkTracedSideFilter.h"
 #include "itkSimilarityPlacementFilter.h"
 #include "itkSurfaceSplatWidthCalculator.h"
 #include "itkTracingPixelSpacingFilter.h"
@@ -146,6 +148,7 @@ VisitFields(itk::PoseJawResult & jaw, TField && field)
   field(jaw.winding);
   field(jaw.otherSideCodes);
   field(jaw.contour);
+  field(jaw.contourNormals);
   field(jaw.contourPoints);
   std::size_t landmarks = jaw.landmarks.size();
   field(landmarks);
@@ -587,19 +590,7 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       "Dental frame to the radiograph.")
     .def(
       "GetFrame",
-      [](const SolutionType & self, JawEnum jaw) {
-        const itk::PoseFrame & frame = self.GetJaw(Checked(jaw)).frame;
-        std::array<double, 12> rows{};
-        for (unsigned int row = 0; row < 3; ++row)
-        {
-          for (unsigned int column = 0; column < 3; ++column)
-          {
-            rows[4 * row + column] = frame.rotation[3 * row + column];
-            rows[4 * row + 3] -= frame.rotation[3 * row + column] * frame.origin[column];
-          }
-        }
-        return MakeMatrix44(rows);
-      },
+      [](const SolutionType & self, JawEnum jaw) { return MakeMatrix44(itk::ToRows(self.GetJaw(Checked(jaw)).frame)); },
       py::arg("jaw"),
       "(4, 4): mesh frame to the dental frame that the pose is of.")
     .def(
@@ -1248,6 +1239,19 @@ WrapDownstream(py::module_ & module)
       [](ProjectionType & self, const py::dict & landmarks) { self.SetLandmarks(FromDict<3>(landmarks)); },
       py::arg("landmarks"))
     .dentalscrProperty(ProjectionType, MillimetresPerUnit, "the length of the scan landmarks' unit, mm; 1 by default.")
+    .dentalscrBoolean(ProjectionType,
+                      Bisected,
+                      "whether what was drawn tells of the middles between the sides alone, so that the expected error "
+                      "is that of the middles. Off by default.")
+    .def("HasExpectedError",
+         &ProjectionType::HasExpectedError,
+         py::arg("jaw"),
+         "Whether the output has a landmark of the jaw. Valid after Execute().")
+    .def("GetExpectedError",
+         &ProjectionType::GetExpectedError,
+         py::arg("jaw"),
+         "Distance, pixels, that a landmark of the jaw is expected to be off by: the mean over its landmarks, or over "
+         "its middles where Bisected is on and there are any. Valid after Execute().")
     .def("_GetOutput", [](ProjectionType & self) { return ToDict<2>(self.GetOutput()); })
     .def(
       "GetCovariance",
@@ -1440,6 +1444,53 @@ WrapDownstream(py::module_ & module)
         return missing;
       },
       "Names of teeth of the tracings whose crowns were not found.");
+
+  using SideType = itk::TracedSideFilter;
+  ProcessClass<SideType>(
+    module, "TracedSideFilter", "Which side's outlines a drawing shows, and the drawing without the other side's.")
+    .def(New<SideType>())
+    .def("_SetUpperContour", &SideType::SetUpperContour, py::arg("contour"))
+    .def("_SetLowerContour", &SideType::SetLowerContour, py::arg("contour"))
+    .def(
+      "_SetCephalometricLandmarks",
+      [](SideType & self, const py::object & landmarks) {
+        self.SetCephalometricLandmarks(
+          landmarks.is_none() ? nullptr : FromCephalometricDict(landmarks.cast<py::dict>()).GetPointer());
+      },
+      py::arg("landmarks"))
+    .def("SetTracedSide",
+         &SideType::SetTracedSide,
+         py::arg("side"),
+         "Sets the side that is said of the drawing, or taken where nothing tells; Right by default.")
+    .def("GetTracedSide",
+         &SideType::GetTracedSide,
+         "Returns the side that is said of the drawing, or taken where nothing tells; Right by default.")
+    .dentalscrBoolean(SideType, TracedSideIsGiven, "whether somebody said the traced side. Off by default.")
+    .dentalscrBoolean(SideType,
+                      CodesHaveSides,
+                      "whether the codes of the tracing were written with their sides. On by default; off for a file "
+                      "with codes such as U1 and L6.")
+    .def("GetSettledSide", &SideType::GetSettledSide, "Which side was traced. Valid after Execute().")
+    .def(
+      "GetReason",
+      [](const SideType & self) { return std::string(itk::ToString(self.GetReason())); },
+      "What that was decided by, as a clause. Valid after Execute().")
+    .def(
+      "GetLeftOutTeeth",
+      [](const SideType & self) {
+        std::vector<std::string> names;
+        for (const itk::ToothCode & tooth : self.GetLeftOutTeeth())
+        {
+          names.push_back(tooth.GetName());
+        }
+        return names;
+      },
+      "Names of the other side's teeth that are left out, one a polyline. Valid after Execute().")
+    .def("_TakeOutput", [](SideType & self, JawEnum jaw) {
+      itk::DentalContour::Pointer contour = self.GetOutput(jaw);
+      contour->DisconnectPipeline();
+      return contour;
+    });
 
   using MatchedType = itk::MatchedContourFilter;
   ProcessClass<MatchedType>(

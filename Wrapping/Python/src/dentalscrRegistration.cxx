@@ -180,7 +180,25 @@ WrapMetrics(py::module_ & module)
     .def(
       "GetFixedToMovingDistances",
       [](const DistanceFilterType & self) { return MakeArray(self.GetFixedToMovingDistances()); },
-      "One a point, px; NaN for points of weight 0.");
+      "One a point, px; NaN for points of weight 0.")
+    .def(
+      "GetFixedToMovingDistancesByTooth",
+      [](const DistanceFilterType & self) {
+        py::dict teeth;
+        for (const auto & tooth : self.GetFixedToMovingDistancesByTooth())
+        {
+          py::dict figures;
+          figures["count"] = tooth.numberOfPoints;
+          figures["mean"] = tooth.mean;
+          figures["rms"] = tooth.rms;
+          figures["maximum"] = tooth.maximum;
+          teeth[py::str(tooth.tooth.GetName())] = figures;
+        }
+        return teeth;
+      },
+      "{\"UR1\": {\"count\", \"mean\", \"rms\", \"maximum\"}}, px: how far the fixed contour's drawing of each tooth "
+      "lies "
+      "from the moving contour, over its points that count; \"\" for those without a code.");
   ProcessClass<OverlapFilterType>(
     module, "ContourOverlapFilter", "How much of an open tracing and of a contour lies together.")
     .def(New<OverlapFilterType>())

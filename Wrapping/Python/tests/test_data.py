@@ -237,6 +237,23 @@ def test_contour_carries_drawing_errors_and_what_it_shows(ds):
         ds.Polyline([[1, 1]], "11", outline="root")
 
 
+def test_contour_carries_what_a_silhouette_knows(ds):
+    contour = ds.Contour()
+    contour.AddPolyline(
+        [[0, 0], [1, 0]], normals=[[0, -1], [0.6, -0.8]], rimPoints=[[1, 2, 3], [4, 5, 6]], teeth=["UR1", 12]
+    )
+    contour.AddPolyline([[5, 5], [6, 6]], "UR3")
+    for other in (contour, pickle.loads(pickle.dumps(contour)), copy.deepcopy(contour)):
+        first, second = other.polylines
+        assert first.normals.tolist() == [[0, -1], [0.6, -0.8]] and first.rimPoints.tolist() == [[1, 2, 3], [4, 5, 6]]
+        assert first.teeth == ["UR1", "UR2"] and first.code == "UR1"
+        assert second.normals is None and second.rimPoints is None and second.teeth is None
+    with pytest.raises(ds.Error, match="normals"):
+        ds.Contour().AddPolyline([[0, 0], [1, 0]], normals=[[1, 0]])
+    with pytest.raises(ValueError, match="rimPoints"):
+        ds.Polyline([[0, 0]], rimPoints=[[1, 2]])
+
+
 def test_contours_of_other_programs_and_of_masks(ds, tmp_path):
     (tmp_path / "cvat.xml").write_text(
         '<annotations><image name="ceph.png" width="100" height="200">'

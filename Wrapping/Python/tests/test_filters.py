@@ -181,6 +181,19 @@ def test_open_outline_is_a_part_of_the_whole(ds, jaws, geometry):
     assert not any(polyline.closed for polyline in outline.polylines)
 
 
+def test_points_of_a_silhouette_know_rim_normal_and_tooth(ds, jaws, geometry):
+    process = ds.MeshSilhouetteContourSource()
+    process.SetNumberOfPoints(200)
+    process.UseLabelsOn()
+    polyline = process.Execute(jaws["lower"].mesh, geometry).polylines[0]
+    assert np.allclose(geometry.ProjectPoints(polyline.rimPoints), polyline.points, atol=1e-3)
+    assert np.allclose(np.linalg.norm(polyline.normals, axis=1), 1)
+    assert {name for name in polyline.teeth if name} and all(name[:1] in ("L", "") for name in polyline.teeth)
+    turned = ds.ContourTransform(ds.Contour([polyline]), ds.Similarity2DTransform(scale=2.0, angle=np.pi / 2))
+    assert np.allclose(turned.polylines[0].rimPoints, polyline.rimPoints)
+    assert np.allclose(turned.polylines[0].normals, np.c_[-polyline.normals[:, 1], polyline.normals[:, 0]])
+
+
 def test_landmark_errors_in_pixels_and_millimetres(ds):
     reference = {"UR1_tip": (10.0, 10.0), "UR6_MB": (50.0, 50.0), "UR3_tip": (0.0, 0.0)}
     predicted = {"UR1_tip": (13.0, 14.0), "16_MB": (50.0, 60.0)}

@@ -158,6 +158,45 @@ def test_matched_contour_is_part_of_the_moving_one(ds, phantom, solution):
     assert ds.MatchedContour(phantom.upper.tracing, moving, maximumDistance=1e-6).GetNumberOfPoints() == 0
 
 
+def test_expected_error_is_the_mean_of_the_sigmas(ds, phantom, solution):
+    process = ds.LandmarkProjectionFilter()
+    landmarks = {**phantom.upper.landmarks3D, **phantom.lower.landmarks3D}
+    found = process.Execute(solution, landmarks)
+    of_upper = [sigma for name, sigma in found.sigmas.items() if name.startswith("U")]
+    assert process.HasExpectedError("Upper")
+    assert process.GetExpectedError("Upper") == pytest.approx(np.sqrt(np.pi / 2) * np.mean(of_upper))
+    process.Execute(solution, {"UR1_tip": landmarks["UR1_tip"]})
+    assert not process.HasExpectedError("Lower")
+    with pytest.raises(ds.FilterError, match="HasExpectedError"):
+        process.GetExpectedError("Lower")
+
+
+def test_distances_of_teeth_are_those_of_their_points(ds):
+    tracing = ds.Contour()
+    tracing.AddPolyline([[1, 3], [2, 5]], "UR1")
+    tracing.AddPolyline([[3, 2]], "UR2")
+    process = ds.ContourDistanceFilter()
+    process.SetDistance("PointToSegment")
+    process.Execute(tracing, np.array([[0, 0], [10, 0]]))
+    assert process.GetFixedToMovingDistancesByTooth() == {
+        "UR1": {"count": 2, "mean": 4.0, "rms": pytest.approx(np.sqrt(17.0)), "maximum": 5.0},
+        "UR2": {"count": 1, "mean": 2.0, "rms": 2.0, "maximum": 2.0},
+    }
+
+
+def test_traced_side_is_found_out_of_the_drawing(ds):
+    stretches = [[0, 0], [1, 1], [2, 0]]
+    both = ds.FindTracedSide({"UR3": stretches, "UL3": stretches}, {"LR6": stretches, "LL6": stretches})
+    assert both.side == ds.TracedSide.Both and "both sides" in both.reason and both.leftOut == ()
+    one = ds.FindTracedSide({"UR1": stretches, "UL1": stretches})
+    assert one.side == ds.TracedSide.Right and one.leftOut == ("UL1",)
+    assert [polyline.code for polyline in one.upper.polylines] == ["UR1"] and len(one.lower) == 0
+    left = ds.FindTracedSide({"UR1": stretches, "UL1": stretches}, tracedSide="Left", tracedSideIsGiven=True)
+    assert left.side == ds.TracedSide.Left and left.leftOut == ("UR1",) and left.reason == "it was given"
+    assert ds.FindTracedSide(cephalometricLandmarks={"U1_tip": (3, 4)}).side == ds.TracedSide.Standard
+    assert ds.FindTracedSide({"UR1": stretches}, codesHaveSides=False).side == ds.TracedSide.Standard
+
+
 def test_similarity_of_a_pose_leaves_parallax(ds, phantom, axes, solution):
     found = ds.ProjectionSimilarity(solution, phantom.upper.mesh, axes.upperTransform)
     assert 0.0 < found.rms < 30.0 and found.transform.GetScale() == pytest.approx(1.0, abs=0.1)
@@ -258,6 +297,14 @@ def test_every_threshold_of_the_verdict_can_be_set(ds):
 
 
 # How it is set up ------------------------------------------------------------------------------------------------------
+
+
+def test_landmarks_of_a_view_may_be_a_file(ds, phantom, tmp_path):
+    method = ds.PoseRegistrationMethod()
+    (tmp_path / "frontal.json").write_text('{"UR1_tip": [10, 20], "UL1_tip": [14, 20]}')
+    method.AddView(phantom.geometry, cephalometricLandmarks=tmp_path / "frontal.json", name="frontal")
+    with pytest.raises(ds.InputError, match="nothing.json"):
+        method.AddView(phantom.geometry, cephalometricLandmarks=tmp_path / "nothing.json", name="other")
 
 
 def test_given_frames_are_those_that_are_estimated(ds, phantom, axes, solution):

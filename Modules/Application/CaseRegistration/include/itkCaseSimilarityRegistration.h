@@ -87,10 +87,6 @@ CaseRegistration_EXPORT VersorRigid3DTransform<double>::ConstPointer
                                            const SimilarityParameters &  similarity,
                                            const CephalometricGeometry * geometry);
 
-/** The result's way of writing a rigid transform: row-major 3x4. */
-CaseRegistration_EXPORT std::array<double, 12>
-                        ToRows(const VersorRigid3DTransform<double> * transform);
-
 class ContourDistanceFilter;
 
 /** The figures of an updated filter. */

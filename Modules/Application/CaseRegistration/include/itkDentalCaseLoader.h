@@ -67,8 +67,8 @@ CheckLandmarksInImage(const CephalometricLandmarkSet &    landmarks,
                       const std::string &                 fileName,
                       const std::string &                 prefix);
 
-/** Where the case does not give its traced side: Standard, with a warning, for landmarks without a tracing and for a
- * tracing of incisors and molars alone whose incisors are whole teeth. Else the side stays.
+/** Which side was traced, where the case does not give it, and the tracing without the other side's teeth, as
+ * TracedSideFilter decides it; with warnings of what was decided and left out.
  *
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT void

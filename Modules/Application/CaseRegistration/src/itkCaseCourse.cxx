@@ -17,8 +17,7 @@
  *=========================================================================*/
 #include "itkCaseCourse.h"
 
-#include "itkPoseFrameOperations.h"
-#include "itkPoseModel.h"
+#include "itkCasePoseDescription.h"
 
 #include "itkCommand.h"
 #include "itkMath.h"
@@ -43,38 +42,14 @@ const std::map<unsigned int, std::string> StageNames{
   { static_cast<unsigned int>(PoseStageEnum::Refinement), "refinement" }
 };
 
-/** How far the outlines of the jaws of a group are apart under two poses: root mean square, pixels of 0.25 mm, as steps
- * are measured. */
-double
-MeasureMotion(const PoseRegistrationResult & found,
-              const PoseGroupResult &        group,
-              const std::vector<double> &    from,
-              const std::vector<double> &    to)
+/** The recorder keeps parameters of any method. */
+PoseParameters
+ToPose(const std::vector<double> & parameters)
 {
-  double         sum = 0.0;
-  std::size_t    count = 0;
-  PoseParameters poses[2];
-  std::copy(from.begin(), from.end(), poses[0].begin());
-  std::copy(to.begin(), to.end(), poses[1].begin());
-  const PoseModel models[2] = { PoseModel(found.geometry, poses[0]), PoseModel(found.geometry, poses[1]) };
-  for (const std::size_t j : group.jaws)
-  {
-    for (const auto & point : found.jaws[j].contourPoints)
-    {
-      const auto p = ToDentalFrame(found.jaws[j].frame, point);
-      double     w[2][2];
-      if (models[0].Project(p.data(), w[0]) && models[1].Project(p.data(), w[1]))
-      {
-        const double du = w[1][0] - w[0][0];
-        const double dv = w[1][1] - w[0][1];
-        sum += du * du + dv * dv;
-        ++count;
-      }
-    }
-  }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+  PoseParameters pose{ {} };
+  std::copy(parameters.begin(), parameters.end(), pose.begin());
+  return pose;
 }
-
 } // namespace
 
 CaseStepObserver::CaseStepObserver(MethodType * method)
@@ -122,7 +97,7 @@ KeepCourse(const RegistrationCourseRecorder & recorder,
                                   StageNames,
                                   { group.parameters.begin(), group.parameters.end() },
                                   [&](const std::vector<double> & from, const std::vector<double> & to) {
-                                    return MeasureMotion(found, group, from, to);
+                                    return solution->ComputeMotion(g, ToPose(from), ToPose(to));
                                   });
     if (stages.empty())
     {
@@ -137,19 +112,13 @@ KeepCourse(const RegistrationCourseRecorder & recorder,
         {
           continue;
         }
-        PoseParameters pose{ {} };
-        std::copy(candidate.first.begin(), candidate.first.end(), pose.begin());
         for (const std::size_t j : group.jaws)
         {
           const PoseJawResult & jaw = found.jaws[j];
           if (jaw.registered)
           {
-            auto projection = PoseModel(found.geometry, pose).GetPixelProjection(jaw.frame);
-            for (unsigned int i = 0; i < 12; ++i)
-            {
-              projection[i] *= i % 4 < 3 ? millimetresPerUnit : 1.0;
-            }
-            result.jaws[jaw.jaw].stages.push_back({ stage.name, projection, {} });
+            const auto projection = solution->GetProjectionMatrix(jaw.jaw, ToPose(candidate.first), millimetresPerUnit);
+            result.jaws[jaw.jaw].stages.push_back({ stage.name, ToRows(projection), {} });
           }
         }
       }

@@ -40,7 +40,7 @@ SelectCaseCrowns(const DentalCaseData & data, ToothCode::JawEnum jaw, const Vers
                              byLabels ? "its labels name no tooth" : "no crowns were found in it by shape",
                              "leave \"crowns\" out of the case file");
   };
-  filter->SetJaw(upper ? UMidlineDentalAxisFilterEnums::Jaw::Upper : UMidlineDentalAxisFilterEnums::Jaw::Lower);
+  filter->SetJaw(jaw);
   filter->SetUseLabels(byLabels);
   filter->SetFrameTransform(frame);
   if (byLabels)

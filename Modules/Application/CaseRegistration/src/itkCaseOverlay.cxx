@@ -171,7 +171,7 @@ MakeCaseOverlay(const CaseResult & result, ToothCode::JawEnum jawName)
     overlay->SetReferenceLandmarks(marked);
   }
   overlay->SetPixelSpacing(result.geometry->GetPixelSpacing());
-  overlay->SetTitle(std::string(jawName == ToothCode::JawEnum::Upper ? "Upper jaw" : "Lower jaw") +
+  overlay->SetTitle(std::string(ToCapitalizedString(jawName)) + " jaw" +
                     (result.viewName.empty() ? "" : ", " + result.viewName));
   overlay->SetStatus(ToString(jaw.status));
   overlay->SetTextLines(MakeTextLines(result, jaw));

@@ -24,10 +24,9 @@
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkParallelFor.h"
 #include "itkPixelSpacingVerdict.h"
+#include "itkRigidTransformRows.h"
 
 #include "itkCaseSimilarityRegistration.h"
-
-#include "itkMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,14 +41,6 @@ using JawEnum = ToothCode::JawEnum;
 /** mm on the detector within which the moving contour counts as matched, and what is a gap of it. */
 constexpr double MatchedWithin = 2.5;
 constexpr double MatchedGap = 3.0;
-
-/** The mean distance of a two-dimensional normal error of this standard deviation an axis. */
-double
-ToMeanDistance(double sigma)
-{
-  return std::sqrt(0.5 * Math::pi) * sigma;
-}
-
 } // namespace
 
 CaseAxisType::DecoratedTransformType *
@@ -65,21 +56,6 @@ ToRows(const PoseSolution::ProjectionMatrixType & projection)
   for (unsigned int i = 0; i < 12; ++i)
   {
     rows[i] = projection(i / 4, i % 4);
-  }
-  return rows;
-}
-
-std::array<double, 12>
-ToRows(const PoseFrame & frame)
-{
-  std::array<double, 12> rows{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rows[4 * row + column] = frame.rotation[3 * row + column];
-      rows[4 * row + 3] -= frame.rotation[3 * row + column] * frame.origin[column];
-    }
   }
   return rows;
 }
@@ -127,7 +103,7 @@ DescribePlacedJaw(const PoseSolution &           solution,
   const PoseGroupResult & group = solution.GetGroup(jaw);
   result.registered = true;
   result.projection = ToRows(solution.GetProjectionMatrix(jaw, millimetresPerUnit));
-  result.meshToCephalostat = ToRows(solution.MakeRigidTransform(jaw));
+  result.meshToCephalostat = ToRows(*solution.MakeRigidTransform(jaw));
   result.pose = { ToRows(own.frame), group.parameters, group.covariance };
   for (const PoseLandmarkFit & landmark : own.landmarks)
   {
@@ -184,6 +160,18 @@ MakeWholeSilhouettes(const DentalCaseData &              data,
   return silhouettes;
 }
 
+std::vector<std::array<double, 3>>
+CollectRimPoints(const DentalContour & contour)
+{
+  std::vector<std::array<double, 3>> points;
+  for (DentalContour::PointIdentifier id = 0; contour.HasRimPoints() && id < contour.GetNumberOfPoints(); ++id)
+  {
+    const auto rim = contour.GetRimPoint(id);
+    points.push_back({ { rim[0], rim[1], rim[2] } });
+  }
+  return points;
+}
+
 void
 MeasureMatched(DentalContour * tracing, const PoseSolution & solution, JawEnum jaw, JawResult & result)
 {
@@ -195,6 +183,7 @@ MeasureMatched(DentalContour * tracing, const PoseSolution & solution, JawEnum j
   matched->SetMaximumDistance(MatchedWithin / pixel);
   matched->SetMaximumGap(MatchedGap / pixel);
   matched->Update();
+  result.outline = CollectRimPoints(*matched->GetOutput());
   if (matched->GetOutput()->GetNumberOfPoints() > 0)
   {
     DentalContour::Pointer contour = matched->GetOutput();
@@ -212,56 +201,10 @@ MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw)
   distances->SetDistance(ContourDistanceFilter::DistanceEnum::PointToSegment);
   distances->Update();
   jaw.tracingDistances = distances->GetFixedToMovingDistances();
-  for (DentalContour::PointIdentifier id = 0; id < tracing->GetNumberOfPoints(); ++id)
+  for (const auto & tooth : distances->GetFixedToMovingDistancesByTooth())
   {
-    const double distance = jaw.tracingDistances[id];
-    if (!std::isfinite(distance))
-    {
-      continue;
-    }
-    const ToothCode   code = tracing->GetToothCode(id);
-    const std::string name = code.IsKnown() ? code.GetName() : std::string();
-    auto              tooth = std::find_if(
-      jaw.residuals.begin(), jaw.residuals.end(), [&](const ToothResidual & other) { return other.code == name; });
-    if (tooth == jaw.residuals.end())
-    {
-      tooth = jaw.residuals.insert(tooth, ToothResidual());
-      tooth->code = name;
-    }
-    ++tooth->count;
-    tooth->mean += distance;
-    tooth->rms += distance * distance;
-    tooth->maximum = std::max(tooth->maximum, distance);
+    jaw.residuals.push_back({ tooth.tooth.GetName(), tooth.numberOfPoints, tooth.mean, tooth.rms, tooth.maximum });
   }
-  for (ToothResidual & tooth : jaw.residuals)
-  {
-    tooth.mean /= static_cast<double>(tooth.count);
-    tooth.rms = std::sqrt(tooth.rms / static_cast<double>(tooth.count));
-  }
-}
-
-std::vector<std::array<double, 3>>
-KeepMatchedOutline(const PoseJawResult & jaw, const DentalContour * tracing, double pixel)
-{
-  const double within = MatchedWithin / pixel;
-  if (jaw.fit.numberOfPoints == 0 || tracing == nullptr || tracing->GetNumberOfPoints() == 0)
-  {
-    return jaw.contourPoints;
-  }
-  std::vector<std::array<double, 3>> kept;
-  for (std::size_t i = 0; i < jaw.contour.size(); ++i)
-  {
-    for (DentalContour::PointIdentifier id = 0; id < tracing->GetNumberOfPoints(); ++id)
-    {
-      const auto point = tracing->GetPoint(id);
-      if (std::hypot(point[0] - jaw.contour[i][0], point[1] - jaw.contour[i][1]) < within)
-      {
-        kept.push_back(jaw.contourPoints[i]);
-        break;
-      }
-    }
-  }
-  return kept;
 }
 
 void
@@ -275,11 +218,11 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
   projection->SetSolution(solution);
   projection->SetLandmarks(data.landmarks3D);
   projection->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  projection->SetBisected(IsBisected(data.description.tracedSide));
   projection->Update();
   const auto toRows = [](const LandmarkProjectionFilter::CovarianceType & covariance) {
     return std::array<double, 4>{ { covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1) } };
   };
-  const bool bisected = IsBisected(data.description.tracedSide);
   for (auto & entry : result.jaws)
   {
     JawResult & jaw = entry.second;
@@ -297,45 +240,26 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
       landmark.name = place.name;
       landmark.position = { { place.point[0], place.point[1] } };
       landmark.covariance = toRows(projection->GetCovariance(place.name));
-      if (bisected && projection->HasMiddleCovariance(place.name))
+      if (projection->GetBisected() && projection->HasMiddleCovariance(place.name))
       {
         landmark.middleCovariance = toRows(projection->GetMiddleCovariance(place.name));
       }
       jaw.landmarks.push_back(landmark);
     }
+    if (projection->HasExpectedError(entry.first))
+    {
+      jaw.expectedError = projection->GetExpectedError(entry.first);
+    }
   }
   for (const auto & middle : projection->GetMiddles())
   {
-    if (bisected)
+    if (projection->GetBisected())
     {
       result.jaws[middle.jaw].middles.push_back({ middle.name,
                                                   { { middle.point[0], middle.point[1] } },
                                                   LandmarkProjectionFilter::ToSigma(middle.covariance) });
     }
   }
-}
-
-void
-PredictError(double ownSigma, JawResult & jaw)
-{
-  double      sum = 0.0;
-  std::size_t count = 0;
-  const auto  add = [&](double sigma) {
-    sum += sigma;
-    ++count;
-  };
-  for (const MiddlePrediction & middle : jaw.middles)
-  {
-    add(middle.sigma);
-  }
-  if (count == 0)
-  {
-    for (const LandmarkPrediction & landmark : jaw.landmarks)
-    {
-      add(landmark.GetSigma());
-    }
-  }
-  jaw.expectedError = ToMeanDistance(count > 0 ? sum / static_cast<double>(count) : ownSigma);
 }
 
 LandmarkCounterpartSet::Pointer

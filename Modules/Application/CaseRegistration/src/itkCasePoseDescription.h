@@ -39,9 +39,6 @@ FrameOf(CaseAxisType * axis, ToothCode::JawEnum jaw);
 
 std::array<double, 12>
 ToRows(const PoseSolution::ProjectionMatrixType & projection);
-/** Mesh to dental frame. */
-std::array<double, 12>
-ToRows(const PoseFrame & frame);
 
 /** Where the landmarks are on the scans; what is not used, and why, is a warning that begins with the prefix. */
 LandmarkCounterpartSet::Pointer
@@ -76,7 +73,12 @@ MakeWholeSilhouettes(const DentalCaseData &              data,
 void
 Measure(DentalContour * tracing, DentalContour * contour, const char * name, JawResult & result);
 
-/** The same of what of the moving contour lies on the tracing. */
+/** The points of the scan that project to a contour, in its order. */
+std::vector<std::array<double, 3>>
+CollectRimPoints(const DentalContour & contour);
+
+/** The same figures of what of the moving contour lies within a few mm of the tracing; its points on the scan are kept:
+ * of the rest nobody can see whether it fits. */
 void
 MeasureMatched(DentalContour * tracing, const PoseSolution & solution, ToothCode::JawEnum jaw, JawResult & result);
 
@@ -84,18 +86,10 @@ MeasureMatched(DentalContour * tracing, const PoseSolution & solution, ToothCode
 void
 MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw);
 
-/** The points of the outline that lie within a few mm of the tracing: of the rest nobody can see whether it fits. All
- * of them where nothing was traced. The pixel is in mm. */
-std::vector<std::array<double, 3>>
-KeepMatchedOutline(const PoseJawResult & jaw, const DentalContour * tracing, double pixel);
-
-/** Of the jaws that are there, registered or not. */
+/** Of the jaws that are there, registered or not, with how far off they are expected to be. */
 void
 ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseResult & result);
 
-/** How far off the jaw's landmarks are expected to be; without any, what is drawn of it. */
-void
-PredictError(double ownSigma, JawResult & jaw);
 } // namespace itk
 
 #endif

@@ -22,10 +22,12 @@
 #include "itkCasePoseDescription.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkCaseViews.h"
+#include "itkLandmarkProjectionFilter.h"
 #include "itkPosePriors.h"
 #include "itkPoseRegistrationMethod.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
+#include "itkRigidTransformRows.h"
 
 #include "itkTimeProbe.h"
 
@@ -47,25 +49,8 @@ ToIndex(JawEnum jaw)
   return jaw == JawEnum::Upper ? 0 : 1;
 }
 
-MethodType::RigidTransformType::Pointer
-MakeTransform(const std::array<double, 12> & rows)
-{
-  MethodType::RigidTransformType::MatrixType rotation;
-  MethodType::RigidTransformType::OffsetType offset;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    offset[row] = rows[4 * row + 3];
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation(row, column) = rows[4 * row + column];
-    }
-  }
-  auto transform = MethodType::RigidTransformType::New();
-  // A case file's pose is checked to 1e-4 when it is read.
-  transform->SetMatrix(rotation, 1e-3);
-  transform->SetOffset(offset);
-  return transform;
-}
+/** A case file's pose is checked to 1e-4 when it is read. */
+constexpr double RotationTolerance = 1e-3;
 
 /** What the case says to start from, a jaw each. */
 void
@@ -91,12 +76,12 @@ SetInitialTransforms(const DentalCaseData &               data,
     if (placement != description.initialPlacements.end())
     {
       method->SetInitialTransform(
-        entry.first, MakeTransform(placement->second.meshToCephalostat), placement->second.scale);
+        entry.first, ToRigidTransform(placement->second.meshToCephalostat, RotationTolerance), placement->second.scale);
       continue;
     }
     if (description.initialPose)
     {
-      method->SetInitialTransform(entry.first, MakeTransform(*description.initialPose));
+      method->SetInitialTransform(entry.first, ToRigidTransform(*description.initialPose, RotationTolerance));
       continue;
     }
     const auto similarity = description.initialSimilarity.find(entry.first);
@@ -108,12 +93,6 @@ SetInitialTransforms(const DentalCaseData &               data,
                                   similarity->second.scale);
     }
   }
-}
-
-std::string
-ToName(JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? "upper" : "lower";
 }
 
 bool
@@ -150,7 +129,7 @@ SettleEvidence(const DentalCaseData &          data,
       continue;
     }
     const bool    isOnAView = views.HasEvidence(jaw);
-    const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
+    const JawEnum other = OtherJaw(jaw);
     if (!share || jaws.count(other) == 0 || !HasEvidence(data, counterparts, other))
     {
       result.jaws[jaw].AddFinding(
@@ -321,7 +300,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     DescribePlacedJaw(*solution, entry.first, unit, counterparts, jaw);
     if (poseJaw.placedByOther)
     {
-      jaw.placedBy = ToName(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
+      jaw.placedBy = ToString(OtherJaw(entry.first));
     }
     for (const std::string & unused : poseJaw.unusedOutlines)
     {
@@ -340,7 +319,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
         jaw.AddFinding(finding);
       }
     }
-    jaw.meshToUMDA = ToRows(FrameOf(axis, entry.first)->Get());
+    jaw.meshToUMDA = ToRows(*FrameOf(axis, entry.first)->Get());
 
     auto similarity = ProjectionSimilarityFilter::New();
     similarity->SetSolution(solution);
@@ -354,7 +333,6 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     const PoseGroupResult & group = solution->GetGroup(entry.first);
     jaw.priors =
       DescribePriors(group, PosePriors(solution->GetOptions(), data.HasPixelSpacing()).GetFitSigmas(group.bisected));
-    jaw.outline = KeepMatchedOutline(poseJaw, data.GetJaw(entry.first).contour, spacing[0]);
     const double kappa = group.parameters[PoseKappa];
     jaw.details = { { "pitch_rad", group.parameters[PosePitch] },
                     { "roll_rad", group.parameters[PoseRoll] },
@@ -396,6 +374,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     if (!traced)
     {
       // Nothing that distances could be measured from: the silhouette is there to look at.
+      jaw.outline = CollectRimPoints(*solution->MakeMovingContour(entry.first));
       jaw.contours.emplace_back("whole", silhouettes[ToIndex(entry.first)]);
       jaw.seconds.emplace_back("contour", silhouetteProbe.GetTotal());
       continue;
@@ -410,12 +389,13 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   views.Describe(*solution, *verdict, settings, result);
   for (const auto & entry : jaws)
   {
-    if (solution->IsRegistered(entry.first))
+    JawResult & jaw = result.jaws[entry.first];
+    if (solution->IsRegistered(entry.first) && !jaw.expectedError)
     {
-      const PoseJawResult & jaw = solution->GetJaw(entry.first);
-      const double          ownSigma = jaw.fit.numberOfPoints > 0 ? jaw.fit.predictedSigma : jaw.middleSigma;
-      // The verdict's pixels are those that it works in.
-      PredictError(ownSigma * PoseWorkingPixel / (0.5 * (spacing[0] + spacing[1])), result.jaws[entry.first]);
+      // Without landmarks it is what was drawn that is expected to be so far off.
+      const bool traced = solution->GetJaw(entry.first).fit.numberOfPoints > 0;
+      jaw.expectedError = LandmarkProjectionFilter::ToMeanDistance(traced ? solution->GetTracingSigma(entry.first)
+                                                                          : solution->GetMiddleSigma(entry.first));
     }
   }
   for (auto & entry : result.jaws)
@@ -423,7 +403,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     if (!entry.second.placedBy.empty())
     {
       // No better than the jaw that placed it, of whose scan the checks may have said something.
-      const auto other = result.jaws.find(entry.first == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper);
+      const auto other = result.jaws.find(OtherJaw(entry.first));
       entry.second.RaiseFinding("placed-by-other", other->second.status);
     }
   }

@@ -24,6 +24,7 @@
 #include "itkDescribePlainly.h"
 
 #include "itkPoseRegistrationOptionTable.h"
+#include "itkRigidTransformRows.h"
 #include "itkScanCheckFilter.h"
 #include "itkCommand.h"
 #include "itkTimeProbe.h"
@@ -42,12 +43,6 @@ namespace
 constexpr ToothCode::JawEnum Jaws[] = { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower };
 /** The one option that is not in PoseRegistrationOptions. */
 constexpr char RefineMidlineName[] = "refineMidline";
-
-std::string
-Name(ToothCode::JawEnum jaw)
-{
-  return jaw == ToothCode::JawEnum::Upper ? "upper" : "lower";
-}
 
 } // namespace
 
@@ -323,7 +318,7 @@ CaseRegistration::PlaceBesideTheOther()
 {
   for (const JawEnum jaw : Jaws)
   {
-    const JawEnum other = jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
+    const JawEnum other = OtherJaw(jaw);
     const auto    drawn = m_Result.jaws.find(other);
     if (m_Result.skipped.count(jaw) != 0 && m_Data->GetJaw(jaw).mesh.IsNotNull() && drawn != m_Result.jaws.end() &&
         drawn->second.status != RegistrationStatusEnum::Failed)
@@ -448,6 +443,14 @@ CaseRegistration::GenerateData()
   {
     itkExceptionMacro("The input holds no case: call Set() of the DentalCaseObject, or use a DentalCaseReader.");
   }
+  const DentalCase & description = m_Data->description;
+  if (description.fixScale && description.fixRotation && description.fixTranslation && !description.HasStart())
+  {
+    itkDentalInputErrorMacro(description.fileName,
+                             "init",
+                             "scale, rotation and translation are held, but there is no start to hold them at",
+                             "give a start (--init, or \"init\" in the case file), or hold less (--fix)");
+  }
   m_Result = CaseResult();
   m_Iteration = IterationType();
   m_Result.preset = m_Preset;
@@ -480,7 +483,7 @@ CaseRegistration::GenerateData()
   }
   for (auto & entry : m_Result.jaws)
   {
-    const DentalJawFrame & frame = entry.first == JawEnum::Upper ? frames.upper : frames.lower;
+    const DentalJawFrame & frame = frames.GetJaw(entry.first);
     entry.second.archWidth = frame.archWidth;
     entry.second.archDepth = frame.archDepth;
     entry.second.frameConfidence = frame.confidence;
@@ -598,7 +601,7 @@ CaseRegistration::RegisterBySimilarity()
     {
       continue;
     }
-    this->EnterStage(Name(entry.first) + ": registration", progress);
+    this->EnterStage(std::string(ToString(entry.first)) + ": registration", progress);
     settings.numberOfContourPoints =
       entry.first == JawEnum::Upper ? m_NumberOfUpperContourPoints : m_NumberOfLowerContourPoints;
     try
@@ -628,7 +631,8 @@ CaseRegistration::RegisterBySimilarity()
     }
     if (havePrincipalPoint)
     {
-      result.meshToCephalostat = ToRows(PlaceInCephalostat(frameOf(entry.first), result.similarity, m_Result.geometry));
+      result.meshToCephalostat =
+        ToRows(*PlaceInCephalostat(frameOf(entry.first), result.similarity, m_Result.geometry));
     }
     PredictLandmarks(*m_Data, entry.first, result);
     // The paper's recipe can fit the wrong place well (Documentation/Registration.md): it never vouches for itself.

@@ -19,6 +19,7 @@
 
 #include "itkCaseResultDocument.h"
 #include "itkPoseGeometryConversion.h"
+#include "itkRigidTransformRows.h"
 #include "itkValueSource.h"
 
 #include <algorithm>
@@ -29,22 +30,6 @@ namespace itk
 namespace
 {
 using JawEnum = ToothCode::JawEnum;
-/** q = R (p - o) from q = R p + t: o = -R' t. */
-PoseFrame
-ReadFrame(const JsonNode & node)
-{
-  const auto rows = CaseResultDocument::ReadMatrix<3, 4>(node, "[r, r, r, t]");
-  PoseFrame  frame;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      frame.rotation[3 * row + column] = rows[4 * row + column];
-      frame.origin[column] -= rows[4 * row + column] * rows[4 * row + 3];
-    }
-  }
-  return frame;
-}
 } // namespace
 
 CaseResultFileReader::CaseResultFileReader()
@@ -93,7 +78,7 @@ CaseResultFileReader::GenerateData()
   const auto jaws = root.Get("jaws");
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
-    const auto node = jaws.Find(jaw == JawEnum::Upper ? "upper" : "lower");
+    const auto node = jaws.Find(ToString(jaw));
     if (!node)
     {
       continue;
@@ -115,17 +100,13 @@ CaseResultFileReader::GenerateData()
                  "register the case again with preset robust");
     }
     const auto pose = node->Get("pose");
-    own.frame = ReadFrame(pose.Get("mesh_to_dental_mm"));
+    own.frame = ToPoseFrame(CaseResultDocument::ReadMatrix<3, 4>(pose.Get("mesh_to_dental_mm"), "[r, r, r, t]"));
     own.projection = CaseResultDocument::ReadMatrix<3, 4>(node->Get("projection_3x4"), "[p, p, p, p]");
     const auto placement = CaseResultDocument::ReadMatrix<3, 4>(node->Get("mesh_to_cephalostat_mm"), "[r, r, r, t]");
-    for (unsigned int row = 0; row < 3; ++row)
+    SplitRigidTransformRows(placement, own.rotation, own.translation);
+    for (unsigned int i = 0; i < 12; ++i)
     {
-      own.translation[row] = placement[4 * row + 3];
-      for (unsigned int column = 0; column < 3; ++column)
-      {
-        own.rotation[3 * row + column] = placement[4 * row + column];
-        own.projection[4 * row + column] /= m_MillimetresPerUnit;
-      }
+      own.projection[i] /= i % 4 < 3 ? m_MillimetresPerUnit : 1.0;
     }
     own.placedByOther = node->Find("placed_by").has_value();
     PoseGroupResult group;

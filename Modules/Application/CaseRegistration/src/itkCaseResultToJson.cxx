@@ -37,12 +37,6 @@ namespace
 using Json = nlohmann::ordered_json;
 using JawEnum = ToothCode::JawEnum;
 
-const char *
-Name(JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? "upper" : "lower";
-}
-
 Json
 MatrixToJson(const std::array<double, 12> & matrix)
 {
@@ -162,7 +156,7 @@ CourseToJson(const std::vector<RegistrationStageCourse> & course)
     Json        item = { { "stage", stage.name }, { "candidates", stage.candidates.size() } };
     for (const ToothCode::JawEnum jaw : stage.jaws)
     {
-      item["jaws"].push_back(Name(jaw));
+      item["jaws"].push_back(ToString(jaw));
     }
     for (const RegistrationCandidateCourse & candidate : stage.candidates)
     {
@@ -443,7 +437,7 @@ ViewToJson(const CaseViewResult & view)
     AddLandmarks(jaw, own);
     AddOutlines(jaw, own);
     AddErrors(jaw, own);
-    json["jaws"][Name(entry.first)] = own;
+    json["jaws"][ToString(entry.first)] = own;
   }
   return json;
 }
@@ -489,12 +483,12 @@ CaseResultToJson(const CaseResult & result)
   json["skipped"] = Json::object();
   for (const auto & skipped : result.skipped)
   {
-    json["skipped"][Name(skipped.first)] = skipped.second;
+    json["skipped"][ToString(skipped.first)] = skipped.second;
   }
   json["jaws"] = Json::object();
   for (const auto & entry : result.jaws)
   {
-    json["jaws"][Name(entry.first)] = JawToJson(entry.second);
+    json["jaws"][ToString(entry.first)] = JawToJson(entry.second);
   }
   for (const CaseViewResult & view : result.views)
   {

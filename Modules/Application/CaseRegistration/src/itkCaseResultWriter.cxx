@@ -27,6 +27,7 @@
 #include "itkReadDentalMesh.h"
 #include "itkReportDetails.h"
 #include "itkReportPageWriter.h"
+#include "itkRigidTransformRows.h"
 #include "itkTextFile.h"
 #include "itkTransformFile.h"
 
@@ -45,12 +46,6 @@ namespace
 namespace fs = std::filesystem;
 using JawEnum = ToothCode::JawEnum;
 using MeshType = DentalCaseData::MeshType;
-
-const char *
-Name(JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? "upper" : "lower";
-}
 
 MeshType::Pointer
 MoveMesh(const MeshType * mesh, const std::array<double, 12> & matrix)
@@ -118,7 +113,7 @@ WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputO
   for (const auto & entry : result.jaws)
   {
     const JawResult & jaw = entry.second;
-    const std::string name = Name(entry.first);
+    const std::string name = ToString(entry.first);
     if (!jaw.registered)
     {
       continue;
@@ -250,21 +245,8 @@ ListOutputs(const std::set<std::string> & views)
 void
 WriteUMDATransform(const std::array<double, 12> & matrix, const std::string & fileName)
 {
-  using TransformType = VersorRigid3DTransform<double>;
-  auto                            transform = TransformType::New();
-  TransformType::MatrixType       rotation;
-  TransformType::OutputVectorType translation;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation(row, column) = matrix[4 * row + column];
-    }
-    translation[row] = matrix[4 * row + 3];
-  }
-  transform->SetMatrix(rotation);
-  transform->SetTranslation(translation);
-  WriteTransform(transform,
+  // ITK's own tolerance: the frame's axes are orthogonal but for rounding.
+  WriteTransform(ToRigidTransform(matrix, 1e-10),
                  "maps points of the scan (mm) to its UMDA frame (mm): x anterior, y patient's left, z superior",
                  fs::path(fileName));
 }

@@ -18,6 +18,7 @@
 #include "itkCaseScene.h"
 
 #include "itkProjectionRows.h"
+#include "itkRigidTransformRows.h"
 
 #include <cmath>
 #include <string>
@@ -52,14 +53,7 @@ MoveHead(const RowsType & inView, const RowsType & inFirst, CephalometricGeometr
   const RowsType                      motion = TimesRigidInverse(inView, inFirst);
   CephalometricGeometry::RotationType rotation;
   CephalometricGeometry::VectorType   translation;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    translation[row] = motion[4 * row + 3];
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation(row, column) = motion[4 * row + column];
-    }
-  }
+  SplitRigidTransformRows(motion, rotation, translation);
   geometry->SetPose(rotation, translation);
 }
 

@@ -235,7 +235,7 @@ ReadViews(const JsonNode & root, const DentalCaseData & data, CaseResult & resul
     view.result->data = MakeCaseOfView(data, *found);
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
-      if (const auto node = member.second.Get("jaws").Find(jaw == JawEnum::Upper ? "upper" : "lower"))
+      if (const auto node = member.second.Get("jaws").Find(ToString(jaw)))
       {
         ReadPlace(*node, view.result->jaws[jaw]);
       }
@@ -308,7 +308,7 @@ CaseSceneFileReader::GenerateData()
   const double unit = document.GetMillimetresPerUnit();
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
-    const auto node = jaws.Find(jaw == JawEnum::Upper ? "upper" : "lower");
+    const auto node = jaws.Find(ToString(jaw));
     if (!node || !node->Find("projection_3x4"))
     {
       continue;
@@ -358,7 +358,7 @@ CaseSceneFileReader::GenerateData()
   bool isAny = false;
   for (auto & entry : result.jaws)
   {
-    const std::string name = entry.first == JawEnum::Upper ? "upper" : "lower";
+    const std::string name = ToString(entry.first);
     const fs::path    placed = folder / (name + "_ceph.stl");
     const bool        isMissing = data->GetJaw(entry.first).mesh.IsNull();
     if (isMissing)

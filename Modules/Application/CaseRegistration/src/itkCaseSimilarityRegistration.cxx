@@ -24,6 +24,7 @@
 #include "itkLandmarkMatrixProjectionFilter.h"
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkRegistrationCourseRecorder.h"
+#include "itkRigidTransformRows.h"
 #include "itkSilhouetteContourFilter.h"
 #include "itkSilhouetteToContourRegistrationMethod.h"
 #include "itkSimilarityPlacementFilter.h"
@@ -191,21 +192,6 @@ PlaceInCephalostat(const CaseFrameType *         frame,
   return placement->GetTransform();
 }
 
-std::array<double, 12>
-ToRows(const VersorRigid3DTransform<double> * transform)
-{
-  std::array<double, 12> rows{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rows[4 * row + column] = transform->GetMatrix()(row, column);
-    }
-    rows[4 * row + 3] = transform->GetOffset()[row];
-  }
-  return rows;
-}
-
 ContourFigures
 ToContourFigures(const ContourDistanceFilter * distances)
 {
@@ -333,8 +319,8 @@ SetSimilarityOfJaw(const DentalCaseData &                data,
   {
     result.projection[i] = placement->GetProjectionMatrix()(i / 4, i % 4);
   }
-  result.meshToUMDA = ToRows(frame->Get());
-  result.meshToCephalostat = ToRows(placement->GetTransform());
+  result.meshToUMDA = ToRows(*frame->Get());
+  result.meshToCephalostat = ToRows(*placement->GetTransform());
 
   auto distances = ContourDistanceFilter::New();
   distances->SetFixedContour(data.GetJaw(jaw).contour);

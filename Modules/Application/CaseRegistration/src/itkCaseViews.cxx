@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkCaseViews.h"
 
+#include "itkLandmarkProjectionFilter.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -141,11 +143,6 @@ CaseViews::Describe(const PoseSolution &              solution,
       view.scaleFactors[jaw] = std::exp(own->GetGroup(jaw).parameters[PoseKappa]);
       place.status = view.status;
       DescribePlacedJaw(*own, jaw, m_Data.description.millimetresPerUnit, m_Views[v]->GetLandmarkCounterparts(), place);
-      if (poseJaw.fit.numberOfPoints > 0)
-      {
-        place.outline =
-          KeepMatchedOutline(poseJaw, shown.data->GetJaw(jaw).contour, own->GetResult().geometry.pixelSpacing[0]);
-      }
       const DentalContour::Pointer whole = silhouettes[jaw == JawEnum::Upper ? 0 : 1];
       DentalContour *              tracing = shown.data->GetJaw(jaw).contour;
       if (tracing != nullptr && tracing->GetNumberOfPoints() > 0 && poseJaw.fit.numberOfPoints > 0)
@@ -164,16 +161,17 @@ CaseViews::Describe(const PoseSolution &              solution,
       }
       if (!poseJaw.tracingFailure.empty() && poseJaw.unusedOutlines.empty())
       {
-        result.warnings.push_back("view " + view.name + ": the " + (jaw == JawEnum::Upper ? "upper" : "lower") +
+        result.warnings.push_back("view " + view.name + ": the " + ToString(jaw) +
                                   " tracing is not used: " + poseJaw.tracingFailure);
       }
     }
     ProjectLandmarks(*shown.data, own, shown);
     for (auto & entry : shown.jaws)
     {
-      const auto & spacing = own->GetResult().geometry.pixelSpacing;
-      PredictError(own->GetJaw(entry.first).middleSigma * PoseWorkingPixel / (0.5 * (spacing[0] + spacing[1])),
-                   entry.second);
+      if (!entry.second.expectedError)
+      {
+        entry.second.expectedError = LandmarkProjectionFilter::ToMeanDistance(own->GetMiddleSigma(entry.first));
+      }
     }
     result.views.push_back(std::move(view));
   }

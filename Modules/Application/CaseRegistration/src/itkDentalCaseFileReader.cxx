@@ -22,6 +22,7 @@
 #include "itkDentalInputError.h"
 #include "itkDentalViewReader.h"
 #include "itkJsonDocument.h"
+#include "itkRigidTransformRows.h"
 
 #include <algorithm>
 #include <array>
@@ -173,14 +174,7 @@ ReadResultAsStart(const std::string & fileName, DentalCase & dentalCase)
     {
       DentalCase::PlacementType placement;
       const PoseJawResult &     own = solution->GetJaw(jaw);
-      for (unsigned int row = 0; row < 3; ++row)
-      {
-        placement.meshToCephalostat[4 * row + 3] = own.translation[row];
-        for (unsigned int column = 0; column < 3; ++column)
-        {
-          placement.meshToCephalostat[4 * row + column] = own.rotation[3 * row + column];
-        }
-      }
+      placement.meshToCephalostat = MakeRigidTransformRows(own.rotation, own.translation);
       placement.scale = std::exp(solution->GetGroup(jaw).parameters[PoseKappa]);
       dentalCase.initialPlacements[jaw] = placement;
     }

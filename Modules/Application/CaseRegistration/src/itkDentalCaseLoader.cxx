@@ -93,8 +93,8 @@ LoadLabels(DentalCaseData & data)
     {
       itkDentalInputErrorMacro(reader->GetFileName(),
                                "",
-                               std::string("labels teeth of the ") + (upper ? "lower" : "upper") +
-                                 " jaw, but belongs to the " + (upper ? "upper" : "lower") + " one",
+                               std::string("labels teeth of the ") + ToString(OtherJaw(jaw)) +
+                                 " jaw, but belongs to the " + ToString(jaw) + " one",
                                "exchange the files");
     }
     data.GetJaw(jaw).labels = reader->GetLabels();

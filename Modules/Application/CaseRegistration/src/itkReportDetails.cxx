@@ -47,12 +47,6 @@ RoundDigits(double value)
   return std::round(value * scale) / scale;
 }
 
-const char *
-Name(ToothCode::JawEnum jaw)
-{
-  return jaw == ToothCode::JawEnum::Upper ? "upper" : "lower";
-}
-
 Json
 ToJson(const DentalContour::PolylineType & polyline)
 {
@@ -123,7 +117,7 @@ CourseToJson(const CaseResult & result)
     Json group = { { "jaws", Json::array() }, { "stages", Json::array() } };
     for (const auto jaw : course.front().jaws)
     {
-      group["jaws"].push_back(Name(jaw));
+      group["jaws"].push_back(ToString(jaw));
     }
     for (const RegistrationStageCourse & stage : course)
     {
@@ -178,7 +172,7 @@ ViewToJson(const CaseResult & result, const std::string & name, const std::strin
         drawing["landmarks_used_px"][used.name] = { Round(mark->point[0]), Round(mark->point[1]) };
       }
     }
-    view["jaws"][Name(entry.first)] = drawing;
+    view["jaws"][ToString(entry.first)] = drawing;
   }
   return view;
 }

@@ -106,7 +106,7 @@ TEST(CaseScene, RaysOfAPoseAreStraightAndEndWhereItsLandmarksAreSeen)
   const auto & detector = *scene->FindDetector("lateral");
   for (const auto & jaw : result.jaws)
   {
-    const std::string name = jaw.first == JawEnum::Upper ? "upper" : "lower";
+    const std::string name = ToString(jaw.first);
     const auto *      rays = scene->FindPart("lateral " + name + " rays");
     ASSERT_NE(rays, nullptr);
     ASSERT_EQ(rays->mesh->GetNumberOfPoints(), 3 * jaw.second.landmarks.size());
@@ -136,7 +136,7 @@ TEST(CaseScene, SilhouettesAreWhereTheRegistrationSawThem)
     const auto & detector = *scene->FindDetector("lateral");
     for (const auto & jaw : result.jaws)
     {
-      const std::string name = jaw.first == JawEnum::Upper ? "upper" : "lower";
+      const std::string name = ToString(jaw.first);
       const auto        found = ComputePixelBounds(detector, *scene->FindPart("lateral " + name + " silhouette"));
       const auto        expected = ComputeBounds(*jaw.second.contours.front().second);
       for (unsigned int i = 0; i < 4; ++i)
@@ -197,7 +197,7 @@ TEST(CaseScene, SaysWhyNothingCanBeShown)
     }
     return std::string();
   };
-  const fs::path folder = MakeFolder("bare");
+  const fs::path         folder = MakeFolder("bare");
   itk::CaseOutputOptions options;
   options.report = false;
   itk::WriteCaseResult(GetRobust(), folder.string(), options);

@@ -20,10 +20,10 @@
 
 #include "itkCaseResultToJson.h"
 #include "itkCaseResultWriter.h"
-#include "itkCaseSimilarityRegistration.h"
 #include "itkMakeDentalFrameTransform.h"
 #include "itkOutputFolder.h"
 #include "itkReadDentalMesh.h"
+#include "itkRigidTransformRows.h"
 #include "itkTextFile.h"
 
 #include <nlohmann/json.hpp>
@@ -68,12 +68,11 @@ Axis(const AxisOptions & options, const CommonOptions & common)
     {
       continue;
     }
-    const bool        upper = jaw == JawEnum::Upper;
-    const std::string name = upper ? "upper" : "lower";
-    const auto &      frame = upper ? frames.upper : frames.lower;
-    itk::WriteDentalMesh(upper ? filter->GetUpperOutput() : filter->GetLowerOutput(),
+    const std::string name = itk::ToString(jaw);
+    const auto &      frame = frames.GetJaw(jaw);
+    itk::WriteDentalMesh(jaw == JawEnum::Upper ? filter->GetUpperOutput() : filter->GetLowerOutput(),
                          (folder / (name + "_umda.stl")).string());
-    const auto matrix = itk::ToRows(itk::MakeDentalFrameTransform(frame.axes, frame.origin));
+    const auto matrix = itk::ToRows(*itk::MakeDentalFrameTransform(frame.axes, frame.origin));
     itk::WriteUMDATransform(matrix, (folder / (name + "_umda.tfm")).string());
     json[name] = { { "x_anterior", frame.axes[0] },
                    { "y_left", frame.axes[1] },

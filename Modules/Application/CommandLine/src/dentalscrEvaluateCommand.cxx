@@ -99,7 +99,7 @@ WriteRow(
   {
     row << std::left << std::setw(40) << name << std::right;
   }
-  cell(jaw == JawEnum::Upper ? "upper" : "lower", 7);
+  cell(itk::ToString(jaw), 7);
   cell(std::to_string(statistics.GetCount()), 5);
   const bool any = statistics.GetCount() > 0;
   cell(number(any, any ? statistics.GetMean() : 0.0), 10);
@@ -140,7 +140,7 @@ Evaluate(const EvaluateOptions & options, const CommonOptions & common)
     const auto side = root.Find("traced_side");
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
-      const auto node = root.Get("jaws").Find(jaw == JawEnum::Upper ? "upper" : "lower");
+      const auto node = root.Get("jaws").Find(itk::ToString(jaw));
       if (!node)
       {
         continue;

@@ -149,7 +149,7 @@ Project(const ProjectOptions & options)
       itkDentalInputErrorMacro(
         options.points, named.name, "is not projected to any place", "give a point of the scan, in its unit and frame");
     }
-    json[named.name] = { { "jaw", named.jaw == JawEnum::Upper ? "upper" : "lower" },
+    json[named.name] = { { "jaw", itk::ToString(named.jaw) },
                          { "status", reader->GetStatus(named.jaw) },
                          { "position", { pixel[0], pixel[1] } },
                          { "sigma_px",

@@ -22,6 +22,7 @@
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
 #include "itkMakeDentalFrameTransform.h"
+#include "itkRigidTransformRows.h"
 
 #include <iostream>
 
@@ -182,7 +183,7 @@ PlaceJaw(const itk::DentalCaseData &    data,
   if (resultFile.empty())
   {
     // Jaws in one frame keep their relation to each other.
-    const itk::DentalJawFrame & own = jaw == JawEnum::Upper ? frames.upper : frames.lower;
+    const itk::DentalJawFrame & own = frames.GetJaw(jaw);
     const itk::DentalJawFrame & frame = frames.jawsShareFrame && frames.joint.valid ? frames.joint : own;
     const auto                  transform = itk::MakeDentalFrameTransform(frame.axes, frame.origin);
     rotation = transform->GetMatrix();
@@ -194,16 +195,9 @@ PlaceJaw(const itk::DentalCaseData &    data,
   else
   {
     const auto root = itk::JsonDocument::ReadFile(resultFile).GetRoot();
-    const auto node = root.Get("jaws").Get(jaw == JawEnum::Upper ? "upper" : "lower");
+    const auto node = root.Get("jaws").Get(itk::ToString(jaw));
     const auto matrix = ReadMatrix(node.Get("mesh_to_cephalostat_mm"));
-    for (unsigned int row = 0; row < 3; ++row)
-    {
-      translation[row] = matrix[4 * row + 3];
-      for (unsigned int column = 0; column < 3; ++column)
-      {
-        rotation(row, column) = matrix[4 * row + column];
-      }
-    }
+    itk::SplitRigidTransformRows(matrix, rotation, translation);
     const auto spacing = root.Get("geometry").Get("pixel_spacing_mm").Get("value").AsNumbers(2, "[u, v]");
     const auto point = root.Get("geometry").Get("principal_point_px").Get("value").AsNumbers(2, "[u, v]");
     GeometryType::PixelSpacingType pixelSpacing;

@@ -201,7 +201,7 @@ public:
         }
         else
         {
-          json["notes"].push_back(std::string(jaw == ToothCode::JawEnum::Upper ? "upper" : "lower") +
+          json["notes"].push_back(std::string(ToString(jaw)) +
                                   " jaw: no scan, no tracing, or fewer than two landmarks on both");
         }
       }

@@ -23,9 +23,9 @@
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
-#include "itkMakeTriangleSurface.h"
 #include "itkMath.h"
 #include "itkReproducibleRandom.h"
+#include "itkUMidlineDentalAxisFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,21 +51,14 @@ void
 EstimateFrames(ExperimentCase & experimentCase)
 {
   const DentalCaseData & data = *experimentCase.data;
-  TriangleSurface        surfaces[2];
-  const MeshType *       meshes[2] = { data.upper.mesh, data.lower.mesh };
-  for (unsigned int jaw = 0; jaw < 2; ++jaw)
-  {
-    if (meshes[jaw] != nullptr)
-    {
-      surfaces[jaw] = MakeTriangleSurface(meshes[jaw]);
-    }
-  }
-  DentalFrameOptions options;
-  options.jawsShareFrame = data.description.occlusion == OcclusionEnum::Yes  ? DentalFrameEnums::JawsShareFrame::On
-                           : data.description.occlusion == OcclusionEnum::No ? DentalFrameEnums::JawsShareFrame::Off
-                                                                             : DentalFrameEnums::JawsShareFrame::Check;
-  experimentCase.frames = EstimateDentalFrame(
-    meshes[0] != nullptr ? &surfaces[0] : nullptr, meshes[1] != nullptr ? &surfaces[1] : nullptr, options);
+  auto                   axis = UMidlineDentalAxisFilter<MeshType>::New();
+  axis->SetUpperMesh(data.upper.mesh);
+  axis->SetLowerMesh(data.lower.mesh);
+  axis->SetJawsShareFrame(ToJawsShareFrame(data.description.occlusion));
+  axis->RequireArchesOff();
+  axis->TransformMeshesOff();
+  axis->Update();
+  experimentCase.frames = axis->GetFrame();
 }
 
 /** A random rotation by at most 15 degrees. */
@@ -367,10 +360,7 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
       auto & input = data->GetJaw(jaw);
       if (input.mesh.IsNotNull())
       {
-        input.mesh =
-          TrimDistally(input.mesh,
-                       jaw == ToothCode::JawEnum::Upper ? experimentCase.frames.upper : experimentCase.frames.lower,
-                       variation.distalTrim);
+        input.mesh = TrimDistally(input.mesh, experimentCase.frames.GetJaw(jaw), variation.distalTrim);
       }
     }
     EstimateFrames(experimentCase);

@@ -44,7 +44,7 @@ constexpr double ParallelDistance = 1e7;
 const DentalJawFrame &
 FrameOf(const DentalFrameResult & frames, JawEnum jaw)
 {
-  return jaw == JawEnum::Upper ? frames.upper : frames.lower;
+  return frames.GetJaw(jaw);
 }
 
 CaseFrameType::Pointer

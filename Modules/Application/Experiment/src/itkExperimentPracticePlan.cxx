@@ -367,7 +367,7 @@ private:
       record.Add(cohort, result);
       for (const auto & entry : result.jaws)
       {
-        auto & jaw = record.methods[cohort][entry.first == JawEnum::Upper ? "upper" : "lower"];
+        auto & jaw = record.methods[cohort][ToString(entry.first)];
         jaw.landmarks.clear();
         if (entry.second.registered)
         {

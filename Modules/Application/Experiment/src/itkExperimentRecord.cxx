@@ -27,12 +27,6 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 constexpr const char * Schema = "dentalscr-experiment-case/1";
-
-const char *
-NameOf(ToothCode::JawEnum jaw)
-{
-  return jaw == ToothCode::JawEnum::Upper ? "upper" : "lower";
-}
 } // namespace
 
 std::optional<double>
@@ -108,7 +102,7 @@ ExperimentRecord::Add(const std::string & method, const CaseResult & result)
         }
       }
     }
-    methods[method][NameOf(entry.first)] = record;
+    methods[method][ToString(entry.first)] = record;
   }
 }
 

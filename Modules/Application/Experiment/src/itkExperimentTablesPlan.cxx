@@ -41,7 +41,7 @@ public:
     const ExperimentCase experimentCase = this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()));
     for (const auto & landmark : experimentCase.marked->GetLandmarks())
     {
-      ++record.marked[landmark.tooth.GetJaw() == ToothCode::JawEnum::Upper ? "upper" : "lower"];
+      ++record.marked[ToString(landmark.tooth.GetJaw())];
     }
     ExperimentRunner runner(experimentCase);
     runner.SetAbort(monitor.GetAbort());

@@ -247,7 +247,7 @@ public:
       for (const auto & entry : result.jaws)
       {
         const bool isUpper = entry.first == JawEnum::Upper;
-        auto &     jaw = record.methods[variant.name][isUpper ? "upper" : "lower"];
+        auto &     jaw = record.methods[variant.name][ToString(entry.first)];
         jaw.landmarks.clear();
         if (entry.second.registered && entry.second.pose)
         {

@@ -112,7 +112,7 @@ ReadContours(const DentalCaseData & data, const DentalCase & description)
   {
     for (const auto & polyline : reader->GetOutput(jaw)->GetPolylines())
     {
-      contours[jaw == JawEnum::Upper ? "upper" : "lower"].push_back(ToJson(polyline));
+      contours[ToString(jaw)].push_back(ToJson(polyline));
     }
   }
   return Json{ { "image_size", data.imageSize }, { "contours", contours } }.dump();

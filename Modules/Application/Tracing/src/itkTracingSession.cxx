@@ -292,17 +292,17 @@ TracingSession::Register(const std::string & drawings)
                   { "warnings", Json::array() } };
     for (const auto & entry : result.jaws)
     {
-      json["jaws"][entry.first == JawEnum::Upper ? "upper" : "lower"] = DescribeJaw(entry.second);
+      json["jaws"][ToString(entry.first)] = DescribeJaw(entry.second);
     }
     for (const auto & entry : result.skipped)
     {
-      json["skipped"][entry.first == JawEnum::Upper ? "upper" : "lower"] = entry.second;
+      json["skipped"][ToString(entry.first)] = entry.second;
     }
     for (const auto & [jaw, polylines] : m_Drafts->Compute(result))
     {
       for (const auto & polyline : polylines)
       {
-        json["drafts"][jaw == JawEnum::Upper ? "upper" : "lower"].push_back(ToJson(polyline));
+        json["drafts"][ToString(jaw)].push_back(ToJson(polyline));
       }
     }
     for (const std::string & warning : result.warnings)

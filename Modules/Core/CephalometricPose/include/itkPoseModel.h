@@ -87,6 +87,9 @@ public:
   ToWorkingPlane(const PoseGeometry & geometry, const std::array<double, 2> & pixel);
   static std::array<double, 2>
   ToPixel(const PoseGeometry & geometry, const std::array<double, 2> & w);
+  /** A unit normal of the working plane as one of the radiograph, whose pixels may be no squares. */
+  static std::array<double, 2>
+  ToPixelNormal(const PoseGeometry & geometry, const std::array<double, 2> & normal);
 
   /** Mesh frame (mm) to continuous pixel index, row-major 3x4, third row 1 at the midsagittal plane. */
   std::array<double, 12>

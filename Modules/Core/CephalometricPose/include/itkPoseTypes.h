@@ -29,6 +29,14 @@ namespace itk
  * Frames: mesh (mm, as the surface is), dental (x anterior, y patient's left, z superior, origin on the midline plane),
  * cephalostat (CephalometricGeometry). Lengths "in px" are units of 0.25 mm in the detector plane, whatever the image's
  * pixel: the working plane w = ((u - pp_u) f sp_u, (v - pp_v) sp_v) / 0.25 has the patient facing right.
+ *
+ * Why they stay beside CephalometricGeometry and the rigid transforms of ITK: kernels speak them. A DataObject and an
+ * itk::Transform are reference-counted objects behind pointers, with modification times, virtual calls and a header
+ * that brings ITK's own Eigen; the kernels evaluate a pose some ten thousand times in several threads, copy what they
+ * are given, and include no ITK header, since some of them use the other Eigen. Nothing else should speak them: filters
+ * take geometries and transforms, and convert once, by itkPoseGeometryConversion.h, itkPoseFrameOperations.h and
+ * itkRigidTransformRows.h. What else they hold is what a geometry does not know of itself: whether spacing and
+ * principal point were given, or filled in by the registration.
  */
 
 /** One unit of the working plane, mm in the detector plane. */

@@ -212,6 +212,16 @@ PoseModel::ToPixel(const PoseGeometry & geometry, const std::array<double, 2> & 
              geometry.principalPoint[1] + w[1] * PoseWorkingPixel / geometry.pixelSpacing[1] } };
 }
 
+std::array<double, 2>
+PoseModel::ToPixelNormal(const PoseGeometry & geometry, const std::array<double, 2> & normal)
+{
+  // A normal goes by the inverse of what points go by, so that it stays one where pixels are no squares.
+  const double u = normal[0] * geometry.facingSign * geometry.pixelSpacing[0];
+  const double v = normal[1] * geometry.pixelSpacing[1];
+  const double length = std::hypot(u, v);
+  return { { u / length, v / length } };
+}
+
 std::array<double, 12>
 PoseModel::GetPixelProjection(const PoseFrame & frame) const
 {

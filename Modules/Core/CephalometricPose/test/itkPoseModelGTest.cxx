@@ -116,6 +116,24 @@ TEST(PoseModel, ProjectionsForKernelsAndForPixelsAgreeInAllGeometries)
   }
 }
 
+TEST(PoseModel, ANormalStaysAcrossItsLineInPixelsThatAreNoSquares)
+{
+  for (const double facing : { 1.0, -1.0 })
+  {
+    itk::PoseGeometry geometry = Geometry(1.0, facing, false);
+    geometry.pixelSpacing = { { 0.1, 0.3 } };
+    // A line along (4, 3), its normal (0.6, -0.8).
+    const auto   normal = itk::PoseModel::ToPixelNormal(geometry, { { 0.6, -0.8 } });
+    const auto   from = itk::PoseModel::ToPixel(geometry, { { 0.0, 0.0 } });
+    const auto   to = itk::PoseModel::ToPixel(geometry, { { 4.0, 3.0 } });
+    const auto   outside = itk::PoseModel::ToPixel(geometry, { { 0.6, -0.8 } });
+    const double along = normal[0] * (to[0] - from[0]) + normal[1] * (to[1] - from[1]);
+    EXPECT_NEAR(along, 0.0, 1e-12);
+    EXPECT_NEAR(std::hypot(normal[0], normal[1]), 1.0, 1e-12);
+    EXPECT_GT(normal[0] * (outside[0] - from[0]) + normal[1] * (outside[1] - from[1]), 0.0);
+  }
+}
+
 TEST(PoseModel, SourceProjectsNowhere)
 {
   for (const bool isFrontal : { false, true })

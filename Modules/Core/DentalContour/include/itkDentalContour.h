@@ -23,6 +23,8 @@
 
 #include "itkDefaultStaticMeshTraits.h"
 #include "itkMesh.h"
+#include "itkPoint.h"
+#include "itkVector.h"
 
 #include <vector>
 
@@ -38,6 +40,10 @@ namespace itk
  * Polylines are read back from the cells: they are runs of line cells in which each starts where the one before ended;
  * a run that returns to its first point is closed; a point without a cell is a polyline of one point. A contour built
  * with the Mesh interface alone is therefore as good as one built with AddPolyline().
+ *
+ * A silhouette's points may know more: the point of the surface that projects to them, the outward normal, the tooth.
+ * What makes silhouettes from a mesh writes them, what moves, cuts or resamples contours carries them. Files of
+ * contours have none of it.
  *
  * \ingroup DentalContour
  */
@@ -56,6 +62,10 @@ public:
   itkTypeMacro(DentalContour, Mesh);
 
   using PointType = Superclass::PointType;
+  /** Outward unit normal in the image, u right, v down. */
+  using NormalType = Vector<double, 2>;
+  /** Point of a surface, mm, in the frame of its mesh. */
+  using RimPointType = Point<double, 3>;
 
   /** What of a tooth was drawn. */
   enum class OutlineEnum : uint8_t
@@ -81,12 +91,22 @@ public:
      * 0. */
     std::vector<double> sigmas{};
     OutlineEnum         outline{ OutlineEnum::Unspecified };
+    /** Of a silhouette: outward unit normals in the image (u right, v down), one a point, (0, 0) where it is not known;
+     * empty where none is. */
+    std::vector<NormalType> normals{};
+    /** Of a silhouette: the points of the surface that project to its points, mm, in the frame of the mesh that the
+     * silhouette was made of; one a point, NaN where it is not known; empty where none is. */
+    std::vector<RimPointType> rimPoints{};
+    /** The teeth of the points where they are not all of one, and then `code` is that of the first; one a point or
+     * empty. */
+    std::vector<ToothCode> teeth{};
   };
 
   using PolylinesType = std::vector<PolylineType>;
 
   /** Appends a polyline. Throws where a point is not finite, where weights are given but are not one a point in [0, 1],
-   * where sigmas are given but are not one a point and finite, or where a closed polyline has fewer than 3 points. An
+   * where sigmas are given but are not one a point and finite, where normals (units or 0), rim points (finite or NaN
+   * as a whole) or teeth are given but are not one a point, or where a closed polyline has fewer than 3 points. An
    * empty polyline adds nothing. */
   void
   AddPolyline(const PolylineType & polyline);
@@ -117,6 +137,20 @@ public:
   OutlineEnum
   GetPointOutline(PointIdentifier id) const;
 
+  /** Outward normal at a point; (0, 0) where it is not known. */
+  NormalType
+  GetPointNormal(PointIdentifier id) const;
+
+  /** Whether it is known of any point which point of a surface projects to it. */
+  bool
+  HasRimPoints() const
+  {
+    return !m_RimPoints.empty();
+  }
+  /** Point of the surface that projects to a point; NaN where it is not known. */
+  RimPointType
+  GetRimPoint(PointIdentifier id) const;
+
   /** "crown", "tooth" or "labial", as in a tracing's file. Throws std::invalid_argument otherwise. */
   static OutlineEnum
   OutlineFromString(const std::string & text);
@@ -135,10 +169,18 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  std::vector<double>      m_PointWeights;
-  std::vector<double>      m_PointSigmas;
-  std::vector<OutlineEnum> m_PointOutlines;
+  std::vector<double>       m_PointWeights;
+  std::vector<double>       m_PointSigmas;
+  std::vector<OutlineEnum>  m_PointOutlines;
+  std::vector<NormalType>   m_PointNormals;
+  std::vector<RimPointType> m_RimPoints;
 };
+
+/** Gives the last point of `to` what `from` knows of its point `index` as a silhouette's: normal, rim point, tooth. For
+ * filters that cut, join or resample polylines: one call for each point that they append, behind it. \ingroup
+ * DentalContour */
+DentalContour_EXPORT void
+AppendSilhouetteData(const DentalContour::PolylineType & from, std::size_t index, DentalContour::PolylineType & to);
 
 /** "crown", "tooth", "labial", or "unspecified". \ingroup DentalContour */
 DentalContour_EXPORT std::ostream &

@@ -171,6 +171,16 @@ private:
   uint8_t m_FDI{ 0 };
 };
 
+/** "upper", "lower" or "unknown", as files and messages name a jaw. */
+DentalContour_EXPORT const char *
+ToString(ToothCode::JawEnum jaw);
+/** "Upper", "Lower" or "Unknown", as titles and the names of methods have it. */
+DentalContour_EXPORT const char *
+ToCapitalizedString(ToothCode::JawEnum jaw);
+/** The jaw that opposes this one; of an unknown jaw an unknown one. */
+DentalContour_EXPORT ToothCode::JawEnum
+                     OtherJaw(ToothCode::JawEnum jaw);
+
 DentalContour_EXPORT std::ostream &
                      operator<<(std::ostream & os, ToothCode code);
 DentalContour_EXPORT std::ostream &

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace itk
@@ -49,6 +50,45 @@ AppendValues(std::vector<TValue> &       values,
   else
   {
     values.insert(values.end(), given.begin(), given.end());
+  }
+}
+
+DentalContour::NormalType
+UnknownNormal()
+{
+  DentalContour::NormalType normal;
+  normal.Fill(0.0);
+  return normal;
+}
+
+DentalContour::RimPointType
+UnknownRimPoint()
+{
+  DentalContour::RimPointType point;
+  point.Fill(std::numeric_limits<double>::quiet_NaN());
+  return point;
+}
+
+bool
+IsKnown(const DentalContour::NormalType & normal)
+{
+  return normal[0] != 0.0 || normal[1] != 0.0;
+}
+
+bool
+IsKnown(const DentalContour::RimPointType & point)
+{
+  return !std::isnan(point[0]);
+}
+
+/** What is known of no point of a polyline is not there. */
+template <typename TValue>
+void
+DropUnknown(std::vector<TValue> & values)
+{
+  if (std::none_of(values.begin(), values.end(), [](const TValue & value) { return IsKnown(value); }))
+  {
+    values.clear();
   }
 }
 } // namespace
@@ -101,12 +141,40 @@ DentalContour::AddPolyline(const PolylineType & polyline)
       itkExceptionMacro("A point's sigma " << sigma << " is no standard deviation in pixels.");
     }
   }
+  const auto verifyCount = [&](std::size_t given, const char * name) {
+    if (given != 0 && given != polyline.points.size())
+    {
+      itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << given << ' ' << name
+                                         << "; give one a point or none.");
+    }
+  };
+  verifyCount(polyline.normals.size(), "normals");
+  verifyCount(polyline.rimPoints.size(), "rim points");
+  verifyCount(polyline.teeth.size(), "teeth");
+  for (const NormalType & normal : polyline.normals)
+  {
+    // Far more than rounding, far less than a vector that was meant for another length.
+    constexpr double tolerance = 1e-4;
+    if (IsKnown(normal) && !(std::abs(normal.GetNorm() - 1.0) < tolerance))
+    {
+      itkExceptionMacro("A point's normal " << normal << " is no unit vector, and not (0, 0) for an unknown one.");
+    }
+  }
+  for (const RimPointType & point : polyline.rimPoints)
+  {
+    const auto unknown = std::count_if(point.Begin(), point.End(), [](double x) { return std::isnan(x); });
+    if (std::any_of(point.Begin(), point.End(), [](double x) { return std::isinf(x); }) ||
+        (unknown != 0 && unknown != 3))
+    {
+      itkExceptionMacro("A rim point " << point << " is not finite, and not NaN as a whole for an unknown one.");
+    }
+  }
   const PointIdentifier first = this->GetNumberOfPoints();
   const auto            count = static_cast<PointIdentifier>(polyline.points.size());
   for (PointIdentifier i = 0; i < count; ++i)
   {
     this->SetPoint(first + i, polyline.points[i]);
-    this->SetPointData(first + i, polyline.code.GetFDI());
+    this->SetPointData(first + i, polyline.teeth.empty() ? polyline.code.GetFDI() : polyline.teeth[i].GetFDI());
   }
   AppendValues(m_PointWeights, first, count, polyline.weights, 1.0);
   AppendValues(m_PointSigmas, first, count, polyline.sigmas, 0.0);
@@ -115,6 +183,8 @@ DentalContour::AddPolyline(const PolylineType & polyline)
                count,
                std::vector<OutlineEnum>(polyline.outline == OutlineEnum::Unspecified ? 0 : count, polyline.outline),
                OutlineEnum::Unspecified);
+  AppendValues(m_PointNormals, first, count, polyline.normals, UnknownNormal());
+  AppendValues(m_RimPoints, first, count, polyline.rimPoints, UnknownRimPoint());
   const PointIdentifier segments = polyline.closed ? count : count - 1;
   CellIdentifier        cellId = this->GetNumberOfCells();
   for (PointIdentifier i = 0; i < segments; ++i)
@@ -148,6 +218,15 @@ DentalContour::GetPolylines() const -> std::vector<PolylineType>
     {
       polyline.sigmas.push_back(this->GetPointSigma(id));
     }
+    if (!m_PointNormals.empty())
+    {
+      polyline.normals.push_back(this->GetPointNormal(id));
+    }
+    if (!m_RimPoints.empty())
+    {
+      polyline.rimPoints.push_back(this->GetRimPoint(id));
+    }
+    polyline.teeth.push_back(this->GetToothCode(id));
     polyline.outline = this->GetPointOutline(id);
     used[id] = true;
   };
@@ -200,6 +279,16 @@ DentalContour::GetPolylines() const -> std::vector<PolylineType>
       append(polylines.back(), id);
     }
   }
+  for (PolylineType & polyline : polylines)
+  {
+    DropUnknown(polyline.normals);
+    DropUnknown(polyline.rimPoints);
+    if (std::all_of(
+          polyline.teeth.begin(), polyline.teeth.end(), [&](ToothCode tooth) { return tooth == polyline.code; }))
+    {
+      polyline.teeth.clear();
+    }
+  }
   return polylines;
 }
 
@@ -243,6 +332,18 @@ DentalContour::GetPointOutline(PointIdentifier id) const
   return id < m_PointOutlines.size() ? m_PointOutlines[id] : OutlineEnum::Unspecified;
 }
 
+DentalContour::NormalType
+DentalContour::GetPointNormal(PointIdentifier id) const
+{
+  return id < m_PointNormals.size() ? m_PointNormals[id] : UnknownNormal();
+}
+
+DentalContour::RimPointType
+DentalContour::GetRimPoint(PointIdentifier id) const
+{
+  return id < m_RimPoints.size() ? m_RimPoints[id] : UnknownRimPoint();
+}
+
 DentalContour::OutlineEnum
 DentalContour::OutlineFromString(const std::string & text)
 {
@@ -259,6 +360,22 @@ DentalContour::OutlineFromString(const std::string & text)
     return OutlineEnum::Labial;
   }
   throw std::invalid_argument("\"" + text + "\" is no outline (\"crown\", \"tooth\" or \"labial\")");
+}
+
+void
+AppendSilhouetteData(const DentalContour::PolylineType & from, std::size_t index, DentalContour::PolylineType & to)
+{
+  const std::size_t before = to.points.size() - 1;
+  const auto        append = [&](auto & own, const auto & others, const auto & earlier, const auto & otherwise) {
+    if (!own.empty() || !others.empty())
+    {
+      own.resize(before, earlier);
+      own.push_back(others.empty() ? otherwise : others[index]);
+    }
+  };
+  append(to.normals, from.normals, UnknownNormal(), UnknownNormal());
+  append(to.rimPoints, from.rimPoints, UnknownRimPoint(), UnknownRimPoint());
+  append(to.teeth, from.teeth, to.code, from.code);
 }
 
 std::ostream &
@@ -284,6 +401,8 @@ DentalContour::Initialize()
   m_PointWeights.clear();
   m_PointSigmas.clear();
   m_PointOutlines.clear();
+  m_PointNormals.clear();
+  m_RimPoints.clear();
 }
 
 void
@@ -294,6 +413,8 @@ DentalContour::Graft(const DataObject * data)
   m_PointWeights = contour == nullptr ? std::vector<double>() : contour->m_PointWeights;
   m_PointSigmas = contour == nullptr ? std::vector<double>() : contour->m_PointSigmas;
   m_PointOutlines = contour == nullptr ? std::vector<OutlineEnum>() : contour->m_PointOutlines;
+  m_PointNormals = contour == nullptr ? std::vector<NormalType>() : contour->m_PointNormals;
+  m_RimPoints = contour == nullptr ? std::vector<RimPointType>() : contour->m_RimPoints;
 }
 
 void
@@ -303,5 +424,7 @@ DentalContour::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "PointWeights: " << m_PointWeights.size() << std::endl;
   os << indent << "PointSigmas: " << m_PointSigmas.size() << std::endl;
   os << indent << "PointOutlines: " << m_PointOutlines.size() << std::endl;
+  os << indent << "PointNormals: " << m_PointNormals.size() << std::endl;
+  os << indent << "RimPoints: " << m_RimPoints.size() << std::endl;
 }
 } // namespace itk

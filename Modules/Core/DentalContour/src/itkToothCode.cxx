@@ -348,6 +348,48 @@ ToothCode::GetName() const
   return quadrant + static_cast<char>((this->IsPrimary() ? 'A' - 1 : '0') + this->GetPosition());
 }
 
+const char *
+ToString(ToothCode::JawEnum jaw)
+{
+  switch (jaw)
+  {
+    case JawEnum::Upper:
+      return "upper";
+    case JawEnum::Lower:
+      return "lower";
+    default:
+      return "unknown";
+  }
+}
+
+const char *
+ToCapitalizedString(ToothCode::JawEnum jaw)
+{
+  switch (jaw)
+  {
+    case JawEnum::Upper:
+      return "Upper";
+    case JawEnum::Lower:
+      return "Lower";
+    default:
+      return "Unknown";
+  }
+}
+
+ToothCode::JawEnum
+OtherJaw(ToothCode::JawEnum jaw)
+{
+  switch (jaw)
+  {
+    case JawEnum::Upper:
+      return JawEnum::Lower;
+    case JawEnum::Lower:
+      return JawEnum::Upper;
+    default:
+      return JawEnum::Unknown;
+  }
+}
+
 std::ostream &
 operator<<(std::ostream & os, ToothCode code)
 {
@@ -371,15 +413,7 @@ operator<<(std::ostream & os, ToothCode::NumberingEnum numbering)
 std::ostream &
 operator<<(std::ostream & os, ToothCode::JawEnum jaw)
 {
-  switch (jaw)
-  {
-    case ToothCode::JawEnum::Upper:
-      return os << "upper";
-    case ToothCode::JawEnum::Lower:
-      return os << "lower";
-    default:
-      return os << "unknown";
-  }
+  return os << ToString(jaw);
 }
 
 std::ostream &

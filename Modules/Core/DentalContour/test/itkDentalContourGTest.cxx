@@ -21,8 +21,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace
 {
@@ -160,4 +162,136 @@ TEST(DentalContour, CarriesSigmasAndKindsWhereGiven)
   }
   EXPECT_EQ(ContourType::OutlineFromString("labial"), OutlineEnum::Labial);
   EXPECT_THROW(ContourType::OutlineFromString("root"), std::invalid_argument);
+}
+
+namespace
+{
+ContourType::NormalType
+N(double u, double v)
+{
+  ContourType::NormalType normal;
+  normal[0] = u;
+  normal[1] = v;
+  return normal;
+}
+
+ContourType::RimPointType
+R(double x, double y, double z)
+{
+  ContourType::RimPointType point;
+  point[0] = x;
+  point[1] = y;
+  point[2] = z;
+  return point;
+}
+
+/** A silhouette of two teeth, a drawing that knows nothing, and a silhouette whose last point alone is known. */
+ContourType::Pointer
+MakeSilhouettes()
+{
+  auto                      contour = ContourType::New();
+  ContourType::PolylineType first;
+  first.points = { P(0, 0), P(1, 0), P(2, 0) };
+  first.normals = { N(0, -1), N(0.6, -0.8), N(1, 0) };
+  first.rimPoints = { R(1, 2, 3), R(4, 5, 6), R(7, 8, 9) };
+  first.teeth = { itk::ToothCode(11), itk::ToothCode(11), itk::ToothCode(12) };
+  contour->AddPolyline(first);
+  contour->AddPolyline({ P(10, 0), P(11, 0), P(11, 1) }, itk::ToothCode(13), true);
+  const double              unknown = std::numeric_limits<double>::quiet_NaN();
+  ContourType::PolylineType last;
+  last.points = { P(20, 0), P(21, 0) };
+  last.normals = { N(0, 0), N(-1, 0) };
+  last.rimPoints = { R(unknown, unknown, unknown), R(-1, -2, -3) };
+  contour->AddPolyline(last);
+  return contour;
+}
+
+void
+ExpectSilhouettes(const ContourType & contour)
+{
+  const auto polylines = contour.GetPolylines();
+  ASSERT_EQ(polylines.size(), 3u);
+  EXPECT_EQ(polylines[0].normals, (std::vector<ContourType::NormalType>{ N(0, -1), N(0.6, -0.8), N(1, 0) }));
+  EXPECT_EQ(polylines[0].rimPoints, (std::vector<ContourType::RimPointType>{ R(1, 2, 3), R(4, 5, 6), R(7, 8, 9) }));
+  EXPECT_EQ(polylines[0].code, itk::ToothCode(11)) << "that of the first point";
+  EXPECT_EQ(polylines[0].teeth,
+            (std::vector<itk::ToothCode>{ itk::ToothCode(11), itk::ToothCode(11), itk::ToothCode(12) }));
+  EXPECT_TRUE(polylines[1].normals.empty());
+  EXPECT_TRUE(polylines[1].rimPoints.empty());
+  EXPECT_TRUE(polylines[1].teeth.empty()) << "all of one tooth";
+  EXPECT_EQ(polylines[1].code, itk::ToothCode(13));
+  ASSERT_EQ(polylines[2].normals.size(), 2u);
+  EXPECT_EQ(polylines[2].normals[0], N(0, 0));
+  EXPECT_EQ(polylines[2].normals[1], N(-1, 0));
+  ASSERT_EQ(polylines[2].rimPoints.size(), 2u);
+  EXPECT_TRUE(std::isnan(polylines[2].rimPoints[0][2]));
+  EXPECT_EQ(polylines[2].rimPoints[1], R(-1, -2, -3));
+}
+} // namespace
+
+TEST(DentalContour, CarriesWhatASilhouetteKnowsOfItsPoints)
+{
+  const auto contour = MakeSilhouettes();
+  ExpectSilhouettes(*contour);
+  EXPECT_TRUE(contour->HasRimPoints());
+  EXPECT_EQ(contour->GetRimPoint(1), R(4, 5, 6));
+  EXPECT_TRUE(std::isnan(contour->GetRimPoint(3)[0])) << "of the drawing";
+  EXPECT_EQ(contour->GetPointNormal(7), N(-1, 0));
+  EXPECT_EQ(contour->GetPointNormal(3), N(0, 0));
+  EXPECT_EQ(contour->GetToothCode(2), itk::ToothCode(12));
+  // From polylines it comes out as it went in, and by Graft() too.
+  auto again = ContourType::New();
+  for (const auto & polyline : contour->GetPolylines())
+  {
+    again->AddPolyline(polyline);
+  }
+  ExpectSilhouettes(*again);
+  auto grafted = ContourType::New();
+  grafted->Graft(contour);
+  ExpectSilhouettes(*grafted);
+  grafted->Initialize();
+  EXPECT_FALSE(grafted->HasRimPoints());
+  grafted->AddPolyline({ P(0, 0), P(1, 1) });
+  EXPECT_TRUE(grafted->GetPolylines()[0].normals.empty());
+}
+
+TEST(DentalContour, RefusesWhatIsNoSilhouette)
+{
+  const auto                contour = ContourType::New();
+  ContourType::PolylineType polyline;
+  polyline.points = { P(0, 0), P(1, 0) };
+  auto wrong = polyline;
+  wrong.normals = { N(1, 0) };
+  EXPECT_THROW(contour->AddPolyline(wrong), itk::ExceptionObject) << "one a point";
+  wrong.normals = { N(1, 0), N(1, 1) };
+  EXPECT_THROW(contour->AddPolyline(wrong), itk::ExceptionObject) << "no unit vector";
+  wrong = polyline;
+  wrong.rimPoints = { R(0, 0, 0), R(0, std::numeric_limits<double>::infinity(), 0) };
+  EXPECT_THROW(contour->AddPolyline(wrong), itk::ExceptionObject);
+  wrong.rimPoints = { R(0, 0, 0), R(0, std::numeric_limits<double>::quiet_NaN(), 0) };
+  EXPECT_THROW(contour->AddPolyline(wrong), itk::ExceptionObject) << "unknown in part";
+  wrong = polyline;
+  wrong.teeth = { itk::ToothCode(11) };
+  EXPECT_THROW(contour->AddPolyline(wrong), itk::ExceptionObject);
+  EXPECT_EQ(contour->GetNumberOfPoints(), 0u);
+}
+
+TEST(DentalContour, AppendedSilhouetteDataFillWhatIsNotKnown)
+{
+  const auto                polylines = MakeSilhouettes()->GetPolylines();
+  ContourType::PolylineType joined;
+  joined.code = itk::ToothCode(14);
+  joined.points.push_back(polylines[1].points[0]);
+  itk::AppendSilhouetteData(polylines[1], 0, joined);
+  EXPECT_TRUE(joined.normals.empty());
+  joined.points.push_back(polylines[0].points[2]);
+  itk::AppendSilhouetteData(polylines[0], 2, joined);
+  joined.points.push_back(polylines[1].points[1]);
+  itk::AppendSilhouetteData(polylines[1], 1, joined);
+  EXPECT_EQ(joined.normals, (std::vector<ContourType::NormalType>{ N(0, 0), N(1, 0), N(0, 0) }));
+  ASSERT_EQ(joined.rimPoints.size(), 3u);
+  EXPECT_TRUE(std::isnan(joined.rimPoints[0][0]));
+  EXPECT_EQ(joined.rimPoints[1], R(7, 8, 9));
+  EXPECT_TRUE(std::isnan(joined.rimPoints[2][0]));
+  EXPECT_EQ(joined.teeth, (std::vector<itk::ToothCode>{ itk::ToothCode(14), itk::ToothCode(12), itk::ToothCode(13) }));
 }

@@ -156,3 +156,20 @@ TEST(ToothCode, CodesWithoutASideAndJawsByWholeWords)
     EXPECT_EQ(ToothCode::JawFromString(text), ToothCode::JawEnum::Unknown) << text;
   }
 }
+
+TEST(ToothCode, AJawHasATextThatIsReadBackAndAnOpponent)
+{
+  using JawEnum = ToothCode::JawEnum;
+  EXPECT_STREQ(ToString(JawEnum::Upper), "upper");
+  EXPECT_STREQ(ToString(JawEnum::Lower), "lower");
+  EXPECT_STREQ(ToString(JawEnum::Unknown), "unknown");
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    EXPECT_EQ(ToothCode::JawFromString(ToString(jaw)), jaw);
+    EXPECT_EQ(ToothCode::JawFromString(ToCapitalizedString(jaw)), jaw);
+    EXPECT_NE(OtherJaw(jaw), jaw);
+    EXPECT_EQ(OtherJaw(OtherJaw(jaw)), jaw);
+  }
+  EXPECT_STREQ(ToCapitalizedString(JawEnum::Lower), "Lower");
+  EXPECT_EQ(OtherJaw(JawEnum::Unknown), JawEnum::Unknown);
+}

@@ -19,6 +19,7 @@
 #define itkCrownRegionKernel_h
 
 #include "CrownRegionExport.h"
+#include "itkToothCode.h"
 #include "itkTriangleSurface.h"
 
 #include <array>
@@ -86,10 +87,10 @@ struct CrownRegion_EXPORT CrownRegionResult
 /** The crowns of one jaw from its shape alone: what stands above the gingival valley along the arch. `axes` (rows x
  * anterior, y left, z superior) and `origin` are its UMDA frame, q = axes (p - origin); the origin is inside the arch.
  * Surfaces in mm; either winding. Open shells, palates and closed casts. Documentation/CrownRegion.md describes the
- * method. Deterministic; single-threaded. */
+ * method. Deterministic; single-threaded. Throws std::invalid_argument of an unknown jaw. */
 CrownRegion_EXPORT CrownRegionResult
 ComputeCrownRegion(const TriangleSurface &                      surface,
-                   bool                                         upper,
+                   ToothCode::JawEnum                           jaw,
                    const std::array<std::array<double, 3>, 3> & axes,
                    const std::array<double, 3> &                origin,
                    const CrownRegionOptions &                   options = {});

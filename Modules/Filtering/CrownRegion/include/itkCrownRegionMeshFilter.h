@@ -71,7 +71,7 @@ public:
 
   using MeshType = TMesh;
   using TransformType = VersorRigid3DTransform<double>;
-  using JawEnum = UMidlineDentalAxisFilterEnums::Jaw;
+  using JawEnum = ToothCode::JawEnum;
   using NumberingEnum = ToothCode::NumberingEnum;
   using MaskType = std::vector<std::uint8_t>;
 

@@ -44,6 +44,10 @@ CrownRegionMeshFilter<TMesh>::VerifyPreconditions() ITKv5_CONST
     itkExceptionMacro("There is no mesh. Call SetInput().");
   }
   Superclass::VerifyPreconditions();
+  if (m_Jaw == JawEnum::Unknown)
+  {
+    itkExceptionMacro("The jaw of the mesh is unknown. Call SetJaw() with Upper or Lower.");
+  }
   if (!(m_MinimumCrownHeight >= 0.5 && m_MinimumCrownHeight < m_MaximumCrownHeight && m_MaximumCrownHeight <= 25.0))
   {
     itkExceptionMacro("MinimumCrownHeight is " << m_MinimumCrownHeight << " and MaximumCrownHeight "
@@ -114,9 +118,7 @@ CrownRegionMeshFilter<TMesh>::CollectLabels() const -> MaskType
                                  << " number. Call SetLabelNumbering(), or UseLabelsOff() where the point data are no "
                                     "tooth labels.");
     }
-    ++((ToothCode(static_cast<unsigned int>(fdi)).GetJaw() == ToothCode::JawEnum::Upper) == (m_Jaw == JawEnum::Upper)
-         ? ofThisJaw
-         : ofOtherJaw);
+    ++(ToothCode(static_cast<unsigned int>(fdi)).GetJaw() == m_Jaw ? ofThisJaw : ofOtherJaw);
     labels.push_back(static_cast<std::uint8_t>(fdi));
   }
   if (!any)
@@ -160,7 +162,7 @@ CrownRegionMeshFilter<TMesh>::GenerateData()
   }
   else
   {
-    const bool     upper = m_Jaw == JawEnum::Upper;
+    const bool     isUpper = m_Jaw == JawEnum::Upper;
     DentalJawFrame frame;
     if (const TransformType * transform = this->GetFrameTransform())
     {
@@ -172,8 +174,8 @@ CrownRegionMeshFilter<TMesh>::GenerateData()
       options.threads = this->GetNumberOfWorkUnits();
       options.abort = [this]() { return this->GetAbortGenerateData(); };
       const DentalFrameResult found =
-        EstimateDentalFrame(upper ? &surface : nullptr, upper ? nullptr : &surface, options);
-      frame = upper ? found.upper : found.lower;
+        EstimateDentalFrame(isUpper ? &surface : nullptr, isUpper ? nullptr : &surface, options);
+      frame = found.GetJaw(m_Jaw);
     }
     stopIfAborted();
     this->UpdateProgress(0.5f);
@@ -183,7 +185,7 @@ CrownRegionMeshFilter<TMesh>::GenerateData()
       options.minimumCrownHeight = m_MinimumCrownHeight;
       options.maximumCrownHeight = m_MaximumCrownHeight;
       options.abort = [this]() { return this->GetAbortGenerateData(); };
-      m_Region = ComputeCrownRegion(surface, upper, frame.axes, frame.origin, options);
+      m_Region = ComputeCrownRegion(surface, m_Jaw, frame.axes, frame.origin, options);
     }
     stopIfAborted();
     if (!frame.valid || !m_Region.valid)

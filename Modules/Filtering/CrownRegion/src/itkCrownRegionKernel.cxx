@@ -72,11 +72,15 @@ SumArea(const TriangleSurface & surface, CrownRegionResult & result)
 
 CrownRegionResult
 ComputeCrownRegion(const TriangleSurface &                      surface,
-                   bool                                         upper,
+                   ToothCode::JawEnum                           jaw,
                    const std::array<std::array<double, 3>, 3> & axes,
                    const std::array<double, 3> &                origin,
                    const CrownRegionOptions &                   options)
 {
+  if (jaw == ToothCode::JawEnum::Unknown)
+  {
+    throw std::invalid_argument("The jaw is unknown, and with it the side on which the crowns stand.");
+  }
   CrownRegionResult result;
   const std::size_t n = surface.points.size();
   result.points.assign(n, 0);
@@ -84,7 +88,7 @@ ComputeCrownRegion(const TriangleSurface &                      surface,
   const auto aborted = [&]() { return options.abort && options.abort(); };
 
   // x anterior, y left, height toward the opposing teeth. This mirrors the upper jaw, which curvature does not mind.
-  const double           sign = upper ? -1.0 : 1.0;
+  const double           sign = jaw == ToothCode::JawEnum::Upper ? -1.0 : 1.0;
   std::vector<PointType> q(n);
   for (std::size_t i = 0; i < n; ++i)
   {

@@ -105,8 +105,11 @@ TEST(CrownRegionKernel, DoesNotDependOnTheMeshFrame)
   {
     row = { { row[1], row[2], row[0] } };
   }
-  const auto there = itk::ComputeCrownRegion(
-    moved, true, axes, { { frame.origin[1] + 100.0, frame.origin[2] - 50.0, frame.origin[0] + 7.0 } });
+  const auto there =
+    itk::ComputeCrownRegion(moved,
+                            itk::ToothCode::JawEnum::Upper,
+                            axes,
+                            { { frame.origin[1] + 100.0, frame.origin[2] - 50.0, frame.origin[0] + 7.0 } });
   const auto overlap = CrownRegionTest::Compare(moved, here.triangles, there.triangles);
   // Single vertices at the margin may change sides by rounding.
   EXPECT_GT(overlap.IoU(), 0.999);
@@ -127,7 +130,7 @@ TEST(CrownRegionKernel, ToleratesInwardWindingAndDoubledPoints)
     soup.triangles.push_back({ { first, first + 1, first + 2 } });
   }
   const auto & frame = phantom.frame.lower;
-  const auto   there = itk::ComputeCrownRegion(soup, false, frame.axes, frame.origin);
+  const auto   there = itk::ComputeCrownRegion(soup, itk::ToothCode::JawEnum::Lower, frame.axes, frame.origin);
   // Area counts are summed in another order, so a threshold may fall otherwise at single triangles.
   EXPECT_GT(CrownRegionTest::Compare(soup, here.triangles, there.triangles).IoU(), 0.99);
 }
@@ -146,11 +149,11 @@ TEST(CrownRegionKernel, FindsNothingWhereThereIsNoArch)
     flat.points.push_back({ { i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0, 0.0 } });
   }
   flat.triangles.push_back({ { 0, 1, 2 } });
-  const auto found = itk::ComputeCrownRegion(flat, true, Identity, { { 0, 0, 0 } });
+  const auto found = itk::ComputeCrownRegion(flat, itk::ToothCode::JawEnum::Upper, Identity, { { 0, 0, 0 } });
   EXPECT_FALSE(found.valid);
   EXPECT_EQ(found.points, std::vector<std::uint8_t>(3, 0));
   EXPECT_EQ(found.triangles, std::vector<std::uint8_t>(1, 0));
-  EXPECT_FALSE(itk::ComputeCrownRegion({}, true, Identity, { { 0, 0, 0 } }).valid);
+  EXPECT_FALSE(itk::ComputeCrownRegion({}, itk::ToothCode::JawEnum::Upper, Identity, { { 0, 0, 0 } }).valid);
 }
 
 TEST(CrownRegionKernel, StopsWhenAborted)
@@ -159,7 +162,9 @@ TEST(CrownRegionKernel, StopsWhenAborted)
   itk::CrownRegionOptions options;
   options.abort = []() { return true; };
   const auto & frame = phantom.frame.upper;
-  EXPECT_FALSE(itk::ComputeCrownRegion(phantom.jaws[0].surface, true, frame.axes, frame.origin, options).valid);
+  EXPECT_FALSE(
+    itk::ComputeCrownRegion(phantom.jaws[0].surface, itk::ToothCode::JawEnum::Upper, frame.axes, frame.origin, options)
+      .valid);
 }
 
 TEST(CrownRegionKernel, TakesTrianglesWithTwoLabelledCorners)
@@ -197,7 +202,8 @@ TEST(CrownRegionKernel, LeavesTheBaseOfScannedCastsOut)
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {
     const auto & frame = jaw == 0 ? frames.upper : frames.lower;
-    const auto   found = itk::ComputeCrownRegion(jaws[jaw], jaw == 0, frame.axes, frame.origin);
+    const auto   found = itk::ComputeCrownRegion(
+      jaws[jaw], jaw == 0 ? itk::ToothCode::JawEnum::Upper : itk::ToothCode::JawEnum::Lower, frame.axes, frame.origin);
     ASSERT_TRUE(found.valid);
     // 14 teeth have 1700 to 2700 mm^2 of visible crown on the phantoms.
     EXPECT_GT(found.area, 1500.0);

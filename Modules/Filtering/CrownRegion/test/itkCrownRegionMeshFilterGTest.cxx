@@ -168,6 +168,8 @@ TEST(CrownRegionMeshFilter, SaysWhatToCall)
   crowns->SetInput(phantom->GetUpperOutput());
   crowns->SetJaw(CrownType::JawEnum::Lower);
   EXPECT_NE(ErrorOf(crowns.GetPointer()).find("SetJaw()"), std::string::npos);
+  crowns->SetJaw(CrownType::JawEnum::Unknown);
+  EXPECT_NE(ErrorOf(crowns.GetPointer()).find("unknown. Call SetJaw()"), std::string::npos);
   crowns->SetJaw(CrownType::JawEnum::Upper);
   // FDI numbers of the upper jaw hold 11 to 27; 17 to 27 are in universal numbers the lower jaw's too.
   crowns->SetLabelNumbering(CrownType::NumberingEnum::Quadrant);

@@ -195,7 +195,10 @@ inline itk::CrownRegionResult
 Find(const Case & phantom, unsigned int jaw)
 {
   const itk::DentalJawFrame & frame = jaw == 0 ? phantom.frame.upper : phantom.frame.lower;
-  return itk::ComputeCrownRegion(phantom.jaws[jaw].surface, jaw == 0, frame.axes, frame.origin);
+  return itk::ComputeCrownRegion(phantom.jaws[jaw].surface,
+                                 jaw == 0 ? itk::ToothCode::JawEnum::Upper : itk::ToothCode::JawEnum::Lower,
+                                 frame.axes,
+                                 frame.origin);
 }
 
 inline double

@@ -33,7 +33,8 @@ namespace itk
  * pixel indices and a mask image of which only these indices count (no origin, spacing, direction). A point is kept
  * where the pixel that it lies in is not 0; outside of the mask's buffered region it is not. A stretch of kept points
  * becomes an open polyline; across the start of a closed polyline it is one; a polyline that is kept as a whole stays
- * as it is, closed where it was. Codes, weights, sigmas and kinds are kept. Stretches of fewer than
+ * as it is, closed where it was. Codes, weights, sigmas, kinds and what a
+ * silhouette's points know are kept. Stretches of fewer than
  * MinimumNumberOfPoints points are left out.
  *
  * Errors: no contour, no mask.

@@ -104,6 +104,7 @@ ContourMaskFilter<TMaskImage>::GenerateData()
         {
           stretch.sigmas.push_back(polyline.sigmas[k]);
         }
+        AppendSilhouetteData(polyline, k, stretch);
         continue;
       }
       if (stretch.points.size() >= m_MinimumNumberOfPoints)
@@ -113,6 +114,9 @@ ContourMaskFilter<TMaskImage>::GenerateData()
       stretch.points.clear();
       stretch.weights.clear();
       stretch.sigmas.clear();
+      stretch.normals.clear();
+      stretch.rimPoints.clear();
+      stretch.teeth.clear();
     }
   }
 }

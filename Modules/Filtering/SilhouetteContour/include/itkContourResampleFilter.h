@@ -30,7 +30,8 @@ namespace itk
  * Either the number of points in total, which is shared out by the polylines' lengths (at least 2 for an open one, 3
  * for a closed one), or the distance between points, which is rounded so that it fits a whole number of times. Open
  * polylines keep their first and last point; closed ones begin at their first point. Codes are kept, weights are
- * interpolated. Lone points and polylines of no length become one point each.
+ * interpolated; rim point, normal and tooth are those of the nearer of the two points that a new one lies between. Lone
+ * points and polylines of no length become one point each.
  *
  * Distances are Euclidean in the units of the points: pixels. Corners between the new points are cut.
  *

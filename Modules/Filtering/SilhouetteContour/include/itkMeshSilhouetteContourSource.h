@@ -30,10 +30,10 @@ namespace itk
  *
  * Inputs: see the base. Once the mesh is prepared, a pose costs about a millisecond for 200 000 triangles.
  *
- * Output: closed polylines in continuous pixel indices without a tooth code, largest area first, in the sense that
- * SilhouetteLoop defines. It is the boundary of the union of all projected triangles without its holes; see
- * MeshSilhouette. GetSamples() has, for each point of the output, the point of the surface that projects to it and the
- * outward normal.
+ * Output: closed polylines in continuous pixel indices, largest area first, in the sense that SilhouetteLoop defines.
+ * It is the boundary of the union of all projected triangles without its holes; see MeshSilhouette. Each point has the
+ * point of the surface that projects to it and the outward normal, at a corner that of the segment which begins there;
+ * GetSamples() has these with their place along the loop.
  *
  * Errors: no mesh or geometry, an incomplete geometry, cells that are not triangles, points that are not finite or not
  * in front of the source. A mesh without triangles gives an empty contour.

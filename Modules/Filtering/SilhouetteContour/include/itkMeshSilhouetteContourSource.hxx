@@ -59,6 +59,11 @@ MeshSilhouetteContourSource<TInputMesh>::GenerateData()
       itkExceptionMacro(<< error.what() << " Call SetNumberOfPoints() with more, or LargestPartOnlyOn().");
     }
   }
+  typename Superclass::ToothLookup teeth;
+  if (this->GetUseLabels())
+  {
+    teeth = this->MakeToothLookup();
+  }
   for (std::size_t l = 0; l < parts; ++l)
   {
     const SilhouetteLoop & loop = m_Silhouette.loops[l];
@@ -74,6 +79,12 @@ MeshSilhouetteContourSource<TInputMesh>::GenerateData()
       point[0] = sample.u;
       point[1] = sample.v;
       polyline.points.push_back(point);
+      polyline.normals.emplace_back(sample.normal.data());
+      polyline.rimPoints.emplace_back(sample.rim.data());
+      if (this->GetUseLabels())
+      {
+        polyline.teeth.push_back(teeth.Find(loop.edges[sample.segment], sample.rim));
+      }
     }
     output->AddPolyline(polyline);
     m_Samples.insert(m_Samples.end(), samples.begin(), samples.end());

@@ -26,6 +26,10 @@
 #include "itkMeshSilhouetteCache.h"
 #include "itkMeshSource.h"
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace itk
 {
 /** \class MeshSilhouetteContourSourceBase
@@ -36,7 +40,12 @@ namespace itk
  * of pose re-executes the source. What depends on the mesh alone is prepared once for each of its states. A change made
  * through the elements of a container alone needs mesh->Modified().
  *
- * Errors: no mesh or geometry, cells that are not triangles, points that are not finite or not in front of the source.
+ * The output's points know the point of the mesh that projects to them (DentalContour::PolylineType::rimPoints, frame
+ * and unit of the mesh) and their outward normal; with UseLabels also their tooth, by the label of the nearer end of
+ * the mesh edge that they lie on.
+ *
+ * Errors: no mesh or geometry, cells that are not triangles, points that are not finite or not in front of the source;
+ * with UseLabels point data that are no FDI numbers.
  *
  * \ingroup SilhouetteContour
  */
@@ -66,6 +75,12 @@ public:
   itkSetInputMacro(Geometry, GeometryType);
   itkGetInputMacro(Geometry, GeometryType);
 
+  /** Whether the mesh's point data are FDI numbers of teeth, 0 where there is none, as CrownRegionMeshFilter and
+   * ToothLabelFileReader give them. Default off. */
+  itkSetMacro(UseLabels, bool);
+  itkGetConstMacro(UseLabels, bool);
+  itkBooleanMacro(UseLabels);
+
 protected:
   MeshSilhouetteContourSourceBase();
   ~MeshSilhouetteContourSourceBase() override = default;
@@ -84,10 +99,30 @@ protected:
   void
   UseSilhouette(TFunction && compute);
 
+  /** Where the mesh lies and which tooth it is at a point of the surface, for the points of the output. */
+  class ToothLookup
+  {
+  public:
+    /** The tooth of the nearer end of an edge (indices into the surface's points) to a point on it. */
+    ToothCode
+    Find(const std::array<std::uint32_t, 2> & edge, const std::array<double, 3> & rim) const;
+
+  private:
+    std::vector<std::array<double, 3>> m_Points;
+    std::vector<ToothCode>             m_Teeth;
+
+    friend class MeshSilhouetteContourSourceBase;
+  };
+  /** Reads the labels, with UseLabels on. Throws where one is no tooth's. */
+  ToothLookup
+  MakeToothLookup() const;
+
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
+  bool m_UseLabels{ false };
+
   MeshSilhouetteCache<InputMeshType> m_Cache;
 };
 } // namespace itk

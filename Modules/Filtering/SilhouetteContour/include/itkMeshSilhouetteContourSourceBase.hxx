@@ -18,6 +18,7 @@
 #ifndef itkMeshSilhouetteContourSourceBase_hxx
 #define itkMeshSilhouetteContourSourceBase_hxx
 
+#include <cmath>
 #include <stdexcept>
 
 namespace itk
@@ -79,10 +80,67 @@ MeshSilhouetteContourSourceBase<TInputMesh>::UseSilhouette(TFunction && compute)
 }
 
 template <typename TInputMesh>
+ToothCode
+MeshSilhouetteContourSourceBase<TInputMesh>::ToothLookup::Find(const std::array<std::uint32_t, 2> & edge,
+                                                               const std::array<double, 3> &        rim) const
+{
+  double distances[2] = { 0.0, 0.0 };
+  for (unsigned int end = 0; end < 2; ++end)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const double difference = m_Points[edge[end]][d] - rim[d];
+      distances[end] += difference * difference;
+    }
+  }
+  return m_Teeth[edge[distances[0] <= distances[1] ? 0 : 1]];
+}
+
+template <typename TInputMesh>
+auto
+MeshSilhouetteContourSourceBase<TInputMesh>::MakeToothLookup() const -> ToothLookup
+{
+  ToothLookup           lookup;
+  const InputMeshType * mesh = this->GetInput();
+  const auto *          data = mesh->GetPointData();
+  if (mesh->GetPoints() == nullptr)
+  {
+    return lookup;
+  }
+  for (auto it = mesh->GetPoints()->Begin(); it != mesh->GetPoints()->End(); ++it)
+  {
+    const auto & p = it.Value();
+    lookup.m_Points.push_back({ { static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]) } });
+    typename InputMeshType::PixelType pixel{};
+    if (data != nullptr)
+    {
+      data->GetElementIfIndexExists(it.Index(), &pixel);
+    }
+    const auto value = static_cast<double>(pixel);
+    try
+    {
+      if (!(value >= 0.0 && value < 256.0 && value == std::floor(value)))
+      {
+        throw std::invalid_argument("no whole number");
+      }
+      lookup.m_Teeth.emplace_back(static_cast<unsigned int>(value));
+    }
+    catch (const std::invalid_argument &)
+    {
+      itkExceptionMacro("Point " << it.Index() << " of the mesh has the data " << value
+                                 << ", which is no tooth's FDI number. Call UseLabelsOff() where the point data are no "
+                                    "tooth labels.");
+    }
+  }
+  return lookup;
+}
+
+template <typename TInputMesh>
 void
 MeshSilhouetteContourSourceBase<TInputMesh>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
+  os << indent << "UseLabels: " << (m_UseLabels ? "On" : "Off") << std::endl;
   os << indent << "Cache: " << m_Cache.GetNumberOfEdges() << " edges" << std::endl;
 }
 } // namespace itk

@@ -27,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace itk
@@ -51,6 +52,8 @@ struct SilhouetteContour_EXPORT OpenSilhouetteOptions
   double smallestPart{ 0.02 };
   /** Off: every sample is kept. */
   bool facingOnly{ true };
+  /** On: OpenSilhouette::edges is filled. */
+  bool keepEdges{ false };
 };
 
 /** \struct OpenSilhouette
@@ -65,6 +68,8 @@ struct OpenSilhouette
   std::vector<double> nv;
   /** Object frame, mm. */
   std::vector<std::array<double, 3>> rim;
+  /** The mesh edge on which rim lies, as indices into the surface's points; empty unless it was asked for. */
+  std::vector<std::array<std::uint32_t, 2>> edges;
   /** Starts of the connected runs in the arrays above. */
   std::vector<std::size_t> runs;
 

@@ -42,9 +42,9 @@ namespace itk
  * Inputs: one side of a jaw (mm), most often of MidlineSideMeshFilter; the geometry whose pose maps the mesh to the
  * cephalostat; optionally FrameTransform, mesh -> UMDA. Without it the mesh's own axes are the dental ones.
  *
- * Output: open polylines in continuous pixel indices without a tooth code, parts by size, along the loop's sense,
- * samples at equal distances. GetRimPoints() has, for each point of the output, the point of the surface that projects
- * to it and GetNormals() the outward unit normal in the image.
+ * Output: open polylines in continuous pixel indices, parts by size, along the loop's sense, samples at equal
+ * distances. Each point has the point of the surface that projects to it and the outward unit normal in the image, over
+ * neighbouring samples; GetRimPoints() and GetNormals() are the same of all points one after another.
  *
  * Errors: no mesh or geometry, an incomplete geometry, cells that are not triangles, points that are not finite or not
  * in front of the source. A mesh without triangles gives an empty contour.

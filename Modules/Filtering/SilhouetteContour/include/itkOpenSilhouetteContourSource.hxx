@@ -93,10 +93,16 @@ OpenSilhouetteContourSource<TInputMesh>::GenerateData()
   options.jaw = m_Jaw;
   options.pitch = std::atan2(vertical[0], vertical[2]);
   options.spacing = m_Spacing / unit;
+  options.keepEdges = this->GetUseLabels();
   OpenSilhouette contour;
   this->UseSilhouette(
     [&](const MeshSilhouette & silhouette) { contour = ComputeOpenSilhouette(silhouette, projection, options); });
 
+  typename Superclass::ToothLookup teeth;
+  if (this->GetUseLabels())
+  {
+    teeth = this->MakeToothLookup();
+  }
   for (std::size_t r = 0; r < contour.runs.size(); ++r)
   {
     const std::size_t end = r + 1 < contour.runs.size() ? contour.runs[r + 1] : contour.Size();
@@ -117,6 +123,12 @@ OpenSilhouetteContourSource<TInputMesh>::GenerateData()
       const double length = std::hypot(nu, nv);
       m_Normals.push_back({ { nu / length, nv / length } });
       m_RimPoints.push_back(contour.rim[i]);
+      polyline.normals.emplace_back(m_Normals.back().data());
+      polyline.rimPoints.emplace_back(contour.rim[i].data());
+      if (this->GetUseLabels())
+      {
+        polyline.teeth.push_back(teeth.Find(contour.edges[i], contour.rim[i]));
+      }
     }
     output->AddPolyline(polyline);
   }

@@ -100,6 +100,7 @@ ContourResampleFilter::GenerateData()
       {
         resampled.sigmas.push_back(polyline.sigmas.front());
       }
+      AppendSilhouetteData(polyline, 0, resampled);
       output->AddPolyline(resampled);
       continue;
     }
@@ -126,6 +127,8 @@ ContourResampleFilter::GenerateData()
         resampled.sigmas.push_back(
           known ? (1.0 - position.share) * polyline.sigmas[from] + position.share * polyline.sigmas[to] : 0.0);
       }
+      // Between two neighbours a silhouette may leap from one tooth to another: a mean of both is on neither.
+      AppendSilhouetteData(polyline, position.share < 0.5 ? from : to, resampled);
     }
     output->AddPolyline(resampled);
   }

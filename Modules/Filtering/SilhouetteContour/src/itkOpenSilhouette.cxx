@@ -92,6 +92,10 @@ ComputeOpenSilhouette(const MeshSilhouette &        silhouette,
       contour.nu.push_back(nu[i]);
       contour.nv.push_back(nv[i]);
       contour.rim.push_back(samples[i].rim);
+      if (options.keepEdges)
+      {
+        contour.edges.push_back(loop.edges[samples[i].segment]);
+      }
     }
   }
   return contour;

@@ -20,7 +20,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace
 {
@@ -156,6 +158,38 @@ TEST(ContourMaskFilter, CutsAnOpenPolylineAndDropsShortStretchesAndWhatIsOutside
   polylines = filter->GetOutput()->GetPolylines();
   ASSERT_EQ(polylines.size(), 1u);
   EXPECT_EQ(polylines[0].points[0][0], 9.6);
+}
+
+TEST(ContourMaskFilter, KeepsWhatASilhouettesPointsKnow)
+{
+  auto square = MakeSquare();
+  for (std::size_t i = 0; i < square.points.size(); ++i)
+  {
+    const double angle = 0.1 * static_cast<double>(i);
+    const double normal[2] = { std::cos(angle), std::sin(angle) };
+    const double rim[3] = { square.points[i][0], 7.0, square.points[i][1] };
+    square.normals.emplace_back(normal);
+    square.rimPoints.emplace_back(rim);
+    square.teeth.emplace_back(i % 2 == 0 ? 11u : 12u);
+  }
+  const auto contour = itk::DentalContour::New();
+  contour->AddPolyline(square);
+  const auto filter = FilterType::New();
+  filter->SetInput(contour);
+  filter->SetMaskImage(MakeMask(8));
+  filter->Update();
+  const auto kept = filter->GetOutput()->GetPolylines();
+  ASSERT_EQ(kept.size(), 1u);
+  ASSERT_EQ(kept[0].rimPoints.size(), kept[0].points.size());
+  ASSERT_EQ(kept[0].teeth.size(), kept[0].points.size());
+  for (std::size_t i = 0; i < kept[0].points.size(); ++i)
+  {
+    EXPECT_EQ(kept[0].rimPoints[i][0], kept[0].points[i][0]);
+    EXPECT_EQ(kept[0].rimPoints[i][2], kept[0].points[i][1]);
+    const auto at = std::find(square.points.begin(), square.points.end(), kept[0].points[i]) - square.points.begin();
+    EXPECT_EQ(kept[0].normals[i], square.normals[static_cast<std::size_t>(at)]);
+    EXPECT_EQ(kept[0].teeth[i], square.teeth[static_cast<std::size_t>(at)]);
+  }
 }
 
 TEST(ContourMaskFilter, SaysWhatIsMissing)

@@ -142,6 +142,34 @@ TEST(ContourResampleFilter, BesideAPointOfUnknownErrorErrorsAreUnknown)
   EXPECT_NEAR(sigmas[12], 4.0, 1e-9);
 }
 
+TEST(ContourResampleFilter, TakesWhatTheNearerPointOfASilhouetteKnows)
+{
+  ContourType::PolylineType line;
+  line.points = { P(0, 0), P(10, 0) };
+  const double normals[2][2] = { { 0.0, -1.0 }, { 0.6, -0.8 } };
+  const double rims[2][3] = { { 1, 2, 3 }, { 40, 50, 60 } };
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    line.normals.emplace_back(normals[i]);
+    line.rimPoints.emplace_back(rims[i]);
+    line.teeth.emplace_back(11 + i);
+  }
+  const auto contour = ContourType::New();
+  contour->AddPolyline(line);
+  const auto filter = FilterType::New();
+  filter->SetInput(contour);
+  filter->SetNumberOfPoints(6);
+  filter->Update();
+  const auto resampled = filter->GetOutput()->GetPolylines()[0];
+  ASSERT_EQ(resampled.points.size(), 6u);
+  for (unsigned int i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(resampled.rimPoints[i], line.rimPoints[i < 3 ? 0 : 1]) << i;
+    EXPECT_EQ(resampled.normals[i], line.normals[i < 3 ? 0 : 1]) << i;
+    EXPECT_EQ(resampled.teeth[i], line.teeth[i < 3 ? 0 : 1]) << i;
+  }
+}
+
 TEST(ContourResampleFilter, SaysWhatIsMissing)
 {
   const auto filter = FilterType::New();

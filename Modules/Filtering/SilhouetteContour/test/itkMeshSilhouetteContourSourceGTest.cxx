@@ -112,6 +112,11 @@ TEST(MeshSilhouetteContourSource, ProjectsItsRimOntoItsContour)
       EXPECT_NEAR(index[0], sample.u, 1e-5);
       EXPECT_NEAR(index[1], sample.v, 1e-5);
       EXPECT_NEAR(std::hypot(sample.normal[0], sample.normal[1]), 1.0, 1e-12);
+      ASSERT_EQ(polylines[0].rimPoints.size(), polylines[0].points.size());
+      EXPECT_EQ(polylines[0].rimPoints[i], rim);
+      ASSERT_EQ(polylines[0].normals.size(), polylines[0].points.size());
+      EXPECT_EQ(polylines[0].normals[i][0], sample.normal[0]);
+      EXPECT_EQ(polylines[0].normals[i][1], sample.normal[1]);
     }
   }
 }
@@ -149,6 +154,53 @@ TEST(MeshSilhouetteContourSource, FollowsPoseAndMesh)
   mesh->Modified();
   source->Update();
   EXPECT_NEAR(source->GetOutput()->GetLength(), 6 * 10.0 * 1674.0 / 1619.0 / 0.25, 1e-4);
+}
+
+TEST(MeshSilhouetteContourSource, PointsKnowTheirToothByTheLabelsOfTheMesh)
+{
+  // A ball whose front half is labelled UR1 and whose back half UR2, without a label below.
+  const auto surface = SilhouetteTest::MakeSphere({ { 0, 0, 0 } }, 15.0, 5);
+  const auto mesh = ToMesh<MeshType>(surface);
+  const auto labelOf = [](double x, double z) { return z < -10.0 ? 0.0 : x > 0.0 ? 11.0 : 12.0; };
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
+  {
+    mesh->SetPointData(i, labelOf(surface.points[i][0], surface.points[i][2]));
+  }
+  const auto source = SourceType::New();
+  source->SetInput(mesh);
+  source->SetGeometry(MakeGeometry());
+  source->SetNumberOfPoints(200);
+  EXPECT_FALSE(source->GetUseLabels());
+  source->Update();
+  EXPECT_TRUE(source->GetOutput()->GetPolylines()[0].teeth.empty());
+  EXPECT_FALSE(source->GetOutput()->GetToothCode(0).IsKnown());
+  source->UseLabelsOn();
+  source->Update();
+  unsigned int     counts[3] = { 0, 0, 0 };
+  constexpr double edge = 1.5;
+  for (itk::DentalContour::PointIdentifier id = 0; id < source->GetOutput()->GetNumberOfPoints(); ++id)
+  {
+    const auto   rim = source->GetOutput()->GetRimPoint(id);
+    const double expected = labelOf(rim[0], rim[2]);
+    // Within an edge's length of where labels change either may be nearer.
+    if (std::abs(rim[0]) > edge && std::abs(rim[2] + 10.0) > edge)
+    {
+      EXPECT_EQ(source->GetOutput()->GetToothCode(id).GetFDI(), static_cast<unsigned int>(expected)) << rim;
+      ++counts[expected == 0.0 ? 0 : expected == 11.0 ? 1 : 2];
+    }
+  }
+  EXPECT_GT(std::min({ counts[0], counts[1], counts[2] }), 20u);
+  mesh->SetPointData(0, 19.0);
+  mesh->Modified();
+  try
+  {
+    source->Update();
+    FAIL() << "FDI has no tooth 19";
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    EXPECT_NE(std::string(error.GetDescription()).find("UseLabelsOff()"), std::string::npos) << error;
+  }
 }
 
 TEST(MeshSilhouetteContourSource, GivesTheLargestPartOrAll)

@@ -34,6 +34,7 @@ namespace
 using MeshType = itk::Mesh<double, 3>;
 using SourceType = itk::OpenSilhouetteContourSource<MeshType>;
 using GeometryType = itk::CephalometricGeometry;
+using DentalContour = itk::DentalContour;
 using TransformType = SourceType::TransformType;
 
 constexpr double Degree = 3.14159265358979323846 / 180.0;
@@ -252,6 +253,13 @@ TEST(OpenSilhouetteContourSource, ProjectsItsRimOntoItsContourWithNormalsAcross)
     EXPECT_NEAR(index[1], points[i][1], 1e-5);
     const auto & normal = source->GetNormals()[i];
     EXPECT_NEAR(std::hypot(normal[0], normal[1]), 1.0, 1e-12);
+    // The output's points know it themselves.
+    ASSERT_EQ(polylines[0].rimPoints.size(), points.size());
+    ASSERT_EQ(polylines[0].normals.size(), points.size());
+    EXPECT_EQ(polylines[0].rimPoints[i], GeometryType::PointType(source->GetRimPoints()[i].data()));
+    EXPECT_EQ(polylines[0].normals[i][0], normal[0]);
+    EXPECT_EQ(polylines[0].normals[i][1], normal[1]);
+    EXPECT_TRUE(polylines[0].teeth.empty());
     // Away from the centre (300, 400), and across the chord of the neighbours.
     EXPECT_GT(normal[0] * (points[i][0] - 300.0) + normal[1] * (points[i][1] - 400.0), 0.0);
     if (i > 0 && i + 1 < points.size())
@@ -262,6 +270,31 @@ TEST(OpenSilhouetteContourSource, ProjectsItsRimOntoItsContourWithNormalsAcross)
       EXPECT_NEAR(mm, 0.25, 0.01);
     }
   }
+}
+
+TEST(OpenSilhouetteContourSource, PointsKnowTheirToothByTheLabelsOfTheMesh)
+{
+  const auto mesh = MakeBall();
+  for (MeshType::PointIdentifier id = 0; id < mesh->GetNumberOfPoints(); ++id)
+  {
+    mesh->SetPointData(id, mesh->GetPoint(id)[0] > 0.0 ? 11.0 : 12.0);
+  }
+  const auto source = MakeSource(mesh, MakeGeometry());
+  source->UseLabelsOn();
+  source->Update();
+  std::size_t     seen[2] = { 0, 0 };
+  DentalContour & output = *source->GetOutput();
+  for (DentalContour::PointIdentifier id = 0; id < output.GetNumberOfPoints(); ++id)
+  {
+    const double x = output.GetRimPoint(id)[0];
+    // Within an edge's length of where labels change either may be nearer.
+    if (std::abs(x) > 1.5)
+    {
+      EXPECT_EQ(output.GetToothCode(id).GetFDI(), x > 0.0 ? 11u : 12u) << x;
+      ++seen[x > 0.0 ? 0 : 1];
+    }
+  }
+  EXPECT_GT(std::min(seen[0], seen[1]), 20u);
 }
 
 TEST(OpenSilhouetteContourSource, FollowsItsInputsAndRunsOnlyThen)

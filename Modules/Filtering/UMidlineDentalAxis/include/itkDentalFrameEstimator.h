@@ -20,6 +20,7 @@
 
 #include "UMidlineDentalAxisExport.h"
 #include "itkMidsagittalPlaneEstimator.h"
+#include "itkToothCode.h"
 #include "itkTriangleSurface.h"
 
 #include <array>
@@ -143,6 +144,9 @@ struct UMidlineDentalAxis_EXPORT DentalFrameResult
 {
   DentalJawFrame upper;
   DentalJawFrame lower;
+  /** Upper or lower. Throws std::invalid_argument of an unknown jaw, which has no frame. */
+  const DentalJawFrame &
+  GetJaw(ToothCode::JawEnum jaw) const;
   /** Whether the jaws were treated as in one frame. */
   bool jawsShareFrame{ false };
   /** Of the occlusion test, made whenever both jaws are there: its outcome and what it saw. */

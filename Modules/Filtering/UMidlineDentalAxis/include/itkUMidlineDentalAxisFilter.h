@@ -42,17 +42,9 @@ class UMidlineDentalAxisFilterEnums
 public:
   /** Whether the two meshes are in one coordinate frame, in occlusion: said to be, said not to be, or tested. */
   using JawsShareFrame = DentalFrameEnums::JawsShareFrame;
-
-  enum class Jaw : uint8_t
-  {
-    Upper,
-    Lower
-  };
 };
 UMidlineDentalAxis_EXPORT std::ostream &
                           operator<<(std::ostream & os, DentalFrameEnums::JawsShareFrame mode);
-UMidlineDentalAxis_EXPORT std::ostream &
-                          operator<<(std::ostream & os, UMidlineDentalAxisFilterEnums::Jaw jaw);
 
 /** \class UMidlineDentalAxisFilter
  * \brief The anatomical frame of dental arches (U-midline dental axis, UMDA), from their shape alone.
@@ -109,7 +101,7 @@ public:
   using FrameObjectType = DentalFrameObject;
   using PointType = Point<double, 3>;
   using VectorType = Vector<double, 3>;
-  using JawEnum = UMidlineDentalAxisFilterEnums::Jaw;
+  using JawEnum = ToothCode::JawEnum;
   using JawsShareFrameEnum = UMidlineDentalAxisFilterEnums::JawsShareFrame;
   using DataObjectPointer = ProcessObject::DataObjectPointer;
   using DataObjectPointerArraySizeType = ProcessObject::DataObjectPointerArraySizeType;
@@ -190,10 +182,11 @@ public:
   {
     return this->GetFrameOutput()->Get();
   }
+  /** What was found of one jaw. Throws std::invalid_argument of an unknown jaw, as all that takes one here. */
   const DentalJawFrame &
   GetJawFrame(JawEnum jaw) const
   {
-    return jaw == JawEnum::Upper ? this->GetFrame().upper : this->GetFrame().lower;
+    return this->GetFrame().GetJaw(jaw);
   }
 
   /** Molar baseline's ends and midpoint, and the incisal edge, in the mesh's frame. */

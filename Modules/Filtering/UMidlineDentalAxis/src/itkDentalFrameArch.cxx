@@ -182,12 +182,12 @@ ArchRadius(const std::array<double, ArchTerms> & terms, double phi)
 Arch
 FitArch(const Samples &                samples,
         const Vertical &               vertical,
-        bool                           upper,
+        ToothCode::JawEnum             jaw,
         const MidsagittalPlaneResult & mirror,
         const Vector3 *                givenLateral)
 {
   Arch          arch;
-  const Vector3 superior = upper ? -1.0 * vertical.direction : vertical.direction;
+  const Vector3 superior = jaw == ToothCode::JawEnum::Upper ? -1.0 * vertical.direction : vertical.direction;
   if (vertical.crowns.size() < 30 || !mirror.valid)
   {
     return arch;

@@ -20,6 +20,7 @@
 
 #include "itkDentalFrameVertical.h"
 #include "itkMidsagittalPlaneEstimator.h"
+#include "itkToothCode.h"
 
 #include <array>
 #include <cstddef>
@@ -62,7 +63,7 @@ ArchRadius(const std::array<double, ArchTerms> & terms, double phi);
 Arch
 FitArch(const Samples &                samples,
         const Vertical &               vertical,
-        bool                           upper,
+        ToothCode::JawEnum             jaw,
         const MidsagittalPlaneResult & mirror,
         const Vector3 *                givenLateral = nullptr);
 } // namespace DentalFrameKernel

@@ -25,6 +25,7 @@
 #include <array>
 #include <mutex>
 #include <sstream>
+#include <stdexcept>
 
 namespace itk
 {
@@ -42,6 +43,20 @@ constexpr double LeastNetNormal = 0.1;
 constexpr double LeastLead = 0.2;
 } // namespace
 
+const DentalJawFrame &
+DentalFrameResult::GetJaw(ToothCode::JawEnum jaw) const
+{
+  switch (jaw)
+  {
+    case ToothCode::JawEnum::Upper:
+      return upper;
+    case ToothCode::JawEnum::Lower:
+      return lower;
+    default:
+      throw std::invalid_argument("A dental frame is of the upper or the lower jaw, not of an unknown one.");
+  }
+}
+
 DentalFrameResult
 EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower, const DentalFrameOptions & options)
 {
@@ -56,8 +71,8 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
   };
   ParallelFor(2, options.threads == 0 ? 2 : options.threads, [&](std::size_t j) {
     Jaw & jaw = jaws[j];
-    jaw.upper = j == 0;
-    jaw.surface = jaw.upper ? upper : lower;
+    jaw.jaw = j == 0 ? ToothCode::JawEnum::Upper : ToothCode::JawEnum::Lower;
+    jaw.surface = j == 0 ? upper : lower;
     if (jaw.surface == nullptr || aborted())
     {
       return;
@@ -150,7 +165,7 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
     const unsigned int clearer = jaws[0].arch.resultant >= jaws[1].arch.resultant ? 0 : 1;
     Jaw &              other = jaws[1 - clearer];
     const double       lead = std::abs(jaws[0].arch.resultant - jaws[1].arch.resultant);
-    other.arch = FitArch(other.samples, other.vertical, other.upper, other.arch.mirror, &jaws[clearer].arch.lateral);
+    other.arch = FitArch(other.samples, other.vertical, other.jaw, other.arch.mirror, &jaws[clearer].arch.lateral);
     for (Jaw & jaw : jaws)
     {
       jaw.arch.resultant = std::min(jaw.arch.resultant, lead);

@@ -60,7 +60,7 @@ SetMirror(Jaw & jaw, const MidsagittalPlaneResult & mirror)
   {
     jaw.vertical.direction = UnitRejection(jaw.vertical.direction, mirror.normal);
   }
-  jaw.arch = FitArch(jaw.samples, jaw.vertical, jaw.upper, mirror);
+  jaw.arch = FitArch(jaw.samples, jaw.vertical, jaw.jaw, mirror);
 }
 
 void

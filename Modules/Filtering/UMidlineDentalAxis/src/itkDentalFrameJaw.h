@@ -32,7 +32,7 @@ namespace DentalFrameKernel
 struct Jaw
 {
   const TriangleSurface * surface{ nullptr };
-  bool                    upper{ true };
+  ToothCode::JawEnum      jaw{ ToothCode::JawEnum::Upper };
   bool                    valid{ false };
   /** The normals had to be turned: the mesh is wound inward. */
   bool     turned{ false };
@@ -44,7 +44,7 @@ struct Jaw
   Vector3
   Superior() const
   {
-    return upper ? -1.0 * vertical.direction : vertical.direction;
+    return jaw == ToothCode::JawEnum::Upper ? -1.0 * vertical.direction : vertical.direction;
   }
 };
 

@@ -34,12 +34,6 @@ operator<<(std::ostream & os, DentalFrameEnums::JawsShareFrame mode)
   }
 }
 
-std::ostream &
-operator<<(std::ostream & os, UMidlineDentalAxisFilterEnums::Jaw jaw)
-{
-  return os << (jaw == UMidlineDentalAxisFilterEnums::Jaw::Upper ? "Upper" : "Lower");
-}
-
 template class UMidlineDentalAxis_EXPORT UMidlineDentalAxisFilter<Mesh<float, 3>>;
 template class UMidlineDentalAxis_EXPORT UMidlineDentalAxisFilter<Mesh<double, 3>>;
 } // namespace itk

@@ -26,6 +26,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace
 {
 using MeshType = itk::Mesh<float, 3>;
@@ -364,6 +366,7 @@ TEST(UMidlineDentalAxisFilter, ErrorsNameWhatToDo)
   EXPECT_NE(message().find("no triangles"), std::string::npos);
   filter->SetCrownFraction(0.0);
   EXPECT_NE(message().find("CrownFraction is 0"), std::string::npos);
+  EXPECT_THROW(filter->GetJawFrame(JawEnum::Unknown), std::invalid_argument) << "one of two frames would be a guess";
 }
 
 TEST(UMidlineDentalAxisFilter, AbortEndsTheExecutionWithProcessAborted)

@@ -44,7 +44,7 @@ namespace itk
  *
  * Distances are to points as in the paper, or to segments. Means are weighted by the points' weights; points of weight
  * 0 are ignored throughout. Results are decorated outputs (usable as inputs of other filters), the per-point distances
- * plain vectors in the order of the points, NaN for ignored ones.
+ * plain vectors in the order of the points, NaN for ignored ones, and summed up by the fixed contour's teeth.
  *
  * \ingroup ContourMetric
  */
@@ -98,6 +98,24 @@ public:
     return m_FixedToMovingDistances;
   }
 
+  /** How far the fixed contour's drawing of one tooth lies from the moving contour, pixels: over its points that count,
+   * each once whatever its weight. */
+  struct ToothDistanceType
+  {
+    /** Unknown of the points without a code. */
+    ToothCode     tooth;
+    SizeValueType numberOfPoints{ 0 };
+    double        mean{ 0.0 };
+    double        rms{ 0.0 };
+    double        maximum{ 0.0 };
+  };
+  /** Of each tooth of the fixed contour, in the order of their first points, after Update(). */
+  const std::vector<ToothDistanceType> &
+  GetFixedToMovingDistancesByTooth() const
+  {
+    return m_FixedToMovingDistancesByTooth;
+  }
+
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
   using Superclass::MakeOutput;
   DataObjectPointer
@@ -124,6 +142,8 @@ private:
   DistanceEnum        m_Distance{ DistanceEnum::PointToPoint };
   std::vector<double> m_MovingToFixedDistances;
   std::vector<double> m_FixedToMovingDistances;
+
+  std::vector<ToothDistanceType> m_FixedToMovingDistancesByTooth;
 };
 } // namespace itk
 

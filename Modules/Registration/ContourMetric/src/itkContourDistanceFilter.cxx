@@ -59,6 +59,37 @@ HasWeight(const ContourArrays & contour)
            ? contour.GetNumberOfPoints() > 0
            : std::any_of(contour.weights.begin(), contour.weights.end(), [](double weight) { return weight > 0.0; });
 }
+
+std::vector<ContourDistanceFilter::ToothDistanceType>
+SummarizeByTooth(const DentalContour & contour, const std::vector<double> & distances)
+{
+  std::vector<ContourDistanceFilter::ToothDistanceType> teeth;
+  for (DentalContour::PointIdentifier id = 0; id < contour.GetNumberOfPoints(); ++id)
+  {
+    const double distance = distances[id];
+    if (!std::isfinite(distance))
+    {
+      continue;
+    }
+    const ToothCode code = contour.GetToothCode(id);
+    auto tooth = std::find_if(teeth.begin(), teeth.end(), [&](const auto & other) { return other.tooth == code; });
+    if (tooth == teeth.end())
+    {
+      tooth = teeth.insert(tooth, ContourDistanceFilter::ToothDistanceType());
+      tooth->tooth = code;
+    }
+    ++tooth->numberOfPoints;
+    tooth->mean += distance;
+    tooth->rms += distance * distance;
+    tooth->maximum = std::max(tooth->maximum, distance);
+  }
+  for (auto & tooth : teeth)
+  {
+    tooth.mean /= static_cast<double>(tooth.numberOfPoints);
+    tooth.rms = std::sqrt(tooth.rms / static_cast<double>(tooth.numberOfPoints));
+  }
+  return teeth;
+}
 } // namespace
 
 ContourDistanceFilter::ContourDistanceFilter()
@@ -129,6 +160,7 @@ ContourDistanceFilter::GenerateData()
   m_MovingToFixedDistances = kernel.GetMovingToFixedDistances(similarity);
   this->UpdateProgress(0.5f);
   m_FixedToMovingDistances = kernel.GetFixedToMovingDistances(similarity);
+  m_FixedToMovingDistancesByTooth = SummarizeByTooth(*this->GetFixedContour(), m_FixedToMovingDistances);
 
   const SummaryType movingToFixed = Summarize(m_MovingToFixedDistances, moving.weights);
   const SummaryType fixedToMoving = Summarize(m_FixedToMovingDistances, fixed.weights);
@@ -153,5 +185,6 @@ ContourDistanceFilter::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Hausdorff: " << this->GetHausdorff() << std::endl;
   os << indent << "MovingToFixedDistances: " << m_MovingToFixedDistances.size() << std::endl;
   os << indent << "FixedToMovingDistances: " << m_FixedToMovingDistances.size() << std::endl;
+  os << indent << "FixedToMovingDistancesByTooth: " << m_FixedToMovingDistancesByTooth.size() << std::endl;
 }
 } // namespace itk

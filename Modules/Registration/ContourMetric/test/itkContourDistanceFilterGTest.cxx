@@ -107,6 +107,40 @@ TEST(ContourDistanceFilter, WeightsWeighTheMeansAndZeroIgnores)
   EXPECT_TRUE(std::isnan(filter->GetMovingToFixedDistances()[2]));
 }
 
+TEST(ContourDistanceFilter, TeethOfTheFixedContourAreSummedUpByHand)
+{
+  const auto fixed = ContourType::New();
+  const auto add =
+    [&](const std::vector<std::array<double, 2>> & points, unsigned int fdi, const std::vector<double> & weights) {
+      ContourType::PolylineType polyline = MakeContour(points)->GetPolylines().front();
+      polyline.code = fdi == 0 ? itk::ToothCode() : itk::ToothCode(fdi);
+      polyline.weights = weights;
+      fixed->AddPolyline(polyline);
+    };
+  // Above a line along v = 0, so that the distance is v: 3 and 4 of UR2, 2 of no tooth, then 5 more of UR2. A point of
+  // weight 0 is none, one of weight 0.5 is a whole one here.
+  add({ { 1, 3 }, { 2, 4 } }, 12, { 1.0, 0.5 });
+  add({ { 3, 2 }, { 4, 9 } }, 0, { 1.0, 0.0 });
+  add({ { 5, 5 }, { 6, 9 } }, 12, { 1.0, 0.0 });
+  add({ { 7, 9 } }, 13, { 0.0 });
+  const auto filter = FilterType::New();
+  filter->SetFixedContour(fixed);
+  filter->SetMovingContour(MakeContour({ { 0, 0 }, { 10, 0 } }));
+  filter->SetDistance(FilterType::DistanceEnum::PointToSegment);
+  filter->Update();
+  const auto & teeth = filter->GetFixedToMovingDistancesByTooth();
+  ASSERT_EQ(teeth.size(), 2u) << "UR3 has no point that counts";
+  EXPECT_EQ(teeth[0].tooth, itk::ToothCode(12));
+  EXPECT_EQ(teeth[0].numberOfPoints, 3u);
+  EXPECT_DOUBLE_EQ(teeth[0].mean, 4.0);
+  EXPECT_DOUBLE_EQ(teeth[0].rms, std::sqrt(50.0 / 3.0));
+  EXPECT_DOUBLE_EQ(teeth[0].maximum, 5.0);
+  EXPECT_FALSE(teeth[1].tooth.IsKnown());
+  EXPECT_EQ(teeth[1].numberOfPoints, 1u);
+  EXPECT_DOUBLE_EQ(teeth[1].mean, 2.0);
+  EXPECT_DOUBLE_EQ(teeth[1].rms, 2.0);
+}
+
 TEST(ContourDistanceFilter, SaysWhatIsMissing)
 {
   const auto filter = FilterType::New();

@@ -228,7 +228,7 @@ public:
    * shape, or a crown's that was cut elsewhere, leaves all of its points residuals beyond what a hand's line has, and
    * it counts each of them. */
   double
-  ComputeToothDeviance(const PositionType & x) const;
+  ComputeKnownDeviance(const PositionType & x, bool noiseIsEstimated) const override;
 
   /** The centre of each outline's crown with that of the scan's, for a start; dental frame mm, pixels. */
   std::vector<std::pair<TransformType::InputPointType, TransformType::OutputPointType>>

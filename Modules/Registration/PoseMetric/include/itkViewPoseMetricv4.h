@@ -36,7 +36,8 @@ namespace itk
  * of a pose serves: landmarks, silhouettes, outlines of teeth, with the geometry of the view in its transform. Priors
  * say how far the head may have moved (ParameterPriorMetricv4).
  *
- * Kernel, noise and matches are those of the term that it holds.
+ * Kernel, noise and matches are those of the term that it holds. TakesPartInStart is off by default: the search for
+ * where to begin looks at the first view, in whose pixels this term's mean nothing.
  *
  * Position: pitch, roll, yaw, tx, ty, tz of the body, the same six of the move, kappa of the view.
  *
@@ -108,6 +109,8 @@ public:
   SetNoiseLevels(const ContourNoiseLevels & levels, const ResidualNoiseModel * model = nullptr) override;
   bool
   GetNoiseLevels(ContourNoiseLevels & levels, const ResidualNoiseModel * model = nullptr) const override;
+  double
+  ComputeKnownDeviance(const PositionType & x, bool noiseIsEstimated) const override;
   void
   UpdateNoiseCorrelation(const PositionType & x) override;
   void
@@ -121,7 +124,7 @@ public:
   Hold(HoldEnum what) override;
 
 protected:
-  ViewPoseMetricv4() = default;
+  ViewPoseMetricv4();
   ~ViewPoseMetricv4() override = default;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;

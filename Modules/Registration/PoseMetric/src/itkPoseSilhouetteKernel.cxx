@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkPoseSilhouetteKernel.h"
 
+#include "itkGemanMcClureKernel.h"
 #include "itkKeepTriangles.h"
 #include "itkMidlineSide.h"
 #include "itkPoseContourIndex.h"
@@ -35,13 +36,6 @@ using namespace PoseMatching;
 
 namespace
 {
-double
-GemanMcClure(double squaredDistance, double width)
-{
-  const double a = width * width / (width * width + squaredDistance);
-  return a * a;
-}
-
 std::size_t
 CountDifferentPoints(const DentalContour::PolylinesType & polylines)
 {
@@ -414,7 +408,7 @@ PoseSilhouetteKernel::ComputeStatistics(std::size_t s, const PoseContour & conto
   for (std::size_t i = 0; i < tracing.Size(); ++i)
   {
     const double d = std::sqrt(lin.squaredDistance[i]);
-    const double w = lin.facing[i] * GemanMcClure(lin.squaredDistance[i], FitWidth);
+    const double w = lin.facing[i] * GemanMcClureKernel::Weight(lin.squaredDistance[i], FitWidth);
     weights += tracing.weight[i];
     cost += tracing.weight[i] * (1.0 - std::sqrt(w));
     inliers += lin.facing[i] > 0.5 && d < FitWidth ? tracing.weight[i] : 0.0;

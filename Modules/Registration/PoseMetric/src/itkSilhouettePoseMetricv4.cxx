@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace itk
@@ -195,7 +196,15 @@ SilhouettePoseMetricv4::Prepare()
   const DentalContour::PolylinesType tracing = this->GetFixedContour()->GetPolylines();
   if (m_Surface)
   {
-    m_Kernel = std::make_shared<const PoseSilhouetteKernel>(*m_Surface, tracing, settings);
+    try
+    {
+      m_Kernel = std::make_shared<const PoseSilhouetteKernel>(*m_Surface, tracing, settings);
+    }
+    catch (const std::invalid_argument & error)
+    {
+      itkExceptionMacro("The scan of the " << ToString(m_Jaw) << " jaw cannot be used: " << error.what()
+                                           << " Read or build its mesh again.");
+    }
   }
   else
   {
@@ -233,8 +242,8 @@ SilhouettePoseMetricv4::InitializeTerm()
   this->Prepare();
   if (!m_Kernel->GetFailure().empty())
   {
-    itkExceptionMacro("The tracing of the " << (m_Jaw == JawEnum::Upper ? "upper" : "lower")
-                                            << " jaw cannot be matched: " << m_Kernel->GetFailure() << '.');
+    itkExceptionMacro("The tracing of the " << ToString(m_Jaw) << " jaw cannot be matched: " << m_Kernel->GetFailure()
+                                            << '.');
   }
   this->UpdateCorrelations();
 }

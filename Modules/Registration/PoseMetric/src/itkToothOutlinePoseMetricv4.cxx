@@ -19,6 +19,7 @@
 
 #include "itkContourNoiseModel.h"
 #include "itkFrontalToothOutline.h"
+#include "itkGemanMcClureKernel.h"
 #include "itkPoseContourIndex.h"
 #include "itkPoseMatching.h"
 #include "itkPoseToothContourModel.h"
@@ -65,13 +66,6 @@ constexpr double CutFacing = 0.5;
 constexpr double TemplatePenalty = 12.0;
 /** Rounds of weights and errors in one update: each settles the other, and optimizer runs follow. */
 constexpr int Rounds = 3;
-
-double
-GemanMcClure(double squaredDistance, double width)
-{
-  const double a = width * width / (width * width + squaredDistance);
-  return a * a;
-}
 
 /** mm by which a tooth's outline and its crown differ where no hand is wrong: part of a shift's error. */
 constexpr double OutlineSigma = 0.25;
@@ -304,8 +298,7 @@ ToothOutlinePoseMetricv4::InitializeTerm()
   this->Prepare();
   if (!m_Failure.empty())
   {
-    itkExceptionMacro("The outlines of the " << (m_Jaw == JawEnum::Upper ? "upper" : "lower")
-                                             << " jaw cannot be matched: " << m_Failure << '.');
+    itkExceptionMacro("The outlines of the " << ToString(m_Jaw) << " jaw cannot be matched: " << m_Failure << '.');
   }
 }
 
@@ -576,7 +569,7 @@ ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at, 
   }
   for (std::size_t t = 0; t < at.size(); ++t)
   {
-    this->WidenErrors(this->GetTeeth()[t], at[t], GemanMcClure(distances[t] * distances[t], width), noises[t]);
+    this->WidenErrors(this->GetTeeth()[t], at[t], GemanMcClureKernel::Weight(distances[t] * distances[t], width), noises[t]);
   }
   return noises;
 }
@@ -640,7 +633,7 @@ ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const Evaluation
         // As far as the tooth is shifted its points may be.
         beyond = std::max(0.0, beyond - std::hypot(noise.errors[0], noise.errors[1]));
       }
-      noise.weights[i] = at.facing[i] * GemanMcClure(left[i] * left[i] + beyond * beyond, width);
+      noise.weights[i] = at.facing[i] * GemanMcClureKernel::Weight(left[i] * left[i] + beyond * beyond, width);
     }
   }
   return noise;
@@ -812,7 +805,7 @@ ToothOutlinePoseMetricv4::GetCorrespondences() const
 }
 
 double
-ToothOutlinePoseMetricv4::ComputeToothDeviance(const PositionType & x) const
+ToothOutlinePoseMetricv4::ComputeKnownDeviance(const PositionType & x, bool) const
 {
   constexpr double unit = ToothWidthInSigmas * ToothWidthInSigmas;
   double           deviance = 0.0;
@@ -828,7 +821,7 @@ void
 ToothOutlinePoseMetricv4::AddFit(const PositionType & x, RegistrationFit & fit) const
 {
   // As of landmarks, of which one that is not explained at all costs 1.
-  fit.cost += this->ComputeToothDeviance(x) / (ToothWidthInSigmas * ToothWidthInSigmas);
+  fit.cost += this->ComputeKnownDeviance(x, false) / (ToothWidthInSigmas * ToothWidthInSigmas);
   fit.numberOfPoints += this->GetTeeth().size();
 }
 

@@ -40,6 +40,11 @@ Compose(const LeastSquaresMetricv4::PositionType & x)
 }
 } // namespace
 
+ViewPoseMetricv4::ViewPoseMetricv4()
+{
+  this->SetTakesPartInStart(false);
+}
+
 void
 ViewPoseMetricv4::SetTerm(TermType * term)
 {
@@ -198,6 +203,12 @@ bool
 ViewPoseMetricv4::GetNoiseLevels(ContourNoiseLevels & levels, const ResidualNoiseModel * model) const
 {
   return this->VerifyTerm().GetNoiseLevels(levels, model);
+}
+
+double
+ViewPoseMetricv4::ComputeKnownDeviance(const PositionType & x, bool noiseIsEstimated) const
+{
+  return this->VerifyTerm().ComputeKnownDeviance(MakeTermPosition(x), noiseIsEstimated);
 }
 
 void

@@ -361,7 +361,7 @@ TEST(ToothOutlinePoseMetricv4, WhatAPositionLetsGoIsChargedFor)
     metric->ComputeResiduals(x, residuals, nullptr);
     values.push_back(metric->ComputeValue(x));
     squares.push_back(residuals.squared_magnitude());
-    deviances.push_back(metric->ComputeToothDeviance(x));
+    deviances.push_back(metric->ComputeKnownDeviance(x, true));
   }
   EXPECT_LT(squares.back(), squares[1]) << "the claims need teeth that are let go";
   EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
@@ -387,7 +387,7 @@ TEST(ToothOutlinePoseMetricv4, AnOutlineIsOneMeasurementAmongPositions)
   smooth->Initialize();
   rough->Initialize();
   const auto   x = smooth->GetState().GetValues();
-  const double added = rough->ComputeToothDeviance(x) - smooth->ComputeToothDeviance(x);
+  const double added = rough->ComputeKnownDeviance(x, true) - smooth->ComputeKnownDeviance(x, true);
   EXPECT_LT(added, 16.0) << "less than what one tooth costs that is let go";
   EXPECT_GT(rough->ComputeValue(x) - smooth->ComputeValue(x), 4.0 * added);
 }

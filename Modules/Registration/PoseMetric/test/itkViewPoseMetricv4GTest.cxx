@@ -270,6 +270,17 @@ TEST(ViewPoseMetricv4, AClonesTermIsItsOwn)
   EXPECT_EQ(clone->GetValue(), value);
 }
 
+TEST(ViewPoseMetricv4, TakesNoPartInTheStartAndKnowsWhatItsTermKnows)
+{
+  const auto metric = MakeMetric(2.0);
+  EXPECT_FALSE(metric->GetTakesPartInStart());
+  EXPECT_FALSE(metric->Clone()->GetTakesPartInStart());
+  metric->Initialize();
+  const double known = metric->ComputeKnownDeviance(Truth(), true);
+  EXPECT_GT(known, 0.0);
+  EXPECT_EQ(known, metric->GetTerm()->ComputeKnownDeviance(MetricType::MakeTermPosition(Truth()), true));
+}
+
 TEST(ViewPoseMetricv4, SaysWhatIsMissing)
 {
   auto metric = MetricType::New();

@@ -37,7 +37,7 @@ namespace itk
  * pixels). GetSigma() is the standard deviation an axis, the root of half the covariance's trace.
  *
  * Of the middle between a right and its left landmark, which is all that a bisected tracing determines,
- * GetMiddles() knows as well.
+ * GetMiddles() knows as well. GetExpectedError() sums a jaw up.
  *
  * \ingroup PoseRegistration
  */
@@ -103,6 +103,23 @@ public:
   static double
   ToSigma(const CovarianceType & covariance);
 
+  /** Whether what was drawn tells of the middles between the sides alone (IsBisected()): the expected error is that of
+   * the middles then. Default off. */
+  itkSetMacro(Bisected, bool);
+  itkGetConstMacro(Bisected, bool);
+  itkBooleanMacro(Bisected);
+
+  /** The distance, pixels, that a landmark of a jaw is expected to be off by: the mean over its landmarks in the
+   * output, or over its middles where Bisected is on and there are any. Valid after Update(); throws where the output
+   * has none of the jaw. */
+  double
+  GetExpectedError(JawEnum jaw) const;
+  bool
+  HasExpectedError(JawEnum jaw) const;
+  /** The mean length of a two-dimensional normal error with this standard deviation an axis: sqrt(pi / 2) of it. */
+  static double
+  ToMeanDistance(double sigma);
+
   DataObjectPointer
   MakeOutput(DataObjectPointerArraySizeType index) override;
 
@@ -118,7 +135,12 @@ private:
   PoseSolution::PointType
   ToMillimetres(const LandmarksType::PointType & point) const;
 
+  /** Of the landmarks of a jaw, or of its middles. */
+  std::vector<double>
+  CollectSigmas(JawEnum jaw) const;
+
   double                                m_MillimetresPerUnit{ 1.0 };
+  bool                                  m_Bisected{ false };
   std::map<std::string, CovarianceType> m_Covariances;
   std::map<std::string, CovarianceType> m_MiddleCovariances;
   std::vector<MiddleType>               m_Middles;

@@ -280,8 +280,10 @@ struct PoseJawResult
   double winding{ 0.0 };
   /** Share of the tracing whose tooth codes are of the side that was not said to be traced. */
   double otherSideCodes{ 0.0 };
-  /** The moving contour at the solution: open, in pixels of the radiograph, with its points in the mesh frame. */
+  /** The moving contour at the solution: open, in pixels of the radiograph, with its outward unit normals there, and
+   * its points in the mesh frame, mm. */
   std::vector<std::array<double, 2>> contour;
+  std::vector<std::array<double, 2>> contourNormals;
   std::vector<std::array<double, 3>> contourPoints;
 };
 

@@ -97,6 +97,22 @@ public:
   ProjectionMatrixType
   GetProjectionMatrix(JawEnum jaw, double millimetresPerUnit = 1.0) const;
 
+  /** The same under other parameters of its pose, as a candidate or an earlier step has them. */
+  ProjectionMatrixType
+  GetProjectionMatrix(JawEnum jaw, const PoseParameters & parameters, double millimetresPerUnit = 1.0) const;
+
+  /** How far the moving contours of a group's jaws are apart under two poses: root mean square, pixels of 0.25 mm, as
+   * steps of the optimizer are measured; 0 where nothing was matched. The group by its index in GetResult(). */
+  double
+  ComputeMotion(std::size_t group, const PoseParameters & from, const PoseParameters & to) const;
+
+  /** Standard deviation an axis, pixels of the radiograph, that the covariance predicts along the tracing of a jaw (0
+   * without one), and of the middles between the sides at its incisors and first molars. */
+  double
+  GetTracingSigma(JawEnum jaw) const;
+  double
+  GetMiddleSigma(JawEnum jaw) const;
+
   /** A minimum of the criterion that is a place of its own. */
   struct AlternativeType
   {
@@ -130,7 +146,8 @@ public:
   Pointer
   MakeViewSolution(const std::string & name) const;
 
-  /** The moving contour at the solution, open, continuous pixel indices: everything that could be matched. */
+  /** The moving contour at the solution, open, continuous pixel indices: everything that could be matched, with normals
+   * and rim points (frame of the mesh, mm). */
   DentalContour::Pointer
   MakeMovingContour(JawEnum jaw) const;
 
@@ -156,6 +173,9 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
+  /** From pixels of the working plane to those of the radiograph. */
+  double
+  ToRadiographPixels(double workingPixels) const;
   static ProjectionMatrixType
   ToProjectionMatrix(const std::array<double, 12> & rows, double millimetresPerUnit);
 

@@ -106,7 +106,7 @@ ExchangedJawsHypothesis::Apply(const PoseProblem & problem) const
     jaw.initialPose.reset();
     jaw.landmarks = nullptr;
     jaw.crowns = jaw.crowns.IsNull() ? nullptr : RenameCrowns(*jaw.crowns);
-    jaw.jaw = jaw.jaw == ToothCode::JawEnum::Upper ? ToothCode::JawEnum::Lower : ToothCode::JawEnum::Upper;
+    jaw.jaw = OtherJaw(jaw.jaw);
     for (int k = 3; k < 9; ++k)
     {
       jaw.frame.rotation[k] = -jaw.frame.rotation[k];

@@ -29,7 +29,7 @@ NameOfOtherJaw(const CephalometricLandmarkSet::LandmarkType & landmark)
 {
   using JawEnum = ToothCode::JawEnum;
   CephalometricLandmarkSet::MeaningType meaning = landmark.meaning;
-  meaning.jaw = meaning.jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
+  meaning.jaw = OtherJaw(meaning.jaw);
   if (meaning.tooth.IsKnown())
   {
     // Right: 1 and 4, left: 2 and 3.

@@ -17,8 +17,11 @@
  *=========================================================================*/
 #include "itkLandmarkProjectionFilter.h"
 
+#include "itkMath.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace itk
 {
@@ -154,6 +157,58 @@ LandmarkProjectionFilter::ToSigma(const CovarianceType & covariance)
   return std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));
 }
 
+double
+LandmarkProjectionFilter::ToMeanDistance(double sigma)
+{
+  return std::sqrt(0.5 * Math::pi) * sigma;
+}
+
+std::vector<double>
+LandmarkProjectionFilter::CollectSigmas(JawEnum jaw) const
+{
+  std::vector<double> sigmas;
+  if (m_Bisected)
+  {
+    for (const MiddleType & middle : m_Middles)
+    {
+      if (middle.jaw == jaw)
+      {
+        sigmas.push_back(ToSigma(middle.covariance));
+      }
+    }
+  }
+  if (sigmas.empty())
+  {
+    const auto * output = itkDynamicCastInDebugMode<const OutputType *>(this->ProcessObject::GetOutput(0));
+    for (const auto & landmark : output->GetLandmarks())
+    {
+      if (landmark.tooth.GetJaw() == jaw)
+      {
+        sigmas.push_back(this->GetSigma(landmark.name));
+      }
+    }
+  }
+  return sigmas;
+}
+
+bool
+LandmarkProjectionFilter::HasExpectedError(JawEnum jaw) const
+{
+  return !this->CollectSigmas(jaw).empty();
+}
+
+double
+LandmarkProjectionFilter::GetExpectedError(JawEnum jaw) const
+{
+  const std::vector<double> sigmas = this->CollectSigmas(jaw);
+  if (sigmas.empty())
+  {
+    itkExceptionMacro("There is no landmark of the " << ToString(jaw)
+                                                     << " jaw in the output: ask HasExpectedError() first.");
+  }
+  return ToMeanDistance(std::accumulate(sigmas.begin(), sigmas.end(), 0.0) / static_cast<double>(sigmas.size()));
+}
+
 bool
 LandmarkProjectionFilter::HasMiddleCovariance(const std::string & name) const
 {
@@ -178,6 +233,7 @@ LandmarkProjectionFilter::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
+  os << indent << "Bisected: " << (m_Bisected ? "On" : "Off") << std::endl;
   os << indent << "Covariances: " << m_Covariances.size() << std::endl;
   os << indent << "MiddleCovariances: " << m_MiddleCovariances.size() << std::endl;
   os << indent << "Middles: " << m_Middles.size() << std::endl;

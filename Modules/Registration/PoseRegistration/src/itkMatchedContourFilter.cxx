@@ -54,27 +54,29 @@ MatchedContourFilter::GenerateData()
     // Nothing was traced.
     return;
   }
-  std::vector<ContourType::PointType> points;
-  const auto                          flush = [&]() {
-    output->AddPolyline(points);
-    points.clear();
+  ContourType::PolylineType piece;
+  const auto                flush = [&]() {
+    output->AddPolyline(piece);
+    piece = ContourType::PolylineType();
   };
   for (const auto & polyline : this->GetMovingContour()->GetPolylines())
   {
-    for (const auto & point : polyline.points)
+    for (std::size_t i = 0; i < polyline.points.size(); ++i)
     {
-      bool beside = false;
+      const auto & point = polyline.points[i];
+      bool         beside = false;
       for (auto it = fixed->Begin(); it != fixed->End() && !beside; ++it)
       {
         beside = it.Value().EuclideanDistanceTo(point) < m_MaximumDistance;
       }
-      if (!points.empty() && (!beside || points.back().EuclideanDistanceTo(point) > m_MaximumGap))
+      if (!piece.points.empty() && (!beside || piece.points.back().EuclideanDistanceTo(point) > m_MaximumGap))
       {
         flush();
       }
       if (beside)
       {
-        points.push_back(point);
+        piece.points.push_back(point);
+        AppendSilhouetteData(polyline, i, piece);
       }
     }
   }

@@ -227,13 +227,13 @@ CheckGeometry(const PoseGeometry & geometry)
 {
   if (!(geometry.sourceToMidsagittal > 0.0) || !(geometry.sourceToDetector > geometry.sourceToMidsagittal))
   {
-    throw std::invalid_argument("source-to-midsagittal distance " + std::to_string(geometry.sourceToMidsagittal) +
-                                " mm must be positive and smaller than the source-to-detector distance " +
-                                std::to_string(geometry.sourceToDetector) + " mm");
+    throw PoseGeometryError("source-to-midsagittal distance " + std::to_string(geometry.sourceToMidsagittal) +
+                            " mm must be positive and smaller than the source-to-detector distance " +
+                            std::to_string(geometry.sourceToDetector) + " mm");
   }
   if (!(geometry.pixelSpacing[0] > 0.0) || !(geometry.pixelSpacing[1] > 0.0))
   {
-    throw std::invalid_argument("the pixel spacing must be positive; mark it as unknown where it is not known");
+    throw PoseGeometryError("the pixel spacing must be positive; mark it as unknown where it is not known");
   }
 }
 } // namespace itk

@@ -20,14 +20,24 @@
 
 #include "itkPoseProblem.h"
 
+#include <stdexcept>
+
 namespace itk
 {
+/** Not installed. A geometry that cannot be. A type of its own: a start, a hypothesis or a term of a user's may throw
+ * std::invalid_argument about anything. */
+class PoseGeometryError : public std::invalid_argument
+{
+public:
+  using std::invalid_argument::invalid_argument;
+};
+
 /** Not installed. The geometry of a problem, with what is not known filled in: the principal point by the drawing's
  * centroid, the spacing from the arch's length. */
 PoseGeometry
 CompleteGeometry(const PoseProblem & problem);
 
-/** Throws std::invalid_argument for distances or a spacing that cannot be. */
+/** Throws PoseGeometryError for distances or a spacing that cannot be. */
 void
 CheckGeometry(const PoseGeometry & geometry);
 } // namespace itk

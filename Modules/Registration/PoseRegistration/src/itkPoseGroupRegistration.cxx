@@ -29,8 +29,6 @@
 #include "itkLBFGSBOptimizerv4.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkSquaresKernel.h"
-#include "itkToothOutlinePoseMetricv4.h"
-#include "itkViewPoseMetricv4.h"
 
 #include <algorithm>
 #include <cmath>
@@ -202,13 +200,13 @@ PoseGroupRegistration::CloneAt(const PositionType & x) const
 }
 
 PoseGroupRegistration::MetricType::Pointer
-PoseGroupRegistration::CloneWithoutViews() const
+PoseGroupRegistration::CloneForStart() const
 {
-  // The blocks stay, and so their order: the priors of a view read them as well.
+  // The blocks of a view stay, and so does their order: its priors read them as well.
   MetricType::Pointer clone = m_Metric->Clone();
   for (SizeValueType t = clone->GetNumberOfMetrics(); t-- > 0;)
   {
-    if (dynamic_cast<const ViewPoseMetricv4 *>(clone->GetMetric(t)) != nullptr)
+    if (!clone->GetMetric(t)->GetTakesPartInStart())
     {
       clone->RemoveMetric(clone->GetMetric(t));
     }
@@ -446,7 +444,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
   // The view direction is that of the tracing: two rounds settle the perspective.
   PoseParameters pose{ {} };
   pose[PoseYaw] = yaw;
-  MetricType::Pointer metric = this->CloneWithoutViews();
+  MetricType::Pointer metric = this->CloneForStart();
   for (int round = 0; round < 2; ++round)
   {
     metric->Hold(MetricType::HoldEnum::Nothing);
@@ -798,23 +796,8 @@ PoseGroupRegistration::ComputePosterior(const CandidateType & candidate) const
   // Marginal over the pose, by Laplace: the data at the minimum, and how much room there is about it.
   const double evidence = metric->EstimateNoise(SmallestWeight);
   // What has no noise to estimate, the priors and landmarks, by its own criterion: the evidence has its squares, and
-  // neither the tails of a prior nor what a landmark is charged that was let go. Outlines of teeth count as so many
-  // landmarks.
-  double known = 0.0;
-  for (SizeValueType t = 0; t < metric->GetNumberOfMetrics(); ++t)
-  {
-    const LeastSquaresMetricv4 & term = *metric->GetMetric(t);
-    const PositionType           position = metric->GetTermPosition(t, candidate.x);
-    if (const auto * outlines = dynamic_cast<const ToothOutlinePoseMetricv4 *>(&term))
-    {
-      known += outlines->ComputeToothDeviance(position);
-    }
-    else if (ContourNoiseLevels levels;
-             !term.GetNoiseLevels(levels) || metric->GetMetricSettings(t) == MetricType::SettingsEnum::Own)
-    {
-      known += term.ComputeValue(position);
-    }
-  }
+  // neither the tails of a prior nor what a landmark is charged that was let go.
+  const double known = metric->ComputeKnownDeviance(candidate.x, true);
   // Without a tracing the evidence has nothing whose noise is to be estimated, and is 0.
   const double places = m_Options.codeWeight > 0.0 ? candidate.codeTerm / m_Options.codeSigma : 0.0;
   return EvidenceShare * evidence + KnownShare * known + places * places;

@@ -143,9 +143,9 @@ private:
   ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const;
   MetricType::Pointer
   CloneAt(const PositionType & x) const;
-  /** A search for starts looks at the first view alone. */
+  /** Without the terms that take no part in the search for starts. */
   MetricType::Pointer
-  CloneWithoutViews() const;
+  CloneForStart() const;
   CandidateType
   MakeCandidate(const PositionType & x) const;
 

@@ -93,6 +93,7 @@ DescribeFit(const SilhouettePoseMetricv4 &               metric,
     for (std::size_t i = 0; i < contours[s].Size(); ++i)
     {
       jaw.contour.push_back(PoseModel::ToPixel(geometry, { { contours[s].u[i], contours[s].v[i] } }));
+      jaw.contourNormals.push_back(PoseModel::ToPixelNormal(geometry, { { contours[s].nu[i], contours[s].nv[i] } }));
       jaw.contourPoints.push_back(ToMeshFrame(jaw.frame, contours[s].rim[i]));
     }
   }

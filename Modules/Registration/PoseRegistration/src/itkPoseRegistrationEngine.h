@@ -64,7 +64,7 @@ public:
     unsigned int             index{ 0 };
   };
 
-  /** Throws std::invalid_argument for a geometry that cannot be.
+  /** Throws PoseGeometryError for a geometry that cannot be.
    * \param groups where not null, takes what TryHypothesis() needs of each group that was registered. */
   PoseRegistrationResult
   Run(const PoseProblem & problem, std::vector<GroupType> * groups = nullptr) const;

@@ -30,6 +30,7 @@
 #include "itkOtherViewHypothesis.h"
 #include "itkTurnedDrawingHypothesis.h"
 #include "itkPoseFrameOperations.h"
+#include "itkPoseGeometryCompletion.h"
 #include "itkPoseRegistrationEngine.h"
 #include "itkPoseRegistrationOptionTable.h"
 #include "itkPoseStartSearch.h"
@@ -403,7 +404,7 @@ PoseRegistrationMethodBase::VerifyPreconditions() ITKv5_CONST
   {
     if (jaw != JawEnum::Unknown && (!this->HasMesh(jaw) || !mayHaveDrawing(jaw)))
     {
-      itkExceptionMacro("AddMetric() was given a term of the " << (jaw == JawEnum::Upper ? "upper" : "lower")
+      itkExceptionMacro("AddMetric() was given a term of the " << ToString(jaw)
                                                                << " jaw, which lacks its mesh or contour: set them, or "
                                                                   "call ClearMetrics().");
     }
@@ -476,14 +477,13 @@ PoseRegistrationMethodBase::UpdateFrames(const std::array<TriangleSurface, Numbe
   m_JawsShareFrame = frames.jawsShareFrame && frames.joint.valid;
   for (const JawEnum jaw : Jaws)
   {
-    const DentalJawFrame & own = jaw == JawEnum::Upper ? frames.upper : frames.lower;
+    const DentalJawFrame & own = frames.GetJaw(jaw);
     const DentalJawFrame & frame = m_JawsShareFrame ? frames.joint : own;
     if (this->HasMesh(jaw) && this->HasDrawing(jaw) && !frame.valid && !this->GetAbortGenerateData())
     {
-      const char * name = jaw == JawEnum::Upper ? "upper" : "lower";
+      const char * name = ToString(jaw);
       itkExceptionMacro("No dental arch was found in the " << name << " mesh. Set its frame with Set"
-                                                           << (jaw == JawEnum::Upper ? "Upper" : "Lower")
-                                                           << "Frame().");
+                                                           << ToCapitalizedString(jaw) << "Frame().");
     }
     m_Frames[ToIndex(jaw)] = ToFrame(frame);
   }
@@ -629,7 +629,7 @@ PoseRegistrationMethodBase::GenerateData()
   {
     result = engine.Run(problem, &answered->groups);
   }
-  catch (const std::invalid_argument & error)
+  catch (const PoseGeometryError & error)
   {
     itkExceptionMacro("The geometry cannot be used: " << error.what() << ". Correct it with SetGeometry().");
   }

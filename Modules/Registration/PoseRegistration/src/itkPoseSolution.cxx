@@ -21,6 +21,7 @@
 
 #include "itkPoseFrameOperations.h"
 #include "itkPoseModel.h"
+#include "itkRigidTransformRows.h"
 
 #include <cmath>
 
@@ -80,8 +81,7 @@ PoseSolution::GetJaw(JawEnum jaw) const
   const int index = this->GetIndex(jaw);
   if (index < 0)
   {
-    itkExceptionMacro("The " << (jaw == JawEnum::Upper ? "upper" : "lower")
-                             << " jaw had no input: give the registration its mesh and its contour.");
+    itkExceptionMacro("The " << ToString(jaw) << " jaw had no input: give the registration its mesh and its contour.");
   }
   return m_Result.jaws[static_cast<std::size_t>(index)];
 }
@@ -92,8 +92,8 @@ PoseSolution::GetGroup(JawEnum jaw) const
   const PoseJawResult & result = this->GetJaw(jaw);
   if (!result.registered)
   {
-    itkExceptionMacro("The " << (jaw == JawEnum::Upper ? "upper" : "lower")
-                             << " jaw was not registered: " << result.failure << ". Ask IsRegistered() first.");
+    itkExceptionMacro("The " << ToString(jaw) << " jaw was not registered: " << result.failure
+                             << ". Ask IsRegistered() first.");
   }
   return m_Result.groups[m_Result.groupOfJaw[static_cast<std::size_t>(this->GetIndex(jaw))]];
 }
@@ -116,12 +116,66 @@ PoseSolution::GetProjectionMatrix(JawEnum jaw, double millimetresPerUnit) const
   return ToProjectionMatrix(this->GetJaw(jaw).projection, millimetresPerUnit);
 }
 
+PoseSolution::ProjectionMatrixType
+PoseSolution::GetProjectionMatrix(JawEnum jaw, const PoseParameters & parameters, double millimetresPerUnit) const
+{
+  this->GetGroup(jaw);
+  return ToProjectionMatrix(PoseModel(m_Result.geometry, parameters).GetPixelProjection(this->GetJaw(jaw).frame),
+                            millimetresPerUnit);
+}
+
+double
+PoseSolution::ComputeMotion(std::size_t group, const PoseParameters & from, const PoseParameters & to) const
+{
+  if (group >= m_Result.groups.size())
+  {
+    itkExceptionMacro("There are " << m_Result.groups.size() << " groups of jaws with one pose, and no group " << group
+                                   << '.');
+  }
+  const PoseModel models[2] = { PoseModel(m_Result.geometry, from), PoseModel(m_Result.geometry, to) };
+  double          sum = 0.0;
+  std::size_t     count = 0;
+  for (const std::size_t j : m_Result.groups[group].jaws)
+  {
+    for (const auto & point : m_Result.jaws[j].contourPoints)
+    {
+      const auto p = ToDentalFrame(m_Result.jaws[j].frame, point);
+      double     w[2][2];
+      if (models[0].Project(p.data(), w[0]) && models[1].Project(p.data(), w[1]))
+      {
+        const double du = w[1][0] - w[0][0];
+        const double dv = w[1][1] - w[0][1];
+        sum += du * du + dv * dv;
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+}
+
+double
+PoseSolution::ToRadiographPixels(double workingPixels) const
+{
+  const auto & spacing = m_Result.geometry.pixelSpacing;
+  return workingPixels * PoseWorkingPixel / (0.5 * (spacing[0] + spacing[1]));
+}
+
+double
+PoseSolution::GetTracingSigma(JawEnum jaw) const
+{
+  return this->ToRadiographPixels(this->GetJaw(jaw).fit.predictedSigma);
+}
+
+double
+PoseSolution::GetMiddleSigma(JawEnum jaw) const
+{
+  return this->ToRadiographPixels(this->GetJaw(jaw).middleSigma);
+}
+
 std::vector<PoseSolution::AlternativeType>
 PoseSolution::GetAlternatives(JawEnum jaw, double millimetresPerUnit) const
 {
   constexpr double             samePlace = 1.0;
-  const PoseGeometry &         geometry = m_Result.geometry;
-  const double                 pixel = 0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]);
   std::vector<AlternativeType> alternatives;
   for (const PoseCandidate & minimum : this->GetGroup(jaw).candidates)
   {
@@ -130,10 +184,9 @@ PoseSolution::GetAlternatives(JawEnum jaw, double millimetresPerUnit) const
       continue;
     }
     AlternativeType alternative;
-    alternative.projection = ToProjectionMatrix(
-      PoseModel(geometry, minimum.parameters).GetPixelProjection(this->GetJaw(jaw).frame), millimetresPerUnit);
+    alternative.projection = this->GetProjectionMatrix(jaw, minimum.parameters, millimetresPerUnit);
     alternative.score = minimum.score;
-    alternative.distance = minimum.distance * PoseWorkingPixel / pixel;
+    alternative.distance = this->ToRadiographPixels(minimum.distance);
     alternatives.push_back(alternative);
   }
   return alternatives;
@@ -218,16 +271,22 @@ PoseSolution::MakeViewSolution(const std::string & name) const
 DentalContour::Pointer
 PoseSolution::MakeMovingContour(JawEnum jaw) const
 {
-  std::vector<DentalContour::PointType> points;
-  for (const auto & position : this->GetJaw(jaw).contour)
+  const PoseJawResult &       own = this->GetJaw(jaw);
+  DentalContour::PolylineType polyline;
+  for (const auto & position : own.contour)
   {
-    DentalContour::PointType point;
-    point[0] = position[0];
-    point[1] = position[1];
-    points.push_back(point);
+    polyline.points.emplace_back(position.data());
+  }
+  for (const auto & normal : own.contourNormals)
+  {
+    polyline.normals.emplace_back(normal.data());
+  }
+  for (const auto & rim : own.contourPoints)
+  {
+    polyline.rimPoints.emplace_back(rim.data());
   }
   auto contour = DentalContour::New();
-  contour->AddPolyline(points);
+  contour->AddPolyline(polyline);
   return contour;
 }
 
@@ -235,22 +294,9 @@ PoseSolution::RigidTransformType::Pointer
 PoseSolution::MakeRigidTransform(JawEnum jaw) const
 {
   this->GetGroup(jaw);
-  const PoseJawResult &          result = this->GetJaw(jaw);
-  RigidTransformType::MatrixType rotation;
-  RigidTransformType::OffsetType offset;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    offset[row] = result.translation[row];
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      rotation(row, column) = result.rotation[3 * row + column];
-    }
-  }
-  auto transform = RigidTransformType::New();
+  const PoseJawResult & result = this->GetJaw(jaw);
   // As far as rounding goes: products of rotations.
-  transform->SetMatrix(rotation, 1e-6);
-  transform->SetOffset(offset);
-  return transform;
+  return ToRigidTransform(MakeRigidTransformRows(result.rotation, result.translation), 1e-6);
 }
 
 CephalometricPoseTransform::Pointer
@@ -284,8 +330,8 @@ PoseSolution::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Jaws: " << m_Result.jaws.size() << std::endl;
   for (const PoseJawResult & jaw : m_Result.jaws)
   {
-    os << indent.GetNextIndent() << (jaw.jaw == JawEnum::Upper ? "upper" : "lower") << ": "
-       << (jaw.registered ? "registered" : jaw.failure) << std::endl;
+    os << indent.GetNextIndent() << ToString(jaw.jaw) << ": " << (jaw.registered ? "registered" : jaw.failure)
+       << std::endl;
   }
   os << indent << "Groups: " << m_Result.groups.size() << std::endl;
   for (const PoseGroupResult & group : m_Result.groups)

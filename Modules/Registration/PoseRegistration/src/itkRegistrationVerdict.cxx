@@ -491,8 +491,7 @@ AddOfOtherJaw(const PoseRegistrationResult & result, std::vector<RegistrationVer
         Add(verdicts[j],
             verdicts[other].status,
             "placed-by-other",
-            std::string("nothing was drawn of this jaw: the ") +
-              (result.jaws[other].jaw == ToothCode::JawEnum::Upper ? "upper" : "lower") +
+            std::string("nothing was drawn of this jaw: the ") + ToString(result.jaws[other].jaw) +
               " one, whose frame it shares, placed it, as the jaws bit on each other when they were scanned");
       }
     }

@@ -80,18 +80,6 @@ constexpr double ProbablyExchanged = 0.5;
  */
 constexpr double UnsureAxis = 0.5;
 
-const char *
-Name(JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? "upper" : "lower";
-}
-
-JawEnum
-OtherOf(JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? JawEnum::Lower : JawEnum::Upper;
-}
-
 std::size_t
 ToIndex(JawEnum jaw)
 {
@@ -367,7 +355,7 @@ CheckNamesAgainstScans(std::array<Scan, 2> & scans)
       continue;
     }
     told = true;
-    const Scan &              other = scans[ToIndex(OtherOf(scan.jaw))];
+    const Scan &              other = scans[ToIndex(OtherJaw(scan.jaw))];
     const std::vector<double> toOwn = DistancesToScan(scan.landmarks, scan.mesh);
     const double              ownMedian = Median(toOwn);
     if (other.IsThere() && ownMedian > OnTheScan)
@@ -375,7 +363,7 @@ CheckNamesAgainstScans(std::array<Scan, 2> & scans)
       const double otherMedian = Median(DistancesToScan(scan.landmarks, other.mesh));
       if (otherMedian < NearerByFactor * ownMedian)
       {
-        const std::string text = std::string("upper and lower scan seem exchanged: the ") + Name(scan.jaw) +
+        const std::string text = std::string("upper and lower scan seem exchanged: the ") + ToString(scan.jaw) +
                                  " landmarks lie on the other scan";
         for (Scan & each : scans)
         {
@@ -547,7 +535,7 @@ ScanCheckFilter::GenerateData()
     Scan & scan = scans[ToIndex(jaw)];
     scan.jaw = jaw;
     scan.mesh = jaw == JawEnum::Upper ? this->GetUpperMesh() : this->GetLowerMesh();
-    scan.frame = jaw == JawEnum::Upper ? &frames.upper : &frames.lower;
+    scan.frame = &frames.GetJaw(jaw);
     if (!scan.IsThere())
     {
       continue;
@@ -627,7 +615,7 @@ ScanCheckFilter::GenerateData()
       }
       if (scan.frame->openness <= DentalJawFrame::OpennessOfClosedCast)
       {
-        m_NotCheckable.push_back(std::string("whether the ") + Name(scan.jaw) +
+        m_NotCheckable.push_back(std::string("whether the ") + ToString(scan.jaw) +
                                  " cast was mirrored: a closed body's winding looks the same either way");
       }
     }

@@ -208,6 +208,30 @@ TEST(LandmarkProjectionFilter, MiddleIsThatOfALandmarkAndItsCounterpart)
   EXPECT_TRUE(Contains(MessageOfCall([&] { filter->GetMiddleCovariance("UR6_MB"); }), "no counterpart"));
 }
 
+TEST(LandmarkProjectionFilter, ExpectedErrorIsTheMeanOverLandmarksOrOverMiddles)
+{
+  // The mean length of a normal error in two dimensions is sqrt(pi / 2) = 1.2533 of its standard deviation an axis.
+  EXPECT_NEAR(FilterType::ToMeanDistance(2.0), 2.50662827463, 1e-11);
+  auto         result = MakeResult();
+  const auto   filter = Project(result);
+  const double upper = (filter->GetSigma("UR1_tip") + filter->GetSigma("UL1_tip") + filter->GetSigma("UR6_MB")) / 3.0;
+  EXPECT_FALSE(filter->GetBisected());
+  EXPECT_DOUBLE_EQ(filter->GetExpectedError(JawEnum::Upper), FilterType::ToMeanDistance(upper));
+  EXPECT_DOUBLE_EQ(filter->GetExpectedError(JawEnum::Lower), FilterType::ToMeanDistance(filter->GetSigma("LL6_DB")));
+  filter->BisectedOn();
+  filter->Update();
+  ASSERT_EQ(filter->GetMiddles().size(), 1u);
+  EXPECT_DOUBLE_EQ(filter->GetExpectedError(JawEnum::Upper),
+                   FilterType::ToMeanDistance(FilterType::ToSigma(filter->GetMiddles()[0].covariance)));
+  EXPECT_DOUBLE_EQ(filter->GetExpectedError(JawEnum::Lower), FilterType::ToMeanDistance(filter->GetSigma("LL6_DB")))
+    << "no pair has a middle there";
+  result.jaws[1].registered = false;
+  const auto alone = Project(result);
+  EXPECT_TRUE(alone->HasExpectedError(JawEnum::Upper));
+  EXPECT_FALSE(alone->HasExpectedError(JawEnum::Lower));
+  EXPECT_TRUE(Contains(MessageOfCall([&] { alone->GetExpectedError(JawEnum::Lower); }), "HasExpectedError()"));
+}
+
 TEST(LandmarkProjectionFilter, LandmarksOfAJawThatWasNotRegisteredAreLeftOut)
 {
   auto result = MakeResult();

@@ -145,3 +145,36 @@ TEST(MatchedContourFilter, WithoutAContourItSaysWhich)
   filter->SetMovingContour(ContourType::New());
   EXPECT_TRUE(Contains(MessageOfCall([&] { filter->Update(); }), "FixedContour"));
 }
+
+TEST(MatchedContourFilter, KeepsWhatThePointsOfTheMovingContourKnow)
+{
+  ContourType::PolylineType moving;
+  moving.points = Stretch(0.0, 40.0, 3.0);
+  for (std::size_t i = 0; i < moving.points.size(); ++i)
+  {
+    const double normal[2] = { 0.0, -1.0 };
+    const double rim[3] = { moving.points[i][0], 10.0, -5.0 };
+    moving.normals.emplace_back(normal);
+    moving.rimPoints.emplace_back(rim);
+  }
+  auto contour = ContourType::New();
+  contour->AddPolyline(moving);
+  // Another one within the gap, which knows nothing: it joins the piece, unknown.
+  contour->AddPolyline(Stretch(42.0, 44.0, 3.0));
+  auto fixed = ContourType::New();
+  fixed->AddPolyline(Stretch(20.0, 60.0, 0.0));
+  auto filter = FilterType::New();
+  filter->SetMovingContour(contour);
+  filter->SetFixedContour(fixed);
+  filter->Update();
+  const auto matched = filter->GetOutput()->GetPolylines();
+  ASSERT_EQ(matched.size(), 1u);
+  ASSERT_EQ(matched[0].rimPoints.size(), matched[0].points.size());
+  ASSERT_GT(matched[0].points.size(), 4u);
+  for (std::size_t i = 0; i + 2 < matched[0].points.size(); ++i)
+  {
+    EXPECT_EQ(matched[0].rimPoints[i][0], matched[0].points[i][0]);
+    EXPECT_EQ(matched[0].normals[i], moving.normals[0]);
+  }
+  EXPECT_TRUE(std::isnan(matched[0].rimPoints.back()[0]));
+}

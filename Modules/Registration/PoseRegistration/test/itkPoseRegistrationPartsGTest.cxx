@@ -23,6 +23,7 @@
 #include "itkExchangedLandmarksHypothesis.h"
 #include "itkFindSilhouettes.h"
 #include "itkGemanMcClureKernel.h"
+#include "itkLeastSquaresFunctionMetricv4.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherSpacingHypothesis.h"
@@ -46,6 +47,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -137,6 +139,39 @@ protected:
   InternalClone() const override
   {
     auto clone = Self::New();
+    clone->CopyState(*this);
+    return clone.GetPointer();
+  }
+};
+
+/** A user's own metric that says of every place the same, but bets on it: so much is its known deviance. */
+class BettingMetric : public OffsetMetric
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(BettingMetric);
+  using Self = BettingMetric;
+  using Superclass = OffsetMetric;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  itkNewMacro(Self);
+  itkTypeMacro(BettingMetric, OffsetMetric);
+
+  double bet{ 0.0 };
+
+  double
+  ComputeKnownDeviance(const PositionType &, bool) const override
+  {
+    return bet;
+  }
+
+protected:
+  BettingMetric() = default;
+  ~BettingMetric() override = default;
+  itk::LightObject::Pointer
+  InternalClone() const override
+  {
+    auto clone = Self::New();
+    clone->bet = bet;
     clone->CopyState(*this);
     return clone.GetPointer();
   }
@@ -328,6 +363,57 @@ TEST(PoseRegistrationParts, AnUnknownOfAUsersOwnIsEstimatedAndTellsNothingOfTheP
   EXPECT_TRUE(method->GetMetric()->GetState().HasBlock("offset"));
 }
 
+TEST(PoseRegistrationParts, ATermOfAUsersOwnTakesPartInTheChoiceAmongMinima)
+{
+  const auto devianceWith = [](double bet) {
+    itk::PoseRegistrationOptions options;
+    options.useInitialPose = true;
+    options.initialPose = Plain().groups[0].parameters;
+    const auto method = MakeMethod(options);
+    method->ClearHypotheses();
+    const auto term = BettingMetric::New();
+    term->bet = bet;
+    method->AddMetric(term);
+    method->Update();
+    return method->GetOutput()->GetResult().groups[0].candidates.at(0).deviance;
+  };
+  // What is known counts by three fifths less the evidence's fifth: two fifths.
+  EXPECT_NEAR(devianceWith(10.0) - devianceWith(0.0), 4.0, 1e-9);
+}
+
+TEST(PoseRegistrationParts, ATermThatTakesNoPartInTheStartJoinsAtTheRefinement)
+{
+  const auto evaluationsInStart = [](bool takesPart) {
+    std::atomic<unsigned int> evaluations{ 0 };
+    unsigned int              inStart = 0;
+    const auto                term = itk::LeastSquaresFunctionMetricv4::New();
+    term->SetBlocks({ itk::PoseStateBlocks::MakePose() });
+    term->SetFunction([&evaluations](const std::vector<double> & pose) {
+      ++evaluations;
+      return std::vector<double>{ pose[itk::PoseTy] / 50.0 };
+    });
+    term->SetTakesPartInStart(takesPart);
+    const auto method = MakeMethod();
+    method->ClearHypotheses();
+    method->AddMetric(term);
+    method->AddObserver(itk::MultiResolutionIterationEvent(), [&](const itk::EventObject &) {
+      if (method->GetCurrentLevel() == 0)
+      {
+        evaluations = 0;
+      }
+      else if (method->GetCurrentLevel() == 1)
+      {
+        inStart = evaluations;
+      }
+    });
+    method->Update();
+    EXPECT_GT(evaluations, inStart) << "it joins the refinement either way";
+    return inStart;
+  };
+  EXPECT_GT(evaluationsInStart(true), 0u);
+  EXPECT_EQ(evaluationsInStart(false), 0u);
+}
+
 TEST(PoseRegistrationParts, ATermsErrorsComeThrough)
 {
   const auto method = MakeMethod();
@@ -343,6 +429,31 @@ TEST(PoseRegistrationParts, ATermsErrorsComeThrough)
   method->ClearMetrics();
   method->Update();
   EXPECT_EQ(method->GetOutput()->GetResult().groups[0].parameters, Plain().groups[0].parameters);
+}
+
+TEST(PoseRegistrationParts, WhatAUsersFunctionThrowsIsNotTakenForAWrongGeometry)
+{
+  const auto method = MakeMethod();
+  const auto term = itk::LeastSquaresFunctionMetricv4::New();
+  term->SetBlocks({ itk::PoseStateBlocks::MakePose() });
+  term->SetFunction([](const std::vector<double> &) -> std::vector<double> {
+    throw std::invalid_argument("a table of the user's has no such row");
+  });
+  method->AddMetric(term);
+  try
+  {
+    method->Update();
+    FAIL() << "it was swallowed";
+  }
+  catch (const std::invalid_argument & error)
+  {
+    EXPECT_STREQ(error.what(), "a table of the user's has no such row");
+  }
+  // A geometry that cannot be is still an ExceptionObject that says what to call.
+  itk::PoseGeometry geometry = Typical().geometry;
+  geometry.sourceToDetector = 0.5 * geometry.sourceToMidsagittal;
+  const auto wrong = PoseRegistrationTestCase::MakeMethod(Typical().jaws, geometry, itk::PoseRegistrationOptions());
+  EXPECT_TRUE(Contains(MessageOfCall([&] { wrong->Update(); }), "SetGeometry()"));
 }
 
 TEST(PoseRegistrationParts, UpdateExecutesWhereSomethingHasChangedAndNotElse)
@@ -688,13 +799,9 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
   };
   method->Update();
   itk::PoseGroupResult group = method->GetOutput()->GetResult().groups[0];
-  EXPECT_EQ(codesOf(group.outcomes), (Codes{ "facing",
-                                            "jaws-exchanged",
-                                            "other-side",
-                                            "pixel-spacing",
-                                            "turned-180",
-                                            "turned-270",
-                                            "turned-90" }));
+  EXPECT_EQ(
+    codesOf(group.outcomes),
+    (Codes{ "facing", "jaws-exchanged", "other-side", "pixel-spacing", "turned-180", "turned-270", "turned-90" }));
   EXPECT_TRUE(group.untried.empty());
   EXPECT_EQ(notTried(), 0);
 
@@ -705,7 +812,8 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
     method->AddMetric(MakePosePrior(itk::PoseTz, 0.0, 100.0), jaw);
     method->Update();
     group = method->GetOutput()->GetResult().groups[0];
-    EXPECT_EQ(codesOf(group.outcomes), (Codes{ "facing", "other-side", "pixel-spacing", "turned-180", "turned-270", "turned-90" }));
+    EXPECT_EQ(codesOf(group.outcomes),
+              (Codes{ "facing", "other-side", "pixel-spacing", "turned-180", "turned-270", "turned-90" }));
     ASSERT_EQ(codesOf(group.untried), (Codes{ "jaws-exchanged" }));
     EXPECT_EQ(group.untried.begin()->second,
               "the added ParameterPriorMetricv4 is about the jaws' dental frame, which turns over with them");
@@ -725,7 +833,8 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
   method->Update();
   group = method->GetOutput()->GetResult().groups[0];
   EXPECT_EQ(codesOf(group.outcomes), (Codes{ "other-side" }));
-  EXPECT_EQ(codesOf(group.untried), (Codes{ "facing", "jaws-exchanged", "pixel-spacing", "turned-180", "turned-270", "turned-90" }));
+  EXPECT_EQ(codesOf(group.untried),
+            (Codes{ "facing", "jaws-exchanged", "pixel-spacing", "turned-180", "turned-270", "turned-90" }));
   EXPECT_EQ(notTried(), 6);
 
   // A block that is no pose is nothing that turns.

@@ -121,6 +121,15 @@ TEST(PoseSolution, MovingContourHoldsAllThatCouldBeMatched)
   ASSERT_EQ(contour->GetNumberOfPoints(), 3u);
   EXPECT_EQ(contour->GetPolylines()[0].points[2][0], 3.5);
   EXPECT_FALSE(contour->GetPolylines()[0].closed);
+  EXPECT_FALSE(contour->HasRimPoints()) << "nobody gave the solution any";
+  auto result = MakeResult();
+  result.jaws[1].contourPoints = { { { 1, 2, 3 } }, { { 4, 5, 6 } }, { { 7, 8, 9 } } };
+  result.jaws[1].contourNormals = { { { 1, 0 } }, { { 0.6, 0.8 } }, { { 0, -1 } } };
+  const auto polyline = MakeSolution(result)->MakeMovingContour(JawEnum::Lower)->GetPolylines()[0];
+  ASSERT_EQ(polyline.rimPoints.size(), 3u);
+  EXPECT_EQ(polyline.rimPoints[1][2], 6.0);
+  ASSERT_EQ(polyline.normals.size(), 3u);
+  EXPECT_EQ(polyline.normals[1][1], 0.8);
 }
 
 TEST(PoseSolution, AlternativesAreMinimaThatArePlacesOfTheirOwnInTheUnitThatIsAskedFor)
@@ -164,6 +173,60 @@ TEST(PoseSolution, AlternativesAreMinimaThatArePlacesOfTheirOwnInTheUnitThatIsAs
     EXPECT_NEAR(inMetres, inMillimetres, 1e-9 * std::abs(inMillimetres)) << row;
   }
   EXPECT_TRUE(solution->GetAlternatives(JawEnum::Lower).empty()) << "made by hand, without minima";
+}
+
+TEST(PoseSolution, MotionIsThatOfTheMatchedPointsOnTheDetector)
+{
+  auto result = MakeResult();
+  // Two points of the upper jaw's midsagittal plane, where all is magnified by 1650 / 1500, and one before it.
+  result.geometry.pixelSpacing = { { 0.25, 0.25 } };
+  for (auto & jaw : result.jaws)
+  {
+    jaw.frame.rotation = { { 1, 0, 0, 0, 1, 0, 0, 0, 1 } };
+    jaw.frame.origin = { { 0, 0, 0 } };
+    jaw.contourPoints.clear();
+  }
+  result.jaws[0].contourPoints = { { { 10.0, 0.0, 3.0 } }, { { -4.0, 0.0, 2.0 } } };
+  itk::PoseParameters from{ {} };
+  itk::PoseParameters to{ {} };
+  to[itk::PoseTx] = 3.0;
+  to[itk::PoseTz] = 4.0;
+  const auto solution = MakeSolution(result);
+  // 5 mm of both, magnified, in pixels of 0.25 mm.
+  EXPECT_NEAR(solution->ComputeMotion(0, from, to), 5.0 * 1.1 / 0.25, 1e-9);
+  EXPECT_EQ(solution->ComputeMotion(0, to, to), 0.0);
+  EXPECT_EQ(solution->ComputeMotion(1, from, to), 0.0) << "nothing was matched there";
+  // The factor exp(kappa) moves a point by its distance from the principal point: root mean square of |p| 1.1 / 0.25.
+  to = from;
+  to[itk::PoseKappa] = std::log(1.01);
+  const double squares = (10.0 * 10.0 + 3.0 * 3.0 + 4.0 * 4.0 + 2.0 * 2.0) / 2.0;
+  EXPECT_NEAR(solution->ComputeMotion(0, from, to), 0.01 * std::sqrt(squares) * 1.1 / 0.25, 1e-9);
+  EXPECT_TRUE(Contains(MessageOfCall([&] { solution->ComputeMotion(2, from, to); }), "no group 2"));
+}
+
+TEST(PoseSolution, SigmasOfWhatWasDrawnAreInPixelsOfTheRadiograph)
+{
+  auto result = MakeResult();
+  result.jaws[0].fit.predictedSigma = 3.0;
+  result.jaws[0].middleSigma = 5.0;
+  // Pixels of 0.31 by 0.19 mm, 0.25 on average, as those that it works in.
+  EXPECT_NEAR(MakeSolution(result)->GetTracingSigma(JawEnum::Upper), 3.0, 1e-12);
+  result.geometry.pixelSpacing = { { 0.12, 0.08 } };
+  EXPECT_NEAR(MakeSolution(result)->GetTracingSigma(JawEnum::Upper), 7.5, 1e-12);
+  EXPECT_NEAR(MakeSolution(result)->GetMiddleSigma(JawEnum::Upper), 12.5, 1e-12);
+}
+
+TEST(PoseSolution, ProjectsUnderOtherParametersOfThePoseToo)
+{
+  const auto result = MakeResult();
+  const auto solution = MakeSolution(result);
+  for (const JawEnum jaw : Jaws)
+  {
+    EXPECT_EQ(solution->GetProjectionMatrix(jaw, solution->GetGroup(jaw).parameters, 10.0),
+              solution->GetProjectionMatrix(jaw, 10.0));
+  }
+  EXPECT_NE(solution->GetProjectionMatrix(JawEnum::Upper, result.groups[1].parameters),
+            solution->GetProjectionMatrix(JawEnum::Upper));
 }
 
 TEST(PoseSolution, GraftCopiesAndInitializeForgets)

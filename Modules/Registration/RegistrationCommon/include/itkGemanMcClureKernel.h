@@ -42,6 +42,15 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(GemanMcClureKernel, RobustKernel);
 
+  /** The weight itself, for those whose kernel is always this one and who call it at every point of a tracing; no
+   * object and no virtual call stands between. Distance and width are in the same unit. */
+  static double
+  Weight(double squaredDistance, double width)
+  {
+    const double a = width * width / (width * width + squaredDistance);
+    return a * a;
+  }
+
   double
   GetWeight(double squaredDistance, double width) const override;
   double

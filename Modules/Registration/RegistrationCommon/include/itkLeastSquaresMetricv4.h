@@ -167,6 +167,14 @@ public:
   virtual void
   AddFixedInformation(const PositionType & x, MatrixType & information, VectorType & gradient, double & value) const;
 
+  /** What this metric says of a minimum beside the evidence that EstimateNoise() computes: minus twice a log
+   * likelihood, up to a constant, of what is known with its noise. A registration adds it to evidence and priors when
+   * it tells several minima apart. By default the criterion, ComputeValue(); where noiseIsEstimated and the metric has
+   * levels of noise (GetNoiseLevels()), 0, since the evidence has its residuals. A metric whose value is too sure of
+   * itself for that, as one that counts each point of a template's outline, says here what it would bet on. */
+  virtual double
+  ComputeKnownDeviance(const PositionType & x, bool noiseIsEstimated) const;
+
   /** Estimates the levels of every noise model by restricted maximum likelihood at the current position, with the free
    * parameters integrated out, and sets them.
    * \return minus twice the restricted log likelihood there.
@@ -189,6 +197,19 @@ public:
   };
   virtual void
   Hold(HoldEnum what);
+
+  // In a registration ------------------------------------------------------------------------------------------------
+
+  /** Whether a registration evaluates this term while it looks for where to begin. Default on. Off: the term joins when
+   * the starts that were found are refined. That is for terms that say nothing far from the solution or mislead there,
+   * and for those of another radiograph, whose pixels mean nothing in the first one's. Cloned with the state. */
+  void
+  SetTakesPartInStart(bool takesPart);
+  bool
+  GetTakesPartInStart() const
+  {
+    return m_TakesPartInStart;
+  }
 
   // v4 --------------------------------------------------------------------------------------------------------------
 
@@ -266,7 +287,7 @@ protected:
   static Pointer
   CloneTerm(const Self & term);
 
-  /** Copies state and parameters of another metric of the same blocks, for InternalClone(). */
+  /** Copies state, parameters and TakesPartInStart of another metric of the same blocks, for InternalClone(). */
   void
   CopyState(const Self & other);
 
@@ -290,6 +311,7 @@ private:
   mutable RegistrationState m_State;
   mutable ParametersType    m_Parameters;
   EvaluationCallbackType    m_EvaluationCallback;
+  bool                      m_TakesPartInStart{ true };
 
   friend class LeastSquaresSumMetricv4;
 };

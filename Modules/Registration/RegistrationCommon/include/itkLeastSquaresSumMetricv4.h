@@ -107,6 +107,9 @@ public:
   SetNoiseLevels(const ContourNoiseLevels & levels, const ResidualNoiseModel * model = nullptr) override;
   bool
   GetNoiseLevels(ContourNoiseLevels & levels, const ResidualNoiseModel * model = nullptr) const override;
+  /** The sum over the terms; the noise of those that were added with settings of their own is not estimated here. */
+  double
+  ComputeKnownDeviance(const PositionType & x, bool noiseIsEstimated) const override;
   void
   UpdateNoiseCorrelation(const PositionType & x) override;
   void

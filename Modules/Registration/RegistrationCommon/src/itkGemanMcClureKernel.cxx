@@ -24,8 +24,7 @@ namespace itk
 double
 GemanMcClureKernel::GetWeight(double squaredDistance, double width) const
 {
-  const double a = width * width / (width * width + squaredDistance);
-  return a * a;
+  return Weight(squaredDistance, width);
 }
 
 double

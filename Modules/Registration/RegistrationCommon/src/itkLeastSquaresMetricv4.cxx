@@ -171,6 +171,23 @@ LeastSquaresMetricv4::GetNoiseLevels(ContourNoiseLevels &, const ResidualNoiseMo
   return false;
 }
 
+double
+LeastSquaresMetricv4::ComputeKnownDeviance(const PositionType & x, bool noiseIsEstimated) const
+{
+  ContourNoiseLevels levels;
+  return noiseIsEstimated && this->GetNoiseLevels(levels) ? 0.0 : this->ComputeValue(x);
+}
+
+void
+LeastSquaresMetricv4::SetTakesPartInStart(bool takesPart)
+{
+  if (m_TakesPartInStart != takesPart)
+  {
+    m_TakesPartInStart = takesPart;
+    this->SettingsChanged();
+  }
+}
+
 void
 LeastSquaresMetricv4::UpdateNoiseCorrelation(const PositionType &)
 {}
@@ -518,6 +535,7 @@ LeastSquaresMetricv4::CopyState(const Self & other)
 {
   m_State = other.GetState();
   m_Parameters = other.m_Parameters;
+  m_TakesPartInStart = other.m_TakesPartInStart;
 }
 
 void
@@ -529,6 +547,7 @@ LeastSquaresMetricv4::PrintSelf(std::ostream & os, Indent indent) const
   text << indent.GetNextIndent();
   m_State.Print(os, text.str());
   os << indent << "Parameters: " << m_Parameters << std::endl;
+  os << indent << "TakesPartInStart: " << (m_TakesPartInStart ? "On" : "Off") << std::endl;
   os << indent << "EvaluationCallback: " << (m_EvaluationCallback ? "set" : "(none)") << std::endl;
 }
 } // namespace itk

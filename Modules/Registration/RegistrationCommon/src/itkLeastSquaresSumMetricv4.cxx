@@ -297,6 +297,18 @@ LeastSquaresSumMetricv4::GetNoiseLevels(ContourNoiseLevels & levels, const Resid
   });
 }
 
+double
+LeastSquaresSumMetricv4::ComputeKnownDeviance(const PositionType & x, bool noiseIsEstimated) const
+{
+  double deviance = 0.0;
+  for (std::size_t t = 0; t < m_Metrics.size(); ++t)
+  {
+    deviance += m_Metrics[t].metric->ComputeKnownDeviance(
+      this->GetTermPosition(t, x), noiseIsEstimated && m_Metrics[t].settings == SettingsEnum::OfTheSum);
+  }
+  return deviance;
+}
+
 void
 LeastSquaresSumMetricv4::UpdateNoiseCorrelation(const PositionType & x)
 {

@@ -446,6 +446,39 @@ TEST(LeastSquaresSumMetricv4, ATermWithSettingsOfItsOwnIsNotConfigured)
   EXPECT_EQ(gradient[0], -4.0 + 0.5 * 8.0);
 }
 
+TEST(LeastSquaresSumMetricv4, WhatIsKnownIsTheCriterionOfTheTermsWhoseNoiseIsNotEstimated)
+{
+  // At h = 0.75 the eight points are 0.75 and 0.25 off: 4 * 0.5625 + 4 * 0.0625 = 2.5. The prior has ((0.75 - 0.5) /
+  // 0.5)^2 = 0.25.
+  auto prior = MakePrior("height", { { 0.5, 0.5, 0.0 } });
+  auto free = SumType::New();
+  free->AddMetric(NoisyTerm::New());
+  free->AddMetric(prior);
+  EXPECT_DOUBLE_EQ(free->ComputeKnownDeviance({ 0.75 }, true), 0.25) << "the evidence has the points";
+  EXPECT_DOUBLE_EQ(free->ComputeKnownDeviance({ 0.75 }, false), 2.75) << "there is no evidence beside it";
+  auto own = SumType::New();
+  own->AddMetric(NoisyTerm::New(), SumType::SettingsEnum::Own);
+  own->AddMetric(prior);
+  EXPECT_DOUBLE_EQ(own->ComputeKnownDeviance({ 0.75 }, true), 2.75) << "no noise of this term is estimated";
+  auto outer = SumType::New();
+  outer->AddMetric(free);
+  EXPECT_DOUBLE_EQ(outer->ComputeKnownDeviance({ 0.75 }, true), 0.25) << "a sum in a sum is its terms";
+}
+
+TEST(LeastSquaresSumMetricv4, ATermIsClonedWithItsPartInTheStartAndChangesTheSumsTime)
+{
+  auto term = PlainTerm::New();
+  EXPECT_TRUE(term->GetTakesPartInStart());
+  auto sum = SumType::New();
+  sum->AddMetric(term);
+  const auto before = sum->GetMTime();
+  term->SetTakesPartInStart(true);
+  EXPECT_EQ(sum->GetMTime(), before) << "nothing changed";
+  term->SetTakesPartInStart(false);
+  EXPECT_GT(sum->GetMTime(), before) << "a registration has to run again";
+  EXPECT_FALSE(sum->Clone()->GetMetric(0)->GetTakesPartInStart());
+}
+
 TEST(LeastSquaresSumMetricv4, ErrorsSayWhatIsWrong)
 {
   const auto sum = SumType::New();

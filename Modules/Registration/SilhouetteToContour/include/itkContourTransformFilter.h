@@ -30,8 +30,9 @@ namespace itk
 /** \class ContourTransformFilter
  * \brief A contour whose points a 2-D transform has moved: the aligned silhouette for an overlay.
  *
- * Codes, weights, order and closedness of the polylines are kept. (TransformMeshFilter of ITK is for meshes whose cells
- * are shared with the output; a DentalContour reads its polylines back from its own.)
+ * Codes, weights, order and closedness of the polylines are kept, so are rim points, which are on the surface and do
+ * not move with their image; normals are turned. (TransformMeshFilter of ITK is for meshes whose cells are shared with
+ * the output; a DentalContour reads its polylines back from its own.)
  *
  * Errors (ExceptionObject): no contour or no transform.
  *

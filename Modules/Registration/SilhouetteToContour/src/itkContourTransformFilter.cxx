@@ -52,6 +52,20 @@ ContourTransformFilter::GenerateData()
   output->SetBufferedRegion(0);
   for (auto polyline : this->GetInput()->GetPolylines())
   {
+    for (std::size_t i = 0; i < polyline.normals.size(); ++i)
+    {
+      // At the point where it was; one that is not known stays so.
+      auto & normal = polyline.normals[i];
+      if (normal.GetNorm() > 0.0)
+      {
+        TransformType::InputCovariantVectorType covariant(normal.GetDataPointer());
+        const auto moved = transform->TransformCovariantVector(covariant, polyline.points[i]);
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          normal[d] = moved[d] / moved.GetNorm();
+        }
+      }
+    }
     for (auto & point : polyline.points)
     {
       point = transform->TransformPoint(point);

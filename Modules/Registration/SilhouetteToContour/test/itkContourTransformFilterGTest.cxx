@@ -130,3 +130,29 @@ TEST(ContourTransformFilter, SaysWhatIsMissing)
   filter->SetInput(MakeContour());
   EXPECT_NE(message(filter).find("SetTransform()"), std::string::npos);
 }
+
+TEST(ContourTransformFilter, TurnsNormalsAndLeavesRimPointsOnTheSurface)
+{
+  ContourType::PolylineType line;
+  line.points = { MakePoint(1.0, 0.0), MakePoint(2.0, 0.0) };
+  const double normal[2] = { 0.6, -0.8 };
+  const double none[2] = { 0.0, 0.0 };
+  const double rims[2][3] = { { 1, 2, 3 }, { 4, 5, 6 } };
+  line.normals = { ContourType::NormalType(normal), ContourType::NormalType(none) };
+  line.rimPoints = { ContourType::RimPointType(rims[0]), ContourType::RimPointType(rims[1]) };
+  line.teeth = { itk::ToothCode(11), itk::ToothCode(12) };
+  auto contour = ContourType::New();
+  contour->AddPolyline(line);
+  auto filter = FilterType::New();
+  filter->SetInput(contour);
+  filter->SetTransform(MakeTransform());
+  filter->Update();
+  const auto moved = filter->GetOutput()->GetPolylines()[0];
+  ASSERT_EQ(moved.normals.size(), 2u);
+  // A quarter turn from u to v, of unit length whatever the scale.
+  EXPECT_NEAR(moved.normals[0][0], 0.8, 1e-12);
+  EXPECT_NEAR(moved.normals[0][1], 0.6, 1e-12);
+  EXPECT_EQ(moved.normals[1], line.normals[1]) << "unknown stays unknown";
+  EXPECT_EQ(moved.rimPoints, line.rimPoints);
+  EXPECT_EQ(moved.teeth, line.teeth);
+}

@@ -62,12 +62,6 @@ constexpr double SourceRadius = 8.0;
 constexpr double SilhouetteLift = 0.3;
 constexpr double TracingLift = 0.6;
 
-const char *
-Name(JawEnum jaw)
-{
-  return jaw == JawEnum::Lower ? "lower" : "upper";
-}
-
 MeshType::PointType
 ToMeshPoint(const PointType & point)
 {
@@ -425,7 +419,7 @@ RegistrationSceneSource::AddJaw(JawEnum jaw, RegistrationScene::PartsType & part
   {
     return;
   }
-  const std::string name = Name(jaw);
+  const std::string name = ToString(jaw);
   const ScanPlace & place = m_Places.at(jaw);
   for (const PlacementType * matrix : { &place.meshToCephalostat, &place.meshToUMDA })
   {
@@ -510,12 +504,12 @@ RegistrationSceneSource::AddViewParts(const SceneView &              view,
   seen.Add(central[0], central[1]);
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
-    const std::string  prefix = view.name + ' ' + Name(jaw);
+    const std::string  prefix = view.name + ' ' + ToString(jaw);
     const auto         found = view.jaws.find(jaw);
     const SceneViewJaw own = found == view.jaws.end() ? SceneViewJaw() : found->second;
     if (const ScenePart * const scan = [&]() -> const ScenePart * {
           const auto place = std::find_if(parts.begin(), parts.end(), [&](const ScenePart & part) {
-            return part.name == std::string(Name(jaw)) + " scan";
+            return part.name == std::string(ToString(jaw)) + " scan";
           });
           return place == parts.end() ? nullptr : &*place;
         }())
