@@ -569,7 +569,8 @@ ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at, 
   }
   for (std::size_t t = 0; t < at.size(); ++t)
   {
-    this->WidenErrors(this->GetTeeth()[t], at[t], GemanMcClureKernel::Weight(distances[t] * distances[t], width), noises[t]);
+    this->WidenErrors(
+      this->GetTeeth()[t], at[t], GemanMcClureKernel::Weight(distances[t] * distances[t], width), noises[t]);
   }
   return noises;
 }

@@ -585,9 +585,9 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   std::stable_sort(pool.begin(), pool.end(), byScore);
   const MetricType::Pointer reference = this->CloneAt(pool.front().x);
   reference->Hold(MetricType::HoldEnum::Contours);
-  const auto refineAll = [&](const ScheduleType & schedule) {
+  const auto refineAll = [&](const ScheduleType & schedule, bool withAllTerms) {
     m_Monitor.ForEach(pool.size(), threads, [&](std::size_t i) {
-      const MetricType::Pointer metric = this->CloneAt(pool[i].x);
+      const MetricType::Pointer metric = withAllTerms ? this->CloneAt(pool[i].x) : this->CloneForStart();
       if (!m_Options.regenerateOutline)
       {
         metric->Hold(MetricType::HoldEnum::Contours);
@@ -602,14 +602,15 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     return !m_Monitor.IsAborted();
   };
 
-  // A few steps of each, then the best ones to the end.
+  // A few steps of each, then the best ones to the end. A further view that pulls with half a millimetre's certainty
+  // would drag a jaw that is still some millimetres off on the first one past its place there.
   ScheduleType coarse;
   coarse.widths = m_Options.coarseKernelWidths;
   coarse.maximumEvaluations = m_Options.coarseEvaluations;
   coarse.tolerance = m_Options.coarseTolerance;
   coarse.estimateNoise = false;
   coarse.stage = PoseStageEnum::Candidates;
-  if (!refineAll(coarse))
+  if (!refineAll(coarse, false))
   {
     return false;
   }
@@ -640,7 +641,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   fine.widths = { m_Options.fineKernelWidth };
   fine.maximumEvaluations = m_Options.maximumEvaluations;
   fine.tolerance = m_Options.fineTolerance;
-  if (!refineAll(fine))
+  if (!refineAll(fine, true))
   {
     return false;
   }

@@ -148,6 +148,15 @@ MakeOutlineTerm(const PoseJawInput &               jaw,
   term->SetFixedContour(tracing);
   term->SetJaw(jaw.jaw);
   term->SetExcludedTeeth(options.excludedTeeth);
+  if (transform->GetPoseGeometry().direction == CephalometricDirectionEnum::Frontal)
+  {
+    // A few points of an edge are matched anew with a curved outline at each position, which moves their residuals by
+    // the hand's distance from it, half a millimetre. With the jitter of a hand alone each such jump would count as
+    // evidence, and steps toward the solution as steps away from it.
+    ToothOutlinePoseMetricv4::ErrorsType errors;
+    errors.jitter = 1.5;
+    term->SetErrors(errors);
+  }
   if (landmarkTerm != nullptr)
   {
     std::vector<unsigned int> marked;

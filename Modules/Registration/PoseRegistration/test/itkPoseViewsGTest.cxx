@@ -25,10 +25,6 @@
 #include "itkToothCrownFilter.h"
 #include "itkUMidlineDentalAxisFilter.h"
 #include "itkViewVerdict.h"
-#include "itkToothOutlinePoseMetricv4.h"
-#include "itkPoseModel.h"
-#include <iostream>
-#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -95,15 +91,7 @@ FindCrowns(Source * source, bool byLabels, bool exchange = false)
     }
     filter->SetLabels(jaw == 0 ? JawEnum::Upper : JawEnum::Lower, labels);
   }
-  if (std::getenv("MARKS") != nullptr)
-  {
-    auto marks = itk::DentalLandmarkSet<3>::New();
-    for (unsigned int jaw = 0; jaw < 2; ++jaw)
-      for (const auto & landmark : source->GetLandmarks3D(jaw)->GetLandmarks()) marks->AddLandmark(landmark.name, landmark.point);
-    filter->SetScanLandmarks(marks);
-  }
   filter->Update();
-  for (const auto & crown : filter->GetOutput()->GetCrowns()) if (std::getenv("MARKS")) std::cerr << crown.tooth.GetName() << ' ' << crown.source << ' ' << crown.sigmaAlong << ' ' << crown.sigmaWidth << ' ' << crown.surface->triangles.size() << "; ";
   return filter->GetOutput();
 }
 
@@ -496,81 +484,4 @@ TEST(PoseViews, SaysWhatIsMissing)
   EXPECT_NE(MessageOf([&] { method->AddView(nullptr); }).find("no view"), std::string::npos);
   auto solution = itk::PoseSolution::New();
   EXPECT_NE(MessageOf([&] { solution->MakeViewSolution("frontal"); }).find("no view \"frontal\""), std::string::npos);
-}
-
-TEST(PoseViews, Scratch)
-{
-  for (std::uint64_t seed : { 101u, 103u, 104u, 105u, 74u })
-  {
-    auto source = MakeCase(true, seed);
-    auto axis = itk::UMidlineDentalAxisFilter<MethodType::MeshType>::New();
-    axis->SetUpperMesh(source->GetMesh(0));
-    axis->SetLowerMesh(source->GetMesh(1));
-    axis->RefineMidlineOn();
-    axis->TransformMeshesOff();
-    axis->Update();
-    for (int labels = 0; labels < 2; ++labels)
-    {
-      auto all = FindCrowns(source, labels == 1);
-      for (unsigned int jaw = 0; jaw < 2; ++jaw)
-      {
-        const auto * frame = (jaw == 0 ? axis->GetUpperTransformOutput() : axis->GetLowerTransformOutput())->Get();
-        auto crowns = itk::ToothCrownSet::New();
-        for (auto crown : all->GetCrowns())
-        {
-          if ((crown.tooth.GetJaw() == JawEnum::Upper) != (jaw == 0)) continue;
-          auto moved = std::make_shared<itk::TriangleSurface>(*crown.surface);
-          for (auto & p : moved->points)
-          {
-            auto q = frame->TransformPoint(itk::Point<double, 3>(itk::Point<float, 3>(p.data())));
-            for (int d = 0; d < 3; ++d) p[d] = q[d];
-          }
-          crown.surface = moved;
-          crowns->Add(crown);
-        }
-        auto geometry = MakeFrontalGeometry(source);
-        geometry->SetSourceToMidsagittalDistance(1524.0);
-        auto transform = itk::CephalometricPoseTransform::New();
-        transform->SetGeometry(geometry);
-        // R = true rotation * frame'
-        const auto * truth = source->GetTrueGeometry(jaw);
-        vnl_matrix_fixed<double, 3, 3> Rt, F;
-        for (int i = 0; i < 3; ++i) for (int k = 0; k < 3; ++k) { Rt(i, k) = truth->GetPoseRotation()(i, k); F(i, k) = frame->GetMatrix()(i, k); }
-        auto R = Rt * F.transpose();
-        // R = Ry(p) Rx(r) Rz(y): R(1,2) = -sr; R(1,0)= cr sy; R(1,1)=cr cy; R(0,2)= sp cr; R(2,2)= cp cr
-        double roll = std::asin(-R(1, 2)), yaw = std::atan2(R(1, 0), R(1, 1)), pitch = std::atan2(R(0, 2), R(2, 2));
-        itk::Point<double, 3> o; // mesh point of dental origin
-        o.Fill(0.0);
-        auto inverse = itk::VersorRigid3DTransform<double>::New();
-        frame->GetInverse(inverse);
-        auto m = inverse->TransformPoint(o);
-        auto t = truth->TransformToCephalostat(m);
-        itk::CephalometricPoseTransform::ParametersType values(7);
-        values[0] = pitch; values[1] = roll; values[2] = yaw; values[3] = t[0]; values[4] = t[1]; values[5] = t[2]; values[6] = 0.0;
-        transform->SetParameters(values);
-        auto metric = itk::ToothOutlinePoseMetricv4::New();
-        metric->SetTransform(transform);
-        metric->SetCrowns(crowns);
-        metric->SetJaw(jaw == 0 ? JawEnum::Upper : JawEnum::Lower);
-        metric->SetFixedContour(source->GetFrontalView()->tracings[jaw]);
-        metric->Initialize();
-        std::cerr << "seed " << seed << " labels " << labels << " jaw " << jaw << " pose " << pitch << ' ' << roll << ' ' << yaw << ":";
-        for (auto & r : metric->ComputeOutlineResiduals(metric->GetState().GetValues()))
-          std::cerr << "  " << r.name << ' ' << std::round(10 * r.shift[0]) / 10 << ',' << std::round(10 * r.shift[1]) / 10 << " d" << std::round(10 * r.distance) / 10 << " m" << std::round(100 * r.matchedShare);
-        std::cerr << std::endl;
-      }
-    }
-    for (int kind = 0; kind < 3; ++kind)
-    {
-      auto method = MakeMethod(source);
-      method->AddView(MakeView(source, kind != 1, kind != 0));
-      method->SetToothCrowns(FindCrowns(source, std::getenv("MARKS") == nullptr));
-      method->Update();
-      const ErrorType error = MeasureError(source, method);
-      std::cerr << "seed " << seed << " kind " << kind << " roll " << error.roll << " yaw " << error.yaw << " shift " << error.shift << " codes";
-      for (auto & c : CodesOf(method)) std::cerr << ' ' << c;
-      for (auto & o : method->GetOutput()->GetGroup(JawEnum::Upper).outcomes) std::cerr << ' ' << o.first << '=' << o.second.deviance;
-      std::cerr << std::endl;
-    }
-  }
 }
