@@ -118,6 +118,55 @@ def test_every_option_is_listed_with_its_default():
     assert sorted(listed) == sorted([*names, "refineMidline"])
 
 
+def test_fixed_constants_of_robust_are_those_of_the_code():
+    """The rows of the page's table that are no options: file of the module, pattern of its number, factor, row."""
+    text = (ROOT / "Documentation/Robust.md").read_text().split("## Options")[1].split("## Verdict")[0]
+    rows = dict(re.findall(r"^\| ([a-zEP][\w' ,]*) \| (.*? \| .*? \| .*?) \|", text, re.M))
+    degrees = 180 / math.pi
+    written = {
+        "samples of the outline": [("PoseMetric/include/itkPoseContourModel.h", r"double Spacing = (.*?);", 1)],
+        "smoothing of the outline's directions": [("PoseMetric/include/itkPoseContourIndex.h", r"Reach = (.*?);", 0.5)],
+        "fade of directions": [("PoseMetric/src/itkPoseMatching.h", r"cosine - (.*?)\) /", 1)],
+        "usual error, largest weight": [("PoseMetric/src/itkPoseTracing.cxx", r"UsualSigma = (.*?);", 1),
+                                        ("PoseMetric/src/itkPoseTracing.cxx", r"LargestWeight = (.*?);", 1)],
+        "priors of the levels": [("RegistrationCommon/src/itkContourNoiseModel.cxx", rf"Prior{name} = (.*?);", 1)
+                                 for name in ("Smooth", "White", "LogSigma")],
+        "scale prior of a DICOM file": [("RegistrationCommon/src/itkScalePrior.cxx", r"Dicom:\s+return (.*?);", 1)],
+        "landmark's kernel": [("PoseMetric/include/itkLandmarkPoseMetricv4.h", r"m_KernelWidthInSigmas\{ (.*?) \}", 1),
+                              ("PoseMetric/src/itkToothOutlinePoseMetricv4.cxx", r"ToothWidthInSigmas = (.*?);", 1)],
+        "template's penalty": [("PoseMetric/src/itkToothOutlinePoseMetricv4.cxx", r"TemplatePenalty = (.*?);", 1)],
+        "range and step of rotation": [("PoseRegistration/include/itkPoseStartSearch.h", rf"m_Rotation{name}\{{ (.*?) \}}", degrees)
+                                       for name in ("Range", "Step")],
+        "range and step of shifts": [("PoseRegistration/include/itkPoseStartSearch.h", rf"m_{name}\{{ (.*?) \}}", 1)
+                                     for name in ("HorizontalRange", "VerticalRange", "ShiftStep")],
+        "range and step of scale": [("PoseRegistration/include/itkPoseStartSearch.h", r"m_Kappas\{.*, (\S+) \};", 1),
+                                    ("PoseRegistration/include/itkPoseStartSearch.h", r"m_Kappas\{.*-(\S+), 0\.07", 1)],
+        "truncation and table": [("PoseRegistration/src/itkPoseStartSearch.cxx", rf"{name} = (.*?);", 1)
+                                 for name in ("Truncation", "Cell", "Directions")],
+        "arm": [("PoseMetric/include/itkPoseStateBlocks.h", r"Arm = (.*?);", 1)],
+        "longest step": [("PoseMetric/src/itkPoseStateBlocks.cxx", rf'"{name}", 0.0, \S+, (.*?), true', 1)
+                         for name in ("pitch", "roll", "yaw", "tx", "ty", "tz", "kappa")],
+        "width at which fits are judged": [("PoseMetric/include/itkPoseSilhouetteKernel.h", r"FitWidth = (.*?);", 1)],
+        "shares of E and P": [("PoseRegistration/src/itkPoseGroupRegistration.cxx", rf"{name}Share = (.*?);", 1)
+                              for name in ("Evidence", "Known")],
+        "smallest share, same minimum": [("PoseRegistration/src/itkPoseGroupRegistration.cxx", rf"{name} = (.*?);", 1)
+                                         for name in ("smallestShare", "sameMinimum")],
+    }
+    for row, sources in written.items():
+        numbers = [float(number) for number in re.findall(r"(?<![\w.])\d+(?:\.\d+)?", rows[row])]
+        for file, pattern, factor in sources:
+            found = re.search(pattern, (ROOT / "Modules/Registration" / file).read_text())
+            assert found, (file, pattern)
+            value = factor * float(found.group(1))
+            assert any(number == pytest.approx(value, rel=1e-6) for number in numbers), (row, value)
+    weights = [(ROOT / "Modules/Registration" / file).read_text() for file in
+               ("PoseMetric/src/itkSilhouettePoseMetricv4.cxx", "PoseRegistration/src/itkPoseGroupRegistration.cxx")]
+    assert [re.search(r"SmallestWeight = (.*?);", text).group(1) for text in weights] == ["1e-6", "1e-3"]
+    assert rows["smallest weight"].startswith("10⁻⁶; 10⁻³")
+    # No row is left out above.
+    assert set(rows) - {"constant", "switch"} == {*written, "smallest weight"}
+
+
 def test_classes_by_concept_are_there():
     """Each class of the index has a header, in the module that stands beside it."""
     text = (ROOT / "Documentation/ClassIndex.md").read_text()
