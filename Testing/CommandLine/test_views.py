@@ -65,6 +65,9 @@ def test_a_frontal_view_tells_what_a_lateral_one_cannot(run, frontal_phantom, tm
         used = view["jaws"][jaw]["outlines_used"]
         assert set(used) == {f"{quadrant}{position}" for quadrant in quadrants for position in (1, 2, 3, 6)}
         assert all(outline["weight"] > 0.5 and outline["residual_sd"] < 3.0 for outline in used.values())
+    # What each was compared with is there to look at, a line a tooth.
+    drawn = json.loads((tmp_path / "two" / "report.json").read_text())["views"][1]["jaws"]["upper"]["contours"]
+    assert len(drawn["matched"]) == 8 and drawn["whole"]
     assert not two["warnings"] and not one["warnings"]
     # Registered again without the view nothing of it is left.
     done, _ = register(run, alone, tmp_path / "two")

@@ -171,6 +171,7 @@ VisitFields(itk::PoseJawResult & jaw, TField && field)
     field(outline.weight);
     field(outline.matchedShare);
     field(outline.isTemplate);
+    field(outline.crown);
   }
   field(jaw.unusedOutlines);
   field(jaw.tracingFailure);

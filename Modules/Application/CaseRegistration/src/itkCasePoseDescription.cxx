@@ -173,6 +173,26 @@ CollectRimPoints(const DentalContour & contour)
 }
 
 void
+DescribeWithoutDistances(const PoseSolution & solution, JawEnum jaw, DentalContour * whole, JawResult & result)
+{
+  result.contours.emplace_back("whole", whole);
+  auto crowns = DentalContour::New();
+  for (const PoseOutlineFit & outline : solution.GetJaw(jaw).outlines)
+  {
+    DentalContour::PolylineType line;
+    for (const auto & pixel : outline.crown)
+    {
+      line.points.emplace_back(pixel.data());
+    }
+    crowns->AddPolyline(line);
+  }
+  if (crowns->GetNumberOfPoints() > 0)
+  {
+    result.contours.emplace_back("matched", crowns);
+  }
+}
+
+void
 MeasureMatched(DentalContour * tracing, const PoseSolution & solution, JawEnum jaw, JawResult & result)
 {
   const auto & spacing = solution.GetResult().geometry.pixelSpacing;

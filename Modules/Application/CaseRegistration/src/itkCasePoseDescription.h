@@ -77,6 +77,14 @@ Measure(DentalContour * tracing, DentalContour * contour, const char * name, Jaw
 std::vector<std::array<double, 3>>
 CollectRimPoints(const DentalContour & contour);
 
+/** The contours of a jaw without a tracing that distances could be measured from, to look at: the silhouette of its
+ * whole scan, and the crowns that outlines of single teeth were compared with. */
+void
+DescribeWithoutDistances(const PoseSolution & solution,
+                         ToothCode::JawEnum   jaw,
+                         DentalContour *      whole,
+                         JawResult &          result);
+
 /** The same figures of what of the moving contour lies within a few mm of the tracing; its points on the scan are kept:
  * of the rest nobody can see whether it fits. */
 void

@@ -373,9 +373,8 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     DentalContour * tracing = data.GetJaw(entry.first).contour;
     if (!traced)
     {
-      // Nothing that distances could be measured from: the silhouette is there to look at.
       jaw.outline = CollectRimPoints(*solution->MakeMovingContour(entry.first));
-      jaw.contours.emplace_back("whole", silhouettes[ToIndex(entry.first)]);
+      DescribeWithoutDistances(*solution, entry.first, silhouettes[ToIndex(entry.first)], jaw);
       jaw.seconds.emplace_back("contour", silhouetteProbe.GetTotal());
       continue;
     }

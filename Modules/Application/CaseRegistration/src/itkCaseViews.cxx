@@ -153,7 +153,7 @@ CaseViews::Describe(const PoseSolution &              solution,
       }
       else
       {
-        place.contours.emplace_back("whole", whole);
+        DescribeWithoutDistances(*own, jaw, whole, place);
       }
       for (const std::string & unused : poseJaw.unusedOutlines)
       {

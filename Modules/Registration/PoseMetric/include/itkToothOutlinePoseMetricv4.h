@@ -218,6 +218,8 @@ public:
     double matchedShare;
     /** Its shape is not the tooth's own. */
     bool isTemplate;
+    /** What it was compared with: the projected outline of the crown, an open line, pixels. */
+    std::vector<std::array<double, 2>> crown;
   };
   std::vector<ResidualType>
   ComputeOutlineResiduals(const PositionType & x) const;

@@ -70,6 +70,32 @@ constexpr int Rounds = 3;
 /** mm by which a tooth's outline and its crown differ where no hand is wrong: part of a shift's error. */
 constexpr double OutlineSigma = 0.25;
 
+/** The samples of a crown's outline as one line, in pixels, that begins behind the widest gap: where it was cut. */
+std::vector<std::array<double, 2>>
+MakeOpenLine(const PoseContour & contour, const PoseGeometry & geometry)
+{
+  const std::size_t n = contour.Size();
+  std::size_t       begin = 0;
+  double            widest = -1.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t before = (i + n - 1) % n;
+    const double      gap = std::hypot(contour.u[i] - contour.u[before], contour.v[i] - contour.v[before]);
+    if (gap > widest)
+    {
+      widest = gap;
+      begin = i;
+    }
+  }
+  std::vector<std::array<double, 2>> line;
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const std::size_t i = (begin + k) % n;
+    line.push_back(PoseModel::ToPixel(geometry, { { contour.u[i], contour.v[i] } }));
+  }
+  return line;
+}
+
 /** The drawing error that the file gives an outline, mm on the detector; 0 where it gives none. */
 double
 ComputeSigma(const DentalContour::PolylineType & polyline, const PoseGeometry & geometry)
@@ -772,7 +798,8 @@ ToothOutlinePoseMetricv4::ComputeOutlineResiduals(const PositionType & x) const
                           ComputeDistance(tooth, noise),
                           noise.weight,
                           matched / static_cast<double>(noise.weights.size()),
-                          noise.way == 1 });
+                          noise.way == 1,
+                          MakeOpenLine(teeth[t].contour, geometry) });
   }
   return residuals;
 }

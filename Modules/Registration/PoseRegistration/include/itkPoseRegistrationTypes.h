@@ -231,6 +231,8 @@ struct PoseOutlineFit
   double matchedShare{ 1.0 };
   /** Its shape is another tooth's, as a stock template's is: only tip and axis count. */
   bool isTemplate{ false };
+  /** What it was compared with: the projected outline of the crown at the solution, an open line, pixels. */
+  std::vector<std::array<double, 2>> crown;
 };
 
 /** Result for one jaw. */

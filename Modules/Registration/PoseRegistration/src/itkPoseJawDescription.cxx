@@ -110,7 +110,8 @@ DescribeOutlines(const ToothOutlinePoseMetricv4 &               metric,
                              residual.distance,
                              residual.weight,
                              residual.matchedShare,
-                             residual.isTemplate });
+                             residual.isTemplate,
+                             residual.crown });
   }
 }
 
