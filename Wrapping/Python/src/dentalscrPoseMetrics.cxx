@@ -196,6 +196,13 @@ WrapMetricBase(py::module_ & module)
     "MetricHold",
     { { "Nothing", HoldEnum::Nothing }, { "Contours", HoldEnum::Contours }, { "Matches", HoldEnum::Matches } },
     "What of a metric stays as it is while the parameters move.");
+  using JoinsEnum = MetricBaseType::JoinsEnum;
+  BindEnum<JoinsEnum>(
+    module,
+    "MetricJoins",
+    { { "Start", JoinsEnum::Start }, { "Candidates", JoinsEnum::Candidates }, { "Refinement", JoinsEnum::Refinement } },
+    "From when on a registration evaluates a term: the search for where to begin, the first steps "
+    "from each start, the last refinement.");
   py::class_<MetricBaseType, itk::SmartPointer<MetricBaseType>>(
     module,
     "LeastSquaresMetricv4",
@@ -225,14 +232,11 @@ GetDerivative() are an optimizer's: the free ones alone, each multiplied by its 
       "GetValues",
       [](const MetricBaseType & self) { return ToArray(self.GetState().GetValues()); },
       "Of all blocks, one behind the other.")
-    .def("SetTakesPartInStart",
-         &MetricBaseType::SetTakesPartInStart,
-         py::arg("takesPart"),
-         "Sets whether a registration evaluates this term while it looks for where to begin. On by default; off, the "
-         "term joins when the starts that were found are refined.")
-    .def("GetTakesPartInStart",
-         &MetricBaseType::GetTakesPartInStart,
-         "Returns whether a registration evaluates this term while it looks for where to begin. On by default.")
+    .def("SetJoins",
+         &MetricBaseType::SetJoins,
+         py::arg("joins"),
+         "Sets from when on a registration evaluates this term (MetricJoins): Start by default.")
+    .def("GetJoins", &MetricBaseType::GetJoins, "Returns from when on a registration evaluates this term.")
     .def("SetValues",
          &MetricBaseType::SetValues,
          py::arg("values"),

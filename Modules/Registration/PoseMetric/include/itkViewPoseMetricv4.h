@@ -36,8 +36,8 @@ namespace itk
  * of a pose serves: landmarks, silhouettes, outlines of teeth, with the geometry of the view in its transform. Priors
  * say how far the head may have moved (ParameterPriorMetricv4).
  *
- * Kernel, noise and matches are those of the term that it holds. TakesPartInStart is off by default: the search for
- * where to begin looks at the first view, in whose pixels this term's mean nothing.
+ * Kernel, noise and matches are those of the term that it holds. By default it joins with the candidates
+ * (GetJoins()): the search for where to begin looks at the first view, in whose pixels this term's mean nothing.
  *
  * Position: pitch, roll, yaw, tx, ty, tz of the body, the same six of the move, kappa of the view.
  *

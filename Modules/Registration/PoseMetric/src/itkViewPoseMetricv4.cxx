@@ -42,7 +42,7 @@ Compose(const LeastSquaresMetricv4::PositionType & x)
 
 ViewPoseMetricv4::ViewPoseMetricv4()
 {
-  this->SetTakesPartInStart(false);
+  this->SetJoins(JoinsEnum::Candidates);
 }
 
 void

@@ -273,8 +273,8 @@ TEST(ViewPoseMetricv4, AClonesTermIsItsOwn)
 TEST(ViewPoseMetricv4, TakesNoPartInTheStartAndKnowsWhatItsTermKnows)
 {
   const auto metric = MakeMetric(2.0);
-  EXPECT_FALSE(metric->GetTakesPartInStart());
-  EXPECT_FALSE(metric->Clone()->GetTakesPartInStart());
+  EXPECT_EQ(metric->GetJoins(), itk::ViewPoseMetricv4::JoinsEnum::Candidates);
+  EXPECT_EQ(metric->Clone()->GetJoins(), itk::ViewPoseMetricv4::JoinsEnum::Candidates);
   metric->Initialize();
   const double known = metric->ComputeKnownDeviance(Truth(), true);
   EXPECT_GT(known, 0.0);

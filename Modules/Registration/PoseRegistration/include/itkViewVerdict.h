@@ -54,7 +54,7 @@ public:
     double suspectDeviance{ -10.0 };
     /** The same of a head that was turned between the radiographs and not said to be: five more unknowns explain more
      * of any noise. */
-    double suspectMoveDeviance{ -14.0 };
+    double suspectMoveDeviance{ -18.0 };
   };
 
   /** Findings of a view of the result, by its index; none where it agrees. */

@@ -200,13 +200,13 @@ PoseGroupRegistration::CloneAt(const PositionType & x) const
 }
 
 PoseGroupRegistration::MetricType::Pointer
-PoseGroupRegistration::CloneForStart() const
+PoseGroupRegistration::CloneForStage(LeastSquaresMetricv4::JoinsEnum stage) const
 {
   // The blocks of a view stay, and so does their order: its priors read them as well.
   MetricType::Pointer clone = m_Metric->Clone();
   for (SizeValueType t = clone->GetNumberOfMetrics(); t-- > 0;)
   {
-    if (!clone->GetMetric(t)->GetTakesPartInStart())
+    if (clone->GetMetric(t)->GetJoins() > stage)
     {
       clone->RemoveMetric(clone->GetMetric(t));
     }
@@ -444,7 +444,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
   // The view direction is that of the tracing: two rounds settle the perspective.
   PoseParameters pose{ {} };
   pose[PoseYaw] = yaw;
-  MetricType::Pointer metric = this->CloneForStart();
+  MetricType::Pointer metric = this->CloneForStage(LeastSquaresMetricv4::JoinsEnum::Start);
   for (int round = 0; round < 2; ++round)
   {
     metric->Hold(MetricType::HoldEnum::Nothing);
@@ -585,9 +585,10 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   std::stable_sort(pool.begin(), pool.end(), byScore);
   const MetricType::Pointer reference = this->CloneAt(pool.front().x);
   reference->Hold(MetricType::HoldEnum::Contours);
-  const auto refineAll = [&](const ScheduleType & schedule, bool withAllTerms) {
+  const auto refineAll = [&](const ScheduleType & schedule, LeastSquaresMetricv4::JoinsEnum stage) {
     m_Monitor.ForEach(pool.size(), threads, [&](std::size_t i) {
-      const MetricType::Pointer metric = withAllTerms ? this->CloneAt(pool[i].x) : this->CloneForStart();
+      const MetricType::Pointer metric = this->CloneForStage(stage);
+      metric->SetValues(pool[i].x);
       if (!m_Options.regenerateOutline)
       {
         metric->Hold(MetricType::HoldEnum::Contours);
@@ -602,15 +603,14 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     return !m_Monitor.IsAborted();
   };
 
-  // A few steps of each, then the best ones to the end. A further view that pulls with half a millimetre's certainty
-  // would drag a jaw that is still some millimetres off on the first one past its place there.
+  // A few steps of each, then the best ones to the end.
   ScheduleType coarse;
   coarse.widths = m_Options.coarseKernelWidths;
   coarse.maximumEvaluations = m_Options.coarseEvaluations;
   coarse.tolerance = m_Options.coarseTolerance;
   coarse.estimateNoise = false;
   coarse.stage = PoseStageEnum::Candidates;
-  if (!refineAll(coarse, false))
+  if (!refineAll(coarse, LeastSquaresMetricv4::JoinsEnum::Candidates))
   {
     return false;
   }
@@ -641,7 +641,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   fine.widths = { m_Options.fineKernelWidth };
   fine.maximumEvaluations = m_Options.maximumEvaluations;
   fine.tolerance = m_Options.fineTolerance;
-  if (!refineAll(fine, true))
+  if (!refineAll(fine, LeastSquaresMetricv4::JoinsEnum::Refinement))
   {
     return false;
   }

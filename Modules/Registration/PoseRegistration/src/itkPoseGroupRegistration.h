@@ -143,9 +143,9 @@ private:
   ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const;
   MetricType::Pointer
   CloneAt(const PositionType & x) const;
-  /** Without the terms that take no part in the search for starts. */
+  /** Without the terms that join later. */
   MetricType::Pointer
-  CloneForStart() const;
+  CloneForStage(LeastSquaresMetricv4::JoinsEnum stage) const;
   CandidateType
   MakeCandidate(const PositionType & x) const;
 

@@ -153,12 +153,18 @@ PoseRegistrationEngine::AddViews(const PoseProblem &              problem,
     // Before the terms: a start leaves these out, and the blocks must stay in their order.
     sum.AddMetric(ofMove);
     sum.AddMetric(ofScale);
+    // Outlines pull with half a millimetre's certainty, and a jaw that is still some millimetres off on the first view
+    // would be dragged past its place there; landmarks beside them wait for them.
+    const bool isOutlined =
+      std::any_of(members.begin(), members.end(), [&](std::size_t j) { return jaws[j].views[v].outlines.IsNotNull(); });
     const auto add = [&](PoseMetricv4 * term, MetricType::SettingsEnum settings) {
       if (term != nullptr)
       {
         auto wrapped = ViewPoseMetricv4::New();
         wrapped->SetView(view.name);
         wrapped->SetTerm(term);
+        wrapped->SetJoins(isOutlined ? ViewPoseMetricv4::JoinsEnum::Refinement
+                                     : ViewPoseMetricv4::JoinsEnum::Candidates);
         sum.AddMetric(wrapped, settings);
       }
     };

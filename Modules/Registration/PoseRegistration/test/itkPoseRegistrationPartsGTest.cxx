@@ -43,6 +43,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -381,37 +382,47 @@ TEST(PoseRegistrationParts, ATermOfAUsersOwnTakesPartInTheChoiceAmongMinima)
   EXPECT_NEAR(devianceWith(10.0) - devianceWith(0.0), 4.0, 1e-9);
 }
 
-TEST(PoseRegistrationParts, ATermThatTakesNoPartInTheStartJoinsAtTheRefinement)
+TEST(PoseRegistrationParts, ATermJoinsWhenItSays)
 {
-  const auto evaluationsInStart = [](bool takesPart) {
-    std::atomic<unsigned int> evaluations{ 0 };
-    unsigned int              inStart = 0;
-    const auto                term = itk::LeastSquaresFunctionMetricv4::New();
+  using JoinsEnum = itk::LeastSquaresMetricv4::JoinsEnum;
+  // In the search for where to begin, and in the first steps from there.
+  const auto evaluationsOf = [](JoinsEnum joins) {
+    std::atomic<unsigned int>   evaluations{ 0 };
+    std::array<unsigned int, 2> before{};
+    const auto                  term = itk::LeastSquaresFunctionMetricv4::New();
     term->SetBlocks({ itk::PoseStateBlocks::MakePose() });
     term->SetFunction([&evaluations](const std::vector<double> & pose) {
       ++evaluations;
       return std::vector<double>{ pose[itk::PoseTy] / 50.0 };
     });
-    term->SetTakesPartInStart(takesPart);
+    term->SetJoins(joins);
     const auto method = MakeMethod();
     method->ClearHypotheses();
     method->AddMetric(term);
     method->AddObserver(itk::MultiResolutionIterationEvent(), [&](const itk::EventObject &) {
-      if (method->GetCurrentLevel() == 0)
+      const unsigned int level = method->GetCurrentLevel();
+      if (level == 1 || level == 2)
+      {
+        before[level - 1] = evaluations;
+      }
+      if (level < 3)
       {
         evaluations = 0;
       }
-      else if (method->GetCurrentLevel() == 1)
-      {
-        inStart = evaluations;
-      }
     });
     method->Update();
-    EXPECT_GT(evaluations, inStart) << "it joins the refinement either way";
-    return inStart;
+    EXPECT_GT(evaluations, 0u) << "it joins the refinement whatever it says";
+    return before;
   };
-  EXPECT_GT(evaluationsInStart(true), 0u);
-  EXPECT_EQ(evaluationsInStart(false), 0u);
+  const auto start = evaluationsOf(JoinsEnum::Start);
+  EXPECT_GT(start[0], 0u);
+  EXPECT_GT(start[1], 0u);
+  const auto candidates = evaluationsOf(JoinsEnum::Candidates);
+  EXPECT_EQ(candidates[0], 0u);
+  EXPECT_GT(candidates[1], 0u);
+  const auto refinement = evaluationsOf(JoinsEnum::Refinement);
+  EXPECT_EQ(refinement[0], 0u);
+  EXPECT_EQ(refinement[1], 0u);
 }
 
 TEST(PoseRegistrationParts, ATermsErrorsComeThrough)

@@ -91,8 +91,8 @@ TEST(ViewVerdict, AnotherReadingThatExplainsItBetterIsNamed)
   EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Sides, -10.1)), Codes{ "view-sides" });
   EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Source, -9.9)), Codes());
   EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Source, -10.1)), Codes{ "view-source" });
-  EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Head, -13.9)), Codes());
-  EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Head, -14.1)), Codes{ "view-head-moved" });
+  EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Head, -17.9)), Codes());
+  EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Head, -18.1)), Codes{ "view-head-moved" });
   // Of another view it says nothing of this one.
   EXPECT_EQ(CodesOf([](itk::PoseRegistrationResult & result) {
               result.groups[0].outcomes[itk::OtherViewHypothesis::MakeCode(QuestionEnum::Sides, "other")].deviance =

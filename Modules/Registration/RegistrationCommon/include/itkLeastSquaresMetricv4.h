@@ -200,15 +200,24 @@ public:
 
   // In a registration ------------------------------------------------------------------------------------------------
 
-  /** Whether a registration evaluates this term while it looks for where to begin. Default on. Off: the term joins when
-   * the starts that were found are refined. That is for terms that say nothing far from the solution or mislead there,
-   * and for those of another radiograph, whose pixels mean nothing in the first one's. Cloned with the state. */
-  void
-  SetTakesPartInStart(bool takesPart);
-  bool
-  GetTakesPartInStart() const
+  /** From when on a registration evaluates a term. */
+  enum class JoinsEnum : std::uint8_t
   {
-    return m_TakesPartInStart;
+    /** The search for where to begin. */
+    Start,
+    /** The first steps from each start. For terms that say nothing far from the solution, and for those of another
+     * radiograph, whose pixels mean nothing in the first one's. */
+    Candidates,
+    /** The last refinement of what is left. For terms that mislead some millimetres beside the solution. */
+    Refinement
+  };
+  /** Default Start. Cloned with the state. */
+  void
+  SetJoins(JoinsEnum joins);
+  JoinsEnum
+  GetJoins() const
+  {
+    return m_Joins;
   }
 
   // v4 --------------------------------------------------------------------------------------------------------------
@@ -287,7 +296,7 @@ protected:
   static Pointer
   CloneTerm(const Self & term);
 
-  /** Copies state, parameters and TakesPartInStart of another metric of the same blocks, for InternalClone(). */
+  /** Copies state, parameters and Joins of another metric of the same blocks, for InternalClone(). */
   void
   CopyState(const Self & other);
 
@@ -311,7 +320,7 @@ private:
   mutable RegistrationState m_State;
   mutable ParametersType    m_Parameters;
   EvaluationCallbackType    m_EvaluationCallback;
-  bool                      m_TakesPartInStart{ true };
+  JoinsEnum                 m_Joins{ JoinsEnum::Start };
 
   friend class LeastSquaresSumMetricv4;
 };

@@ -179,11 +179,11 @@ LeastSquaresMetricv4::ComputeKnownDeviance(const PositionType & x, bool noiseIsE
 }
 
 void
-LeastSquaresMetricv4::SetTakesPartInStart(bool takesPart)
+LeastSquaresMetricv4::SetJoins(JoinsEnum joins)
 {
-  if (m_TakesPartInStart != takesPart)
+  if (m_Joins != joins)
   {
-    m_TakesPartInStart = takesPart;
+    m_Joins = joins;
     this->SettingsChanged();
   }
 }
@@ -535,7 +535,7 @@ LeastSquaresMetricv4::CopyState(const Self & other)
 {
   m_State = other.GetState();
   m_Parameters = other.m_Parameters;
-  m_TakesPartInStart = other.m_TakesPartInStart;
+  m_Joins = other.m_Joins;
 }
 
 void
@@ -547,7 +547,7 @@ LeastSquaresMetricv4::PrintSelf(std::ostream & os, Indent indent) const
   text << indent.GetNextIndent();
   m_State.Print(os, text.str());
   os << indent << "Parameters: " << m_Parameters << std::endl;
-  os << indent << "TakesPartInStart: " << (m_TakesPartInStart ? "On" : "Off") << std::endl;
+  os << indent << "Joins: " << static_cast<int>(m_Joins) << std::endl;
   os << indent << "EvaluationCallback: " << (m_EvaluationCallback ? "set" : "(none)") << std::endl;
 }
 } // namespace itk

@@ -465,18 +465,19 @@ TEST(LeastSquaresSumMetricv4, WhatIsKnownIsTheCriterionOfTheTermsWhoseNoiseIsNot
   EXPECT_DOUBLE_EQ(outer->ComputeKnownDeviance({ 0.75 }, true), 0.25) << "a sum in a sum is its terms";
 }
 
-TEST(LeastSquaresSumMetricv4, ATermIsClonedWithItsPartInTheStartAndChangesTheSumsTime)
+TEST(LeastSquaresSumMetricv4, ATermIsClonedWithWhenItJoinsAndChangesTheSumsTime)
 {
   auto term = PlainTerm::New();
-  EXPECT_TRUE(term->GetTakesPartInStart());
+  using JoinsEnum = PlainTerm::JoinsEnum;
+  EXPECT_EQ(term->GetJoins(), JoinsEnum::Start);
   auto sum = SumType::New();
   sum->AddMetric(term);
   const auto before = sum->GetMTime();
-  term->SetTakesPartInStart(true);
+  term->SetJoins(JoinsEnum::Start);
   EXPECT_EQ(sum->GetMTime(), before) << "nothing changed";
-  term->SetTakesPartInStart(false);
+  term->SetJoins(JoinsEnum::Refinement);
   EXPECT_GT(sum->GetMTime(), before) << "a registration has to run again";
-  EXPECT_FALSE(sum->Clone()->GetMetric(0)->GetTakesPartInStart());
+  EXPECT_EQ(sum->Clone()->GetMetric(0)->GetJoins(), JoinsEnum::Refinement);
 }
 
 TEST(LeastSquaresSumMetricv4, ErrorsSayWhatIsWrong)
