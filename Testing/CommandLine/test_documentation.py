@@ -77,7 +77,8 @@ def test_views_table_has_the_codes_thresholds():
     }.items():
         assert seen[code].endswith(end), code
     assert f"lower by {-t['suspectMoveDeviance']:g}" in seen["view-head-moved"]
-    assert len(t) == 6
+    assert f"turned by > {t['suspectHeadMove']:g} sd" in seen["view-head-moved"]
+    assert len(t) == 7
 
 
 def test_every_finding_is_listed():

@@ -214,18 +214,20 @@ VisitFields(itk::PoseGroupResult & group, TField && field)
   field(group.stopCondition);
   field(group.bisected);
   field(group.untried);
-  std::map<std::string, std::array<double, 4>> outcomes;
+  std::map<std::string, std::array<double, 5>> outcomes;
   for (const auto & outcome : group.outcomes)
   {
     const itk::PoseHypothesisOutcome & found = outcome.second;
-    outcomes[outcome.first] = { { found.score, found.deviance, found.pixelSpacing[0], found.pixelSpacing[1] } };
+    outcomes[outcome.first] = {
+      { found.score, found.deviance, found.pixelSpacing[0], found.pixelSpacing[1], found.headMove }
+    };
   }
   field(outcomes);
   group.outcomes.clear();
   for (const auto & outcome : outcomes)
   {
-    const std::array<double, 4> & kept = outcome.second;
-    group.outcomes[outcome.first] = { kept[0], kept[1], { { kept[2], kept[3] } } };
+    const std::array<double, 5> & kept = outcome.second;
+    group.outcomes[outcome.first] = { kept[0], kept[1], { { kept[2], kept[3] } }, kept[4] };
   }
 }
 template <typename TField>
@@ -471,6 +473,10 @@ WrapSolution(py::module_ & module)
     .def_readonly("pixelSpacing",
                   &OutcomeType::pixelSpacing,
                   "mm a pixel in the detector plane that its best candidate amounts to; 0 where there is none.")
+    .def_readonly("headMove",
+                  &OutcomeType::headMove,
+                  "How far its best candidate moves the head for a further view, the largest of turns and shifts in "
+                  "standard deviations of patients who are turned in the ear rods; 0 where nothing may be moved.")
     .def("__repr__", [](const OutcomeType & self) {
       return "<dentalscr.PoseHypothesisOutcome score " + std::to_string(self.score) + ", deviance " +
              std::to_string(self.deviance) + '>';
@@ -1096,7 +1102,11 @@ WrapDownstream(py::module_ & module)
       "Difference of the robust criterion below which the other reading of the view (sides, source) is named.")
     .def_readwrite("suspectMoveDeviance",
                    &ViewThresholdsType::suspectMoveDeviance,
-                   "The same of a head that was turned between the radiographs and not said to be.");
+                   "The same of a head that was turned between the radiographs and not said to be.")
+    .def_readwrite(
+      "suspectHeadMove",
+      &ViewThresholdsType::suspectHeadMove,
+      "And how far the head is moved then, standard deviations of patients who are turned in the ear rods.");
 
   using ThresholdsType = RegistrationVerdict::Thresholds;
   py::class_<ThresholdsType>(

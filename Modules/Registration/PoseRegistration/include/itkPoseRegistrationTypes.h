@@ -300,6 +300,9 @@ struct PoseHypothesisOutcome
   double deviance{ 0.0 };
   /** mm a pixel in the detector plane that the best candidate amounts to, its scale included; 0 where there is none. */
   std::array<double, 2> pixelSpacing{ { 0.0, 0.0 } };
+  /** How far its best candidate moves the head for a further view, where it may be moved: the largest of turns and
+   * shifts, in standard deviations of patients who are turned in the ear rods (Documentation/Views.md). */
+  double headMove{ 0.0 };
 };
 
 /** Result for a group of jaws that share one pose. */

@@ -381,6 +381,7 @@ PoseRegistrationEngine::TryHypothesis(const GroupType & group, const PoseHypothe
   if (!result.candidates.empty())
   {
     outcome.score = result.score;
+    outcome.headMove = ComputeHeadMove(question, result);
     for (unsigned int d = 0; d < 2; ++d)
     {
       outcome.pixelSpacing[d] = answer.geometry.pixelSpacing[d] * std::exp(-result.parameters[PoseKappa]);

@@ -131,6 +131,9 @@ private:
            const std::vector<JawType> &     jaws,
            const std::vector<std::size_t> & members,
            MetricType &                     sum);
+  /** PoseHypothesisOutcome::headMove of a group's solution. */
+  static double
+  ComputeHeadMove(const PoseProblem & problem, const PoseGroupResult & group);
   void
   DescribeViews(const PoseProblem & problem, const std::vector<JawType> & jaws, PoseRegistrationResult & result) const;
   MetricType::Pointer

@@ -178,6 +178,24 @@ PoseRegistrationEngine::AddViews(const PoseProblem &              problem,
   }
 }
 
+double
+PoseRegistrationEngine::ComputeHeadMove(const PoseProblem & problem, const PoseGroupResult & group)
+{
+  double largest = 0.0;
+  for (const PoseViewInput & view : problem.views)
+  {
+    const auto moved = group.blocks.find(PoseStateBlocks::MakeMoveName(view.name));
+    if (!view.sameHeadPosition && moved != group.blocks.end() && !group.state.empty())
+    {
+      for (unsigned int k = 0; k < 6; ++k)
+      {
+        largest = std::max(largest, std::abs(group.state[moved->second + k]) / MoveSigmas[k]);
+      }
+    }
+  }
+  return largest;
+}
+
 void
 PoseRegistrationEngine::DescribeViews(const PoseProblem &          problem,
                                       const std::vector<JawType> & jaws,

@@ -172,7 +172,16 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
     tension = std::max(tension, own);
   }
   const double moved = getDeviance(QuestionEnum::Head);
-  if (tension > thresholds.suspectPriorTension || moved < thresholds.suspectMoveDeviance)
+  double       headMove = 0.0;
+  for (const PoseGroupResult & group : result.groups)
+  {
+    if (const auto * outcome = group.FindOutcome(OtherViewHypothesis::MakeCode(QuestionEnum::Head, view.name)))
+    {
+      headMove = std::max(headMove, outcome->headMove);
+    }
+  }
+  if (tension > thresholds.suspectPriorTension ||
+      (moved < thresholds.suspectMoveDeviance && headMove > thresholds.suspectHeadMove))
   {
     const bool isTense = tension > thresholds.suspectPriorTension;
     add(

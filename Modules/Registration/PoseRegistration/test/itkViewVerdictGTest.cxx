@@ -74,7 +74,9 @@ std::function<void(itk::PoseRegistrationResult &)>
 WithDeviance(QuestionEnum question, double deviance)
 {
   return [question, deviance](itk::PoseRegistrationResult & result) {
-    result.groups[0].outcomes[itk::OtherViewHypothesis::MakeCode(question, "frontal")].deviance = deviance;
+    auto & outcome = result.groups[0].outcomes[itk::OtherViewHypothesis::MakeCode(question, "frontal")];
+    outcome.deviance = deviance;
+    outcome.headMove = 1.1;
   };
 }
 } // namespace
@@ -91,8 +93,16 @@ TEST(ViewVerdict, AnotherReadingThatExplainsItBetterIsNamed)
   EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Sides, -10.1)), Codes{ "view-sides" });
   EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Source, -9.9)), Codes());
   EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Source, -10.1)), Codes{ "view-source" });
-  EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Head, -17.9)), Codes());
-  EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Head, -18.1)), Codes{ "view-head-moved" });
+  EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Head, -11.9)), Codes());
+  EXPECT_EQ(CodesOf(WithDeviance(QuestionEnum::Head, -12.1)), Codes{ "view-head-moved" });
+  // By less than patients are turned: what the first radiograph leaves open.
+  EXPECT_EQ(CodesOf([](itk::PoseRegistrationResult & result) {
+              auto & outcome =
+                result.groups[0].outcomes[itk::OtherViewHypothesis::MakeCode(QuestionEnum::Head, "frontal")];
+              outcome.deviance = -100.0;
+              outcome.headMove = 0.9;
+            }),
+            Codes());
   // Of another view it says nothing of this one.
   EXPECT_EQ(CodesOf([](itk::PoseRegistrationResult & result) {
               result.groups[0].outcomes[itk::OtherViewHypothesis::MakeCode(QuestionEnum::Sides, "other")].deviance =
