@@ -12,6 +12,8 @@ import zlib
 
 import pytest
 
+from program_faults import wait_until
+
 
 @pytest.fixture(scope="session")
 def view(program):
@@ -220,6 +222,97 @@ def test_an_export_replaces_blocks_of_its_own_and_nobody_elses_folder(view, resu
     assert (mine / "thesis.tex").read_text() == "years of work"
     assert sorted(os.listdir(tmp_path)) == ["mine", "scene", "scene.vtm"]
 
+
+
+def snapshot_of(folder):
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+# Blocks of 1 KiB: one that cuts all off, and others of which the first blocks have room and a later one has not.
+@pytest.mark.parametrize("option, name, limits", [
+    ("--export", "scene.gltf", (4, 400)),
+    ("--export", "scene.vtp", (4, 400)),
+    ("--export", "scene.vtm", (1, 8, 100, 400)),
+    pytest.param("--snapshot", "scene.png", (4, 20), marks=needs_xvfb),
+])
+def test_files_that_may_not_grow_keep_what_was_there(program, view, result, tmp_path, option, name, limits):
+    """ulimit -f, as of a quota or a full disk."""
+    assert view(result, option, tmp_path / name, "--size", 320, 240).returncode == 0
+    before = snapshot_of(tmp_path)
+    environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+    for limit in limits:
+        assert max(map(len, before.values())) > 1024 * limit, "a limit that tests nothing"
+        done = subprocess.run(
+            ["bash", "-c", f'ulimit -f {limit}; exec "$@"', "bash", str(program.with_name("dentalscr-view")),
+             option, str(tmp_path / name), "--size", "320", "240", str(result)],
+            capture_output=True, text=True, timeout=300, env=environment,
+        )
+        assert done.returncode == 2, (limit, done)
+        assert done.stderr.count("\n") == 1 and str(tmp_path / name) in done.stderr and "ulimit -f" in done.stderr, done
+        assert snapshot_of(tmp_path) == before and not list(tmp_path.rglob("*.part")), limit
+
+
+def test_a_full_disk_keeps_what_was_there(view, result, small_disk):
+    disk = small_disk(1500)
+    for name in ("scene.gltf", "scene.vtm"):
+        (disk / name).write_text("mine")
+        done = view(result, "--export", disk / name)
+        assert done.returncode == 2 and name in done.stderr and "space" in done.stderr, done
+        assert done.stderr.count("\n") == 1, done.stderr
+        assert {path.name for path in disk.iterdir()} == {name} and (disk / name).read_text() == "mine"
+        (disk / name).unlink()
+
+
+def test_what_a_killed_export_has_left_is_removed_by_the_next(program, view, result, tmp_path):
+    left = tmp_path / "left"
+    left.mkdir()
+    environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+    child = subprocess.Popen(
+        [str(program.with_name("dentalscr-view")), "--export", str(left / "scene.vtm"), str(result)], env=environment
+    )
+    try:
+        wait_until(lambda: list(left.glob(".dentalscr-*.part/*")) or child.poll() is not None, "the first block")
+        child.send_signal(signal.SIGSTOP)
+        # It may have come to its end meanwhile: then there is nothing to be swept.
+        if not list(left.glob(".dentalscr-*.part")):
+            pytest.skip("it was too fast to be killed half-way")
+    finally:
+        child.kill()
+        child.wait()
+    assert list(left.glob(".dentalscr-*.part"))
+    assert view(result, "--export", left / "scene.vtp").returncode == 0
+    assert os.listdir(left) == ["scene.vtp"]
+
+
+def test_lost_standard_output_of_the_viewer_is_an_error(program, result, tmp_path):
+    command = [str(program.with_name("dentalscr-view")), "--export", str(tmp_path / "scene.vtp"), str(result)]
+    if not program.with_name("dentalscr-view").exists():
+        pytest.skip("DentalSCR was built without VTK")
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 2 and "standard output can't be written" in done.stderr
+    # Nobody reads any more.
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run(command, stdout=writer, stderr=subprocess.PIPE, text=True)
+    os.close(writer)
+    assert done.returncode == 2 and "standard output can't be written" in done.stderr
+    # With all streams closed the file holds the scene and nothing that was said.
+    (tmp_path / "scene.vtp").unlink()
+    subprocess.run(["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", *command])
+    content = (tmp_path / "scene.vtp").read_bytes()
+    assert content.startswith(b"<?xml") and content.rstrip().endswith(b"</VTKFile>")
+
+
+def test_the_viewer_sends_no_control_bytes_to_a_terminal(program, tmp_path):
+    if not program.with_name("dentalscr-view").exists():
+        pytest.skip("DentalSCR was built without VTK")
+    done = subprocess.run(
+        [str(program.with_name("dentalscr-view")), "--export", str(tmp_path / "s.vtp"), "\033[31mred\nline"],
+        capture_output=True, text=True,
+    )
+    assert done.returncode == 2 and done.stderr.count("\n") == 1
+    assert "\033" not in done.stderr and "\\x1b[31mred" in done.stderr
 
 
 def test_what_is_no_result_is_named(view, sample, tmp_path):

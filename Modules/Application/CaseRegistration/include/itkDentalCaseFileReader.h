@@ -21,6 +21,7 @@
 #include "CaseRegistrationExport.h"
 #include "itkDentalCase.h"
 #include "itkDentalFrameEstimator.h"
+#include "itkMillimetresPerUnit.h"
 
 namespace itk
 {
@@ -59,8 +60,6 @@ ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase);
 /** \name Words of the case file and the command line
  * Each throws std::invalid_argument that names the text and what was expected.
  * @{ */
-CaseRegistration_EXPORT double
-MillimetresPerUnitFromString(const std::string & unit);
 CaseRegistration_EXPORT OcclusionEnum
 OcclusionFromString(const std::string & text);
 /** What UMidlineDentalAxisFilter is told of it. */

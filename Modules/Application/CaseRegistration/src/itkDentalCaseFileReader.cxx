@@ -239,32 +239,6 @@ ReadGeometry(const JsonNode & node, DentalCase & dentalCase)
 
 } // namespace
 
-double
-MillimetresPerUnitFromString(const std::string & unit)
-{
-  if (unit == "mm")
-  {
-    return 1.0;
-  }
-  if (unit == "cm")
-  {
-    return 10.0;
-  }
-  if (unit == "inch")
-  {
-    return 25.4;
-  }
-  if (unit == "m")
-  {
-    return 1000.0;
-  }
-  if (unit == "um")
-  {
-    return 0.001;
-  }
-  throw std::invalid_argument("\"" + unit + "\" is no mesh unit (\"mm\", \"cm\", \"inch\", \"m\" or \"um\")");
-}
-
 CrownsEnum
 CrownsFromString(const std::string & text)
 {

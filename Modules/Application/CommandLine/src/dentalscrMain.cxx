@@ -16,147 +16,27 @@
  *
  *=========================================================================*/
 #include "dentalscrCommands.h"
-#include "dentalscrPrintableBuffer.h"
+#include "dentalscrRunGuarded.h"
 
-#include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
-#include "itkDescribePlainly.h"
-#include "itkParallelFor.h"
 
 #include "itkBMPImageIOFactory.h"
 #include "itkJPEGImageIOFactory.h"
 #include "itkMetaImageIOFactory.h"
-#include "itkMultiThreaderBase.h"
 #include "itkNrrdImageIOFactory.h"
 #include "itkPNGImageIOFactory.h"
 #include "itkTIFFImageIOFactory.h"
-#include "itkThreadPool.h"
 #include "itkVersion.h"
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <csignal>
-#include <exception>
-#include <filesystem>
 #include <iostream>
-#include <iterator>
-#include <mutex>
 #include <string>
-#include <system_error>
-#include <thread>
 #include <vector>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace dentalscr
 {
 namespace
 {
-/** Errors are one line; more would hide in a log which case it was. */
-int
-Fail(std::string message)
-{
-  for (char & character : message)
-  {
-    if (character == '\n' || character == '\r')
-    {
-      character = ' ';
-    }
-  }
-  std::cerr << "dentalscr: " << message << std::endl;
-  return UnusableInput;
-}
-
-/** A standard stream that was closed gets a place holder that can't be used: the next file that is opened would take
- * its number, and what is said would be written into it. */
-void
-HoldStandardStreams()
-{
-  for (const int stream : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
-  {
-    if (fcntl(stream, F_GETFD) < 0)
-    {
-      // The lowest number that is free: this one.
-      open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-    }
-  }
-}
-
-/** Waits until this process has no thread but this one. A thread that was joined is counted among the user's processes
- * for a moment longer, in which the system may give no new one. */
-void
-WaitUntilAlone()
-{
-#if defined(__linux__)
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-  const auto isAlone = []() {
-    std::error_code error;
-    const auto      threads = std::filesystem::directory_iterator("/proc/self/task", error);
-    return error || std::distance(begin(threads), std::filesystem::directory_iterator()) <= 1;
-  };
-  while (!isAlone() && std::chrono::steady_clock::now() < end)
-  {
-    std::this_thread::yield();
-  }
-#endif
-}
-
-/** Starts ITK's pool with as many threads as there are to be had. The pool would start all of them at once, and end the
- * process where the system gives fewer. So threads that do nothing are tried before; what is missing is said once. Then
- * the pool gets them one by one, as others of the user's processes may have taken some meanwhile. */
-void
-SetNumberOfThreads(unsigned int wanted)
-{
-  std::mutex               mutex;
-  std::condition_variable  changed;
-  bool                     isOver = false;
-  std::vector<std::thread> threads;
-  itk::StartThreads(
-    wanted,
-    [&]() {
-      std::unique_lock<std::mutex> lock(mutex);
-      changed.wait(lock, [&]() { return isOver; });
-    },
-    threads);
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    isOver = true;
-  }
-  changed.notify_all();
-  for (std::thread & thread : threads)
-  {
-    thread.join();
-  }
-  auto number = static_cast<itk::ThreadIdType>(threads.size());
-  if (number == 0)
-  {
-    // Its pool has at least one thread beside this; the other kind works without.
-    itk::MultiThreaderBase::SetGlobalDefaultThreader(itk::MultiThreaderBase::ThreaderEnum::Platform);
-    number = 1;
-  }
-  else
-  {
-    WaitUntilAlone();
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
-    const itk::ThreadPool::Pointer pool = itk::ThreadPool::GetInstance();
-    try
-    {
-      while (pool->GetMaximumNumberOfThreads() < number)
-      {
-        pool->AddThreads(1);
-      }
-    }
-    catch (const std::system_error &)
-    {
-      number = pool->GetMaximumNumberOfThreads();
-    }
-  }
-  itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(number);
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(number);
-}
-
 int
 Run(int argc, const char * const * argv)
 {
@@ -234,50 +114,14 @@ Run(int argc, const char * const * argv)
 
   common.commandLine = arguments;
   common.commandLine.insert(common.commandLine.begin(), program.get_name());
-  try
-  {
-    SetNumberOfThreads(common.threads > 0 ? common.threads : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
-    return run();
-  }
-  catch (const itk::DentalInputError & error)
-  {
-    return Fail(error.GetOneLine());
-  }
-  catch (const itk::ProcessAborted &)
-  {
-    return Fail("interrupted; nothing was written");
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return Fail(itk::DescribePlainly(error));
-  }
-  catch (const std::bad_alloc &)
-  {
-    return Fail("out of memory");
-  }
-  catch (const std::exception & error)
-  {
-    return Fail(error.what());
-  }
+  SetNumberOfThreads(common.threads);
+  return run();
 }
 } // namespace
 
 int
 Main(int argc, const char * const * argv)
 {
-  // A reader that has gone is found when something is written to it, and said.
-  std::signal(SIGPIPE, SIG_IGN);
-  // So is a limit on the size of files.
-  std::signal(SIGXFSZ, SIG_IGN);
-  HoldStandardStreams();
-  const PrintableBuffer output(std::cout);
-  const PrintableBuffer errors(std::cerr);
-  const int             status = Run(argc, argv);
-  if (!std::cout.flush())
-  {
-    return Fail(
-      "standard output can't be written: the disk is full, or what reads it has ended; what was said is lost");
-  }
-  return status;
+  return RunGuarded([&]() { return Run(argc, argv); });
 }
 } // namespace dentalscr

@@ -16,31 +16,20 @@
  *
  *=========================================================================*/
 #include "dentalscrCommandTools.h"
+#include "dentalscrRunGuarded.h"
 #include "dentalscrViewOptions.h"
 
 #include "itkCaseSceneFileReader.h"
-#include "itkDentalInputError.h"
-#include "itkDescribePlainly.h"
 #include "itkRegistrationSceneWindow.h"
 #include "itkScreenConnection.h"
 #include "itkVirtualScreen.h"
 
-#include <algorithm>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <string>
 
 namespace
 {
-int
-Fail(std::string message)
-{
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  std::cerr << "dentalscr: " << message << std::endl;
-  return dentalscr::UnusableInput;
-}
-
 int
 Show(const dentalscr::ViewOptions & options, bool quiet)
 {
@@ -64,7 +53,7 @@ Show(const dentalscr::ViewOptions & options, bool quiet)
   }
   if (wantsScreen && !connection->IsOpen())
   {
-    return Fail(
+    return dentalscr::Fail(
       options.snapshot.empty()
         ? "view: there is no screen to open a window on (DISPLAY names none that answers); use --snapshot FILE.png "
           "or --export FILE.gltf"
@@ -105,17 +94,18 @@ Show(const dentalscr::ViewOptions & options, bool quiet)
   }
   return dentalscr::AllRegistered;
 }
-} // namespace
 
 int
-main(int argc, char * argv[])
+Run(int argc, const char * const * argv)
 {
   CLI::App program{ "Shows a registered case in space. Called by the verb view of dentalscr, which has the examples." };
   program.name("dentalscr-view");
   dentalscr::ViewOptions options;
   bool                   quiet = false;
+  unsigned int           threads = 0;
   options.AddTo(&program);
   program.add_flag("--quiet", quiet, "No word of what was written");
+  program.add_option("--threads", threads, "Number of threads (0: all)")->check(CLI::Range(0u, 1024u));
   try
   {
     program.parse(argc, argv);
@@ -123,26 +113,15 @@ main(int argc, char * argv[])
   catch (const CLI::ParseError & error)
   {
     return error.get_exit_code() == 0 ? program.exit(error)
-                                      : Fail(std::string(error.what()) + "; see dentalscr view --help");
+                                      : dentalscr::Fail(std::string(error.what()) + "; see dentalscr view --help");
   }
-  try
-  {
-    return Show(options, quiet);
-  }
-  catch (const itk::DentalInputError & error)
-  {
-    return Fail(error.GetOneLine());
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return Fail(itk::DescribePlainly(error));
-  }
-  catch (const std::bad_alloc &)
-  {
-    return Fail("out of memory");
-  }
-  catch (const std::exception & error)
-  {
-    return Fail(error.what());
-  }
+  dentalscr::SetNumberOfThreads(threads);
+  return Show(options, quiet);
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return dentalscr::RunGuarded([&]() { return Run(argc, argv); });
 }

@@ -86,6 +86,7 @@ View(const ViewOptions & options, const CommonOptions & common)
   {
     arguments.insert(arguments.begin(), "--quiet");
   }
+  arguments.insert(arguments.begin(), "--threads=" + std::to_string(common.threads));
   arguments.insert(arguments.begin(), viewer);
   std::vector<char *> pointers;
   for (std::string & argument : arguments)

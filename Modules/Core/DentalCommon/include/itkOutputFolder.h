@@ -19,8 +19,10 @@
 #define itkOutputFolder_h
 
 #include "DentalCommonExport.h"
+#include "itkStagingFolder.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -85,13 +87,12 @@ private:
   [[noreturn]] void
   RefuseAsTaken() const;
 
-  std::string m_Name;
-  std::string m_Path;
-  std::string m_Staging;
-  int         m_Lock{ -1 };
-  int         m_FileLock{ -1 };
-  int         m_StagingLock{ -1 };
-  bool        m_IsMade{ false };
+  std::string                    m_Name;
+  std::string                    m_Path;
+  std::unique_ptr<StagingFolder> m_Staging;
+  int                            m_Lock{ -1 };
+  int                            m_FileLock{ -1 };
+  bool                           m_IsMade{ false };
 };
 } // namespace itk
 

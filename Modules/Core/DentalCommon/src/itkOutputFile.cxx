@@ -23,8 +23,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <mutex>
-#include <set>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -34,22 +32,6 @@ namespace itk
 {
 namespace
 {
-/** Once a process and folder: a folder may have thousands of files. */
-void
-SweepOnce(const std::string & folder)
-{
-  static std::mutex            mutex;
-  static std::set<std::string> swept;
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (!swept.insert(std::filesystem::absolute(folder).string()).second)
-    {
-      return;
-    }
-  }
-  SweepTemporaries(folder);
-}
-
 /** Whether a name is a link in /dev or /proc, as /dev/stdout is: what is behind it is open already, perhaps for others,
  * and is no file to be replaced. */
 bool
@@ -93,7 +75,7 @@ OutputFile::OutputFile(const std::string & fileName)
   }
   std::string folder = std::filesystem::path(fileName).parent_path().string();
   folder = folder.empty() ? "." : folder;
-  SweepOnce(folder);
+  SweepTemporariesOnce(folder);
   for (unsigned int attempt = 0; attempt < 100; ++attempt)
   {
     m_Temporary = MakeTemporaryName(folder);
@@ -134,8 +116,8 @@ OutputFile::Fail(int error) const
                            "",
                            std::string("cannot be written: ") + std::strerror(error),
                            error == ENOSPC || error == EDQUOT ? "free some space, or name a file on another disk"
-                                                              : "name a file in an existing folder that may be written "
-                                                                "to");
+                           : error == EFBIG                   ? "raise the limit on the size of files (ulimit -f)"
+                                            : "name a file in an existing folder that may be written to");
 }
 
 void

@@ -181,12 +181,7 @@ OutputFolder::OutputFolder(const std::string & name, const std::string & lockFil
 
 OutputFolder::~OutputFolder()
 {
-  std::error_code ignored;
-  if (!m_Staging.empty())
-  {
-    fs::remove_all(m_Staging, ignored);
-    ::close(m_StagingLock);
-  }
+  m_Staging = nullptr;
   if (m_IsMade)
   {
     // Where something is in it this does nothing.
@@ -202,33 +197,11 @@ OutputFolder::~OutputFolder()
 const std::string &
 OutputFolder::GetStagingFolder()
 {
-  // Again where a sweep has found it before it was locked.
-  for (unsigned int attempt = 0; m_Staging.empty(); ++attempt)
+  if (m_Staging == nullptr)
   {
-    const std::string staging = MakeTemporaryName(m_Path);
-    if (::mkdir(staging.c_str(), 0777) != 0)
-    {
-      Fail(m_Path, std::strerror(errno));
-    }
-    m_StagingLock = ::open(staging.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const int why = m_StagingLock < 0 ? errno : ENOENT;
-    if (m_StagingLock >= 0 && LockTemporary(m_StagingLock))
-    {
-      m_Staging = staging;
-      break;
-    }
-    if (m_StagingLock >= 0)
-    {
-      ::close(m_StagingLock);
-    }
-    // Of one that is there and can't be opened nothing was swept.
-    if (why != ENOENT || attempt == 100)
-    {
-      ::rmdir(staging.c_str());
-      Fail(m_Path, std::strerror(why));
-    }
+    m_Staging = std::make_unique<StagingFolder>(m_Path);
   }
-  return m_Staging;
+  return m_Staging->GetPath();
 }
 
 void
@@ -259,18 +232,15 @@ OutputFolder::Publish(const std::string & last, const std::vector<std::string> &
     {
       if (name != last)
       {
-        fs::rename(fs::path(m_Staging) / name, folder / name);
+        fs::rename(fs::path(this->GetStagingFolder()) / name, folder / name);
       }
     }
-    fs::rename(fs::path(m_Staging) / last, folder / last);
+    fs::rename(fs::path(this->GetStagingFolder()) / last, folder / last);
   }
   catch (const fs::filesystem_error & failure)
   {
     Fail(m_Path, failure.code().message());
   }
-  std::error_code ignored;
-  fs::remove_all(m_Staging, ignored);
-  ::close(m_StagingLock);
-  m_Staging.clear();
+  m_Staging = nullptr;
 }
 } // namespace itk

@@ -20,7 +20,9 @@
 #include <atomic>
 #include <cerrno>
 #include <filesystem>
+#include <mutex>
 #include <random>
+#include <set>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -85,5 +87,20 @@ SweepTemporaries(const std::string & folder)
     }
     ::close(file);
   }
+}
+
+void
+SweepTemporariesOnce(const std::string & folder)
+{
+  static std::mutex            mutex;
+  static std::set<std::string> swept;
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (!swept.insert(std::filesystem::absolute(folder).string()).second)
+    {
+      return;
+    }
+  }
+  SweepTemporaries(folder);
 }
 } // namespace itk

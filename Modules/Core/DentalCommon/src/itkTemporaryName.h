@@ -35,6 +35,10 @@ LockTemporary(int descriptor);
 /** Removes the temporaries in a folder that no process has locked: those that killed runs have left. */
 void
 SweepTemporaries(const std::string & folder);
+
+/** The same, once a process and folder: a folder may have thousands of files. */
+void
+SweepTemporariesOnce(const std::string & folder);
 } // namespace itk
 
 #endif

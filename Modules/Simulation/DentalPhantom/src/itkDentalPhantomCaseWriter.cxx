@@ -24,10 +24,10 @@
 #include "itkDentalPhantomTracer.h"
 #include "itkJsonNumber.h"
 #include "itkMakeTriangleSurface.h"
-#include "itkMemoryFile.h"
 #include "itkOpenMeshMeshIO.h"
 #include "itkOutputFolder.h"
 #include "itkTextFile.h"
+#include "itkWriteThroughMemory.h"
 
 #include "itkImageFileWriter.h"
 #include "itkMeshFileWriter.h"
@@ -328,15 +328,11 @@ template <typename TImage>
 void
 WriteImage(TImage * picture, const std::string & fileName)
 {
-  // libpng ends the process on a full disk.
-  const MemoryFile memory;
-  auto             writer = ImageFileWriter<TImage>::New();
+  auto writer = ImageFileWriter<TImage>::New();
   writer->SetImageIO(PNGImageIO::New());
-  writer->SetFileName(memory.GetName());
   writer->SetInput(picture);
   writer->UseCompressionOn();
-  writer->Update();
-  WriteFileAtomically(fileName, memory.GetContent());
+  WriteThroughMemory(writer.GetPointer(), fileName);
 }
 
 std::string

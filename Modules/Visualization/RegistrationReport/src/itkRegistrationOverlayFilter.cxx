@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkRegistrationOverlayFilter.h"
 
+#include "itkGreyWindow.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -56,34 +58,10 @@ ToGrey(const Image<float, 2> * image, double black, double white)
 {
   const float *     pixels = image->GetBufferPointer();
   const std::size_t count = image->GetBufferedRegion().GetNumberOfPixels();
-  if (black == 0.0 && white == 0.0)
-  {
-    std::vector<float> finite;
-    finite.reserve(count);
-    std::copy_if(pixels, pixels + count, std::back_inserter(finite), [](float p) { return std::isfinite(p); });
-    if (!finite.empty())
-    {
-      const auto quantile = [&finite](double q) {
-        const auto at = finite.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(finite.size() - 1));
-        std::nth_element(finite.begin(), at, finite.end());
-        return static_cast<double>(*at);
-      };
-      black = quantile(0.002);
-      white = quantile(0.998);
-      if (!(white > black))
-      {
-        black = *std::min_element(finite.begin(), finite.end());
-        white = *std::max_element(finite.begin(), finite.end());
-      }
-    }
-  }
-  const double              range = white != black ? white - black : 1.0;
+  const bool        isGiven = black != 0.0 || white != 0.0;
+  const GreyWindow  window = isGiven ? GreyWindow{ black, white } : GreyWindow::FromQuantiles(pixels, count, 0.002);
   std::vector<std::uint8_t> grey(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double value = std::isfinite(pixels[i]) ? (pixels[i] - black) / range : 0.0;
-    grey[i] = static_cast<std::uint8_t>(255.0 * std::clamp(value, 0.0, 1.0) + 0.5);
-  }
+  std::transform(pixels, pixels + count, grey.begin(), [&window](float value) { return window.ToByte(value); });
   return grey;
 }
 } // namespace

@@ -18,9 +18,8 @@
 #include "itkWritePicture.h"
 
 #include "itkImageFileWriter.h"
-#include "itkMemoryFile.h"
-#include "itkOutputFile.h"
 #include "itkPNGImageIO.h"
+#include "itkWriteThroughMemory.h"
 
 namespace itk
 {
@@ -35,18 +34,11 @@ WritePicture(const Image<RGBPixel<unsigned char>, 2> * picture, const std::strin
   {
     itkGenericExceptionMacro("The name of the picture's file is empty.");
   }
-  // libpng ends the process on a full disk.
-  const MemoryFile memory;
   using PictureType = Image<RGBPixel<unsigned char>, 2>;
   auto writer = ImageFileWriter<PictureType>::New();
   writer->SetImageIO(PNGImageIO::New());
   writer->SetInput(picture);
-  writer->SetFileName(memory.GetName());
   writer->UseCompressionOn();
-  writer->Update();
-  const std::string content = memory.GetContent();
-  OutputFile        file(fileName);
-  file.Write(content.data(), content.size());
-  file.Commit();
+  WriteThroughMemory(writer.GetPointer(), fileName);
 }
 } // namespace itk

@@ -31,8 +31,10 @@ namespace itk
  *
  * Debian's VTK draws to an X window alone, and ends the program where there is none. This starts Xvfb, an X server that
  * draws to memory, on a display number that Xvfb itself finds free, and makes it the DISPLAY of this process; the
- * destructor stops it and puts the old DISPLAY back. The server also ends with the process, however that ends. One at a
- * time, before other threads read the environment.
+ * destructor stops it and puts the old DISPLAY back. The server also ends with the process, however that ends (and with
+ * the thread that made this object: let that one outlive it). One at a time, before other threads read the environment.
+ *
+ * \test itkVirtualScreenGTest.cxx
  *
  * \ingroup RegistrationScene
  */

@@ -17,8 +17,11 @@
  *=========================================================================*/
 #include "itkRegistrationSceneSource.h"
 
+#include "itkGreyWindow.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkMeshSilhouette.h"
+#include "itkProjectionRows.h"
+#include "itkShrunkImage.h"
 
 #include "itkLineCell.h"
 #include "itkTriangleCell.h"
@@ -212,31 +215,6 @@ IsRigid(const PlacementType & matrix)
   return true;
 }
 
-/** The inverse of a rigid map, after which another is applied. */
-PlacementType
-ComposeWithInverse(const PlacementType & second, const PlacementType & first)
-{
-  PlacementType result{};
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    result[4 * row + 3] = second[4 * row + 3];
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      double sum = 0.0;
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        sum += second[4 * row + d] * first[4 * column + d];
-      }
-      result[4 * row + column] = sum;
-    }
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      result[4 * row + 3] -= result[4 * row + column] * first[4 * column + 3];
-    }
-  }
-  return result;
-}
-
 /** On the ray of a pixel, `lift` mm before the detector. */
 PointType
 GetLiftedPoint(const SceneDetector & detector, double u, double v, double lift)
@@ -264,54 +242,16 @@ struct PixelBox
 ScenePart::PictureType::Pointer
 MakePicture(const SceneView::ImageType & image, unsigned int largest)
 {
-  const auto         size = image.GetBufferedRegion().GetSize();
-  const float *      pixels = image.GetBufferPointer();
-  const std::size_t  count = size[0] * size[1];
-  std::vector<float> finite;
-  finite.reserve(count);
-  std::copy_if(pixels, pixels + count, std::back_inserter(finite), [](float value) { return std::isfinite(value); });
-  float black = 0.0F;
-  float white = 1.0F;
-  if (!finite.empty())
-  {
-    const auto quantile = [&finite](double share) {
-      const auto place = finite.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(finite.size() - 1));
-      std::nth_element(finite.begin(), place, finite.end());
-      return *place;
-    };
-    black = quantile(0.005);
-    white = quantile(0.995);
-  }
-  const double      scale = white > black ? 255.0 / (static_cast<double>(white) - black) : 0.0;
-  const std::size_t longest = std::max(size[0], size[1]);
-  const std::size_t block = (longest + largest - 1) / largest;
+  const auto        size = image.GetBufferedRegion().GetSize();
+  const float *     pixels = image.GetBufferPointer();
+  const auto        window = GreyWindow::FromQuantiles(pixels, size[0] * size[1], 0.005);
+  const ShrunkImage small = ShrunkImage::ToFit(pixels, size[0], size[1], largest);
   auto              picture = ScenePart::PictureType::New();
-  picture->SetRegions(
-    ScenePart::PictureType::SizeType{ { (size[0] + block - 1) / block, (size[1] + block - 1) / block } });
+  picture->SetRegions(ScenePart::PictureType::SizeType{ { small.width, small.height } });
   picture->Allocate();
-  unsigned char * out = picture->GetBufferPointer();
-  for (std::size_t top = 0; top < size[1]; top += block)
-  {
-    for (std::size_t left = 0; left < size[0]; left += block)
-    {
-      double      sum = 0.0;
-      std::size_t used = 0;
-      for (std::size_t v = top; v < std::min<std::size_t>(top + block, size[1]); ++v)
-      {
-        for (std::size_t u = left; u < std::min<std::size_t>(left + block, size[0]); ++u)
-        {
-          const float value = pixels[v * size[0] + u];
-          if (std::isfinite(value))
-          {
-            sum += value;
-            ++used;
-          }
-        }
-      }
-      const double mean = used == 0 ? black : sum / static_cast<double>(used);
-      *out++ = static_cast<unsigned char>(std::lround(std::clamp((mean - black) * scale, 0.0, 255.0)));
-    }
-  }
+  std::transform(small.pixels.begin(), small.pixels.end(), picture->GetBufferPointer(), [&window](float value) {
+    return window.ToByte(value);
+  });
   return picture;
 }
 
@@ -455,7 +395,7 @@ RegistrationSceneSource::AddJaw(JawEnum jaw, RegistrationScene::PartsType & part
   parts.push_back(
     MakePart(name + " scan", ScenePartEnum::Scan, moved, jaw == JawEnum::Lower ? LowerScanColor : UpperScanColor));
 
-  const PlacementType umdaToCephalostat = ComposeWithInverse(place.meshToCephalostat, place.meshToUMDA);
+  const PlacementType umdaToCephalostat = TimesRigidInverse(place.meshToCephalostat, place.meshToUMDA);
   const auto          at = [&](double x, double y, double z) {
     PointType point;
     point[0] = x;

@@ -17,10 +17,15 @@
  *=========================================================================*/
 #include "itkRegistrationSceneWindow.h"
 
+#include "itkDentalInputError.h"
+#include "itkLowerCase.h"
+#include "itkOutputFile.h"
 #include "itkSceneRenderer.h"
 #include "itkSceneToVTK.h"
 #include "itkScreenConnection.h"
+#include "itkStagingFolder.h"
 
+#include <vtkErrorCode.h>
 #include <vtkGLTFExporter.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
@@ -30,6 +35,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVersion.h>
 #include <vtkWindowToImageFilter.h>
 #include <vtkXMLMultiBlockDataWriter.h>
@@ -38,11 +44,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <random>
 
 namespace itk
 {
@@ -51,13 +55,29 @@ namespace
 namespace fs = std::filesystem;
 
 std::string
-GetExtension(const std::string & fileName)
+GetExtension(const fs::path & file)
 {
-  std::string extension = fs::u8path(fileName).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char character) {
-    return static_cast<char>(std::tolower(character));
-  });
-  return extension;
+  return LowerCase(file.extension().string());
+}
+
+/** VTK's own words for what kept a writer from writing; it says the rest in its window of messages. */
+std::string
+GetReason(unsigned long code)
+{
+  return code == vtkErrorCode::NoError ? std::string("VTK failed") : vtkErrorCode::GetStringFromErrorCode(code);
+}
+
+/** VTK makes single files in memory, where there is room, and from there they get to the disk whole. */
+void
+WriteFile(const std::string & fileName, const void * content, std::size_t size)
+{
+  if (size == 0)
+  {
+    itkGenericExceptionMacro(<< fileName << " cannot be written: VTK made nothing of the scene. Export it as .vtm.");
+  }
+  OutputFile file(fileName);
+  file.Write(content, size);
+  file.Commit();
 }
 
 /** Whether a folder holds blocks of an earlier export of this name, and nothing else: then it may be replaced. */
@@ -68,7 +88,7 @@ HoldsBlocksOnly(const fs::path & folder)
   std::error_code   error;
   for (const auto & entry : fs::directory_iterator(folder, error))
   {
-    const std::string extension = GetExtension(entry.path().string());
+    const std::string extension = GetExtension(entry.path());
     if (!fs::is_regular_file(entry.symlink_status(error)) || entry.path().filename().string().rfind(prefix, 0) != 0 ||
         (extension != ".vtp" && extension != ".vti"))
     {
@@ -78,62 +98,95 @@ HoldsBlocksOnly(const fs::path & folder)
   return !error;
 }
 
-/** Has a file written, and what its writer puts beside it, in a folder beside the target, and moves it there whole.
- * `write` is given the name to write to and tells whether it succeeded. */
-void
-WriteWhole(const std::string & fileName, const std::function<bool(const std::string &)> & write)
+/** Whether a file of VTK's ends as such a file does: its writer finds out of most disks that were full, not of all. */
+bool
+IsWhole(const fs::path & fileName)
 {
-  const fs::path target = fs::absolute(fs::u8path(fileName));
-  // Blocks lie in a folder that is named as the file without its end.
-  const fs::path  folder = target.parent_path() / target.stem();
-  std::error_code isNoFolder;
-  if (GetExtension(fileName) == ".vtm" && fs::exists(folder, isNoFolder) && !HoldsBlocksOnly(folder))
+  const std::string end = "</VTKFile>";
+  constexpr long    tail = 64;
+  std::ifstream     file(fileName, std::ios::binary | std::ios::ate);
+  const long        size = file ? static_cast<long>(file.tellg()) : 0;
+  const auto        length = std::min(size, tail);
+  std::string       text(static_cast<std::size_t>(std::max(0L, length)), ' ');
+  file.seekg(size - length);
+  file.read(text.data(), length);
+  return file && text.find(end) != std::string::npos;
+}
+
+/** A file and the folder of its blocks beside it take the place of those of an earlier export; where they can't, these
+ * are put back. */
+void
+Publish(const fs::path & staging, const fs::path & target, const fs::path & folder)
+{
+  const fs::path  old = staging / "old";
+  std::error_code error;
+  const bool      isReplaced = fs::exists(fs::symlink_status(folder, error));
+  try
   {
-    itkGenericExceptionMacro(<< fileName << " cannot be written: its blocks would replace "
-                             << folder.filename().u8string() << ", which holds something else. Choose another name.");
+    if (isReplaced)
+    {
+      fs::rename(folder, old);
+    }
+    if (fs::exists(staging / folder.filename()))
+    {
+      fs::rename(staging / folder.filename(), folder);
+    }
+    fs::rename(staging / target.filename(), target);
   }
-  std::random_device device;
-  const fs::path     staging = target.parent_path() / (".part-" + std::to_string(device()));
-  std::error_code    error;
-  fs::create_directory(staging, error);
-  if (error)
+  catch (const fs::filesystem_error & failure)
   {
-    itkGenericExceptionMacro(<< fileName << " cannot be written: " << error.message()
-                             << ". Choose a folder that is there and can be written to.");
-  }
-  const fs::path made = staging / target.filename();
-  // What VTK has to say of a failure goes to its own window of messages; the file's absence tells enough.
-  const bool succeeded = write(made.string()) && fs::file_size(made, error) > 0 && !error;
-  if (succeeded)
-  {
-    std::error_code hasNoBlocks;
-    if (fs::is_directory(staging / target.stem(), hasNoBlocks))
+    if (isReplaced && fs::exists(old, error))
     {
       fs::remove_all(folder, error);
-      fs::rename(staging / target.stem(), folder, error);
+      fs::rename(old, folder, error);
     }
-    if (!error)
-    {
-      fs::rename(made, target, error);
-    }
+    itkDentalInputErrorMacro(
+      target.u8string(), "", "cannot be written: " + failure.code().message(), "choose another name");
   }
-  std::error_code ignored;
-  fs::remove_all(staging, ignored);
-  if (!succeeded || error)
+}
+
+/** VTK's blocks lie in a folder that is named as the file without its end: both are made aside, and appear whole. */
+void
+WriteBlocks(const std::string & fileName, const RegistrationScene & scene)
+{
+  const fs::path  target = fs::absolute(fs::u8path(fileName));
+  const fs::path  folder = target.parent_path() / target.stem();
+  std::error_code error;
+  if (fs::exists(folder, error) && !HoldsBlocksOnly(folder))
   {
-    itkGenericExceptionMacro(<< fileName << " cannot be written"
-                             << (error ? ": " + error.message() : std::string(": VTK failed"))
-                             << ". Look for space on the disk, or choose another folder.");
+    itkDentalInputErrorMacro(fileName,
+                             "",
+                             "cannot be written: its blocks would replace " + folder.filename().u8string() +
+                               ", which holds something else",
+                             "choose another name");
   }
+  const StagingFolder                staging(target.parent_path().string());
+  const fs::path                     made = fs::path(staging.GetPath()) / target.filename();
+  vtkNew<vtkXMLMultiBlockDataWriter> writer;
+  writer->SetFileName(made.c_str());
+  writer->SetInputData(SceneToVTK(scene));
+  bool isWritten = writer->Write() == 1 && IsWhole(made);
+  for (const auto & block : fs::directory_iterator(fs::path(staging.GetPath()) / target.stem(), error))
+  {
+    isWritten = isWritten && IsWhole(block.path());
+  }
+  if (!isWritten)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             "",
+                             "cannot be written: " + GetReason(writer->GetErrorCode()),
+                             "look for space on the disk and for a limit on the size of files (ulimit -f)");
+  }
+  Publish(staging.GetPath(), target, folder);
 }
 
 /** What VTK 9.1 leaves out of a glTF file: names, translucency, both sides of a surface, what is not lit, and glTF's
  * own metres and upward y. Points stay as they are, in mm of the scene's frame: a node above them turns and scales. */
-void
-CompleteGLTF(const std::string & fileName, const RegistrationScene & scene)
+std::string
+CompleteGLTF(const std::string & text, const std::string & fileName, const RegistrationScene & scene)
 {
   using Json = nlohmann::ordered_json;
-  Json                           json = Json::parse(std::ifstream(fs::u8path(fileName), std::ios::binary));
+  Json                           json = Json::parse(text);
   std::vector<const ScenePart *> written;
   for (const ScenePart & part : scene.GetParts())
   {
@@ -188,13 +241,7 @@ CompleteGLTF(const std::string & fileName, const RegistrationScene & scene)
       { "matrix", { 0.001, 0.0, 0.0, 0.0, 0.0, 0.0, -0.001, 0.0, 0.0, 0.001, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0 } } });
   json["scenes"] = { { { "name", "DentalSCR" }, { "nodes", { root } } } };
   json["scene"] = 0;
-  std::ofstream stream(fs::u8path(fileName), std::ios::binary);
-  stream << json.dump();
-  stream.close();
-  if (!stream)
-  {
-    itkGenericExceptionMacro(<< fileName << " cannot be written. Look for space on the disk.");
-  }
+  return json.dump();
 }
 
 /** Turning as in VTK's viewers; keys choose cameras and what is shown. */
@@ -259,7 +306,7 @@ RegistrationSceneWindow::VerifyScreen(const ScreenConnection & screen) const
 void
 RegistrationSceneWindow::VerifyExportName(const std::string & fileName)
 {
-  const std::string extension = GetExtension(fileName);
+  const std::string extension = GetExtension(fs::u8path(fileName));
   if (extension == ".glb")
   {
     itkGenericExceptionMacro(
@@ -278,7 +325,7 @@ void
 RegistrationSceneWindow::WriteSnapshot(const std::string & fileName) const
 {
   this->VerifyScene();
-  if (GetExtension(fileName) != ".png")
+  if (GetExtension(fs::u8path(fileName)) != ".png")
   {
     itkExceptionMacro(<< fileName << ": a picture is written as PNG. Name it .png.");
   }
@@ -298,11 +345,14 @@ RegistrationSceneWindow::WriteSnapshot(const std::string & fileName) const
   picture->ReadFrontBufferOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(picture->GetOutputPort());
-  WriteWhole(fileName, [&](const std::string & name) {
-    writer->SetFileName(name.c_str());
-    writer->Write();
-    return writer->GetErrorCode() == 0;
-  });
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray * const content = writer->GetResult();
+  if (content == nullptr)
+  {
+    itkExceptionMacro(<< fileName << " cannot be written: " << GetReason(writer->GetErrorCode()) << '.');
+  }
+  WriteFile(fileName, content->GetPointer(0), static_cast<std::size_t>(content->GetNumberOfValues()));
 }
 
 void
@@ -310,22 +360,22 @@ RegistrationSceneWindow::WriteExport(const std::string & fileName) const
 {
   this->VerifyScene();
   VerifyExportName(fileName);
-  const std::string extension = GetExtension(fileName);
-  WriteWhole(fileName, [&](const std::string & name) {
-    if (extension == ".vtm")
-    {
-      vtkNew<vtkXMLMultiBlockDataWriter> writer;
-      writer->SetFileName(name.c_str());
-      writer->SetInputData(SceneToVTK(*m_Scene));
-      return writer->Write() == 1;
-    }
-    if (extension == ".vtp")
-    {
-      vtkNew<vtkXMLPolyDataWriter> writer;
-      writer->SetFileName(name.c_str());
-      writer->SetInputData(SceneToOnePolyData(*m_Scene));
-      return writer->Write() == 1;
-    }
+  const std::string extension = GetExtension(fs::u8path(fileName));
+  if (extension == ".vtm")
+  {
+    WriteBlocks(fileName, *m_Scene);
+    return;
+  }
+  std::string content;
+  if (extension == ".vtp")
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(SceneToOnePolyData(*m_Scene));
+    writer->WriteToOutputStringOn();
+    content = writer->Write() == 1 ? writer->GetOutputString() : std::string();
+  }
+  else
+  {
     SceneRenderer renderer(*m_Scene, false);
     renderer.SetCamera("overview", 1.0);
     // Never shown: the exporter only asks it for its renderers.
@@ -336,11 +386,9 @@ RegistrationSceneWindow::WriteExport(const std::string & fileName) const
     exporter->SetRenderWindow(window);
     exporter->InlineDataOn();
     exporter->SaveNormalOn();
-    exporter->SetFileName(name.c_str());
-    exporter->Write();
-    CompleteGLTF(name, *m_Scene);
-    return true;
-  });
+    content = CompleteGLTF(exporter->WriteToString(), fileName, *m_Scene);
+  }
+  WriteFile(fileName, content.data(), content.size());
 }
 
 void

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkVirtualScreen.h"
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -81,6 +82,11 @@ VirtualScreen::VirtualScreen(unsigned int width, unsigned int height)
   const pid_t        child = fork();
   if (child == 0)
   {
+    // It ends with its parent, however that ends: the signal must reach it whatever the parent heeds.
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    std::signal(SIGTERM, SIG_DFL);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent)
     {
@@ -100,8 +106,17 @@ VirtualScreen::VirtualScreen(unsigned int width, unsigned int height)
   m_ProcessId = child;
   std::string number;
   pollfd      wait{ numberPipe[0], POLLIN, 0 };
-  while (child > 0 && number.find('\n') == std::string::npos && poll(&wait, 1, StartTimeoutMilliseconds) > 0)
+  while (child > 0 && number.find('\n') == std::string::npos)
   {
+    const int ready = poll(&wait, 1, StartTimeoutMilliseconds);
+    if (ready < 0 && errno == EINTR)
+    {
+      continue;
+    }
+    if (ready <= 0)
+    {
+      break;
+    }
     char          buffer[16];
     const ssize_t count = read(numberPipe[0], buffer, sizeof(buffer));
     if (count <= 0)

@@ -207,7 +207,7 @@ TEST_F(RegistrationSceneWindowTest, RefusesNamesOfOtherFormatsAndFoldersThatAreN
   };
   EXPECT_NE(message(NameOf("scene.glb")).find("Name it .gltf"), std::string::npos);
   EXPECT_NE(message(NameOf("scene.obj")).find("\".obj\""), std::string::npos);
-  EXPECT_NE(message(NameOf("nowhere/scene.vtp")).find("nowhere/scene.vtp cannot be written"), std::string::npos);
+  EXPECT_NE(message(NameOf("nowhere/scene.vtp")).find("nowhere/scene.vtp: cannot be written"), std::string::npos);
   EXPECT_THROW(m_Window->WriteSnapshot(NameOf("scene.jpg")), itk::ExceptionObject);
   EXPECT_EQ(CountFiles(), 0u);
 }

@@ -22,9 +22,15 @@
 #include "gtest/gtest.h"
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <string>
+#include <thread>
+
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace
 {
@@ -73,6 +79,58 @@ TEST(VirtualScreen, AnswersWhileItLivesAndIsGoneAfterwards)
   // Reaped, not only told to end.
   EXPECT_EQ(kill(static_cast<pid_t>(process), 0), -1);
   EXPECT_EQ(errno, ESRCH);
+}
+
+TEST(VirtualScreen, EndsWithAProcessThatIsKilled)
+{
+  if (itk::VirtualScreen::FindProgram().empty())
+  {
+    GTEST_SKIP() << "Xvfb is not installed";
+  }
+  // Whose parent has died becomes this process's child, and can be waited for.
+  ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
+  int pipeOfNumbers[2];
+  ASSERT_EQ(pipe(pipeOfNumbers), 0);
+  const pid_t program = fork();
+  if (program == 0)
+  {
+    // As where a supervisor has blocked or ignored what asks to end: it is no reason to leave a server behind.
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    sigaddset(&blocked, SIGTERM);
+    sigprocmask(SIG_BLOCK, &blocked, nullptr);
+    std::signal(SIGTERM, SIG_IGN);
+    const itk::VirtualScreen screen(320, 200);
+    const long               server = screen.GetProcessId();
+    if (write(pipeOfNumbers[1], &server, sizeof(server)) == static_cast<ssize_t>(sizeof(server)))
+    {
+      pause();
+    }
+    _exit(1);
+  }
+  long server = 0;
+  ASSERT_EQ(read(pipeOfNumbers[0], &server, sizeof(server)), static_cast<ssize_t>(sizeof(server)));
+  close(pipeOfNumbers[0]);
+  close(pipeOfNumbers[1]);
+  ASSERT_EQ(kill(static_cast<pid_t>(server), 0), 0);
+  ASSERT_EQ(kill(program, SIGKILL), 0);
+  int status = 0;
+  ASSERT_EQ(waitpid(program, &status, 0), program);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  pid_t      ended = 0;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (ended == 0 && std::chrono::steady_clock::now() < deadline)
+  {
+    ended = waitpid(static_cast<pid_t>(server), &status, WNOHANG);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(ended, server);
+  if (ended == 0)
+  {
+    kill(static_cast<pid_t>(server), SIGKILL);
+    waitpid(static_cast<pid_t>(server), &status, 0);
+  }
+  prctl(PR_SET_CHILD_SUBREAPER, 0);
 }
 
 TEST(VirtualScreen, SaysWhatToInstallWhereItIsNot)

@@ -15,22 +15,19 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef itkProjectionRows_h
-#define itkProjectionRows_h
+#ifndef itkMillimetresPerUnit_h
+#define itkMillimetresPerUnit_h
 
-#include <array>
+#include "DentalCommonExport.h"
+
+#include <string>
 
 namespace itk
 {
-/** Not installed. 3x4 matrices, row-major, of results. */
-
-/** What maps points of another unit: the first three columns times a factor. */
-std::array<double, 12>
-ScaleColumns(const std::array<double, 12> & matrix, double factor);
-
-/** Product of a matrix and the inverse of a rigid one. */
-std::array<double, 12>
-TimesRigidInverse(const std::array<double, 12> & matrix, const std::array<double, 12> & rigid);
+/** mm in a unit of a scan: "mm", "cm", "inch", "m" or "um". Throws std::invalid_argument for any other. \ingroup
+ * DentalCommon */
+DentalCommon_EXPORT double
+MillimetresPerUnitFromString(const std::string & unit);
 } // namespace itk
 
 #endif
