@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkRegistrationSceneWindow.h"
 
+#include "itkLowerCase.h"
 #include "itkSceneRenderer.h"
 #include "itkSceneToVTK.h"
 #include "itkScreenConnection.h"
@@ -37,8 +38,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -53,11 +52,7 @@ namespace fs = std::filesystem;
 std::string
 GetExtension(const std::string & fileName)
 {
-  std::string extension = fs::u8path(fileName).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char character) {
-    return static_cast<char>(std::tolower(character));
-  });
-  return extension;
+  return LowerCase(fs::u8path(fileName).extension().string());
 }
 
 /** Whether a folder holds blocks of an earlier export of this name, and nothing else: then it may be replaced. */
