@@ -106,7 +106,7 @@ def main():
     every = sorted({test for mutation in chosen for test in mutation.tests})
     done = build(options.tree, every)
     if done.returncode != 0:
-        print(done.stdout[-3000:])
+        print(done.stdout[-3000:] + done.stderr[-1000:])
         return 1
     for test in every:
         start = time.monotonic()
