@@ -21,8 +21,11 @@
 // ends, the mutant that it was reading is found again by its number and kept. This process reads nothing and has one
 // thread, so that it may fork. libFuzzer would need clang, which refuses the headers of ITK 5.2.
 
+#include "itkBatchCaseList.h"
+#include "itkCaseResultFileReader.h"
 #include "itkCephalogramFileReader.h"
 #include "itkCephalometricLandmarkFileReader.h"
+#include "itkDentalCaseFileReader.h"
 #include "itkDentalContourFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
@@ -30,20 +33,14 @@
 #include "itkMutate.h"
 #include "itkReadDentalMesh.h"
 #include "itkReadLabelImage.h"
+#include "itkReadTransformText.h"
 #include "itkReproducibleRandom.h"
 #include "itkToothLabelFileReader.h"
 #include "itkVTKSurfaceFile.h"
 
-#ifdef DENTALSCR_FUZZ_CASES
-#  include "itkBatchCaseList.h"
-#  include "itkCaseResultFileReader.h"
-#  include "itkDentalCaseFileReader.h"
-#  include "itkReadTransformText.h"
-
-#  include "itkTransformFactory.h"
-#  include "itkTransformFileReader.h"
-#  include "itkTxtTransformIOFactory.h"
-#endif
+#include "itkTransformFileReader.h"
+#include "itkTransformFactory.h"
+#include "itkTxtTransformIOFactory.h"
 
 #include <algorithm>
 #include <chrono>
@@ -60,6 +57,7 @@
 #include <string>
 #include <vector>
 
+#include <dlfcn.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -120,7 +118,6 @@ ReadToothLabels(const std::string & fileName)
   reader->Update();
 }
 
-#ifdef DENTALSCR_FUZZ_CASES
 void
 ReadBatchTable(const std::string & fileName)
 {
@@ -148,7 +145,6 @@ ReadTransform(const std::string & fileName)
     itkDentalInputErrorMacro(fileName, "", error.GetDescription(), "");
   }
 }
-#endif
 
 void
 ReadContours(const std::string & fileName)
@@ -172,12 +168,10 @@ ReadContours(const std::string & fileName)
 }
 
 const std::map<std::string, ReadFunction> Targets = {
-#ifdef DENTALSCR_FUZZ_CASES
   { "batch", ReadBatchTable },
   { "case", [](const std::string & name) { itk::ReadDentalCase(name); } },
   { "result", Update<itk::CaseResultFileReader> },
   { "transform", ReadTransform },
-#endif
   { "cephalometric", Update<itk::CephalometricLandmarkFileReader> },
   { "contours", ReadContours },
   { "image", Update<itk::CephalogramFileReader> },
@@ -246,15 +240,17 @@ struct Board
 void
 LimitYourself()
 {
-#if !defined(__SANITIZE_ADDRESS__)
-  // Above what the libraries take. (The sanitizer keeps its books in terabytes of addresses.)
-  std::ifstream pages("/proc/self/statm");
-  std::size_t   used = 0;
-  pages >> used;
-  const std::size_t limit = used * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + BytesPerMutant;
-  const ::rlimit    memory{ limit, limit };
-  ::setrlimit(RLIMIT_AS, &memory);
-#endif
+  // The sanitizer keeps its books in terabytes of addresses, also where the libraries alone have it.
+  if (::dlsym(RTLD_DEFAULT, "__asan_init") == nullptr)
+  {
+    // Above what the libraries take.
+    std::ifstream pages("/proc/self/statm");
+    std::size_t   used = 0;
+    pages >> used;
+    const std::size_t limit = used * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + BytesPerMutant;
+    const ::rlimit    memory{ limit, limit };
+    ::setrlimit(RLIMIT_AS, &memory);
+  }
   const ::rlimit none{ 0, 0 };
   ::setrlimit(RLIMIT_CORE, &none);
 }
@@ -435,10 +431,8 @@ main(int argc, char * argv[])
     std::cerr << "no file is named" << std::endl;
     return 2;
   }
-#ifdef DENTALSCR_FUZZ_CASES
   itk::TransformFactoryBase::RegisterDefaultTransforms();
   itk::TxtTransformIOFactory::RegisterOneFactory();
-#endif
   auto & board =
     *static_cast<Board *>(::mmap(nullptr, sizeof(Board), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
   unsigned int failures = 0;
