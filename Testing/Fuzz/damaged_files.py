@@ -489,6 +489,7 @@ def batches():
     yield "no column of a case", "a.csv", "name,age\na,1\n", ('has neither a column "case" nor columns of options',)
     yield "a cell too many", "a.csv", "id,case\na,b.json,c\n", ("row 2", "has 3 cells under 2 names")
     yield "a case without a file", "a.csv", "id,case\na,\n", ("row 2", "has no case")
+    yield "a row of options that are empty", "a.csv", "id,upper\na,u.stl\na,\n", ("row 3", "names nothing of a case")
     yield "a name twice", "a.csv", "id,case\na,b.json\na,c.json\n", ("a", "is the name of two cases")
     yield "a name that is a path", "a.csv", "id,case\n../a,b.json\n", ("row 2", "the id \"../a\" can't be a folder's name")
     yield "a name that is a folder's own", "a.csv", "id,case\n..,b.json\n", ("row 2", "the id \"..\" can't be a folder's name")

@@ -180,6 +180,8 @@ def main():
                 continue
         for target in ("image", "labelmap", "mask"):
             corpus[target][plain + pathlib.Path(file_name).suffix] = make()
+    # A row that names nothing, with the id of another one: its last argument was asked for.
+    corpus["batch"]["row.csv"] = "id,upper\na,u.stl\na,\n"
     # A column's name that ends where its unit should begin; transforms that ITK's reader ran past the end of.
     corpus["contours"]["header.csv"] = "label,x [[,y\nUR1,1,2\n"
     corpus["transform"]["no-colon.tfm"] = TRANSFORM.replace("Parameters: 0", "Parameters 0")

@@ -294,6 +294,10 @@ BatchCaseList::AddTable(const std::string & fileName, std::vector<BatchCase> & c
       made.arguments = named.arguments;
       made.id = made.id.empty() ? named.id : made.id;
     }
+    else if (made.arguments.empty())
+    {
+      itkDentalInputErrorMacro(fileName, place, "names nothing of a case", "name its files, or take the row out");
+    }
     if (made.id.empty())
     {
       made.id = "row" + std::to_string(i + 1);
