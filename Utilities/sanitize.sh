@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# The whole test suite under the address and undefined-behaviour sanitizers: build/sanitize.
+# Tests under the address and undefined-behaviour sanitizers.
 #
-#     Utilities/sanitize.sh           everything; an hour and more on two cores
-#     Utilities/sanitize.sh readers   the readers' and kernels' tests, and a minute of mutants
+#     Utilities/sanitize.sh           the whole suite, in build/sanitize; hours on two cores
+#     Utilities/sanitize.sh readers   the readers' and kernels' tests of build/test, the damaged files and 30 s of mutants, with
+#                                     sanitized libraries of these (build/sanitize-readers); 106 files to compile
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -12,16 +13,31 @@ export ASAN_OPTIONS=detect_stack_use_after_return=1:allocator_may_return_null=1
 export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 export LSAN_OPTIONS="suppressions=$PWD/Utilities/leak-suppressions.txt:print_suppressions=0"
 
-cmake --preset sanitize >/dev/null
 status=0
 if [ "${1:-}" = readers ]; then
-  drivers=(DentalCommon Annotation Cephalogram MeshOpenMesh MeshVTK ContourMetric RegistrationCommon)
-  cmake --build --preset sanitize --target "${drivers[@]/%/GTestDriver}" dentalscr dentalscr-fuzz
-  for driver in "${drivers[@]}"; do
-    "build/sanitize/bin/${driver}GTestDriver" --gtest_brief=1 || status=1
+  libraries=(DentalCommon Annotation Cephalogram MeshOpenMesh MeshVTK ContourMetric RegistrationCommon)
+  cmake --preset sanitize-readers >/dev/null
+  cmake --build --preset sanitize-readers --target "${libraries[@]}" dentalscr-decode
+  cmake --build --preset test --target "${libraries[@]/%/GTestDriver}" dentalscr dentalscr-fuzz
+  # Tests of the release build, with these libraries in the place of its own: they are what is looked at, and tests take longer to compile
+  # than they do. The sanitizers' own libraries have to be the first.
+  preload="$(c++ -print-file-name=libasan.so):$(c++ -print-file-name=libubsan.so)"
+  sanitized() { env LD_PRELOAD="$preload" LD_LIBRARY_PATH="$PWD/build/sanitize-readers/lib" "$@"; }
+  loaded="$(LD_LIBRARY_PATH="$PWD/build/sanitize-readers/lib" ldd build/test/bin/AnnotationGTestDriver)"
+  [[ "$loaded" == *build/sanitize-readers/lib/libDentalSCRAnnotation* ]] || { echo "the sanitized libraries are not loaded" >&2; exit 2; }
+  for library in "${libraries[@]}"; do
+    # Tests of limits of memory have none here.
+    sanitized "build/test/bin/${library}GTestDriver" --gtest_brief=1 || status=1
   done
-  Utilities/fuzz.sh 1 build/sanitize || status=1
+  folder=build/fuzz
+  /usr/bin/python3 Testing/Fuzz/make_seeds.py "$folder" --program build/test/bin/dentalscr
+  for target in $(cd "$folder/seeds" && echo *); do
+    corpus=("$folder/corpus/$target"/*)
+    [ ! -e "${corpus[0]}" ] || sanitized build/test/bin/dentalscr-fuzz "$target" --replay "${corpus[@]}" || status=1
+    sanitized build/test/bin/dentalscr-fuzz "$target" --seconds 3 --seed "$(date +%s)" --findings "$folder/findings" "$folder/seeds/$target"/* || status=1
+  done
 else
+  cmake --preset sanitize >/dev/null
   cmake --build --preset sanitize
   ctest --preset sanitize || status=1
   /usr/bin/python3 -m pytest -q -p no:cacheprovider Testing/CommandLine --build-dir build/sanitize || status=1

@@ -1,8 +1,6 @@
 """What is no regular file, what changes while it is read, and numbers that no case has: an error, and at once."""
 import json
 import os
-import subprocess
-import threading
 
 import pytest
 
@@ -66,11 +64,11 @@ def make_read(case, name):
     return path
 
 
-@pytest.mark.parametrize("fault", ["TRUNCATE", "TOUCH"])
+@pytest.mark.parametrize("fault", ["TRUNCATE", "OVERWRITE", "TOUCH"])
 @pytest.mark.parametrize("name", READ)
 def test_a_file_that_becomes_another_while_it_is_read_is_an_error(program, case, tmp_path, faults, name, fault):
     """Mapped, a scan that was cut short was SIGBUS. The moment is made and not hoped for: between opening
-    and reading it, or between reading and closing it."""
+    and reading it, between its halves, or between reading and closing it."""
     path = make_read(case, name)
     command = [program, "register", case.file, "--output", tmp_path / "out", "--quiet", "--no-report"]
     done = measure(command, env=faults(**{fault: path}))
@@ -99,32 +97,26 @@ def test_a_point_of_a_scan_that_no_scan_has(program, case, tmp_path, value):
     assert done.seconds < 5
 
 
-def test_a_file_that_changes_is_noticed(program, case, tmp_path):
-    """While it is written to without a pause: an error that says so, or a result of one state; never something else."""
+def test_a_file_that_is_replaced_after_it_was_read_is_the_one_that_was_read(program, case, tmp_path, faults):
+    """Another file that takes its name is another file: the result, and the sum by which `batch --resume` knows its input
+    again, are of the one that was read, or it is an error. Never a result of the one beside the sum of the other."""
     contours = case.folder / "contours.json"
     text = contours.read_text()
-    stop = threading.Event()
-
-    def disturb():
-        while not stop.is_set():
-            with open(contours, "w") as file:
-                file.write(text[: len(text) // 2])
-                file.flush()
-                file.write(text[len(text) // 2 :])
-
-    thread = threading.Thread(target=disturb)
-    thread.start()
-    try:
-        for _ in range(4):
-            done = subprocess.run(
-                [str(program), "register", str(case.file), "--output", str(tmp_path / "out"), "--quiet", "--no-report"],
-                capture_output=True,
-                text=True,
-                timeout=60,
-            )
-            assert done.returncode in (0, 2), done.stderr
-            if done.returncode == 2:
-                assert "contours.json" in done.stderr, done.stderr
-    finally:
-        stop.set()
-        thread.join()
+    other = json.loads(text)
+    other["contours"]["upper"].pop()
+    command = [program, "register", case.file, "--quiet", "--no-report", "--output"]
+    landmarks = {}
+    for name, content in {"other": json.dumps(other), "first": text}.items():
+        contours.write_text(content)
+        assert measure([*command, tmp_path / name]).returncode == 0
+        result = json.loads((tmp_path / name / "result.json").read_text())
+        landmarks[result["inputs"]["contours"]["sha256"]] = result["jaws"]["upper"]["landmarks_px"]
+    assert len(landmarks) == 2 and len(set(map(str, landmarks.values()))) == 2
+    contours.with_name("contours.json.other").write_text(json.dumps(other))
+    done = measure([*command, tmp_path / "out"], env=faults(REPLACE=contours))
+    assert not contours.with_name("contours.json.other").exists(), "the file was never read whole"
+    if done.returncode == 2:
+        assert "contours.json" in done.stderr and "changed" in done.stderr, done.stderr
+    else:
+        result = json.loads((tmp_path / "out" / "result.json").read_text())
+        assert result["jaws"]["upper"]["landmarks_px"] == landmarks[result["inputs"]["contours"]["sha256"]]

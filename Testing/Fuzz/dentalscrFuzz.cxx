@@ -21,6 +21,7 @@
 // ends, the mutant that it was reading is found again by its number and kept. This process reads nothing and has one
 // thread, so that it may fork. libFuzzer would need clang, which refuses the headers of ITK 5.2.
 
+#include "itkBatchCaseList.h"
 #include "itkCaseResultFileReader.h"
 #include "itkCephalogramFileReader.h"
 #include "itkCephalometricLandmarkFileReader.h"
@@ -56,6 +57,7 @@
 #include <string>
 #include <vector>
 
+#include <dlfcn.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -117,6 +119,14 @@ ReadToothLabels(const std::string & fileName)
 }
 
 void
+ReadBatchTable(const std::string & fileName)
+{
+  itk::BatchCaseList list;
+  list.SetOptionNames({ "upper", "lower", "contours", "spacing" }, { "upper", "lower", "contours" });
+  list.Find({ fileName });
+}
+
+void
 ReadTransform(const std::string & fileName)
 {
   const auto reader = itk::TransformFileReaderTemplate<double>::New();
@@ -129,25 +139,48 @@ ReadTransform(const std::string & fileName)
   {
     reader->Update();
   }
-  catch (const itk::ExceptionObject &)
+  catch (const itk::ExceptionObject & error)
   {
-    // ITK's own reader, and its own words.
+    // ITK's own reader, and its own words: an exception of Python.
+    itkDentalInputErrorMacro(fileName, "", error.GetDescription(), "");
+  }
+}
+
+void
+ReadContours(const std::string & fileName)
+{
+  const auto reader = itk::DentalContourFileReader::New();
+  reader->SetFileName(fileName);
+  try
+  {
+    reader->Update();
+  }
+  catch (const itk::DentalInputError & error)
+  {
+    // Some formats don't know how large the picture is.
+    if (error.GetField() != "image_size" || error.GetProblem() != "missing field")
+    {
+      throw;
+    }
+    reader->SetImageSize({ { 50, 50 } });
+    reader->Update();
   }
 }
 
 const std::map<std::string, ReadFunction> Targets = {
+  { "batch", ReadBatchTable },
   { "case", [](const std::string & name) { itk::ReadDentalCase(name); } },
+  { "result", Update<itk::CaseResultFileReader> },
+  { "transform", ReadTransform },
   { "cephalometric", Update<itk::CephalometricLandmarkFileReader> },
-  { "contours", Update<itk::DentalContourFileReader> },
+  { "contours", ReadContours },
   { "image", Update<itk::CephalogramFileReader> },
   { "labelmap", [](const std::string & name) { itk::ReadLabelImage(name); } },
   { "landmarks2d", Update<itk::DentalLandmarkFileReader<2>> },
   { "landmarks3d", Update<itk::DentalLandmarkFileReader<3>> },
   { "mask", [](const std::string & name) { itk::ReadMaskImage(name); } },
-  { "result", Update<itk::CaseResultFileReader> },
   { "scan", ReadScan },
   { "toothlabels", ReadToothLabels },
-  { "transform", ReadTransform },
 };
 
 std::string
@@ -200,20 +233,24 @@ struct Board
   volatile std::uint64_t read;
   volatile std::uint64_t refused;
   char                   words[512];
+  /** Why a file was refused: file, field, problem and remedy, with tabulators between them. */
+  char refusal[4096];
 };
 
 void
 LimitYourself()
 {
-#if !defined(__SANITIZE_ADDRESS__)
-  // Above what the libraries take. (The sanitizer keeps its books in terabytes of addresses.)
-  std::ifstream pages("/proc/self/statm");
-  std::size_t   used = 0;
-  pages >> used;
-  const std::size_t limit = used * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + BytesPerMutant;
-  const ::rlimit    memory{ limit, limit };
-  ::setrlimit(RLIMIT_AS, &memory);
-#endif
+  // The sanitizer keeps its books in terabytes of addresses, also where the libraries alone have it.
+  if (::dlsym(RTLD_DEFAULT, "__asan_init") == nullptr)
+  {
+    // Above what the libraries take.
+    std::ifstream pages("/proc/self/statm");
+    std::size_t   used = 0;
+    pages >> used;
+    const std::size_t limit = used * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + BytesPerMutant;
+    const ::rlimit    memory{ limit, limit };
+    ::setrlimit(RLIMIT_AS, &memory);
+  }
   const ::rlimit none{ 0, 0 };
   ::setrlimit(RLIMIT_CORE, &none);
 }
@@ -241,6 +278,9 @@ ReadOne(const ReadFunction & read, const std::string & fileName, Board & board)
     {
       escape("refused without words");
     }
+    const std::string refusal =
+      error.GetInputFile() + '\t' + error.GetField() + '\t' + error.GetProblem() + '\t' + error.GetRemedy();
+    std::strncpy(board.refusal, refusal.c_str(), sizeof(board.refusal) - 1);
     return false;
   }
   catch (const std::exception & error)
@@ -276,6 +316,7 @@ std::string
 Try(const ReadFunction & read, const std::string & fileName, Board & board)
 {
   board.words[0] = '\0';
+  board.refusal[0] = '\0';
   const pid_t child = ::fork();
   if (child == 0)
   {
@@ -329,6 +370,8 @@ Help()
     << "dentalscr-fuzz TARGET --seconds N --seed S --findings FOLDER SEED...   mutants of the seeds\n"
        "dentalscr-fuzz TARGET --mutants N --seed S --findings FOLDER SEED...   as many, however long that takes\n"
        "dentalscr-fuzz TARGET --replay FILE...                                reads files as they are\n"
+       "dentalscr-fuzz TARGET --tell FILE...                                  the same, and says of each file what "
+       "came of it\n"
        "dentalscr-fuzz TARGET --minimise FILE...                              makes files smaller that fail\n"
        "Ends with 1 where a file ends its reader, takes more than "
     << SecondsPerMutant << " s or " << (BytesPerMutant >> 20) << " MiB, or lets an exception out.\nTargets:";
@@ -358,7 +401,7 @@ main(int argc, char * argv[])
   std::vector<std::string> files;
   for (std::size_t i = 1; i < words.size(); ++i)
   {
-    if (words[i] == "--replay" || words[i] == "--minimise")
+    if (words[i] == "--replay" || words[i] == "--tell" || words[i] == "--minimise")
     {
       mode = words[i];
     }
@@ -393,6 +436,23 @@ main(int argc, char * argv[])
   auto & board =
     *static_cast<Board *>(::mmap(nullptr, sizeof(Board), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
   unsigned int failures = 0;
+  if (mode == "--tell")
+  {
+    // A line a file: the file, what came of it, and of one that was refused what its error says.
+    for (const std::string & file : files)
+    {
+      const std::string how = Try(read, file, board);
+      std::string       refusal = board.refusal;
+      std::replace(refusal.begin(), refusal.end(), '\n', ' ');
+      failures += how.empty() ? 0 : 1;
+      std::cout << file << '\t'
+                << (!how.empty()      ? "failed\t" + how
+                    : refusal.empty() ? "read"
+                                      : "refused\t" + refusal)
+                << std::endl;
+    }
+    return failures > 0 ? 1 : 0;
+  }
   if (mode == "--replay")
   {
     for (const std::string & file : files)

@@ -50,6 +50,22 @@ def scans():
     )
     vtk = "# vtk DataFile Version 3.0\ncube\nASCII\nDATASET POLYDATA\nPOINTS 8 float\n" + points + "POLYGONS 12 48\n" + faces
     vtk += "POINT_DATA 8\nSCALARS Label int 1\nLOOKUP_TABLE default\n11 11 12 12 0 0 21 21\n"
+    def array(kind, name, components, data):
+        return f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="appended" offset="{data}"/>'
+
+    connectivity = struct.pack("<36i", *[corner for face in FACES for corner in face])
+    ends = struct.pack("<12i", *[3 * (k + 1) for k in range(len(FACES))])
+    appended = b""
+    offsets_at = []
+    for block in (raw, connectivity, ends):
+        offsets_at.append(len(appended))
+        appended += struct.pack("<I", len(block)) + block
+    vtp_raw = (
+        '<?xml version="1.0"?><VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32">'
+        '<PolyData><Piece NumberOfPoints="8" NumberOfPolys="12"><Points>' + array("Float32", "Points", 3, offsets_at[0]) +
+        "</Points><Polys>" + array("Int32", "connectivity", 1, offsets_at[1]) + array("Int32", "offsets", 1, offsets_at[2]) +
+        '</Polys></Piece></PolyData><AppendedData encoding="raw">_'
+    ).encode() + appended + b"</AppendedData></VTKFile>"
     return {
         "binary.stl": stl,
         "text.stl": text + "endsolid cube\n",
@@ -59,6 +75,13 @@ def scans():
         "a.off": "OFF\n8 12 0\n" + points + faces,
         "a.vtk": vtk,
         "ascii.vtp": vtp.format("", "ascii", points),
+        "raw.vtp": vtp_raw,
+        # A header may have words before its format, and colours and labels beside its points.
+        "comment.ply": ply.format("ascii").replace("ply\n", "ply\ncomment made by hand\nobj_info num_cols 8\n", 1) + points + faces,
+        "colours.ply": ply.format("binary_big_endian").replace("property float z\n", "property float z\nproperty uchar red\nproperty double quality\n", 1).encode()
+        + b"".join(struct.pack(">3fBd", *corner, 7, 0.5) for corner in CORNERS) + b"".join(struct.pack(">B3i", 3, *face) for face in FACES),
+        # Its first word is another one: no reader of PLY files knows it, and what else could is asked.
+        "other-word.ply": ("plx" + (ply.format("ascii") + points + faces)[3:]),
         "zlib.vtp": vtp.format(' compressor="vtkZLibDataCompressor"', "binary", packed.decode()),
     }
 
@@ -127,6 +150,10 @@ def main():
         "labelmap": images(),
         "mask": images(),
         "toothlabels": {"own.json": json.dumps({"jaw": "upper", "labels": [11, 11, 12, 12, 0, 0, 21, 21, 0, 0, 0, 0]}), "a.vtk": scans()["a.vtk"]},
+        "batch": {
+            "cases.csv": "id;case;age\nfirst;a.json;12\nsecond;b.json;-1\n",
+            "options.csv": 'id,upper,lower,contours,spacing\na,"u.stl",l.stl,c.json,0.1 0.1\n',
+        },
         "transform": {"a.tfm": TRANSFORM, "b.txt": TRANSFORM.replace("VersorRigid3DTransform_double_3_3\nParameters: 0 0 0 1 2 3\nFixedParameters: 0 0 0", "Similarity2DTransform_double_2_2\nParameters: 1 0 2 3\nFixedParameters: 0 0")},
     }
     case = options.folder / "case"
@@ -153,6 +180,8 @@ def main():
                 continue
         for target in ("image", "labelmap", "mask"):
             corpus[target][plain + pathlib.Path(file_name).suffix] = make()
+    # A row that names nothing, with the id of another one: its last argument was asked for.
+    corpus["batch"]["row.csv"] = "id,upper\na,u.stl\na,\n"
     # A column's name that ends where its unit should begin; transforms that ITK's reader ran past the end of.
     corpus["contours"]["header.csv"] = "label,x [[,y\nUR1,1,2\n"
     corpus["transform"]["no-colon.tfm"] = TRANSFORM.replace("Parameters: 0", "Parameters 0")

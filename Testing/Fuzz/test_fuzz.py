@@ -8,7 +8,7 @@ import pytest
 
 HERE = pathlib.Path(__file__).resolve().parent
 TARGETS = [
-    "case", "cephalometric", "contours", "image", "labelmap", "landmarks2d", "landmarks3d", "mask", "result", "scan",
+    "batch", "case", "cephalometric", "contours", "image", "labelmap", "landmarks2d", "landmarks3d", "mask", "result", "scan",
     "toothlabels", "transform",
 ]
 

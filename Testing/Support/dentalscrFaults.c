@@ -21,6 +21,8 @@
  *   DENTALSCR_KILL_AT=N          SIGKILL before the Nth change of a folder: a file made, renamed or removed
  *   DENTALSCR_TRUNCATE=PATH      the file is cut to a third after it was opened, before all of it is read
  *   DENTALSCR_TOUCH=PATH         the file gets another time after all of it was read, before it is closed
+ *   DENTALSCR_OVERWRITE=PATH     its second half is written over, in place, when the first half of it was read
+ *   DENTALSCR_REPLACE=PATH       PATH.other is renamed over it when all of it was read
  *   DENTALSCR_SWEEP=N            the first N temporary folders are removed as soon as they are made, as a sweep of
  * another process may do that finds them before they are locked
  */
@@ -164,12 +166,38 @@ read(int file, void * data, size_t size)
       abort();
     }
   }
+  if (is_whole("DENTALSCR_OVERWRITE", file, size) && atomic_exchange(&done, 1) == 0)
+  {
+    const ssize_t       first = next(file, data, size / 2);
+    const open_function open_next = (open_function)dlsym(RTLD_NEXT, "open");
+    const int           again = open_next(getenv("DENTALSCR_OVERWRITE"), O_WRONLY);
+    for (size_t at = size / 2; at < size; ++at)
+    {
+      if (pwrite(again, " ", 1, (off_t)at) != 1)
+      {
+        abort();
+      }
+    }
+    close(again);
+    return first;
+  }
+  const int     is_replaced = is_whole("DENTALSCR_REPLACE", file, size);
   const int     is_touched = is_whole("DENTALSCR_TOUCH", file, size);
   const ssize_t count = next(file, data, size);
   if (is_touched && atomic_exchange(&done, 1) == 0)
   {
     const struct timespec times[2] = { { 1, 0 }, { 1, 0 } };
     if (utimensat(AT_FDCWD, getenv("DENTALSCR_TOUCH"), times, 0) != 0)
+    {
+      abort();
+    }
+  }
+  if (is_replaced && atomic_exchange(&done, 1) == 0)
+  {
+    char other[4096];
+    snprintf(other, sizeof(other), "%s.other", getenv("DENTALSCR_REPLACE"));
+    const paths_function rename_next = (paths_function)dlsym(RTLD_NEXT, "rename");
+    if (rename_next(other, getenv("DENTALSCR_REPLACE")) != 0)
     {
       abort();
     }

@@ -26,6 +26,7 @@
 #include "itkContinuousIndex.h"
 #include "itkFixedArray.h"
 #include "itkImage.h"
+#include "itkLowerCase.h"
 #include "itkMesh.h"
 #include "itkPoint.h"
 #include "itkProcessObject.h"
@@ -36,7 +37,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <functional>
 #include <string>
 #include <utility>
@@ -238,10 +238,7 @@ BindEnum(py::handle scope, const char * name, const std::vector<std::pair<const 
              for (const auto & value : values)
              {
                const std::string candidate = value.first;
-               const auto        same = [](char a, char b) {
-                 return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-               };
-               if (candidate.size() == text.size() && std::equal(text.begin(), text.end(), candidate.begin(), same))
+               if (itk::LowerCase(candidate) == itk::LowerCase(text))
                {
                  return value.second;
                }

@@ -53,7 +53,8 @@ MakeId(const fs::path & way)
 bool
 IsFolderName(const std::string & id)
 {
-  return !id.empty() && id[0] != '.' && id.find('/') == std::string::npos;
+  // A record of the case has a few letters more, and 255 are what file systems allow.
+  return !id.empty() && id.size() <= 240 && id[0] != '.' && id.find('/') == std::string::npos;
 }
 
 /** After the folder of a case.json, after any other file's own name. */
@@ -215,6 +216,11 @@ BatchCaseList::AddTable(const std::string & fileName, std::vector<BatchCase> & c
   bool                             hasField = false;
   for (const std::string & column : header)
   {
+    if ((column == "case" || column == "id" || m_Options.count(column) != 0) &&
+        std::count(header.begin(), header.end(), column) > 1)
+    {
+      itkDentalInputErrorMacro(fileName, "row 1", "has two columns \"" + column + '"', "keep one of the two");
+    }
     const bool isField = m_Options.count(column) != 0;
     hasField = hasField || isField;
     if (column != "case" && column != "id" && (!isField || hasFile))
@@ -287,6 +293,10 @@ BatchCaseList::AddTable(const std::string & fileName, std::vector<BatchCase> & c
       const BatchCase named = MakeCase((folder / file).lexically_normal(), "");
       made.arguments = named.arguments;
       made.id = made.id.empty() ? named.id : made.id;
+    }
+    else if (made.arguments.empty())
+    {
+      itkDentalInputErrorMacro(fileName, place, "names nothing of a case", "name its files, or take the row out");
     }
     if (made.id.empty())
     {

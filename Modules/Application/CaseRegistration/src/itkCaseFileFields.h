@@ -49,7 +49,7 @@ Interpret(const JsonNode & node, TFunction && function)
   }
   catch (const std::invalid_argument & error)
   {
-    node.Fail(error.what(), "");
+    node.Fail(error.what(), "correct the field");
   }
 }
 

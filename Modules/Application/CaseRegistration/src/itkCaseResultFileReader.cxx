@@ -86,7 +86,13 @@ CaseResultFileReader::GenerateData()
     PoseJawResult own;
     own.jaw = jaw;
     own.registered = node->Find("projection_3x4").has_value();
-    m_Status[jaw == JawEnum::Upper ? 0 : 1] = node->Get("status").AsString();
+    const JsonNode    statusNode = node->Get("status");
+    const std::string status = statusNode.AsString();
+    if (status != "ok" && status != "suspect" && status != "failed")
+    {
+      statusNode.Fail("\"" + status + "\" is no status (\"ok\", \"suspect\" or \"failed\")", "register the case again");
+    }
+    m_Status[jaw == JawEnum::Upper ? 0 : 1] = status;
     result.groupOfJaw.push_back(result.groups.size());
     if (!own.registered)
     {

@@ -512,7 +512,7 @@ InterpretDentalCase(const JsonDocument & document,
       }
       catch (const std::invalid_argument & error)
       {
-        code.Fail(error.what(), "");
+        code.Fail(error.what(), "correct the code or the numbering");
       }
     }
   }

@@ -198,6 +198,7 @@ LoadDentalCase(const DentalCase & description)
   probe.Start();
   auto data = std::make_shared<DentalCaseData>();
   data->description = description;
+  const std::vector<CaseInputState> before = LookAtCaseInputs(description);
   data->warnings = description.warnings;
 
   // The small files first: a mistake in them should not cost the time of reading the scans.
@@ -246,7 +247,7 @@ LoadDentalCase(const DentalCase & description)
     Append(data->warnings, warnings);
   }
   LoadLabels(*data);
-  RecordCaseInputs(*data);
+  RecordCaseInputs(*data, before);
   probe.Stop();
   data->readSeconds = probe.GetTotal();
   return data;

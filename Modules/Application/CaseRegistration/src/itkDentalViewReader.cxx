@@ -17,10 +17,10 @@
  *=========================================================================*/
 #include "itkDentalViewReader.h"
 
+#include "itkASCIICharacter.h"
 #include "itkCaseFileFields.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace itk
 {
@@ -47,9 +47,8 @@ std::string
 ReadName(const JsonNode & node, const DentalCase & dentalCase)
 {
   const std::string & name = node.AsString();
-  const bool          isPlain = std::all_of(name.begin(), name.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
-  });
+  const bool          isPlain =
+    std::all_of(name.begin(), name.end(), [](char c) { return IsASCIIAlphanumeric(c) || c == '-' || c == '_'; });
   if (name.empty() || name.size() > 40 || !isPlain)
   {
     node.Fail("is no short name", "use letters, digits, - and _, as in \"frontal\"");

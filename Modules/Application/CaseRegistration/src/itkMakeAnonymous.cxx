@@ -17,12 +17,12 @@
  *=========================================================================*/
 #include "itkMakeAnonymous.h"
 
+#include "itkASCIICharacter.h"
 #include "itkVisitCaseFiles.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -129,10 +129,9 @@ private:
   static bool
   IsAt(const std::string & text, std::size_t place, const std::string & word)
   {
-    const auto isLetter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
-    const bool begins = place == 0 || !isLetter(text[place - 1]) || !isLetter(word.front());
+    const bool begins = place == 0 || !IsASCIIAlphanumeric(text[place - 1]) || !IsASCIIAlphanumeric(word.front());
     const auto end = place + word.size();
-    const bool ends = end >= text.size() || !isLetter(text[end]) || !isLetter(word.back());
+    const bool ends = end >= text.size() || !IsASCIIAlphanumeric(text[end]) || !IsASCIIAlphanumeric(word.back());
     return text.compare(place, word.size(), word) == 0 && begins && ends;
   }
 

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkRecogniseCaseFolder.h"
 
+#include "itkASCIICharacter.h"
 #include "itkCephalogramFileReader.h"
 #include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalCaseFileReader.h"
@@ -28,7 +29,6 @@
 #include "itkLowerCase.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -77,8 +77,8 @@ SplitWords(const std::string & name)
   };
   for (std::size_t i = 0; i <= name.size(); ++i)
   {
-    const auto c = i < name.size() ? static_cast<unsigned char>(name[i]) : static_cast<unsigned char>('.');
-    if (std::isalnum(c) == 0)
+    const char c = i < name.size() ? name[i] : '.';
+    if (!IsASCIIAlphanumeric(c))
     {
       const bool several = whole.size() > part.size();
       add(part);
@@ -89,12 +89,12 @@ SplitWords(const std::string & name)
       whole.clear();
       continue;
     }
-    if (!part.empty() && std::islower(static_cast<unsigned char>(part.back())) != 0 && std::isupper(c) != 0)
+    if (!part.empty() && part.back() >= 'a' && part.back() <= 'z' && c >= 'A' && c <= 'Z')
     {
       add(part);
     }
-    part += static_cast<char>(c);
-    whole += static_cast<char>(c);
+    part += c;
+    whole += c;
   }
   return words;
 }

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkRecordCaseInputs.h"
 
+#include "itkDentalInputError.h"
 #include "itkParallelFor.h"
 #include "itkVisitCaseFiles.h"
 
@@ -25,27 +26,44 @@
 #include <exception>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include <sys/stat.h>
 
 namespace itk
 {
-void
-RecordCaseInputs(DentalCaseData & data)
+namespace
 {
-  const DentalCase & description = data.description;
-  const std::string  folder = std::filesystem::path(description.fileName).parent_path().string();
-  std::vector<std::pair<std::string, std::string>> files;
-  const auto                                       add = [&](const std::string & field, const std::string & file) {
+std::vector<long long>
+StateOf(const std::string & fileName)
+{
+  struct stat found
+  {};
+  if (::stat(fileName.c_str(), &found) != 0)
+  {
+    return {};
+  }
+  return { static_cast<long long>(found.st_dev),
+           static_cast<long long>(found.st_ino),
+           static_cast<long long>(found.st_size),
+           static_cast<long long>(found.st_mtim.tv_sec),
+           static_cast<long long>(found.st_mtim.tv_nsec) };
+}
+} // namespace
+
+std::vector<CaseInputState>
+LookAtCaseInputs(const DentalCase & description)
+{
+  std::vector<CaseInputState> files;
+  const auto                  add = [&](const std::string & field, const std::string & file) {
     if (!file.empty())
     {
-      files.emplace_back(field, file);
+      files.push_back({ field, file, StateOf(file) });
     }
   };
   std::error_code error;
   // A case of the command line, or of memory, has no file.
-  const bool hasCaseFile = std::filesystem::is_regular_file(description.fileName, error);
-  if (hasCaseFile)
+  if (std::filesystem::is_regular_file(description.fileName, error))
   {
     add("case", description.fileName);
   }
@@ -55,13 +73,26 @@ RecordCaseInputs(DentalCaseData & data)
       add(field, file);
     }
   });
-  data.inputs.resize(files.size());
-  std::vector<std::exception_ptr> errors(files.size());
-  ParallelFor(files.size(), MultiThreaderBase::GetGlobalDefaultNumberOfThreads(), [&](std::size_t i) {
+  return files;
+}
+
+void
+RecordCaseInputs(DentalCaseData & data, const std::vector<CaseInputState> & before)
+{
+  const std::string folder = std::filesystem::path(data.description.fileName).parent_path().string();
+  data.inputs.resize(before.size());
+  std::vector<std::exception_ptr> errors(before.size());
+  ParallelFor(before.size(), MultiThreaderBase::GetGlobalDefaultNumberOfThreads(), [&](std::size_t i) {
     try
     {
       // The case file is named as it was given.
-      data.inputs[i] = MakeCaseInputFile(files[i].first, files[i].second, hasCaseFile && i == 0 ? "" : folder);
+      const CaseInputState & input = before[i];
+      data.inputs[i] = MakeCaseInputFile(input.field, input.fileName, input.field == "case" ? "" : folder);
+      if (StateOf(input.fileName) != input.state)
+      {
+        itkDentalInputErrorMacro(
+          input.fileName, "", "was changed while the case was read", "start again when it is written completely");
+      }
     }
     catch (...)
     {

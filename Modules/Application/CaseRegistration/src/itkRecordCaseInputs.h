@@ -20,11 +20,28 @@
 
 #include "itkDentalCaseData.h"
 
+#include <string>
+#include <vector>
+
 namespace itk
 {
-/** Not installed. Notes the files that a case was made of, with their SHA-256: of all but its 2-D landmarks. */
+/** Not installed. By what the system tells a file of a case from another one, and from itself when it was changed. */
+struct CaseInputState
+{
+  std::string            field;
+  std::string            fileName;
+  std::vector<long long> state;
+};
+
+/** Not installed. How the files of a case are before any of them is read: of all but its 2-D landmarks. */
+std::vector<CaseInputState>
+LookAtCaseInputs(const DentalCase & description);
+
+/** Not installed. Notes the files that a case was made of, with their SHA-256. It reads them anew, by their names: an
+ * error where one is not what it was before, for the sum of another file would be that of a result that is not its own.
+ */
 void
-RecordCaseInputs(DentalCaseData & data);
+RecordCaseInputs(DentalCaseData & data, const std::vector<CaseInputState> & before);
 } // namespace itk
 
 #endif

@@ -134,7 +134,19 @@ Evaluate(const EvaluateOptions & options, const CommonOptions & common)
   for (std::size_t i = 0; i < options.results.size(); ++i)
   {
     const auto root = itk::JsonDocument::ReadFile(options.results[i]).GetRoot();
-    auto       reader = itk::DentalLandmarkFileReader<2>::New();
+    const auto schema = root.IsObject() ? root.Find("schema") : std::nullopt;
+    if (!schema)
+    {
+      itkDentalInputErrorMacro(
+        options.results[i], "schema", "missing: this is no result of dentalscr", "name a result.json");
+    }
+    // Figures of another version's fields would be figures of something else.
+    if (schema->AsString() != "dentalscr-result/1")
+    {
+      schema->Fail("is \"" + schema->AsString() + "\", and this version reads \"dentalscr-result/1\"",
+                   "register the case again");
+    }
+    auto reader = itk::DentalLandmarkFileReader<2>::New();
     reader->SetFileName(options.landmarks[i]);
     reader->Update();
     const auto side = root.Find("traced_side");

@@ -17,8 +17,10 @@
  *=========================================================================*/
 #include "itkCephalometricLandmarkSet.h"
 
+#include "itkASCIICharacter.h"
+#include "itkLowerCase.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <stdexcept>
 
@@ -35,11 +37,11 @@ std::string
 Normalize(const std::string & name)
 {
   std::string text;
-  for (const char letter : name)
+  for (const char letter : LowerCase(name))
   {
-    if (std::isspace(static_cast<unsigned char>(letter)) == 0)
+    if (!IsASCIIBlank(letter))
     {
-      text += letter == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+      text += letter == '-' ? '_' : letter;
     }
   }
   return text;

@@ -24,6 +24,7 @@
 #include "itkPNGImageIO.h"
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 #include <string>
 
@@ -51,9 +52,19 @@ private:
   bool m_Before;
 };
 
+/** What a decoder says, without what is of this process alone: names of files in memory, and where its object lies. */
 std::string
-HideMemoryFiles(std::string text)
+HideMemory(std::string text)
 {
+  for (const char * const word : { "itk::ERROR: ", "ITK ERROR: " })
+  {
+    const std::size_t at = text.find(word);
+    text.erase(at == std::string::npos ? text.size() : at, std::strlen(word));
+  }
+  for (std::size_t at = text.find("(0x"); at != std::string::npos; at = text.find("(0x"))
+  {
+    text.erase(at, std::min(text.find(')', at), text.size() - 1) - at + 1);
+  }
   const std::string folder = "/proc/self/fd/";
   for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
   {
@@ -107,12 +118,11 @@ CallRadiographImageIO(const std::string & fileName, const std::string & format, 
   }
   catch (const ExceptionObject & error)
   {
-    itkDentalInputErrorMacro(
-      fileName, "", problem + ": " + HideMemoryFiles(error.GetDescription()).substr(0, 200), remedy);
+    itkDentalInputErrorMacro(fileName, "", problem + ": " + HideMemory(error.GetDescription()).substr(0, 200), remedy);
   }
   catch (const std::exception & error)
   {
-    itkDentalInputErrorMacro(fileName, "", problem + ": " + HideMemoryFiles(error.what()).substr(0, 200), remedy);
+    itkDentalInputErrorMacro(fileName, "", problem + ": " + HideMemory(error.what()).substr(0, 200), remedy);
   }
 }
 } // namespace itk

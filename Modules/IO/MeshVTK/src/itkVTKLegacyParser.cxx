@@ -20,7 +20,6 @@
 #include "itkLowerCase.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 
 namespace itk
@@ -100,7 +99,9 @@ private:
   ParseSection(const std::string & word)
   {
     m_Field = word;
-    std::transform(m_Field.begin(), m_Field.end(), m_Field.begin(), [](unsigned char c) { return std::toupper(c); });
+    std::transform(m_Field.begin(), m_Field.end(), m_Field.begin(), [](char c) {
+      return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    });
     if (word == "points")
     {
       const std::size_t         count = this->Count();

@@ -228,7 +228,12 @@ private:
       {
         throw VTKFileError("VTKFile", "is not of type PolyData", "write the surface as PolyData (.vtp)");
       }
-      m_BigEndian = attributes["byte_order"] == "BigEndian";
+      const std::string & order = attributes["byte_order"];
+      if (!order.empty() && order != "BigEndian" && order != "LittleEndian")
+      {
+        throw VTKFileError("byte_order", "is neither LittleEndian nor BigEndian", "export or copy the file again");
+      }
+      m_BigEndian = order == "BigEndian";
       m_HeaderSize = attributes["header_type"] == "UInt64" ? 8 : 4;
       m_Compressor = attributes["compressor"];
     }
@@ -288,6 +293,11 @@ private:
     m_Field = m_Section + (name.empty() ? "" : "." + name);
     if (m_Section == "Points")
     {
+      const std::string & components = m_Array["NumberOfComponents"];
+      if (!components.empty() && components != "3")
+      {
+        throw VTKFileError(m_Field, "has " + components.substr(0, 20) + " components", "give three numbers a point");
+      }
       const std::vector<double> values = this->Values(3 * m_Points, true);
       for (std::size_t i = 0; i < m_Points; ++i)
       {

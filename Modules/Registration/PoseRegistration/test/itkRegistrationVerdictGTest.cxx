@@ -407,6 +407,33 @@ TEST_P(RegistrationVerdictLimit, MovesWithTheThreshold)
   Check(limit, 1.25 * limit.documented, &thresholds);
 }
 
+/** For programs: what was measured, and the limit that it is beyond, on the side on which that is bad. */
+TEST_P(RegistrationVerdictLimit, IsToldWithTheValueThatIsBeyondIt)
+{
+  const Limit & limit = GetParam();
+  if (limit.beyond.empty())
+  {
+    // Beyond it nothing is wrong.
+    return;
+  }
+  Result       result = MakeGoodResult();
+  const double value = limit.documented + (limit.badAbove ? 1e-3 : -1e-3);
+  limit.set(result, value);
+  const auto verdicts = Verdict::Evaluate(result);
+  ASSERT_FALSE(verdicts.at(0).findings.empty());
+  const itk::RegistrationFinding & finding = verdicts[0].findings.front();
+  ASSERT_TRUE(finding.value && finding.limit) << limit.name;
+  if (finding.code == "pixel-spacing")
+  {
+    // It tells the two spacings.
+    EXPECT_EQ(*finding.value, 0.5);
+    return;
+  }
+  const double unit = finding.unit == "deg" ? 180.0 / 3.14159265358979323846 : 1.0;
+  EXPECT_NEAR(*finding.limit, unit * limit.documented, 1e-9) << limit.name;
+  EXPECT_NEAR(*finding.value, unit * value, 1e-9) << limit.name;
+}
+
 INSTANTIATE_TEST_SUITE_P(Table,
                          RegistrationVerdictLimit,
                          ::testing::ValuesIn(MakeLimits()),

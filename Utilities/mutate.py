@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""Applies the mutations of a list one at a time and runs their tests: Utilities/mutate.sh."""
+import argparse
+import dataclasses
+import os
+import pathlib
+import shlex
+import signal
+import subprocess
+import sys
+import time
+
+
+@dataclasses.dataclass
+class Mutation:
+    number: int
+    file: str
+    old: str = ""
+    new: str = ""
+    tests: list = dataclasses.field(default_factory=list)
+    equivalent: str = ""
+
+    def __str__(self):
+        return f"{self.number}: {self.file}: {self.old}  ->  {self.new}"
+
+
+def read(path):
+    mutations = []
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        if not line.strip() or line.startswith("#"):
+            continue
+        if not line.startswith("  "):
+            mutations.append(Mutation(number, line.strip()))
+            continue
+        mark, text = line[2], line[4:]
+        mutation = mutations[-1]
+        if mark == "-":
+            mutation.old = text
+        elif mark == "+":
+            mutation.new = text
+        elif mark == "?":
+            mutation.tests.append(tuple(text.split(": ", 1)))
+        elif mark == "=":
+            mutation.equivalent = text
+        else:
+            sys.exit(f"{path}:{number}: no line of a mutation")
+    return mutations
+
+
+def find(tree, mutation):
+    """The file, or why the mutation is not true any more."""
+    # Of libraries alone: a header is compiled into the tests as well.
+    found = list(tree.glob("Modules/*/*/src/" + mutation.file))
+    if len(found) != 1:
+        return None, f"{len(found)} files of that name"
+    count = found[0].read_text().count(mutation.old)
+    if not mutation.old or mutation.old == mutation.new or count != 1:
+        return None, f"it stands there {count} times"
+    if not mutation.tests and not mutation.equivalent:
+        return None, "no test is named"
+    return found[0], ""
+
+
+def build(tree, *libraries):
+    return subprocess.run(
+        ["cmake", "--build", str(tree / "build" / "test"), "--target", *libraries], capture_output=True, text=True
+    )
+
+
+def run(options, kind, what, limit):
+    """\\return whether the tests pass, with the libraries of the tree in the place of their own; one that hangs doesn't."""
+    if kind == "pytest":
+        command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", *shlex.split(what), "--build-dir", str(options.tests)]
+    else:
+        command = [str(options.tests / "bin" / f"{kind}GTestDriver"), f"--gtest_filter={what}", "--gtest_brief=1"]
+    environment = dict(os.environ, LD_LIBRARY_PATH=str(options.tree / "build" / "test" / "lib"))
+    process = subprocess.Popen(
+        command, cwd=options.tree, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True
+    )
+    try:
+        return process.wait(timeout=limit) == 0
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        return False
+
+
+def is_there(options, kind, what):
+    """A filter that chooses nothing passes; of pytest it is an error by itself."""
+    if kind == "pytest":
+        return True
+    program = str(options.tests / "bin" / f"{kind}GTestDriver")
+    return b"\n  " in subprocess.run([program, f"--gtest_filter={what}", "--gtest_list_tests"], capture_output=True).stdout
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--list", type=pathlib.Path, default=pathlib.Path(__file__).with_name("mutations.txt"))
+    parser.add_argument("--tests", type=pathlib.Path, help="build tree whose tests are run, with the libraries of this one")
+    parser.add_argument("tree", type=pathlib.Path)
+    parser.add_argument("patterns", nargs="*")
+    options = parser.parse_args()
+    mutations = read(options.list)
+    untrue = [(mutation, why) for mutation, why in ((m, find(options.tree, m)[1]) for m in mutations) if why]
+    for mutation, why in untrue:
+        print(f"not true any more: {mutation}: {why}")
+    if untrue or options.check:
+        print(f"{len(mutations)} mutations, {len(untrue)} of them not true")
+        return 1 if untrue else 0
+    chosen = [m for m in mutations if not options.patterns or any(p in str(m) for p in options.patterns)]
+    done = build(options.tree, "dentalscr", "dentalscr-decode")
+    if done.returncode != 0:
+        print(done.stdout[-3000:] + done.stderr[-1000:])
+        return 1
+    limits = {}
+    caught, survivors, equivalent = 0, [], []
+    for mutation in chosen:
+        path, _ = find(options.tree, mutation)
+        for test in set(mutation.tests) - set(limits):
+            # Unmutated it is there and passes, or it would notice nothing, or everything.
+            start = time.monotonic()
+            if not is_there(options, *test) or not run(options, *test, 1800):
+                print(f"no test, or it fails without a mutation: {': '.join(test)}")
+                return 1
+            limits[test] = 60 + 10 * (time.monotonic() - start)
+        whole = path.read_text()
+        start = time.monotonic()
+        try:
+            path.write_text(whole.replace(mutation.old, mutation.new))
+            is_caught, how = False, ""
+            if build(options.tree, path.parent.parent.name).returncode != 0:
+                # No test has noticed it, and none could.
+                untrue.append((mutation, "is no program"))
+                print(f"NO PROGRAM {mutation}", flush=True)
+                continue
+            for test in mutation.tests:
+                if not run(options, *test, limits[test]):
+                    is_caught, how = True, ": ".join(test)
+                    break
+        finally:
+            path.write_text(whole)
+            # Not the next test's: a library that is still mutated.
+            build(options.tree, path.parent.parent.name)
+        seconds = time.monotonic() - start
+        if is_caught:
+            caught += 1
+            print(f"caught    {mutation}   [{how}, {seconds:.0f} s]", flush=True)
+            if mutation.equivalent:
+                print(f"          but it is told to be equivalent: {mutation.equivalent}", flush=True)
+        else:
+            (equivalent if mutation.equivalent else survivors).append(mutation)
+            print(f"{'equal    ' if mutation.equivalent else 'SURVIVES '} {mutation}   [{seconds:.0f} s]", flush=True)
+    counted = caught + len(survivors)
+    print(f"{caught} of {counted} caught ({100.0 * caught / max(1, counted):.0f} %), {len(equivalent)} equivalent")
+    for mutation in survivors:
+        print(f"SURVIVES  {mutation}")
+    return 1 if survivors or untrue else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
