@@ -4,11 +4,13 @@ auditwheel does the work and says for which systems the wheel is good. Two thing
 * It counts on X11, expat and zlib of the system where the wheel is installed. A container has none, so they go in, too; the C and
   C++ libraries alone are the system's.
 * The licence of every library that goes in goes in beside it, as Debian's package of the library has it. A library without
-  one is an error, and so is a wheel that is too large.
+  one is an error, one under the GPL is an error, and so is a wheel that is too large. Utilities/refuse_jbig.c stands for the one
+  library under the GPL that would come, by way of libtiff.
 """
 import argparse
 import dataclasses
 import hashlib
+import os
 import pathlib
 import re
 import shutil
@@ -21,6 +23,7 @@ import auditwheel.main
 import auditwheel.policy
 from auditwheel.wheeltools import InWheelCtx
 
+ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Of the system: the C library, and the C++ library, which must be one for the whole process.
 SYSTEM = {
     "libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "libresolv.so.2", "libutil.so.1", "libnsl.so.1",
@@ -28,6 +31,8 @@ SYSTEM = {
 }
 # What is compiled into the module, by headers alone or as data, and so has no library: Debian's packages of them.
 COMPILED_IN = ("fonts-dejavu-core", "libcli11-dev", "libeigen3-dev", "libkainjow-mustache-dev", "nlohmann-json3-dev")
+# Under the GPL alone: the wheel as a whole would be under it.
+REFUSED = ("libfftw3-double3", "libfftw3-single3", "libgsl27", "libjbig0", "libreadline8")
 LARGEST = 30 << 20
 
 
@@ -58,6 +63,15 @@ def find_libraries(wheel):
     return found
 
 
+def make_substitute(folder):
+    """The library that stands for libjbig, found before that one from now on."""
+    source = pathlib.Path(__file__).with_name("refuse_jbig.c")
+    library = folder / "libjbig.so.0"
+    subprocess.run(["cc", "-shared", "-fPIC", "-O2", "-Wl,-soname,libjbig.so.0", source, "-o", library], check=True)
+    os.environ["LD_LIBRARY_PATH"] = str(folder)
+    return library.resolve()
+
+
 def package_of(path):
     """Debian's package of a file; its books may have it without /usr."""
     for name in (str(path), str(path).removeprefix("/usr")):
@@ -67,7 +81,7 @@ def package_of(path):
     sys.exit(f"repair_wheel.py: {path} is of no package of Debian, so that its licence is not known")
 
 
-def add_licences(wheel, libraries):
+def add_licences(wheel, libraries, substitute):
     """Writes the licences into the wheel; returns the names of what was put in."""
     with InWheelCtx(wheel) as context:
         context.out_wheel = wheel
@@ -76,15 +90,19 @@ def add_licences(wheel, libraries):
         folder.mkdir(exist_ok=True)
         rows = []
         for file in sorted(context.path.glob("*.libs/*")):
-            package = package_of(libraries[re.search(r"-([0-9a-f]{8})\.", file.name).group(1)])
+            path = libraries[re.search(r"-([0-9a-f]{8})\.", file.name).group(1)]
+            package = "dentalscr" if path == substitute else package_of(path)
+            if package in REFUSED:
+                sys.exit(f"repair_wheel.py: {path} is under the GPL, and the wheel would be")
             rows.append((file.name, package))
         for package in sorted({package for _, package in rows} | set(COMPILED_IN)):
-            shutil.copy(f"/usr/share/doc/{package}/copyright", folder / f"{package}.txt")
+            source = f"/usr/share/doc/{package}/copyright"
+            shutil.copy(ROOT / "LICENSE" if package == "dentalscr" else source, folder / f"{package}.txt")
         import pybind11
 
         (licence,) = pathlib.Path(pybind11.__file__).parent.parent.glob("pybind11-*.dist-info/**/LICENSE")
         shutil.copy(licence, folder / "pybind11.txt")
-        words = "What is in this wheel beside DentalSCR (Apache-2.0, LICENSE). The licence of each is in this folder.\n\n"
+        words = "What is in this wheel beside DentalSCR (Apache-2.0). The licence of each is in this folder.\n\n"
         words += "".join(f"{name}: {package}.txt\n" for name, package in rows)
         words += "compiled in: " + ", ".join(f"{name}.txt" for name in (*COMPILED_IN, "pybind11")) + "\n"
         words += "in the page of a report: three.js, Observable Plot and what they use, whose licences the page itself shows\n"
@@ -97,14 +115,15 @@ def main():
     parser.add_argument("wheel", type=pathlib.Path)
     parser.add_argument("--output", type=pathlib.Path, required=True)
     arguments = parser.parse_args()
-    libraries = find_libraries(arguments.wheel)
     widen(auditwheel.policy.WheelPolicies)
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as other:
+        substitute = make_substitute(pathlib.Path(other))
+        libraries = find_libraries(arguments.wheel)
         sys.argv = ["auditwheel", "repair", "--zip-compression-level", "9", "--wheel-dir", folder, str(arguments.wheel)]
         if auditwheel.main.main():
             sys.exit(f"repair_wheel.py: auditwheel could not repair {arguments.wheel}")
         (repaired,) = pathlib.Path(folder).glob("*.whl")
-        names = add_licences(repaired, libraries)
+        names = add_licences(repaired, libraries, substitute)
         size = repaired.stat().st_size
         if size > LARGEST:
             sys.exit(f"repair_wheel.py: {repaired.name} has {size / 1e6:.1f} MB, more than {LARGEST / 1e6:.1f}")

@@ -77,6 +77,7 @@ echo "$sdist: $(du -h "$sdist" | cut -f1)"
 
 # Paths relative to the tree and the options and compiler's name of the other build, so that its objects are found.
 export CCACHE_BASEDIR="$source" CCACHE_NOHASHDIR=1 CC=/usr/bin/cc CXX=/usr/bin/c++
+export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 for python in "${pythons[@]}"; do
   tag=$(cpython "$python")
   tool=$(environment "$python" "$tag")
