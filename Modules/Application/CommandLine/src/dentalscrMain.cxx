@@ -16,7 +16,10 @@
  *
  *=========================================================================*/
 #include "dentalscrCommands.h"
+#include "dentalscrManualPage.h"
+#include "dentalscrProgramDescription.h"
 #include "dentalscrRunGuarded.h"
+#include "dentalscrShellCompletion.h"
 
 #include "itkDentalSCRVersion.h"
 
@@ -30,6 +33,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -37,6 +41,23 @@ namespace dentalscr
 {
 namespace
 {
+/** What the program is asked to say of itself: --describe, --completion SHELL, --man [VERB]; else nothing. */
+std::string
+Describe(const CLI::App & program, int argc, const char * const * argv)
+{
+  const std::string first = argc > 1 ? argv[1] : "";
+  const std::string second = argc > 2 ? argv[2] : "";
+  if (first == "--describe")
+  {
+    return ToJson(DescribeProgram(program));
+  }
+  if (first == "--completion")
+  {
+    return WriteShellCompletion(DescribeProgram(program), second);
+  }
+  return first == "--man" ? WriteManualPage(DescribeProgram(program), second) : "";
+}
+
 int
 Run(int argc, const char * const * argv)
 {
@@ -58,7 +79,8 @@ Run(int argc, const char * const * argv)
   program.footer("Example:\n"
                  "  dentalscr phantom --output sample\n"
                  "  dentalscr register sample/case.json --output result\n"
-                 "Each verb has its own --help with examples. --xml describes the verb register to 3D Slicer.");
+                 "Each verb has its own --help with examples. --xml describes the verb register to 3D Slicer,\n"
+                 "--completion SHELL prints a script for bash, zsh or fish, --man [VERB] a manual page.");
 
   CommonOptions common;
   program.add_option("--threads", common.threads, "Number of threads (0: all); the result is the same for any")
@@ -84,6 +106,19 @@ Run(int argc, const char * const * argv)
   {
     std::cout << SlicerDescription() << std::flush;
     return AllRegistered;
+  }
+  try
+  {
+    const std::string text = Describe(program, argc, argv);
+    if (!text.empty())
+    {
+      std::cout << text << std::flush;
+      return AllRegistered;
+    }
+  }
+  catch (const std::invalid_argument & error)
+  {
+    return Fail(error.what());
   }
   const auto isChosen = [&](CLI::App * verb) { return argc > 1 && verb->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && program.get_subcommands(isChosen).empty())

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkOverlayCanvas.h"
+#include "itkOverlayFont.h"
 
 #include <cmath>
 #include <cstdio>
@@ -184,8 +185,7 @@ Canvas::Dot(const Point & centre, double radius, const Colour & colour, double a
 void
 Canvas::SetFont(double size, bool bold)
 {
-  cairo_select_font_face(
-    this->Get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_face(this->Get(), GetFontFace(bold));
   cairo_set_font_size(this->Get(), size);
 }
 
