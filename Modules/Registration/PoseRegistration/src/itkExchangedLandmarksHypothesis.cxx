@@ -27,7 +27,6 @@ namespace
 std::string
 NameOfOtherJaw(const CephalometricLandmarkSet::LandmarkType & landmark)
 {
-  using JawEnum = ToothCode::JawEnum;
   CephalometricLandmarkSet::MeaningType meaning = landmark.meaning;
   meaning.jaw = OtherJaw(meaning.jaw);
   if (meaning.tooth.IsKnown())
