@@ -177,8 +177,8 @@ private:
 };
 
 /** Gives the last point of `to` what `from` knows of its point `index` as a silhouette's: normal, rim point, tooth. For
- * filters that cut, join or resample polylines: one call for each point that they append, behind it. \ingroup
- * DentalContour */
+ * filters that cut, join or resample polylines: one call for each point that they append, behind it.
+ * \ingroup DentalContour */
 DentalContour_EXPORT void
 AppendSilhouetteData(const DentalContour::PolylineType & from, std::size_t index, DentalContour::PolylineType & to);
 
