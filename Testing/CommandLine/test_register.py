@@ -343,7 +343,7 @@ def test_all_held_without_a_start_says_what_to_give(run, case, tmp_path, preset)
     done = run(
         "register", case.file, "--output", tmp_path / "out", "--preset", preset, "--fix", "scale,rotation,translation"
     )
-    assert done.returncode == 1 and "--init" in done.stderr and "--fix" in done.stderr, done.stderr
+    assert done.returncode == 2 and "--init" in done.stderr and "--fix" in done.stderr, done.stderr
     assert not (tmp_path / "out").exists()
 
 

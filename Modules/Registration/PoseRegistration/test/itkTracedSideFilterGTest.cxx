@@ -157,8 +157,8 @@ TEST(TracedSideFilter, LandmarksWithoutATracingAreOfTheSidesThatTheyName)
 
 TEST(TracedSideFilter, WholeIncisorsAndMolarsOfOneSideEachAreAStandardTracing)
 {
-  // An incisor twice as long as wide or more has its root.
-  const auto standard = Settle(MakeOutlines({ { 11, 8.0 }, { 16, 4.0 } }), MakeOutlines({ { 41, 12.0 } }));
+  // An incisor more than twice as long as wide has its root: outlines are 4 wide.
+  const auto standard = Settle(MakeOutlines({ { 11, 8.1 }, { 16, 4.0 } }), MakeOutlines({ { 41, 12.0 } }));
   EXPECT_EQ(standard->GetSettledSide(), SideEnum::Standard);
   EXPECT_EQ(standard->GetReason(), ReasonEnum::WholeTeeth);
   EXPECT_TRUE(standard->GetLeftOutTeeth().empty());

@@ -19,6 +19,32 @@
 
 namespace itk
 {
+namespace
+{
+/** A normal stays across the line that it is the normal of, on the side that it is on, and of unit length.
+ * (TransformCovariantVector() at a point applies the transposed matrix in ITK 5.2.) */
+DentalContour::NormalType
+MoveNormal(const ContourTransformFilter::TransformType & transform,
+           const DentalContour::NormalType &             normal,
+           const DentalContour::PointType &              point)
+{
+  using VectorType = ContourTransformFilter::TransformType::InputVectorType;
+  VectorType along;
+  VectorType outward;
+  along[0] = -normal[1];
+  along[1] = normal[0];
+  outward[0] = normal[0];
+  outward[1] = normal[1];
+  const auto                movedAlong = transform.TransformVector(along, point);
+  const auto                movedOutward = transform.TransformVector(outward, point);
+  DentalContour::NormalType moved;
+  moved[0] = movedAlong[1] / movedAlong.GetNorm();
+  moved[1] = -movedAlong[0] / movedAlong.GetNorm();
+  // A reflection exchanges the sides.
+  return moved[0] * movedOutward[0] + moved[1] * movedOutward[1] < 0.0 ? -moved : moved;
+}
+} // namespace
+
 ContourTransformFilter::ContourTransformFilter()
 {
   this->AddRequiredInputName("Transform");
@@ -58,12 +84,7 @@ ContourTransformFilter::GenerateData()
       auto & normal = polyline.normals[i];
       if (normal.GetNorm() > 0.0)
       {
-        TransformType::InputCovariantVectorType covariant(normal.GetDataPointer());
-        const auto moved = transform->TransformCovariantVector(covariant, polyline.points[i]);
-        for (unsigned int d = 0; d < 2; ++d)
-        {
-          normal[d] = moved[d] / moved.GetNorm();
-        }
+        normal = MoveNormal(*transform, normal, polyline.points[i]);
       }
     }
     for (auto & point : polyline.points)
