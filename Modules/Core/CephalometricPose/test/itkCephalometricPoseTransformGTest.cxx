@@ -578,7 +578,7 @@ TEST(CephalometricPoseTransform, RefusesBadFixedParametersAndKeepsTheOldOnes)
     [&]() {
       transform->SetFixedParameters(Values<FixedParametersType>({ 1, 2 }));
     },
-    { "2 fixed parameters", "8", "SetGeometry()" });
+    { "Got 2 fixed parameters", "9 are needed", "SetGeometry()" });
   ExpectMessage([&]() { transform->CopyInFixedParameters(pose.data(), pose.data() + 7); }, { "7 fixed parameters" });
   ExpectMessage(with(TransformType::SourceToMidsagittal, 0.0), { "source-to-midsagittal distance 0 mm", "positive" });
   ExpectMessage(with(TransformType::SourceToMidsagittal, nan), { "nan", "positive" });

@@ -24,8 +24,8 @@
 
 namespace itk
 {
-/** mm in a unit of a scan: "mm", "cm", "inch", "m" or "um". Throws std::invalid_argument for any other. \ingroup
- * DentalCommon */
+/** mm in a unit of a scan: "mm", "cm", "inch", "m" or "um". Throws std::invalid_argument for any other.
+ * \ingroup DentalCommon */
 DentalCommon_EXPORT double
 MillimetresPerUnitFromString(const std::string & unit);
 } // namespace itk

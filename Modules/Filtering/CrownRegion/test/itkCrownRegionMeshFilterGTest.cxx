@@ -208,7 +208,7 @@ TEST(CrownRegionMeshFilter, PrintsItsParameters)
   std::ostringstream os;
   CrownType::New()->Print(os);
   SideType::New()->Print(os);
-  for (const char * word : { "KeepWholeMesh: 0", "LabelNumbering: FDI", "Jaw: Upper", "Side: Right", "Margin: -0.5" })
+  for (const char * word : { "KeepWholeMesh: 0", "LabelNumbering: FDI", "Jaw: upper", "Side: Right", "Margin: -0.5" })
   {
     EXPECT_NE(os.str().find(word), std::string::npos) << word;
   }
