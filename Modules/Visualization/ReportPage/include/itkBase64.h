@@ -18,14 +18,16 @@
 #ifndef itkBase64_h
 #define itkBase64_h
 
+#include "ReportPageExport.h"
+
 #include <cstddef>
 #include <string>
 
 namespace itk
 {
-/** RFC 4648, padded: how bytes travel in a data URI. */
-std::string
-EncodeBase64(const void * bytes, std::size_t count);
+/** RFC 4648, padded: how bytes travel in a data URI. \ingroup ReportPage */
+ReportPage_EXPORT std::string
+                  EncodeBase64(const void * bytes, std::size_t count);
 } // namespace itk
 
 #endif
