@@ -89,6 +89,32 @@ def test_render_of_a_result_has_the_radiographs_grid(run, sample, result, tmp_pa
     assert list(png_size(tmp_path / "drr.png")) == contours["image_size"]
 
 
+def test_render_and_contour_of_a_result_are_where_the_case_was_registered(run, sample, result, tmp_path):
+    """With the scale that was estimated: places on the scan are drawn where the result has them."""
+    content = json.loads(result.read_text())
+    done = run("contour", "--case", sample / "case.json", "--result", result, "--output", tmp_path / "c.json")
+    assert done.returncode == 0, done.stderr
+    whole = json.loads((result.parent / "report.json").read_text())["views"][0]["jaws"]["upper"]["contours"]["whole"]
+    drawn = json.loads((tmp_path / "c.json").read_text())["contours"]["upper"]
+
+    def box(polylines):
+        points = [point for polyline in polylines for point in polyline["points"]]
+        return [f(point[d] for point in points) for d in (0, 1) for f in (min, max)]
+
+    assert box(drawn) == pytest.approx(box(whole), abs=0.5)
+    # The same of a result that says another scale: it is heeded.
+    for jaw in content["jaws"].values():
+        principal = content["geometry"]["principal_point_px"]["value"]
+        rows = jaw["projection_3x4"]
+        for row in (0, 1):
+            rows[row] = [principal[row] * depth + 1.1 * (x - principal[row] * depth) for x, depth in zip(rows[row], rows[2])]
+    (tmp_path / "larger.json").write_text(json.dumps(content))
+    done = run("contour", "--case", sample / "case.json", "--result", tmp_path / "larger.json", "--output", tmp_path / "l.json")
+    assert done.returncode == 0, done.stderr
+    larger = box(json.loads((tmp_path / "l.json").read_text())["contours"]["upper"])
+    assert larger[1] - larger[0] == pytest.approx(1.1 * (box(drawn)[1] - box(drawn)[0]), rel=0.01)
+
+
 def test_render_without_a_spacing_says_what_to_give(run, sample, tmp_path):
     done = run("render", "--upper", sample / "upper.stl", "--output", tmp_path / "drr.png")
     assert done.returncode == 2 and "--spacing" in done.stderr

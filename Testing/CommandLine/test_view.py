@@ -233,7 +233,8 @@ def snapshot_of(folder):
     ("--export", "scene.gltf", (4, 400)),
     ("--export", "scene.vtp", (4, 400)),
     ("--export", "scene.vtm", (1, 8, 100, 400)),
-    pytest.param("--snapshot", "scene.png", (4, 20), marks=needs_xvfb),
+    # Below some 10 KiB Xvfb itself cannot start.
+    pytest.param("--snapshot", "scene.png", (20,), marks=needs_xvfb),
 ])
 def test_files_that_may_not_grow_keep_what_was_there(program, view, result, tmp_path, option, name, limits):
     """ulimit -f, as of a quota or a full disk."""
@@ -248,7 +249,9 @@ def test_files_that_may_not_grow_keep_what_was_there(program, view, result, tmp_
             capture_output=True, text=True, timeout=300, env=environment,
         )
         assert done.returncode == 2, (limit, done)
-        assert done.stderr.count("\n") == 1 and str(tmp_path / name) in done.stderr and "ulimit -f" in done.stderr, done
+        # Files in memory are of that size, too: a radiograph that has no room is warned of.
+        said = [line for line in done.stderr.splitlines() if not line.startswith("dentalscr: warning:")]
+        assert len(said) == 1 and str(tmp_path / name) in said[0] and "ulimit -f" in said[0], done
         assert snapshot_of(tmp_path) == before and not list(tmp_path.rglob("*.part")), limit
 
 

@@ -2,6 +2,7 @@
 import json
 import math
 import shutil
+import struct
 import subprocess
 
 import pytest
@@ -24,6 +25,51 @@ def frontal_phantom(program, tmp_path_factory):
 def register(run, case, output, *options):
     done = run("register", case, "--output", output, *options)
     return done, json.loads((output / "result.json").read_text()) if (output / "result.json").exists() else None
+
+
+def test_a_view_is_rendered_and_drawn_as_the_lateral_one(run, frontal_phantom, tmp_path):
+    case = frontal_phantom / "case.json"
+    done, result = register(run, case, tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    details = json.loads((tmp_path / "out" / "report.json").read_text())["views"]
+    arguments = ("--case", case, "--result", tmp_path / "out" / "result.json")
+    # "lateral" is the one that is meant without a name.
+    for verb, name in (("render", "p.mha"), ("contour", "c.json")):
+        for view in ((), ("--view", "lateral")):
+            done = run(verb, *arguments, *view, "--output", tmp_path / ("-".join(map(str, view)) + name))
+            assert done.returncode == 0, done.stderr
+        assert (tmp_path / name).read_bytes() == (tmp_path / f"--view-lateral{name}").read_bytes()
+    done = run("render", *arguments, "--view", "frontal", "--output", tmp_path / "f.mha")
+    assert done.returncode == 0, done.stderr
+    done = run("contour", *arguments, "--view", "frontal", "--output", tmp_path / "f.json")
+    assert done.returncode == 0, done.stderr
+    drawn = json.loads((tmp_path / "f.json").read_text())
+    (view,) = (one for one in details if one["name"] == "frontal")
+    assert drawn["image_size"] == view["image_size"]
+    for jaw in ("upper", "lower"):
+        whole = [p for line in view["jaws"][jaw]["contours"]["whole"] for p in line["points"]]
+        points = [p for line in drawn["contours"][jaw] for p in line["points"]]
+        for d in (0, 1):
+            for end in (min, max):
+                assert end(p[d] for p in points) == pytest.approx(end(p[d] for p in whole), abs=0.5)
+    # Bright where the scan is, on the view's grid.
+    header, _, pixels = (tmp_path / "f.mha").read_bytes().partition(b"ElementDataFile = LOCAL\n")
+    width, height = view["image_size"]
+    assert f"DimSize = {width} {height}".encode() in header
+    values = struct.unpack(f"<{width * height}f", pixels)
+    u, v = (round(sum(p[d] for p in points) / len(points)) for d in (0, 1))
+    assert values[v * width + u] > 0.5 and max(values[:width]) == 0.0
+    # Without a result the view's own rays, through the middle of the jaws.
+    done = run("render", "--case", case, "--view", "frontal", "--output", tmp_path / "alone.png")
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "alone.png").stat().st_size > 1000
+
+
+@pytest.mark.parametrize("verb", ["render", "contour"])
+def test_a_view_that_is_not_there_is_named(run, frontal_phantom, tmp_path, verb):
+    done = run(verb, "--case", frontal_phantom / "case.json", "--view", "oblique", "--output", tmp_path / "x.mha")
+    assert done.returncode == 2 and "oblique" in done.stderr and "lateral, frontal" in done.stderr
+    assert not list(tmp_path.iterdir())
 
 
 def changed(source, target, change):

@@ -13,6 +13,7 @@ itk_module(Experiment
     RegistrationCommon
     RegistrationEvaluation
     RegistrationReport
+    ReportPage
     SilhouetteToContour
     SurfaceDRR
     UMidlineDentalAxis

@@ -2,6 +2,9 @@ itk_module(ReportPage
   DEPENDS
     DentalCommon
     Annotation
+    CephalometricGeometry
+    RegistrationScene
+    SurfaceDRR
     ITKCommon
     ITKMesh
   TEST_DEPENDS

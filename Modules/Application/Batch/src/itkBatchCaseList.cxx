@@ -19,9 +19,9 @@
 
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
+#include "itkReadCSVTable.h"
 #include "itkTextFile.h"
 
-#include <csv.h>
 #include <glob.h>
 
 #include <algorithm>
@@ -77,55 +77,6 @@ MakeCase(const fs::path & file, const fs::path & from)
   made.arguments = { file.string() };
   return made;
 }
-
-/** A table as libcsv reads it. */
-class Table
-{
-public:
-  Table(const std::string & text, const std::string & fileName)
-  {
-    csv_parser parser;
-    if (csv_init(&parser, CSV_APPEND_NULL) != 0)
-    {
-      itkDentalInputErrorMacro(fileName, "", "cannot be read: not enough memory", "close other programs");
-    }
-    // What is no comma in half of Europe.
-    const std::size_t end = text.find('\n');
-    const std::string header = text.substr(0, end);
-    if (header.find(',') == std::string::npos && header.find(';') != std::string::npos)
-    {
-      csv_set_delim(&parser, ';');
-    }
-    const std::size_t first = text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
-    const std::size_t count = text.size() - first;
-    const std::size_t parsed = csv_parse(&parser, text.data() + first, count, &Table::OnCell, &Table::OnRow, this);
-    csv_fini(&parser, &Table::OnCell, &Table::OnRow, this);
-    const int problem = csv_error(&parser);
-    csv_free(&parser);
-    if (parsed != count)
-    {
-      itkDentalInputErrorMacro(fileName, "", std::string("is no table: ") + csv_strerror(problem), "save it as CSV");
-    }
-  }
-
-  std::vector<std::vector<std::string>> rows;
-
-private:
-  static void
-  OnCell(void * cell, std::size_t size, void * self)
-  {
-    static_cast<Table *>(self)->m_Row.emplace_back(cell == nullptr ? "" : static_cast<const char *>(cell), size);
-  }
-  static void
-  OnRow(int, void * self)
-  {
-    auto * const table = static_cast<Table *>(self);
-    table->rows.push_back(table->m_Row);
-    table->m_Row.clear();
-  }
-
-  std::vector<std::string> m_Row;
-};
 
 std::vector<std::string>
 SplitAtBlanks(const std::string & text)
@@ -205,12 +156,12 @@ BatchCaseList::AddFolder(const std::string & folder, std::vector<BatchCase> & ca
 void
 BatchCaseList::AddTable(const std::string & fileName, std::vector<BatchCase> & cases)
 {
-  const Table table(ReadTextFile(fileName, "a table of cases"), fileName);
-  if (table.rows.size() < 2)
+  const auto table = ReadCSVTable(ReadTextFile(fileName, "a table of cases"), fileName);
+  if (table.size() < 2)
   {
     itkDentalInputErrorMacro(fileName, "", "has no row of a case", "give a header and a row a case");
   }
-  const std::vector<std::string> & header = table.rows.front();
+  const std::vector<std::string> & header = table.front();
   const fs::path                   folder = fs::path(fileName).parent_path();
   const bool                       hasFile = std::find(header.begin(), header.end(), "case") != header.end();
   bool                             hasField = false;
@@ -237,9 +188,9 @@ BatchCaseList::AddTable(const std::string & fileName, std::vector<BatchCase> & c
                              "has neither a column \"case\" nor columns of options (upper, lower, contours, ...)",
                              "name the columns in the first row");
   }
-  for (std::size_t i = 1; i < table.rows.size(); ++i)
+  for (std::size_t i = 1; i < table.size(); ++i)
   {
-    const std::vector<std::string> & row = table.rows[i];
+    const std::vector<std::string> & row = table[i];
     const std::string                place = "row " + std::to_string(i + 1);
     if (row.size() > header.size())
     {

@@ -21,6 +21,7 @@
 #include "itkBatchPage.h"
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
+#include "itkEscapeForScript.h"
 #include "itkJsonDocument.h"
 #include "itkTextFile.h"
 
@@ -253,12 +254,7 @@ BatchSummary::ToPage(const std::string & folder) const
     const fs::path result = row.value("folder", row["case"].get<std::string>());
     row["page"] = !folder.empty() && fs::exists(fs::path(folder) / result / "report.html", error);
   }
-  std::string data = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  // Nothing in it ends the script that it stands in, nor begins what would hide the end.
-  for (std::size_t place = data.find('<'); place != std::string::npos; place = data.find('<', place))
-  {
-    data.replace(place, 1, "\\u003c");
-  }
+  const std::string      data = EscapeForScript(json.dump(-1, ' ', false, Json::error_handler_t::replace));
   std::string            page = BatchPage;
   constexpr const char * word = "BATCH_DATA";
   const std::size_t      place = page.find(word);

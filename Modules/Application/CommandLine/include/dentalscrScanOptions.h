@@ -72,14 +72,24 @@ struct ScanFrames
 CommandLine_EXPORT ScanFrames
 FindFrames(const itk::DentalCaseData & data, bool refineMidline = false);
 
-/** The geometry with a jaw placed in it: the central ray through the jaw's centroid, or, where a result file is named,
- * as it was registered there (and the principal point in use then). Throws DentalInputError where the result lacks the
- * jaw. */
+/** Adds --view NAME. */
+CommandLine_EXPORT void
+AddViewOption(CLI::App * command, std::string & view);
+
+/** What a case knows of a radiograph: of the view of that name, else ("" or "lateral") its own. Throws DentalInputError
+ * that lists the views. */
+CommandLine_EXPORT const itk::DentalRadiographData &
+                         FindView(const itk::DentalCaseData & data, const std::string & name);
+
+/** The geometry of a view with a jaw placed in it: the central ray through the jaw's centroid, or, where a result file
+ * is named, as it was registered there, with the scale and the principal point in use then. Throws DentalInputError
+ * where the result lacks the view or the jaw. */
 CommandLine_EXPORT itk::CephalometricGeometry::Pointer
                    PlaceJaw(const itk::DentalCaseData &    data,
                             itk::ToothCode::JawEnum        jaw,
                             const itk::DentalFrameResult & frames,
-                            const std::string &            resultFile);
+                            const std::string &            resultFile,
+                            const std::string &            view = {});
 } // namespace dentalscr
 
 #endif

@@ -44,6 +44,7 @@ struct ContourOptions
   bool         wholeLabels{ false };
   std::string  output;
   std::string  result;
+  std::string  view;
   unsigned int points{ 0 };
 };
 
@@ -152,17 +153,18 @@ ShiftIntoView(itk::DentalContour * contours[2], itk::Size<2> & size)
 void
 ContoursOfScans(const ContourOptions & options, itk::DentalContour * contours[2], itk::Size<2> & size)
 {
-  const auto data = options.scans.Load();
-  const auto scans = FindFrames(*data);
-  size[0] = data->imageSize[0];
-  size[1] = data->imageSize[1];
+  const auto   data = options.scans.Load();
+  const auto & view = FindView(*data, options.view);
+  const auto   scans = FindFrames(*data);
+  size[0] = view.imageSize[0];
+  size[1] = view.imageSize[1];
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     if (data->GetJaw(jaw).mesh.IsNull())
     {
       continue;
     }
-    const auto geometry = PlaceJaw(*data, jaw, scans.axis->GetFrame(), options.result);
+    const auto geometry = PlaceJaw(*data, jaw, scans.axis->GetFrame(), options.result, options.view);
     auto       source = itk::MeshSilhouetteContourSource<MeshType>::New();
     source->SetInput(data->GetJaw(jaw).mesh);
     source->SetGeometry(geometry);
@@ -225,6 +227,7 @@ AddContourCommand(CLI::App & program, const CommonOptions & common, RunFunction 
     ->capture_default_str();
   command->add_option("-o,--output", options->output, "contours.json")->required();
   command->add_option("--result", options->result, "result.json: silhouettes where the case was registered");
+  AddViewOption(command, options->view);
   command->add_option("--points", options->points, "Resample to so many points (0: as they come)")
     ->check(CLI::Range(0u, 1000000u))
     ->capture_default_str();

@@ -21,6 +21,7 @@
 #include "itkDentalInputError.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTextFile.h"
+#include "itkWriteExperimentPage.h"
 
 #include "dentalscrPlotScript.h"
 
@@ -124,6 +125,7 @@ Experiment(const ExperimentOptions & options, const CommonOptions & common)
     return UnusableInput;
   }
   const bool plotted = !options.noFigures && Plot(options.output);
+  itk::WriteExperimentPage(options.output);
   if (!common.quiet)
   {
     if (experiment->GetNumberOfResumedCases() > 0)
@@ -131,7 +133,7 @@ Experiment(const ExperimentOptions & options, const CommonOptions & common)
       std::cout << experiment->GetNumberOfResumedCases() << " cases were there already\n";
     }
     std::cout << experiment->GetWrittenFiles().size() << " files written to " << options.output << "; begin with "
-              << (options.study.empty() ? "tables.md" : options.study + ".md") << '\n';
+              << "index.html or " << (options.study.empty() ? "tables.md" : options.study + ".md") << '\n';
     if (!plotted && !options.noFigures)
     {
       std::cout << "no plots: they need Python with matplotlib (python3-matplotlib); then run python3 "

@@ -22,10 +22,9 @@
 #include "itkDentalInputError.h"
 #include "itkImageFileWriter.h"
 #include "itkLowerCase.h"
-#include "itkMemoryFile.h"
-#include "itkOutputFile.h"
 #include "itkRescaleIntensityImageFilter.h"
 #include "itkSurfaceDRRImageSource.h"
+#include "itkWriteThroughMemory.h"
 
 #include <filesystem>
 #include <iostream>
@@ -46,23 +45,20 @@ struct RenderOptions
   ScanOptions scans;
   std::string output;
   std::string result;
+  std::string view;
   double      sigmaInPixels{ 2.0 };
   std::string mode{ "thickness" };
   std::string normalization{ "physical" };
   double      attenuation{ 0.08 };
 };
 
-/** Through memory: what image libraries make of a full disk is a truncated file, or the end of the process. */
 template <typename TImage>
 void
 WriteImageFile(const TImage * image, const std::string & extension, const std::string & fileName)
 {
-  const itk::MemoryFile memory(extension);
-  itk::WriteImage(image, memory.GetName());
-  const std::string content = memory.GetContent();
-  itk::OutputFile   file(fileName);
-  file.Write(content.data(), content.size());
-  file.Commit();
+  auto writer = itk::ImageFileWriter<TImage>::New();
+  writer->SetInput(image);
+  itk::WriteThroughMemory(writer.GetPointer(), fileName, extension);
 }
 
 /** Formats that hold floats get them; a picture gets 8 bits over the full range. */
@@ -94,8 +90,9 @@ WriteRadiograph(ImageType * image, const std::string & fileName)
 int
 Render(const RenderOptions & options, const CommonOptions & common)
 {
-  const auto data = options.scans.Load();
-  const auto scans = FindFrames(*data);
+  const auto   data = options.scans.Load();
+  const auto & view = FindView(*data, options.view);
+  const auto   scans = FindFrames(*data);
 
   // Jaws have a pose each, hence a source each; where both are there the images share one grid and are added.
   SourceType::Pointer sources[2];
@@ -105,7 +102,7 @@ Render(const RenderOptions & options, const CommonOptions & common)
     {
       continue;
     }
-    const auto geometry = PlaceJaw(*data, jaw, scans.axis->GetFrame(), options.result);
+    const auto geometry = PlaceJaw(*data, jaw, scans.axis->GetFrame(), options.result, options.view);
     auto       source = SourceType::New();
     source->SetInput(data->GetJaw(jaw).mesh);
     source->SetGeometry(geometry);
@@ -119,15 +116,15 @@ Render(const RenderOptions & options, const CommonOptions & common)
   if (!options.result.empty())
   {
     // On the radiograph's own grid, so that the two can be laid over each other.
-    if (data->imageSize[0] == 0)
+    if (view.imageSize[0] == 0)
     {
       itkDentalInputErrorMacro(data->description.fileName,
                                "contours",
                                "the radiograph's size is unknown",
                                "use --result together with --case");
     }
-    region.SetSize(0, data->imageSize[0]);
-    region.SetSize(1, data->imageSize[1]);
+    region.SetSize(0, view.imageSize[0]);
+    region.SetSize(1, view.imageSize[1]);
   }
   else
   {
@@ -204,12 +201,12 @@ void
 AddRenderCommand(CLI::App & program, const CommonOptions & common, RunFunction & run)
 {
   auto   options = std::make_shared<RenderOptions>();
-  auto * command =
-    program.add_subcommand("render", "Renders scans as a lateral radiograph would show them (surface DRR)");
+  auto * command = program.add_subcommand("render", "Renders scans as a radiograph would show them (surface DRR)");
   options->scans.AddTo(command, true);
   command->add_option("-o,--output", options->output, "Image: .png (8 bit), .tif, .mha, .nrrd (float)")->required();
   command->add_option(
     "--result", options->result, "result.json: render where the case was registered, on its radiograph's grid");
+  AddViewOption(command, options->view);
   command->add_option("--sigma", options->sigmaInPixels, "Width of the splats, pixels")
     ->check(CLI::Range(0.1, 100.0))
     ->capture_default_str();
@@ -226,7 +223,8 @@ AddRenderCommand(CLI::App & program, const CommonOptions & common, RunFunction &
     "Without --result the central ray passes through the centroid of the jaws.\n"
     "Examples:\n"
     "  dentalscr render --upper upper.stl --spacing 0.25 0.25 --output upper.png\n"
-    "  dentalscr render --case case.json --result result/result.json --mode radiograph --output drr.mha\n");
+    "  dentalscr render --case case.json --result result/result.json --mode radiograph --output drr.mha\n"
+    "  dentalscr render --case case.json --result result/result.json --view frontal --output frontal.png\n");
   command->callback([options, &common, &run]() { run = [options, &common]() { return Render(*options, common); }; });
 }
 } // namespace dentalscr

@@ -22,7 +22,9 @@
 #include "itkDentalInputError.h"
 #include "itkJsonDocument.h"
 #include "itkMakeDentalFrameTransform.h"
-#include "itkRigidTransformRows.h"
+#include "itkMillimetresPerUnit.h"
+#include "itkPlaceByProjection.h"
+#include "itkProjectionRows.h"
 
 #include <iostream>
 
@@ -33,13 +35,16 @@ namespace
 using JawEnum = itk::ToothCode::JawEnum;
 using GeometryType = itk::CephalometricGeometry;
 
+/** What the case's own radiograph is called among its views. */
+constexpr char FirstView[] = "lateral";
+
 std::array<double, 12>
 ReadMatrix(const itk::JsonNode & node)
 {
   std::array<double, 12> matrix{};
   for (std::size_t row = 0; row < 3; ++row)
   {
-    const std::vector<double> numbers = node.At(row).AsNumbers(4, "[r, r, r, t]");
+    const std::vector<double> numbers = node.At(row).AsNumbers(4, "[p, p, p, p]");
     std::copy(numbers.begin(), numbers.end(), matrix.begin() + 4 * row);
   }
   return matrix;
@@ -128,6 +133,12 @@ ScanOptions::Load() const
   return itk::LoadDentalCase(description);
 }
 
+void
+AddViewOption(CLI::App * command, std::string & view)
+{
+  command->add_option("--view", view, "A further view of the case, by its name, instead of the lateral one");
+}
+
 ScanFrames
 FindFrames(const itk::DentalCaseData & data, bool refineMidline)
 {
@@ -170,47 +181,62 @@ FindFrames(const itk::DentalCaseData & data, bool refineMidline)
   return found;
 }
 
+const itk::DentalRadiographData &
+FindView(const itk::DentalCaseData & data, const std::string & name)
+{
+  if (name.empty() || name == FirstView)
+  {
+    return data;
+  }
+  std::string names = FirstView;
+  for (const itk::DentalViewData & view : data.views)
+  {
+    if (view.description.name == name)
+    {
+      return view;
+    }
+    names += ", " + view.description.name;
+  }
+  itkDentalInputErrorMacro(
+    data.description.fileName, "--view", "there is no view \"" + name + '"', "name one that is there: " + names);
+}
+
 GeometryType::Pointer
 PlaceJaw(const itk::DentalCaseData &    data,
          JawEnum                        jaw,
          const itk::DentalFrameResult & frames,
-         const std::string &            resultFile)
+         const std::string &            resultFile,
+         const std::string &            view)
 {
   auto geometry = GeometryType::New();
-  geometry->CopyParameters(data.geometry);
-  GeometryType::RotationType rotation;
-  GeometryType::VectorType   translation;
+  geometry->CopyParameters(FindView(data, view).geometry);
   if (resultFile.empty())
   {
     // Jaws in one frame keep their relation to each other.
-    const itk::DentalJawFrame & own = frames.GetJaw(jaw);
-    const itk::DentalJawFrame & frame = frames.jawsShareFrame && frames.joint.valid ? frames.joint : own;
-    const auto                  transform = itk::MakeDentalFrameTransform(frame.axes, frame.origin);
-    rotation = transform->GetMatrix();
-    translation = transform->GetTranslation();
+    const itk::DentalJawFrame &  own = frames.GetJaw(jaw);
+    const itk::DentalJawFrame &  frame = frames.jawsShareFrame && frames.joint.valid ? frames.joint : own;
+    const auto                   transform = itk::MakeDentalFrameTransform(frame.axes, frame.origin);
     GeometryType::PixelIndexType principal;
     principal.Fill(0.0);
     geometry->SetPrincipalPoint(principal);
+    geometry->SetPose(transform->GetMatrix(), transform->GetTranslation());
   }
   else
   {
-    const auto root = itk::JsonDocument::ReadFile(resultFile).GetRoot();
-    const auto node = root.Get("jaws").Get(itk::ToString(jaw));
-    const auto matrix = ReadMatrix(node.Get("mesh_to_cephalostat_mm"));
-    itk::SplitRigidTransformRows(matrix, rotation, translation);
-    const auto spacing = root.Get("geometry").Get("pixel_spacing_mm").Get("value").AsNumbers(2, "[u, v]");
-    const auto point = root.Get("geometry").Get("principal_point_px").Get("value").AsNumbers(2, "[u, v]");
-    GeometryType::PixelSpacingType pixelSpacing;
-    GeometryType::PixelIndexType   principal;
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      pixelSpacing[d] = spacing[d];
-      principal[d] = point[d];
-    }
-    geometry->SetPixelSpacing(pixelSpacing);
-    geometry->SetPrincipalPoint(principal);
+    const auto   root = itk::JsonDocument::ReadFile(resultFile).GetRoot();
+    const bool   isFirst = view.empty() || view == FirstView;
+    const auto   node = isFirst ? root : root.Get("views").Get(view);
+    const auto   own = node.Get("geometry");
+    const auto   placed = node.Get("jaws").Get(itk::ToString(jaw)).Get("projection_3x4");
+    const auto   midplane = own.Find("source_to_midcoronal_mm");
+    const auto   unit = root.Find("mesh_unit");
+    const double millimetres = unit ? itk::MillimetresPerUnitFromString(unit->AsString()) : 1.0;
+    geometry->SetSourceToDetectorDistance(own.Get("source_to_detector_mm").Get("value").AsNumber());
+    geometry->SetSourceToMidsagittalDistance(
+      (midplane ? *midplane : own.Get("source_to_midsagittal_mm")).Get("value").AsNumber());
+    // Scans are in mm here. With the scale that was estimated, which pose and spacing of the result are without.
+    itk::PlaceByProjection(itk::ScaleColumns(ReadMatrix(placed), 1.0 / millimetres), geometry);
   }
-  geometry->SetPose(rotation, translation);
   if (!geometry->HasPixelSpacing())
   {
     itkDentalInputErrorMacro(

@@ -17,9 +17,13 @@
  *=========================================================================*/
 #include "itkCephalometricGeometry.h"
 
+#include "itkPlaceByProjection.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <tuple>
 
@@ -141,6 +145,88 @@ TEST_P(CephalometricGeometryCombinations, MatrixAndKernelProjectAsProjectPoint)
     EXPECT_NEAR(u, pixel[0], 1e-9);
     EXPECT_NEAR(v, pixel[1], 1e-9);
   }
+}
+
+TEST_P(CephalometricGeometryCombinations, TakesEverythingButDistancesAndSideFromAProjection)
+{
+  const auto geometry = MakeGeometry();
+  SetSomePose(geometry);
+  // An estimated scale is smaller pixels about the principal point; a homogeneous matrix has any factor.
+  constexpr double scale = 1.05;
+  auto             matrix = geometry->GetProjection().matrix;
+  for (unsigned int column = 0; column < 4; ++column)
+  {
+    for (unsigned int row = 0; row < 2; ++row)
+    {
+      const double principal = geometry->GetPrincipalPoint()[row] * matrix[8 + column];
+      matrix[4 * row + column] = principal + scale * (matrix[4 * row + column] - principal);
+    }
+  }
+  for (double & element : matrix)
+  {
+    element *= -3.0;
+  }
+  // The other facing: it is taken from the matrix.
+  const FacingEnum other = std::get<1>(GetParam()) == FacingEnum::Right ? FacingEnum::Left : FacingEnum::Right;
+  const auto       taken = ::MakeGeometry(std::get<0>(GetParam()), other, std::get<2>(GetParam()));
+  itk::PlaceByProjection(matrix, taken);
+  EXPECT_EQ(taken->GetFacingSign(), geometry->GetFacingSign());
+  EXPECT_EQ(taken->GetSourceSign(), geometry->GetSourceSign());
+  EXPECT_NEAR(taken->GetPixelSpacing()[0], geometry->GetPixelSpacing()[0] / scale, 1e-9);
+  EXPECT_NEAR(taken->GetPixelSpacing()[1], geometry->GetPixelSpacing()[1] / scale, 1e-9);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    EXPECT_NEAR(taken->GetPoseTranslation()[d], geometry->GetPoseTranslation()[d], 1e-9);
+    EXPECT_NEAR(taken->GetSourcePosition()[d], geometry->GetSourcePosition()[d], 1e-6);
+  }
+  for (const auto & point : { MakePoint(10, 20, 30), MakePoint(-40, 5, -12), MakePoint(0, 0, 0) })
+  {
+    const double * const p = point.GetDataPointer();
+    const double         depth = matrix[8] * p[0] + matrix[9] * p[1] + matrix[10] * p[2] + matrix[11];
+    const auto           pixel = taken->ProjectPoint(point);
+    for (unsigned int row = 0; row < 2; ++row)
+    {
+      const double * const m = &matrix[4 * row];
+      EXPECT_NEAR(pixel[row], (m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3]) / depth, 1e-8);
+    }
+  }
+}
+
+TEST(CephalometricGeometry, ATurnInTheImageBecomesOneOfTheHead)
+{
+  // As of the paper's similarity: pixels are turned, and moved, after the projection.
+  const auto                     geometry = MakeGeometry(SideEnum::Right, FacingEnum::Left);
+  GeometryType::PixelSpacingType square;
+  square.Fill(0.25);
+  geometry->SetPixelSpacing(square);
+  const auto       nominal = geometry->GetProjection().matrix;
+  auto             turned = nominal;
+  constexpr double angle = 0.1;
+  for (unsigned int column = 0; column < 4; ++column)
+  {
+    turned[column] =
+      std::cos(angle) * nominal[column] - std::sin(angle) * nominal[4 + column] + 40.0 * nominal[8 + column];
+    turned[4 + column] =
+      std::sin(angle) * nominal[column] + std::cos(angle) * nominal[4 + column] - 9.0 * nominal[8 + column];
+  }
+  itk::PlaceByProjection(turned, geometry);
+  const auto taken = geometry->GetProjection().matrix;
+  for (unsigned int i = 0; i < 12; ++i)
+  {
+    EXPECT_NEAR(taken[i], turned[i], 1e-9) << i;
+  }
+}
+
+TEST(CephalometricGeometry, RefusesWhatIsNoProjection)
+{
+  const auto geometry = MakeGeometry(SideEnum::Right, FacingEnum::Right);
+  EXPECT_THROW(itk::PlaceByProjection({}, geometry), itk::ExceptionObject);
+  auto matrix = geometry->GetProjection().matrix;
+  std::fill(matrix.begin(), matrix.begin() + 4, 0.0);
+  EXPECT_THROW(itk::PlaceByProjection(matrix, geometry), itk::ExceptionObject);
+  matrix = geometry->GetProjection().matrix;
+  matrix[11] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(itk::PlaceByProjection(matrix, geometry), itk::ExceptionObject);
 }
 
 TEST_P(CephalometricGeometryCombinations, PointJacobianAgreesWithDifferences)

@@ -165,7 +165,11 @@ WriteBlocks(const std::string & fileName, const RegistrationScene & scene)
   vtkNew<vtkXMLMultiBlockDataWriter> writer;
   writer->SetFileName(made.c_str());
   writer->SetInputData(SceneToVTK(scene));
+  // What its parts have to say of a failure is said once, below.
+  const int warnings = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
   bool isWritten = writer->Write() == 1 && IsWhole(made);
+  vtkObject::SetGlobalWarningDisplay(warnings);
   for (const auto & block : fs::directory_iterator(fs::path(staging.GetPath()) / target.stem(), error))
   {
     isWritten = isWritten && IsWhole(block.path());

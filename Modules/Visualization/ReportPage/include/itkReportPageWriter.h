@@ -38,8 +38,8 @@ namespace itk
  * npm, adds plots and the scene in space; a smaller one, always there, the layers, zoom and flicker of the picture.
  *
  * Inputs, all optional: the radiograph, shown as it is (white bright) and recompressed; the scans of the jaws in the
- * cephalostat frame (mm), simplified to TrianglesPerScan triangles. What is not given is left out, and the page says
- * so.
+ * cephalostat frame (mm), simplified to TrianglesPerScan triangles, and rendered onto each radiograph where the result
+ * places them on it, as a layer of its own. What is not given is left out, and the page says so.
  *
  * Whatever stands in the result stays text: names may be hostile, and no browser runs them.
  *

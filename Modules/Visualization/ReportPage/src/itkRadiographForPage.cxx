@@ -18,9 +18,10 @@
 #include "itkRadiographForPage.h"
 
 #include "itkBase64.h"
+#include "itkGreyWindow.h"
+#include "itkShrunkImage.h"
 
 #include <algorithm>
-#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
@@ -80,79 +81,28 @@ Compress(const unsigned char * grey, int width, int height, unsigned char ** byt
   return true;
 }
 
-/** Means of blocks of a whole number of pixels; a border that fills no block is repeated. */
-std::vector<float>
-Shrink(const float * pixels, std::size_t width, std::size_t height, std::size_t factor)
-{
-  const std::size_t  columns = (width + factor - 1) / factor;
-  const std::size_t  rows = (height + factor - 1) / factor;
-  std::vector<float> small(columns * rows);
-  for (std::size_t row = 0; row < rows; ++row)
-  {
-    for (std::size_t column = 0; column < columns; ++column)
-    {
-      float sum = 0.0F;
-      for (std::size_t v = 0; v < factor; ++v)
-      {
-        for (std::size_t u = 0; u < factor; ++u)
-        {
-          const float value =
-            pixels[std::min(row * factor + v, height - 1) * width + std::min(column * factor + u, width - 1)];
-          sum += std::isfinite(value) ? value : 0.0F;
-        }
-      }
-      small[row * columns + column] = sum / static_cast<float>(factor * factor);
-    }
-  }
-  return small;
-}
-
-std::vector<unsigned char>
-ToGrey(const std::vector<float> & pixels)
-{
-  // Every seventh is enough for a quantile, and seven divides no width that radiographs have.
-  constexpr std::size_t stride = 7;
-  std::vector<float>    sample;
-  for (std::size_t i = 0; i < pixels.size(); i += stride)
-  {
-    sample.push_back(pixels[i]);
-  }
-  const auto quantile = [&](double q) {
-    const auto place = sample.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(sample.size() - 1));
-    std::nth_element(sample.begin(), place, sample.end());
-    return *place;
-  };
-  const float                black = quantile(0.002);
-  const float                white = quantile(0.998);
-  const float                scale = white > black ? 255.0F / (white - black) : 0.0F;
-  std::vector<unsigned char> grey(pixels.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-  {
-    grey[i] = static_cast<unsigned char>(std::clamp((pixels[i] - black) * scale + 0.5F, 0.0F, 255.0F));
-  }
-  return grey;
-}
 } // namespace
 
 RadiographForPage
 MakeRadiographForPage(const Image<float, 2> * radiograph, unsigned int maximumSide)
 {
   const auto        size = radiograph->GetLargestPossibleRegion().GetSize();
-  const std::size_t longer = std::max(size[0], size[1]);
-  const std::size_t limit = std::max(1U, maximumSide);
-  const std::size_t factor = std::max<std::size_t>(1, (longer + limit - 1) / limit);
-  const std::size_t columns = (size[0] + factor - 1) / factor;
-  const std::size_t rows = (size[1] + factor - 1) / factor;
-  const auto        grey = ToGrey(Shrink(radiograph->GetBufferPointer(), size[0], size[1], factor));
-  unsigned char *   bytes = nullptr;
-  unsigned long     count = 0;
-  const bool        done = Compress(grey.data(), static_cast<int>(columns), static_cast<int>(rows), &bytes, &count);
+  const ShrunkImage small = ShrunkImage::ToFit(radiograph->GetBufferPointer(), size[0], size[1], maximumSide);
+  // Every seventh is enough for a quantile, and seven divides no width that radiographs have.
+  const auto                 window = GreyWindow::FromQuantiles(small.pixels.data(), small.pixels.size(), 0.002, 7);
+  std::vector<unsigned char> grey(small.pixels.size());
+  std::transform(
+    small.pixels.begin(), small.pixels.end(), grey.begin(), [&window](float value) { return window.ToByte(value); });
+  unsigned char * bytes = nullptr;
+  unsigned long   count = 0;
+  const bool      done =
+    Compress(grey.data(), static_cast<int>(small.width), static_cast<int>(small.height), &bytes, &count);
   RadiographForPage result;
   if (done)
   {
     result.uri = "data:image/jpeg;base64," + EncodeBase64(bytes, count);
-    result.width = columns * factor;
-    result.height = rows * factor;
+    result.width = small.width * small.factor;
+    result.height = small.height * small.factor;
   }
   std::free(bytes);
   if (!done)

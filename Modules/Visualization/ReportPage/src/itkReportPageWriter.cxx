@@ -18,6 +18,7 @@
 #include "itkReportPageWriter.h"
 
 #include "itkDentalInputError.h"
+#include "itkEscapeForScript.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkParallelFor.h"
 #include "itkReportModel.h"
@@ -25,6 +26,7 @@
 #include "itkReportPicture.h"
 #include "itkScanForPage.h"
 #include "itkTextFile.h"
+#include "itkViewForPage.h"
 
 #include <nlohmann/json.hpp>
 
@@ -40,6 +42,10 @@
 #endif
 
 #include <array>
+#include <exception>
+#include <functional>
+#include <stdexcept>
+#include <vector>
 
 namespace itk
 {
@@ -76,27 +82,6 @@ ToMustache(const Json & json)
   return json.is_string() ? mustache::data(json.get<std::string>()) : mustache::data(json.dump());
 }
 
-/** As it can stand in a script element of any type: no "<" ends it, or begins a comment in it. */
-std::string
-ToScriptText(const Json & json)
-{
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string       safe;
-  safe.reserve(text.size());
-  for (const char c : text)
-  {
-    if (c == '<')
-    {
-      safe += "\\u003c";
-    }
-    else
-    {
-      safe += c;
-    }
-  }
-  return safe;
-}
-
 Json
 ParseDocument(const std::string & text, const char * name, const std::string & schema)
 {
@@ -107,6 +92,15 @@ ParseDocument(const std::string & text, const char * name, const std::string & s
       name, "schema", "is not \"" + schema + '"', "register the case again with this version of the toolkit");
   }
   return document;
+}
+
+[[noreturn]] void
+RefuseResult(const std::exception & why)
+{
+  itkDentalInputErrorMacro("result.json",
+                           "",
+                           std::string("is not as this version writes it: ") + why.what(),
+                           "register the case again with this version of the toolkit");
 }
 
 /** Bytes that are not UTF-8 are replaced: names of files may be anything. */
@@ -156,59 +150,65 @@ ReportPageWriter::MakePage()
   const Json result = ParseDocument(m_Result, "result.json", "dentalscr-result/1");
   const Json details = m_Details.empty() ? Json() : ParseDocument(m_Details, "report.json", "dentalscr-report/1");
 
-  RadiographForPage                     radiograph;
-  std::array<Json, 2>                   scans;
   const std::array<const MeshType *, 2> meshes{ { this->GetUpperScan(), this->GetLowerScan() } };
-  // The page's only work that takes time, and its parts do not need each other.
-  std::map<std::string, RadiographForPage> viewRadiographs;
-  std::vector<std::string>                 viewNames;
-  for (const auto & entry : m_ViewRadiographs)
-  {
-    viewRadiographs[entry.first] = RadiographForPage();
-    viewNames.push_back(entry.first);
-  }
-  ParallelFor(3 + viewNames.size(), this->GetNumberOfWorkUnits(), [&](std::size_t part) {
-    if (part > 2)
-    {
-      const auto & given = m_ViewRadiographs.at(viewNames[part - 3]);
-      if (given.IsNotNull())
-      {
-        viewRadiographs.at(viewNames[part - 3]) = MakeRadiographForPage(given, m_MaximumRadiographSide);
-      }
-    }
-    else if (part == 2)
-    {
-      if (this->GetRadiograph() != nullptr)
-      {
-        radiograph = MakeRadiographForPage(this->GetRadiograph(), m_MaximumRadiographSide);
-      }
-    }
-    else if (meshes[part] != nullptr)
-    {
-      scans[part] = MakeScanForPage(MakeTriangleSurface(meshes[part]), m_TrianglesPerScan);
-    }
-  });
+  std::array<Json, 2>                   scans;
   try
   {
+    const Json views = details.is_null() ? Json::array() : details.at("views");
+    // What the result says of a further view has the form of what it says of the first.
+    const auto findOwn = [&](std::size_t number) -> const Json & {
+      return number == 0 ? result : result.at("views").at(views[number].value("name", ""));
+    };
+    struct PictureType
+    {
+      RadiographForPage radiograph;
+      RadiographForPage drr;
+      Json              space;
+    };
+    std::vector<PictureType> pictures(views.size());
+    // The page's only work that takes time, and its parts do not need each other.
+    std::vector<std::function<void()>> parts;
+    for (std::size_t jaw = 0; jaw < 2; ++jaw)
+    {
+      if (meshes[jaw] != nullptr)
+      {
+        parts.emplace_back(
+          [&, jaw]() { scans[jaw] = MakeScanForPage(MakeTriangleSurface(meshes[jaw]), m_TrianglesPerScan); });
+      }
+    }
+    for (std::size_t i = 0; i < views.size(); ++i)
+    {
+      parts.emplace_back([&, i]() {
+        const ViewForPage view(result, findOwn(i), views[i]);
+        pictures[i].space = view.GetSpace();
+        pictures[i].drr = view.MakeDRR({ { "upper", meshes[0] }, { "lower", meshes[1] } }, m_MaximumRadiographSide);
+      });
+      const auto             found = m_ViewRadiographs.find(views[i].value("name", ""));
+      const RadiographType * image = i == 0                             ? this->GetRadiograph()
+                                     : found != m_ViewRadiographs.end() ? found->second.GetPointer()
+                                                                        : nullptr;
+      if (image != nullptr)
+      {
+        parts.emplace_back(
+          [&, i, image]() { pictures[i].radiograph = MakeRadiographForPage(image, m_MaximumRadiographSide); });
+      }
+    }
+    ParallelFor(parts.size(), this->GetNumberOfWorkUnits(), [&](std::size_t part) { parts[part](); });
+
     Json model = MakeReportModel(result, details);
     model["title"] = CleanUTF8(m_Title);
     model["views"] = Json::array();
-    const Json views = details.is_null() ? Json::array() : details.at("views");
-    for (const Json & view : views)
+    Json spaces = Json::array();
+    for (std::size_t i = 0; i < views.size(); ++i)
     {
-      const bool              isFirst = model["views"].empty();
-      const std::string       name = view.value("name", "");
-      const auto              found = viewRadiographs.find(name);
-      const RadiographForPage own = isFirst                          ? radiograph
-                                    : found != viewRadiographs.end() ? found->second
-                                                                     : RadiographForPage();
-      // What the result says of a further view has the form of what it says of the first.
-      const ReportPicture picture(isFirst ? result : result.at("views").at(name), view, own);
-      Json                item = { { "name", name },
+      const ReportPicture picture(findOwn(i), views[i], pictures[i].radiograph, pictures[i].drr);
+      Json                item = { { "name", views[i].value("name", "") },
                                    { "svg", picture.GetSVG() },
-                                   { "has_radiograph", !own.uri.empty() },
+                                   { "has_radiograph", !pictures[i].radiograph.uri.empty() },
+                                   { "has_drr", !pictures[i].drr.uri.empty() },
                                    { "layers", Json::array() },
                                    { "stages", Json::array() } };
+      spaces.push_back(pictures[i].space);
       for (const auto & layer : picture.GetLayers())
       {
         item["layers"].push_back({ { "key", layer.key }, { "label", layer.label }, { "shown", layer.shown } });
@@ -228,7 +228,7 @@ ReportPageWriter::MakePage()
     model["style"] = std::string(ReportParts::Style());
     model["script"] = std::string(HasBundle() ? ReportParts::Bundle() : ReportParts::PictureScript());
     model["licences"] = Json::parse(ReportParts::Licences());
-    Json data = { { "result", result }, { "details", details }, { "scans", Json::object() } };
+    Json data = { { "result", result }, { "details", details }, { "scans", Json::object() }, { "spaces", spaces } };
     for (std::size_t jaw = 0; jaw < 2; ++jaw)
     {
       if (!scans[jaw].is_null())
@@ -236,7 +236,7 @@ ReportPageWriter::MakePage()
         data["scans"][jaw == 0 ? "upper" : "lower"] = std::move(scans[jaw]);
       }
     }
-    model["data"] = ToScriptText(data);
+    model["data"] = EscapeForScript(data.dump(-1, ' ', false, Json::error_handler_t::replace));
     mustache::mustache page{ std::string(ReportParts::Template()) };
     const std::string  text = page.render(ToMustache(model));
     if (!page.is_valid())
@@ -247,10 +247,11 @@ ReportPageWriter::MakePage()
   }
   catch (const Json::exception & error)
   {
-    itkDentalInputErrorMacro("result.json",
-                             "",
-                             std::string("is not as this version writes it: ") + error.what(),
-                             "register the case again with this version of the toolkit");
+    RefuseResult(error);
+  }
+  catch (const std::invalid_argument & error)
+  {
+    RefuseResult(error);
   }
 }
 

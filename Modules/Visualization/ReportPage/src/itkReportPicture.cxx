@@ -83,6 +83,13 @@ PathElement(const std::string & style, const std::string & d)
 }
 
 std::string
+ImageElement(const std::string & style, const RadiographForPage & image)
+{
+  return "<image class=\"" + style + "\" x=\"-0.5\" y=\"-0.5\" width=\"" + std::to_string(image.width) +
+         "\" height=\"" + std::to_string(image.height) + "\" preserveAspectRatio=\"none\" href=\"" + image.uri + "\"/>";
+}
+
+std::string
 StageLabel(const std::string & stage)
 {
   return stage == "start"        ? "search: first guess"
@@ -298,7 +305,10 @@ ReportPicture::DrawUsed(const Json & jaw, const Json & drawing) const
   return content;
 }
 
-ReportPicture::ReportPicture(const Json & result, const Json & view, const RadiographForPage & radiograph)
+ReportPicture::ReportPicture(const Json &              result,
+                             const Json &              view,
+                             const RadiographForPage & radiograph,
+                             const RadiographForPage & drr)
 {
   const Json & spacingOf = JsonMember(result.at("geometry").at("pixel_spacing_mm"), "value");
   const double spacing[2] = { spacingOf.size() == 2 ? spacingOf[0].get<double>() : 0.25,
@@ -370,6 +380,10 @@ ReportPicture::ReportPicture(const Json & result, const Json & view, const Radio
   this->AddLayer("landmarks", "predicted landmarks", true, predicted);
   this->AddLayer("errors", "marked landmarks, errors", true, errors);
   this->AddLayer("names", "names", false, names);
+  if (!drr.uri.empty())
+  {
+    m_Layers.push_back({ "drr", "the scan as a radiograph", false });
+  }
 
   const Json & sizeOf = JsonMember(view, "image_size");
   const double size[2] = { sizeOf.size() == 2 ? sizeOf[0].get<double>() : 0.0,
@@ -400,14 +414,17 @@ ReportPicture::ReportPicture(const Json & result, const Json & view, const Radio
     "<g transform=\"scale(1 " + FormatForPage(stretch, 6) + ")\">\n";
   if (!radiograph.uri.empty())
   {
-    m_SVG += "<image class=\"radiograph\" x=\"-0.5\" y=\"-0.5\" width=\"" + std::to_string(radiograph.width) +
-             "\" height=\"" + std::to_string(radiograph.height) + "\" preserveAspectRatio=\"none\" href=\"" +
-             radiograph.uri + "\"/>\n";
+    m_SVG += ImageElement("radiograph", radiograph) + '\n';
   }
   else
   {
     m_SVG += "<rect class=\"blank\" x=\"-0.5\" y=\"-0.5\" width=\"" + Number(std::max(1.0, size[0])) + "\" height=\"" +
              Number(std::max(1.0, size[1])) + "\"/>\n";
+  }
+  if (!drr.uri.empty())
+  {
+    // Not of the drawing: its opacity is its own.
+    m_SVG += "<g class=\"layer\" data-layer=\"drr\" hidden>" + ImageElement("drr", drr) + "</g>\n";
   }
   m_SVG += "<g class=\"drawing\">" + m_Groups + "</g></g></svg>";
 }

@@ -39,8 +39,12 @@ class ReportPicture
 public:
   using Json = nlohmann::ordered_json;
 
-  /** `result` is result.json, `view` one of the views of report.json; `radiograph` may be empty. */
-  ReportPicture(const Json & result, const Json & view, const RadiographForPage & radiograph);
+  /** `result` is result.json, `view` one of the views of report.json; `radiograph` and `drr`, what the scans would look
+   * like on it, may be empty. */
+  ReportPicture(const Json &              result,
+                const Json &              view,
+                const RadiographForPage & radiograph,
+                const RadiographForPage & drr = {});
 
   const std::string &
   GetSVG() const

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkReportPageWriter.h"
 
+#include "itkCephalometricGeometry.h"
 #include "itkDentalInputError.h"
 
 #include "itkGTest.h"
@@ -321,6 +322,86 @@ TEST(ReportPageWriter, ScansAreSimplifiedAndStayWhereTheyAre)
   // 65 535 steps over the longest side.
   EXPECT_NEAR(scan["step"].get<double>(), 60.0 / 65535.0, 1e-4);
   EXPECT_EQ(scan["wide"], false);
+}
+
+TEST(ReportPageWriter, PlacesSourceAndDetectorWhereTheProjectionHasThem)
+{
+  // A scan in cm that was moved by (3, -2, 5) mm, and a magnification that was estimated.
+  constexpr double scale = 1.02;
+  auto             geometry = itk::CephalometricGeometry::New();
+  geometry->SetPixelSpacing(itk::CephalometricGeometry::PixelSpacingType(0.25 / scale));
+  itk::CephalometricGeometry::PixelIndexType principal;
+  principal[0] = 100.0;
+  principal[1] = 80.0;
+  geometry->SetPrincipalPoint(principal);
+  itk::CephalometricGeometry::RotationType identity;
+  identity.SetIdentity();
+  const double                           moved[3] = { 3.0, -2.0, 5.0 };
+  itk::CephalometricGeometry::VectorType translation;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    translation[d] = moved[d];
+  }
+  geometry->SetPose(identity, translation);
+  const auto matrix = geometry->GetProjection().matrix;
+  Json       result = MakeResult();
+  Json &     jaw = result["jaws"]["upper"];
+  result["mesh_unit"] = "cm";
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 4; ++column)
+    {
+      jaw["projection_3x4"][row][column] = matrix[4 * row + column] * (column < 3 ? 10.0 : 1.0);
+    }
+    jaw["mesh_to_cephalostat_mm"][row][3] = moved[row];
+  }
+  auto writer = WriterType::New();
+  writer->SetResult(result.dump());
+  writer->SetDetails(MakeDetails().dump());
+  const std::string withoutScan = writer->MakePage();
+  const Json        space = DataOf(withoutScan)["spaces"][0];
+  const auto        expectAt = [](const Json & point, double x, double y, double z) {
+    EXPECT_NEAR(point[0].get<double>(), x, 0.011);
+    EXPECT_NEAR(point[1].get<double>(), y, 0.011);
+    EXPECT_NEAR(point[2].get<double>(), z, 0.011);
+  };
+  expectAt(space["source"], 0.0, -1524.0, 0.0);
+  expectAt(space["centre"], 0.0, 150.0, 0.0);
+  // From pixel edge to pixel edge of 200 x 160, in pixels that are smaller by the scale.
+  const double left = -100.5 * 0.25 / scale;
+  const double right = 99.5 * 0.25 / scale;
+  const double top = 80.5 * 0.25 / scale;
+  const double bottom = -79.5 * 0.25 / scale;
+  expectAt(space["corners"][0], left, 150.0, top);
+  expectAt(space["corners"][1], right, 150.0, top);
+  expectAt(space["corners"][2], right, 150.0, bottom);
+  expectAt(space["corners"][3], left, 150.0, bottom);
+
+  // What the scan would look like is a layer of its own, hidden at first; without a scan there is none.
+  EXPECT_EQ(Count(withoutScan, "data-layer=\"drr\""), 0u);
+  writer->SetUpperScan(MakeBowl(60));
+  const std::string page = writer->MakePage();
+  EXPECT_EQ(Count(page,
+                  "<g class=\"layer\" data-layer=\"drr\" hidden><image class=\"drr\" x=\"-0.5\" y=\"-0.5\" "
+                  "width=\"200\" height=\"160\" preserveAspectRatio=\"none\" href=\"data:image/jpeg;base64,/9j/"),
+            1u);
+  EXPECT_EQ(Count(page, "<input type=\"checkbox\" data-layer=\"drr\">"), 1u);
+  EXPECT_EQ(Count(page, "data-action=\"drr\""), 1u);
+  // Shrunk as the radiograph is: by three, 67 x 54 pixels, which cover 201 x 162.
+  writer->SetMaximumRadiographSide(80);
+  EXPECT_NE(writer->MakePage().find("<image class=\"drr\" x=\"-0.5\" y=\"-0.5\" width=\"201\" height=\"162\""),
+            std::string::npos);
+}
+
+TEST(ReportPageWriter, AParallelProjectionHasNoPlaceInSpace)
+{
+  auto writer = WriterType::New();
+  writer->SetResult(MakeResult().dump());
+  writer->SetDetails(MakeDetails().dump());
+  writer->SetUpperScan(MakeBowl(20));
+  const std::string page = writer->MakePage();
+  EXPECT_TRUE(DataOf(page)["spaces"][0].is_null());
+  EXPECT_EQ(Count(page, "data-layer=\"drr\""), 0u);
 }
 
 TEST(ReportPageWriter, WhatIsNoResultIsAnErrorThatNamesIt)

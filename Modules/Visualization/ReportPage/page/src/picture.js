@@ -25,7 +25,10 @@ class PictureView {
     this.pane.addEventListener("pointerdown", event => this.onDown(event));
     for (const path of this.svg.querySelectorAll("path.tracing[data-tooth]"))
       path.addEventListener("click", () => chooseTooth(path.dataset.jaw, path.dataset.tooth));
-    this.act("brightness", root.querySelector("[data-action=brightness]"));
+    for (const action of ["brightness", "drr"]) {
+      const control = root.querySelector(`[data-action=${action}]`);
+      if (control) this.act(action, control);
+    }
   }
 
   layer(key) {
@@ -45,7 +48,8 @@ class PictureView {
     else if (action === "home" || action === "all") this.setBox(this.svg.dataset[action]);
     else if (action === "opacity") this.svg.querySelector(".drawing").style.opacity = control.value;
     else if (action === "brightness") this.svg.querySelector(".radiograph")?.style.setProperty("opacity", control.value);
-    else if (action === "peek") this.press(control, on => { this.svg.querySelector(".drawing").style.visibility = on ? "hidden" : ""; });
+    else if (action === "drr") this.svg.querySelector(".drr")?.style.setProperty("opacity", control.value);
+    else if (action === "peek") this.press(control, on => this.svg.classList.toggle("peek", on));
     else if (action === "flicker") this.press(control, on => this.flicker(on));
     else if (action === "stage" && this.flickering) this.flicker(true);
   }

@@ -25,32 +25,29 @@ function makeScan(packed, colour) {
 /** A 3x4 of rows. */
 const toMatrix = rows => new Matrix4().set(...rows[0], ...rows[1], ...rows[2], 0, 0, 0, 1);
 
-/** Source, detector, and where pixels lie on it. The scale of the fit is in the size of a pixel there: it is found from where
- * the result projects three points, so that seen from the source scans lie on their shadows whatever the preset. */
-function makeGeometry(result) {
-  const value = name => result.geometry[name]?.value;
-  const S = value("source_to_midsagittal_mm"), D = value("source_to_detector_mm");
-  const k = value("source_side") === "left" ? -1 : 1;
-  const source = new Vector3(0, -k * S, 0);
-  const plane = k * (D - S);
-  const jaw = Object.values(result.jaws).find(candidate => candidate.projection_3x4 && candidate.mesh_to_cephalostat_mm);
-  const unit = { mm: 1, cm: 10, inch: 25.4, m: 1000, um: 0.001 }[result.mesh_unit] ?? 1;
-  const back = toMatrix(jaw.mesh_to_cephalostat_mm).invert();
-  const project = point => {
-    const p = point.clone().applyMatrix4(back).divideScalar(unit);
-    const q = jaw.projection_3x4.map(row => row[0] * p.x + row[1] * p.y + row[2] * p.z + row[3]);
-    return [q[0] / q[2], q[1] / q[2]];
-  };
-  // Points of the midsagittal plane: their shadows are D / S times as far from the central ray.
-  const origin = project(new Vector3(0, 0, 0)), forward = project(new Vector3(50, 0, 0)), up = project(new Vector3(0, 0, 50));
-  const shadow = 50 * D / S;
-  return { source, plane, S, D, k, principal: origin, perPixel: [shadow / (forward[0] - origin[0]), shadow / (up[1] - origin[1])] };
+/** Source, detector, and where pixels lie on it, as the toolkit has computed them: seen from the source scans lie on their
+ * shadows, whatever the preset and the view. */
+class Space {
+  constructor({ source, centre, corners }, size) {
+    this.source = new Vector3(...source);
+    this.centre = new Vector3(...centre);
+    this.corners = corners.map(corner => new Vector3(...corner));
+    const [origin, right, , down] = this.corners;
+    // Corners are edges of pixels.
+    this.u = right.clone().sub(origin).divideScalar(size[0]);
+    this.v = down.clone().sub(origin).divideScalar(size[1]);
+    this.length = this.source.distanceTo(this.centre);
+    /** Towards the source. */
+    this.back = this.source.clone().sub(this.centre).normalize();
+  }
+
+  at(u, v) {
+    return this.corners[0].clone().addScaledVector(this.u, u + 0.5).addScaledVector(this.v, v + 0.5);
+  }
 }
 
-function makeDetector(geometry, size, image) {
-  const [width, height] = size;
-  const at = (u, v) => new Vector3((u - geometry.principal[0]) * geometry.perPixel[0], geometry.plane, (v - geometry.principal[1]) * geometry.perPixel[1]);
-  const corners = [at(-0.5, -0.5), at(width - 0.5, -0.5), at(width - 0.5, height - 0.5), at(-0.5, height - 0.5)];
+function makeDetector(space, image) {
+  const { corners } = space;
   const group = new Group();
   const shape = new BufferGeometry();
   shape.setAttribute("position", new BufferAttribute(new Float32Array(corners.flatMap(corner => corner.toArray())), 3));
@@ -66,14 +63,14 @@ function makeDetector(geometry, size, image) {
   }
   const border = new BufferGeometry().setFromPoints([...corners, corners[0]]);
   group.add(new Line(border, new LineBasicMaterial({ color: 0x888888 })));
-  return { group, at };
+  return group;
 }
 
 /** Lines of the tracing and of the matched outline, just before the detector. */
-function drawLines(view, at, k) {
+function drawLines(view, space) {
   const group = new Group();
   const add = (points, closed, colour) => {
-    const line = (closed ? [...points, points[0]] : points).map(([u, v]) => at(u, v).add(new Vector3(0, -0.4 * k, 0)));
+    const line = (closed ? [...points, points[0]] : points).map(([u, v]) => space.at(u, v).addScaledVector(space.back, 0.4));
     group.add(new Line(new BufferGeometry().setFromPoints(line), new LineBasicMaterial({ color: colour })));
   };
   for (const drawing of Object.values(view.jaws)) {
@@ -106,7 +103,8 @@ class SceneView {
     this.scene.background = new Color(0x101114);
     this.camera = new PerspectiveCamera(30, 1, 1, 20000);
     this.camera.up.set(0, 0, 1);
-    this.geometry = makeGeometry(data.result);
+    const size = data.details?.views?.[0]?.image_size;
+    this.space = data.spaces?.[0] ? new Space(data.spaces[0], size) : null;
     this.parts = {};
     this.build(data);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -153,8 +151,10 @@ class SceneView {
     this.centre = centre.divideScalar(Math.max(1, count));
     for (const jaw of Object.values(data.result.jaws))
       if (jaw.mesh_to_umda_mm && jaw.mesh_to_cephalostat_mm) this.add("planes", makePlanes(jaw));
-    const { source, plane } = this.geometry;
-    const ray = new Line(new BufferGeometry().setFromPoints([source, new Vector3(0, plane, 0)]), new LineDashedMaterial({ color: 0xf0e442, dashSize: 8, gapSize: 5 }));
+    // Without a detector there are the scans alone.
+    if (!this.space) return;
+    const { source, centre: foot } = this.space;
+    const ray = new Line(new BufferGeometry().setFromPoints([source, foot]), new LineDashedMaterial({ color: 0xf0e442, dashSize: 8, gapSize: 5 }));
     ray.computeLineDistances();
     this.add("ray", ray);
     const ball = new Mesh(new SphereGeometry(18, 24, 16), new MeshBasicMaterial({ color: 0xf0e442 }));
@@ -162,15 +162,12 @@ class SceneView {
     this.add("ray", ball);
     const mark = new Mesh(new BoxGeometry(2.5, 2.5, 2.5), new MeshBasicMaterial({ color: 0xf0e442 }));
     this.add("ray", mark);
-    const view = data.details?.views?.[0];
-    const size = view?.image_size;
-    if (!size) return;
+    const view = data.details.views[0], size = view.image_size;
     // The picture's own radiograph: it stands in the page once.
-    const image = document.querySelector("svg.picture image.radiograph");
+    const image = document.querySelector(".view")?.querySelector("image.radiograph");
     const put = texture => {
-      const detector = makeDetector(this.geometry, size, texture);
-      this.add("detector", detector.group);
-      this.add("detector", drawLines(view, detector.at, this.geometry.k));
+      this.add("detector", makeDetector(this.space, texture));
+      this.add("detector", drawLines(view, this.space));
     };
     if (!image) {
       put(null);
@@ -204,19 +201,20 @@ class SceneView {
   }
 
   look(from) {
-    const { source, k, S, D } = this.geometry;
     const target = this.centre.clone();
+    // On the source's side of the midsagittal plane: the detector would hide the scans from the other one.
+    const side = Math.sign(-(this.space?.back.y ?? -1));
     const views = {
-      front: [new Vector3(1, -0.18 * k, 0.12), 290, 30], side: [new Vector3(0, -k, 0.02), 260, 30],
-      above: [new Vector3(0.25, 0, 1), 260, 30], all: [new Vector3(1, -0.25 * k, 0.35), this.distanceOf(D), 40],
+      front: [new Vector3(1, -0.18 * side, 0.12), 290, 30], side: [new Vector3(0, -side, 0.02), 260, 30],
+      above: [new Vector3(0.25, 0, 1), 260, 30], all: [new Vector3(1, -0.25 * side, 0.35), this.distanceOf(this.space?.length ?? 300), 40],
     };
-    if (from === "source") {
+    if (from === "source" && this.space) {
       // A narrow lens far away: all rays are those of the X-rays.
-      this.camera.position.copy(source);
-      this.camera.fov = 2 * Math.atan(48 / S) * 180 / Math.PI;
+      this.camera.position.copy(this.space.source);
+      this.camera.fov = 2 * Math.atan(48 / this.space.source.distanceTo(target)) * 180 / Math.PI;
     } else {
-      const [direction, distance, angle] = views[from];
-      if (from === "all") target.set(0, (source.y + this.geometry.plane) / 2, 0);
+      const [direction, distance, angle] = views[from] ?? views.side;
+      if (from === "all" && this.space) target.copy(this.space.source).add(this.space.centre).divideScalar(2);
       this.camera.position.copy(target).addScaledVector(direction.normalize(), distance);
       this.camera.fov = angle;
     }

@@ -15,17 +15,21 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef itkBase64_h
-#define itkBase64_h
+#ifndef itkReadCSVTable_h
+#define itkReadCSVTable_h
 
-#include <cstddef>
+#include "BatchExport.h"
+
 #include <string>
+#include <vector>
 
 namespace itk
 {
-/** RFC 4648, padded: how bytes travel in a data URI. */
-std::string
-EncodeBase64(const void * bytes, std::size_t count);
+/** Rows of cells of a table of comma-separated values, the heading first; semicolons are taken where there is no comma
+ * in that, as half of Europe writes it. \param text     of the file \param fileName that an error names:
+ * DentalInputError for what is no such table. \ingroup Batch */
+Batch_EXPORT std::vector<std::vector<std::string>>
+             ReadCSVTable(const std::string & text, const std::string & fileName);
 } // namespace itk
 
 #endif

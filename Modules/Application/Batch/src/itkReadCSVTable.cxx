@@ -1,0 +1,83 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkReadCSVTable.h"
+
+#include "itkDentalInputError.h"
+
+#include <csv.h>
+
+namespace itk
+{
+namespace
+{
+/** A table as libcsv reads it. */
+class Table
+{
+public:
+  Table(const std::string & text, const std::string & fileName)
+  {
+    csv_parser parser;
+    if (csv_init(&parser, CSV_APPEND_NULL) != 0)
+    {
+      itkDentalInputErrorMacro(fileName, "", "cannot be read: not enough memory", "close other programs");
+    }
+    // What is no comma in half of Europe.
+    const std::size_t end = text.find('\n');
+    const std::string header = text.substr(0, end);
+    if (header.find(',') == std::string::npos && header.find(';') != std::string::npos)
+    {
+      csv_set_delim(&parser, ';');
+    }
+    const std::size_t first = text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
+    const std::size_t count = text.size() - first;
+    const std::size_t parsed = csv_parse(&parser, text.data() + first, count, &Table::OnCell, &Table::OnRow, this);
+    csv_fini(&parser, &Table::OnCell, &Table::OnRow, this);
+    const int problem = csv_error(&parser);
+    csv_free(&parser);
+    if (parsed != count)
+    {
+      itkDentalInputErrorMacro(fileName, "", std::string("is no table: ") + csv_strerror(problem), "save it as CSV");
+    }
+  }
+
+  std::vector<std::vector<std::string>> rows;
+
+private:
+  static void
+  OnCell(void * cell, std::size_t size, void * self)
+  {
+    static_cast<Table *>(self)->m_Row.emplace_back(cell == nullptr ? "" : static_cast<const char *>(cell), size);
+  }
+  static void
+  OnRow(int, void * self)
+  {
+    auto * const table = static_cast<Table *>(self);
+    table->rows.push_back(table->m_Row);
+    table->m_Row.clear();
+  }
+
+  std::vector<std::string> m_Row;
+};
+} // namespace
+
+std::vector<std::vector<std::string>>
+ReadCSVTable(const std::string & text, const std::string & fileName)
+{
+  return Table(text, fileName).rows;
+}
+} // namespace itk
