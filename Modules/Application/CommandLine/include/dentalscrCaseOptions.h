@@ -73,6 +73,8 @@ private:
     std::size_t numbers{ 0 };
     /** Whether the word is the name of a file. */
     bool isFile{ false };
+    /** What the case file's reader takes, as --help and completion list it; it is that reader which refuses others. */
+    const char * words{ "" };
   };
   static std::vector<FieldType>
   MakeFields();

@@ -309,8 +309,10 @@ AddBatchCommand(CLI::App & program, const CommonOptions & common, RunFunction & 
     ->excludes("--resume")
     ->excludes("--wait");
   command->add_flag("--strict", options->strict, "End with 1 where a jaw is suspect, too");
-  command->add_option("--preset", options->preset, "As of register")->capture_default_str();
-  command->add_option("--option", options->set, "As of register, any number of times");
+  command->add_option("--preset", options->preset, "As of register")
+    ->type_name("{robust,paper,bounding-box,single-stage}")
+    ->capture_default_str();
+  command->add_option("--option", options->set, "As of register, any number of times")->type_name("NAME=VALUE");
   command->add_flag("--no-report", options->noReport, "Write no overlays, scans and pages of cases");
   command->add_flag("--no-page", options->noPage, "Write no index.html, and no page of a case");
   command->add_flag("--anonymous", options->anonymous, "No paths and no names of files in the cases' results");

@@ -71,8 +71,9 @@ GetValue(const CLI::Option & option, const OptionDescription & description)
   {
     return ValueEnum::Folder;
   }
-  // Words with a delimiter between them, such as codes of teeth, are no files.
-  return option.get_delimiter() != '\0' ? ValueEnum::List : ValueEnum::File;
+  // Words with a delimiter between them, such as codes of teeth, are no files, and neither are assignments.
+  const bool isAssignment = description.type.find('=') != std::string::npos;
+  return option.get_delimiter() != '\0' || isAssignment ? ValueEnum::List : ValueEnum::File;
 }
 
 VerbDescription

@@ -345,6 +345,7 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
   command->add_option("case", options->caseFile, "Case file (JSON); or give its fields as options (below)");
   command->add_option("-o,--output", options->output, "Folder for the result")->required();
   command->add_option("--preset", options->preset, "robust, paper, bounding-box or single-stage")
+    ->type_name("{robust,paper,bounding-box,single-stage}")
     ->capture_default_str();
   command->add_option("--init", options->init, "JSON file with the alignment to start from, as the case's \"init\"");
   options->fields.AddTo(command);
@@ -366,8 +367,10 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
     "--no-report", options->noReport, "Write no overlays, scans and page: result.json and transforms only");
   command->add_flag("--no-page", options->noPage, "Write no report.html");
   command->add_flag("--anonymous", options->anonymous, "No paths and no names of files in what is written");
-  command->add_option(
-    "--option", options->set, "Ingredient of preset robust, NAME=VALUE (listed below), any number of times");
+  command
+    ->add_option(
+      "--option", options->set, "Ingredient of preset robust, NAME=VALUE (listed below), any number of times")
+    ->type_name("NAME=VALUE");
   // What 3D Slicer adds to every call; the empty group keeps them out of --help.
   command->add_option("--returnparameterfile", options->returnParameterFile)->group("");
   command->add_option("--processinformationaddress", options->ignored)->group("");
