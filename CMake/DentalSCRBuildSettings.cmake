@@ -14,7 +14,11 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
 file(RELATIVE_PATH _dentalscr_bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
-set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/${_dentalscr_bin_to_lib}")
+# Installed anywhere, the program finds its libraries; in a system's own folders the loader does.
+option(DENTALSCR_INSTALL_RPATH "Installed programs and libraries look for each other by relative paths" ON)
+if(DENTALSCR_INSTALL_RPATH)
+  set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/${_dentalscr_bin_to_lib}")
+endif()
 
 find_program(DENTALSCR_CCACHE ccache)
 if(DENTALSCR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -11,7 +11,7 @@ add_library(DentalSCR::DentalSCR ALIAS DentalSCR)
 set(_umbrella ${DENTALSCR_MODULES})
 list(REMOVE_ITEM _umbrella CommandLine)
 target_link_libraries(DentalSCR INTERFACE ${_umbrella})
-install(TARGETS DentalSCR EXPORT DentalSCRTargets)
+install(TARGETS DentalSCR EXPORT DentalSCRTargets COMPONENT Development)
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/DentalSCRConfig.cmake.in"
   "${PROJECT_BINARY_DIR}/DentalSCRConfig.cmake" INSTALL_DESTINATION "${_config_dir}")
@@ -24,3 +24,8 @@ if(DENTALSCR_VTK_MODULES)
   install(EXPORT DentalSCRVTKTargets NAMESPACE DentalSCR:: DESTINATION "${_config_dir}" COMPONENT Development)
   export(EXPORT DentalSCRVTKTargets NAMESPACE DentalSCR:: FILE "${PROJECT_BINARY_DIR}/DentalSCRVTKTargets.cmake")
 endif()
+
+install(FILES "${DentalSCR_SOURCE_DIR}/LICENSE" "${DentalSCR_SOURCE_DIR}/CITATION.cff"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/dentalscr" COMPONENT Runtime)
+install(DIRECTORY "${DentalSCR_SOURCE_DIR}/Examples/" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/dentalscr/examples"
+  COMPONENT Development PATTERN "__pycache__" EXCLUDE PATTERN ".*" EXCLUDE)

