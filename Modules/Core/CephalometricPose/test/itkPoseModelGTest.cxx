@@ -134,6 +134,43 @@ TEST(PoseModel, ANormalStaysAcrossItsLineInPixelsThatAreNoSquares)
   }
 }
 
+/** Of parameters that move together: J (A A') J' is (J A) (J A)'. A diagonal covariance would not tell rows from
+ * columns. */
+TEST(PoseModel, CovarianceIsPropagatedWithItsCorrelations)
+{
+  double                 jacobian[14];
+  double                 factor[7][2];
+  std::array<double, 49> covariance{};
+  for (int i = 0; i < 7; ++i)
+  {
+    jacobian[i] = 1.0 + 0.5 * i;
+    jacobian[7 + i] = 2.0 - 0.75 * i;
+    factor[i][0] = 0.25 * (i - 3);
+    factor[i][1] = 1.0 / (i + 1);
+  }
+  double moved[2][2] = {};
+  for (int i = 0; i < 7; ++i)
+  {
+    for (int k = 0; k < 7; ++k)
+    {
+      covariance[7 * i + k] = factor[i][0] * factor[k][0] + factor[i][1] * factor[k][1];
+    }
+    for (int a = 0; a < 2; ++a)
+    {
+      moved[a][0] += jacobian[7 * a + i] * factor[i][0];
+      moved[a][1] += jacobian[7 * a + i] * factor[i][1];
+    }
+  }
+  const auto result = itk::PoseModel::PropagateCovariance(jacobian, covariance);
+  for (int a = 0; a < 2; ++a)
+  {
+    for (int b = 0; b < 2; ++b)
+    {
+      EXPECT_NEAR(result[2 * a + b], moved[a][0] * moved[b][0] + moved[a][1] * moved[b][1], 1e-12);
+    }
+  }
+}
+
 TEST(PoseModel, SourceProjectsNowhere)
 {
   for (const bool isFrontal : { false, true })
