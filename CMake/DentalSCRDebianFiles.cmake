@@ -34,6 +34,10 @@ while(_names)
     file(MAKE_DIRECTORY "${_doc}")
     if(_component STREQUAL Runtime)
       file(WRITE "${_doc}/copyright" "${_copyright}${_embedded}")
+      # Loaded by name and linked by nobody: no package can come to depend on them.
+      file(WRITE "${_root}/usr/share/lintian/overrides/dentalscr"
+        "# Parts of libraries that are loaded by their file name when they are first needed; nothing links them.\n"
+        "dentalscr: ships-undeclared-shared-library *\n")
     else()
       file(WRITE "${_doc}/copyright" "${_copyright}")
     endif()
