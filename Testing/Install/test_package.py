@@ -21,7 +21,9 @@ def call(*arguments, **keywords):
 
 
 @pytest.fixture(scope="module")
-def packages(build_dir, tmp_path_factory):
+def packages(build_dir, tmp_path_factory, pytestconfig):
+    if not pytestconfig.getoption("--at-length"):
+        pytest.skip("packing takes minutes: --at-length, or Utilities/package.sh")
     for tool in ("dpkg-deb", "dpkg-shlibdeps"):
         if shutil.which(tool) is None:
             pytest.skip(f"{tool} is not installed (apt-get install dpkg-dev)")

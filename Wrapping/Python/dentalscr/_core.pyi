@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'TracedSide', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'ViewVerdictThresholds', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MetricJoins', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'TracedSide', 'TracedSideFilter', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'ViewVerdictThresholds', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -280,8 +280,15 @@ class Polyline:
         Drawing errors of the points, pixels; 0 where nobody knows.
     outline : "crown", "tooth" or "labial", optional
         What of the tooth was drawn; found out unless given.
+    normals : (N, 2) array, optional
+        Of a silhouette: outward unit normals in the image, (0, 0) where one is not known.
+    rimPoints : (N, 3) array, optional
+        Of a silhouette: the points of the scan that project to its points, frame of the mesh, mm; NaN where one is not
+        known.
+    teeth : sequence of str or int, optional
+        The teeth of the points where they are not all of one; the code is then that of the first.
     """
-    def __init__(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None) -> None:
+    def __init__(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None, normals: typing.Any = None, rimPoints: typing.Any = None, teeth: typing.Any = None) -> None:
         ...
     def __len__(self) -> int:
         ...
@@ -303,6 +310,11 @@ class Polyline:
         0 is unknown.
         """
     @property
+    def normals(self) -> typing.Any:
+        """
+        (N, 2) copy: outward unit normals in the image, (0, 0) where one is not known; or None.
+        """
+    @property
     def outline(self) -> typing.Any:
         """
         "crown", "tooth", "labial", or None.
@@ -313,9 +325,19 @@ class Polyline:
         (N, 2) copy.
         """
     @property
+    def rimPoints(self) -> typing.Any:
+        """
+        (N, 3) copy: the points of the scan that project to these, frame of the mesh, mm, NaN where one is not known; or None.
+        """
+    @property
     def sigmas(self) -> typing.Any:
         """
         (N,) copy, or None.
+        """
+    @property
+    def teeth(self) -> typing.Any:
+        """
+        The names of the points' teeth where they are not all of one, or None.
         """
     @property
     def weights(self) -> typing.Any:
@@ -333,9 +355,9 @@ class Contour(DataObject):
     ----------
     polylines : sequence of Polyline, optional
     """
-    def AddPolyline(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None) -> None:
+    def AddPolyline(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None, normals: typing.Any = None, rimPoints: typing.Any = None, teeth: typing.Any = None) -> None:
         """
-        Appends a polyline of continuous pixel indices (u, v). It raises an error where a point is not finite, where weights or sigmas are not one a point, or where a closed one has fewer than 3 points.
+        Appends a polyline of continuous pixel indices (u, v), as Polyline describes it. It raises an error where a point is not finite, where weights, sigmas, normals, rimPoints or teeth are not one a point, or where a closed one has fewer than 3 points.
         """
     def GetLength(self) -> float:
         """
@@ -2587,6 +2609,10 @@ class MeshSilhouetteContourSource(ProcessObject):
         """
         Returns the number of points of the output, at equal distances; 0, the default, gives the corners of the silhouette.
         """
+    def GetUseLabels(self) -> bool:
+        """
+        Returns whether the mesh's point data are FDI numbers of teeth, so that the output's points know their tooth. Off by default.
+        """
     def LargestPartOnlyOff(self) -> None:
         """
         The same as SetLargestPartOnly(False). It sets whether only the part with the largest area is given. On by default; off, all parts that do not hide in another.
@@ -2602,6 +2628,18 @@ class MeshSilhouetteContourSource(ProcessObject):
     def SetNumberOfPoints(self, value: int) -> None:
         """
         Sets the number of points of the output, at equal distances; 0, the default, gives the corners of the silhouette.
+        """
+    def SetUseLabels(self, value: bool) -> None:
+        """
+        Sets whether the mesh's point data are FDI numbers of teeth, so that the output's points know their tooth. Off by default.
+        """
+    def UseLabelsOff(self) -> None:
+        """
+        The same as SetUseLabels(False). It sets whether the mesh's point data are FDI numbers of teeth, so that the output's points know their tooth. Off by default.
+        """
+    def UseLabelsOn(self) -> None:
+        """
+        The same as SetUseLabels(True). It sets whether the mesh's point data are FDI numbers of teeth, so that the output's points know their tooth. Off by default.
         """
     def _GetSamples(self) -> tuple[typing.Any, ...]:
         ...
@@ -2633,6 +2671,10 @@ class OpenSilhouetteContourSource(ProcessObject):
         """
         Returns the distance between points of the output, mm in the detector plane; 0.125 by default.
         """
+    def GetUseLabels(self) -> bool:
+        """
+        Returns whether the mesh's point data are FDI numbers of teeth, so that the output's points know their tooth. Off by default.
+        """
     def SetJaw(self, jaw: Jaw | str) -> None:
         """
         Sets the jaw of the mesh, which says which way is occlusal: Upper (the default) or Lower.
@@ -2640,6 +2682,18 @@ class OpenSilhouetteContourSource(ProcessObject):
     def SetSpacing(self, value: float) -> None:
         """
         Sets the distance between points of the output, mm in the detector plane; 0.125 by default.
+        """
+    def SetUseLabels(self, value: bool) -> None:
+        """
+        Sets whether the mesh's point data are FDI numbers of teeth, so that the output's points know their tooth. Off by default.
+        """
+    def UseLabelsOff(self) -> None:
+        """
+        The same as SetUseLabels(False). It sets whether the mesh's point data are FDI numbers of teeth, so that the output's points know their tooth. Off by default.
+        """
+    def UseLabelsOn(self) -> None:
+        """
+        The same as SetUseLabels(True). It sets whether the mesh's point data are FDI numbers of teeth, so that the output's points know their tooth. Off by default.
         """
     def _SetFrameTransform(self, transform: VersorRigid3DTransform | None) -> None:
         ...
@@ -2982,6 +3036,10 @@ class ContourDistanceFilter(ProcessObject):
     def GetFixedToMovingDistances(self) -> numpy.typing.NDArray[typing.Any]:
         """
         One a point, px; NaN for points of weight 0.
+        """
+    def GetFixedToMovingDistancesByTooth(self) -> dict[str, typing.Any]:
+        """
+        {"UR1": {"count", "mean", "rms", "maximum"}}, px: how far the fixed contour's drawing of each tooth lies from the moving contour, over its points that count; "" for those without a code.
         """
     def GetFixedToMovingHausdorff(self) -> float:
         """
@@ -4013,6 +4071,54 @@ class MetricHold:
         """
         The value as a number.
         """
+class MetricJoins:
+    """
+    From when on a registration evaluates a term: the search for where to begin, the first steps from each start, the last refinement.
+
+    Members:
+
+      Start
+
+      Candidates
+
+      Refinement
+    """
+    Candidates: typing.ClassVar[MetricJoins]
+    Refinement: typing.ClassVar[MetricJoins]
+    Start: typing.ClassVar[MetricJoins]
+    __members__: typing.ClassVar[dict[str, MetricJoins]]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> int:
+        ...
+    def __hash__(self) -> int:
+        ...
+    def __index__(self) -> int:
+        ...
+    @typing.overload
+    def __init__(self, value: int) -> None:
+        ...
+    @typing.overload
+    def __init__(self, name: str) -> None:
+        ...
+    def __int__(self) -> int:
+        ...
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, state: int) -> None:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def value(self) -> int:
+        """
+        The value as a number.
+        """
 class LeastSquaresMetricv4:
     """
     A figure of merit that is, or is majorised by, a sum of squares over named blocks of parameters.
@@ -4043,6 +4149,10 @@ class LeastSquaresMetricv4:
     def GetFreeIndices(self) -> list[int]:
         """
         Places of the free parameters among GetValues().
+        """
+    def GetJoins(self) -> MetricJoins:
+        """
+        Returns from when on a registration evaluates this term.
         """
     def GetName(self) -> str:
         """
@@ -4109,6 +4219,10 @@ class LeastSquaresMetricv4:
     def SetBlockValues(self, block: str, values: typing.Sequence[float]) -> None:
         """
         Sets the values of a block by its name, natural units. Initialize() keeps them.
+        """
+    def SetJoins(self, joins: MetricJoins | str) -> None:
+        """
+        Sets from when on a registration evaluates this term (MetricJoins): Start by default.
         """
     def SetKernelWidth(self, width: float) -> None:
         """
@@ -5570,6 +5684,11 @@ class PoseHypothesisOutcome:
         Minus twice the log likelihood under it minus that of the result: clearly negative where it explains the evidence better. 0 where it was not asked for.
         """
     @property
+    def headMove(self) -> float:
+        """
+        How far its best candidate moves the head for a further view, the largest of turns and shifts in standard deviations of patients who are turned in the ear rods; 0 where nothing may be moved.
+        """
+    @property
     def pixelSpacing(self) -> list[float]:
         """
         mm a pixel in the detector plane that its best candidate amounts to; 0 where there is none.
@@ -6060,12 +6179,28 @@ class ViewVerdictThresholds:
     def suspectDeviance(self, arg0: float) -> None:
         ...
     @property
+    def suspectHeadMove(self) -> float:
+        """
+        And how far the head is moved then, standard deviations of patients who are turned in the ear rods.
+        """
+    @suspectHeadMove.setter
+    def suspectHeadMove(self, arg0: float) -> None:
+        ...
+    @property
     def suspectLandmarkRatio(self) -> float:
         """
         Root mean square of the other landmarks' distances above which the view is suspect, standard deviations.
         """
     @suspectLandmarkRatio.setter
     def suspectLandmarkRatio(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectMoveDeviance(self) -> float:
+        """
+        The same of a head that was turned between the radiographs and not said to be.
+        """
+    @suspectMoveDeviance.setter
+    def suspectMoveDeviance(self, arg0: float) -> None:
         ...
     @property
     def suspectPriorTension(self) -> float:
@@ -6365,9 +6500,25 @@ class LandmarkProjectionFilter(ProcessObject):
     """
     Landmarks of the scans as a registration places them, with uncertainty.
     """
+    def BisectedOff(self) -> None:
+        """
+        The same as SetBisected(False). It sets whether what was drawn tells of the middles between the sides alone, so that the expected error is that of the middles. Off by default.
+        """
+    def BisectedOn(self) -> None:
+        """
+        The same as SetBisected(True). It sets whether what was drawn tells of the middles between the sides alone, so that the expected error is that of the middles. Off by default.
+        """
+    def GetBisected(self) -> bool:
+        """
+        Returns whether what was drawn tells of the middles between the sides alone, so that the expected error is that of the middles. Off by default.
+        """
     def GetCovariance(self, name: str) -> numpy.typing.NDArray[typing.Any]:
         """
         (2, 2) square pixels.
+        """
+    def GetExpectedError(self, jaw: Jaw | str) -> float:
+        """
+        Distance, pixels, that a landmark of the jaw is expected to be off by: the mean over its landmarks, or over its middles where Bisected is on and there are any. Valid after Execute().
         """
     def GetMiddleCovariance(self, name: str) -> numpy.typing.NDArray[typing.Any]:
         """
@@ -6385,9 +6536,17 @@ class LandmarkProjectionFilter(ProcessObject):
         """
         Standard deviation an axis, pixels.
         """
+    def HasExpectedError(self, jaw: Jaw | str) -> bool:
+        """
+        Whether the output has a landmark of the jaw. Valid after Execute().
+        """
     def HasMiddleCovariance(self, name: str) -> bool:
         """
         Whether a landmark of the output, by its name, has a covariance of the middle of both sides. Valid after Execute().
+        """
+    def SetBisected(self, value: bool) -> None:
+        """
+        Sets whether what was drawn tells of the middles between the sides alone, so that the expected error is that of the middles. Off by default.
         """
     def SetMillimetresPerUnit(self, value: float) -> None:
         """
@@ -6532,6 +6691,72 @@ class ToothCrownFilter(ProcessObject):
     def _SetUpperFrame(self, transform: VersorRigid3DTransform | None) -> None:
         ...
     def _SetUpperMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class TracedSideFilter(ProcessObject):
+    """
+    Which side's outlines a drawing shows, and the drawing without the other side's.
+    """
+    def CodesHaveSidesOff(self) -> None:
+        """
+        The same as SetCodesHaveSides(False). It sets whether the codes of the tracing were written with their sides. On by default; off for a file with codes such as U1 and L6.
+        """
+    def CodesHaveSidesOn(self) -> None:
+        """
+        The same as SetCodesHaveSides(True). It sets whether the codes of the tracing were written with their sides. On by default; off for a file with codes such as U1 and L6.
+        """
+    def GetCodesHaveSides(self) -> bool:
+        """
+        Returns whether the codes of the tracing were written with their sides. On by default; off for a file with codes such as U1 and L6.
+        """
+    def GetLeftOutTeeth(self) -> list[str]:
+        """
+        Names of the other side's teeth that are left out, one a polyline. Valid after Execute().
+        """
+    def GetReason(self) -> str:
+        """
+        What that was decided by, as a clause. Valid after Execute().
+        """
+    def GetSettledSide(self) -> TracedSide:
+        """
+        Which side was traced. Valid after Execute().
+        """
+    def GetTracedSide(self) -> TracedSide:
+        """
+        Returns the side that is said of the drawing, or taken where nothing tells; Right by default.
+        """
+    def GetTracedSideIsGiven(self) -> bool:
+        """
+        Returns whether somebody said the traced side. Off by default.
+        """
+    def SetCodesHaveSides(self, value: bool) -> None:
+        """
+        Sets whether the codes of the tracing were written with their sides. On by default; off for a file with codes such as U1 and L6.
+        """
+    def SetTracedSide(self, side: TracedSide | str) -> None:
+        """
+        Sets the side that is said of the drawing, or taken where nothing tells; Right by default.
+        """
+    def SetTracedSideIsGiven(self, value: bool) -> None:
+        """
+        Sets whether somebody said the traced side. Off by default.
+        """
+    def TracedSideIsGivenOff(self) -> None:
+        """
+        The same as SetTracedSideIsGiven(False). It sets whether somebody said the traced side. Off by default.
+        """
+    def TracedSideIsGivenOn(self) -> None:
+        """
+        The same as SetTracedSideIsGiven(True). It sets whether somebody said the traced side. Off by default.
+        """
+    def _SetCephalometricLandmarks(self, landmarks: typing.Any) -> None:
+        ...
+    def _SetLowerContour(self, contour: Contour | None) -> None:
+        ...
+    def _SetUpperContour(self, contour: Contour | None) -> None:
+        ...
+    def _TakeOutput(self, arg0: Jaw | str) -> Contour:
         ...
     def __init__(self) -> None:
         ...
