@@ -141,6 +141,17 @@ TEST(ContourDistanceFilter, TeethOfTheFixedContourAreSummedUpByHand)
   EXPECT_DOUBLE_EQ(teeth[1].rms, 2.0);
 }
 
+/** A point of little weight is as far away as any other: weights are of means alone. */
+TEST(ContourDistanceFilter, TheLargestDistanceIsOfAnyPointThatCounts)
+{
+  const auto filter = FilterType::New();
+  filter->SetFixedContour(MakeContour({ { 0, 0 }, { 10, 0 } }));
+  filter->SetMovingContour(MakeContour({ { 0, 1 }, { 10, 6 } }, { 1.0, 0.125 }));
+  filter->Update();
+  EXPECT_DOUBLE_EQ(filter->GetMovingToFixedHausdorff(), 6.0);
+  EXPECT_DOUBLE_EQ(filter->GetHausdorff(), 6.0);
+}
+
 TEST(ContourDistanceFilter, SaysWhatIsMissing)
 {
   const auto filter = FilterType::New();

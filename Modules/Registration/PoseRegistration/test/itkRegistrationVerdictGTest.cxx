@@ -559,6 +559,27 @@ TEST(RegistrationVerdict, PoorFitOfOneJawIsNamedForTheOtherThatSharesThePose)
   EXPECT_TRUE(NamesOf(Verdict::Evaluate(result)[0]).empty());
 }
 
+TEST(RegistrationVerdict, AJawThatTheOtherOnePlacedIsAsBadAsThatOne)
+{
+  Result result = MakeGoodResult(2);
+  result.jaws[1].placedByOther = true;
+  result.jaws[1].fit.numberOfPoints = 0;
+  const auto severity = [&result]() {
+    for (const auto & name : NamesOf(Verdict::Evaluate(result).at(1)))
+    {
+      if (name.first == "placed-by-other")
+      {
+        return name.second;
+      }
+    }
+    ADD_FAILURE() << "it is not said";
+    return StatusEnum::Ok;
+  };
+  EXPECT_EQ(severity(), StatusEnum::Ok);
+  result.jaws[0].fit.predictedSigma = 25.0;
+  EXPECT_EQ(severity(), Failed);
+}
+
 TEST(RegistrationVerdict, SideCodesAreNamedFromMoreThanHalf)
 {
   Result result = MakeGoodResult();
