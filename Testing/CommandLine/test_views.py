@@ -137,13 +137,20 @@ def test_the_shared_sample_is_closer_with_its_second_view(run, shared_cases, tmp
 
 @pytest.mark.parametrize(
     "field, value, code",
-    [("cephalogram.patient_left", "left", "view-sides"), ("geometry.principal_point_px", [20.0, 800.0], None)],
+    [
+        ("cephalogram.patient_left", "left", "view-sides"),
+        ("geometry.principal_point_px", [20.0, 800.0], "view-disagrees"),
+        ("geometry.source", "front", "view-source"),
+        ("cephalogram.pixel_spacing_mm", [0.12, 0.12], "view-disagrees"),
+    ],
 )
-def test_what_was_said_wrong_of_a_view_is_named(run, frontal_phantom, tmp_path, field, value, code):
+@pytest.mark.parametrize("drawn", ["landmarks", "both"])
+def test_what_was_said_wrong_of_a_view_is_named(run, frontal_phantom, tmp_path, field, value, code, drawn):
     def change(case):
         group, name = field.split(".")
         case["views"][0][group][name] = value
-        case["views"][0].pop("contours")
+        if drawn == "landmarks":
+            case["views"][0].pop("contours")
 
     done, result = register(run, changed(frontal_phantom, tmp_path / "case", change), tmp_path / "out")
     assert done.returncode == 0, done.stderr
@@ -151,8 +158,40 @@ def test_what_was_said_wrong_of_a_view_is_named(run, frontal_phantom, tmp_path, 
     assert view["status"] == "suspect"
     codes = [finding["code"] for finding in view["findings"]]
     assert code in codes if code else codes
+    # What contradicts is let go: the lateral radiograph places the jaws as it would alone.
     for jaw in result["jaws"].values():
         assert jaw["status"] == "suspect" and "view" in [finding["code"] for finding in jaw["findings"]]
+        assert jaw["error"]["mean_px"] < 2.0
+
+
+def test_one_drawing_does_not_count_twice(run, frontal_phantom, tmp_path):
+    def twice(case):
+        case["views"].append(dict(case["views"][0], name="again"))
+
+    done, result = register(run, changed(frontal_phantom, tmp_path / "twice", twice), tmp_path / "one")
+    assert done.returncode == 0, done.stderr
+    assert list(result["views"]) == ["frontal"]
+    assert any("view again is not used" in warning and "view frontal" in warning for warning in result["warnings"])
+
+    def lateral(case):
+        case["views"] = [
+            {"name": "second", "direction": "lateral", "contours": case["contours"],
+             "cephalogram": {key: value for key, value in case["cephalogram"].items() if key != "image"}
+             | {"image_size": [703, 938]},
+             "geometry": case["geometry"]}
+        ]
+
+    done, result = register(run, changed(frontal_phantom, tmp_path / "lateral", lateral), tmp_path / "two")
+    assert done.returncode == 0, done.stderr
+    assert "views" not in result
+    assert any("the first radiograph" in warning and "would count twice" in warning for warning in result["warnings"])
+
+
+def test_presets_of_one_radiograph_say_that_they_use_no_other(run, frontal_phantom, tmp_path):
+    done = run("register", frontal_phantom / "case.json", "--output", tmp_path / "out", "--preset", "bounding-box", "--no-report")
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    assert done.returncode in (0, 1), done.stderr
+    assert any('"views" are not used by preset bounding-box' in warning for warning in result["warnings"])
 
 
 def test_errors_of_a_view_are_measured_by_landmarks_of_its_own(run, frontal_phantom, tmp_path):

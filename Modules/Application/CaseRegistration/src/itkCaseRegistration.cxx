@@ -566,6 +566,11 @@ CaseRegistration::RegisterBySimilarity()
   const auto frameOf = [this](JawEnum jaw) {
     return jaw == JawEnum::Upper ? m_Axis->GetUpperTransformOutput() : m_Axis->GetLowerTransformOutput();
   };
+  if (!m_Data->views.empty())
+  {
+    m_Result.warnings.push_back(std::string("\"views\" are not used by preset ") + ToString(m_Preset) +
+                                ", which registers with one radiograph: use preset robust");
+  }
   if (m_Data->description.initialPose || !m_Data->description.initialPlacements.empty())
   {
     m_Result.warnings.push_back(std::string("\"init.pose\" is not used by preset ") + ToString(m_Preset) +

@@ -29,6 +29,58 @@ namespace itk
 namespace
 {
 using JawEnum = ToothCode::JawEnum;
+
+/** Whether two radiographs have the same polylines, to the last point. */
+bool
+IsSameContour(const DentalContour * one, const DentalContour * other)
+{
+  if (one == nullptr || other == nullptr || one->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  const auto a = one->GetPolylines();
+  const auto b = other->GetPolylines();
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto & p, const auto & q) {
+    return p.code == q.code && p.points == q.points;
+  });
+}
+
+/** Whether two radiographs have the same marks, to the last digit. */
+bool
+IsSameLandmarks(const CephalometricLandmarkSet * one, const CephalometricLandmarkSet * other)
+{
+  if (one == nullptr || other == nullptr || one->GetLandmarks().empty())
+  {
+    return false;
+  }
+  const auto & a = one->GetLandmarks();
+  const auto & b = other->GetLandmarks();
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto & p, const auto & q) {
+    return p.name == q.name && p.point == q.point;
+  });
+}
+
+/** Whether something was drawn on both that is one drawing: it would count twice. */
+template <typename TOne, typename TOther>
+bool
+SharesADrawing(const TOne & one, const TOther & other)
+{
+  return IsSameContour(one.GetContour(JawEnum::Upper), other.GetContour(JawEnum::Upper)) ||
+         IsSameContour(one.GetContour(JawEnum::Lower), other.GetContour(JawEnum::Lower)) ||
+         IsSameLandmarks(one.cephalometricLandmarks, other.cephalometricLandmarks);
+}
+
+/** The first radiograph's, as a view's. */
+struct FirstRadiograph
+{
+  const DentalContour *
+  GetContour(JawEnum jaw) const
+  {
+    return data.GetJaw(jaw).contour;
+  }
+  const DentalCaseData &           data;
+  const CephalometricLandmarkSet * cephalometricLandmarks;
+};
 } // namespace
 
 std::shared_ptr<DentalCaseData>
@@ -55,8 +107,25 @@ MakeCaseOfView(const DentalCaseData & data, const DentalViewData & view)
 CaseViews::CaseViews(const DentalCaseData & data, CaseAxisType * axis, CaseResult & result)
   : m_Data(data)
 {
+  const FirstRadiograph first{ data, data.cephalometricLandmarks.GetPointer() };
   for (const DentalViewData & view : data.views)
   {
+    const auto sameView = std::find_if(m_ViewData.begin(), m_ViewData.end(), [&view](const DentalViewData * other) {
+      return SharesADrawing(view, *other);
+    });
+    if (SharesADrawing(view, first) || sameView != m_ViewData.end())
+    {
+      result.warnings.push_back(
+        "view " + view.description.name + " is not used: what was drawn on it is the drawing of " +
+        (sameView != m_ViewData.end() ? "view " + (*sameView)->description.name : std::string("the first radiograph")) +
+        ", to the last digit, and would count twice; name the file that was drawn on this radiograph");
+      continue;
+    }
+    if (view.description.direction == CephalometricGeometry::DirectionEnum::Lateral)
+    {
+      result.warnings.push_back("view " + view.description.name +
+                                " is a second lateral radiograph: it says nothing of how far the jaws stand to a side");
+    }
     auto own = CephalogramView::New();
     own->SetName(view.description.name);
     own->SetGeometry(view.geometry);

@@ -75,7 +75,8 @@ class ToothOutline;
  * counts less where it lies apart from its tooth's others, by the Geman-McClure kernel on what the tooth's own errors
  * leave of r, and S is widened by the same kernel where the tooth as a whole lies further off than hands draw: one
  * gross error of four outlines does not move the others. Where most of four or more teeth lie far off, it is the jaw
- * that is not at its place yet, and the kernel is as wide as they are spread.
+ * that is not at its place yet, and the kernel is as wide as they are spread, up to 10 standard deviations, of which
+ * each update leaves less: a drawing that contradicts all else is let go in the end.
  *
  * Inputs: SetTransform() (its geometry), SetCrowns() in the dental frame (mm), SetFixedContour() (continuous pixel
  * indices), SetJaw(). Blocks read: "pose" and "scale", or as named (PoseStateBlocks). Clone() shares what is prepared.
@@ -162,14 +163,14 @@ public:
    * and 1 are known to be wrong, as a tip is placed by the line that is drawn through it, and with 0.3 the sigma of
    * what is registered with both is a seventh too wide or a tenth too narrow where it is 0 or 0.6. */
   static constexpr double SharedErrorShare = 0.3;
-  /** Positions (1 to 8) of teeth whose landmarks are registered with as well. Two measurements that share a part of
-   * their error are worth as much as two independent ones whose variances are larger by that part. Of a frontal
-   * radiograph both sides are meant. */
+  /** Teeth whose landmarks are registered with as well. Two measurements that share a part of
+   * their error are worth as much as two independent ones whose variances are larger by that part. On a lateral
+   * radiograph the side does not matter. */
   void
-  SetMarkedTeeth(const std::vector<unsigned int> & positions);
+  SetMarkedTeeth(const std::vector<ToothCode> & teeth);
 
   /** Crowns that may be further than this from where they were cut, standard deviation along the arch, mm, are left
-   * out; without a limit by default. */
+   * out; without a limit by default. Of a frontal radiograph those of marked teeth. */
   itkSetMacro(MaximumCutSigma, double);
   itkGetConstMacro(MaximumCutSigma, double);
 
@@ -337,10 +338,10 @@ private:
   EvaluateAll(const PositionType & x) const;
   /** Of all teeth, in the likelier way of drawing. */
   std::vector<NoiseType>
-  ComputeNoises(const std::vector<EvaluationType> & at) const;
+  ComputeNoises(const std::vector<EvaluationType> & at, double widest) const;
   /** In one way of drawing. */
   std::vector<NoiseType>
-  ComputeNoises(const std::vector<EvaluationType> & at, std::size_t way) const;
+  ComputeNoises(const std::vector<EvaluationType> & at, std::size_t way, double widest) const;
   /** Weights of a tooth's points, and its own errors as if it were none of those that are let go. */
   NoiseType
   ComputeNoise(const ToothType & tooth, const EvaluationType & at, std::size_t way) const;
@@ -362,18 +363,20 @@ private:
 
   JawEnum                   m_Jaw{ JawEnum::Upper };
   ErrorsType                m_Errors;
-  std::vector<unsigned int> m_MarkedTeeth;
+  std::vector<ToothCode>    m_MarkedTeeth;
   double                    m_MaximumCutSigma{ std::numeric_limits<double>::infinity() };
   std::vector<std::uint8_t> m_ExcludedTeeth;
 
   std::string             m_Failure;
   std::vector<UnusedType> m_Unused;
   /** Constant and shared by clones. */
-  std::shared_ptr<const TeethType>    m_Teeth;
-  HoldEnum                            m_Hold{ HoldEnum::Nothing };
-  PositionType                        m_HeldPosition;
-  std::vector<EvaluationType>         m_Held;
-  mutable std::vector<NoiseType>      m_Noise;
+  std::shared_ptr<const TeethType> m_Teeth;
+  HoldEnum                         m_Hold{ HoldEnum::Nothing };
+  PositionType                     m_HeldPosition;
+  std::vector<EvaluationType>      m_Held;
+  mutable std::vector<NoiseType>   m_Noise;
+  /** Of the noise, since it was prepared or cloned: a clone begins a run of its own. */
+  unsigned int                        m_NumberOfUpdates{ 0 };
   mutable PositionType                m_LastPosition;
   mutable std::vector<EvaluationType> m_Last;
 };

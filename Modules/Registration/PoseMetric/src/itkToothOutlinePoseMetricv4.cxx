@@ -57,6 +57,10 @@ constexpr double ShiftRidge = 1.0 / 144.0;
 /** Fewest teeth that have a spread. As of points the width follows it where it is larger: a jaw that is still some
  * millimetres beside its place is off with all of its teeth, and is not to be caught by the one that happens to fit. */
 constexpr std::size_t FewestTeethWithASpread = 4;
+/** The widest that it may become, standard deviations, and what is left of that after each update: by the sixth a
+ * drawing that contradicts all else, as one of another patient or scale does, is let go. */
+constexpr double WidestInSigmas = 10.0;
+constexpr double NarrowsBy = 0.85;
 /** No weight is quite 0: the covariance is inverted. */
 constexpr double SmallestWeight = 1e-4;
 /** Component along the arch of a normal above which its point is at an end of the tooth. */
@@ -148,11 +152,11 @@ ToothOutlinePoseMetricv4::SetErrors(const ErrorsType & errors)
 }
 
 void
-ToothOutlinePoseMetricv4::SetMarkedTeeth(const std::vector<unsigned int> & positions)
+ToothOutlinePoseMetricv4::SetMarkedTeeth(const std::vector<ToothCode> & teeth)
 {
-  if (m_MarkedTeeth != positions)
+  if (m_MarkedTeeth != teeth)
   {
-    m_MarkedTeeth = positions;
+    m_MarkedTeeth = teeth;
     this->Modified();
   }
 }
@@ -183,6 +187,7 @@ ToothOutlinePoseMetricv4::Prepare()
   m_Failure.clear();
   m_Unused.clear();
   m_Noise.clear();
+  m_NumberOfUpdates = 0;
   m_LastPosition.clear();
   m_Hold = HoldEnum::Nothing;
   const PoseGeometry & geometry = this->GetTransform()->GetPoseGeometry();
@@ -246,7 +251,10 @@ ToothOutlinePoseMetricv4::Prepare()
       m_Unused.push_back({ tooth.name, "its crown was not found on the scan" });
       continue;
     }
-    if (sigmaAlong > m_MaximumCutSigma)
+    const bool marked = std::any_of(m_MarkedTeeth.begin(), m_MarkedTeeth.end(), [&](const ToothCode & tooth) {
+      return isFrontal ? tooth == polyline.code : tooth.GetPosition() == position;
+    });
+    if (sigmaAlong > m_MaximumCutSigma && (marked || !isFrontal))
     {
       m_Unused.push_back(
         { tooth.name,
@@ -263,7 +271,6 @@ ToothOutlinePoseMetricv4::Prepare()
     tooth.model = std::make_shared<const PoseToothContourModel>(
       crowns, front ? LandmarkCounterpartSet::RuleEnum::Foremost : LandmarkCounterpartSet::RuleEnum::Middle, m_Jaw);
     const ErrorsType errors = WithSigma(m_Errors, ComputeSigma(polyline, geometry));
-    const bool       marked = std::find(m_MarkedTeeth.begin(), m_MarkedTeeth.end(), position) != m_MarkedTeeth.end();
     const double     shared = marked ? 1.0 + SharedErrorShare : 1.0;
     const double     ofArch = isFrontal ? ArchAlongFilm[position - 1] : 1.0;
     const double     along = std::hypot(errors.along, magnification * ofArch * sigmaAlong) * perMillimetre;
@@ -471,7 +478,7 @@ ToothOutlinePoseMetricv4::EvaluateAll(const PositionType & x) const
   }
   if (m_Noise.empty())
   {
-    m_Noise = this->ComputeNoises(m_Last);
+    m_Noise = this->ComputeNoises(m_Last, WidestInSigmas * std::pow(NarrowsBy, m_NumberOfUpdates));
   }
   return m_Last;
 }
@@ -552,16 +559,16 @@ ToothOutlinePoseMetricv4::ComputeDistance(const ToothType & tooth, const NoiseTy
 }
 
 std::vector<ToothOutlinePoseMetricv4::NoiseType>
-ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at) const
+ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at, double widest) const
 {
-  std::vector<NoiseType> byHand = this->ComputeNoises(at, 0);
+  std::vector<NoiseType> byHand = this->ComputeNoises(at, 0, widest);
   const bool             mayBeTemplates = std::all_of(
     this->GetTeeth().begin(), this->GetTeeth().end(), [](const ToothType & tooth) { return tooth.mayBeTemplate; });
   if (!mayBeTemplates || byHand.empty())
   {
     return byHand;
   }
-  std::vector<NoiseType> byTemplate = this->ComputeNoises(at, 1);
+  std::vector<NoiseType> byTemplate = this->ComputeNoises(at, 1, widest);
   double                 difference = TemplatePenalty;
   for (std::size_t t = 0; t < at.size(); ++t)
   {
@@ -576,7 +583,7 @@ ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at) 
 }
 
 std::vector<ToothOutlinePoseMetricv4::NoiseType>
-ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at, std::size_t way) const
+ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at, std::size_t way, double widest) const
 {
   std::vector<NoiseType> noises;
   std::vector<double>    distances;
@@ -591,7 +598,7 @@ ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at, 
     auto       sorted = distances;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
-    width = std::max(width, WidthInSigmas * SigmaOfMedian * *middle);
+    width = std::max(width, std::min(widest, WidthInSigmas * SigmaOfMedian * *middle));
   }
   for (std::size_t t = 0; t < at.size(); ++t)
   {
@@ -691,6 +698,7 @@ ToothOutlinePoseMetricv4::UpdateNoiseCorrelation(const PositionType & x)
 {
   m_Noise.clear();
   this->EvaluateAll(x);
+  ++m_NumberOfUpdates;
 }
 
 void
@@ -779,7 +787,7 @@ ToothOutlinePoseMetricv4::ComputeOutlineResiduals(const PositionType & x) const
 {
   const PoseGeometry &      geometry = this->GetTransform()->GetPoseGeometry();
   const auto &              teeth = this->EvaluateAll(x);
-  const auto                noises = this->ComputeNoises(teeth);
+  const auto                noises = this->ComputeNoises(teeth, ToothWidthInSigmas);
   std::vector<ResidualType> residuals;
   for (std::size_t t = 0; t < teeth.size(); ++t)
   {
@@ -909,6 +917,7 @@ ToothOutlinePoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Teeth: " << (m_Teeth ? m_Teeth->size() : 0) << std::endl;
   os << indent << "Hold: " << static_cast<int>(m_Hold) << ", held " << m_Held.size() << " at " << m_HeldPosition.size()
      << std::endl;
+  os << indent << "NumberOfUpdates: " << m_NumberOfUpdates << std::endl;
   os << indent << "Noise: " << m_Noise.size() << ", last " << m_Last.size() << " at " << m_LastPosition.size()
      << std::endl;
 }

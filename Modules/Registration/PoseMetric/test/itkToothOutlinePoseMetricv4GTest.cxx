@@ -317,7 +317,7 @@ TEST(ToothOutlinePoseMetricv4, AToothThatIsMarkedAsWellCountsLess)
   const auto traced = MakeTracing(Moved(MakeDrawing(false), 6.0, 4.0), MakeDrawing(true));
   const auto alone = MakeMetric(traced);
   const auto marked = MakeMetric(traced);
-  marked->SetMarkedTeeth({ 1 });
+  marked->SetMarkedTeeth({ itk::ToothCode(21) });
   alone->Initialize();
   marked->Initialize();
   const auto x = alone->GetState().GetValues();

@@ -52,12 +52,7 @@ OtherViewHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupR
     return true;
   }
   const PoseViewInput & view = *found;
-  // Few landmarks beside a long tracing hardly show in a score: always, as it costs no search. But the source moves
-  // teeth by a millimetre against each other, and a tooth's outline is as uncertain.
-  if (m_Question == QuestionEnum::Source && (view.tracings[0].IsNotNull() || view.tracings[1].IsNotNull()))
-  {
-    return false;
-  }
+  // Few landmarks beside a long tracing hardly show in a score: always, as it costs no search.
   if (m_Question == QuestionEnum::Head && !view.sameHeadPosition)
   {
     return false;

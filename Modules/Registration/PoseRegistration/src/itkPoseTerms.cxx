@@ -159,13 +159,16 @@ MakeOutlineTerm(const PoseJawInput &               jaw,
   }
   if (landmarkTerm != nullptr)
   {
-    std::vector<unsigned int> marked;
+    std::vector<ToothCode> marked;
     for (const auto & landmark : landmarks->GetLandmarks())
     {
       if (landmark.meaning.jaw == jaw.jaw &&
           landmarkTerm->GetCounterparts()->Find(CephalometricLandmarkSet::MakeName(landmark.meaning)) != nullptr)
       {
-        marked.push_back(landmark.meaning.position);
+        // Without a side it is the analysis's own tooth, of whichever side.
+        const unsigned int right = jaw.jaw == ToothCode::JawEnum::Upper ? 10 : 40;
+        marked.push_back(landmark.meaning.tooth.IsKnown() ? landmark.meaning.tooth
+                                                          : ToothCode(right + landmark.meaning.position));
       }
     }
     term->SetMarkedTeeth(marked);
