@@ -69,7 +69,8 @@ def test_page_holds_the_tables_and_the_pictures(experiment):
     drawn = [*experiment.glob("figure_*.png"), *experiment.glob("plots/*.png")]
     assert pictures == {path.read_bytes() for path in drawn} and len(drawn) >= 4
     assert data["text"] == "tables.md" and (experiment / data["text"]).exists()
-    assert "default-src 'none'" in text and "http" not in text.split("<body>")[0]
+    head = text.split("<body>")[0]
+    assert "default-src 'none'" in text and "http:" not in head and "https:" not in head
 
 
 def test_every_figure_follows_from_the_landmarks(experiment):

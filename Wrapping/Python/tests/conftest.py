@@ -10,6 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 def pytest_addoption(parser):
     parser.addoption("--build-dir", default=str(ROOT / "build" / "test"), help="build tree with python/dentalscr")
     parser.addoption("--installed", action="store_true", help="test the package that is installed, not the build tree's")
+    parser.addoption("--at-length", action="store_true", help="make and try a wheel, too, which takes minutes")
 
 
 def pytest_configure(config):

@@ -34,7 +34,7 @@ def test_axis_filter_tells_widths_and_confidence(ds, jaws):
     process.Execute(jaws["upper"].mesh, jaws["lower"].mesh)
     assert 30 < process.GetArchWidth("upper") < 70 and process.GetConfidence("upper") > 0.5
     assert process.GetJawsAreInOneFrame()
-    with pytest.raises(ds.ArgumentError, match="Upper or Lower"):
+    with pytest.raises(ds.ArgumentError, match="upper or the lower"):
         process.GetArchDepth("unknown")
 
 

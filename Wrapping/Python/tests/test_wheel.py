@@ -4,6 +4,7 @@ import os
 import pathlib
 import re
 import shutil
+import stat
 import subprocess
 import sys
 import sysconfig
@@ -29,8 +30,10 @@ def call(*arguments, **keywords):
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory):
+def wheel(tmp_path_factory, pytestconfig):
     """Made from an sdist, for the Python that runs this."""
+    if not pytestconfig.getoption("--at-length"):
+        pytest.skip("to make a wheel takes minutes: --at-length")
     for name in ("auditwheel", "scikit_build_core"):
         pytest.importorskip(name)
     folder = tmp_path_factory.mktemp("wheel")
@@ -153,6 +156,8 @@ def empty_root(python, site, tmp_path_factory):
     shutil.copytree(site, root / "site", ignore=shutil.ignore_patterns("__pycache__", "pip*", "setuptools*"))
     (root / "tmp").mkdir()
     (root / "proc").mkdir()
+    (root / "dev").mkdir()
+    os.mknod(root / "dev" / "null", 0o666 | stat.S_IFCHR, os.makedev(1, 3))
     copy(interpreter)
     wanted = [interpreter, *compiled_files(root / str(modules).lstrip("/"))]
     for file in [*wanted, *compiled_files(root / "site" / "numpy"), site / "dentalscr" / "dentalscr-decode"]:

@@ -30,8 +30,8 @@ namespace itk
  *
  * Distances, direction and side of the source stay. A scale that was estimated is in the spacing then, and a turn in
  * the image in the pose. What no such geometry has, a skew of the pixels' axes, is left out. Throws an ExceptionObject
- * where the matrix is no projection of which the origin of the object's frame is in front of the source. \ingroup
- * CephalometricGeometry */
+ * where the matrix is no projection of which the origin of the object's frame is in front of the source.
+ * \ingroup CephalometricGeometry */
 CephalometricGeometry_EXPORT void
 PlaceByProjection(const std::array<double, 12> & matrix, CephalometricGeometry * geometry);
 } // namespace itk
