@@ -61,38 +61,38 @@ test_wheel() {
   mkdir -p build/roots/index
   local get=(/usr/bin/python3 -m pip download -q --disable-pip-version-check --only-binary :all: -d build/roots/index)
   "${get[@]}" "numpy<2" && "${get[@]}" "numpy>=2" SimpleITK itk vtk pytest pillow
-  mkdir -p "$root/work/index"
-  cp build/roots/index/*.whl "$wheel" "$root/work/index/"
-  cp -r Examples Wrapping Documentation README.md CMakeLists.txt "$root/work/"
-  mkdir "$root/work/Testing" && cp -r Testing/conftest.py Testing/Examples "$root/work/Testing/"
+  mkdir -p "$root/trial/index"
+  cp build/roots/index/*.whl "$wheel" "$root/trial/index/"
+  cp -r Examples Wrapping Documentation README.md CMakeLists.txt "$root/trial/"
+  mkdir "$root/trial/Testing" && cp -r Testing/conftest.py Testing/Examples "$root/trial/Testing/"
   # What the page of the wheel says that it needs: the C and C++ libraries alone.
   ! ls "$root"/usr/lib/*/libITK* "$root"/usr/lib/libITK* "$root"/usr/lib/*/libcairo* "$root"/usr/lib/*/libX11* 2>/dev/null
   local begin=$SECONDS numpy
   for numpy in "numpy<2" "numpy>=2"; do
-    inside rm -rf /work/venv
-    inside python3 -m venv /work/venv
-    inside /work/venv/bin/pip install -q --no-index --find-links /work/index dentalscr "$numpy"
-    inside /work/venv/bin/python -c 'import time; begin = time.process_time(); import dentalscr, numpy
+    inside rm -rf /trial/venv
+    inside python3 -m venv /trial/venv
+    inside /trial/venv/bin/pip install -q --no-index --find-links /trial/index dentalscr "$numpy"
+    inside /trial/venv/bin/python -c 'import time; begin = time.process_time(); import dentalscr, numpy
 print("imported with numpy", numpy.__version__, "in %.2f s of CPU" % (time.process_time() - begin))'
-    inside /work/venv/bin/dentalscr phantom --level typical --seed 7 --output /work/case --quiet
-    inside /work/venv/bin/dentalscr register /work/case/case.json --output /work/result
-    test -s "$root/work/result/report.html"
-    inside rm -rf /work/result /work/case
+    inside /trial/venv/bin/dentalscr phantom --level typical --seed 7 --output /trial/case --quiet
+    inside /trial/venv/bin/dentalscr register /trial/case/case.json --output /trial/result
+    test -s "$root/trial/result/report.html"
+    inside rm -rf /trial/result /trial/case
   done
-  inside /work/venv/bin/pip install -q --no-index --find-links /work/index "dentalscr[scene]" SimpleITK itk vtk pytest
+  inside /trial/venv/bin/pip install -q --no-index --find-links /trial/index "dentalscr[scene]" SimpleITK itk vtk pytest
   # Every order of import: each has an ITK or a VTK of its own.
   for order in "dentalscr, SimpleITK, itk, vtk" "vtk, itk, SimpleITK, dentalscr"; do
-    inside /work/venv/bin/python -c "import $order
+    inside /trial/venv/bin/python -c "import $order
 import numpy
 a = dentalscr.from_sitk(SimpleITK.GetImageFromArray(numpy.ones((4, 5), numpy.float32)))
 b = dentalscr.from_itk(itk.image_from_array(numpy.ones((4, 5), numpy.float32)))
 assert a.array.shape == b.array.shape == (4, 5)"
   done
-  inside sh -c 'cd /work && venv/bin/python -m pytest -q -p no:cacheprovider --installed Wrapping/Python/tests \
+  inside sh -c 'cd /trial && venv/bin/python -m pytest -q -p no:cacheprovider --installed Wrapping/Python/tests \
     --ignore Wrapping/Python/tests/test_wheel.py --ignore Wrapping/Python/tests/test_tutorials.py \
     --ignore Wrapping/Python/tests/test_package.py'
   # The examples' own test, which finds the installed program where it would find that of a build tree.
-  inside sh -c 'mkdir -p /work/build/bin && ln -s /work/venv/bin/dentalscr /work/build/bin/ && cd /work &&
+  inside sh -c 'mkdir -p /trial/build/bin && ln -s /trial/venv/bin/dentalscr /trial/build/bin/ && cd /trial &&
     venv/bin/python -m pytest -q -p no:cacheprovider Testing/Examples/test_examples.py -k python_twin --build-dir build'
   echo "wheel: $((SECONDS - begin)) s"
   leave
@@ -106,10 +106,10 @@ test_deb() {
   inside sh -c 'apt-get install -y -qq --no-install-recommends /packages/*.deb > /packages/log 2>&1 || { tail /packages/log; exit 1; }'
   echo "deb: installed in $((SECONDS - begin)) s, $(inside sh -c 'dpkg-query -W -f="\${Package}\n" | wc -l') packages in the root"
   inside dentalscr --version
-  inside dentalscr phantom --level typical --seed 7 --output /work/case --quiet
-  inside dentalscr register /work/case/case.json --output /work/result
+  inside dentalscr phantom --level typical --seed 7 --output /trial/case --quiet
+  inside dentalscr register /trial/case/case.json --output /trial/result
   inside dentalscr-view --help >/dev/null
-  test -s "$root/work/result/report.html" && test -s "$root/usr/share/man/man1/dentalscr-register.1.gz"
+  test -s "$root/trial/result/report.html" && test -s "$root/usr/share/man/man1/dentalscr-register.1.gz"
   inside bash -c 'source /usr/share/bash-completion/completions/dentalscr && complete -p dentalscr'
   # Nothing is left of it.
   inside apt-get purge -y -qq dentalscr dentalscr-view >/dev/null 2>&1
@@ -126,9 +126,9 @@ test_dev() {
   inside sh -c 'apt-get install -y -qq --no-install-recommends /packages/dentalscr_*.deb /packages/libdentalscr-dev_*.deb \
     g++ cmake ninja-build > /packages/log 2>&1 || { tail /packages/log; exit 1; }'
   echo "dev: installed in $((SECONDS - begin)) s"
-  inside sh -c 'cmake -S /usr/share/doc/dentalscr/examples/InstalledPackage -B /work -G Ninja -DCMAKE_BUILD_TYPE=Release > /packages/log &&
-    cmake --build /work >> /packages/log || { tail -n 40 /packages/log; exit 1; }'
-  inside /work/InstalledPackage
+  inside sh -c 'cmake -S /usr/share/doc/dentalscr/examples/InstalledPackage -B /trial -G Ninja -DCMAKE_BUILD_TYPE=Release > /packages/log &&
+    cmake --build /trial >> /packages/log || { tail -n 40 /packages/log; exit 1; }'
+  inside /trial/InstalledPackage
   echo "dev: $((SECONDS - begin)) s"
   leave
 }
