@@ -62,23 +62,26 @@ HoldStandardStreams()
   }
 }
 
-/** Waits until this process has no thread but this one. A thread that was joined is counted among the user's processes
- * for a moment longer, in which the system may give no new one. */
-void
-WaitUntilAlone()
+/** The threads of this process as the system counts them; 0 where it does not tell. */
+std::ptrdiff_t
+CountThreads()
 {
-#if defined(__linux__)
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-  const auto isAlone = []() {
-    std::error_code error;
-    const auto      threads = std::filesystem::directory_iterator("/proc/self/task", error);
-    return error || std::distance(begin(threads), std::filesystem::directory_iterator()) <= 1;
-  };
-  while (!isAlone() && std::chrono::steady_clock::now() < end)
+  std::error_code error;
+  const auto      threads = std::filesystem::directory_iterator("/proc/self/task", error);
+  return error ? 0 : std::distance(begin(threads), std::filesystem::directory_iterator());
+}
+
+/** Waits until the system counts no more threads than before some were started and joined. A joined one is counted
+ * among the user's processes for a moment longer, in which it may give no new one. Others there may be: those of a
+ * host. */
+void
+WaitForThreadsToLeave(std::ptrdiff_t before)
+{
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
+  while (CountThreads() > before && std::chrono::steady_clock::now() < end)
   {
     std::this_thread::yield();
   }
-#endif
 }
 
 int
@@ -136,6 +139,7 @@ SetNumberOfThreads(unsigned int wanted)
   std::condition_variable  changed;
   bool                     isOver = false;
   std::vector<std::thread> threads;
+  const std::ptrdiff_t     before = CountThreads();
   itk::StartThreads(
     wanted,
     [&]() {
@@ -161,7 +165,7 @@ SetNumberOfThreads(unsigned int wanted)
   }
   else
   {
-    WaitUntilAlone();
+    WaitForThreadsToLeave(before);
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
     const itk::ThreadPool::Pointer pool = itk::ThreadPool::GetInstance();
     try
