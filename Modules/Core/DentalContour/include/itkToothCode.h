@@ -141,6 +141,9 @@ public:
   /** The same tooth of the other side. */
   ToothCode
   GetContralateral() const;
+  /** The same tooth of the other jaw, on the same side. */
+  ToothCode
+  GetOpposing() const;
   /** 1..32; 0 where unknown and for primary teeth, which have letters. */
   unsigned int
   GetUniversal() const;

@@ -305,6 +305,13 @@ ToothCode::GetContralateral() const
   return ToothCode(10 * (other[this->GetQuadrant()] + (this->IsPrimary() ? 4 : 0)) + this->GetPosition());
 }
 
+ToothCode
+ToothCode::GetOpposing() const
+{
+  constexpr unsigned int other[] = { 0, 4, 3, 2, 1 };
+  return ToothCode(10 * (other[this->GetQuadrant()] + (this->IsPrimary() ? 4 : 0)) + this->GetPosition());
+}
+
 unsigned int
 ToothCode::GetUniversal() const
 {

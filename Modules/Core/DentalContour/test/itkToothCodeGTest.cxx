@@ -32,6 +32,10 @@ TEST(ToothCode, EveryToothSurvivesEveryNumbering)
     EXPECT_EQ(ToothCode::FromString(code.GetName()), code);
     EXPECT_EQ(ToothCode::FromString(std::to_string(code.GetFDI()), ToothCode::NumberingEnum::FDI), code);
     EXPECT_EQ(code.GetContralateral().GetContralateral(), code);
+    EXPECT_EQ(code.GetOpposing().GetOpposing(), code);
+    EXPECT_EQ(code.GetOpposing().IsRight(), code.IsRight());
+    EXPECT_EQ(code.GetOpposing().GetJaw(), itk::OtherJaw(code.GetJaw()));
+    EXPECT_EQ(code.GetOpposing().GetPosition(), code.GetPosition());
     EXPECT_NE(code.IsRight(), code.IsLeft());
   }
 }
@@ -83,6 +87,8 @@ TEST(ToothCode, PrimaryTeethSurviveEveryNumbering)
       EXPECT_NE(code.IsRight(), code.IsLeft());
       EXPECT_EQ(code.GetContralateral().GetContralateral(), code);
       EXPECT_TRUE(code.GetContralateral().IsPrimary());
+      EXPECT_TRUE(code.GetOpposing().IsPrimary());
+      EXPECT_EQ(code.GetOpposing().GetOpposing(), code);
       EXPECT_NE(code, ToothCode(10 * (quadrant - 4) + position));
     }
   }

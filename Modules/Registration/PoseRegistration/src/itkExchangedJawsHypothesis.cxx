@@ -77,9 +77,7 @@ RenameCrowns(const ToothCrownSet & crowns)
   const auto renamed = ToothCrownSet::New();
   for (ToothCrownSet::CrownType crown : crowns.GetCrowns())
   {
-    // 1 upper right, 2 upper left, 3 lower left, 4 lower right; 5 to 8 of milk teeth.
-    constexpr unsigned int others[9] = { 0, 3, 4, 1, 2, 7, 8, 5, 6 };
-    crown.tooth = ToothCode(10 * others[crown.tooth.GetQuadrant()] + crown.tooth.GetPosition());
+    crown.tooth = crown.tooth.GetOpposing().GetContralateral();
     renamed->Add(crown);
   }
   return renamed;

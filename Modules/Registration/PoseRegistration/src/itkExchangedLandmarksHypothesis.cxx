@@ -29,11 +29,7 @@ NameOfOtherJaw(const CephalometricLandmarkSet::LandmarkType & landmark)
 {
   CephalometricLandmarkSet::MeaningType meaning = landmark.meaning;
   meaning.jaw = OtherJaw(meaning.jaw);
-  if (meaning.tooth.IsKnown())
-  {
-    // Right: 1 and 4, left: 2 and 3.
-    meaning.tooth = ToothCode(10 * (5 - meaning.tooth.GetQuadrant()) + meaning.tooth.GetPosition());
-  }
+  meaning.tooth = meaning.tooth.GetOpposing();
   return CephalometricLandmarkSet::MakeName(meaning);
 }
 } // namespace
