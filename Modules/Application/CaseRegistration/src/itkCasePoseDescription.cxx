@@ -18,6 +18,7 @@
 #include "itkCasePoseDescription.h"
 
 #include "itkContourDistanceFilter.h"
+#include "itkJoinNames.h"
 #include "itkLandmarkCounterpartFilter.h"
 #include "itkLandmarkProjectionFilter.h"
 #include "itkMatchedContourFilter.h"
@@ -30,6 +31,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 namespace itk
@@ -283,12 +285,13 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
 }
 
 LandmarkCounterpartSet::Pointer
-FindCaseCounterparts(const DentalCaseData &           data,
-                     const CephalometricLandmarkSet * landmarks,
-                     bool                             ignoreSides,
-                     CaseAxisType *                   axis,
-                     const std::string &              prefix,
-                     CaseResult &                     result)
+FindCaseCounterparts(const DentalCaseData &               data,
+                     const CephalometricLandmarkSet *     landmarks,
+                     CephalometricGeometry::DirectionEnum direction,
+                     bool                                 ignoreSides,
+                     CaseAxisType *                       axis,
+                     const std::string &                  prefix,
+                     CaseResult &                         result)
 {
   auto filter = LandmarkCounterpartFilter::New();
   filter->SetCephalometricLandmarks(landmarks);
@@ -316,11 +319,19 @@ FindCaseCounterparts(const DentalCaseData &           data,
     }
   }
   filter->SetExcludedTeeth(data.description.excludedTeeth);
+  filter->SetDirection(direction);
   filter->SetIgnoreSides(ignoreSides);
   filter->Update();
+  std::map<std::string, std::vector<std::string>> namesOfReason;
   for (const auto & unused : filter->GetUnused())
   {
-    result.warnings.push_back(prefix + "landmark " + unused.name + " is not used: " + unused.reason);
+    namesOfReason[unused.reason].push_back(unused.name);
+  }
+  for (const auto & entry : namesOfReason)
+  {
+    const bool several = entry.second.size() > 1;
+    result.warnings.push_back(prefix + (several ? "landmarks " : "landmark ") + JoinNames(entry.second) +
+                              (several ? " are" : " is") + " not used: " + entry.first);
   }
   LandmarkCounterpartSet::Pointer counterparts = filter->GetOutput();
   counterparts->DisconnectPipeline();

@@ -42,12 +42,13 @@ ToRows(const PoseSolution::ProjectionMatrixType & projection);
 
 /** Where the landmarks are on the scans; what is not used, and why, is a warning that begins with the prefix. */
 LandmarkCounterpartSet::Pointer
-FindCaseCounterparts(const DentalCaseData &           data,
-                     const CephalometricLandmarkSet * landmarks,
-                     bool                             ignoreSides,
-                     CaseAxisType *                   axis,
-                     const std::string &              prefix,
-                     CaseResult &                     result);
+FindCaseCounterparts(const DentalCaseData &               data,
+                     const CephalometricLandmarkSet *     landmarks,
+                     CephalometricGeometry::DirectionEnum direction,
+                     bool                                 ignoreSides,
+                     CaseAxisType *                       axis,
+                     const std::string &                  prefix,
+                     CaseResult &                         result);
 
 /** What a pixel's length is known by. */
 ScalePrior::SpacingSource

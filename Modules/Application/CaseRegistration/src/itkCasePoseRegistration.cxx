@@ -182,8 +182,13 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   LandmarkCounterpartSet::Pointer counterparts;
   if (data.cephalometricLandmarks.IsNotNull())
   {
-    counterparts = FindCaseCounterparts(
-      data, data.cephalometricLandmarks, data.description.tracedSide == TracedSideEnum::Standard, axis, "", result);
+    counterparts = FindCaseCounterparts(data,
+                                        data.cephalometricLandmarks,
+                                        CephalometricGeometry::DirectionEnum::Lateral,
+                                        data.description.tracedSide == TracedSideEnum::Standard,
+                                        axis,
+                                        "",
+                                        result);
     method->SetCephalometricLandmarks(data.cephalometricLandmarks);
     method->SetLandmarkCounterparts(counterparts);
   }
@@ -304,7 +309,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     }
     for (const std::string & unused : poseJaw.unusedOutlines)
     {
-      result.warnings.push_back("outline " + unused);
+      result.warnings.push_back(unused);
     }
     const auto numberBefore = static_cast<std::ptrdiff_t>(jaw.findings.size());
     const auto statusBefore = jaw.status;
@@ -373,7 +378,6 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     DentalContour * tracing = data.GetJaw(entry.first).contour;
     if (!traced)
     {
-      jaw.outline = CollectRimPoints(*solution->MakeMovingContour(entry.first));
       DescribeWithoutDistances(*solution, entry.first, silhouettes[ToIndex(entry.first)], jaw);
       jaw.seconds.emplace_back("contour", silhouetteProbe.GetTotal());
       continue;

@@ -147,11 +147,11 @@ public:
   void
   ClearCovariances();
 
-  /** Positions (1 to 8) of teeth of which outlines are registered with as well, drawn by the same hand: the errors of
-   * their marks are shared to ToothOutlinePoseMetricv4::SharedErrorShare, and their variances, as said, larger by it.
-   */
+  /** Teeth of which outlines are registered with as well, drawn by the same hand: the errors of their marks are shared
+   * to ToothOutlinePoseMetricv4::SharedErrorShare, and their variances, as said, larger by it. On a lateral radiograph
+   * the side does not matter. */
   void
-  SetOutlinedTeeth(const std::vector<unsigned int> & positions);
+  SetOutlinedTeeth(const std::vector<ToothCode> & teeth);
 
   /** Of the kernel as well. */
   ModifiedTimeType
@@ -258,7 +258,7 @@ private:
 
   double                                m_Sigma{ 4.0 };
   std::map<std::string, CovarianceType> m_Covariances;
-  std::vector<unsigned int>             m_OutlinedTeeth;
+  std::vector<ToothCode>                m_OutlinedTeeth;
   RobustKernel::ConstPointer            m_RobustKernel;
   double                                m_KernelWidthInSigmas{ 4.0 };
   /** Constant and shared by clones. */

@@ -43,9 +43,6 @@ public:
 
   /** Distance of the points, px of 0.25 mm. */
   static constexpr double Spacing = 2.5;
-  /** Points to either side whose chord is a point's tangent: 5 px, over which a tracing's directions are taken. */
-  static constexpr std::size_t TangentReach = 2;
-
   /** Why it cannot be used; empty where it can. */
   const std::string &
   GetFailure() const
@@ -106,6 +103,14 @@ protected:
   operator=(ToothOutline &&) = default;
   ~ToothOutline() = default;
 
+  /** Points at equal distances on a line in the working plane; of a closed one at least as many as a chord's normal
+   * needs. None where all points are one. */
+  static std::vector<PointType>
+  Resample(const std::vector<PointType> & drawn, bool closed);
+  /** The normal (dv, -du) of the chord between a point's neighbours, over which a tracing's directions are taken: on
+   * the right of the line's direction where v points down, hence outward where a closed line's area is positive. */
+  static PointType
+  ComputeNormal(const std::vector<PointType> & points, std::size_t i, bool closed);
   /** Appends a point of the crown's part. */
   void
   AddPoint(const PointType & point, const PointType & normal, double lingual);

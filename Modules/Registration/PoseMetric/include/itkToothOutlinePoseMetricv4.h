@@ -74,9 +74,9 @@ class ToothOutline;
  * W, S and the way of drawing are made by UpdateNoiseCorrelation(), between runs of an optimizer, and held: a point
  * counts less where it lies apart from its tooth's others, by the Geman-McClure kernel on what the tooth's own errors
  * leave of r, and S is widened by the same kernel where the tooth as a whole lies further off than hands draw: one
- * gross error of four outlines does not move the others. Where most of four or more teeth lie far off, it is the jaw
- * that is not at its place yet, and the kernel is as wide as they are spread, up to 10 standard deviations, of which
- * each update leaves less: a drawing that contradicts all else is let go in the end.
+ * gross error of four outlines does not move the others. While a registration is not at its end (SetReach()), and most
+ * of four or more teeth lie far off, it may be the jaw that is not at its place yet: the kernel is as wide as they are
+ * spread then, up to the reach.
  *
  * Inputs: SetTransform() (its geometry), SetCrowns() in the dental frame (mm), SetFixedContour() (continuous pixel
  * indices), SetJaw(). Blocks read: "pose" and "scale", or as named (PoseStateBlocks). Clone() shares what is prepared.
@@ -120,6 +120,10 @@ public:
     /** Along the line, px of 0.25 mm: a drift that is correlated over DriftLength px, and each point's own. */
     double drift{ 1.0 };
     double jitter{ 0.4 };
+    /** Each point's own on a frontal radiograph. A few points of an edge are matched anew with a curved outline at each
+     * position, which moves their residuals by the hand's distance from it, half a millimetre. With the jitter of a
+     * hand alone each such jump would count as evidence, and steps toward the solution as steps away from it. */
+    double frontalJitter{ 1.5 };
   };
   static constexpr double DriftLength = 15.0;
 
@@ -200,9 +204,9 @@ public:
     return m_Unused;
   }
 
-  /** Positions (1 to 8) of the teeth whose outlines are used. */
-  std::vector<unsigned int>
-  GetTeethPositions() const;
+  /** The codes of the outlines that are used. */
+  std::vector<ToothCode>
+  GetOutlinedTeeth() const;
 
   /** How a tooth's outline is explained. */
   struct ResidualType
@@ -250,6 +254,8 @@ public:
   void
   AddFit(const PositionType & x, RegistrationFit & fit) const override;
   void
+  SetReach(double standardDeviations) override;
+  void
   UpdateNoiseCorrelation(const PositionType & x) override;
   void
   Hold(HoldEnum what) override;
@@ -277,16 +283,13 @@ private:
   struct ToothType
   {
     std::string                                  name;
+    ToothCode                                    code;
     std::shared_ptr<const ToothOutline>          outline;
     std::shared_ptr<const PoseToothContourModel> model;
     /** By hand, by a template. */
     std::array<WayType, 2> ways;
     /** Whether normals along u are those of the ends at which the crown was cut from its neighbours. */
     bool endsAreCut{ false };
-    /** Whether templates are known of such a drawing. */
-    bool mayBeTemplate{ true };
-    /** Whether its points are matched as if it stood where it fits best: no start has brought it there. */
-    bool findsItsShift{ false };
     /** log |K0|. */
     double logDeterminant{ 0.0 };
   };
@@ -358,6 +361,12 @@ private:
   /** Shift, turn and size of a tooth in standard deviations. */
   static double
   ComputeDistance(const ToothType & tooth, const NoiseType & noise);
+  /** Share of a tooth's points that lie on the crown after its own errors. */
+  static double
+  ComputeMatchedShare(const NoiseType & noise);
+  /** Whether the radiograph was taken from the front, where both sides are seen beside each other. */
+  bool
+  IsFrontal() const;
   const TeethType &
   GetTeeth() const;
 
@@ -370,13 +379,13 @@ private:
   std::string             m_Failure;
   std::vector<UnusedType> m_Unused;
   /** Constant and shared by clones. */
-  std::shared_ptr<const TeethType> m_Teeth;
-  HoldEnum                         m_Hold{ HoldEnum::Nothing };
-  PositionType                     m_HeldPosition;
-  std::vector<EvaluationType>      m_Held;
-  mutable std::vector<NoiseType>   m_Noise;
-  /** Of the noise, since it was prepared or cloned: a clone begins a run of its own. */
-  unsigned int                        m_NumberOfUpdates{ 0 };
+  std::shared_ptr<const TeethType>    m_Teeth;
+  ModifiedTimeType                    m_TeethTime{ 0 };
+  HoldEnum                            m_Hold{ HoldEnum::Nothing };
+  PositionType                        m_HeldPosition;
+  std::vector<EvaluationType>         m_Held;
+  mutable std::vector<NoiseType>      m_Noise;
+  double                              m_Reach{ 0.0 };
   mutable PositionType                m_LastPosition;
   mutable std::vector<EvaluationType> m_Last;
 };

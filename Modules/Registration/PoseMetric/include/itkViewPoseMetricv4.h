@@ -100,6 +100,8 @@ public:
   void
   AddFit(const PositionType & x, RegistrationFit & fit) const override;
   void
+  SetReach(double standardDeviations) override;
+  void
   SetKernelWidth(double width) override;
   void
   SetRobustKernel(const RobustKernel * kernel) override;

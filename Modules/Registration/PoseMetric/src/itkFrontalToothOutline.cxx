@@ -56,14 +56,7 @@ FrontalToothOutline::FrontalToothOutline(const PoseGeometry &                geo
                 std::to_string(std::lround(SmallestLength)) + " are needed";
     return;
   }
-  const auto             count = static_cast<std::size_t>(std::lround(length / Spacing)) + (polyline.closed ? 0 : 1);
-  std::vector<PointType> points;
-  for (const ContourPosition & place : ResamplePolyline(drawn, polyline.closed, count))
-  {
-    const PointType & a = drawn[place.segment];
-    const PointType & b = drawn[(place.segment + 1) % drawn.size()];
-    points.push_back({ { a[0] + place.share * (b[0] - a[0]), a[1] + place.share * (b[1] - a[1]) } });
-  }
+  const auto             points = Resample(drawn, polyline.closed);
   const std::size_t      n = points.size();
   const double           occlusal = jaw == ToothCode::JawEnum::Upper ? 1.0 : -1.0;
   const double           outward = polyline.code.IsLeft() ? 1.0 : -1.0;
@@ -72,11 +65,9 @@ FrontalToothOutline::FrontalToothOutline(const PoseGeometry &                geo
   double                 area = 0.0;
   for (std::size_t i = 0; i < n; ++i)
   {
-    const bool        closed = polyline.closed;
-    const PointType & a = points[closed ? (i + n - TangentReach) % n : i - std::min(i, TangentReach)];
-    const PointType & b = points[closed ? (i + TangentReach) % n : std::min(n - 1, i + TangentReach)];
-    const double      chord = std::max(1e-9, std::hypot(b[0] - a[0], b[1] - a[1]));
-    normals.push_back({ { (b[1] - a[1]) / chord, -(b[0] - a[0]) / chord } });
+    const PointType & a = points[i];
+    const PointType & b = points[(i + 1) % n];
+    normals.push_back(ComputeNormal(points, i, polyline.closed));
     away += occlusal * normals.back()[1] + (m_Position > LastFrontTooth ? outward * normals.back()[0] : 0.0);
     area += a[0] * b[1] - a[1] * b[0];
   }

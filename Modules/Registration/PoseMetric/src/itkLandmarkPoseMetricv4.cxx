@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkLandmarkPoseMetricv4.h"
 
+#include "itkJoinNames.h"
 #include "itkPoseSilhouetteKernel.h"
 #include "itkSquaresKernel.h"
 #include "itkToothOutlinePoseMetricv4.h"
@@ -33,17 +34,6 @@ constexpr unsigned int NumberOfParameters = PoseMetricv4::NumberOfPoseParameters
 constexpr double FitWidthInSigmas = 4.0;
 
 std::string
-JoinNames(const std::vector<std::string> & names)
-{
-  std::string text;
-  for (const std::string & name : names)
-  {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text.empty() ? "none" : text;
-}
-
-std::string
 ListNames(const LandmarkCounterpartSet & counterparts)
 {
   std::vector<std::string> names;
@@ -51,7 +41,7 @@ ListNames(const LandmarkCounterpartSet & counterparts)
   {
     names.push_back(counterpart.name);
   }
-  return JoinNames(names);
+  return names.empty() ? "none" : JoinNames(names);
 }
 
 template <typename TLandmarks>
@@ -63,7 +53,7 @@ ListNames(const TLandmarks & landmarks)
   {
     names.push_back(landmark.name);
   }
-  return JoinNames(names);
+  return names.empty() ? "none" : JoinNames(names);
 }
 } // namespace
 
@@ -86,11 +76,11 @@ LandmarkPoseMetricv4::ClearCovariances()
 }
 
 void
-LandmarkPoseMetricv4::SetOutlinedTeeth(const std::vector<unsigned int> & positions)
+LandmarkPoseMetricv4::SetOutlinedTeeth(const std::vector<ToothCode> & teeth)
 {
-  if (m_OutlinedTeeth != positions)
+  if (m_OutlinedTeeth != teeth)
   {
-    m_OutlinedTeeth = positions;
+    m_OutlinedTeeth = teeth;
     this->Modified();
   }
 }
@@ -221,18 +211,21 @@ LandmarkPoseMetricv4::PairCounterparts(const LandmarkCounterpartSet &   moving,
     pair.moving = counterpart->points;
     pair.rule = counterpart->rule;
     pair.fixed = landmark.point;
-    const double   factor = landmark.confidence >= 0.0 ? ComputeConfidenceFactor(landmark.confidence) : 1.0;
-    const double   reader[2] = { ReaderSigmaAlong, ReaderSigmaAcross };
-    const double   own[2] = { counterpart->sigmaAlong, counterpart->sigmaAcross };
+    const double factor = landmark.confidence >= 0.0 ? ComputeConfidenceFactor(landmark.confidence) : 1.0;
+    const double reader[2] = { ReaderSigmaAlong, ReaderSigmaAcross };
+    const double own[2] = { counterpart->sigmaAlong, counterpart->sigmaAcross };
+    const bool   isOutlined = std::any_of(m_OutlinedTeeth.begin(), m_OutlinedTeeth.end(), [&](const ToothCode & tooth) {
+      return geometry.direction == CephalometricDirectionEnum::Frontal
+                 ? tooth == landmark.meaning.tooth
+                 : tooth.GetPosition() == landmark.meaning.position;
+    });
     CovarianceType covariance;
     covariance.Fill(0.0);
     for (unsigned int axis = 0; axis < 2; ++axis)
     {
       const double mark = landmark.sigma > 0.0 ? landmark.sigma : factor * reader[axis] / geometry.pixelSpacing[axis];
       const double scan = magnification * own[axis] / geometry.pixelSpacing[axis];
-      const bool   outlined =
-        std::find(m_OutlinedTeeth.begin(), m_OutlinedTeeth.end(), landmark.meaning.position) != m_OutlinedTeeth.end();
-      const double shared = outlined ? 1.0 + ToothOutlinePoseMetricv4::SharedErrorShare : 1.0;
+      const double shared = isOutlined ? 1.0 + ToothOutlinePoseMetricv4::SharedErrorShare : 1.0;
       covariance(axis, axis) = shared * mark * mark + scan * scan;
     }
     const auto given = m_Covariances.find(name);

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace itk
 {
@@ -57,10 +58,6 @@ constexpr double ShiftRidge = 1.0 / 144.0;
 /** Fewest teeth that have a spread. As of points the width follows it where it is larger: a jaw that is still some
  * millimetres beside its place is off with all of its teeth, and is not to be caught by the one that happens to fit. */
 constexpr std::size_t FewestTeethWithASpread = 4;
-/** The widest that it may become, standard deviations, and what is left of that after each update: by the sixth a
- * drawing that contradicts all else, as one of another patient or scale does, is let go. */
-constexpr double WidestInSigmas = 10.0;
-constexpr double NarrowsBy = 0.85;
 /** No weight is quite 0: the covariance is inverted. */
 constexpr double SmallestWeight = 1e-4;
 /** Component along the arch of a normal above which its point is at an end of the tooth. */
@@ -143,7 +140,7 @@ ToothOutlinePoseMetricv4::SetErrors(const ErrorsType & errors)
 {
   if (!(errors.along > 0.0) || !(errors.across > 0.0) || !(errors.turn > 0.0) || !(errors.size > 0.0) ||
       !(errors.templateTurn > 0.0) || !(errors.templateSize > 0.0) || !(errors.lingual > 0.0) ||
-      !(errors.drift > 0.0) || !(errors.jitter > 0.0))
+      !(errors.drift > 0.0) || !(errors.jitter > 0.0) || !(errors.frontalJitter > 0.0))
   {
     itkExceptionMacro("Errors of outlines are standard deviations and must be positive: see SetErrors().");
   }
@@ -184,24 +181,31 @@ ToothOutlinePoseMetricv4::Prepare()
   {
     itkExceptionMacro("No outlines: call SetFixedContour() with the tracing of this jaw.");
   }
-  m_Failure.clear();
-  m_Unused.clear();
   m_Noise.clear();
-  m_NumberOfUpdates = 0;
   m_LastPosition.clear();
   m_Hold = HoldEnum::Nothing;
+  const ModifiedTimeType time = std::max({ this->Object::GetMTime(),
+                                           this->GetTransform()->GetMTime(),
+                                           this->GetCrowns()->GetMTime(),
+                                           this->GetFixedContour()->GetMTime() });
+  if (m_Teeth && m_TeethTime >= time)
+  {
+    return;
+  }
+  m_Failure.clear();
+  m_Unused.clear();
   const PoseGeometry & geometry = this->GetTransform()->GetPoseGeometry();
   const bool           upper = m_Jaw == JawEnum::Upper;
   const double         perMillimetre = 1.0 / PoseWorkingPixel;
   const double         magnification = geometry.sourceToDetector / geometry.sourceToMidsagittal;
-  const bool           isFrontal = geometry.direction == CephalometricDirectionEnum::Frontal;
+  const bool           isFrontal = this->IsFrontal();
   auto                 teeth = std::make_shared<TeethType>();
   for (const auto & polyline : this->GetFixedContour()->GetPolylines())
   {
     const unsigned int position = polyline.code.GetPosition();
     ToothType          tooth;
-    const std::string  side = !isFrontal ? "" : polyline.code.IsLeft() ? "L" : "R";
-    tooth.name = (upper ? "U" : "L") + side + std::to_string(position);
+    tooth.code = polyline.code;
+    tooth.name = isFrontal ? polyline.code.GetName() : (upper ? "U" : "L") + std::to_string(position);
     if (!polyline.code.IsKnown())
     {
       m_Unused.push_back({ "without a code", "nothing says which tooth it is of" });
@@ -235,11 +239,12 @@ ToothOutlinePoseMetricv4::Prepare()
     std::vector<std::shared_ptr<const TriangleSurface>> crowns;
     double                                              sigmaAlong = 0.0;
     double                                              sigmaWidth = 0.0;
-    for (const unsigned int quadrant : { upper ? 1U : 4U, upper ? 2U : 3U })
+    const ToothCode right(10 * ((upper ? 1U : 4U) + (polyline.code.IsPrimary() ? 4U : 0U)) + position);
+    const auto      codes =
+      isFrontal ? std::vector<ToothCode>{ polyline.code } : std::vector<ToothCode>{ right, right.GetContralateral() };
+    for (const ToothCode & code : codes)
     {
-      const unsigned int tens = quadrant + (polyline.code.IsPrimary() ? 4U : 0U);
-      const ToothCode    code(10 * tens + position);
-      if (const auto * crown = this->GetCrowns()->Find(code); crown != nullptr && (!isFrontal || code == polyline.code))
+      if (const auto * crown = this->GetCrowns()->Find(code))
       {
         crowns.push_back(crown->surface);
         sigmaAlong = std::max(sigmaAlong, crown->sigmaAlong);
@@ -251,14 +256,14 @@ ToothOutlinePoseMetricv4::Prepare()
       m_Unused.push_back({ tooth.name, "its crown was not found on the scan" });
       continue;
     }
-    const bool marked = std::any_of(m_MarkedTeeth.begin(), m_MarkedTeeth.end(), [&](const ToothCode & tooth) {
-      return isFrontal ? tooth == polyline.code : tooth.GetPosition() == position;
+    const bool marked = std::any_of(m_MarkedTeeth.begin(), m_MarkedTeeth.end(), [&](const ToothCode & code) {
+      return isFrontal ? code == polyline.code : code.GetPosition() == position;
     });
     if (sigmaAlong > m_MaximumCutSigma && (marked || !isFrontal))
     {
       m_Unused.push_back(
         { tooth.name,
-          "its crown is known by a textbook's place along the arch alone, of which its landmark tells as "
+          "the crown is known by a textbook's place along the arch alone, of which a landmark tells as "
           "much: give tooth labels or landmarks_3d" });
       continue;
     }
@@ -266,10 +271,16 @@ ToothOutlinePoseMetricv4::Prepare()
     tooth.outline = outline;
     // From the side it is a back tooth that has neighbours before and behind it, from the front it is a front tooth.
     tooth.endsAreCut = front == isFrontal;
-    tooth.mayBeTemplate = !isFrontal;
-    tooth.findsItsShift = isFrontal;
-    tooth.model = std::make_shared<const PoseToothContourModel>(
-      crowns, front ? LandmarkCounterpartSet::RuleEnum::Foremost : LandmarkCounterpartSet::RuleEnum::Middle, m_Jaw);
+    try
+    {
+      tooth.model = std::make_shared<const PoseToothContourModel>(
+        crowns, front ? LandmarkCounterpartSet::RuleEnum::Foremost : LandmarkCounterpartSet::RuleEnum::Middle, m_Jaw);
+    }
+    catch (const std::invalid_argument & error)
+    {
+      itkExceptionMacro("The crown of " << tooth.name << " cannot be used: " << error.what()
+                                        << " Read or build its mesh again.");
+    }
     const ErrorsType errors = WithSigma(m_Errors, ComputeSigma(polyline, geometry));
     const double     shared = marked ? 1.0 + SharedErrorShare : 1.0;
     const double     ofArch = isFrontal ? ArchAlongFilm[position - 1] : 1.0;
@@ -313,6 +324,7 @@ ToothOutlinePoseMetricv4::Prepare()
     teeth->push_back(tooth);
   }
   m_Teeth = teeth;
+  m_TeethTime = time;
   if (teeth->empty())
   {
     m_Failure = m_Unused.empty() ? "the tracing has no outline"
@@ -345,15 +357,31 @@ ToothOutlinePoseMetricv4::GetTeeth() const
   return *m_Teeth;
 }
 
-std::vector<unsigned int>
-ToothOutlinePoseMetricv4::GetTeethPositions() const
+bool
+ToothOutlinePoseMetricv4::IsFrontal() const
 {
-  std::vector<unsigned int> positions;
+  return this->GetTransform()->GetPoseGeometry().direction == CephalometricDirectionEnum::Frontal;
+}
+
+void
+ToothOutlinePoseMetricv4::SetReach(double standardDeviations)
+{
+  if (m_Reach != standardDeviations)
+  {
+    m_Reach = standardDeviations;
+    this->SettingsChanged();
+  }
+}
+
+std::vector<ToothCode>
+ToothOutlinePoseMetricv4::GetOutlinedTeeth() const
+{
+  std::vector<ToothCode> teeth;
   for (const ToothType & tooth : this->GetTeeth())
   {
-    positions.push_back(tooth.outline->GetPosition());
+    teeth.push_back(tooth.code);
   }
-  return positions;
+  return teeth;
 }
 
 SizeValueType
@@ -446,7 +474,9 @@ ToothOutlinePoseMetricv4::Evaluate(std::size_t number, const PositionType & x, E
   {
     const PoseContourIndex index(at.contour);
     std::array<double, 2>  shift{};
-    for (int round = 0; tooth.findsItsShift && round < ShiftRounds; ++round)
+    // From the side a start has brought the jaw to its outlines; from the front none has.
+    const int rounds = this->IsFrontal() ? ShiftRounds : 0;
+    for (int round = 0; round < rounds; ++round)
     {
       Match(*tooth.outline, index, shift, at);
       shift = ComputeShift(*tooth.outline, at);
@@ -478,7 +508,7 @@ ToothOutlinePoseMetricv4::EvaluateAll(const PositionType & x) const
   }
   if (m_Noise.empty())
   {
-    m_Noise = this->ComputeNoises(m_Last, WidestInSigmas * std::pow(NarrowsBy, m_NumberOfUpdates));
+    m_Noise = this->ComputeNoises(m_Last, m_Reach);
   }
   return m_Last;
 }
@@ -491,7 +521,8 @@ ToothOutlinePoseMetricv4::Factorize(const ToothType & tooth, NoiseType & noise) 
   const auto &      normals = tooth.outline->GetNormals();
   noise.factor.assign(n * n, 0.0);
   const double drift2 = m_Errors.drift * m_Errors.drift;
-  const double jitter2 = m_Errors.jitter * m_Errors.jitter;
+  const double jitter = this->IsFrontal() ? m_Errors.frontalJitter : m_Errors.jitter;
+  const double jitter2 = jitter * jitter;
   for (std::size_t j = 0; j < n; ++j)
   {
     for (std::size_t i = j; i < n; ++i)
@@ -558,13 +589,23 @@ ToothOutlinePoseMetricv4::ComputeDistance(const ToothType & tooth, const NoiseTy
   return std::sqrt(0.5 * sum);
 }
 
+double
+ToothOutlinePoseMetricv4::ComputeMatchedShare(const NoiseType & noise)
+{
+  double matched = 0.0;
+  for (const double weight : noise.weights)
+  {
+    matched += weight > 0.25 ? 1.0 : 0.0;
+  }
+  return matched / static_cast<double>(noise.weights.size());
+}
+
 std::vector<ToothOutlinePoseMetricv4::NoiseType>
 ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at, double widest) const
 {
   std::vector<NoiseType> byHand = this->ComputeNoises(at, 0, widest);
-  const bool             mayBeTemplates = std::all_of(
-    this->GetTeeth().begin(), this->GetTeeth().end(), [](const ToothType & tooth) { return tooth.mayBeTemplate; });
-  if (!mayBeTemplates || byHand.empty())
+  // From the front nobody uses templates.
+  if (this->IsFrontal() || byHand.empty())
   {
     return byHand;
   }
@@ -698,7 +739,6 @@ ToothOutlinePoseMetricv4::UpdateNoiseCorrelation(const PositionType & x)
 {
   m_Noise.clear();
   this->EvaluateAll(x);
-  ++m_NumberOfUpdates;
 }
 
 void
@@ -787,7 +827,7 @@ ToothOutlinePoseMetricv4::ComputeOutlineResiduals(const PositionType & x) const
 {
   const PoseGeometry &      geometry = this->GetTransform()->GetPoseGeometry();
   const auto &              teeth = this->EvaluateAll(x);
-  const auto                noises = this->ComputeNoises(teeth, ToothWidthInSigmas);
+  const auto                noises = this->ComputeNoises(teeth, 0.0);
   std::vector<ResidualType> residuals;
   for (std::size_t t = 0; t < teeth.size(); ++t)
   {
@@ -796,16 +836,11 @@ ToothOutlinePoseMetricv4::ComputeOutlineResiduals(const PositionType & x) const
     // A shift in the working plane, in pixels of the radiograph.
     const auto origin = PoseModel::ToPixel(geometry, { { 0.0, 0.0 } });
     const auto end = PoseModel::ToPixel(geometry, { { noise.errors[0], noise.errors[1] } });
-    double     matched = 0.0;
-    for (const double weight : noise.weights)
-    {
-      matched += weight > 0.25 ? 1.0 : 0.0;
-    }
     residuals.push_back({ tooth.name,
                           { { end[0] - origin[0], end[1] - origin[1] } },
                           ComputeDistance(tooth, noise),
                           noise.weight,
-                          matched / static_cast<double>(noise.weights.size()),
+                          ComputeMatchedShare(noise),
                           noise.way == 1,
                           MakeOpenLine(teeth[t].contour, geometry) });
   }
@@ -845,10 +880,12 @@ ToothOutlinePoseMetricv4::ComputeKnownDeviance(const PositionType & x, bool) con
 {
   constexpr double unit = ToothWidthInSigmas * ToothWidthInSigmas;
   double           deviance = 0.0;
-  for (const ResidualType & residual : this->ComputeOutlineResiduals(x))
+  const auto       noises = this->ComputeNoises(this->EvaluateAll(x), 0.0);
+  for (std::size_t t = 0; t < noises.size(); ++t)
   {
-    const double near = unit / (unit + residual.distance * residual.distance);
-    deviance += unit * (1.0 - near * residual.matchedShare);
+    const double distance = ComputeDistance(this->GetTeeth()[t], noises[t]);
+    const double near = unit / (unit + distance * distance);
+    deviance += unit * (1.0 - near * ComputeMatchedShare(noises[t]));
   }
   return deviance;
 }
@@ -897,7 +934,10 @@ ToothOutlinePoseMetricv4::InternalClone() const
   clone->m_HeldPosition = m_HeldPosition;
   clone->m_Held = m_Held;
   clone->m_Noise = m_Noise;
+  clone->m_Reach = m_Reach;
   clone->CopyPose(*this);
+  // Prepared as the original is: what the setters above changed is the same.
+  clone->m_TeethTime = std::max(clone->Object::GetMTime(), m_TeethTime);
   return clone.GetPointer();
 }
 
@@ -917,7 +957,8 @@ ToothOutlinePoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Teeth: " << (m_Teeth ? m_Teeth->size() : 0) << std::endl;
   os << indent << "Hold: " << static_cast<int>(m_Hold) << ", held " << m_Held.size() << " at " << m_HeldPosition.size()
      << std::endl;
-  os << indent << "NumberOfUpdates: " << m_NumberOfUpdates << std::endl;
+  os << indent << "Reach: " << m_Reach << std::endl;
+  os << indent << "TeethTime: " << m_TeethTime << std::endl;
   os << indent << "Noise: " << m_Noise.size() << ", last " << m_Last.size() << " at " << m_LastPosition.size()
      << std::endl;
 }

@@ -176,6 +176,12 @@ ViewPoseMetricv4::AddFit(const PositionType & x, RegistrationFit & fit) const
 }
 
 void
+ViewPoseMetricv4::SetReach(double standardDeviations)
+{
+  this->VerifyTerm().SetReach(standardDeviations);
+}
+
+void
 ViewPoseMetricv4::SetKernelWidth(double width)
 {
   this->VerifyTerm().SetKernelWidth(width);

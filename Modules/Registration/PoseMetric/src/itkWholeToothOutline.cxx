@@ -82,14 +82,8 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     m_Failure = "it is not closed";
     return;
   }
-  const auto             count = static_cast<std::size_t>(std::max(8L, std::lround(length / Spacing)));
-  std::vector<PointType> points;
-  for (const ContourPosition & place : ResamplePolyline(drawn, true, count))
-  {
-    const PointType & a = drawn[place.segment];
-    const PointType & b = drawn[(place.segment + 1) % drawn.size()];
-    points.push_back({ { a[0] + place.share * (b[0] - a[0]), a[1] + place.share * (b[1] - a[1]) } });
-  }
+  std::vector<PointType> points = Resample(drawn, true);
+  const std::size_t      count = points.size();
   if (points.empty())
   {
     m_Failure = "all its points are one";
@@ -171,11 +165,9 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     {
       continue;
     }
-    const PointType & a = points[(i + count - TangentReach) % count];
-    const PointType & b = points[(i + TangentReach) % count];
-    const double      chord = std::max(1e-9, std::hypot(b[0] - a[0], b[1] - a[1]));
-    const PointType   normal{ { sign * (b[1] - a[1]) / chord, -sign * (b[0] - a[0]) / chord } };
-    double            lingual = 0.0;
+    PointType normal = ComputeNormal(points, i, true);
+    normal = { { sign * normal[0], sign * normal[1] } };
+    double lingual = 0.0;
     if (m_Position <= 3 && normal[0] * anterior[0] + normal[1] * anterior[1] < 0.0)
     {
       lingual = std::min(1.0, (high - along(points[i])) / EdgeLength);

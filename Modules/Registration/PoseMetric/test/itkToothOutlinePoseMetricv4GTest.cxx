@@ -442,7 +442,7 @@ TEST(ToothOutlinePoseMetricv4, SaysWhichOutlinesAreNotUsedAndWhy)
   tracing->AddPolyline(circle, itk::ToothCode(16), true);
   const auto metric = MakeMetric(tracing);
   metric->Initialize();
-  EXPECT_EQ(metric->GetTeethPositions(), std::vector<unsigned int>{ 1 });
+  EXPECT_EQ(metric->GetOutlinedTeeth(), std::vector<itk::ToothCode>{ itk::ToothCode(11) });
   std::string all;
   for (const auto & unused : metric->GetUnused())
   {
@@ -582,7 +582,7 @@ TEST(ToothOutlinePoseMetricv4, FromTheFrontEachToothLiesOnTheCrownOfItsCode)
     const auto metric = MakeFrontalMetric(MakeFrontalTracing(closed));
     metric->Initialize();
     ASSERT_EQ(metric->GetUnused().size(), 0u);
-    ASSERT_EQ(metric->GetTeethPositions().size(), 4u);
+    ASSERT_EQ(metric->GetOutlinedTeeth().size(), 4u);
     const auto at = metric->ComputeOutlineResiduals(metric->GetState().GetValues());
     EXPECT_EQ(at.front().name, "UR1");
     EXPECT_EQ(at.back().name, "UL6");

@@ -255,7 +255,7 @@ struct PoseJawResult
   std::vector<PoseLandmarkFit> landmarks;
   /** Of the outlines of whole teeth of this jaw. */
   std::vector<PoseOutlineFit> outlines;
-  /** Outlines that were not registered with, and why. */
+  /** Outlines that were not registered with, and why: a line a reason, "outlines U6 and L6: ...". */
   std::vector<std::string> unusedOutlines;
   /** Why its tracing was not used, where landmarks placed it nevertheless; "" where it was. */
   std::string tracingFailure;

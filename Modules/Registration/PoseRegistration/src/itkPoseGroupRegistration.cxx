@@ -39,6 +39,12 @@ namespace itk
 {
 namespace
 {
+/** How far from the solution a refinement is taken to be at first (LeastSquaresMetricv4::SetReach()), standard
+ * deviations, and what is left of it after each step that is tried: by the sixth it is within what kernels allow
+ * anyway, and a drawing that contradicts all else, as one of another patient or scale does, is let go. */
+constexpr double FirstReach = 10.0;
+constexpr double ReachNarrowsBy = 0.85;
+
 PoseParameters
 ToPose(const LeastSquaresMetricv4 & metric, const std::vector<double> & x)
 {
@@ -192,15 +198,15 @@ PoseGroupRegistration::PoseGroupRegistration(const PoseRegistrationOptions &    
 }
 
 PoseGroupRegistration::MetricType::Pointer
-PoseGroupRegistration::CloneAt(const PositionType & x) const
+PoseGroupRegistration::CloneAt(const PositionType & x, JoinsEnum stage) const
 {
-  MetricType::Pointer clone = m_Metric->Clone();
+  MetricType::Pointer clone = this->CloneForStage(stage);
   clone->SetValues(x);
   return clone;
 }
 
 PoseGroupRegistration::MetricType::Pointer
-PoseGroupRegistration::CloneForStage(LeastSquaresMetricv4::JoinsEnum stage) const
+PoseGroupRegistration::CloneForStage(JoinsEnum stage) const
 {
   // The blocks of a view stay, and so does their order: its priors read them as well.
   MetricType::Pointer clone = m_Metric->Clone();
@@ -344,6 +350,7 @@ PoseGroupRegistration::Refine(MetricType &         metric,
 
   const bool   estimate = schedule.estimateNoise && m_Options.estimateNoise;
   double       damping = 0.0;
+  double       reach = FirstReach;
   unsigned int accepted = 0;
   while (!m_Monitor.IsAborted())
   {
@@ -356,6 +363,8 @@ PoseGroupRegistration::Refine(MetricType &         metric,
       width = m_Options.adaptiveKernelFactor * std::hypot(levels.smooth, levels.white);
     }
     metric.SetKernelWidth(width);
+    metric.SetReach(reach);
+    reach *= ReachNarrowsBy;
     metric.UpdateNoiseCorrelation(metric.GetState().GetValues());
     report.kernelWidth = width;
     // Every second step once the kernel is narrow: the levels settle much faster than the pose.
@@ -432,6 +441,7 @@ PoseGroupRegistration::Refine(MetricType &         metric,
       break;
     }
   }
+  metric.SetReach(0.0);
   candidate.stopCondition = optimizer->GetStopConditionDescription();
   candidate.x = metric.GetState().GetValues();
   metric.GetNoiseLevels(candidate.noise);
@@ -444,7 +454,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
   // The view direction is that of the tracing: two rounds settle the perspective.
   PoseParameters pose{ {} };
   pose[PoseYaw] = yaw;
-  MetricType::Pointer metric = this->CloneForStage(LeastSquaresMetricv4::JoinsEnum::Start);
+  MetricType::Pointer metric = this->CloneForStage(JoinsEnum::Start);
   for (int round = 0; round < 2; ++round)
   {
     metric->Hold(MetricType::HoldEnum::Nothing);
@@ -585,10 +595,9 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   std::stable_sort(pool.begin(), pool.end(), byScore);
   const MetricType::Pointer reference = this->CloneAt(pool.front().x);
   reference->Hold(MetricType::HoldEnum::Contours);
-  const auto refineAll = [&](const ScheduleType & schedule, LeastSquaresMetricv4::JoinsEnum stage) {
+  const auto refineAll = [&](const ScheduleType & schedule, JoinsEnum stage) {
     m_Monitor.ForEach(pool.size(), threads, [&](std::size_t i) {
-      const MetricType::Pointer metric = this->CloneForStage(stage);
-      metric->SetValues(pool[i].x);
+      const MetricType::Pointer metric = this->CloneAt(pool[i].x, stage);
       if (!m_Options.regenerateOutline)
       {
         metric->Hold(MetricType::HoldEnum::Contours);
@@ -610,7 +619,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   coarse.tolerance = m_Options.coarseTolerance;
   coarse.estimateNoise = false;
   coarse.stage = PoseStageEnum::Candidates;
-  if (!refineAll(coarse, LeastSquaresMetricv4::JoinsEnum::Candidates))
+  if (!refineAll(coarse, JoinsEnum::Candidates))
   {
     return false;
   }
@@ -641,7 +650,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   fine.widths = { m_Options.fineKernelWidth };
   fine.maximumEvaluations = m_Options.maximumEvaluations;
   fine.tolerance = m_Options.fineTolerance;
-  if (!refineAll(fine, LeastSquaresMetricv4::JoinsEnum::Refinement))
+  if (!refineAll(fine, JoinsEnum::Refinement))
   {
     return false;
   }

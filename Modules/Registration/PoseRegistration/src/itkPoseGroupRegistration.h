@@ -141,11 +141,12 @@ private:
   /** Of the minima together, each by its weight. */
   vnl_matrix<double>
   ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const;
-  MetricType::Pointer
-  CloneAt(const PositionType & x) const;
+  using JoinsEnum = LeastSquaresMetricv4::JoinsEnum;
   /** Without the terms that join later. */
   MetricType::Pointer
-  CloneForStage(LeastSquaresMetricv4::JoinsEnum stage) const;
+  CloneForStage(JoinsEnum stage) const;
+  MetricType::Pointer
+  CloneAt(const PositionType & x, JoinsEnum stage = JoinsEnum::Refinement) const;
   CandidateType
   MakeCandidate(const PositionType & x) const;
 

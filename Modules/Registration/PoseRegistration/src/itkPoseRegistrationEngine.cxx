@@ -51,6 +51,7 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
       result.jaws[j].failure = "there is no surface";
       continue;
     }
+    jaws[j].crowns = ToDentalFrame(input.crowns, input);
     jaws[j].landmarks = MakeLandmarkTerm(input, input.counterparts, input.landmarks, transform, options);
     if (input.tracing.IsNull())
     {
@@ -59,12 +60,9 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     if (options.tracedSide == TracedSideEnum::Standard)
     {
       const auto outlines =
-        MakeOutlineTerm(input, input.tracing, input.landmarks, jaws[j].landmarks, transform, options);
+        MakeOutlineTerm(input, jaws[j].crowns, input.tracing, input.landmarks, jaws[j].landmarks, transform, options);
       tracingFailures[j] = outlines->GetFailure();
-      for (const auto & unused : outlines->GetUnused())
-      {
-        result.jaws[j].unusedOutlines.push_back(unused.name + ": " + unused.reason);
-      }
+      result.jaws[j].unusedOutlines = DescribeUnused(*outlines);
       jaws[j].outlines = tracingFailures[j].empty() ? outlines : nullptr;
       continue;
     }
@@ -381,7 +379,7 @@ PoseRegistrationEngine::TryHypothesis(const GroupType & group, const PoseHypothe
   if (!result.candidates.empty())
   {
     outcome.score = result.score;
-    outcome.headMove = ComputeHeadMove(question, result);
+    outcome.headMove = ComputeHeadMove(group.problem, question, result);
     for (unsigned int d = 0; d < 2; ++d)
     {
       outcome.pixelSpacing[d] = answer.geometry.pixelSpacing[d] * std::exp(-result.parameters[PoseKappa]);

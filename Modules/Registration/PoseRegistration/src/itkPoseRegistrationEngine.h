@@ -102,9 +102,11 @@ private:
     };
 
     std::shared_ptr<const TriangleSurface> surface;
-    SilhouettePoseMetricv4::Pointer        metric;
-    ToothOutlinePoseMetricv4::Pointer      outlines;
-    LandmarkPoseMetricv4::Pointer          landmarks;
+    /** In the dental frame, as the surface is. */
+    ToothCrownSet::Pointer            crowns;
+    SilhouettePoseMetricv4::Pointer   metric;
+    ToothOutlinePoseMetricv4::Pointer outlines;
+    LandmarkPoseMetricv4::Pointer     landmarks;
     /** One a view of the problem. */
     std::vector<ViewType> views;
 
@@ -131,9 +133,10 @@ private:
            const std::vector<JawType> &     jaws,
            const std::vector<std::size_t> & members,
            MetricType &                     sum);
-  /** PoseHypothesisOutcome::headMove of a group's solution. */
+  /** PoseHypothesisOutcome::headMove of a question's solution: of the views whose head may be moved in the question and
+   * stood still in the problem. */
   static double
-  ComputeHeadMove(const PoseProblem & problem, const PoseGroupResult & group);
+  ComputeHeadMove(const PoseProblem & problem, const PoseProblem & question, const PoseGroupResult & group);
   void
   DescribeViews(const PoseProblem & problem, const std::vector<JawType> & jaws, PoseRegistrationResult & result) const;
   MetricType::Pointer

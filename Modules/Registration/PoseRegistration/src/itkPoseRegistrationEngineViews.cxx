@@ -86,13 +86,10 @@ PoseRegistrationEngine::PrepareViews(const PoseProblem & problem, std::size_t j,
     {
       // Teeth stand behind one another there, and the outer outline of the jaw is mostly that of others than were
       // drawn: each is compared with its own crown.
-      const auto outlines =
-        MakeOutlineTerm(input, view.tracings[index], view.landmarks, own.landmarks, transform, problem.options);
+      const auto outlines = MakeOutlineTerm(
+        input, prepared.crowns, view.tracings[index], view.landmarks, own.landmarks, transform, problem.options);
       own.failure = outlines->GetFailure();
-      for (const auto & unused : outlines->GetUnused())
-      {
-        own.unusedOutlines.push_back(unused.name + ": " + unused.reason);
-      }
+      own.unusedOutlines = DescribeUnused(*outlines);
       own.outlines = own.failure.empty() ? outlines : nullptr;
       continue;
     }
@@ -179,17 +176,22 @@ PoseRegistrationEngine::AddViews(const PoseProblem &              problem,
 }
 
 double
-PoseRegistrationEngine::ComputeHeadMove(const PoseProblem & problem, const PoseGroupResult & group)
+PoseRegistrationEngine::ComputeHeadMove(const PoseProblem &     problem,
+                                        const PoseProblem &     question,
+                                        const PoseGroupResult & group)
 {
   double largest = 0.0;
-  for (const PoseViewInput & view : problem.views)
+  for (std::size_t v = 0; v < question.views.size(); ++v)
   {
-    const auto moved = group.blocks.find(PoseStateBlocks::MakeMoveName(view.name));
-    if (!view.sameHeadPosition && moved != group.blocks.end() && !group.state.empty())
+    const PoseViewInput & view = question.views[v];
+    const auto            moved = group.blocks.find(PoseStateBlocks::MakeMoveName(view.name));
+    if (problem.views[v].sameHeadPosition && !view.sameHeadPosition && moved != group.blocks.end() &&
+        !group.state.empty())
     {
+      const auto sigmas = MakeMoveSigmas(view);
       for (unsigned int k = 0; k < 6; ++k)
       {
-        largest = std::max(largest, std::abs(group.state[moved->second + k]) / MoveSigmas[k]);
+        largest = std::max(largest, std::abs(group.state[moved->second + k]) / sigmas[k]);
       }
     }
   }

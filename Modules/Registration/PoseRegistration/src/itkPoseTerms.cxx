@@ -18,9 +18,11 @@
 #include "itkPoseTerms.h"
 
 #include "itkGemanMcClureKernel.h"
+#include "itkJoinNames.h"
 #include "itkPoseFrameOperations.h"
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 namespace itk
@@ -122,41 +124,39 @@ MakeSilhouetteTerm(ToothCode::JawEnum                 jaw,
   return term;
 }
 
+ToothCrownSet::Pointer
+ToDentalFrame(const ToothCrownSet * crowns, const PoseJawInput & jaw)
+{
+  const auto moved = ToothCrownSet::New();
+  if (crowns != nullptr)
+  {
+    for (ToothCrownSet::CrownType crown : crowns->GetCrowns())
+    {
+      if (crown.tooth.GetJaw() == jaw.jaw)
+      {
+        crown.surface = ToDentalFrame(*crown.surface, jaw.frame);
+        moved->Add(crown);
+      }
+    }
+  }
+  return moved;
+}
+
 ToothOutlinePoseMetricv4::Pointer
 MakeOutlineTerm(const PoseJawInput &               jaw,
+                const ToothCrownSet *              crowns,
                 const DentalContour *              tracing,
                 const CephalometricLandmarkSet *   landmarks,
                 LandmarkPoseMetricv4 *             landmarkTerm,
                 const CephalometricPoseTransform * transform,
                 const PoseRegistrationOptions &    options)
 {
-  const auto crowns = ToothCrownSet::New();
-  if (jaw.crowns.IsNotNull())
-  {
-    for (ToothCrownSet::CrownType crown : jaw.crowns->GetCrowns())
-    {
-      if (crown.tooth.GetJaw() == jaw.jaw)
-      {
-        crown.surface = ToDentalFrame(*crown.surface, jaw.frame);
-        crowns->Add(crown);
-      }
-    }
-  }
   auto term = ToothOutlinePoseMetricv4::New();
   term->SetTransform(transform);
   term->SetCrowns(crowns);
   term->SetFixedContour(tracing);
   term->SetJaw(jaw.jaw);
   term->SetExcludedTeeth(options.excludedTeeth);
-  if (transform->GetPoseGeometry().direction == CephalometricDirectionEnum::Frontal)
-  {
-    // A few points of an edge are matched anew with a curved outline at each position, which moves their residuals by
-    // the hand's distance from it, half a millimetre. With the jitter of a hand alone each such jump would count as
-    // evidence, and steps toward the solution as steps away from it.
-    ToothOutlinePoseMetricv4::ErrorsType errors;
-    errors.jitter = 1.5;
-    term->SetErrors(errors);
-  }
   if (landmarkTerm != nullptr)
   {
     std::vector<ToothCode> marked;
@@ -179,8 +179,25 @@ MakeOutlineTerm(const PoseJawInput &               jaw,
   term->Prepare();
   if (landmarkTerm != nullptr && term->GetFailure().empty())
   {
-    landmarkTerm->SetOutlinedTeeth(term->GetTeethPositions());
+    landmarkTerm->SetOutlinedTeeth(term->GetOutlinedTeeth());
   }
   return term;
+}
+
+std::vector<std::string>
+DescribeUnused(const ToothOutlinePoseMetricv4 & term)
+{
+  std::map<std::string, std::vector<std::string>> namesOfReason;
+  for (const auto & unused : term.GetUnused())
+  {
+    namesOfReason[unused.reason].push_back(unused.name);
+  }
+  std::vector<std::string> lines;
+  for (const auto & entry : namesOfReason)
+  {
+    lines.push_back((entry.second.size() > 1 ? "outlines " : "outline ") + JoinNames(entry.second) + ": " +
+                    entry.first);
+  }
+  return lines;
 }
 } // namespace itk

@@ -24,6 +24,8 @@
 #include "itkToothOutlinePoseMetricv4.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace itk
 {
@@ -48,15 +50,25 @@ MakeSilhouetteTerm(ToothCode::JawEnum                 jaw,
                    const CephalometricPoseTransform * transform,
                    const PoseRegistrationOptions &    options);
 
-/** The term of outlines of single teeth, prepared: where none of them can be used its GetFailure() says why. Where it
- * is registered with landmarks as well (their set and their term, or null) both are told of what they share. */
+/** A jaw's crowns of a set of both jaws, or of null, in its dental frame. */
+ToothCrownSet::Pointer
+ToDentalFrame(const ToothCrownSet * crowns, const PoseJawInput & jaw);
+
+/** The term of outlines of single teeth, of which the crowns are in the dental frame; prepared: where none of them can
+ * be used its GetFailure() says why. Where it is registered with landmarks as well (their set and their term, or null)
+ * both are told of what they share. */
 ToothOutlinePoseMetricv4::Pointer
 MakeOutlineTerm(const PoseJawInput &               jaw,
+                const ToothCrownSet *              crowns,
                 const DentalContour *              tracing,
                 const CephalometricLandmarkSet *   landmarks,
                 LandmarkPoseMetricv4 *             landmarkTerm,
                 const CephalometricPoseTransform * transform,
                 const PoseRegistrationOptions &    options);
+
+/** What of its tracing it does not use, and why: a line a reason, with the outlines. */
+std::vector<std::string>
+DescribeUnused(const ToothOutlinePoseMetricv4 & term);
 } // namespace itk
 
 #endif

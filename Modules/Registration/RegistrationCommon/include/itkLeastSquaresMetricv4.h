@@ -48,8 +48,8 @@ namespace itk
  * matches, and does nothing by default:
  *
  * - the value is the criterion at the kernel width, noise levels and matching rule as they are set, a fixed function
- * for any optimizer. SetKernelWidth(), SetNoiseLevels(), UpdateNoiseCorrelation() and EstimateNoise() change it,
- * between runs of an optimizer;
+ * for any optimizer. SetKernelWidth(), SetReach(), SetNoiseLevels(), UpdateNoiseCorrelation() and EstimateNoise()
+ * change it, between runs of an optimizer;
  * - Hold(Matches) freezes matches at the current position, and in the residuals their weights, which makes residuals
  * and value differentiable everywhere and equal in value and slope to the free ones there. In the value the weights
  * stay those of the kernel at each position: the value with its charge is the robust criterion, whose slope is that of
@@ -140,6 +140,11 @@ public:
   /** Width of the robust kernel, px of 0.25 mm, of every term that has one. */
   virtual void
   SetKernelWidth(double width);
+  /** How far from the solution a registration is, in standard deviations of what a whole measurement may be off by: 0,
+   * as by default, at the end of a run and wherever a solution is judged. A metric whose kernel lets go of whole
+   * measurements, as of outlines of teeth, may widen it so far; others need nothing of it. */
+  virtual void
+  SetReach(double standardDeviations);
   virtual void
   SetRobustKernel(const RobustKernel * kernel);
   /** Model of the noise, of every term that has one. */

@@ -150,6 +150,10 @@ LeastSquaresMetricv4::AddFit(const PositionType &, RegistrationFit &) const
 {}
 
 void
+LeastSquaresMetricv4::SetReach(double)
+{}
+
+void
 LeastSquaresMetricv4::SetKernelWidth(double)
 {}
 

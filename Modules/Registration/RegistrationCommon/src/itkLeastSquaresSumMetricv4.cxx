@@ -310,6 +310,16 @@ LeastSquaresSumMetricv4::ComputeKnownDeviance(const PositionType & x, bool noise
 }
 
 void
+LeastSquaresSumMetricv4::SetReach(double standardDeviations)
+{
+  // Of all terms: where a registration is does not depend on whose settings a term has.
+  for (const TermType & term : m_Metrics)
+  {
+    term.metric->SetReach(standardDeviations);
+  }
+}
+
+void
 LeastSquaresSumMetricv4::UpdateNoiseCorrelation(const PositionType & x)
 {
   for (std::size_t t = 0; t < m_Metrics.size(); ++t)

@@ -112,6 +112,31 @@ protected:
   }
 };
 
+/** A term that keeps how far from the solution it was told to be. */
+class ReachTerm : public PlainTerm
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ReachTerm);
+  using Self = ReachTerm;
+  using Superclass = PlainTerm;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  itkNewMacro(Self);
+  itkTypeMacro(ReachTerm, PlainTerm);
+
+  double reach{ 0.0 };
+
+  void
+  SetReach(double standardDeviations) override
+  {
+    reach = standardDeviations;
+  }
+
+protected:
+  ReachTerm() = default;
+  ~ReachTerm() override = default;
+};
+
 // Who derives from the base cannot forget InternalClone(): the class would be abstract. Who derives from a term can.
 class ForgetfulTerm : public PlainTerm
 {
@@ -478,6 +503,22 @@ TEST(LeastSquaresSumMetricv4, ATermIsClonedWithWhenItJoinsAndChangesTheSumsTime)
   term->SetJoins(JoinsEnum::Refinement);
   EXPECT_GT(sum->GetMTime(), before) << "a registration has to run again";
   EXPECT_EQ(sum->Clone()->GetMetric(0)->GetJoins(), JoinsEnum::Refinement);
+}
+
+TEST(LeastSquaresSumMetricv4, TheReachIsOfEveryTermWhateverSettingsItHas)
+{
+  auto shared = ReachTerm::New();
+  auto own = ReachTerm::New();
+  auto inner = SumType::New();
+  inner->AddMetric(own, SumType::SettingsEnum::Own);
+  auto sum = SumType::New();
+  sum->AddMetric(shared);
+  sum->AddMetric(inner);
+  sum->SetReach(7.0);
+  EXPECT_EQ(shared->reach, 7.0);
+  EXPECT_EQ(own->reach, 7.0) << "of a term with settings of its own, in a sum in a sum";
+  sum->SetReach(0.0);
+  EXPECT_EQ(own->reach, 0.0);
 }
 
 TEST(LeastSquaresSumMetricv4, ErrorsSayWhatIsWrong)
