@@ -67,8 +67,6 @@ def test_views_table_has_the_codes_thresholds():
     seen = dict(re.findall(r"^\| `([a-z-]+)` \| suspect \| (.*?) \|", rows, re.M))
     t = verdict_thresholds("ViewVerdict")
     for code, end in {
-        "view-sides": f"lower by {-t['suspectDeviance']:g}",
-        "view-source": f"lower by {-t['suspectDeviance']:g}",
         "view-disagrees": f"> {t['landmarkApart']:g} sd",
         "view-landmark-apart": f"> {t['landmarkApart']:g} sd",
         "view-landmarks-rough": f"> {t['suspectLandmarkRatio']:g} sd",
@@ -76,9 +74,12 @@ def test_views_table_has_the_codes_thresholds():
         "view-head-moved": f"> {t['suspectPriorTension']:g} sd",
     }.items():
         assert seen[code].endswith(end), code
+    assert f"lower by {-t['suspectDeviance']:g}, " in seen["view-sides"]
+    each = f"by {-t['suspectDevianceOfLandmark']:g} for each landmark and {-t['suspectDevianceOfOutline']:g} for each outline"
+    assert each in seen["view-sides"]
     assert f"lower by {-t['suspectMoveDeviance']:g}" in seen["view-head-moved"]
     assert f"turned by > {t['suspectHeadMove']:g} sd" in seen["view-head-moved"]
-    assert len(t) == 7
+    assert len(t) == 9
 
 
 def test_every_finding_is_listed():

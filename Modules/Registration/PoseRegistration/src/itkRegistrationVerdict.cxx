@@ -19,6 +19,7 @@
 
 #include "itkExchangedJawsHypothesis.h"
 #include "itkExchangedLandmarksHypothesis.h"
+#include "itkJoinNames.h"
 #include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
@@ -243,7 +244,7 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
     Add(verdict,
         StatusEnum::Suspect,
         "landmark-apart",
-        "" + JoinNames(apart) + (apart.size() == 1 ? " lies" : " lie") +
+        JoinNames(apart) + (apart.size() == 1 ? " lies" : " lie") +
           " far from where everything else puts it and was left out: is it the right tooth and point?",
         { tally.GetLargest(), thresholds.landmarkApart, "sd" });
   }

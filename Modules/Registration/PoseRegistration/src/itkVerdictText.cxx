@@ -32,15 +32,4 @@ FormatNumber(double value, int digits)
   text << value;
   return text.str();
 }
-
-std::string
-JoinNames(const std::vector<std::string> & names)
-{
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-  {
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  }
-  return text;
-}
 } // namespace itk

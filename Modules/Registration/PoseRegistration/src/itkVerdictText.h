@@ -30,10 +30,6 @@ namespace itk
 std::string
 FormatNumber(double value, int digits);
 
-/** Names for a sentence: "a, b and c". */
-std::string
-JoinNames(const std::vector<std::string> & names);
-
 /** Not installed. Landmarks that lie where they are expected, and those that stand apart; distances in standard
  * deviations. */
 class LandmarkTally

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkViewVerdict.h"
 
+#include "itkJoinNames.h"
 #include "itkOtherViewHypothesis.h"
 #include "itkVerdictText.h"
 
@@ -53,42 +54,10 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   };
   constexpr auto Suspect = RegistrationStatusEnum::Suspect;
 
-  // Another reading of it explains what nothing else does: said first.
-  const auto getDeviance = [&](QuestionEnum question) {
-    double best = 0.0;
-    for (const PoseGroupResult & group : result.groups)
-    {
-      const auto * outcome = group.FindOutcome(OtherViewHypothesis::MakeCode(question, view.name));
-      best = outcome != nullptr ? std::min(best, outcome->deviance) : best;
-    }
-    return best;
-  };
-  const double sides = getDeviance(QuestionEnum::Sides);
-  const double source = getDeviance(QuestionEnum::Source);
-  if (sides < thresholds.suspectDeviance)
-  {
-    add(Suspect,
-        "view-sides",
-        std::string("what was drawn on it fits with right and left exchanged: is ") +
-          (isFrontal ? "patient_left" : "facing") + " right, or do the names have the wrong sides?",
-        sides,
-        thresholds.suspectDeviance,
-        "");
-  }
-  else if (source < thresholds.suspectDeviance)
-  {
-    add(Suspect,
-        "view-source",
-        std::string("what was drawn on it fits better with the source on the other side of the head: is ") +
-          (isFrontal ? "geometry.source" : "source_side") + " right?",
-        source,
-        thresholds.suspectDeviance,
-        "");
-  }
-
   LandmarkTally tally(thresholds.landmarkApart);
   bool          hasLandmarks = false;
   bool          hasOutlines = false;
+  std::size_t   outlinesApart = 0;
   double        cost = 0.0;
   bool          isTraced = false;
   for (const PoseJawResult & jaw : view.result.jaws)
@@ -106,6 +75,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
     {
       tally.Add("outline " + outline.name, outline.distance);
       hasOutlines = true;
+      outlinesApart += outline.distance > thresholds.landmarkApart ? 1 : 0;
     }
     if (jaw.fit.numberOfPoints > 0)
     {
@@ -125,6 +95,62 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
                          "" });
     return findings;
   }
+
+  // Another reading of it that explains what nothing else does is said in place of its symptoms. Where most of it
+  // contradicts, as a drawing of another scale does, some reading always fits a little better: it has to explain most.
+  const auto getDeviance = [&](QuestionEnum question) {
+    double best = 0.0;
+    for (const PoseGroupResult & group : result.groups)
+    {
+      const auto * outcome = group.FindOutcome(OtherViewHypothesis::MakeCode(question, view.name));
+      best = outcome != nullptr ? std::min(best, outcome->deviance) : best;
+    }
+    return best;
+  };
+  const double sides = getDeviance(QuestionEnum::Sides);
+  const double source = getDeviance(QuestionEnum::Source);
+  const double head = getDeviance(QuestionEnum::Head);
+  double       headMove = 0.0;
+  for (const PoseGroupResult & group : result.groups)
+  {
+    if (const auto * outcome = group.FindOutcome(OtherViewHypothesis::MakeCode(QuestionEnum::Head, view.name)))
+    {
+      headMove = std::max(headMove, outcome->headMove);
+    }
+  }
+  const bool isHeadMoved = head < thresholds.suspectMoveDeviance && headMove > thresholds.suspectHeadMove;
+  double     readingLimit = thresholds.suspectDeviance;
+  if (apart.size() > fitting)
+  {
+    readingLimit = std::min(readingLimit,
+                            thresholds.suspectDevianceOfLandmark * static_cast<double>(apart.size() - outlinesApart) +
+                              thresholds.suspectDevianceOfOutline * static_cast<double>(outlinesApart));
+  }
+  // Of several that fit better the best one: a head that may be turned explains a part of any other mistake.
+  const double best = std::min({ sides, source, isHeadMoved ? head : 0.0 });
+  if (sides == best && sides < readingLimit)
+  {
+    add(Suspect,
+        "view-sides",
+        std::string("what was drawn on it fits with right and left exchanged: is ") +
+          (isFrontal ? "patient_left" : "facing") + " right, or do the names have the wrong sides?",
+        sides,
+        readingLimit,
+        "");
+    return findings;
+  }
+  if (source == best && source < readingLimit)
+  {
+    add(Suspect,
+        "view-source",
+        std::string("what was drawn on it fits better with the source on the other side of the head: is ") +
+          (isFrontal ? "geometry.source" : "source_side") + " right?",
+        source,
+        readingLimit,
+        "");
+    return findings;
+  }
+
   const std::string drawings = !hasOutlines ? "landmarks" : hasLandmarks ? "landmarks and outlines" : "outlines";
   const double      ratio = tally.GetRatio();
   if (apart.size() > fitting)
@@ -171,17 +197,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   {
     tension = std::max(tension, own);
   }
-  const double moved = getDeviance(QuestionEnum::Head);
-  double       headMove = 0.0;
-  for (const PoseGroupResult & group : result.groups)
-  {
-    if (const auto * outcome = group.FindOutcome(OtherViewHypothesis::MakeCode(QuestionEnum::Head, view.name)))
-    {
-      headMove = std::max(headMove, outcome->headMove);
-    }
-  }
-  if (tension > thresholds.suspectPriorTension ||
-      (moved < thresholds.suspectMoveDeviance && headMove > thresholds.suspectHeadMove))
+  if (tension > thresholds.suspectPriorTension || isHeadMoved)
   {
     const bool isTense = tension > thresholds.suspectPriorTension;
     add(
@@ -192,7 +208,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
           "\"same_head_position\": false where the patient was turned, and check its principal point and pixel spacing"
         : "it fits only with the head far from where it was in the first one, or at another scale: check its "
           "principal point and pixel spacing",
-      isTense ? tension : moved,
+      isTense ? tension : head,
       isTense ? thresholds.suspectPriorTension : thresholds.suspectMoveDeviance,
       isTense ? "sd" : "");
   }

@@ -111,6 +111,40 @@ TEST(ViewVerdict, AnotherReadingThatExplainsItBetterIsNamed)
             Codes());
 }
 
+TEST(ViewVerdict, TheReadingThatExplainsMostIsSaidAndNotItsSymptoms)
+{
+  const auto withReadings = [](double sides, double source, double head, std::size_t apart) {
+    return CodesOf([=](itk::PoseRegistrationResult & result) {
+      WithDeviance(QuestionEnum::Sides, sides)(result);
+      WithDeviance(QuestionEnum::Source, source)(result);
+      WithDeviance(QuestionEnum::Head, head)(result);
+      for (std::size_t i = 0; i < apart; ++i)
+      {
+        result.views[0].result.jaws[0].landmarks[i].distance = 50.0;
+      }
+    });
+  };
+  EXPECT_EQ(withReadings(-40.0, -20.0, -30.0, 3), Codes{ "view-sides" });
+  EXPECT_EQ(withReadings(-20.0, -40.0, -30.0, 3), Codes{ "view-source" });
+  EXPECT_EQ(withReadings(-20.0, -30.0, -40.0, 3), (Codes{ "view-landmark-apart", "view-head-moved" }));
+  // Of eight landmarks five are let go: 8 for each of them.
+  EXPECT_EQ(withReadings(-40.1, 0.0, 0.0, 5), Codes{ "view-sides" });
+  EXPECT_EQ(withReadings(-39.9, 0.0, 0.0, 5), Codes{ "view-disagrees" });
+  EXPECT_EQ(withReadings(0.0, -40.1, 0.0, 5), Codes{ "view-source" });
+  EXPECT_EQ(withReadings(0.0, -39.9, 0.0, 5), Codes{ "view-disagrees" });
+  // Of an outline 40.
+  const auto withOutlines = [](double sides) {
+    return CodesOf([=](itk::PoseRegistrationResult & result) {
+      WithDeviance(QuestionEnum::Sides, sides)(result);
+      itk::PoseOutlineFit outline;
+      outline.distance = 50.0;
+      result.views[0].result.jaws[0].outlines.assign(9, outline);
+    });
+  };
+  EXPECT_EQ(withOutlines(-360.1), Codes{ "view-sides" });
+  EXPECT_EQ(withOutlines(-359.9), Codes{ "view-disagrees" });
+}
+
 TEST(ViewVerdict, ALandmarkOrAnOutlineThatStandsApartIsNamed)
 {
   const auto withLandmark = [](double distance) {
