@@ -7,6 +7,8 @@ import subprocess
 
 import pytest
 
+from dicom_file import dicom
+
 
 @pytest.fixture(scope="module")
 def frontal_phantom(program, tmp_path_factory):
@@ -356,3 +358,150 @@ def test_an_experiment_knows_a_case_again_by_its_views_files(run, frontal_phanto
     tracing = folder / json.loads(case.read_text())["views"][0]["contours"]
     tracing.write_text(tracing.read_text() + "\n")
     assert not fit()
+
+
+def with_a_dicom_view(source, target, position, orientation, change=lambda view: None):
+    """The same radiograph from the front, of which a DICOM file says what the case else would."""
+
+    def to_dicom(case):
+        view = case["views"][0]
+        width, height = view["cephalogram"]["image_size"]
+        spacing = view["cephalogram"]["pixel_spacing_mm"][0]
+        tags = [
+            (0x18, 0x1110, b"DS", b"%d" % view["geometry"]["source_to_detector_mm"]),
+            (0x18, 0x1164, b"DS", b"%g\\%g" % (spacing, spacing)),
+            (0x18, 0x5101, b"CS", position),
+            (0x20, 0x20, b"CS", orientation),
+        ]
+        (target / "pa.dcm").write_bytes(dicom(height, width, bytes(width * height), tags=tags))
+        view["cephalogram"] = {"image": "pa.dcm"}
+        del view["geometry"]["source_to_detector_mm"]
+        change(view)
+
+    return changed(source, target, to_dicom)
+
+
+def test_a_dicom_file_tells_how_a_view_was_taken(run, frontal_phantom, tmp_path):
+    plain, expected = register(run, frontal_phantom / "case.json", tmp_path / "plain", "--no-report")
+    done, result = register(
+        run, with_a_dicom_view(frontal_phantom, tmp_path / "case", b"PA", b"L\\F"), tmp_path / "out", "--no-report"
+    )
+    assert done.returncode == 0 and plain.returncode == 0, done.stderr
+    view = result["views"]["frontal"]
+    geometry = view["geometry"]
+    assert geometry["patient_left"] == {"value": "right", "source": "dicom"}
+    assert geometry["source"] == {"value": "behind", "source": "dicom"}
+    assert geometry["pixel_spacing_mm"]["source"] == "dicom" and geometry["source_to_detector_mm"]["source"] == "dicom"
+    for jaw, own in view["jaws"].items():
+        for name, place in own["landmarks_px"].items():
+            assert math.dist(place, expected["views"]["frontal"]["jaws"][jaw]["landmarks_px"][name]) < 0.05
+
+
+@pytest.mark.parametrize(
+    "position, orientation, change, words",
+    [
+        (b"LL", b"L\\F", lambda view: None, ["direction", "ViewPosition"]),
+        (b"AP", b"L\\F", lambda view: view["geometry"].update(source="behind"), ["geometry.source", "contradict"]),
+        (b"PA", b"R\\F", lambda view: view["cephalogram"].update(patient_left="right"), ["patient_left", "contradict"]),
+    ],
+)
+def test_a_case_goes_before_what_a_dicom_view_says(run, frontal_phantom, tmp_path, position, orientation, change, words):
+    case = with_a_dicom_view(frontal_phantom, tmp_path / "case", position, orientation, change)
+    done, result = register(run, case, tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert any(all(word in warning for word in words) for warning in result["warnings"]), result["warnings"]
+    assert result["views"]["frontal"]["status"] == "ok"
+
+
+def test_what_dicom_says_wrong_of_a_view_is_found(run, frontal_phantom, tmp_path):
+    case = with_a_dicom_view(frontal_phantom, tmp_path / "case", b"PA", b"R\\F")
+    done, result = register(run, case, tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert "view-sides" in [finding["code"] for finding in result["views"]["frontal"]["findings"]]
+
+
+def test_a_mark_without_a_side_is_the_midline_s_or_none(run, frontal_phantom, tmp_path):
+    """From the front both sides are beside each other: one molar of two is not their middle."""
+
+    def rename(case):
+        marks = json.loads((tmp_path / "case" / "frontal.json").read_text())
+        points = marks["landmarks"] if "landmarks" in marks else marks
+        middle = [0.5 * (points["UR1_tip"][k] + points["UL1_tip"][k]) for k in range(2)]
+        points["U6_MB"] = points.pop("UR6_MB")
+        points["L6_MB"] = points.pop("LR6_MB")
+        del points["UR1_tip"], points["UL1_tip"]
+        points["U1_tip"] = middle
+        (tmp_path / "case" / "frontal.json").write_text(json.dumps(marks))
+        del case["views"][0]["contours"]
+
+    done, result = register(run, changed(frontal_phantom, tmp_path / "case", rename), tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    view = result["views"]["frontal"]
+    assert view["status"] == "ok", view["findings"]
+    used = [name for jaw in view["jaws"].values() for name in jaw["landmarks_used"]]
+    assert "U1_tip" in used and "U6_MB" not in used
+    # One warning for both.
+    unused = [warning for warning in result["warnings"] if "tells no side" in warning]
+    assert len(unused) == 1 and "U6_MB" in unused[0] and "L6_MB" in unused[0]
+
+
+def test_a_jaw_of_a_view_alone_needs_the_other_one(run, frontal_phantom, tmp_path):
+    def change(case):
+        tracing = json.loads((tmp_path / "case" / "contours.json").read_text())
+        tracing["contours"]["upper"] = []
+        (tmp_path / "case" / "contours.json").write_text(json.dumps(tracing))
+        case["occlusion"] = False
+
+    done, result = register(run, changed(frontal_phantom, tmp_path / "case", change), tmp_path / "out", "--no-report")
+    assert done.returncode == 1, done.stderr
+    findings = result["jaws"]["upper"]["findings"]
+    assert [finding["code"] for finding in findings] == ["no-evidence"] and "further view alone" in findings[0]["text"]
+    assert result["jaws"]["lower"]["status"] == "ok"
+
+
+def test_project_places_points_on_a_view(run, frontal_phantom, tmp_path):
+    done, result = register(run, frontal_phantom / "case.json", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    points = frontal_phantom / "landmarks3d.json"
+    done = run("project", tmp_path / "out", "--points", points, "--view", "frontal")
+    assert done.returncode == 0, done.stderr
+    placed = json.loads(done.stdout)
+    for jaw in result["views"]["frontal"]["jaws"].values():
+        for name, place in jaw["landmarks_px"].items():
+            assert math.dist(placed[name]["position"], place) < 1e-6
+            assert placed[name]["sigma_px"] == pytest.approx(jaw["landmark_sigma_px"][name], rel=1e-6)
+    lateral = json.loads(run("project", tmp_path / "out", "--points", points, "--view", "lateral").stdout)
+    assert lateral == json.loads(run("project", tmp_path / "out", "--points", points).stdout)
+    done = run("project", tmp_path / "out", "--points", points, "--view", "oblique")
+    assert done.returncode == 2 and "oblique" in done.stderr and "lateral, frontal" in done.stderr
+
+
+def test_new_recognises_a_frontal_radiograph(run, frontal_phantom, tmp_path):
+    case = json.loads((frontal_phantom / "case.json").read_text())
+    view = case["views"][0]
+    for source, name in (
+        (case["upper"], "upper.stl"), (case["lower"], "lower.stl"), (case["contours"], "tracing.json"),
+        (case["cephalogram"]["image"], "smith-ceph.png"), (view["cephalogram"]["image"], "smith-PA.png"),
+        (view["contours"], "tracing-pa.json"), (view["cephalometric_landmarks"], "frontal marks.json"),
+    ):
+        shutil.copy(frontal_phantom / source, tmp_path / name)
+    done = run("new", tmp_path)
+    assert done.returncode == 0, done.stderr
+    made = json.loads((tmp_path / "case.json").read_text())
+    assert made["views"] == [
+        {"name": "frontal", "direction": "frontal", "cephalogram": {"image": "smith-PA.png"},
+         "contours": "tracing-pa.json", "cephalometric_landmarks": "frontal marks.json"}
+    ]
+    assert made["cephalogram"]["image"] == "smith-ceph.png" and made["contours"] == "tracing.json"
+    assert any("head stood still" in note for note in made["_notes"])
+    done, result = register(run, tmp_path / "case.json", tmp_path / "out", "--no-report")
+    assert done.returncode == 0 and list(result["views"]) == ["frontal"], done.stderr
+    # Without anything drawn on it, it is no view; alone, its name may be a patient's initials.
+    (tmp_path / "tracing-pa.json").unlink()
+    (tmp_path / "frontal marks.json").unlink()
+    assert run("new", tmp_path, "--force").returncode == 0
+    made = json.loads((tmp_path / "case.json").read_text())
+    assert "views" not in made and any(note.startswith("smith-PA.png: not used") for note in made["_notes"])
+    (tmp_path / "smith-ceph.png").unlink()
+    assert run("new", tmp_path, "--force").returncode == 0
+    assert json.loads((tmp_path / "case.json").read_text())["cephalogram"]["image"] == "smith-PA.png"

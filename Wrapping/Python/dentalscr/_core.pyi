@@ -6179,6 +6179,22 @@ class ViewVerdictThresholds:
     def suspectDeviance(self, arg0: float) -> None:
         ...
     @property
+    def suspectDevianceOfLandmark(self) -> float:
+        """
+        The same for each landmark that was let go, where most of what was drawn was.
+        """
+    @suspectDevianceOfLandmark.setter
+    def suspectDevianceOfLandmark(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectDevianceOfOutline(self) -> float:
+        """
+        The same for each outline that was let go, where most of what was drawn was.
+        """
+    @suspectDevianceOfOutline.setter
+    def suspectDevianceOfOutline(self, arg0: float) -> None:
+        ...
+    @property
     def suspectHeadMove(self) -> float:
         """
         And how far the head is moved then, standard deviations of patients who are turned in the ear rods.
@@ -6592,6 +6608,10 @@ class LandmarkCounterpartFilter(ProcessObject):
     """
     Where the landmarks of a cephalometric analysis are on the scans.
     """
+    def GetDirection(self) -> CephalometricGeometry.Direction:
+        """
+        Returns the direction of the radiograph. A frontal one shows both sides beside each other: there only a central incisor's landmark may do without a side, and is the middle of both. Lateral by default.
+        """
     def GetIgnoreSides(self) -> bool:
         """
         Returns whether the side in a name is ignored, so that "UR6_MB" is the middle of both as in a standard tracing. Off by default.
@@ -6615,6 +6635,10 @@ class LandmarkCounterpartFilter(ProcessObject):
     def IgnoreSidesOn(self) -> None:
         """
         The same as SetIgnoreSides(True). It sets whether the side in a name is ignored, so that "UR6_MB" is the middle of both as in a standard tracing. Off by default.
+        """
+    def SetDirection(self, value: CephalometricGeometry.Direction | str) -> None:
+        """
+        Sets the direction of the radiograph. A frontal one shows both sides beside each other: there only a central incisor's landmark may do without a side, and is the middle of both. Lateral by default.
         """
     def SetExcludedTeeth(self, teeth: typing.Sequence[str]) -> None:
         """

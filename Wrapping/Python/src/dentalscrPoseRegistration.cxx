@@ -1100,6 +1100,12 @@ WrapDownstream(py::module_ & module)
       "suspectDeviance",
       &ViewThresholdsType::suspectDeviance,
       "Difference of the robust criterion below which the other reading of the view (sides, source) is named.")
+    .def_readwrite("suspectDevianceOfLandmark",
+                   &ViewThresholdsType::suspectDevianceOfLandmark,
+                   "The same for each landmark that was let go, where most of what was drawn was.")
+    .def_readwrite("suspectDevianceOfOutline",
+                   &ViewThresholdsType::suspectDevianceOfOutline,
+                   "The same for each outline that was let go, where most of what was drawn was.")
     .def_readwrite("suspectMoveDeviance",
                    &ViewThresholdsType::suspectMoveDeviance,
                    "The same of a head that was turned between the radiographs and not said to be.")
@@ -1350,6 +1356,11 @@ WrapDownstream(py::module_ & module)
       py::arg("teeth"),
       "Codes of teeth that are left out: [\"UR3\"].")
     .dentalscrProperty(CounterpartType, MillimetresPerUnit, "the length of the scan landmarks' unit, mm; 1 by default.")
+    .dentalscrProperty(CounterpartType,
+                       Direction,
+                       "the direction of the radiograph. A frontal one shows both sides beside each other: there only "
+                       "a central incisor's landmark may do without a side, and is the middle of both. Lateral by "
+                       "default.")
     .dentalscrBoolean(CounterpartType,
                       IgnoreSides,
                       "whether the side in a name is ignored, so that \"UR6_MB\" is the middle of both as in a "

@@ -209,6 +209,9 @@ private:
   /** Landmarks of a jaw that can be registered with. */
   bool
   HasLandmarks(JawEnum jaw) const;
+  /** Whether something of a jaw was drawn on a further view. */
+  bool
+  IsOnAView(JawEnum jaw) const;
   void
   SkipWhatIsIncomplete();
   /** The dental axis of the scans, that of the last run where nothing that it depends on is another. */

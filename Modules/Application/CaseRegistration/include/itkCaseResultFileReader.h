@@ -62,10 +62,16 @@ public:
   itkSetStringMacro(FileName);
   itkGetStringMacro(FileName);
 
+  /** A further view, by its name, whose poses and projections are read instead of those of the first radiograph; ""
+   * (default) or "lateral": the first one. */
+  itkSetStringMacro(ViewName);
+  itkGetStringMacro(ViewName);
+
   PoseSolution *
   GetOutput();
 
-  /** "ok", "suspect" or "failed"; "" where the jaw is not in the result. Valid after Update(). */
+  /** "ok", "suspect" or "failed"; "" where the jaw is not in the result. On a further view the worse of the jaw's and
+   * the view's. Valid after Update(). */
   const std::string &
   GetStatus(ToothCode::JawEnum jaw) const
   {
@@ -90,6 +96,7 @@ protected:
 
 private:
   std::string                m_FileName;
+  std::string                m_ViewName;
   std::array<std::string, 2> m_Status;
   double                     m_MillimetresPerUnit{ 1.0 };
 };

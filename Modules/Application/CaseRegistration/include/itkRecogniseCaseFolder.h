@@ -32,8 +32,8 @@ namespace itk
  */
 struct RecognisedCase
 {
-  /** Field of a case file ("upper", "cephalogram.image") and the file, as it can be opened from here; in the order of
-   * the fields. */
+  /** Field of a case file ("upper", "cephalogram.image"; of a frontal radiograph "views.frontal.contours") and the
+   * file, as it can be opened from here; in the order of the fields. */
   std::vector<std::pair<std::string, std::string>> files;
   /** A sentence for each file that was looked at, and for what is still to be given. */
   std::vector<std::string> notes;
@@ -47,8 +47,9 @@ struct RecognisedCase
  *
  * A scan's jaw is told by whole words of its name, as the makers of scanners write them, never by a letter: "upper" in
  * "UpperJawScan" is one, the u of "uno.stl" is none; of single letters those of iTero's "shell_occlusion_u" alone
- * count. Tracings and landmarks are told by what is in them. Of two files that could be the same thing neither is
- * taken, and the notes say so. Throws DentalInputError where there is no such folder.
+ * count. Tracings and landmarks are told by what is in them, and by a word such as "frontal" that they were drawn on
+ * the frontal one of two radiographs. Of two files that could be the same thing neither is taken, and the notes say so.
+ * Throws DentalInputError where there is no such folder.
  *
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT RecognisedCase

@@ -313,6 +313,20 @@ CaseRegistration::HasLandmarks(JawEnum jaw) const
   });
 }
 
+bool
+CaseRegistration::IsOnAView(JawEnum jaw) const
+{
+  const auto isOfJaw = [jaw](const auto & landmark) { return landmark.meaning.jaw == jaw; };
+  return m_Preset == CasePresetEnum::Robust &&
+         std::any_of(m_Data->views.begin(), m_Data->views.end(), [&](const DentalViewData & view) {
+           return CountTracingPoints(view.GetContour(jaw)) > 0 ||
+                  (view.cephalometricLandmarks.IsNotNull() &&
+                   std::any_of(view.cephalometricLandmarks->GetLandmarks().begin(),
+                               view.cephalometricLandmarks->GetLandmarks().end(),
+                               isOfJaw));
+         });
+}
+
 void
 CaseRegistration::PlaceBesideTheOther()
 {
@@ -340,7 +354,7 @@ CaseRegistration::SkipWhatIsIncomplete()
     {
       m_Result.skipped[jaw] = points > 0 ? "traced, but there is no scan of this jaw" : "neither scan nor tracing";
     }
-    else if (points == 0 && this->HasLandmarks(jaw))
+    else if (points == 0 && (this->HasLandmarks(jaw) || this->IsOnAView(jaw)))
     {
       m_Result.jaws[jaw];
     }

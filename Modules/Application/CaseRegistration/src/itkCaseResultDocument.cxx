@@ -68,6 +68,31 @@ CaseResultDocument::CaseResultDocument(const std::string & name)
   }
 }
 
+JsonNode
+CaseResultDocument::GetView(const std::string & name) const
+{
+  constexpr char firstView[] = "lateral";
+  if (name.empty() || name == firstView)
+  {
+    return *m_Root;
+  }
+  const auto views = m_Root->Find("views");
+  if (const auto view = views ? views->Find(name) : std::nullopt)
+  {
+    return *view;
+  }
+  std::string names = firstView;
+  if (views)
+  {
+    for (const auto & member : views->GetMembers())
+    {
+      names += ", " + member.first;
+    }
+  }
+  itkDentalInputErrorMacro(
+    m_FileName, "views", "has no view \"" + name + '"', "name one that was registered: " + names);
+}
+
 double
 CaseResultDocument::GetMillimetresPerUnit() const
 {

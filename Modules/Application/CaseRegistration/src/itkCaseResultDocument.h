@@ -61,6 +61,11 @@ public:
   {
     return *m_Root;
   }
+  /** "geometry" and "jaws" of a further view, by its name; for "" and "lateral" the root, which has those of the first
+   * radiograph. */
+  JsonNode
+  GetView(const std::string & name) const;
+
   /** mm in one unit of the scans' files. */
   double
   GetMillimetresPerUnit() const;

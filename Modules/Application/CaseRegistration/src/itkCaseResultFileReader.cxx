@@ -19,6 +19,7 @@
 
 #include "itkCaseResultDocument.h"
 #include "itkPoseGeometryConversion.h"
+#include "itkRegistrationFinding.h"
 #include "itkRigidTransformRows.h"
 #include "itkValueSource.h"
 
@@ -30,6 +31,21 @@ namespace itk
 namespace
 {
 using JawEnum = ToothCode::JawEnum;
+
+/** A status in its place, of which any other word is an error. */
+RegistrationStatusEnum
+ReadStatus(const JsonNode & node)
+{
+  for (const RegistrationStatusEnum status :
+       { RegistrationStatusEnum::Ok, RegistrationStatusEnum::Suspect, RegistrationStatusEnum::Failed })
+  {
+    if (node.AsString() == ToString(status))
+    {
+      return status;
+    }
+  }
+  node.Fail("\"" + node.AsString() + "\" is no status (\"ok\", \"suspect\" or \"failed\")", "register the case again");
+}
 } // namespace
 
 CaseResultFileReader::CaseResultFileReader()
@@ -64,10 +80,11 @@ void
 CaseResultFileReader::GenerateData()
 {
   const CaseResultDocument document(m_FileName);
-  const JsonNode &         root = document.GetRoot();
+  const JsonNode           view = document.GetView(m_ViewName);
+  const JsonNode           firstJaws = document.GetRoot().Get("jaws");
   m_Status.fill("");
   PoseRegistrationResult result;
-  const auto             geometry = root.Get("geometry");
+  const auto             geometry = view.Get("geometry");
   result.geometry = ToPoseGeometry(*CaseResultDocument::ReadGeometry(geometry));
   const auto isKnown = [&geometry](const char * key) {
     return geometry.Get(key).Get("source").AsString() != ToString(ValueSourceEnum::Estimated);
@@ -75,7 +92,7 @@ CaseResultFileReader::GenerateData()
   result.geometry.pixelSpacingKnown = isKnown("pixel_spacing_mm");
   result.geometry.principalPointKnown = isKnown("principal_point_px");
   m_MillimetresPerUnit = document.GetMillimetresPerUnit();
-  const auto jaws = root.Get("jaws");
+  const auto jaws = view.Get("jaws");
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     const auto node = jaws.Find(ToString(jaw));
@@ -86,13 +103,13 @@ CaseResultFileReader::GenerateData()
     PoseJawResult own;
     own.jaw = jaw;
     own.registered = node->Find("projection_3x4").has_value();
-    const JsonNode    statusNode = node->Get("status");
-    const std::string status = statusNode.AsString();
-    if (status != "ok" && status != "suspect" && status != "failed")
+    // A view's status is of all that was drawn on it; a jaw has its own from the first radiograph.
+    RegistrationStatusEnum status = ReadStatus(firstJaws.Get(ToString(jaw)).Get("status"));
+    if (const auto ofView = view.Find("status"))
     {
-      statusNode.Fail("\"" + status + "\" is no status (\"ok\", \"suspect\" or \"failed\")", "register the case again");
+      status = std::max(status, ReadStatus(*ofView));
     }
-    m_Status[jaw == JawEnum::Upper ? 0 : 1] = status;
+    m_Status[jaw == JawEnum::Upper ? 0 : 1] = ToString(status);
     result.groupOfJaw.push_back(result.groups.size());
     if (!own.registered)
     {
@@ -131,6 +148,7 @@ CaseResultFileReader::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << m_FileName << std::endl;
+  os << indent << "ViewName: " << m_ViewName << std::endl;
   os << indent << "Status: " << m_Status[0] << ' ' << m_Status[1] << std::endl;
   os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
 }

@@ -129,12 +129,21 @@ CaseViews::CaseViews(const DentalCaseData & data, CaseAxisType * axis, CaseResul
     auto own = CephalogramView::New();
     own->SetName(view.description.name);
     own->SetGeometry(view.geometry);
-    own->SetUpperContour(data.upper.mesh.IsNull() ? nullptr : view.GetContour(JawEnum::Upper));
-    own->SetLowerContour(data.lower.mesh.IsNull() ? nullptr : view.GetContour(JawEnum::Lower));
+    const auto usable = [&](JawEnum jaw) {
+      return data.GetJaw(jaw).mesh.IsNotNull() && CountTracingPoints(view.GetContour(jaw)) > 0 ? view.GetContour(jaw)
+                                                                                               : nullptr;
+    };
+    own->SetUpperContour(usable(JawEnum::Upper));
+    own->SetLowerContour(usable(JawEnum::Lower));
     if (view.cephalometricLandmarks.IsNotNull())
     {
-      const auto counterparts = FindCaseCounterparts(
-        data, view.cephalometricLandmarks, false, axis, "view " + view.description.name + ": ", result);
+      const auto counterparts = FindCaseCounterparts(data,
+                                                     view.cephalometricLandmarks,
+                                                     view.description.direction,
+                                                     false,
+                                                     axis,
+                                                     "view " + view.description.name + ": ",
+                                                     result);
       if (!counterparts->GetCounterparts().empty())
       {
         own->SetCephalometricLandmarks(view.cephalometricLandmarks);
@@ -226,7 +235,7 @@ CaseViews::Describe(const PoseSolution &              solution,
       }
       for (const std::string & unused : poseJaw.unusedOutlines)
       {
-        result.warnings.push_back("view " + view.name + ": outline " + unused);
+        result.warnings.push_back("view " + view.name + ": " + unused);
       }
       if (!poseJaw.tracingFailure.empty() && poseJaw.unusedOutlines.empty())
       {

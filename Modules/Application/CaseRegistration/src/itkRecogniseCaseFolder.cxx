@@ -33,6 +33,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
+#include <utility>
 
 namespace itk
 {
@@ -57,6 +59,8 @@ const std::set<std::string> RadiographWords{ "ceph",          "cephalogram",    
                                              "cephalometric", "cephalometry",   "lateral",
                                              "radiograph",    "teleradiograph", "teleradiography",
                                              "xray" };
+/** What was taken from the front, or drawn on such a radiograph. */
+const std::set<std::string> FrontalWords{ "frontal", "pa", "ap", "posteroanterior", "anteroposterior", "coronal" };
 /** Pictures that are made of a radiograph. */
 const std::set<std::string> DerivedWords{ "overlay", "mask", "masks", "label", "labels", "seg", "segmentation", "drr" };
 
@@ -207,10 +211,16 @@ public:
     {
       this->LookAtDrawing(file);
     }
-    for (const char * field : { "contours", "cephalometric_landmarks", "landmarks_3d", "landmarks_2d" })
+    for (const char * field : { "contours",
+                                "cephalometric_landmarks",
+                                "landmarks_3d",
+                                "landmarks_2d",
+                                "views.frontal.contours",
+                                "views.frontal.cephalometric_landmarks" })
     {
       this->Settle(field);
     }
+    this->SettleFrontal();
     this->SayWhatIsMissing();
     return m_Case;
   }
@@ -274,12 +284,25 @@ private:
       this->Note(file, "not used: by its name it was made of a radiograph and is none");
       return;
     }
-    (HasAny(words, RadiographWords) ? m_Radiographs : m_OtherPictures).push_back(file);
+    (HasAny(words, FrontalWords)      ? m_FrontalRadiographs
+     : HasAny(words, RadiographWords) ? m_Radiographs
+                                      : m_OtherPictures)
+      .push_back(file);
   }
 
   void
   SettlePicture()
   {
+    // Of one radiograph alone the words may be a patient's initials.
+    if (m_Radiographs.empty() && m_OtherPictures.empty())
+    {
+      m_Radiographs.swap(m_FrontalRadiographs);
+    }
+    for (const std::string & file : m_FrontalRadiographs)
+    {
+      this->Add("views.frontal.cephalogram.image", file, "a frontal radiograph, by a word of its name");
+    }
+    this->Settle("views.frontal.cephalogram.image");
     const bool                       named = !m_Radiographs.empty();
     const std::vector<std::string> & files = named ? m_Radiographs : m_OtherPictures;
     for (const std::string & file : files)
@@ -301,17 +324,29 @@ private:
     {
       return;
     }
+    std::tie(m_ImageSize, m_HasSpacing) = this->MeasurePicture(image);
+    const std::string frontal = m_Case.Find("views.frontal.cephalogram.image");
+    if (!frontal.empty())
+    {
+      m_FrontalSize = this->MeasurePicture(frontal).first;
+    }
+  }
+
+  /** Its size, and whether it tells a pixel's length. */
+  std::pair<Size<2>, bool>
+  MeasurePicture(const std::string & image)
+  {
     auto reader = CephalogramFileReader::New();
     reader->SetFileName(image);
     try
     {
       reader->UpdateOutputInformation();
-      m_ImageSize = reader->GetOutput()->GetLargestPossibleRegion().GetSize();
-      m_HasSpacing = reader->HasPixelSpacing();
+      return { reader->GetOutput()->GetLargestPossibleRegion().GetSize(), reader->HasPixelSpacing() };
     }
     catch (const ExceptionObject & error)
     {
       this->Note(image, std::string("cannot be read: ") + error.GetDescription());
+      return { Size<2>{ { 0, 0 } }, false };
     }
   }
 
@@ -324,12 +359,16 @@ private:
       this->Note(file, "not used: it is " + own);
       return;
     }
-    bool sided = false;
+    const std::string frontalImage = m_Case.Find("views.frontal.cephalogram.image");
+    const bool        isFrontal =
+      HasAny(SplitWords(fs::path(file).stem().string()), FrontalWords) && !m_FrontalRadiographs.empty();
+    const std::string view = isFrontal ? "views.frontal." : "";
+    bool              sided = false;
     if (Reads([&]() {
           auto reader = DentalContourFileReader::New();
           reader->SetFileName(file);
-          reader->SetImageSize(m_ImageSize);
-          reader->SetImageFileName(m_Case.Find("cephalogram.image"));
+          reader->SetImageSize(isFrontal ? m_FrontalSize : m_ImageSize);
+          reader->SetImageFileName(isFrontal ? frontalImage : m_Case.Find("cephalogram.image"));
           // Whatever a millimetre is: this is about what the file holds.
           AnnotationFileReaderBase::VectorType spacing;
           spacing.Fill(1.0);
@@ -338,7 +377,10 @@ private:
           return reader->GetUpperOutput()->GetNumberOfPoints() + reader->GetLowerOutput()->GetNumberOfPoints() > 0;
         }))
     {
-      this->Add("contours", file, "a tracing: it holds curves with tooth codes");
+      this->Add(view + "contours",
+                file,
+                isFrontal ? "a tracing of the frontal radiograph, by a word of its name"
+                          : "a tracing: it holds curves with tooth codes");
     }
     else if (Reads([&]() {
                auto reader = DentalLandmarkFileReader<3>::New();
@@ -360,7 +402,13 @@ private:
                return !landmarks.empty();
              }))
     {
-      if (sided)
+      if (isFrontal)
+      {
+        this->Add(view + "cephalometric_landmarks",
+                  file,
+                  "landmarks of the frontal radiograph, by a word of its name, to register with");
+      }
+      else if (sided)
       {
         this->Add(
           "landmarks_2d",
@@ -409,6 +457,38 @@ private:
     }
   }
 
+  /** A view on which nothing was drawn is none. */
+  void
+  SettleFrontal()
+  {
+    const std::string prefix = "views.frontal.";
+    const std::string image = m_Case.Find(prefix + "cephalogram.image");
+    const bool        isDrawn =
+      !m_Case.Find(prefix + "contours").empty() || !m_Case.Find(prefix + "cephalometric_landmarks").empty();
+    if (image.empty() || !isDrawn)
+    {
+      for (const auto & file : m_Case.files)
+      {
+        if (file.first.compare(0, prefix.size(), prefix) == 0)
+        {
+          this->Note(file.second,
+                     image.empty() ? "not used after all: which picture it was drawn on is not known"
+                                   : "not used after all: no tracing and no landmarks have a word as \"frontal\" or "
+                                     "\"pa\" in their names, as what was drawn on it should");
+        }
+      }
+      m_Case.files.erase(
+        std::remove_if(m_Case.files.begin(),
+                       m_Case.files.end(),
+                       [&prefix](const auto & file) { return file.first.compare(0, prefix.size(), prefix) == 0; }),
+        m_Case.files.end());
+      return;
+    }
+    m_Case.notes.emplace_back("taken for granted: the head stood still between the radiographs, and the frontal one "
+                              "shows the patient's left at its right; else give \"same_head_position\": false and "
+                              "\"patient_left\" of the view; worth giving: its \"principal_point_px\"");
+  }
+
   void
   SayWhatIsMissing()
   {
@@ -434,10 +514,12 @@ private:
 
   std::vector<std::string>                        m_Files;
   std::vector<std::string>                        m_Radiographs;
+  std::vector<std::string>                        m_FrontalRadiographs;
   std::vector<std::string>                        m_OtherPictures;
   std::map<std::string, Candidates>               m_Candidates;
   std::map<std::string, std::vector<std::string>> m_Earlier;
   Size<2>                                         m_ImageSize{ { 0, 0 } };
+  Size<2>                                         m_FrontalSize{ { 0, 0 } };
   bool                                            m_HasSpacing{ false };
   RecognisedCase                                  m_Case;
 };

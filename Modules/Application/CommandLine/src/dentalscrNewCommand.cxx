@@ -23,6 +23,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -69,8 +70,20 @@ New(const NewOptions & options, const CommonOptions & common)
   for (const auto & file : found.files)
   {
     const std::string path = fs::absolute(file.second).lexically_proximate(beside).string();
-    const std::size_t dot = file.first.find('.');
-    (dot == std::string::npos ? json[file.first] : json[file.first.substr(0, dot)][file.first.substr(dot + 1)]) = path;
+    std::string       pointer = '/' + file.first;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    json[Json::json_pointer(pointer)] = path;
+  }
+  if (json.contains("views"))
+  {
+    Json views = Json::array();
+    for (const auto & view : json["views"].items())
+    {
+      Json own = { { "name", view.key() }, { "direction", "frontal" } };
+      own.update(view.value());
+      views.push_back(own);
+    }
+    json["views"] = views;
   }
   json["_notes"] = found.notes;
   itk::WriteFileAtomically(output.string(), json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
@@ -96,7 +109,8 @@ AddNewCommand(CLI::App & program, const CommonOptions & common, RunFunction & ru
   command->add_flag("--force", options->force, "Replace a case file that is there");
   command->footer(
     "Scans are told by whole words of their names (upper, maxilla, UpperJawScan, shell_occlusion_u), drawings by\n"
-    "what is in them. Why each file was taken or left stands in the case's \"_notes\".\n"
+    "what is in them; a frontal radiograph, and what was drawn on it, by a word of its name (frontal, pa). Why each\n"
+    "file was taken or left stands in the case's \"_notes\".\n"
     "Example:\n"
     "  dentalscr new patient17\n"
     "  dentalscr register patient17/case.json --output patient17/result\n");

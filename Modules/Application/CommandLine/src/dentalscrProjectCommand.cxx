@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "dentalscrCommands.h"
+#include "dentalscrScanOptions.h"
 
 #include "itkCaseResultFileReader.h"
 #include "itkDentalInputError.h"
@@ -46,6 +47,7 @@ struct ProjectOptions
   std::string result;
   std::string points;
   std::string jaw;
+  std::string view;
   std::string output;
 };
 
@@ -126,6 +128,7 @@ Project(const ProjectOptions & options)
 {
   auto reader = itk::CaseResultFileReader::New();
   reader->SetFileName(options.result);
+  reader->SetViewName(options.view);
   reader->Update();
   const itk::PoseSolution * solution = reader->GetOutput();
   Json                      json = Json::object();
@@ -188,10 +191,12 @@ AddProjectCommand(CLI::App & program, const CommonOptions &, RunFunction & run)
     ->required();
   command->add_option("--jaw", options->jaw, "The jaw of points whose names do not tell it")
     ->check(CLI::IsMember({ "upper", "lower" }));
+  AddViewOption(command, options->view);
   command->add_option("-o,--output", options->output, "JSON file (default: standard output)");
   command->footer("Gives position (continuous pixel index) and sigma_px (standard deviation an axis) of each.\n"
                   "Example:\n"
-                  "  dentalscr project result --points landmarks3d.json\n");
+                  "  dentalscr project result --points landmarks3d.json\n"
+                  "  dentalscr project result --points landmarks3d.json --view frontal\n");
   command->callback([options, &run]() { run = [options]() { return Project(*options); }; });
 }
 } // namespace dentalscr

@@ -19,6 +19,7 @@
 #define itkLandmarkCounterpartFilter_h
 
 #include "PoseRegistrationExport.h"
+#include "itkCephalometricGeometry.h"
 #include "itkCephalometricLandmarkSet.h"
 #include "itkDentalLandmarkSet.h"
 #include "itkLandmarkCounterpartSet.h"
@@ -44,8 +45,9 @@ namespace itk
  * scan landmarks have no name for, are derived from the cusps.
  *
  * Where a name tells no side, both teeth are looked for; where only one is found, the other's image may lie a way from
- * it, and the error says so. Apices are on no scan and have no counterpart; GetUnused() lists them, and whatever else
- * was not found, with the reason.
+ * it, and the error says so. On a frontal radiograph (SetDirection()) both stand beside each other: there only a
+ * central incisor's may do without a side, and is the middle of both. Apices are on no scan and have no counterpart;
+ * GetUnused() lists them, and whatever else was not found, with the reason.
  *
  * Inputs: the landmarks; scans (mm), their frames (mesh to dental frame, as UMidlineDentalAxisFilter gives them), scan
  * landmarks in the meshes' frames (unit: MillimetresPerUnit). A jaw without a scan has no counterparts. Output: the
@@ -111,6 +113,11 @@ public:
   itkGetConstMacro(IgnoreSides, bool);
   itkBooleanMacro(IgnoreSides);
 
+  /** Of the radiograph; lateral by default. */
+  using DirectionEnum = CephalometricGeometry::DirectionEnum;
+  itkSetEnumMacro(Direction, DirectionEnum);
+  itkGetEnumMacro(Direction, DirectionEnum);
+
   OutputType *
   GetOutput();
   const OutputType *
@@ -146,6 +153,7 @@ protected:
 private:
   double                    m_MillimetresPerUnit{ 1.0 };
   bool                      m_IgnoreSides{ false };
+  DirectionEnum             m_Direction{ DirectionEnum::Lateral };
   std::array<LabelsType, 2> m_Labels;
   std::vector<ToothCode>    m_ExcludedTeeth;
   std::vector<UnusedType>   m_Unused;

@@ -130,9 +130,15 @@ LandmarkCounterpartFilter::GenerateData()
       m_Unused.push_back({ landmark.name, "there is no scan of its jaw" });
       continue;
     }
-    const unsigned int     right = meaning.jaw == JawEnum::Upper ? 10 : 40;
-    const unsigned int     left = meaning.jaw == JawEnum::Upper ? 20 : 30;
-    const bool             both = m_IgnoreSides || !meaning.tooth.IsKnown();
+    const unsigned int right = meaning.jaw == JawEnum::Upper ? 10 : 40;
+    const unsigned int left = meaning.jaw == JawEnum::Upper ? 20 : 30;
+    const bool         both = m_IgnoreSides || !meaning.tooth.IsKnown();
+    if (both && m_Direction == DirectionEnum::Frontal && meaning.position > 1)
+    {
+      m_Unused.push_back(
+        { landmark.name, "its name tells no side, and a frontal radiograph shows both: name it as UR6_MB or UL6_MB" });
+      continue;
+    }
     std::vector<ToothCode> teeth;
     if (both)
     {
@@ -192,6 +198,7 @@ LandmarkCounterpartFilter::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
   os << indent << "IgnoreSides: " << (m_IgnoreSides ? "On" : "Off") << std::endl;
+  os << indent << "Direction: " << m_Direction << std::endl;
   os << indent << "UpperLabels: " << m_Labels[0].size() << std::endl;
   os << indent << "LowerLabels: " << m_Labels[1].size() << std::endl;
   os << indent << "ExcludedTeeth: " << m_ExcludedTeeth.size() << std::endl;
