@@ -86,14 +86,14 @@ MidsagittalPlaneFilter<TMesh>::VerifyPreconditions() ITKv5_CONST
     itkExceptionMacro("There is no mesh. Call SetUpperMesh() or SetLowerMesh().");
   }
   if (!(m_Options.startStep > 0.0 && m_Options.trimmedFraction > 0.0 && m_Options.trimmedFraction <= 1.0 &&
-        m_Options.truncationDistance > 0.0 && m_Options.normalWeight >= 0.0))
+        m_Options.truncationDistance > 0.0 && m_Options.rankingDistance > 0.0 && m_Options.normalWeight >= 0.0))
   {
     itkExceptionMacro("The options have startStep "
                       << m_Options.startStep << ", trimmedFraction " << m_Options.trimmedFraction
-                      << ", truncationDistance " << m_Options.truncationDistance << ", normalWeight "
-                      << m_Options.normalWeight
-                      << "; the first and third must be positive, the second in (0, 1], the last not negative. Call "
-                         "SetOptions().");
+                      << ", truncationDistance " << m_Options.truncationDistance << ", rankingDistance "
+                      << m_Options.rankingDistance << ", normalWeight " << m_Options.normalWeight
+                      << "; the first, third and fourth must be positive, the second in (0, 1], the last not negative. "
+                         "Call SetOptions().");
   }
 }
 
@@ -146,6 +146,7 @@ MidsagittalPlaneFilter<TMesh>::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "NormalWeight: " << m_Options.normalWeight << std::endl;
   os << indent << "TrimmedFraction: " << m_Options.trimmedFraction << std::endl;
   os << indent << "TruncationDistance: " << m_Options.truncationDistance << std::endl;
+  os << indent << "RankingDistance: " << m_Options.rankingDistance << std::endl;
   os << indent << "SearchSamples: " << m_Options.searchSamples << std::endl;
   os << indent << "FinalSamples: " << m_Options.finalSamples << std::endl;
   os << indent << "StartStep: " << m_Options.startStep << std::endl;

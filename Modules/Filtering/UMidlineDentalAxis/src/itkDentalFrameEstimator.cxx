@@ -249,7 +249,7 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
                          static_cast<double>(jaw.vertical.crowns.size());
     frame.symmetryConfidence = Ramp(share, 0.1, 0.3);
     const MidsagittalPlaneResult & mirror = refined ? plane : jaw.arch.mirror;
-    frame.symmetryConfidence *= Ramp(mirror.inlierFraction, 0.5, 0.8) * (0.4 + 0.6 * Ramp(mirror.margin, 0.0, 0.15));
+    frame.symmetryConfidence *= Ramp(mirror.inlierFraction, 0.5, 0.8) * (0.4 + 0.6 * Ramp(mirror.margin, 0.0, 0.1));
     frame.confidence = frame.signConfidence * frame.planeConfidence * frame.archConfidence * frame.symmetryConfidence;
     frame.valid = true;
   }

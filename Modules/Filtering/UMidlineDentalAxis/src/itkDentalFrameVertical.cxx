@@ -47,6 +47,9 @@ FarthestAcross(const Samples & samples, const Vector3 & axis)
   return Unit(best);
 }
 
+/** mm below the plate from which on a sector has no crowns: more than the curve of Spee and a short tooth together. */
+constexpr double BelowPlate = 4.0;
+
 /** The plane on which most sectors' tops lie, few above it: what a plate laid on the teeth does. All well spread
  * triples of sectors are tried. Heights of the tops over the plane of the sectors, along the occlusal direction. */
 std::vector<double>
@@ -74,7 +77,11 @@ HeightsOverPlate(const std::vector<Vector3> & tops, const Vector3 & occlusal, co
         for (std::size_t n = 0; n < size && cost < bestCost; ++n)
         {
           heights[n] = Dot(tops[n] - tops[i], normal) / along;
-          cost += heights[n] > 0.0 ? 1.5 * std::min(heights[n], limit) : std::min(-heights[n], limit);
+          // A sector that would be left out costs as much as one that reaches through the plate: else a plate that
+          // leans on the incisors and one side is preferred where lower incisors stand high, as in a deep bite.
+          cost += heights[n] > 0.0           ? 1.5 * std::min(heights[n], limit)
+                  : heights[n] < -BelowPlate ? 1.5 * limit
+                                             : std::min(-heights[n], limit);
         }
         if (cost < bestCost)
         {
@@ -103,12 +110,11 @@ HeightsOverPlate(const std::vector<Vector3> & tops, const Vector3 & occlusal, co
 std::vector<std::uint32_t>
 CrownBand(const Samples & samples, const Vector3 & occlusal, const Vector3 & centre, double band)
 {
-  constexpr int       sectors = 36;
-  constexpr double    belowPlate = 4.0; // mm: more than the curve of Spee and a short tooth together
-  const Vector3       e1 = FarthestAcross(samples, occlusal);
-  const Vector3       e2 = Cross(occlusal, e1);
-  std::vector<double> heights(samples.points.size());
-  std::vector<int>    sector(samples.points.size());
+  constexpr int                            sectors = 36;
+  const Vector3                            e1 = FarthestAcross(samples, occlusal);
+  const Vector3                            e2 = Cross(occlusal, e1);
+  std::vector<double>                      heights(samples.points.size());
+  std::vector<int>                         sector(samples.points.size());
   std::array<std::vector<double>, sectors> bySector;
   for (std::size_t i = 0; i < samples.points.size(); ++i)
   {
@@ -148,7 +154,7 @@ CrownBand(const Samples & samples, const Vector3 & occlusal, const Vector3 & cen
   threshold.fill(std::numeric_limits<double>::infinity());
   for (std::size_t n = 0; n < tops.size(); ++n)
   {
-    if (overPlate[n] > -belowPlate)
+    if (overPlate[n] > -BelowPlate)
     {
       threshold[owner[n]] = envelope[owner[n]] - band;
     }

@@ -373,13 +373,14 @@ EstimateMidsagittalPlane(const std::vector<OrientedPointSet> & jaws,
   }
 
   // Rank the leaders on denser samples, and finish the best of them.
-  if (candidates.size() > 3)
+  if (candidates.size() > 4)
   {
-    candidates.resize(3);
+    candidates.resize(4);
   }
   for (Plane & plane : candidates)
   {
     Iterate(ranking, plane, options, 5, 0.05, pairs);
+    plane.residual = TruncatedMean(pairs, options.rankingDistance);
   }
   std::stable_sort(candidates.begin(), candidates.end(), byResidual);
   Plane        best = candidates.front();

@@ -18,6 +18,8 @@
 #include "itkDentalFrameCohort.h"
 #include "itkParallelFor.h"
 
+#include "itkMath.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -365,6 +367,32 @@ TEST(DentalFrameEstimator, RealArchesShareAFrameInEveryArrangementInWhichTheyDo)
       }
     }
   }
+}
+
+TEST(DentalFrameEstimator, LowerIncisorsThatStandHighDoNotLeaveOutOneSide)
+{
+  // In a deep bite a plate that leans on the incisors and one side was preferred to one on both sides' molars, and the
+  // other side was left out as if it had no crowns: 45 degrees off.
+  for (const std::uint64_t seed : { 3000u, 3049u, 3073u })
+  {
+    itk::DentalFrameOptions options;
+    options.refineMidline = true;
+    const ScannedPair pair = MakeScannedPair(seed, "real");
+    const auto        result = itk::EstimateDentalFrame(nullptr, &pair.jaws[1], options);
+    EXPECT_LT(std::abs(result.lower.axes[0][1]), std::sin(5.0 * itk::Math::pi_over_180)) << "yaw, seed " << seed;
+    EXPECT_LT(AxisErrors(result.lower, Motion())[2], 6.0) << "z, seed " << seed;
+  }
+}
+
+TEST(DentalFrameEstimator, TeethWithoutAMirrorImageDoNotTurnTheAxis)
+{
+  // An extraction closed on one side: with distances that count up to 2 mm the arch interlocked one tooth off, 8
+  // degrees.
+  itk::DentalFrameOptions options;
+  options.refineMidline = true;
+  const ScannedPair pair = MakeScannedPair(3024, "real");
+  const auto        result = itk::EstimateDentalFrame(nullptr, &pair.jaws[1], options);
+  EXPECT_LT(std::abs(result.lower.axes[0][1]), std::sin(2.5 * itk::Math::pi_over_180));
 }
 
 TEST(DentalFrameEstimator, WhatTheOcclusionTestFoundIsSaid)
