@@ -377,22 +377,32 @@ EstimateMidsagittalPlane(const std::vector<OrientedPointSet> & jaws,
   {
     candidates.resize(4);
   }
+  std::vector<double> ranks;
   for (Plane & plane : candidates)
   {
     Iterate(ranking, plane, options, 5, 0.05, pairs);
-    plane.residual = TruncatedMean(pairs, options.rankingDistance);
+    ranks.push_back(TruncatedMean(pairs, options.rankingDistance));
   }
-  std::stable_sort(candidates.begin(), candidates.end(), byResidual);
-  Plane        best = candidates.front();
-  const double bestRank = best.residual;
+  const auto   leader = std::min_element(ranks.begin(), ranks.end()) - ranks.begin();
+  const double bestRank = ranks[static_cast<std::size_t>(leader)];
+  const auto   isApart = [&](const Plane & a, const Plane & b) {
+    return AngleBetween(a, b) > 2.0 || ShiftBetween(a, b, centre) > 1.0;
+  };
+  // Of minima beside the leader, which differ by how single cusps happen to match, the one of the smoother criterion.
+  Plane best = candidates[static_cast<std::size_t>(leader)];
+  for (const Plane & plane : candidates)
+  {
+    best =
+      plane.residual < best.residual && !isApart(plane, candidates[static_cast<std::size_t>(leader)]) ? plane : best;
+  }
   Iterate(fine, best, options, 15, 0.01, pairs);
 
   result.margin = options.truncationDistance - best.residual;
-  for (const Plane & plane : candidates)
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    if (AngleBetween(plane, best) > 2.0 || ShiftBetween(plane, best, centre) > 1.0)
+    if (isApart(candidates[i], best))
     {
-      result.margin = std::min(result.margin, std::max(0.0, plane.residual - bestRank));
+      result.margin = std::min(result.margin, std::max(0.0, ranks[i] - bestRank));
     }
   }
   std::size_t inliers = 0;
