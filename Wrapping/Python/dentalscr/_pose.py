@@ -191,7 +191,7 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
         geometry : CephalometricGeometry or dict
             Of this radiograph, ``direction="Frontal"`` for one from the front; with pixel spacing and principal point.
         upperContour, lowerContour : contour-like, optional
-            Drawn on it, continuous pixel indices: of a frontal one the outer outline.
+            Drawn on it, continuous pixel indices: of a frontal one single teeth with the codes of their sides.
         cephalometricLandmarks : dict or path, optional
             Marked on it, with their sides: ``{"UR1_tip": (u, v)}``.
         counterparts : dict, optional
@@ -525,6 +525,7 @@ class LandmarkCounterpartFilter(ProcessObject, _core.LandmarkCounterpartFilter):
         upperFrame: Optional[TransformLike] = None,
         lowerFrame: Optional[TransformLike] = None,
         scanLandmarks: Optional[LandmarksLike] = None,
+        direction: Any = None,
     ) -> Dict[str, LandmarkCounterpart]:
         """Finds a counterpart of each landmark; ``GetUnused`` lists those without one, and why.
 
@@ -538,7 +539,11 @@ class LandmarkCounterpartFilter(ProcessObject, _core.LandmarkCounterpartFilter):
             Mesh to dental frame, of :func:`UMidlineDentalAxis`. Without it only ``scanLandmarks`` are found.
         scanLandmarks : landmarks-like, optional
             Landmarks of the scans in the frame of the mesh files; ``SetMillimetresPerUnit`` says in what unit.
+        direction : Direction or str, optional
+            Of the radiograph, "Lateral" or "Frontal"; as it was set where it is not given.
         """
+        if direction is not None:
+            self.SetDirection(direction)
         given = as_cephalometric_landmarks(landmarks)
         self._SetCephalometricLandmarks(ReadCephalometricLandmarks(given) if isinstance(given, str) else given)
         self._SetScanLandmarks({} if scanLandmarks is None else as_landmarks(scanLandmarks, 3))

@@ -132,6 +132,12 @@ AddView(Case &                       self,
         bool                         sameHeadPosition,
         double                       principalPointSigma)
 {
+  if (!itk::IsViewName(name) || name == "lateral")
+  {
+    throw std::invalid_argument('"' + name +
+                                "\" is no name of a further view: use letters, digits, - and _, as in \"frontal\"; the "
+                                "case itself is \"lateral\"");
+  }
   for (const auto & other : self.data->views)
   {
     if (other.description.name == name)
@@ -143,22 +149,29 @@ AddView(Case &                       self,
   view.description.name = name;
   view.description.direction = geometry->GetDirection();
   view.description.sameHeadPosition = sameHeadPosition;
-  geometry->VerifyComplete();
   view.geometry = itk::CephalometricGeometry::New();
   view.geometry->CopyParameters(geometry);
   view.geometry->SetPoseToIdentity();
   for (itk::ValueSourceEnum * source : { &view.sources.sourceToMidsagittal,
                                          &view.sources.sourceToDetector,
                                          &view.sources.facing,
-                                         &view.sources.sourceSide,
-                                         &view.sources.pixelSpacing,
-                                         &view.sources.principalPoint })
+                                         &view.sources.sourceSide })
   {
     *source = itk::ValueSourceEnum::Given;
   }
-  view.spacingVerdict = itk::PixelSpacingVerdictEnum::UserGiven;
-  view.spacingProvenance = "given, detector plane";
-  view.principalPointSigma = principalPointSigma;
+  if (geometry->HasPixelSpacing())
+  {
+    view.sources.pixelSpacing = itk::ValueSourceEnum::Given;
+    view.spacingVerdict = itk::PixelSpacingVerdictEnum::UserGiven;
+    view.spacingProvenance = "given, detector plane";
+  }
+  // As of the case itself: nobody puts the ear rods into a picture's corner.
+  const auto & principal = geometry->GetPrincipalPoint();
+  if (principal[0] != 0.0 || principal[1] != 0.0)
+  {
+    view.sources.principalPoint = itk::ValueSourceEnum::Given;
+    view.description.principalPointSigma = principalPointSigma;
+  }
   view.image = image;
   view.imageSize = { { static_cast<unsigned int>(imageSize[0]), static_cast<unsigned int>(imageSize[1]) } };
   if (image != nullptr)
@@ -186,6 +199,8 @@ AddView(Case &                       self,
     throw std::invalid_argument("nothing was drawn on the view \"" + name +
                                 "\"; give upperContour, lowerContour or cephalometricLandmarks");
   }
+  itk::CompleteViewGeometry(*self.data, view, self.data->warnings);
+  view.geometry->VerifyComplete();
   self.data->views.push_back(view);
 }
 

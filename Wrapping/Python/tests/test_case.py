@@ -226,6 +226,24 @@ def test_a_second_view_by_file_and_by_hand(ds, two_views):
     assert "frontal" in repr(geometry)
 
 
+def test_the_page_s_lines_about_views_run(ds, two_views, monkeypatch):
+    page = pathlib.Path(__file__).resolve().parents[3] / "Documentation/Python.md"
+    lines = page.read_text().split("## Further radiographs")[1].split("```python")[1].split("```")[0]
+    case = ds.ReadCase(two_views / "case.json")
+    monkeypatch.chdir(two_views)
+    names = {
+        "ds": ds,
+        "upper": case.upper,
+        "lower": case.lower,
+        "geometry": case.geometry,
+        "tracing": ds.ReadContours("contours.json"),
+        "frames": ds.UMidlineDentalAxis(case.upper, case.lower, refineMidline=True),
+        "marks": json.loads((two_views / "frontal.json").read_text()),
+    }
+    exec(lines, names)
+    assert names["view"].status == "ok" and names["solution"].GetViewNames() == ["frontal"]
+
+
 def test_a_view_joins_the_method(ds, two_views):
     folder = two_views
     case = ds.ReadCase(folder / "case.json")
@@ -239,6 +257,7 @@ def test_a_view_joins_the_method(ds, two_views):
         upperFrame=axes.upperTransform,
         lowerFrame=axes.lowerTransform,
         scanLandmarks=case.landmarks3D,
+        direction="Frontal",
     )
     method = ds.PoseRegistrationMethod()
     method.SetFrames(axes)
@@ -281,6 +300,17 @@ def test_a_view_joins_the_method(ds, two_views):
         views=[view],
     )
     assert ds.register(whole).views["frontal"].status == "ok"
+    with pytest.raises(ValueError, match="no name of a further view"):
+        ds.Case(case.upper, imageSize=(10, 10), views=[{**view, "name": "../evil"}])
+    # What is not known of its geometry is likely, as in a file.
+    bare = ds.CephalometricGeometry(direction="Frontal")
+    unknown = ds.Case(
+        case.upper, case.lower, case.upperContour, case.lowerContour, geometry=case.geometry, imageSize=case.imageSize,
+        tracedSide=case.tracedSide, landmarks3D=case.landmarks3D, views=[{**view, "geometry": bare}],
+    )
+    result = ds.register(unknown)
+    assert sum("views.frontal" in warning for warning in result.warnings) == 2
+    assert all(jaw.status == "ok" or jaw.findings[0].code == "view" for jaw in (result.upper, result.lower))
     with pytest.raises(ValueError, match="nothing was drawn"):
         ds.Case(case.upper, imageSize=(10, 10), views=[{**view, "cephalometricLandmarks": None}])
     with pytest.raises(ValueError, match="two views"):

@@ -50,6 +50,15 @@ PrepareReader(const DentalRadiograph &     description,
               const DentalRadiographData & data,
               AnnotationFileReaderBase &   reader);
 
+/** Of a view's geometry that is not known, what is likely, with a warning for each: a view is registered with a
+ * complete one, and corrects it. Where the sources of its values do not say that its principal point is known, that is
+ * the picture's middle, to a tenth of its width; without a spacing it begins with the first radiograph's, else with
+ * 0.25 mm.
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+CompleteViewGeometry(const DentalCaseData & data, DentalViewData & view, std::vector<std::string> & warnings);
+
 /** What was drawn but of the teeth that the case excludes.
  *
  * \ingroup CaseRegistration */

@@ -18,6 +18,7 @@
 #ifndef itkDentalView_h
 #define itkDentalView_h
 
+#include "CaseRegistrationExport.h"
 #include "itkDentalRadiograph.h"
 
 #include <optional>
@@ -41,6 +42,13 @@ struct DentalView : public DentalRadiograph
   std::optional<double> principalPointSigma;
   bool                  sameHeadPosition{ true };
 };
+
+/** Whether a view may be called so: its name stands in results, messages and file names, and has at most 40 letters,
+ * digits, "-" and "_".
+ *
+ * \ingroup CaseRegistration */
+CaseRegistration_EXPORT bool
+IsViewName(const std::string & name);
 } // namespace itk
 
 #endif

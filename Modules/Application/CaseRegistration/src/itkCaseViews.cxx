@@ -18,6 +18,7 @@
 #include "itkCaseViews.h"
 
 #include "itkLandmarkProjectionFilter.h"
+#include "itkViewVerdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,16 +61,6 @@ IsSameLandmarks(const CephalometricLandmarkSet * one, const CephalometricLandmar
   });
 }
 
-/** Whether something was drawn on both that is one drawing: it would count twice. */
-template <typename TOne, typename TOther>
-bool
-SharesADrawing(const TOne & one, const TOther & other)
-{
-  return IsSameContour(one.GetContour(JawEnum::Upper), other.GetContour(JawEnum::Upper)) ||
-         IsSameContour(one.GetContour(JawEnum::Lower), other.GetContour(JawEnum::Lower)) ||
-         IsSameLandmarks(one.cephalometricLandmarks, other.cephalometricLandmarks);
-}
-
 /** The first radiograph's, as a view's. */
 struct FirstRadiograph
 {
@@ -108,19 +99,28 @@ CaseViews::CaseViews(const DentalCaseData & data, CaseAxisType * axis, CaseResul
   : m_Data(data)
 {
   const FirstRadiograph first{ data, data.cephalometricLandmarks.GetPointer() };
-  for (const DentalViewData & view : data.views)
+  for (std::size_t v = 0; v < data.views.size(); ++v)
   {
-    const auto sameView = std::find_if(m_ViewData.begin(), m_ViewData.end(), [&view](const DentalViewData * other) {
-      return SharesADrawing(view, *other);
-    });
-    if (SharesADrawing(view, first) || sameView != m_ViewData.end())
-    {
-      result.warnings.push_back(
-        "view " + view.description.name + " is not used: what was drawn on it is the drawing of " +
-        (sameView != m_ViewData.end() ? "view " + (*sameView)->description.name : std::string("the first radiograph")) +
-        ", to the last digit, and would count twice; name the file that was drawn on this radiograph");
-      continue;
-    }
+    const DentalViewData & view = data.views[v];
+    const std::string      prefix = "view " + view.description.name + ": ";
+    // Of the first radiograph, or of a view before this one.
+    const auto findTwin = [&](const auto & isTwin) {
+      if (isTwin(first))
+      {
+        return std::string("the first radiograph");
+      }
+      const auto twin = std::find_if(data.views.begin(), data.views.begin() + static_cast<std::ptrdiff_t>(v), isTwin);
+      return twin == data.views.begin() + static_cast<std::ptrdiff_t>(v) ? std::string()
+                                                                         : "view " + twin->description.name;
+    };
+    const auto isOwn = [&](const std::string & what, const std::string & twin) {
+      if (!twin.empty())
+      {
+        result.warnings.push_back(prefix + what + " not used: it is the drawing of " + twin +
+                                  ", to the last digit, and would count twice; name what was drawn on this radiograph");
+      }
+      return twin.empty();
+    };
     if (view.description.direction == CephalometricGeometry::DirectionEnum::Lateral)
     {
       result.warnings.push_back("view " + view.description.name +
@@ -130,12 +130,19 @@ CaseViews::CaseViews(const DentalCaseData & data, CaseAxisType * axis, CaseResul
     own->SetName(view.description.name);
     own->SetGeometry(view.geometry);
     const auto usable = [&](JawEnum jaw) {
-      return data.GetJaw(jaw).mesh.IsNotNull() && CountTracingPoints(view.GetContour(jaw)) > 0 ? view.GetContour(jaw)
-                                                                                               : nullptr;
+      const DentalContour * const drawn = view.GetContour(jaw);
+      return data.GetJaw(jaw).mesh.IsNotNull() && CountTracingPoints(drawn) > 0 &&
+                 isOwn(std::string("the ") + ToString(jaw) + " tracing is",
+                       findTwin([&](const auto & other) { return IsSameContour(drawn, other.GetContour(jaw)); }))
+               ? drawn
+               : nullptr;
     };
     own->SetUpperContour(usable(JawEnum::Upper));
     own->SetLowerContour(usable(JawEnum::Lower));
-    if (view.cephalometricLandmarks.IsNotNull())
+    if (view.cephalometricLandmarks.IsNotNull() && isOwn("its file of landmarks is", findTwin([&](const auto & other) {
+                                                           return IsSameLandmarks(view.cephalometricLandmarks,
+                                                                                  other.cephalometricLandmarks);
+                                                         })))
     {
       const auto counterparts = FindCaseCounterparts(data,
                                                      view.cephalometricLandmarks,
@@ -156,8 +163,7 @@ CaseViews::CaseViews(const DentalCaseData & data, CaseAxisType * axis, CaseResul
     if (own->GetUpperContour() == nullptr && own->GetLowerContour() == nullptr &&
         own->GetCephalometricLandmarks() == nullptr)
     {
-      result.warnings.push_back("view " + view.description.name +
-                                " is not used: nothing that was drawn on it is of a scan that is there");
+      m_Unused.push_back(&view);
       continue;
     }
     m_Views.push_back(own);
@@ -251,6 +257,23 @@ CaseViews::Describe(const PoseSolution &              solution,
         entry.second.expectedError = LandmarkProjectionFilter::ToMeanDistance(own->GetMiddleSigma(entry.first));
       }
     }
+    result.views.push_back(std::move(view));
+  }
+  for (const DentalViewData * data : m_Unused)
+  {
+    CaseViewResult view;
+    view.name = data->description.name;
+    view.sameHeadPosition = data->description.sameHeadPosition;
+    view.findings = { ViewVerdict::MakeUnusedFinding() };
+    view.status = ViewVerdict::GetStatus(view.findings);
+    view.result = std::make_shared<CaseResult>();
+    CaseResult & shown = *view.result;
+    shown.preset = result.preset;
+    shown.viewName = view.name;
+    shown.data = MakeCaseOfView(m_Data, *data);
+    shown.geometry = CephalometricGeometry::New();
+    shown.geometry->CopyParameters(data->geometry);
+    shown.jawsShareFrame = result.jawsShareFrame;
     result.views.push_back(std::move(view));
   }
 }

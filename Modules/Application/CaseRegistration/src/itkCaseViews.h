@@ -61,6 +61,8 @@ private:
   std::vector<CephalogramView::Pointer> m_Views;
   /** The data of each. */
   std::vector<const DentalViewData *> m_ViewData;
+  /** Those of which nothing can be used. */
+  std::vector<const DentalViewData *> m_Unused;
 };
 } // namespace itk
 

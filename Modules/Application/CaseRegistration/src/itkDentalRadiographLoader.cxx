@@ -113,6 +113,15 @@ DentalRadiographLoader::LoadImage()
   m_Image->Update();
   m_Data.image = m_Image->GetOutput();
   Append(m_Warnings, m_Image->GetWarnings());
+  if (m_Image->HasRadiographDirection() && m_Image->GetRadiographDirection() != m_Direction)
+  {
+    const std::string said = m_Image->GetProvenance().at("direction");
+    const bool        isView = !m_Prefix.empty();
+    this->Warn(isView ? "direction" : "cephalogram.image",
+               isView ? "the DICOM file says otherwise (" + said + "); the case's is used"
+                      : "the DICOM file says that it was taken from the front (" + said +
+                          "), and this is the place of the lateral radiograph: name a frontal one in \"views\"");
+  }
   const auto size = m_Data.image->GetLargestPossibleRegion().GetSize();
   m_Data.imageSize = { { static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]) } };
   if (stated && *stated != m_Data.imageSize)

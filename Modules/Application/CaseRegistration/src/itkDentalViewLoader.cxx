@@ -17,11 +17,15 @@
  *=========================================================================*/
 #include "itkDentalViewLoader.h"
 
+#include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalRadiographLoader.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <vector>
 
 namespace itk
 {
@@ -34,18 +38,6 @@ using DirectionEnum = GeometryType::DirectionEnum;
 constexpr double UsualPrincipalPointSigma = 4.0;
 /** Share of the picture's width: where the case does not name the ear rods, they are near its middle. */
 constexpr double GuessedPrincipalPointShare = 0.1;
-
-/** Warns where the DICOM file says another direction than the case. */
-void
-CompareDirection(DentalRadiographLoader & loader, const DentalView & description)
-{
-  const CephalogramFileReader * image = loader.GetImageReader();
-  if (image != nullptr && image->HasRadiographDirection() && image->GetRadiographDirection() != description.direction)
-  {
-    loader.Warn("direction",
-                "the DICOM file says otherwise (" + image->GetProvenance().at("direction") + "); the case's is used");
-  }
-}
 
 /** Where a frontal view's patient's left and source are: the case before DICOM before the default. */
 void
@@ -82,19 +74,23 @@ SettleFrontal(DentalRadiographLoader & loader, DentalViewData & view)
     view.geometry->SetFrontalSource(value);
   });
 }
+} // namespace
 
-/** Of what is not known, what is likely: a view is registered with a complete geometry, and corrects it. */
 void
-CompleteGeometry(DentalRadiographLoader & loader, const DentalCaseData & data, DentalViewData & view)
+CompleteViewGeometry(const DentalCaseData & data, DentalViewData & view, std::vector<std::string> & warnings)
 {
-  GeometryType & geometry = *view.geometry;
+  const auto warn = [&](const char * field, const char * text) {
+    warnings.push_back(data.description.fileName + (data.description.fileName.empty() ? "" : ": ") + "views." +
+                       view.description.name + '.' + field + ": " + text);
+  };
+  CephalometricGeometry & geometry = *view.geometry;
   if (!geometry.HasPixelSpacing())
   {
     // Radiographs of one machine are alike; how far it is off is estimated.
     const bool known = data.geometry->HasPixelSpacing();
     geometry.SetPixelSpacing(known ? data.geometry->GetPixelSpacing() : GeometryType::PixelSpacingType(0.25));
     view.spacingProvenance = known ? "unknown: begun with the first radiograph's" : "unknown: begun with 0.25 mm";
-    loader.Warn("cephalogram.pixel_spacing_mm", "is not known and estimated along");
+    warn("cephalogram.pixel_spacing_mm", "is not known and estimated along");
   }
   const auto & sigma = view.description.principalPointSigma;
   if (view.HasPrincipalPoint())
@@ -107,10 +103,9 @@ CompleteGeometry(DentalRadiographLoader & loader, const DentalCaseData & data, D
   principal[1] = 0.5 * (view.imageSize[1] - 1.0);
   geometry.SetPrincipalPoint(principal);
   view.principalPointSigma = sigma.value_or(GuessedPrincipalPointShare * view.imageSize[0]);
-  loader.Warn("geometry.principal_point_px",
-              "is not given: the picture's middle is begun with, and the view tells little of shifts");
+  warn("geometry.principal_point_px",
+       "is not given: the picture's middle is begun with, and the view tells little of shifts");
 }
-} // namespace
 
 void
 LoadDentalViews(DentalCaseData & data)
@@ -123,7 +118,13 @@ LoadDentalViews(DentalCaseData & data)
     DentalRadiographLoader loader(
       dentalCase, description, description.direction, "views." + description.name + '.', view, data.warnings);
     loader.LoadImage();
-    CompareDirection(loader, description);
+    std::error_code error;
+    if (!description.imageFile.empty() && !dentalCase.imageFile.empty() &&
+        std::filesystem::equivalent(
+          std::filesystem::u8path(description.imageFile), std::filesystem::u8path(dentalCase.imageFile), error))
+    {
+      loader.Warn("cephalogram.image", "is the file of the first radiograph: name the one of this view");
+    }
     loader.SettleGeometry();
     const bool isFrontal = description.direction == DirectionEnum::Frontal;
     view.contours = loader.LoadContours(
@@ -141,7 +142,7 @@ LoadDentalViews(DentalCaseData & data)
       }
     }
     loader.LoadLandmarks();
-    CompleteGeometry(loader, data, view);
+    CompleteViewGeometry(data, view, data.warnings);
     data.views.push_back(view);
   }
 }

@@ -19,6 +19,7 @@
 
 #include "itkASCIICharacter.h"
 #include "itkCaseFileFields.h"
+#include "itkCephalogramFileReader.h"
 
 #include <algorithm>
 
@@ -42,14 +43,30 @@ IsSecond(const JsonNode & node, const char * first, const char * second)
   return text == second;
 }
 
+/** As the case says it, else as the picture's DICOM tags do. */
+DirectionEnum
+FindDirection(const JsonNode & view, const fs::path & directory)
+{
+  const auto cephalogram = view.Find("cephalogram");
+  if (!view.Find("direction") && cephalogram && cephalogram->Find("image"))
+  {
+    auto image = CephalogramFileReader::New();
+    image->SetFileName(FindFile(*cephalogram, "image", directory));
+    image->UpdateOutputInformation();
+    if (image->HasRadiographDirection())
+    {
+      return image->GetRadiographDirection();
+    }
+  }
+  return IsSecond(view.Get("direction"), "lateral", "frontal") ? DirectionEnum::Frontal : DirectionEnum::Lateral;
+}
+
 /** A name stands in results, messages and file names. */
 std::string
 ReadName(const JsonNode & node, const DentalCase & dentalCase)
 {
   const std::string & name = node.AsString();
-  const bool          isPlain =
-    std::all_of(name.begin(), name.end(), [](char c) { return IsASCIIAlphanumeric(c) || c == '-' || c == '_'; });
-  if (name.empty() || name.size() > 40 || !isPlain)
+  if (!IsViewName(name))
   {
     node.Fail("is no short name", "use letters, digits, - and _, as in \"frontal\"");
   }
@@ -167,8 +184,7 @@ ReadDentalViews(const JsonNode &           node,
                                  "landmarks_2d",
                                  "same_head_position" });
     DentalView view;
-    view.direction =
-      IsSecond(own.Get("direction"), "lateral", "frontal") ? DirectionEnum::Frontal : DirectionEnum::Lateral;
+    view.direction = FindDirection(own, directory);
     view.name = own.Find("name") ? ReadName(own.Get("name"), dentalCase) : "frontal";
     if (!own.Find("name") && (view.direction == DirectionEnum::Lateral || !dentalCase.views.empty()))
     {
@@ -199,5 +215,12 @@ ReadDentalViews(const JsonNode &           node,
     }
     dentalCase.views.push_back(view);
   }
+}
+
+bool
+IsViewName(const std::string & name)
+{
+  return !name.empty() && name.size() <= 40 &&
+         std::all_of(name.begin(), name.end(), [](char c) { return IsASCIIAlphanumeric(c) || c == '-' || c == '_'; });
 }
 } // namespace itk

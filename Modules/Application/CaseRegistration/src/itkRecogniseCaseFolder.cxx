@@ -132,6 +132,29 @@ Reads(const TRead & read)
   }
 }
 
+/** What a DICOM file says of where it was taken from; nothing where it is none, or does not tell. */
+std::optional<CephalometricGeometry::DirectionEnum>
+DirectionOfDicom(const std::string & file)
+{
+  const std::string extension = LowerCase(fs::path(file).extension().string());
+  if (extension != ".dcm" && extension != ".dicom" && extension != ".ima")
+  {
+    return std::nullopt;
+  }
+  std::optional<CephalometricGeometry::DirectionEnum> direction;
+  Reads([&]() {
+    auto reader = CephalogramFileReader::New();
+    reader->SetFileName(file);
+    reader->UpdateOutputInformation();
+    if (reader->HasRadiographDirection())
+    {
+      direction = reader->GetRadiographDirection();
+    }
+    return true;
+  });
+  return direction;
+}
+
 /** Candidates for one field. */
 struct Candidates
 {
@@ -284,6 +307,13 @@ private:
       this->Note(file, "not used: by its name it was made of a radiograph and is none");
       return;
     }
+    if (const auto direction = DirectionOfDicom(file))
+    {
+      const bool isFrontal = *direction == CephalometricGeometry::DirectionEnum::Frontal;
+      m_ByDicom.insert(file);
+      (isFrontal ? m_FrontalRadiographs : m_Radiographs).push_back(file);
+      return;
+    }
     (HasAny(words, FrontalWords)      ? m_FrontalRadiographs
      : HasAny(words, RadiographWords) ? m_Radiographs
                                       : m_OtherPictures)
@@ -294,13 +324,17 @@ private:
   SettlePicture()
   {
     // Of one radiograph alone the words may be a patient's initials.
-    if (m_Radiographs.empty() && m_OtherPictures.empty())
+    if (m_Radiographs.empty() && m_OtherPictures.empty() && m_FrontalRadiographs.size() == 1 &&
+        m_ByDicom.count(m_FrontalRadiographs.front()) == 0)
     {
       m_Radiographs.swap(m_FrontalRadiographs);
     }
     for (const std::string & file : m_FrontalRadiographs)
     {
-      this->Add("views.frontal.cephalogram.image", file, "a frontal radiograph, by a word of its name");
+      this->Add("views.frontal.cephalogram.image",
+                file,
+                m_ByDicom.count(file) != 0 ? "a frontal radiograph, by its DICOM tags"
+                                           : "a frontal radiograph, by a word of its name");
     }
     this->Settle("views.frontal.cephalogram.image");
     const bool                       named = !m_Radiographs.empty();
@@ -309,7 +343,9 @@ private:
     {
       this->Add("cephalogram.image",
                 file,
-                named ? "the radiograph, by a word of its name" : "the radiograph, as there is no other picture");
+                m_ByDicom.count(file) != 0 ? "the radiograph, by its DICOM tags"
+                : named                    ? "the radiograph, by a word of its name"
+                                           : "the radiograph, as there is no other picture");
     }
     if (named)
     {
@@ -512,10 +548,12 @@ private:
       "and \"traced_side\"");
   }
 
-  std::vector<std::string>                        m_Files;
-  std::vector<std::string>                        m_Radiographs;
-  std::vector<std::string>                        m_FrontalRadiographs;
-  std::vector<std::string>                        m_OtherPictures;
+  std::vector<std::string> m_Files;
+  std::vector<std::string> m_Radiographs;
+  std::vector<std::string> m_FrontalRadiographs;
+  std::vector<std::string> m_OtherPictures;
+  /** Pictures whose tags tell from where they were taken. */
+  std::set<std::string>                           m_ByDicom;
   std::map<std::string, Candidates>               m_Candidates;
   std::map<std::string, std::vector<std::string>> m_Earlier;
   Size<2>                                         m_ImageSize{ { 0, 0 } };

@@ -118,6 +118,10 @@ PrintSummary(const itk::CaseResult & result, const std::string & output)
     }
     std::cout << '\n';
   }
+  for (const itk::CaseViewResult & view : result.views)
+  {
+    std::cout << "view " << view.name << ": " << itk::ToString(view.status) << '\n';
+  }
   for (const auto & entry : result.skipped)
   {
     std::cout << entry.first << ": skipped, " << entry.second << '\n';

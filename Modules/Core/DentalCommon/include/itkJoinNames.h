@@ -25,7 +25,7 @@
 
 namespace itk
 {
-/** Names for a sentence: "a, b and c"; "" of none.
+/** Names for a sentence: "a, b and c"; "" of none, and of more than eight the first seven and how many more there are.
  *
  * \ingroup DentalCommon */
 DentalCommon_EXPORT std::string

@@ -22,11 +22,14 @@ namespace itk
 std::string
 JoinNames(const std::vector<std::string> & names)
 {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
+  constexpr std::size_t most = 8;
+  const bool            isLong = names.size() > most;
+  const std::size_t     named = isLong ? most - 1 : names.size();
+  std::string           text;
+  for (std::size_t i = 0; i < named; ++i)
   {
     text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
   }
-  return text;
+  return isLong ? text + " and " + std::to_string(names.size() - named) + " more" : text;
 }
 } // namespace itk

@@ -36,8 +36,10 @@ namespace itk
  * of a pose serves: landmarks, silhouettes, outlines of teeth, with the geometry of the view in its transform. Priors
  * say how far the head may have moved (ParameterPriorMetricv4).
  *
- * Kernel, noise and matches are those of the term that it holds. By default it joins with the candidates
- * (GetJoins()): the search for where to begin looks at the first view, in whose pixels this term's mean nothing.
+ * Kernel, noise and matches are those of the term that it holds. How well a drawing fits (AddFit()) is said of the
+ * first view alone: a candidate's score, and with it whether other readings of that drawing are tried, is not spoiled
+ * by a view that contradicts. By default it joins with the candidates (GetJoins()): the search for where to begin looks
+ * at the first view, in whose pixels this term's mean nothing.
  *
  * Position: pitch, roll, yaw, tx, ty, tz of the body, the same six of the move, kappa of the view.
  *
@@ -97,8 +99,6 @@ public:
   ComputeGradient(const PositionType & x, VectorType & gradient) const override;
   void
   AddSquaredMotion(const PositionType & from, const PositionType & to, double & sum, double & count) const override;
-  void
-  AddFit(const PositionType & x, RegistrationFit & fit) const override;
   void
   SetReach(double standardDeviations) override;
   void

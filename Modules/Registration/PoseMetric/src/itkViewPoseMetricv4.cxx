@@ -170,12 +170,6 @@ ViewPoseMetricv4::AddSquaredMotion(const PositionType & from,
 }
 
 void
-ViewPoseMetricv4::AddFit(const PositionType & x, RegistrationFit & fit) const
-{
-  this->VerifyTerm().AddFit(MakeTermPosition(x), fit);
-}
-
-void
 ViewPoseMetricv4::SetReach(double standardDeviations)
 {
   this->VerifyTerm().SetReach(standardDeviations);

@@ -37,8 +37,9 @@ namespace itk
  * the first, lateral one.
  *
  * Its geometry says from where it was taken (CephalometricGeometry::SetDirection()), and where its principal point and
- * pixel spacing are: both have to be known. A frontal tracing is the outer outline, incisal edges and the buccal
- * borders of molars; landmarks have sides. Any of contours and landmarks may be missing, as long as something is there.
+ * pixel spacing are: both have to be known. A frontal tracing is of single teeth with their codes, incisal edges and
+ * buccal borders of molars; landmarks have sides. Any of contours and landmarks may be missing, as long as something is
+ * there.
  *
  * Biplanar machines take both radiographs at once (SameHeadPosition). Otherwise the patient was turned in the ear rods,
  * and small rotations and shifts of the head are estimated along.

@@ -76,6 +76,10 @@ public:
     return Evaluate(result, view, Thresholds());
   }
 
+  /** Of a view of which nothing can be used. */
+  static RegistrationFinding
+  MakeUnusedFinding();
+
   /** The worst of findings. */
   static RegistrationStatusEnum
   GetStatus(const std::vector<RegistrationFinding> & findings);

@@ -151,9 +151,11 @@ PoseRegistrationEngine::AddViews(const PoseProblem &              problem,
     sum.AddMetric(ofMove);
     sum.AddMetric(ofScale);
     // Outlines pull with half a millimetre's certainty, and a jaw that is still some millimetres off on the first view
-    // would be dragged past its place there; landmarks beside them wait for them.
-    const bool isOutlined =
-      std::any_of(members.begin(), members.end(), [&](std::size_t j) { return jaws[j].views[v].outlines.IsNotNull(); });
+    // would be dragged past its place there; a silhouette that contradicts is let go only by a kernel that is narrow.
+    // Landmarks beside them wait for them.
+    const bool isOutlined = std::any_of(members.begin(), members.end(), [&](std::size_t j) {
+      return jaws[j].views[v].outlines.IsNotNull() || jaws[j].views[v].silhouette.IsNotNull();
+    });
     const auto add = [&](PoseMetricv4 * term, MetricType::SettingsEnum settings) {
       if (term != nullptr)
       {

@@ -327,6 +327,7 @@ JudgeFilm(const PoseGeometry &                       geometry,
 
 void
 JudgePriors(const PoseGroupResult &                 group,
+            bool                                    hasViews,
             const RegistrationVerdict::Thresholds & thresholds,
             RegistrationVerdict::JawVerdict &       verdict)
 {
@@ -353,7 +354,8 @@ JudgePriors(const PoseGroupResult &                 group,
         text = "the head would be turned by " + FormatNumber(value * DegreesPerRadian, 1) + " degrees";
         break;
       default:
-        text = "the midline would be " + FormatNumber(value, 1) + " mm off the midsagittal plane";
+        text = "the midline would be " + FormatNumber(value, 1) + " mm off the midsagittal plane" +
+               (hasViews ? ": are the principal points of all radiographs right?" : "");
         break;
     }
     Add(verdict, StatusEnum::Suspect, "prior-tension", text, { group.priorTension[k], limit, "sd" });
@@ -603,7 +605,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
           "another position, " + FormatNumber(distance, 0) + " px away, fits nearly as well",
           { group.margin, thresholds.suspectMargin, "" });
     }
-    JudgePriors(group, thresholds, verdict);
+    JudgePriors(group, !result.views.empty(), thresholds, verdict);
     if (std::abs(group.parameters[PosePitch]) > thresholds.failedPitch)
     {
       Add(

@@ -37,6 +37,14 @@ ViewVerdict::GetStatus(const std::vector<RegistrationFinding> & findings)
   return worst;
 }
 
+RegistrationFinding
+ViewVerdict::MakeUnusedFinding()
+{
+  constexpr auto Suspect = RegistrationStatusEnum::Suspect;
+  return { Suspect,      "view-unused", "nothing that was drawn on it can be used: see the warnings",
+           std::nullopt, std::nullopt,  "" };
+}
+
 std::vector<RegistrationFinding>
 ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, const Thresholds & thresholds)
 {
@@ -87,12 +95,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   const std::size_t                fitting = tally.GetKept();
   if (apart.empty() && fitting == 0 && !isTraced)
   {
-    findings.push_back({ Suspect,
-                         "view-unused",
-                         "nothing that was drawn on it was found on the scans",
-                         std::nullopt,
-                         std::nullopt,
-                         "" });
+    findings.push_back(MakeUnusedFinding());
     return findings;
   }
 
@@ -159,7 +162,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
         "view-disagrees",
         "it contradicts the first radiograph: " + std::to_string(apart.size()) + " of " +
           std::to_string(apart.size() + fitting) + " " + drawings + " do not fit (" + JoinNames(apart) +
-          "); is it of the same patient, and its geometry right?",
+          "); is it of the same patient, marked in pixels of this very picture, and its geometry right?",
         tally.GetLargest(),
         thresholds.landmarkApart,
         "sd");
@@ -200,17 +203,18 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   if (tension > thresholds.suspectPriorTension || isHeadMoved)
   {
     const bool isTense = tension > thresholds.suspectPriorTension;
-    add(
-      Suspect,
-      "view-head-moved",
-      view.sameHeadPosition
-        ? "it fits better with the head elsewhere, or at another scale, than in the first one: say "
-          "\"same_head_position\": false where the patient was turned, and check its principal point and pixel spacing"
-        : "it fits only with the head far from where it was in the first one, or at another scale: check its "
-          "principal point and pixel spacing",
-      isTense ? tension : head,
-      isTense ? thresholds.suspectPriorTension : thresholds.suspectMoveDeviance,
-      isTense ? "sd" : "");
+    add(Suspect,
+        "view-head-moved",
+        view.sameHeadPosition
+          ? "it fits better with the head elsewhere, or at another scale, than in the first one: say "
+            "\"same_head_position\": false where the patient was turned, and check that it is of this patient, its "
+            "principal "
+            "point and pixel spacing"
+          : "it fits only with the head far from where it was in the first one, or at another scale: check that it "
+            "is of this patient, its principal point and pixel spacing",
+        isTense ? tension : head,
+        isTense ? thresholds.suspectPriorTension : thresholds.suspectMoveDeviance,
+        isTense ? "sd" : "");
   }
   return findings;
 }
