@@ -201,6 +201,24 @@ def test_tables_name_cases_by_file_or_by_options(run, patients, tmp_path):
     done = run("batch", table, "--output", tmp_path / "fields", "--no-report")
     assert done.returncode == 0, done.stderr
     assert "kept" in run("batch", table, "--output", tmp_path / "fields", "--no-report", "--resume").stdout
+    # Where one stands beside the table, its name has no folder.
+    again = run("batch", "cases.csv", "--output", "fields", "--no-report", "--resume", cwd=tmp_path)
+    assert again.returncode == 0 and "kept" in again.stdout, again.stderr
+
+
+def test_what_is_said_of_a_case_as_a_whole_is_in_its_rows(run, patients, tmp_path):
+    """A misspelt field changes what is registered, and nobody reads a log a case."""
+    shutil.copytree(patients / "north/p1", tmp_path / "cases/p1")
+    case = json.loads((tmp_path / "cases/p1/case.json").read_text())
+    (tmp_path / "cases/p1/case.json").write_text(json.dumps({**case, "traced_sides": "left"}))
+    (tmp_path / "cases/p2").mkdir()
+    done = run("batch", tmp_path / "cases", "--output", tmp_path / "out", *FAST)
+    assert done.returncode == 0 and "no case.json is in p2" in done.stderr, done.stderr
+    for _ in range(2):
+        rows = rows_of(tmp_path / "out")
+        assert len(rows) == 2 and all("traced_sides: unknown field" in row["message"] for row in rows)
+        # Of a result that is kept, too.
+        assert "1 kept" in run("batch", tmp_path / "cases", "--output", tmp_path / "out", "--resume", *FAST).stdout
 
 
 @pytest.mark.parametrize(
