@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import pty
 import shutil
 import signal
 import subprocess
@@ -11,6 +12,7 @@ import pytest
 
 from program_faults import wait_until
 
+FAST = ("--no-report", "--no-page", "--preset", "bounding-box")
 COLUMNS = ["case", "jaw", "status", "findings", "matched_px", "expected_error_px", "seconds", "message"]
 
 
@@ -147,6 +149,30 @@ def test_stopped_it_tells_of_no_case_that_failed(program, run, patients, tmp_pat
     assert "north_" not in said and not [row for row in rows_of(output) if row["status"] == "unusable"]
 
 
+def test_on_a_terminal_what_is_said_has_a_line_of_its_own(program, patients, tmp_path):
+    """The line that tells how far it is is rewritten: what stays must not stand behind it."""
+    terminal, other_end = pty.openpty()
+    process = subprocess.Popen(
+        [str(program), "batch", str(patients / "south"), "--output", str(tmp_path / "out"), "--jobs", "1", *FAST],
+        stderr=other_end,
+        stdout=subprocess.DEVNULL,
+    )
+    os.close(other_end)
+    said = b""
+    try:
+        while part := os.read(terminal, 4096):
+            said += part
+    except OSError:
+        # So it ends, where the other end is closed.
+        pass
+    os.close(terminal)
+    assert process.wait(timeout=60) == 2
+    seen = [line.split("\r\x1b[K")[-1] for line in said.decode().split("\r\n")]
+    assert b"2 cases" in said and b" left" in said, said
+    (bad,) = [line for line in seen if "upper.stl" in line]
+    assert bad.startswith("dentalscr: =cmd|bad: ") and seen[-1] == "", seen
+
+
 def test_a_scan_that_cases_share_is_known_again(run, patients, tmp_path, monkeypatch):
     """Names in a case file lead from it, also out of its folder, and wherever it is named from."""
     shutil.copytree(patients / "north" / "p1", tmp_path / "shared")
@@ -201,6 +227,24 @@ def test_tables_name_cases_by_file_or_by_options(run, patients, tmp_path):
     done = run("batch", table, "--output", tmp_path / "fields", "--no-report")
     assert done.returncode == 0, done.stderr
     assert "kept" in run("batch", table, "--output", tmp_path / "fields", "--no-report", "--resume").stdout
+    # Where one stands beside the table, its name has no folder.
+    again = run("batch", "cases.csv", "--output", "fields", "--no-report", "--resume", cwd=tmp_path)
+    assert again.returncode == 0 and "kept" in again.stdout, again.stderr
+
+
+def test_what_is_said_of_a_case_as_a_whole_is_in_its_rows(run, patients, tmp_path):
+    """A misspelt field changes what is registered, and nobody reads a log a case."""
+    shutil.copytree(patients / "north/p1", tmp_path / "cases/p1")
+    case = json.loads((tmp_path / "cases/p1/case.json").read_text())
+    (tmp_path / "cases/p1/case.json").write_text(json.dumps({**case, "traced_sides": "left"}))
+    (tmp_path / "cases/p2").mkdir()
+    done = run("batch", tmp_path / "cases", "--output", tmp_path / "out", *FAST)
+    assert done.returncode == 0 and "no case.json is in p2" in done.stderr, done.stderr
+    for _ in range(2):
+        rows = rows_of(tmp_path / "out")
+        assert len(rows) == 2 and all("traced_sides: unknown field" in row["message"] for row in rows)
+        # Of a result that is kept, too.
+        assert "1 kept" in run("batch", tmp_path / "cases", "--output", tmp_path / "out", "--resume", *FAST).stdout
 
 
 @pytest.mark.parametrize(
@@ -234,9 +278,6 @@ def test_a_pattern_finds_cases(run, patients, tmp_path):
     assert done.returncode == 0, done.stderr
     assert {row["case"] for row in rows_of(tmp_path / "out")} == {"p1", "p2"}
     assert not (tmp_path / "out" / "index.html").exists()
-
-
-FAST = ("--no-report", "--no-page", "--preset", "bounding-box")
 
 
 @pytest.fixture(scope="module")

@@ -495,8 +495,12 @@ def batches():
     yield "a name that is a folder's own", "a.csv", "id,case\n..,b.json\n", ("row 2", "the id \"..\" can't be a folder's name")
     yield "a name of 300 letters", "a.csv", "id,case\n" + "a" * 300 + ",b.json\n", ("row 2", "the id")
     yield "a column twice", "a.csv", "case,case\na.json,b.json\n", ("row 1", 'has two columns "case"')
-    yield "a quote is not closed", "a.csv", 'id,case\n"a,b.json\n', ("row 2", "has no case")
-    yield "bytes of no text", "a.csv", bytes(range(256)), ('has neither a column "case" nor columns of options',)
+    yield "a quote is not closed", "a.csv", 'id,case\n"a,b.json\n', ("row 2", "a quotation mark that is never closed")
+    yield "a quote that swallows rows", "a.csv", 'id,case,note\na,a.json,"x\nb,b.json,\n', ("row 2", "never closed")
+    yield "bytes of no text", "a.csv", bytes(range(256)), ("is no text: it has bytes of zero",)
+    yield "UTF-16", "a.csv", "id,case\na,b.json\n".encode("utf-16"), ("is UTF-16",)
+    yield "Latin-1", "a.csv", "id,case\nMüller,b.json\n".encode("latin-1"), ("row 2", "not UTF-8")
+    yield "a name of a table", "a.csv", "id,case\nsummary.csv,b.json\n", ("row 2", "the id")
     yield "no names", "a.csv", "case\na.json\nb.json\n", READ
     yield "lines end as on Windows", "a.csv", "id;case\r\na;b.json\r\n", READ
 

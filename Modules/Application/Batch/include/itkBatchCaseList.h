@@ -31,10 +31,11 @@ namespace itk
  * \brief Finds the cases of a batch.
  *
  * In a folder every `case.json` below it, each named after the folders that it lies in; where there is none, the case
- * files that lie in the folder itself. A table (CSV with a header) has a column `case` with the file, or columns that
- * are named as the options of `dentalscr register` are (`upper`, `contours`, `spacing`: numbers with blanks between
- * them); `id` names a case; names of files are relative to the table. Other columns are handed through, with a warning.
- * Anything else is a pattern as of a shell, for case files or folders.
+ * files that lie in the folder itself. Hidden folders are not entered, links to folders are; folders that hold no case
+ * beside such as do are named in a warning. A table (CSV with a header) has a column `case` with the file, or columns
+ * that are named as the options of `dentalscr register` are (`upper`, `contours`, `spacing`: numbers with blanks
+ * between them); `id` names a case; names of files are relative to the table. Other columns are handed through, with a
+ * warning. Anything else is a pattern as of a shell, for case files or folders.
  *
  * Errors (DentalInputError): nothing found, two cases of one name, a table that is none.
  *
@@ -51,7 +52,7 @@ public:
   std::vector<BatchCase>
   Find(const std::vector<std::string> & inputs);
 
-  /** What of the inputs was left out, a sentence each. */
+  /** What of the inputs was left out, a line each. */
   const std::vector<std::string> &
   GetWarnings() const
   {
@@ -60,7 +61,7 @@ public:
 
 private:
   void
-  AddFolder(const std::string & folder, std::vector<BatchCase> & cases) const;
+  AddFolder(const std::string & folder, std::vector<BatchCase> & cases);
   void
   AddTable(const std::string & fileName, std::vector<BatchCase> & cases);
   void

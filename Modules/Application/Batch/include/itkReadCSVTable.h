@@ -27,7 +27,8 @@ namespace itk
 {
 /** Rows of cells of a table of comma-separated values, the heading first; semicolons are taken where there is no comma
  * in that, as half of Europe writes it. \param text     of the file \param fileName that an error names:
- * DentalInputError for what is no such table. \ingroup Batch */
+ * DentalInputError for what is no such table, is not UTF-8, or has a quotation mark that is never closed, which would
+ * take the rest of the table for one cell. \ingroup Batch */
 Batch_EXPORT std::vector<std::vector<std::string>>
              ReadCSVTable(const std::string & text, const std::string & fileName);
 } // namespace itk

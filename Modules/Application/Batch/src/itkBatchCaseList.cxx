@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace itk
 {
@@ -53,9 +54,132 @@ MakeId(const fs::path & way)
 bool
 IsFolderName(const std::string & id)
 {
+  // The tables and the page lie beside the folders.
+  const bool isTaken = id == "summary.csv" || id == "summary.json" || id == "index.html";
+  // What ends a line of a log, or moves a terminal's cursor, is no letter of a name.
+  const bool isPlain = std::none_of(id.begin(), id.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
   // A record of the case has a few letters more, and 255 are what file systems allow.
-  return !id.empty() && id.size() <= 240 && id[0] != '.' && id.find('/') == std::string::npos;
+  return !id.empty() && id.size() <= 240 && id[0] != '.' && id.find('/') == std::string::npos && !isTaken && isPlain;
 }
+
+/** The first of them, for a sentence. */
+std::string
+List(const std::vector<std::string> & words)
+{
+  constexpr std::size_t most = 5;
+  std::string           text;
+  for (std::size_t i = 0; i < std::min(most, words.size()); ++i)
+  {
+    text += (i == 0 ? "" : ", ") + (words[i].size() <= 60 ? words[i] : std::string("..."));
+  }
+  return words.size() <= most ? text : text + " and " + std::to_string(words.size() - most) + " more";
+}
+
+/** A walk through a folder and all below it. Folders that are links are entered, each folder once and by its own name
+ * where it has one, so that a link that leads back leads nowhere. */
+class FolderWalk
+{
+public:
+  explicit FolderWalk(const fs::path & folder)
+    : m_Root(folder)
+  {
+    m_Links.emplace_back(folder);
+    // Links that are met are appended.
+    for (std::size_t i = 0; i < m_Links.size(); ++i)
+    {
+      const fs::path link = m_Links[i];
+      if (!this->Enter(link, false) && i > 0)
+      {
+        this->Add(link, without);
+      }
+    }
+  }
+
+  /** Every case.json. */
+  std::vector<fs::path> found;
+  /** Relative to where it began, the topmost ones: folders with no case in them, and ones that can't be read. */
+  std::vector<std::string> without;
+  std::vector<std::string> unreadable;
+
+private:
+  void
+  Add(const fs::path & folder, std::vector<std::string> & to) const
+  {
+    to.push_back(folder == m_Root ? folder.string() : folder.lexically_relative(m_Root).string());
+  }
+
+  /** False: there is nothing of a case in it. */
+  bool
+  Enter(const fs::path & folder, bool isInCase)
+  {
+    std::error_code error;
+    const fs::path  real = fs::canonical(folder, error);
+    if (!error && !m_Entered.insert(real.string()).second)
+    {
+      return true;
+    }
+    std::vector<fs::path>  folders;
+    fs::directory_iterator it(folder, error);
+    bool                   isCase = isInCase;
+    while (!error && it != fs::directory_iterator())
+    {
+      std::error_code ignored;
+      const fs::path  path = it->path();
+      if (path.filename() == "case.json" && it->is_regular_file(ignored))
+      {
+        found.push_back(path);
+        isCase = true;
+      }
+      else if (it->is_directory(ignored) && path.filename().string()[0] != '.')
+      {
+        folders.push_back(path);
+      }
+      // What a batch has written is no case, and none is missing there.
+      isCase = isCase || (path.filename() == ".batch" && it->is_directory(ignored));
+      it.increment(error);
+    }
+    if (error)
+    {
+      this->Add(folder, unreadable);
+      return true;
+    }
+    std::sort(folders.begin(), folders.end());
+    std::vector<fs::path> empty;
+    bool                  isAny = isCase;
+    for (const fs::path & below : folders)
+    {
+      if (!fs::is_symlink(below, error))
+      {
+        if (this->Enter(below, isCase))
+        {
+          isAny = true;
+        }
+        else
+        {
+          empty.push_back(below);
+        }
+      }
+      else if (!isCase)
+      {
+        // Later: it may be a second name of a folder that comes by its own.
+        m_Links.push_back(below);
+        isAny = true;
+      }
+    }
+    if (isAny)
+    {
+      for (const fs::path & below : empty)
+      {
+        this->Add(below, without);
+      }
+    }
+    return isAny;
+  }
+
+  fs::path              m_Root;
+  std::vector<fs::path> m_Links;
+  std::set<std::string> m_Entered;
+};
 
 /** After the folder of a case.json, after any other file's own name. */
 BatchCase
@@ -107,26 +231,22 @@ BatchCaseList::SetOptionNames(const std::set<std::string> & options, const std::
 }
 
 void
-BatchCaseList::AddFolder(const std::string & folder, std::vector<BatchCase> & cases) const
+BatchCaseList::AddFolder(const std::string & folder, std::vector<BatchCase> & cases)
 {
-  std::vector<fs::path> found;
-  std::error_code       error;
-  for (fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
-       it != end;
-       it.increment(error))
+  FolderWalk      walk(folder);
+  auto &          found = walk.found;
+  std::error_code error;
+  if (!walk.unreadable.empty() && walk.unreadable.front() == folder)
   {
-    if (error)
-    {
-      break;
-    }
-    if (it->is_directory(error) && it->path().filename().string()[0] == '.')
-    {
-      it.disable_recursion_pending();
-    }
-    else if (it->path().filename() == "case.json" && it->is_regular_file(error))
-    {
-      found.push_back(it->path());
-    }
+    itkDentalInputErrorMacro(folder, "", "can't be read", "look at whom it belongs to, or copy it");
+  }
+  for (const std::string & name : walk.unreadable)
+  {
+    m_Warnings.push_back((fs::path(folder) / name).string() + ": can't be read, and is left out");
+  }
+  if (!found.empty() && !walk.without.empty())
+  {
+    m_Warnings.push_back(folder + ": no case.json is in " + List(walk.without) + ", left out");
   }
   if (found.empty())
   {
@@ -185,7 +305,9 @@ BatchCaseList::AddTable(const std::string & fileName, std::vector<BatchCase> & c
   {
     itkDentalInputErrorMacro(fileName,
                              "",
-                             "has neither a column \"case\" nor columns of options (upper, lower, contours, ...)",
+                             "has neither a column \"case\" nor columns of options (upper, lower, contours, ...); its "
+                             "columns are: " +
+                               List(header),
                              "name the columns in the first row");
   }
   for (std::size_t i = 1; i < table.size(); ++i)
@@ -221,7 +343,7 @@ BatchCaseList::AddTable(const std::string & fileName, std::vector<BatchCase> & c
           made.arguments.push_back("--" + column);
           if (m_Files.count(column) != 0)
           {
-            made.arguments.push_back((fs::absolute(folder) / cell).lexically_normal().string());
+            made.arguments.push_back(fs::absolute(folder / cell).lexically_normal().string());
           }
           else
           {

@@ -72,5 +72,16 @@ BatchRecord::ReadResult(const std::string & folder)
       jaws.push_back(jaw);
     }
   }
+  // What was said of the case as a whole, as that a field is not known: each row is read alone.
+  if (const auto warnings = root.Find("warnings"))
+  {
+    for (std::size_t i = 0; i < warnings->GetSize(); ++i)
+    {
+      for (JawType & jaw : jaws)
+      {
+        jaw.message += (jaw.message.empty() ? "" : "; ") + warnings->At(i).AsString();
+      }
+    }
+  }
 }
 } // namespace itk

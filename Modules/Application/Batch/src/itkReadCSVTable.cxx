@@ -20,17 +20,42 @@
 #include "itkDentalInputError.h"
 
 #include <csv.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace itk
 {
 namespace
 {
+bool
+IsUTF8(const std::string & text)
+{
+  try
+  {
+    nlohmann::json(text).dump();
+    return true;
+  }
+  catch (const nlohmann::json::type_error &)
+  {
+    return false;
+  }
+}
+
 /** A table as libcsv reads it. */
 class Table
 {
 public:
   Table(const std::string & text, const std::string & fileName)
   {
+    if (text.compare(0, 2, "\xff\xfe") == 0 || text.compare(0, 2, "\xfe\xff") == 0)
+    {
+      itkDentalInputErrorMacro(fileName, "", "is UTF-16", "save it as CSV in UTF-8");
+    }
+    if (text.find('\0') != std::string::npos)
+    {
+      itkDentalInputErrorMacro(fileName, "", "is no text: it has bytes of zero", "save it as CSV in UTF-8");
+    }
     csv_parser parser;
     if (csv_init(&parser, CSV_APPEND_NULL) != 0)
     {
@@ -46,12 +71,30 @@ public:
     const std::size_t first = text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
     const std::size_t count = text.size() - first;
     const std::size_t parsed = csv_parse(&parser, text.data() + first, count, &Table::OnCell, &Table::OnRow, this);
+    // The end of a line ends the last row, but within quotes: what is left then has swallowed the rows that followed.
+    csv_parse(&parser, "\n", 1, &Table::OnCell, &Table::OnRow, this);
+    const std::size_t whole = rows.size();
     csv_fini(&parser, &Table::OnCell, &Table::OnRow, this);
     const int problem = csv_error(&parser);
     csv_free(&parser);
     if (parsed != count)
     {
       itkDentalInputErrorMacro(fileName, "", std::string("is no table: ") + csv_strerror(problem), "save it as CSV");
+    }
+    if (rows.size() > whole)
+    {
+      itkDentalInputErrorMacro(fileName,
+                               "row " + std::to_string(rows.size()),
+                               "has a quotation mark that is never closed: all that follows would be one cell",
+                               "close it, or take it out");
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      if (!std::all_of(rows[i].begin(), rows[i].end(), IsUTF8))
+      {
+        itkDentalInputErrorMacro(
+          fileName, "row " + std::to_string(i + 1), "has letters that are not UTF-8", "save it as CSV in UTF-8");
+      }
     }
   }
 

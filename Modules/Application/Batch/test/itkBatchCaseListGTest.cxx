@@ -134,3 +134,74 @@ TEST(BatchCaseList, ANameIsAFolderOfItsOwn)
   const std::string table = itk::WriteTestFile("cases.csv", "id,case\n..,north/p1/case.json\n");
   EXPECT_PRED2(itk::Contains, Refusal({ table }), "cases.csv: row 2: the id \"..\" can't be a folder's name");
 }
+
+TEST(BatchCaseList, FoldersThatAreLinksAreEnteredOnceAndByTheirOwnNames)
+{
+  WriteIn("patients/p2", "case.json");
+  WriteIn("archive/p1", "case.json");
+  const fs::path folder = itk::TestFolder();
+  fs::create_directory_symlink(folder / "archive/p1", folder / "patients/linked");
+  // Neither a second name of a folder nor a way back is a second case.
+  fs::create_directory_symlink("p2", folder / "patients/another");
+  fs::create_directory_symlink("..", folder / "patients/p2/back");
+  fs::create_directory_symlink(".", folder / "patients/here");
+  itk::BatchCaseList list;
+  EXPECT_EQ(NamesOf(list.Find({ (folder / "patients").string() })), (std::vector<std::string>{ "linked", "p2" }));
+  EXPECT_TRUE(list.GetWarnings().empty());
+}
+
+TEST(BatchCaseList, FoldersWithoutACaseAreNamed)
+{
+  WriteIn("patients/north/p1", "case.json");
+  WriteIn("patients/north/p1/scans/old", "upper.stl");
+  WriteIn("patients/north/p2", "upper.stl");
+  WriteIn("patients/south/p3/scans", "upper.stl");
+  // What a batch has written into the folder of its cases is none that lacks one.
+  WriteIn("patients/results/.batch", "p1.json");
+  WriteIn("patients/results/north_p1", "result.json");
+  itk::BatchCaseList list;
+  EXPECT_EQ(NamesOf(list.Find({ itk::TestFolder() + "/patients" })), std::vector<std::string>{ "north_p1" });
+  ASSERT_EQ(list.GetWarnings().size(), 1u);
+  const std::string said = list.GetWarnings().front();
+  EXPECT_PRED2(itk::Contains, said, "north/p2");
+  EXPECT_PRED2(itk::Contains, said, "south");
+  EXPECT_FALSE(itk::Contains(said, "south/p3")) << said;
+  EXPECT_FALSE(itk::Contains(said, "results") || itk::Contains(said, "p1")) << said;
+  for (int i = 0; i < 9; ++i)
+  {
+    WriteIn("patients/empty" + std::to_string(i), "note.txt");
+  }
+  list.Find({ itk::TestFolder() + "/patients" });
+  EXPECT_PRED2(itk::Contains, list.GetWarnings().front(), "and 6 more");
+}
+
+TEST(BatchCaseList, NamesOfTheTablesAndLettersOfATerminalAreNoCases)
+{
+  WriteIn("t", "case.json");
+  for (const std::string name : { "summary.csv", "summary.json", "index.html", "a\x1b[2J", "\"a\nb\"" })
+  {
+    const std::string table = itk::WriteTestFile("cases.csv", "id,case\n" + name + ",t/case.json\n");
+    EXPECT_PRED2(itk::Contains, Refusal({ table }), "row 2: the id") << name;
+  }
+}
+
+TEST(BatchCaseList, ATableThatWouldLoseRowsOrLettersIsRefused)
+{
+  using namespace std::string_literals;
+  const std::pair<std::string, std::string> tables[] = {
+    { "\xff\xfei\0d\0"s, "is UTF-16" },
+    { "id,case\na\0b,t/case.json\n"s, "bytes of zero" },
+    { "id,case\na,t/case.json\nM\xfcller,t/case.json\n", "row 3: has letters that are not UTF-8" },
+    { "id,case,note\na,t/case.json,\"tall\nb,t/case.json,\nc,t/case.json,\n", "row 2: has a quotation mark" },
+    { "ID,Case\na,t/case.json\n", "its columns are: ID, Case" },
+  };
+  for (const auto & table : tables)
+  {
+    EXPECT_PRED2(itk::Contains, Refusal({ itk::WriteTestFile("cases.csv", table.first) }), table.second);
+  }
+  // A cell that is closed may hold lines and quotation marks, and the last row needs no end.
+  WriteIn("t", "case.json");
+  const std::string good = "id,case,note\na,t/case.json,\"5\"\" tall,\r\nthin\"\nb,t/case.json,7\" tall";
+  EXPECT_EQ(NamesOf(itk::BatchCaseList().Find({ itk::WriteTestFile("cases.csv", good) })),
+            (std::vector<std::string>{ "a", "b" }));
+}

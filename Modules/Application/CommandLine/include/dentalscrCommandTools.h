@@ -57,6 +57,10 @@ public:
   ProgressLine &
   operator=(const ProgressLine &) = delete;
 
+  /** Says a line on standard error that stays there: not behind the line that is rewritten, but in its place. */
+  void
+  Say(const std::string & line);
+
 private:
   void
   Show();

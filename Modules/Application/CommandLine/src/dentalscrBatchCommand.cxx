@@ -248,26 +248,26 @@ Batch(const BatchOptions & options, const CommonOptions & common)
   Clock::duration interval = shortest;
   auto            written = Clock::now();
   std::size_t     failed = 0;
-  runner->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {
-    const std::string status = runner->GetRecord().status;
-    failed += status == "failed" || status == "unusable" ? 1 : 0;
-    if (status == "unusable")
-    {
-      std::cerr << "dentalscr: " << runner->GetRecord().one.id << ": " << runner->GetRecord().message << '\n';
-    }
-    const auto now = Clock::now();
-    if (now - written > interval)
-    {
-      itk::BatchSummary(runner->GetRecords(), false).Write(options.output, !options.noPage);
-      written = Clock::now();
-      interval = std::max<Clock::duration>(shortest, 20 * (written - now));
-    }
-  });
-  bool aborted = false;
+  bool            aborted = false;
   {
     const InterruptGuard guard(runner);
-    const ProgressLine   progress(
+    ProgressLine         progress(
       runner, [&]() { return DescribeProgress(*runner, failed); }, common.quiet);
+    runner->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {
+      const std::string status = runner->GetRecord().status;
+      failed += status == "failed" || status == "unusable" ? 1 : 0;
+      if (status == "unusable")
+      {
+        progress.Say("dentalscr: " + runner->GetRecord().one.id + ": " + runner->GetRecord().message);
+      }
+      const auto now = Clock::now();
+      if (now - written > interval)
+      {
+        itk::BatchSummary(runner->GetRecords(), false).Write(options.output, !options.noPage);
+        written = Clock::now();
+        interval = std::max<Clock::duration>(shortest, 20 * (written - now));
+      }
+    });
     try
     {
       runner->Update();

@@ -95,6 +95,17 @@ ProgressLine::Show()
   }
 }
 
+void
+ProgressLine::Say(const std::string & line)
+{
+  if (m_Active)
+  {
+    EraseLine();
+    m_Last.clear();
+  }
+  std::cerr << line << std::endl;
+}
+
 InterruptGuard::InterruptGuard(itk::ProcessObject * process)
 {
   interruptRequested = 0;
