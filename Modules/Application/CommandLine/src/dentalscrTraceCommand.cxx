@@ -253,6 +253,7 @@ Trace(const TraceOptions & options, const CommonOptions & common)
   {
     content.pixelSpacing = { { data->geometry->GetPixelSpacing()[0], data->geometry->GetPixelSpacing()[1] } };
   }
+  content.markupsGrid = data->markupsGrid.value_or(content.markupsGrid);
   content.title = fs::path(description.imageFile).filename().string();
   content.identity = itk::ComputeFileSHA256(description.imageFile).substr(0, 16);
   content.contours = texts.contours;
