@@ -54,6 +54,9 @@ struct TracingPageContent
   /** The names of the files that the server writes; "" where it writes none. */
   std::string contoursFile;
   std::string landmarksFile;
+  /** These files hold what is drawn already, which may be from others. */
+  bool contoursAreSaved{ false };
+  bool landmarksAreSaved{ false };
   /** Begin with saving after each change: where there is nothing yet that could be lost by it. */
   bool savesItself{ false };
   /** The server knows the scans. */

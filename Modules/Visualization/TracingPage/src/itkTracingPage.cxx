@@ -83,6 +83,8 @@ MakeTracingPage(const TracingPageContent & content)
                       { "served", content.served },
                       { "number", content.number },
                       { "saves_itself", content.savesItself },
+                      { "contours_saved", content.contoursAreSaved },
+                      { "landmarks_saved", content.landmarksAreSaved },
                       { "contours_file", content.contoursFile },
                       { "landmarks_file", content.landmarksFile },
                       { "can_register", content.canRegister } };

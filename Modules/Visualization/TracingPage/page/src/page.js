@@ -421,7 +421,8 @@ function showState() {
   place.classList.toggle("problem", dirty && canSave() && (failed || !$("#saves").checked));
 }
 /** What a file holds has to be saved also where it is nothing any more. */
-const isInFile = { contours: Boolean(data.contours), landmarks: Boolean(data.landmarks) };
+const isInFile = { contours: Boolean(data.contours) && data.contours_saved, landmarks: Boolean(data.landmarks) && data.landmarks_saved };
+let asRead = {};
 let saving = null;
 async function save(isAsked = true) {
   if (!canSave()) return drawing.hasContours() || !drawing.hasLandmarks() ? download("contours.json", drawing.toContours()) : download("landmarks.json", drawing.toLandmarks());
@@ -442,7 +443,9 @@ async function saveNow(isAsked) {
     const { saved } = await post("save", { contours: hasContours ? drawing.toContours() : null, landmarks: hasLandmarks ? drawing.toLandmarks() : null });
     isInFile.contours ||= hasContours;
     isInFile.landmarks ||= hasLandmarks;
-    const left = [hasContours && !data.contours_file && "the tracing (start with --output)", hasLandmarks && !data.landmarks_file && "the landmarks (start with --landmarks)"].filter(Boolean);
+    // What was read and not touched is where it was.
+    const left = [["contours", "the tracing (start with --output)"], ["landmarks", "the landmarks (start with --landmarks)"]]
+      .filter(([what]) => !data[`${what}_file`] && JSON.stringify(drawing.state[what]) !== asRead[what]).map(([, name]) => name);
     if (left.length) return void (sayFiles(`${saved.length ? `Saved ${saved.join(" and ")}, but not` : "Not saved:"} ${left.join(" and ")}. Download what is missing.`, true), refresh());
     savedState = state;
     keep();
@@ -740,7 +743,10 @@ try {
   say(error.message, true);
 }
 drawing.past = [];
-savedState = JSON.stringify(drawing.state);
+// What came from other files is in none of these yet.
+const isElsewhere = data.served && ["contours", "landmarks"].some(what => data[what] && data[`${what}_file`] && !data[`${what}_saved`]);
+asRead = Object.fromEntries(["contours", "landmarks"].map(what => [what, JSON.stringify(drawing.state[what])]));
+savedState = isElsewhere ? "" : JSON.stringify(drawing.state);
 $("[data-action=save]").hidden = !canSave();
 $("#saves").closest("label").hidden = !canSave();
 $("#saves").checked = data.saves_itself;
