@@ -136,6 +136,25 @@ function(itk_module_add_library _name)
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/DentalSCR" COMPONENT Development)
 endfunction()
 
+# Files that travel in a library, as pages do: dentalscr_embed_files(<library> <Namespace> Name=file ...). Each becomes a
+# function Name() of itk::<Namespace>, which itk<Namespace>.h declares, and which gives the file's bytes as std::string_view.
+set(DENTALSCR_EMBED_FILES "${CMAKE_CURRENT_LIST_DIR}/DentalSCREmbedFiles.cmake")
+function(dentalscr_embed_files _name _namespace)
+  set(output "${CMAKE_CURRENT_BINARY_DIR}/itk${_namespace}.cxx")
+  list(JOIN ARGN "|" parts)
+  set(files ${ARGN})
+  list(TRANSFORM files REPLACE "^[A-Za-z]+=" "")
+  add_custom_command(
+    OUTPUT "${output}"
+    COMMAND "${CMAKE_COMMAND}" "-DPARTS=${parts}" "-DNAMESPACE=${_namespace}" "-DOUTPUT=${output}" -P "${DENTALSCR_EMBED_FILES}"
+    DEPENDS ${files} "${DENTALSCR_EMBED_FILES}"
+    COMMENT "Putting the files of ${_namespace} into the library"
+    VERBATIM)
+  target_sources(${_name} PRIVATE "${output}")
+  # The header stands among the sources.
+  target_include_directories(${_name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+endfunction()
+
 # A part of a module that links what takes long to load: where libraries are shared, a library of its own beside the others,
 # which the module loads with LoadLibraryFunction() under the file name that DEFINITION defines for it; else its sources are
 # the module's own and DEFINITION is not defined.

@@ -210,9 +210,8 @@ def test_a_click_is_where_the_eye_saw_it(open_page, page_file, tmp_path, spacing
 TURNS = {1: lambda c, r: (c, r), 3: lambda c, r: (159 - c, 95 - r), 6: lambda c, r: (95 - r, c), 8: lambda c, r: (r, 159 - c)}
 
 
-@pytest.mark.parametrize("orientation", TURNS)
-def test_a_picture_that_the_camera_turned_is_upright(open_page, page_file, browser, tmp_path, orientation):
-    """The toolkit counts the pixels of the upright picture, and so does the page."""
+def make_turned_jpeg(browser, orientation):
+    """160 x 96 stored pixels, bright from column 48 and row 32 on, with an EXIF orientation."""
     page = browser.new_page()
     text = page.evaluate(
         """() => {
@@ -227,7 +226,13 @@ def test_a_picture_that_the_camera_turned_is_upright(open_page, page_file, brows
     page.close()
     jpeg = base64.b64decode(text)
     exif = b"Exif\0\0MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0" + bytes([orientation]) + b"\0\0\0\0\0\0"
-    (tmp_path / "turned.jpg").write_bytes(jpeg[:2] + b"\xff\xe1" + struct.pack(">H", len(exif) + 2) + exif + jpeg[2:])
+    return jpeg[:2] + b"\xff\xe1" + struct.pack(">H", len(exif) + 2) + exif + jpeg[2:]
+
+
+@pytest.mark.parametrize("orientation", TURNS)
+def test_a_picture_that_the_camera_turned_is_upright(open_page, page_file, browser, tmp_path, orientation):
+    """The toolkit counts the pixels of the upright picture, and so does the page."""
+    (tmp_path / "turned.jpg").write_bytes(make_turned_jpeg(browser, orientation))
     opened = open_page(page_file(tmp_path / "turned.jpg"))
     data = json.loads(opened.page.locator("#tracing-data").text_content())
     assert data["image_size"] == ([160, 96] if orientation < 5 else [96, 160])
@@ -424,6 +429,108 @@ def test_contrast_changes_what_is_seen(open_page, page_file, sample):
     assert len(seen) == 4
 
 
+def test_a_landmark_is_put_where_it_is_clicked(open_page, page_file, sample):
+    """Cusps of both jaws lie on each other, and an outline goes through the tip that was clicked before."""
+    opened = open_page(page_file(sample / "ceph.png"))
+    page = opened.page
+    points = [(500, 600), (503, 602), (498, 604), (501, 598)]
+    for point, name in zip(points, ("U1_tip", "L1_tip", "U6_MB", "L6_MB")):
+        # What the next click does is said.
+        assert f"Click {name}, the " in page.locator("#hint").inner_text()
+        opened.click(point)
+    marks = opened.download("landmarks")
+    for point, name in zip(points, ("U1_tip", "L1_tip", "U6_MB", "L6_MB")):
+        assert marks[name] == [pytest.approx(coordinate, abs=1) for coordinate in point], name
+    page.locator("#chart [data-code=UR1]").click()
+    assert "along the outline of UR1" in page.locator("#hint").inner_text()
+    for point in ((450, 580), (500, 600), (560, 580)):
+        opened.click(point)
+    (drawn,) = opened.download("contours")["contours"]["upper"]
+    assert len(drawn["points"]) == 3 and drawn["points"][1] == [pytest.approx(500, abs=1), pytest.approx(600, abs=1)]
+    assert opened.download("landmarks") == marks
+    assert opened.errors == []
+
+
+def test_a_tracing_without_sides_has_its_chart(open_page, page_file, sample, tmp_path):
+    size = json.loads((sample / "contours.json").read_text())["image_size"]
+    tracing = {"image_size": size, "contours": {"upper": [{"code": "U6", "points": [[300, 300], [310, 300]]}]}}
+    (tmp_path / "c.json").write_text(json.dumps(tracing))
+    opened = open_page(page_file(sample / "ceph.png", "--contours", tmp_path / "c.json"))
+    assert "drawn" in opened.page.locator("#chart [data-code=U6]").get_attribute("class")
+
+
+def test_what_labelme_and_slicer_read_of_it_agrees(open_page, page_file, run, browser, tmp_path):
+    """A photograph that the camera turned, with pixels that are not square: what is drawn comes back through the files
+    of both programs, and is there by their own rules: labelme counts from the corner of the upright picture, Slicer in mm
+    from the first pixel's centre."""
+    (tmp_path / "turned.jpg").write_bytes(make_turned_jpeg(browser, 6))
+    spacing = (0.25, 0.4)
+    grid = ("--spacing", *spacing, "--markups-spacing", *spacing)
+    opened = open_page(page_file(tmp_path / "turned.jpg", *grid))
+    for point in ((20.3, 30.7), (50, 90)):
+        opened.click(point)
+    for code, ends in (("UR1", False), ("LL6", True)):
+        opened.page.locator(f"#chart [data-code={code}]").click()
+        for point in ((10, 10), (40, 20), (30, 60)):
+            opened.click(point)
+        if ends:
+            opened.page.locator("#closed").check()
+    own = {"contours": opened.download("contours"), "landmarks": opened.download("landmarks")}
+    files = {"labelme": tmp_path / "turned.json", "slicer": tmp_path / "turned.mrk.json"}
+    for program, file in files.items():
+        file.write_text(json.dumps(opened.download(program)))
+    near = lambda point: [pytest.approx(coordinate, abs=1e-3) for coordinate in point]
+
+    shapes = json.loads(files["labelme"].read_text())
+    assert (shapes["imageWidth"], shapes["imageHeight"], shapes["imagePath"]) == (96, 160, "turned.jpg")
+    by_label = {shape["label"]: shape for shape in shapes["shapes"]}
+    assert by_label["U1_tip"]["points"] == [near([c + 0.5 for c in own["landmarks"]["U1_tip"]])]
+    assert (by_label["UR1"]["shape_type"], by_label["LL6"]["shape_type"]) == ("linestrip", "polygon")
+    markups = {markup["name"]: markup for markup in json.loads(files["slicer"].read_text())["markups"]}
+    (tip, _) = markups["landmarks"]["controlPoints"]
+    assert tip["label"] == "U1_tip"
+    assert tip["position"] == near([c * s for c, s in zip(own["landmarks"]["U1_tip"], spacing)] + [0])
+    assert (markups["UR1"]["type"], markups["LL6"]["type"]) == ("Curve", "ClosedCurve")
+
+    for file in files.values():
+        again = tmp_path / "again.html"
+        done = run("trace", tmp_path / "turned.jpg", *grid, "--contours", file, "--cephalometric-landmarks", file, "--page", again)
+        assert done.returncode == 0, done.stderr
+        data = json.loads(re.search(r'id="tracing-data">(.*?)</script>', again.read_text(), re.S).group(1))
+        assert set(data["landmarks"]) == set(own["landmarks"])
+        for name, place in own["landmarks"].items():
+            assert data["landmarks"][name] == near(place), (file, name)
+        for jaw, contours in own["contours"]["contours"].items():
+            read = data["contours"]["contours"][jaw]
+            assert [(c["code"], c.get("closed")) for c in read] == [(c["code"], c.get("closed")) for c in contours]
+            for c, r in zip(contours, read):
+                assert r["points"] == [near(point) for point in c["points"]], (file, c["code"])
+
+
+def test_state_of_the_files_is_in_sight(open_page, serve, page_file, sample, tmp_path):
+    """Whether anything would be lost: said above the picture, whatever is done."""
+    state = lambda opened: opened.page.locator("#state").inner_text()
+    alone = open_page(page_file(sample / "ceph.png"))
+    assert state(alone) == ""
+    alone.click((400, 500))
+    assert state(alone) == "Kept in this browser, not in a file"
+    file = tmp_path / "l.json"
+    file.write_text('{"U1_tip": [300, 300]}')
+    opened = open_page(serve(sample / "ceph.png", "--landmarks", file))
+    assert state(opened) == "Saved"
+    opened.click((400, 500))
+    assert state(opened) == "Not saved"
+    opened.page.keyboard.press("Control+s")
+    opened.wait("document.querySelector('#state').textContent === 'Saved'")
+    # Another program writes: what cannot be saved is not said to be.
+    file.write_text("{}")
+    opened.click((420, 520))
+    opened.page.keyboard.press("Control+s")
+    opened.wait("document.querySelector('#said').classList.contains('problem')")
+    assert state(opened) == "Not saved" and "another program" in opened.said()
+    assert file.read_text() == "{}"
+
+
 def test_what_was_drawn_outlives_the_page(open_page, page_file, sample):
     opened = open_page(page_file(sample / "ceph.png"))
     opened.click((400, 500))
@@ -548,8 +655,11 @@ def test_four_clicks_drafts_two_corrections_save_and_register(open_page, serve, 
     assert page.locator("#drafts path.draft").count() >= 8
 
     # What was taken as it was is said to be no evidence, here and in the file.
-    assert "outlines are drafts as they were taken" in page.locator("#verdict .warned").inner_text()
-    assert all(c["_drafted"] for jaw in opened.download("contours")["contours"].values() for c in jaw)
+    assert told["status"] == "suspect"
+    assert all("drafts-unmended" in [finding["code"] for finding in jaw["findings"]] for jaw in told["jaws"].values())
+    assert "are drafts as a registration projected them" in page.locator("#verdict").inner_text()
+    assert "upper suspect, lower suspect" in page.locator("#outcome").inner_text()
+    assert all(c["drafted"] for jaw in opened.download("contours")["contours"].values() for c in jaw)
 
     # Two corrections by hand, each registered at once.
     for code in ("UR1", "LR6"):
@@ -571,7 +681,7 @@ def test_four_clicks_drafts_two_corrections_save_and_register(open_page, serve, 
         corrected = {c["code"]: c["points"] for jaw in opened.download("contours")["contours"].values() for c in jaw}
         assert corrected[code][len(drawn[code]) // 2] == [pytest.approx(middle[0] + 1.5, abs=0.2), pytest.approx(middle[1] + 1.0, abs=0.2)]
         note(f"{code} corrected", told)
-        assert "_drafted" not in {c["code"]: c for jaw in opened.download("contours")["contours"].values() for c in jaw}[code]
+        assert "drafted" not in {c["code"]: c for jaw in opened.download("contours")["contours"].values() for c in jaw}[code]
     assert {row["tooth"] for jaw in told["jaws"].values() for row in jaw["teeth"]} >= {"UR1", "LR6"}
 
     with page.expect_response(lambda answer: answer.url.endswith("/save")) as saving:

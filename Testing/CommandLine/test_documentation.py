@@ -52,6 +52,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         "arch-width": [f"not {t['minimumArchWidth']:g}–{t['maximumArchWidth']:g} mm"],
         "undetermined": [f"> {t['failedPredictedSigma']:g} "],
         "code-offset": [f"> {t['suspectCodeOffset']:g} mm along the arch"],
+        "drafts-unmended": [f"> {100 * t['suspectDraftedShare']:.0f} % of the tracing"],
         "search-limit": [f"pitch > {t['suspectPitch']:g} rad ({math.degrees(t['suspectPitch']):.1f}°)"],
         "jaws-exchanged": [f"scores better by {t['hypothesisGain']:g}"],
     }
@@ -59,7 +60,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         for part in parts:
             assert part in rules[rule], rule
     # None of the thresholds is left out above.
-    assert len(t) == 30
+    assert len(t) == 31
 
 
 def test_views_table_has_the_codes_thresholds():

@@ -302,6 +302,75 @@ def test_goes_on_with_what_slicer_wrote(run, sample, tmp_path):
     assert place == [pytest.approx(400.5, abs=0.01), pytest.approx(402.0, abs=0.01)]
 
 
+def test_a_file_of_another_program_is_not_saved_over(program, run, sample, tmp_path):
+    """It may hold more than a tracing: it is read, and what is drawn goes to a file of its own."""
+    size = json.loads((sample / "contours.json").read_text())["image_size"]
+    shapes = [
+        {"label": "UR1", "shape_type": "linestrip", "points": [[500.5, 400.5], [510.5, 410.0]]},
+        {"label": "U1_tip", "shape_type": "point", "points": [[500.5, 400.5]]},
+        {"label": "soft tissue", "shape_type": "linestrip", "points": [[1, 1], [2, 2]]},
+    ]
+    file = tmp_path / "labelme.json"
+    file.write_text(json.dumps({"shapes": shapes, "imagePath": "ceph.png", "imageWidth": size[0], "imageHeight": size[1]}))
+    before = file.read_bytes()
+    for option, remedy in (("--output", "--contours"), ("--landmarks", "--cephalometric-landmarks")):
+        done = run("trace", sample / "ceph.png", option, file)
+        assert done.returncode == 2 and "another program" in done.stderr and remedy in done.stderr
+    with served(program, sample / "ceph.png", "--contours", file, "--output", tmp_path / "new.json") as address:
+        data = data_of(ask(address)[1])
+        # Not in the new file yet, which the page has to know.
+        assert data["contours"] and data["contours_saved"] is False
+        assert ask(address, "POST", f"{data['number']}/save", json.dumps({"contours": data["contours"], "landmarks": None}))[0] == 200
+        assert data_of(ask(address)[1])["contours_saved"] is True
+    assert file.read_bytes() == before
+    assert json.loads((tmp_path / "new.json").read_text())["contours"]["upper"][0]["code"] == "UR1"
+
+
+@pytest.fixture
+def drafted(case):
+    """The case as it would be with drafts for a tracing: `call(kept)` marks all but the first `kept` outlines of a jaw."""
+
+    def call(kept, **fields):
+        contours = json.loads((case.folder / "contours.json").read_text())
+        for jaw in contours["contours"].values():
+            for i, contour in enumerate(sorted(jaw, key=lambda contour: -len(contour["points"]))):
+                contour["drafted"] = i >= kept
+        (case.folder / "contours.json").write_text(json.dumps(contours))
+        case.change(**fields)
+        return {jaw: [len(c["points"]) for c in outlines if c["drafted"]] for jaw, outlines in contours["contours"].items()}
+
+    return call
+
+
+@pytest.mark.parametrize("preset", ["robust", "paper"])
+def test_register_tells_of_drafts_that_nobody_mended(run, case, drafted, tmp_path, preset):
+    drafted(kept=0)
+    done = run("register", case.file, "--output", tmp_path / "result", "--no-report", "--preset", preset)
+    result = json.loads((tmp_path / "result/result.json").read_text())
+    assert result["status"] == "suspect" and done.returncode == 0
+    for jaw in ("upper", "lower"):
+        (finding,) = [f for f in result["jaws"][jaw]["findings"] if f["code"] == "drafts-unmended"]
+        assert finding["severity"] == "suspect" and finding["value"] == 1.0 and finding["limit"] == 0.5
+        assert finding["text"].startswith("100 % of this jaw's outlines are drafts")
+    assert "are drafts" in done.stdout + done.stderr
+
+
+def test_drafts_beside_enough_of_a_hand_are_warned_of(run, sample, case, drafted, tmp_path):
+    """Less than half of the points: no finding, and the pose is that of the same points."""
+    lengths = drafted(kept=4)
+    done = run("register", case.file, "--output", tmp_path / "result", "--no-report")
+    result = json.loads((tmp_path / "result/result.json").read_text())
+    whole = run("register", sample / "case.json", "--output", tmp_path / "whole", "--no-report")
+    assert done.returncode == whole.returncode == 0
+    other = json.loads((tmp_path / "whole/result.json").read_text())
+    for jaw in ("upper", "lower"):
+        assert lengths[jaw] and "drafts-unmended" not in [f["code"] for f in result["jaws"][jaw]["findings"]]
+        assert result["jaws"][jaw]["status"] == other["jaws"][jaw]["status"]
+        assert result["jaws"][jaw]["projection_3x4"] == other["jaws"][jaw]["projection_3x4"]
+        assert any(text.startswith(f"{jaw}: ") and "drafts" in text for text in result["warnings"])
+    assert not any("drafts" in text for text in other["warnings"])
+
+
 @pytest.mark.parametrize(
     "arguments, words",
     [

@@ -287,8 +287,10 @@ class Polyline:
         known.
     teeth : sequence of str or int, optional
         The teeth of the points where they are not all of one; the code is then that of the first.
+    drafted : bool, optional
+        A registration projected it and nobody has mended it: no independent evidence.
     """
-    def __init__(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None, normals: typing.Any = None, rimPoints: typing.Any = None, teeth: typing.Any = None) -> None:
+    def __init__(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None, normals: typing.Any = None, rimPoints: typing.Any = None, teeth: typing.Any = None, drafted: bool = False) -> None:
         ...
     def __len__(self) -> int:
         ...
@@ -303,6 +305,11 @@ class Polyline:
     def code(self) -> str:
         """
         "UR1" or "".
+        """
+    @property
+    def drafted(self) -> bool:
+        """
+        Whether a registration projected it and nobody has mended it.
         """
     @property
     def fdi(self) -> int:
@@ -355,9 +362,13 @@ class Contour(DataObject):
     ----------
     polylines : sequence of Polyline, optional
     """
-    def AddPolyline(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None, normals: typing.Any = None, rimPoints: typing.Any = None, teeth: typing.Any = None) -> None:
+    def AddPolyline(self, points: numpy.typing.ArrayLike, code: typing.Any = '', closed: bool = False, weights: typing.Any = None, sigmas: typing.Any = None, outline: typing.Any = None, normals: typing.Any = None, rimPoints: typing.Any = None, teeth: typing.Any = None, drafted: bool = False) -> None:
         """
         Appends a polyline of continuous pixel indices (u, v), as Polyline describes it. It raises an error where a point is not finite, where weights, sigmas, normals, rimPoints or teeth are not one a point, or where a closed one has fewer than 3 points.
+        """
+    def GetDraftedShare(self) -> float:
+        """
+        Share of the points with a weight above 0 that a registration drafted and nobody mended, 0 to 1.
         """
     def GetLength(self) -> float:
         """
@@ -6343,6 +6354,14 @@ class RegistrationVerdictThresholds:
         """
     @suspectCost.setter
     def suspectCost(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectDraftedShare(self) -> float:
+        """
+        Share of a jaw's tracing above which drafts that nobody mended make it suspect, 0 to 1.
+        """
+    @suspectDraftedShare.setter
+    def suspectDraftedShare(self, arg0: float) -> None:
         ...
     @property
     def suspectExtrapolatedSigma(self) -> float:

@@ -461,12 +461,14 @@ MakePolyline(const DoubleArray & points,
              const py::object &  outline,
              const py::object &  normals,
              const py::object &  rimPoints,
-             const py::object &  teeth)
+             const py::object &  teeth,
+             bool                drafted)
 {
   CheckShape(points, 2, "points");
   PolylineType polyline;
   polyline.code = MakeToothCode(code);
   polyline.closed = closed;
+  polyline.drafted = drafted;
   polyline.points.resize(static_cast<std::size_t>(points.shape(0)));
   for (std::size_t i = 0; i < polyline.points.size(); ++i)
   {
@@ -586,7 +588,8 @@ MakeState(const DentalContour & contour)
                                 OutlineOf(polyline),
                                 NormalsOf(polyline),
                                 RimPointsOf(polyline),
-                                TeethOf(polyline)));
+                                TeethOf(polyline),
+                                polyline.drafted));
   }
   return py::tuple(state);
 }
@@ -617,7 +620,9 @@ rimPoints : (N, 3) array, optional
     Of a silhouette: the points of the scan that project to its points, frame of the mesh, mm; NaN where one is not
     known.
 teeth : sequence of str or int, optional
-    The teeth of the points where they are not all of one; the code is then that of the first.)")
+    The teeth of the points where they are not all of one; the code is then that of the first.
+drafted : bool, optional
+    A registration projected it and nobody has mended it: no independent evidence.)")
     .def(py::init(&MakePolyline),
          py::arg("points"),
          py::arg("code") = "",
@@ -627,7 +632,8 @@ teeth : sequence of str or int, optional
          py::arg("outline") = py::none(),
          py::arg("normals") = py::none(),
          py::arg("rimPoints") = py::none(),
-         py::arg("teeth") = py::none())
+         py::arg("teeth") = py::none(),
+         py::arg("drafted") = false)
     .def_property_readonly(
       "normals", &NormalsOf, "(N, 2) copy: outward unit normals in the image, (0, 0) where one is not known; or None.")
     .def_property_readonly(
@@ -652,6 +658,7 @@ teeth : sequence of str or int, optional
       "(N,) copy, or None.")
     .def_property_readonly("sigmas", &SigmasOf, "(N,) copy, or None.")
     .def_property_readonly("outline", &OutlineOf, "\"crown\", \"tooth\", \"labial\", or None.")
+    .def_readonly("drafted", &PolylineType::drafted, "Whether a registration projected it and nobody has mended it.")
     .def("__len__", [](const PolylineType & self) { return self.points.size(); })
     .def("__repr__", [](const PolylineType & self) {
       return "<dentalscr.Polyline " + self.code.GetName() + (self.closed ? ", closed" : "") + ", " +
@@ -689,8 +696,10 @@ polylines : sequence of Polyline, optional)")
          const py::object &  outline,
          const py::object &  normals,
          const py::object &  rimPoints,
-         const py::object &  teeth) {
-        self.AddPolyline(MakePolyline(points, code, closed, weights, sigmas, outline, normals, rimPoints, teeth));
+         const py::object &  teeth,
+         bool                drafted) {
+        self.AddPolyline(
+          MakePolyline(points, code, closed, weights, sigmas, outline, normals, rimPoints, teeth, drafted));
       },
       py::arg("points"),
       py::arg("code") = "",
@@ -701,6 +710,7 @@ polylines : sequence of Polyline, optional)")
       py::arg("normals") = py::none(),
       py::arg("rimPoints") = py::none(),
       py::arg("teeth") = py::none(),
+      py::arg("drafted") = false,
       "Appends a polyline of continuous pixel indices (u, v), as Polyline describes it. It raises an error where a "
       "point is not finite, where weights, sigmas, normals, rimPoints or teeth are not one a point, or where a closed "
       "one has fewer than 3 points.")
@@ -720,6 +730,9 @@ polylines : sequence of Polyline, optional)")
       "GetNumberOfPoints",
       [](const DentalContour & self) { return self.GetNumberOfPoints(); },
       "How many points all polylines have together.")
+    .def("GetDraftedShare",
+         &DentalContour::GetDraftedShare,
+         "Share of the points with a weight above 0 that a registration drafted and nobody mended, 0 to 1.")
     .def("GetLength", &DentalContour::GetLength, "Sum of the segments' lengths, pixels.")
     .def("__len__", [](const DentalContour & self) { return self.GetPolylines().size(); })
     .def(
@@ -739,7 +752,7 @@ polylines : sequence of Polyline, optional)")
                       for (const py::handle item : state)
                       {
                         const auto polyline = item.cast<py::tuple>();
-                        // Earlier pickles have four or six members.
+                        // Earlier pickles have four, six or nine members.
                         const auto member = [&polyline](std::size_t i) {
                           return i < polyline.size() ? py::object(polyline[i]) : py::object(py::none());
                         };
@@ -751,7 +764,8 @@ polylines : sequence of Polyline, optional)")
                                                           member(5),
                                                           member(6),
                                                           member(7),
-                                                          member(8)));
+                                                          member(8),
+                                                          polyline.size() > 9 && polyline[9].cast<bool>()));
                       }
                       return contour;
                     }));

@@ -147,6 +147,7 @@ VisitFields(itk::PoseJawResult & jaw, TField && field)
   field(jaw.archWidth);
   field(jaw.winding);
   field(jaw.otherSideCodes);
+  field(jaw.draftedShare);
   field(jaw.contour);
   field(jaw.contourNormals);
   field(jaw.contourPoints);
@@ -1170,6 +1171,9 @@ WrapDownstream(py::module_ & module)
     .def_readwrite("suspectWinding",
                    &ThresholdsType::suspectWinding,
                    "Share of the surface, signed, below which the faces are taken to look inward.")
+    .def_readwrite("suspectDraftedShare",
+                   &ThresholdsType::suspectDraftedShare,
+                   "Share of a jaw's tracing above which drafts that nobody mended make it suspect, 0 to 1.")
     .def_readwrite("failedPitch", &ThresholdsType::failedPitch, "Pitch beyond which a patient stands on the head, rad.")
     .def_readwrite("suspectMiddleSigma",
                    &ThresholdsType::suspectMiddleSigma,

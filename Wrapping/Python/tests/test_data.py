@@ -227,12 +227,14 @@ def test_files_that_are_not_there_are_named(ds, tmp_path):
 def test_contour_carries_drawing_errors_and_what_it_shows(ds):
     contour = ds.Contour()
     contour.AddPolyline([[1, 1], [2, 2], [3, 1]], "11", closed=True, sigmas=1.5, outline="tooth")
-    contour.AddPolyline([[5, 5], [6, 6]], "URA", sigmas=[0.5, 2.0])
+    contour.AddPolyline([[5, 5], [6, 6]], "URA", sigmas=[0.5, 2.0], drafted=True)
+    assert ds.Polyline([[1, 1]], drafted=True).drafted and not ds.Polyline([[1, 1]]).drafted
     for other in (contour, pickle.loads(pickle.dumps(contour))):
         first, second = other.polylines
         assert first.outline == "tooth" and second.outline is None
         assert first.sigmas.tolist() == [1.5, 1.5, 1.5] and second.sigmas.tolist() == [0.5, 2.0]
         assert second.fdi == 51
+        assert second.drafted and not first.drafted and other.GetDraftedShare() == 2 / 5
     with pytest.raises((ValueError, ds.Error), match="root"):
         ds.Polyline([[1, 1]], "11", outline="root")
 

@@ -18,7 +18,7 @@
 #include "itkBatchSummary.h"
 
 #include "itkCSVField.h"
-#include "itkBatchPage.h"
+#include "itkBatchPageParts.h"
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
 #include "itkEscapeForScript.h"
@@ -255,7 +255,7 @@ BatchSummary::ToPage(const std::string & folder) const
     row["page"] = !folder.empty() && fs::exists(fs::path(folder) / result / "report.html", error);
   }
   const std::string      data = EscapeForScript(json.dump(-1, ' ', false, Json::error_handler_t::replace));
-  std::string            page = BatchPage;
+  std::string            page(BatchPageParts::Page());
   constexpr const char * word = "BATCH_DATA";
   const std::size_t      place = page.find(word);
   return page.replace(place, std::char_traits<char>::length(word), data);

@@ -220,6 +220,9 @@ private:
   /** What can be said of the scans before anything is registered. */
   void
   CheckScans();
+  /** Drafts that nobody mended, where they are too few for a finding. */
+  void
+  WarnOfDrafts();
   /** A jaw of which nothing was drawn goes along with the other one, whose frame it shares. */
   void
   PlaceBesideTheOther();

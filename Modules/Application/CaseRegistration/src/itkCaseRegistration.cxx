@@ -24,6 +24,7 @@
 #include "itkDescribePlainly.h"
 
 #include "itkPoseRegistrationOptionTable.h"
+#include "itkRegistrationVerdict.h"
 #include "itkRigidTransformRows.h"
 #include "itkScanCheckFilter.h"
 #include "itkCommand.h"
@@ -32,6 +33,7 @@
 #include "itkUMidlineDentalAxisFilter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <typeinfo>
 #include <utility>
@@ -44,6 +46,12 @@ constexpr ToothCode::JawEnum Jaws[] = { ToothCode::JawEnum::Upper, ToothCode::Ja
 /** The one option that is not in PoseRegistrationOptions. */
 constexpr char RefineMidlineName[] = "refineMidline";
 
+double
+DraftedShareOf(const DentalCaseData & data, ToothCode::JawEnum jaw)
+{
+  const auto & contour = data.GetJaw(jaw).contour;
+  return contour.IsNull() ? 0.0 : contour->GetDraftedShare();
+}
 } // namespace
 
 CaseRegistration::CaseRegistration()
@@ -448,6 +456,23 @@ CaseRegistration::CheckScans()
 }
 
 void
+CaseRegistration::WarnOfDrafts()
+{
+  for (const auto & entry : m_Result.jaws)
+  {
+    const double share = DraftedShareOf(*m_Data, entry.first);
+    // Of more the verdict speaks.
+    if (share > 0.0 && !RegistrationVerdict::JudgeDrafts(share, {}))
+    {
+      m_Result.warnings.push_back(std::string(ToString(entry.first)) + ": " +
+                                  std::to_string(std::lround(100.0 * share)) +
+                                  " % of the outlines are drafts as a registration projected them, no evidence of a "
+                                  "person's");
+    }
+  }
+}
+
+void
 CaseRegistration::GenerateData()
 {
   TimeProbe total;
@@ -505,6 +530,7 @@ CaseRegistration::GenerateData()
     entry.second.seconds.emplace_back("axis", axisProbe.GetTotal());
   }
   this->CheckScans();
+  this->WarnOfDrafts();
 
   m_Result.geometry = CephalometricGeometry::New();
   m_Result.geometry->CopyParameters(m_Data->geometry);
@@ -654,6 +680,10 @@ CaseRegistration::RegisterBySimilarity()
         ToRows(*PlaceInCephalostat(frameOf(entry.first), result.similarity, m_Result.geometry));
     }
     PredictLandmarks(*m_Data, entry.first, result);
+    if (const auto drafts = RegistrationVerdict::JudgeDrafts(DraftedShareOf(*m_Data, entry.first), {}))
+    {
+      result.AddFinding(*drafts);
+    }
     // The paper's recipe can fit the wrong place well (Documentation/Registration.md): it never vouches for itself.
     result.AddFinding(RegistrationStatusEnum::Suspect,
                       "unchecked-method",

@@ -120,6 +120,20 @@ GoOnWith(const std::string & fileName, std::string & drawn)
   }
 }
 
+/** What another program wrote is gone on with, never saved over: it may hold more than a tracing. */
+void
+RefuseForeign(bool isForeign, const std::string & read, const std::string & written, const char * option)
+{
+  if (isForeign && !written.empty() && read == written)
+  {
+    itkDentalInputErrorMacro(written,
+                             "",
+                             "was written by another program, and saving would take the place of all that it holds",
+                             std::string("give it as ") + option +
+                               " (or name it in the case file), and a new file for what you draw");
+  }
+}
+
 /** One of the two drawings, as a person may read it; "" where it is not drawn. */
 std::string
 ToText(const Json & drawings, const char * name)
@@ -253,6 +267,7 @@ Trace(const TraceOptions & options, const CommonOptions & common)
   {
     content.pixelSpacing = { { data->geometry->GetPixelSpacing()[0], data->geometry->GetPixelSpacing()[1] } };
   }
+  content.markupsGrid = data->markupsGrid.value_or(content.markupsGrid);
   content.title = fs::path(description.imageFile).filename().string();
   content.identity = itk::ComputeFileSHA256(description.imageFile).substr(0, 16);
   content.contours = texts.contours;
@@ -266,10 +281,15 @@ Trace(const TraceOptions & options, const CommonOptions & common)
     }
     return AllRegistered;
   }
+  RefuseForeign(texts.contoursAreForeign, drawn.contoursFile, options.output, "--contours");
+  RefuseForeign(
+    texts.landmarksAreForeign, drawn.cephalometricLandmarksFile, options.landmarks, "--cephalometric-landmarks");
   content.served = true;
   content.canRegister = hasScans;
   content.contoursFile = fs::path(options.output).filename().string();
   content.landmarksFile = fs::path(options.landmarks).filename().string();
+  content.contoursAreSaved = !options.output.empty() && drawn.contoursFile == options.output;
+  content.landmarksAreSaved = !options.landmarks.empty() && drawn.cephalometricLandmarksFile == options.landmarks;
   content.savesItself = !contoursFile.WasThere() && !landmarksFile.WasThere();
 
   itk::TracingServer                   server;
@@ -294,14 +314,15 @@ Trace(const TraceOptions & options, const CommonOptions & common)
       contoursFile.Verify();
       landmarksFile.Verify();
       Json saved = Json::array();
-      for (const auto & [file, text, kept, name] :
-           { std::tie(contoursFile, contours, content.contours, content.contoursFile),
-             std::tie(landmarksFile, landmarks, content.landmarks, content.landmarksFile) })
+      for (const auto & [file, text, kept, isSaved, name] :
+           { std::tie(contoursFile, contours, content.contours, content.contoursAreSaved, content.contoursFile),
+             std::tie(landmarksFile, landmarks, content.landmarks, content.landmarksAreSaved, content.landmarksFile) })
       {
         if (!text.empty() && !name.empty())
         {
           file.Save(text);
           kept = text;
+          isSaved = true;
           saved.push_back(name);
         }
       }

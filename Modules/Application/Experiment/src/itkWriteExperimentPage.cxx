@@ -20,7 +20,7 @@
 #include "itkBase64.h"
 #include "itkDentalSCRVersion.h"
 #include "itkEscapeForScript.h"
-#include "itkExperimentPage.h"
+#include "itkExperimentPageParts.h"
 #include "itkJsonDocument.h"
 #include "itkReadCSVTable.h"
 #include "itkTextFile.h"
@@ -151,7 +151,7 @@ WriteExperimentPage(const std::string & folderName)
       data["figures"].push_back(MakeFigure(folder, figure));
     }
   }
-  std::string            page = ExperimentPage;
+  std::string            page(ExperimentPageParts::Page());
   constexpr const char * word = "EXPERIMENT_DATA";
   page.replace(page.find(word),
                std::char_traits<char>::length(word),

@@ -33,6 +33,9 @@ struct DrawingTexts
 {
   std::string contours;
   std::string landmarks;
+  /** Written by another program: not to be saved over, since the text has not all that is in the file. */
+  bool contoursAreForeign{ false };
+  bool landmarksAreForeign{ false };
 };
 
 /** What a case's description names as its tracing and its landmarks, for a page to go on with. The toolkit's own files

@@ -79,11 +79,15 @@ ToJson(const DentalContour::PolylineType & polyline)
     outline << polyline.outline;
     contour["outline"] = outline.str();
   }
+  if (polyline.drafted)
+  {
+    contour["drafted"] = true;
+  }
   return contour;
 }
 
 std::string
-ReadContours(const DentalCaseData & data, const DentalCase & description)
+ReadContours(const DentalCaseData & data, const DentalCase & description, bool & isForeign)
 {
   if (description.contoursFile.empty() && description.contourClassFiles.empty())
   {
@@ -97,6 +101,7 @@ ReadContours(const DentalCaseData & data, const DentalCase & description)
       return own.dump();
     }
   }
+  isForeign = true;
   auto reader = DentalContourFileReader::New();
   reader->SetFileName(description.contourClassFiles.empty() ? description.contoursFile : description.fileName);
   reader->SetClassFiles(description.contourClassFiles);
@@ -119,7 +124,7 @@ ReadContours(const DentalCaseData & data, const DentalCase & description)
 }
 
 std::string
-ReadLandmarks(const DentalCaseData & data, const DentalCase & description)
+ReadLandmarks(const DentalCaseData & data, const DentalCase & description, bool & isForeign)
 {
   CephalometricLandmarkSet::ConstPointer landmarks = description.cephalometricLandmarks;
   if (!description.cephalometricLandmarksFile.empty())
@@ -139,6 +144,7 @@ ReadLandmarks(const DentalCaseData & data, const DentalCase & description)
     {
       return own.dump();
     }
+    isForeign = true;
     auto reader = CephalometricLandmarkFileReader::New();
     reader->SetFileName(description.cephalometricLandmarksFile);
     reader->SetNumbering(description.numbering.value_or(ToothCode::NumberingEnum::Quadrant));
@@ -171,6 +177,9 @@ ReadLandmarks(const DentalCaseData & data, const DentalCase & description)
 DrawingTexts
 ReadDrawings(const DentalCaseData & data, const DentalCase & description)
 {
-  return { ReadContours(data, description), ReadLandmarks(data, description) };
+  DrawingTexts texts;
+  texts.contours = ReadContours(data, description, texts.contoursAreForeign);
+  texts.landmarks = ReadLandmarks(data, description, texts.landmarksAreForeign);
+  return texts;
 }
 } // namespace itk

@@ -91,6 +91,9 @@ public:
      * 0. */
     std::vector<double> sigmas{};
     OutlineEnum         outline{ OutlineEnum::Unspecified };
+    /** A registration projected it and no hand has moved any of its points since: of that registration, and of a later
+     * one of the same scan, it is no independent evidence. */
+    bool drafted{ false };
     /** Of a silhouette: outward unit normals in the image (u right, v down), one a point, (0, 0) where it is not known;
      * empty where none is. */
     std::vector<NormalType> normals{};
@@ -137,6 +140,14 @@ public:
   OutlineEnum
   GetPointOutline(PointIdentifier id) const;
 
+  /** Whether the polyline of a point is a registration's own, unmended. */
+  bool
+  IsPointDrafted(PointIdentifier id) const;
+
+  /** Share of the points with a weight above 0 that are of drafted polylines, 0 to 1; 0 where there are no points. */
+  double
+  GetDraftedShare() const;
+
   /** Outward normal at a point; (0, 0) where it is not known. */
   NormalType
   GetPointNormal(PointIdentifier id) const;
@@ -172,6 +183,7 @@ private:
   std::vector<double>       m_PointWeights;
   std::vector<double>       m_PointSigmas;
   std::vector<OutlineEnum>  m_PointOutlines;
+  std::vector<bool>         m_PointsDrafted;
   std::vector<NormalType>   m_PointNormals;
   std::vector<RimPointType> m_RimPoints;
 };

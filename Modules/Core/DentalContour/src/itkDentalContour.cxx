@@ -183,6 +183,7 @@ DentalContour::AddPolyline(const PolylineType & polyline)
                count,
                std::vector<OutlineEnum>(polyline.outline == OutlineEnum::Unspecified ? 0 : count, polyline.outline),
                OutlineEnum::Unspecified);
+  AppendValues(m_PointsDrafted, first, count, std::vector<bool>(polyline.drafted ? count : 0, true), false);
   AppendValues(m_PointNormals, first, count, polyline.normals, UnknownNormal());
   AppendValues(m_RimPoints, first, count, polyline.rimPoints, UnknownRimPoint());
   const PointIdentifier segments = polyline.closed ? count : count - 1;
@@ -228,6 +229,7 @@ DentalContour::GetPolylines() const -> std::vector<PolylineType>
     }
     polyline.teeth.push_back(this->GetToothCode(id));
     polyline.outline = this->GetPointOutline(id);
+    polyline.drafted = this->IsPointDrafted(id);
     used[id] = true;
   };
   const auto * cells = this->GetCells();
@@ -332,6 +334,26 @@ DentalContour::GetPointOutline(PointIdentifier id) const
   return id < m_PointOutlines.size() ? m_PointOutlines[id] : OutlineEnum::Unspecified;
 }
 
+bool
+DentalContour::IsPointDrafted(PointIdentifier id) const
+{
+  return id < m_PointsDrafted.size() && m_PointsDrafted[id];
+}
+
+double
+DentalContour::GetDraftedShare() const
+{
+  PointIdentifier drafted = 0;
+  PointIdentifier all = 0;
+  for (PointIdentifier id = 0; id < this->GetNumberOfPoints(); ++id)
+  {
+    const bool counts = this->GetPointWeight(id) > 0.0;
+    all += counts ? 1 : 0;
+    drafted += counts && this->IsPointDrafted(id) ? 1 : 0;
+  }
+  return all > 0 ? static_cast<double>(drafted) / static_cast<double>(all) : 0.0;
+}
+
 DentalContour::NormalType
 DentalContour::GetPointNormal(PointIdentifier id) const
 {
@@ -401,6 +423,7 @@ DentalContour::Initialize()
   m_PointWeights.clear();
   m_PointSigmas.clear();
   m_PointOutlines.clear();
+  m_PointsDrafted.clear();
   m_PointNormals.clear();
   m_RimPoints.clear();
 }
@@ -413,6 +436,7 @@ DentalContour::Graft(const DataObject * data)
   m_PointWeights = contour == nullptr ? std::vector<double>() : contour->m_PointWeights;
   m_PointSigmas = contour == nullptr ? std::vector<double>() : contour->m_PointSigmas;
   m_PointOutlines = contour == nullptr ? std::vector<OutlineEnum>() : contour->m_PointOutlines;
+  m_PointsDrafted = contour == nullptr ? std::vector<bool>() : contour->m_PointsDrafted;
   m_PointNormals = contour == nullptr ? std::vector<NormalType>() : contour->m_PointNormals;
   m_RimPoints = contour == nullptr ? std::vector<RimPointType>() : contour->m_RimPoints;
 }
@@ -424,6 +448,7 @@ DentalContour::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "PointWeights: " << m_PointWeights.size() << std::endl;
   os << indent << "PointSigmas: " << m_PointSigmas.size() << std::endl;
   os << indent << "PointOutlines: " << m_PointOutlines.size() << std::endl;
+  os << indent << "PointsDrafted: " << std::count(m_PointsDrafted.begin(), m_PointsDrafted.end(), true) << std::endl;
   os << indent << "PointNormals: " << m_PointNormals.size() << std::endl;
   os << indent << "RimPoints: " << m_RimPoints.size() << std::endl;
 }

@@ -123,6 +123,36 @@ TEST(DentalContour, RefusesWhatIsNoContour)
   EXPECT_EQ(contour->GetNumberOfPoints(), 0u);
 }
 
+TEST(DentalContour, TellsWhatShareOfItIsDrafted)
+{
+  const auto contour = ContourType::New();
+  EXPECT_EQ(contour->GetDraftedShare(), 0.0);
+  contour->AddPolyline({ P(0, 0), P(1, 0), P(2, 0) });
+  EXPECT_EQ(contour->GetDraftedShare(), 0.0);
+  ContourType::PolylineType draft;
+  draft.points = { P(5, 0), P(6, 0), P(7, 0) };
+  draft.drafted = true;
+  // What does not count is no share.
+  draft.weights = { 1.0, 0.0, 0.5 };
+  contour->AddPolyline(draft);
+  contour->AddPolyline({ P(9, 0), P(9, 1), P(9, 2) });
+  EXPECT_EQ(contour->GetDraftedShare(), 2.0 / 8.0);
+  EXPECT_FALSE(contour->IsPointDrafted(2));
+  EXPECT_TRUE(contour->IsPointDrafted(3));
+  EXPECT_FALSE(contour->IsPointDrafted(6));
+  const auto polylines = contour->GetPolylines();
+  ASSERT_EQ(polylines.size(), 3u);
+  EXPECT_FALSE(polylines[0].drafted);
+  EXPECT_TRUE(polylines[1].drafted);
+  EXPECT_FALSE(polylines[2].drafted);
+
+  const auto copy = ContourType::New();
+  copy->Graft(contour);
+  EXPECT_EQ(copy->GetDraftedShare(), 2.0 / 8.0);
+  contour->Initialize();
+  EXPECT_FALSE(contour->IsPointDrafted(3));
+}
+
 TEST(DentalContour, CarriesSigmasAndKindsWhereGiven)
 {
   using OutlineEnum = ContourType::OutlineEnum;

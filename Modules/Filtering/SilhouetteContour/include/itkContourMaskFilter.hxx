@@ -90,6 +90,7 @@ ContourMaskFilter<TMaskImage>::GenerateData()
     DentalContour::PolylineType stretch;
     stretch.code = polyline.code;
     stretch.outline = polyline.outline;
+    stretch.drafted = polyline.drafted;
     for (std::size_t i = 0; i <= count; ++i)
     {
       const std::size_t k = (start + i) % count;

@@ -89,6 +89,7 @@ ContourResampleFilter::GenerateData()
     DentalContour::PolylineType resampled;
     resampled.code = polyline.code;
     resampled.outline = polyline.outline;
+    resampled.drafted = polyline.drafted;
     if (!(lengths[l] > 0.0))
     {
       resampled.points.push_back(polyline.points.front());

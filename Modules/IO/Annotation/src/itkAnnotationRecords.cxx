@@ -228,7 +228,7 @@ ReadPolyline(const JsonNode & node, const std::string & jaw)
   polyline.field = node.GetPath();
   polyline.codeField = node.GetPath() + ".code";
   polyline.jaw = jaw;
-  node.WarnAboutUnknownFields({ "code", "points", "closed", "weights", "sigma_px", "outline" });
+  node.WarnAboutUnknownFields({ "code", "points", "closed", "weights", "sigma_px", "outline", "drafted" });
   if (const auto code = node.Find("code"))
   {
     polyline.label = ReadCode(*code);
@@ -236,6 +236,10 @@ ReadPolyline(const JsonNode & node, const std::string & jaw)
   if (const auto closed = node.Find("closed"))
   {
     polyline.closed = closed->AsBoolean();
+  }
+  if (const auto drafted = node.Find("drafted"))
+  {
+    polyline.drafted = drafted->AsBoolean();
   }
   const JsonNode    points = node.Get("points");
   const std::size_t count = points.GetSize();

@@ -48,6 +48,7 @@ struct AnnotationPolyline
   /** Drawing errors, px; one a point, or empty. */
   std::vector<double>        sigmas;
   DentalContour::OutlineEnum outline{ DentalContour::OutlineEnum::Unspecified };
+  bool                       drafted{ false };
   /** Whether the points are continuous pixel indices, whatever the format counts from: those of a mask are. */
   bool isPixelIndex{ false };
 };

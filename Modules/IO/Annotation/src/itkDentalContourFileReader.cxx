@@ -281,6 +281,7 @@ DentalContourFileReader::GenerateData()
     polyline.weights = record.weights;
     polyline.sigmas = record.sigmas;
     polyline.outline = record.outline;
+    polyline.drafted = record.drafted;
     polyline.points.reserve(record.points.size());
     for (const std::array<double, 3> & position : record.points)
     {

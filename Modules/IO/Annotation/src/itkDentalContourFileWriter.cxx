@@ -106,6 +106,10 @@ AppendJaw(std::ostream & os, const char * jaw, const DentalContour & contour, To
     {
       os << ", \"outline\": \"" << polyline.outline << '"';
     }
+    if (polyline.drafted)
+    {
+      os << ", \"drafted\": true";
+    }
     AppendSigmas(os, polyline.sigmas);
     os << '}';
     separator = ",\n";

@@ -423,8 +423,8 @@ TEST(DentalContourFileReader, OutlineAndSigmaAreReadAndWritten)
   const auto reader = MakeReader(R"({"image_size": [100, 100], "contours": {"upper": [
     {"code": "UR1", "closed": true, "outline": "tooth", "sigma_px": 2.5, "points": [[1, 1], [9, 1], [9, 9], [1, 1]]},
     {"code": "UR2", "outline": "labial", "sigma_px": [0.5, 1.5], "points": [[1, 1], [9, 1]]},
-    {"code": "UR3", "points": [[3, 3], [4, 4]]},
-    {"code": "UR4", "sigma_px": [0.5, null, 2], "points": [[3, 3], [4, 4], [5, 5]]}]}})");
+    {"code": "UR3", "drafted": true, "points": [[3, 3], [4, 4]]},
+    {"code": "UR4", "drafted": false, "sigma_px": [0.5, null, 2], "points": [[3, 3], [4, 4], [5, 5]]}]}})");
   reader->Update();
   EXPECT_TRUE(reader->GetWarnings().empty());
   const auto polylines = reader->GetUpperOutput()->GetPolylines();
@@ -453,6 +453,8 @@ TEST(DentalContourFileReader, OutlineAndSigmaAreReadAndWritten)
   {
     EXPECT_EQ(written[i].sigmas, polylines[i].sigmas);
     EXPECT_EQ(written[i].outline, polylines[i].outline);
+    EXPECT_EQ(polylines[i].drafted, i == 2);
+    EXPECT_EQ(written[i].drafted, i == 2);
   }
 }
 
@@ -471,4 +473,5 @@ TEST(DentalContourFileReader, OutlineAndSigmaThatAreNoneAreRefusedByField)
   EXPECT_EQ(field(R"("sigma_px": [1, 0])"), "contours.upper[0].sigma_px[1]");
   EXPECT_EQ(field(R"("sigma_px": [1, "x"])"), "contours.upper[0].sigma_px[1]");
   EXPECT_EQ(field(R"("sigma_px": null)"), "contours.upper[0].sigma_px");
+  EXPECT_EQ(field(R"("drafted": 1)"), "contours.upper[0].drafted");
 }

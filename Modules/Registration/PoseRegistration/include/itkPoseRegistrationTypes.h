@@ -282,6 +282,8 @@ struct PoseJawResult
   double winding{ 0.0 };
   /** Share of the tracing whose tooth codes are of the side that was not said to be traced. */
   double otherSideCodes{ 0.0 };
+  /** Share of the tracing that a registration drafted and nobody mended (DentalContour::GetDraftedShare()). */
+  double draftedShare{ 0.0 };
   /** The moving contour at the solution: open, in pixels of the radiograph, with its outward unit normals there, and
    * its points in the mesh frame, mm. */
   std::vector<std::array<double, 2>> contour;

@@ -25,6 +25,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -109,6 +110,8 @@ public:
     /** Of a spacing that was given: no radiograph of a head is shorter, nor longer than the next. */
     double shortestFilm{ 80.0 };
     double failedFilmLength{ 450.0 };
+    /** Of a jaw's tracing: as much as a hand drew, the registration's own drafts may be beside it. */
+    double suspectDraftedShare{ 0.5 };
     double minimumArchWidth{ 30.0 };
     double maximumArchWidth{ 120.0 };
     /** How much better (score) another hypothesis must be to be named. */
@@ -132,6 +135,11 @@ public:
            const ImageSizeType &          imageSize = ImageSizeType{});
   static std::vector<JawVerdict>
   Evaluate(const PoseRegistrationResult & result);
+
+  /** What a tracing is worth of which a registration drafted a share (DentalContour::GetDraftedShare()); nothing where
+   * hands drew enough. For methods too that have no verdict of their own. */
+  static std::optional<RegistrationFinding>
+  JudgeDrafts(double share, const Thresholds & thresholds);
 
   /** One of the sentences below, for callers that say the same of each cast. */
   static constexpr const char * ClosedCastLine = "winding of a closed cast";

@@ -54,6 +54,7 @@ DescribeJaw(const PoseJawInput &            input,
     area += std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
   }
   result.winding = area > 0.0 ? (input.jaw == ToothCode::JawEnum::Upper ? -sum : sum) / area : 0.0;
+  result.draftedShare = input.tracing.IsNotNull() ? input.tracing->GetDraftedShare() : 0.0;
   std::size_t                        other = 0, all = 0;
   const DentalContour::PolylinesType none;
   for (const auto & polyline : input.tracing.IsNotNull() ? input.tracing->GetPolylines() : none)

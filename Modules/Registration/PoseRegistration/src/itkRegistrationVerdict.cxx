@@ -576,6 +576,11 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
           "the tooth codes are of the side that is not said to be traced: check traced_side and the numbering",
           { jaw.otherSideCodes, MajorityOfCodes, "" });
     }
+    if (const auto drafts = JudgeDrafts(jaw.draftedShare, thresholds))
+    {
+      verdict.status = std::max(verdict.status, drafts->severity);
+      verdict.findings.push_back(*drafts);
+    }
     const PoseHypothesisOutcome * otherSide = group.FindOutcome(OtherSideHypothesis::Code);
     if (otherSide != nullptr && otherSide->deviance < thresholds.suspectOtherSideDeviance)
     {
@@ -659,6 +664,24 @@ std::vector<RegistrationVerdict::JawVerdict>
 RegistrationVerdict::Evaluate(const PoseRegistrationResult & result)
 {
   return Evaluate(result, Thresholds());
+}
+
+std::optional<RegistrationFinding>
+RegistrationVerdict::JudgeDrafts(double share, const Thresholds & thresholds)
+{
+  if (!(share > thresholds.suspectDraftedShare))
+  {
+    return std::nullopt;
+  }
+  return RegistrationFinding{ StatusEnum::Suspect,
+                              "drafts-unmended",
+                              FormatNumber(100.0 * share, 0) +
+                                " % of this jaw's outlines are drafts as a registration projected them: of these it "
+                                "knows only what it said itself, and fit, sigma and expected error look better than "
+                                "they are; mend them by the radiograph, or leave them out",
+                              share,
+                              thresholds.suspectDraftedShare,
+                              "" };
 }
 
 std::vector<std::string>

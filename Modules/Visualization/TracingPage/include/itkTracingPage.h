@@ -37,6 +37,9 @@ struct TracingPageContent
   Image<float, 2>::ConstPointer radiograph;
   /** mm a pixel, u and v; where they differ the page shows the pixels as they are, not square. {1, 1} where unknown. */
   std::array<double, 2> pixelSpacing{ { 1.0, 1.0 } };
+  /** mm a pixel, and the first pixel's centre, mm, of the grid in which 3D Slicer shows the radiograph: u and v of
+   * each. Without a word of it Slicer gives a picture pixels of a millimetre. */
+  std::array<double, 4> markupsGrid{ { 1.0, 1.0, 0.0, 0.0 } };
   /** For a person: the radiograph's name. */
   std::string title;
   /** What tells this radiograph from another one, for the drawing that the browser keeps: a digest. */
@@ -51,6 +54,9 @@ struct TracingPageContent
   /** The names of the files that the server writes; "" where it writes none. */
   std::string contoursFile;
   std::string landmarksFile;
+  /** These files hold what is drawn already, which may be from others. */
+  bool contoursAreSaved{ false };
+  bool landmarksAreSaved{ false };
   /** Begin with saving after each change: where there is nothing yet that could be lost by it. */
   bool savesItself{ false };
   /** The server knows the scans. */

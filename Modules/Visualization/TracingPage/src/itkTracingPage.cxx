@@ -19,6 +19,7 @@
 
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
+#include "itkEscapeForScript.h"
 #include "itkRadiographForPage.h"
 #include "itkTracingParts.h"
 
@@ -59,18 +60,6 @@ ParseDrawn(const std::string & text, const char * name)
   }
   return json;
 }
-
-/** As it can stand in a script element: no "<" ends it, or begins a comment in it. */
-std::string
-ToScriptText(const Json & json)
-{
-  std::string safe;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
-  {
-    c == '<' ? safe += "\\u003c" : safe += c;
-  }
-  return safe;
-}
 } // namespace
 
 std::string
@@ -88,11 +77,14 @@ MakeTracingPage(const TracingPageContent & content)
                       { "picture_size", { picture.width, picture.height } },
                       // How tall a pixel is beside its width.
                       { "aspect", content.pixelSpacing[1] / content.pixelSpacing[0] },
+                      { "markups_grid", content.markupsGrid },
                       { "contours", ParseDrawn(content.contours, "contours") },
                       { "landmarks", ParseDrawn(content.landmarks, "landmarks") },
                       { "served", content.served },
                       { "number", content.number },
                       { "saves_itself", content.savesItself },
+                      { "contours_saved", content.contoursAreSaved },
+                      { "landmarks_saved", content.landmarksAreSaved },
                       { "contours_file", content.contoursFile },
                       { "landmarks_file", content.landmarksFile },
                       { "can_register", content.canRegister } };
@@ -107,7 +99,7 @@ MakeTracingPage(const TracingPageContent & content)
   model.set("can_register",
             content.canRegister ? kainjow::mustache::data::type::bool_true : kainjow::mustache::data::type::bool_false);
   model.set("picture", picture.uri);
-  model.set("data", ToScriptText(data));
+  model.set("data", EscapeForScript(data.dump(-1, ' ', false, Json::error_handler_t::replace)));
   model.set("script",
             std::string(TracingParts::DrawingScript()) + std::string(TracingParts::PictureScript()) +
               std::string(TracingParts::PageScript()));

@@ -77,9 +77,9 @@ class Drawing extends EventTarget {
     return [...this.state.contours.upper, ...this.state.contours.lower];
   }
 
-  /** A draft that a hand has changed is the hand's. What was taken as it was says so in the file. */
+  /** A draft that a hand has changed is the hand's. What was taken as it was says so in the file, and register tells. */
   own(contour) {
-    delete contour._drafted;
+    delete contour.drafted;
   }
 
   /** Points have companions in lists of their own; they come and go together. */
@@ -138,6 +138,42 @@ class Drawing extends EventTarget {
   /** cephalometric_landmarks. */
   toLandmarks() {
     return { ...this.state.other, ...this.state.landmarks };
+  }
+
+  /** labelme's, which counts from the pixel's corner. Open it beside the radiograph. */
+  toLabelme(imageName) {
+    const [width, height] = this.imageSize;
+    const shape = (label, points, type) => ({
+      label, points: points.map(point => point.map(x => round(x + 0.5))), group_id: null, description: "", shape_type: type, flags: {}, mask: null,
+    });
+    return {
+      version: "5.4.1", flags: {},
+      shapes: [
+        ...this.all().filter(contour => contour.points.length > 0).map(contour => shape(contour.code, contour.points, contour.closed ? "polygon" : "linestrip")),
+        ...Object.entries(this.state.landmarks).map(([name, value]) => shape(name, [positionOf(value)], "point")),
+      ],
+      imagePath: imageName, imageData: null, imageHeight: height, imageWidth: width,
+    };
+  }
+
+  /** 3D Slicer's: millimetres of the grid that it shows the radiograph in, spacing and then the first pixel's centre. */
+  toMarkups([spacingU, spacingV, originU, originV]) {
+    // A micrometre: finer than a hundredth of any detector's pixel.
+    const place = ([u, v]) => [originU + u * spacingU, originV + v * spacingV, 0].map(x => Math.round(1e6 * x) / 1e6);
+    const markup = (type, name, points) => ({
+      type, name, coordinateSystem: "LPS", coordinateUnits: "mm",
+      controlPoints: points.map(([label, point], i) => ({ id: String(i + 1), label, position: place(point), selected: true, locked: false, visibility: true, positionStatus: "defined" })),
+    });
+    const landmarks = Object.entries(this.state.landmarks).map(([name, value]) => [name, positionOf(value)]);
+    return {
+      // Slicer opens no file of markups without its name.
+      "@schema": "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#",
+      markups: [
+        ...(landmarks.length ? [markup("Fiducial", "landmarks", landmarks)] : []),
+        ...this.all().filter(contour => contour.points.length > 0).map(contour =>
+          markup(contour.closed ? "ClosedCurve" : "Curve", contour.code, contour.points.map((point, i) => [`${contour.code}-${i + 1}`, point]))),
+      ],
+    };
   }
 
   hasContours() {

@@ -14,14 +14,25 @@ const CHARTS = {
   primary: [["UR", "EDCBA"], ["UL", "ABCDE"], ["LR", "EDCBA"], ["LL", "ABCDE"]],
   sideless: [["U", "12345678"], ["L", "12345678"]],
 };
-const HINTS = {
-  landmark: "Click the landmark. Drag it to mend it.",
-  outline: "Click along the outline, Enter ends the tooth. A click on the first point closes it.",
-  move: "Click to choose, drag points, double-click a line to add a point. Arrow keys move the chosen point by a tenth of a pixel, with Shift by one.",
-};
+const TITLES = new Map([...LANDMARKS, ...FURTHER]);
+const hasFingers = matchMedia("(pointer: coarse)").matches;
+
+/** What the next click does, in the words of what is chosen. */
+function makeHint() {
+  const click = hasFingers ? "Tap" : "Click";
+  if (mode === "landmark") return `${click} ${landmark}${TITLES.has(landmark) ? `, the ${TITLES.get(landmark)}` : ""}. Drag a cross to mend it.`;
+  if (mode === "outline")
+    return tooth ? `${click} along the outline of ${tooth}; ${hasFingers ? "Next tooth" : "Enter"} ends it, a ${click.toLowerCase()} on its first point closes it.` : "Choose a tooth in the chart.";
+  if (chosen?.kind === "draft") return `Draft of ${chosen.code}: take it where it lies on the crown, then drag what lies beside it.`;
+  if (chosen?.kind === "contour" && chosen.contour.drafted) return `${chosen.contour.code} is the draft as it was taken, no evidence yet: drag its points onto the crown.`;
+  if (hasFingers) return "Tap to choose, drag points, double-tap a line to add a point.";
+  return "Click to choose, drag points, double-click a line to add a point. Arrow keys move the chosen point by a tenth of a pixel, with Shift by one.";
+}
 
 const drawing = new Drawing(data.image_size);
 const picture = new Picture($(".pane"), data);
+// On a narrow screen the line of news stays above the picture.
+new ResizeObserver(([{ target }]) => document.documentElement.style.setProperty("--news", `${target.offsetHeight}px`)).observe($("header"));
 /** What is chosen: {kind: "landmark", name}, {kind: "contour", contour, index?}, {kind: "draft", code}, or null. */
 let chosen = null;
 let mode = "landmark";
@@ -31,8 +42,11 @@ let tooth = "";
 let result = null;
 let showsAim = false;
 
-function say(text, isProblem = false) {
+/** `by`: whose it is to take it back. */
+let saidBy = "";
+function say(text, isProblem = false, by = "") {
   const place = $("#said");
+  saidBy = by;
   place.textContent = text;
   place.classList.toggle("problem", isProblem);
 }
@@ -43,7 +57,6 @@ function setMode(next) {
   mode = next;
   for (const button of $$("[data-mode]")) button.setAttribute("aria-pressed", String(button.dataset.mode === mode));
   $(".pane").classList.toggle("move", mode === "move");
-  $("#hint").textContent = HINTS[mode];
   refresh();
 }
 
@@ -124,6 +137,8 @@ function place(at) {
 picture.addEventListener("press", ({ detail: { at, target, event } }) => {
   showsAim = false;
   if (mode === "move" && event.detail === 0 && isSecondPress(at) && target?.kind === "line") return insertOnLine(contourOf(target), at);
+  // Cusps of both jaws lie on each other: a landmark is put where it is clicked, whatever is there already.
+  if (mode === "landmark") return place(at);
   if (target?.kind === "landmark") {
     landmark = target.name;
     chosen = { kind: "landmark", name: target.name };
@@ -244,7 +259,7 @@ function accept(taken) {
   drawing.change(state => {
     for (const draft of taken) {
       const list = state.contours[jawOf(draft.code)];
-      const made = { code: draft.code, points: draft.points.map(point => [...point]), _drafted: true };
+      const made = { code: draft.code, points: draft.points.map(point => [...point]), drafted: true };
       const empty = list.findIndex(contour => contour.code === draft.code);
       if (empty >= 0) list.splice(empty, 1, made);
       else list.push(made);
@@ -273,8 +288,8 @@ async function post(what, request) {
   return json;
 }
 
-function sayProblem(error, advice) {
-  say(error instanceof TypeError ? `The server does not answer: was it ended? ${advice}` : error.message, true);
+function sayProblem(error, advice, by) {
+  say(error instanceof TypeError ? `The server does not answer: was it ended? ${advice}` : error.message, true, by);
 }
 
 let registering = false;
@@ -296,9 +311,11 @@ async function register() {
     result = await post("register", toRequest());
     registeredVersion = registered;
     showVerdict();
-    say(`Registered in ${((performance.now() - started) / 1000).toFixed(2)} s.`);
+    const verdicts = Object.entries(result.jaws).map(([jaw, { status }]) => `${jaw} ${status}`);
+    $("#outcome").textContent = `Registered in ${((performance.now() - started) / 1000).toFixed(2)} s: ${verdicts.join(", ")}.`;
+    if (saidBy === "register") say("");
   } catch (error) {
-    sayProblem(error, "What is drawn is kept in this browser.");
+    sayProblem(error, "What is drawn is kept in this browser.", "register");
     // The verdict is none of this drawing.
     refusal = error.message;
   }
@@ -326,7 +343,7 @@ function registerSoon() {
 function showAge() {
   if (!data.can_register) return;
   const isOld = result !== null && registeredVersion !== drawing.version;
-  for (const part of ["#verdict", "#figures"]) $(part).classList.toggle("old", isOld);
+  for (const part of ["#outcome", "#verdict", "#figures"]) $(part).classList.toggle("old", isOld);
   $("#age").hidden = !isOld && !refusal;
   $("#age").textContent = refusal ? `Not registered: ${refusal}` : $("#live").checked && isEnough() ? "Registering what you changed …" : "You changed the drawing since this verdict.";
   $("#age").classList.toggle("problem", Boolean(refusal));
@@ -380,8 +397,10 @@ function showVerdict() {
     if (said.predicted?.length)
       predictions.append(table(`Of the ${jaw} jaw`, ["landmark", "u", "v", "σ, px"], said.predicted.map(row => [row.name, number(row.position[0]), number(row.position[1]), number(row.sigma_px)])));
   }
-  const outlines = drawing.all().filter(contour => contour.points.length > 0), taken = outlines.filter(contour => contour._drafted).length;
-  if (taken > 0)
+  const outlines = drawing.all().filter(contour => contour.points.length > 0), taken = outlines.filter(contour => contour.drafted).length;
+  // Of more than half of a jaw's the verdict speaks itself.
+  const isTold = Object.values(result.jaws).some(said => said.findings.some(finding => finding.code === "drafts-unmended"));
+  if (taken > 0 && !isTold)
     place.prepend(make("p", `${taken} of ${outlines.length} outlines are drafts as they were taken. Of these the registration knows only what it said itself: fit, σ and expected error look better than they are. Correct what lies beside its crown.`, "warned"));
   for (const [jaw, why] of Object.entries(result.skipped)) place.append(make("p", `${jaw}: skipped, ${why}`, "quiet"));
   place.append(make("p", `Taken as ${result.traced_side === "standard" ? "the middle of both sides (standard)" : `drawn of the ${result.traced_side} side${result.traced_side === "both" ? "s" : ""}`}${result.traced_side_is_given ? ", as the case says" : ""}.`, "quiet"));
@@ -393,11 +412,20 @@ let savedState = "";
 function isDirty() {
   return JSON.stringify(drawing.state) !== savedState;
 }
+/** Whether anything would be lost, always in sight. */
+function showState() {
+  const place = $("#state"), dirty = isDirty();
+  const failed = $("#saved").classList.contains("problem");
+  place.textContent = !dirty ? (canSave() && (drawing.hasContours() || drawing.hasLandmarks()) ? "Saved" : "")
+    : !canSave() ? "Kept in this browser, not in a file" : failed || !$("#saves").checked ? "Not saved" : "Saving …";
+  place.classList.toggle("problem", dirty && canSave() && (failed || !$("#saves").checked));
+}
 /** What a file holds has to be saved also where it is nothing any more. */
-const isInFile = { contours: Boolean(data.contours), landmarks: Boolean(data.landmarks) };
+const isInFile = { contours: Boolean(data.contours) && data.contours_saved, landmarks: Boolean(data.landmarks) && data.landmarks_saved };
+let asRead = {};
 let saving = null;
 async function save(isAsked = true) {
-  if (!canSave()) return download(data.contours_file || "contours.json", drawing.toContours());
+  if (!canSave()) return drawing.hasContours() || !drawing.hasLandmarks() ? download("contours.json", drawing.toContours()) : download("landmarks.json", drawing.toLandmarks());
   await saving;
   saving = saveNow(isAsked);
   return saving;
@@ -407,7 +435,7 @@ async function saveNow(isAsked) {
   const sayFiles = (text, isProblem = false) => {
     $("#saved").textContent = text;
     $("#saved").classList.toggle("problem", isProblem);
-    if (isAsked || isProblem) say(text, isProblem);
+    if (isAsked || isProblem) say(text, isProblem, isProblem ? "save" : "");
   };
   const state = JSON.stringify(drawing.state);
   const hasContours = drawing.hasContours() || isInFile.contours, hasLandmarks = drawing.hasLandmarks() || isInFile.landmarks;
@@ -415,10 +443,13 @@ async function saveNow(isAsked) {
     const { saved } = await post("save", { contours: hasContours ? drawing.toContours() : null, landmarks: hasLandmarks ? drawing.toLandmarks() : null });
     isInFile.contours ||= hasContours;
     isInFile.landmarks ||= hasLandmarks;
-    const left = [hasContours && !data.contours_file && "the tracing (start with --output)", hasLandmarks && !data.landmarks_file && "the landmarks (start with --landmarks)"].filter(Boolean);
-    if (left.length) return sayFiles(`${saved.length ? `Saved ${saved.join(" and ")}, but not` : "Not saved:"} ${left.join(" and ")}. Download what is missing.`, true);
+    // What was read and not touched is where it was.
+    const left = [["contours", "the tracing (start with --output)"], ["landmarks", "the landmarks (start with --landmarks)"]]
+      .filter(([what]) => !data[`${what}_file`] && JSON.stringify(drawing.state[what]) !== asRead[what]).map(([, name]) => name);
+    if (left.length) return void (sayFiles(`${saved.length ? `Saved ${saved.join(" and ")}, but not` : "Not saved:"} ${left.join(" and ")}. Download what is missing.`, true), refresh());
     savedState = state;
     keep();
+    if (saidBy === "save") say("");
     sayFiles(saved.length ? `Saved ${saved.join(" and ")}.` : "There is nothing to save yet.");
   } catch (error) {
     sayFiles(error instanceof TypeError ? "The server does not answer: was it ended? Download what is drawn." : `Not saved: ${error.message}`, true);
@@ -445,7 +476,8 @@ async function open(files) {
   for (const file of files) {
     try {
       const what = drawing.read(JSON.parse(await file.text()));
-      say(what ? `${file.name}: ${what} opened.` : `${file.name}: is neither a tracing nor landmarks; open contours.json, or {"U1_tip": [u, v]}`, !what);
+      say(what ? `${file.name}: ${what} opened.` : `${file.name}: is neither a tracing nor landmarks of the toolkit; other programs' files are read at the start, as --contours and --cephalometric-landmarks`, !what);
+      suitChart();
     } catch (error) {
       say(`${file.name}: ${error.message}`, true);
     }
@@ -481,11 +513,17 @@ function allPoints() {
 
 // ---- what is seen ---------------------------------------------------------------------------------------------------
 
+/** A white line on enamel is seen by its dark border. */
+function halo(pen, what, ...where) {
+  pen[what]("halo", ...where);
+}
+
 function paint({ drafts: under, drawing: pen, aim }, scale) {
   if (result && $("#outlines")?.checked)
     for (const jaw of Object.values(result.jaws)) for (const outline of jaw.outline ?? []) under.line("silhouette", outline.points, outline.closed);
   for (const draft of drafts()) {
     const on = chosen?.kind === "draft" && chosen.code === draft.code;
+    if (on) halo(under, "line", draft.points);
     under.line(`draft${on ? " chosen" : ""}`, draft.points);
     if (mode === "move") under.line("hit", draft.points, false, { kind: "draft", code: draft.code });
     if (on) under.text(draft.points[0], draft.code);
@@ -503,15 +541,18 @@ function paint({ drafts: under, drawing: pen, aim }, scale) {
   }
   for (const [name, value] of Object.entries(drawing.state.landmarks)) {
     const on = chosen?.kind === "landmark" && chosen.name === name;
+    halo(pen, "cross", positionOf(value), on ? 11 : 8);
     pen.cross(`landmark${on ? " chosen" : ""}`, positionOf(value), on ? 11 : 8);
-    pen.circle("grip", positionOf(value), 10, { kind: "landmark", name });
+    // An outline goes through its tip: there a click is a point of the outline.
+    if (mode !== "outline") pen.circle("grip", positionOf(value), 10, { kind: "landmark", name });
     pen.text(positionOf(value), name);
   }
   // Above the landmarks: of an outline that is chosen every point can be taken hold of.
   for (const jaw of ["upper", "lower"]) drawing.state.contours[jaw].forEach((contour, index) => {
     if (contour.points.length === 0) return;
     const on = chosen?.kind === "contour" && chosen.contour === contour;
-    pen.line(`contour${on ? " chosen" : ""}`, contour.points, contour.closed);
+    if (on) halo(pen, "line", contour.points, contour.closed);
+    pen.line(`contour${on ? " chosen" : ""}${contour.drafted ? " taken" : ""}`, contour.points, contour.closed);
     if (mode === "move") pen.line("hit", contour.points, contour.closed, { kind: "line", jaw, contour: index });
     // Names that would lie on each other are left out until the picture is large enough for them.
     const [first, last] = [contour.points[0], contour.points.at(-1)];
@@ -529,6 +570,8 @@ function paint({ drafts: under, drawing: pen, aim }, scale) {
 
 function refresh() {
   settleChoice();
+  $("#hint").textContent = makeHint();
+  showState();
   for (const button of $$("#landmarks button")) {
     button.setAttribute("aria-pressed", String(mode === "landmark" && button.dataset.name === landmark));
     button.classList.toggle("drawn", Boolean(drawing.state.landmarks[button.dataset.name]));
@@ -540,7 +583,8 @@ function refresh() {
     button.setAttribute("aria-pressed", String(code === tooth));
     button.classList.toggle("drawn", Boolean(contour));
     button.classList.toggle("drafted", drafted.has(code));
-    button.title = contour ? `${code}: ${contour.points.length} points` : drafted.has(code) ? `${code}: draft` : code;
+    button.classList.toggle("taken", Boolean(contour?.drafted));
+    button.title = contour ? `${code}: ${contour.points.length} points${contour.drafted ? ", the draft as it was taken" : ""}` : drafted.has(code) ? `${code}: draft` : code;
   }
   const contour = chosen?.kind === "contour" ? chosen.contour : null;
   if (contour) {
@@ -555,6 +599,7 @@ function refresh() {
   $("[data-action=finish]").disabled = !tooth;
   $("[data-action=download-contours]").disabled = !drawing.hasContours();
   $("[data-action=download-landmarks]").disabled = !drawing.hasLandmarks();
+  for (const other of ["labelme", "slicer"]) $(`[data-action=download-${other}]`).disabled = !drawing.hasContours() && !drawing.hasLandmarks();
   showAge();
   for (const button of $$("[data-action=accept]")) button.disabled = chosen?.kind !== "draft";
   for (const button of $$("[data-accept]")) button.disabled = !drafts().some(draft => draft.code[1] === button.dataset.accept);
@@ -577,6 +622,15 @@ function makeChart() {
     for (let i = positions.length; i < 8; i++) chart.append(document.createElement("span"));
   });
   refresh();
+}
+
+/** The chart on which what is drawn is found: a tracing of U1 and L6 has none of UR1's. */
+function suitChart() {
+  const codes = new Set(drawing.all().map(contour => contour.code));
+  const count = kind => CHARTS[kind].flatMap(([quadrant, positions]) => [...positions].map(position => quadrant + position)).filter(code => codes.has(code)).length;
+  const best = Object.keys(CHARTS).reduce((a, b) => (count(b) > count(a) ? b : a));
+  if (count(best) > 0 && count($("#kind").value) === 0) $("#kind").value = best;
+  makeChart();
 }
 
 function makeLandmarks() {
@@ -615,6 +669,9 @@ const ACTIONS = {
   register, save: () => save(), accept: () => chosen?.kind === "draft" && accept([draftOf(chosen.code)]),
   "download-contours": () => download("contours.json", drawing.toContours()),
   "download-landmarks": () => download("landmarks.json", drawing.toLandmarks()),
+  // labelme looks for a file that is called as the radiograph is.
+  "download-labelme": () => download(`${data.title.replace(/\.[^.]*$/, "")}.json`, drawing.toLabelme(data.title)),
+  "download-slicer": () => download("drawing.mrk.json", drawing.toMarkups(data.markups_grid)),
 };
 
 function onKey(event) {
@@ -686,15 +743,18 @@ try {
   say(error.message, true);
 }
 drawing.past = [];
-savedState = JSON.stringify(drawing.state);
+// What came from other files is in none of these yet.
+const isElsewhere = data.served && ["contours", "landmarks"].some(what => data[what] && data[`${what}_file`] && !data[`${what}_saved`]);
+asRead = Object.fromEntries(["contours", "landmarks"].map(what => [what, JSON.stringify(drawing.state[what])]));
+savedState = isElsewhere ? "" : JSON.stringify(drawing.state);
 $("[data-action=save]").hidden = !canSave();
 $("#saves").closest("label").hidden = !canSave();
 $("#saves").checked = data.saves_itself;
 $("#saves").addEventListener("change", saveSoon);
 makeLandmarks();
-makeChart();
 picture.setPainter(paint);
 takeKept();
+suitChart();
 drawing.addEventListener("change", () => { keep(); registerSoon(); saveSoon(); refresh(); });
 // Goes on where it was left: a click takes nothing away.
 landmark = LANDMARKS.map(([name]) => name).find(name => !drawing.state.landmarks[name]) ?? landmark;

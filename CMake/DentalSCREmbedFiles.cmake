@@ -1,4 +1,5 @@
-# Makes a C++ file of text files: cmake "-DPARTS=Name=file|…" -DNAMESPACE=ReportParts -DOUTPUT=file -P EmbedParts.cmake
+# Makes a C++ file of text files, for dentalscr_embed_files():
+# cmake "-DPARTS=Name=file|…" -DNAMESPACE=ReportParts -DOUTPUT=file -P DentalSCREmbedFiles.cmake
 # Each part becomes a function of itk::NAMESPACE, which itkNAMESPACE.h declares.
 set(_source "#include \"itk${NAMESPACE}.h\"\n\nnamespace itk\n{\nnamespace ${NAMESPACE}\n{\n")
 string(REPLACE "|" ";" _parts "${PARTS}")

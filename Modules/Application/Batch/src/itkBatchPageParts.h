@@ -1,0 +1,34 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkBatchPageParts_h
+#define itkBatchPageParts_h
+
+#include <string_view>
+
+namespace itk
+{
+/** The file that the page is made of; it travels in the library. */
+namespace BatchPageParts
+{
+/** batch-page.html; the data stand in place of one word of it. */
+std::string_view
+Page();
+} // namespace BatchPageParts
+} // namespace itk
+
+#endif
