@@ -19,7 +19,7 @@ License: Apache-2.0
 # The letters of the overlays travel in a library, and what the page of a report is drawn with does, too.
 file(READ "/usr/share/doc/fonts-dejavu-core/copyright" _font)
 set(_embedded "
-In the library libDentalSCRRegistrationReport the font DejaVu Sans travels, under these terms:
+In the library libDentalSCROverlayPainting the font DejaVu Sans travels, under these terms:
 
 ${_font}
 In the library libDentalSCRReportPage the scripts three.js (MIT) and Observable Plot (ISC) travel with what they use;

@@ -180,7 +180,10 @@ function(dentalscr_add_loaded_library _name)
     OUTPUT_NAME "DentalSCR${_name}-${DentalSCR_VERSION_MAJOR}.${DentalSCR_VERSION_MINOR}")
   # It lies among libraries that are linked, and what looks after these wants a name in it.
   target_link_options(${_name} PRIVATE "LINKER:-soname,$<TARGET_FILE_NAME:${_name}>")
+  # Headers of the module, but no link: the module is built after what it loads.
+  target_include_directories(${_name} PRIVATE "$<TARGET_PROPERTY:${_loaded_FOR},INCLUDE_DIRECTORIES>")
   target_include_directories(${_name} SYSTEM PRIVATE ${ITK_INCLUDE_DIRS})
+  target_compile_features(${_name} PRIVATE cxx_std_17)
   target_link_libraries(${_name} PRIVATE ${_loaded_itk_LIBRARIES} ${_loaded_LIBRARIES})
   install(TARGETS ${_name} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT Runtime)
   target_compile_definitions(${_loaded_FOR} PRIVATE ${_loaded_DEFINITION}="$<TARGET_FILE_NAME:${_name}>")

@@ -16,135 +16,14 @@
  *
  *=========================================================================*/
 #include "dentalscrCommands.h"
+#include "dentalscrSimulation.h"
 
-#include "itkCohortExperiment.h"
-#include "itkDentalInputError.h"
-#include "itkMultiThreaderBase.h"
-#include "itkTextFile.h"
-#include "itkWriteExperimentPage.h"
+#include "itkDentalPhantomLevelNames.h"
 
-#include "dentalscrPlotScript.h"
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <iostream>
 #include <memory>
 
 namespace dentalscr
 {
-namespace
-{
-using ExperimentType = itk::CohortExperiment;
-
-struct ExperimentOptions
-{
-  unsigned int             cases{ 34 };
-  std::uint64_t            seed{ 1 };
-  std::string              level{ "typical" };
-  std::string              output;
-  std::vector<std::string> methods{ "default" };
-  std::string              from;
-  std::string              study;
-  unsigned int             starts{ 100 };
-  bool                     noFigures{ false };
-  /** A level was named for a study that has its own. */
-  bool levelIsRefused{ false };
-};
-
-/** A word for the shell, whatever it holds. */
-std::string
-Quote(const std::string & text)
-{
-  std::string quoted = "'";
-  for (const char character : text)
-  {
-    quoted += character == '\'' ? "'\\''" : std::string(1, character);
-  }
-  return quoted + "'";
-}
-
-/** Draws the plots where there is a Python with matplotlib; returns whether it did. */
-bool
-Plot(const std::string & folder)
-{
-  const std::string script = (std::filesystem::path(folder) / "plot.py").string();
-  itk::WriteFileAtomically(script, PlotScript);
-  for (const char * python : { "python3", "/usr/bin/python3" })
-  {
-    const std::string command =
-      std::string(python) + ' ' + Quote(script) + ' ' + Quote(folder) + " >/dev/null 2>/dev/null";
-    if (std::system(command.c_str()) == 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-int
-Experiment(const ExperimentOptions & options, const CommonOptions & common)
-{
-  if (options.levelIsRefused)
-  {
-    itkDentalInputErrorMacro(
-      "--level", "", "the study " + options.study + " has levels of its own", "leave out --level");
-  }
-  auto experiment = ExperimentType::New();
-  experiment->SetNumberOfCases(options.cases);
-  experiment->SetSeed(options.seed);
-  const auto & names = itk::DentalPhantomLevel::GetNames();
-  experiment->SetLevel(
-    static_cast<ExperimentType::CohortEnum>(std::find(names.begin(), names.end(), options.level) - names.begin()));
-  experiment->SetOutputDirectory(options.output);
-  experiment->SetMethods(options.methods);
-  experiment->SetCaseDirectory(options.from);
-  experiment->SetStudy(options.study == "capture"       ? ExperimentType::StudyEnum::Capture
-                       : options.study == "sensitivity" ? ExperimentType::StudyEnum::Sensitivity
-                       : options.study == "ablation"    ? ExperimentType::StudyEnum::Ablation
-                       : options.study == "coverage"    ? ExperimentType::StudyEnum::Coverage
-                       : options.study == "verdict"     ? ExperimentType::StudyEnum::Verdict
-                       : options.study == "practice"    ? ExperimentType::StudyEnum::Practice
-                       : options.study == "views"       ? ExperimentType::StudyEnum::Views
-                                                        : ExperimentType::StudyEnum::Tables);
-  experiment->SetNumberOfStarts(options.starts);
-  experiment->SetDrawFigures(!options.noFigures);
-  experiment->SetNumberOfWorkUnits(common.threads > 0 ? common.threads
-                                                      : itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
-  try
-  {
-    const InterruptGuard guard(experiment);
-    const ProgressLine   progress(
-      experiment, [&]() { return experiment->GetCurrentStage(); }, common.quiet);
-    experiment->Update();
-  }
-  catch (const itk::ProcessAborted &)
-  {
-    std::cerr << "dentalscr: interrupted at " << experiment->GetCurrentStage()
-              << "; what is complete is kept, the same command goes on from there" << std::endl;
-    return UnusableInput;
-  }
-  const bool plotted = !options.noFigures && Plot(options.output);
-  itk::WriteExperimentPage(options.output);
-  if (!common.quiet)
-  {
-    if (experiment->GetNumberOfResumedCases() > 0)
-    {
-      std::cout << experiment->GetNumberOfResumedCases() << " cases were there already\n";
-    }
-    std::cout << experiment->GetWrittenFiles().size() << " files written to " << options.output << "; begin with "
-              << "index.html or " << (options.study.empty() ? "tables.md" : options.study + ".md") << '\n';
-    if (!plotted && !options.noFigures)
-    {
-      std::cout << "no plots: they need Python with matplotlib (python3-matplotlib); then run python3 "
-                << (std::filesystem::path(options.output) / "plot.py").string() << '\n';
-    }
-    std::cout << std::flush;
-  }
-  return AllRegistered;
-}
-} // namespace
-
 void
 AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFunction & run)
 {
@@ -165,7 +44,7 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
   command->add_option("--seed", options->seed, "Of the first case; the same seed gives the same bits")
     ->capture_default_str();
   auto * level = command->add_option("--level", options->level, "of the phantom: typical, real, practice, ...")
-                   ->check(CLI::IsMember(itk::DentalPhantomLevel::GetNames()))
+                   ->check(CLI::IsMember(itk::GetDentalPhantomLevelNames()))
                    ->capture_default_str();
   command
     ->add_option("--methods",
@@ -210,7 +89,14 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
                        : aboutRobust                  ? 34
                                                       : 8;
     }
-    run = [options, &common]() { return Experiment(*options, common); };
+    run = [options, &common]() {
+      return RunExperiment(
+        *options, common, [&common](itk::ProcessObject * process, const std::function<std::string()> & stage) {
+          const InterruptGuard guard(process);
+          const ProgressLine   progress(process, stage, common.quiet);
+          process->Update();
+        });
+    };
   });
 }
 } // namespace dentalscr

@@ -23,12 +23,6 @@
 
 #include "itkDentalSCRVersion.h"
 
-#include "itkBMPImageIOFactory.h"
-#include "itkJPEGImageIOFactory.h"
-#include "itkMetaImageIOFactory.h"
-#include "itkNrrdImageIOFactory.h"
-#include "itkPNGImageIOFactory.h"
-#include "itkTIFFImageIOFactory.h"
 #include "itkVersion.h"
 
 #include <algorithm>
@@ -61,14 +55,6 @@ Describe(const CLI::App & program, int argc, const char * const * argv)
 int
 Run(int argc, const char * const * argv)
 {
-  // Explicitly: a static registration would need every format that ITK has.
-  itk::PNGImageIOFactory::RegisterOneFactory();
-  itk::TIFFImageIOFactory::RegisterOneFactory();
-  itk::MetaImageIOFactory::RegisterOneFactory();
-  itk::NrrdImageIOFactory::RegisterOneFactory();
-  itk::BMPImageIOFactory::RegisterOneFactory();
-  itk::JPEGImageIOFactory::RegisterOneFactory();
-
   CLI::App program{ "Aligns 3-D intraoral scans of the teeth with a lateral cephalometric radiograph.\n"
                     "Research software, not a medical device." };
   program.name("dentalscr");

@@ -16,127 +16,14 @@
  *
  *=========================================================================*/
 #include "dentalscrCommands.h"
+#include "dentalscrSimulation.h"
 
-#include "itkDentalInputError.h"
-#include "itkDentalPhantomCaseSource.h"
-#include "itkDentalPhantomCaseWriter.h"
+#include "itkDentalPhantomLevelNames.h"
 
-#include <filesystem>
-#include <iomanip>
-#include <iostream>
 #include <memory>
-#include <sstream>
 
 namespace dentalscr
 {
-namespace
-{
-using SourceType = itk::DentalPhantomCaseSource;
-
-struct PhantomOptions
-{
-  std::string   output;
-  std::string   level{ "typical" };
-  std::string   parameters;
-  bool          showParameters{ false };
-  unsigned int  preview{ 0 };
-  std::string   tracedSide;
-  std::uint64_t seed{ 1 };
-  unsigned int  count{ 1 };
-  unsigned int  triangles{ 0 };
-  bool          buccal{ false };
-  bool          stoneBase{ false };
-  bool          noRadiograph{ false };
-  double        toothBias{ 0.0 };
-  double        dropOut{ 0.0 };
-  std::string   facing{ "right" };
-  std::string   sourceSide{ "right" };
-  std::string   frame;
-};
-
-/** The level's table, a file on top of it, options on top of that. */
-itk::DentalPhantomLevel
-MakeLevel(const PhantomOptions & options)
-{
-  auto level = itk::DentalPhantomLevel::Named(options.level);
-  if (!options.parameters.empty())
-  {
-    level.ReadJson(options.parameters);
-  }
-  if (!options.tracedSide.empty())
-  {
-    level.tracedSide = options.tracedSide;
-  }
-  if (!options.frame.empty())
-  {
-    level.frame = options.frame;
-  }
-  if (options.triangles > 0)
-  {
-    level.numberOfTriangles = options.triangles;
-  }
-  return level;
-}
-
-int
-Phantom(const PhantomOptions & options, const CommonOptions & common)
-{
-  const auto level = MakeLevel(options);
-  if (options.showParameters)
-  {
-    std::cout << level.ToJson() << std::flush;
-    return AllRegistered;
-  }
-  if (options.output.empty())
-  {
-    itkDentalInputErrorMacro("--output", "", "missing", "name the folder of the case, or of the cases");
-  }
-  for (unsigned int i = 0; i < options.count; ++i)
-  {
-    std::string folder = options.output;
-    if (options.count > 1)
-    {
-      std::ostringstream name;
-      name << level.name << '-' << std::setw(4) << std::setfill('0') << options.seed + i;
-      folder = (std::filesystem::path(options.output) / name.str()).string();
-    }
-    if (std::filesystem::exists(folder) &&
-        (!std::filesystem::is_directory(folder) || !std::filesystem::is_empty(folder)))
-    {
-      itkDentalInputErrorMacro(folder, "", "is there already", "name a new or an empty folder");
-    }
-    auto source = SourceType::New();
-    source->SetSeed(options.seed + i);
-    source->SetLevel(level);
-    source->SetBuccalOutline(options.buccal);
-    source->SetStoneBase(options.stoneBase);
-    source->SetMakeRadiograph(!options.noRadiograph);
-    source->SetToothBias(options.toothBias);
-    source->SetDropOutFraction(options.dropOut);
-    source->SetFacing(options.facing == "left" ? itk::CephalometricGeometry::FacingEnum::Left
-                                               : itk::CephalometricGeometry::FacingEnum::Right);
-    source->SetSourceSide(options.sourceSide == "left" ? itk::CephalometricGeometry::SourceSideEnum::Left
-                                                       : itk::CephalometricGeometry::SourceSideEnum::Right);
-    std::error_code error;
-    std::filesystem::create_directories(std::filesystem::absolute(folder).parent_path(), error);
-    if (error)
-    {
-      itkDentalInputErrorMacro(folder, "", "can't be written: " + error.message(), "choose another output folder");
-    }
-    auto writer = itk::DentalPhantomCaseWriter::New();
-    writer->SetCaseSource(source);
-    writer->SetDirectoryName(folder);
-    writer->SetPreviewSize(options.preview);
-    writer->Update();
-    if (!common.quiet)
-    {
-      std::cout << "written to " << folder << std::endl;
-    }
-  }
-  return AllRegistered;
-}
-} // namespace
-
 void
 AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction & run)
 {
@@ -148,7 +35,7 @@ AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction 
                  options->level,
                  "How bad: ideal, typical, hard; real, real-hard (traits of real arches); standard, practice (whole "
                  "teeth and landmarks, as a cephalometric analysis draws them)")
-    ->check(CLI::IsMember(itk::DentalPhantomLevel::GetNames()))
+    ->check(CLI::IsMember(itk::GetDentalPhantomLevelNames()))
     ->capture_default_str();
   command->add_option("--parameters", options->parameters, "JSON file with parameters on top of the level's")
     ->check(CLI::ExistingFile);
@@ -195,6 +82,7 @@ AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction 
                   "  dentalscr phantom --count 34 --output cohort\n"
                   "  dentalscr phantom --level practice --show-parameters > mine.json\n"
                   "  dentalscr phantom --parameters mine.json --output sample\n");
-  command->callback([options, &common, &run]() { run = [options, &common]() { return Phantom(*options, common); }; });
+  command->callback(
+    [options, &common, &run]() { run = [options, &common]() { return MakePhantoms(*options, common); }; });
 }
 } // namespace dentalscr

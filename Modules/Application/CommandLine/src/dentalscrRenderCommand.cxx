@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "dentalscrCommands.h"
+#include "dentalscrImageFormats.h"
 #include "dentalscrScanOptions.h"
 
 #include "itkAddImageFilter.h"
@@ -56,6 +57,7 @@ template <typename TImage>
 void
 WriteImageFile(const TImage * image, const std::string & extension, const std::string & fileName)
 {
+  RegisterImageFormats();
   auto writer = itk::ImageFileWriter<TImage>::New();
   writer->SetInput(image);
   itk::WriteThroughMemory(writer.GetPointer(), fileName, extension);

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkAnnotationRecords.h"
 
+#include "itkAnnotationTable.h"
 #include "itkAnnotationText.h"
 #include "itkCVATRecords.h"
 #include "itkDentalInputError.h"
@@ -27,6 +28,7 @@
 #include "itkLabelImageRecords.h"
 #include "itkLowerCase.h"
 #include "itkReadLabelImage.h"
+#include "itkSlicerMarkups.h"
 #include "itkTextFile.h"
 #include "itkVIATable.h"
 
@@ -329,102 +331,6 @@ ReadOwnLandmarks(const JsonNode & root, AnnotationRecords & records, unsigned in
   }
 }
 
-// ---- 3D Slicer ----------------------------------------------------------------------------------------------------
-
-/** +1 where the positions are LPS, -1 where x and y have to change sign. */
-double
-ReadCoordinateSystem(const JsonNode & markup)
-{
-  if (const auto units = markup.Find("coordinateUnits"))
-  {
-    const std::string unit = units->IsArray() && units->GetSize() > 0 ? units->At(0).AsString() : units->AsString();
-    if (unit != "mm")
-    {
-      units->Fail("is \"" + unit + "\", expected \"mm\"", "save the markups with millimetres");
-    }
-  }
-  const auto system = markup.Find("coordinateSystem");
-  if (!system)
-  {
-    return 1.0;
-  }
-  // The first files of Slicer had numbers.
-  const std::string name = system->IsNumber() ? (system->AsInteger(0, 1) == 0 ? "RAS" : "LPS") : system->AsString();
-  if (name != "LPS" && name != "RAS")
-  {
-    system->Fail("is \"" + name + "\", expected \"LPS\" or \"RAS\"", "save the markups in one of them");
-  }
-  return name == "LPS" ? 1.0 : -1.0;
-}
-
-template <typename TFunction>
-void
-ForEachControlPoint(const JsonNode & markup, const TFunction & function)
-{
-  const double sign = ReadCoordinateSystem(markup);
-  const auto   points = markup.Find("controlPoints");
-  for (std::size_t i = 0; points && i < points->GetSize(); ++i)
-  {
-    const JsonNode point = points->At(i);
-    const auto     status = point.Find("positionStatus");
-    if (status && status->AsString() != "defined")
-    {
-      continue;
-    }
-    const std::vector<double> position = point.Get("position").AsNumbers(3, "[x, y, z]");
-    function(point, std::array<double, 3>{ { sign * position[0], sign * position[1], position[2] } });
-  }
-}
-
-void
-ReadSlicerContours(const JsonNode & root, AnnotationRecords & records)
-{
-  const JsonNode markups = root.Get("markups");
-  for (std::size_t i = 0; i < markups.GetSize(); ++i)
-  {
-    const JsonNode      markup = markups.At(i);
-    const std::string & type = markup.Get("type").AsString();
-    if (type != "Curve" && type != "ClosedCurve" && type != "Line")
-    {
-      markup.Warn("a markup of type " + type + " is no contour, ignored");
-      continue;
-    }
-    AnnotationPolyline polyline;
-    polyline.field = markup.GetPath();
-    polyline.closed = type == "ClosedCurve";
-    const auto name = markup.Find("name");
-    polyline.codeField = markup.GetPath() + ".name";
-    polyline.label = name ? name->AsString() : std::string();
-    ForEachControlPoint(markup, [&](const JsonNode & point, const std::array<double, 3> & position) {
-      // A radiograph lies in one plane; half a pixel off it is no longer rounding.
-      constexpr double tolerance = 0.05;
-      if (!polyline.points.empty() && std::abs(position[2] - polyline.points.front()[2]) > tolerance)
-      {
-        point.Fail("does not lie in the plane of the contour's first point", "trace on the radiograph's slice");
-      }
-      polyline.points.push_back(position);
-    });
-    records.polylines.push_back(std::move(polyline));
-  }
-}
-
-void
-ReadSlicerLandmarks(const JsonNode & root, AnnotationRecords & records)
-{
-  const JsonNode markups = root.Get("markups");
-  for (std::size_t i = 0; i < markups.GetSize(); ++i)
-  {
-    const JsonNode markup = markups.At(i);
-    if (markup.Get("type").AsString() == "Fiducial")
-    {
-      ForEachControlPoint(markup, [&](const JsonNode & point, const std::array<double, 3> & position) {
-        const JsonNode label = point.Get("label");
-        records.landmarks.push_back({ label.GetPath(), label.AsString(), position });
-      });
-    }
-  }
-}
-
 // ---- labelme ------------------------------------------------------------------------------------------------------
 
 void
@@ -472,191 +378,6 @@ ReadLabelme(const JsonNode & root, AnnotationRecords & records, bool landmarks)
     }
     records.polylines.push_back(std::move(polyline));
   }
-}
-
-// ---- CSV ----------------------------------------------------------------------------------------------------------
-
-struct CSVRow
-{
-  std::string           field;
-  std::string           label;
-  std::array<double, 3> point;
-};
-
-/** Where a table has what. */
-struct CSVColumns
-{
-  std::size_t label{ 0 };
-  std::size_t first[3] = { 1, 2, 3 };
-  /** Where there is one; else as many columns as coordinates. */
-  std::optional<std::size_t> unit;
-  /** Named by a header: further columns are nobody's business. */
-  bool named{ false };
-};
-
-bool
-IsOneOf(const std::string & text, std::initializer_list<const char *> words)
-{
-  return std::any_of(words.begin(), words.end(), [&](const char * word) { return text == word; });
-}
-
-/** Takes the columns from a header; false where the line is none. */
-bool
-ReadHeader(const std::string &              fileName,
-           const std::string &              field,
-           const std::vector<std::string> & cells,
-           unsigned int                     dimension,
-           CSVColumns &                     columns)
-{
-  std::optional<std::size_t> label;
-  std::optional<std::size_t> axes[3];
-  std::optional<std::size_t> unit;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    const std::string cell = LowerCase(cells[i]);
-    // Of an axis "x", "x_px", "x (px)", "x [mm]" are read; what follows is its unit.
-    const std::size_t end = cell.find_first_of(" _([");
-    const std::string axis = cell.substr(0, end);
-    // None where nothing follows: "x (".
-    const std::size_t unitBegin = end == std::string::npos ? end : cell.find_first_not_of(" _([", end);
-    const std::string rest = unitBegin == std::string::npos ? std::string() : cell.substr(unitBegin);
-    const bool        pixels = IsOneOf(rest, { "", "px", "px)", "px]", "pixel", "pixels" });
-    const bool        millimetres = IsOneOf(rest, { "mm", "mm)", "mm]" });
-    const int         number = IsOneOf(axis, { "x", "u" }) ? 0 : IsOneOf(axis, { "y", "v" }) ? 1 : axis == "z" ? 2 : -1;
-    if (number >= 0 && (pixels || millimetres) && !axes[number])
-    {
-      if (dimension == 2 && millimetres)
-      {
-        itkDentalInputErrorMacro(fileName,
-                                 field,
-                                 "the column \"" + cells[i].substr(0, 40) + "\" is in mm",
-                                 "convert the coordinates to pixels");
-      }
-      axes[number] = i;
-    }
-    else if (IsOneOf(cell, { "label", "name", "code", "tooth", "landmark", "point", "symbol", "class", "title" }) &&
-             !label)
-    {
-      label = i;
-    }
-    else if (IsOneOf(cell, { "unit", "units" }))
-    {
-      unit = i;
-    }
-  }
-  if (!axes[0] || !axes[1] || (dimension == 3 && !axes[2]))
-  {
-    return false;
-  }
-  if (!label)
-  {
-    itkDentalInputErrorMacro(fileName, field, "is a header without a column of labels", "name that column \"label\"");
-  }
-  columns.label = *label;
-  for (unsigned int d = 0; d < dimension; ++d)
-  {
-    columns.first[d] = *axes[d];
-  }
-  columns.unit = unit;
-  columns.named = true;
-  return true;
-}
-
-std::vector<CSVRow>
-ReadCSV(const std::string & fileName, unsigned int dimension, std::vector<std::string> & warnings)
-{
-  std::string text = ReadTextFile(fileName, "a CSV file");
-  if (text.compare(0, 3, "\xef\xbb\xbf") == 0)
-  {
-    text.erase(0, 3);
-  }
-  const std::string   form = dimension == 2 ? "label,x,y" : "label,x,y,z";
-  const std::string   unit = dimension == 2 ? "px" : "mm";
-  std::vector<CSVRow> rows;
-  CSVColumns          columns;
-  char                separator = 0;
-  std::size_t         lineNumber = 0;
-  for (std::size_t begin = 0; begin < text.size();)
-  {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string line = text.substr(begin, end - begin);
-    begin = end + 1;
-    ++lineNumber;
-    const std::string trimmed = Trim(line);
-    if (trimmed.empty() || trimmed[0] == '#')
-    {
-      continue;
-    }
-    const std::string field = "line " + std::to_string(lineNumber);
-    const bool        first = separator == 0;
-    if (first)
-    {
-      separator = ',';
-      for (const char candidate : { ';', '\t' })
-      {
-        if (line.find(candidate) != std::string::npos)
-        {
-          separator = candidate;
-        }
-      }
-    }
-    const std::vector<std::string> cells = Split(line, separator);
-    if (first && ReadHeader(fileName, field, cells, dimension, columns))
-    {
-      continue;
-    }
-    const std::size_t last = columns.named ? std::max({ columns.label,
-                                                        columns.first[0],
-                                                        columns.first[1],
-                                                        dimension == 3 ? columns.first[2] : std::size_t{ 0 },
-                                                        columns.unit.value_or(0) })
-                                           : dimension;
-    if (columns.named ? cells.size() <= last : cells.size() != dimension + 1 && cells.size() != dimension + 2)
-    {
-      itkDentalInputErrorMacro(fileName,
-                               field,
-                               "has " + std::to_string(cells.size()) + " columns, expected " +
-                                 (columns.named ? "those of the header" : form + " and perhaps a unit"),
-                               "correct the line");
-    }
-    CSVRow       row{ field, cells[columns.label], {} };
-    unsigned int numbers = 0;
-    for (unsigned int i = 0; i < dimension; ++i)
-    {
-      numbers += ParseTableNumber(cells[columns.first[i]], row.point[i]) ? 1 : 0;
-    }
-    if (first && numbers == 0 && !NamesToothOrJaw(row.label))
-    {
-      warnings.push_back(fileName + ": " + field + ": taken for a header, as it has no numbers");
-      continue;
-    }
-    for (unsigned int i = 0; i < dimension; ++i)
-    {
-      const std::string & cell = cells[columns.first[i]];
-      if (!ParseTableNumber(cell, row.point[i]))
-      {
-        itkDentalInputErrorMacro(
-          fileName, field, "\"" + cell.substr(0, 40) + "\" is no number", "use numbers with a decimal point");
-      }
-    }
-    if (!columns.unit && !columns.named && cells.size() == dimension + 2)
-    {
-      columns.unit = dimension + 1;
-    }
-    if (columns.unit && *columns.unit < cells.size())
-    {
-      const std::string & cell = cells[*columns.unit];
-      if (LowerCase(cell) != unit && !cell.empty())
-      {
-        itkDentalInputErrorMacro(fileName,
-                                 field,
-                                 "the unit \"" + cell.substr(0, 40) + "\" is not \"" + unit + "\"",
-                                 "convert the coordinates");
-      }
-    }
-    rows.push_back(std::move(row));
-  }
-  return rows;
 }
 } // namespace
 
@@ -713,7 +434,7 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
   switch (records.format)
   {
     case Format::CSV:
-      for (CSVRow & row : ReadCSV(fileName, 2, records.warnings))
+      for (AnnotationTableRow & row : ReadAnnotationTable(fileName, 2, records.warnings))
       {
         if (records.polylines.empty() || records.polylines.back().label != row.label)
         {
@@ -787,7 +508,7 @@ ReadLandmarkRecords(const std::string &      fileName,
   records.format = format;
   if (format == Format::CSV)
   {
-    for (CSVRow & row : ReadCSV(fileName, dimension, records.warnings))
+    for (AnnotationTableRow & row : ReadAnnotationTable(fileName, dimension, records.warnings))
     {
       records.landmarks.push_back({ row.field, row.label, row.point });
     }

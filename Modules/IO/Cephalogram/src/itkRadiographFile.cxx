@@ -196,7 +196,7 @@ RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
   }
   else if (m_Format == Format::TIFF)
   {
-    m_TIFF = ReadTIFFLayout(m_Memory.GetName());
+    m_TIFF = LoadTIFFReader().readLayout(m_Memory.GetName());
     m_Orientation = m_TIFF ? m_TIFF->orientation : 1;
   }
   if (m_TIFF && m_TIFF->HasNumbers() && (m_TIFF->isGrey || palette == PaletteEnum::Numbers))
@@ -278,7 +278,7 @@ RadiographFile::Decode() const
   CallRadiographImageIO(m_FileName, ToString(m_Format), [&] {
     if (!m_ImageIO)
     {
-      pixels = ReadTIFFNumbers(m_Memory.GetName(), *m_TIFF);
+      pixels = LoadTIFFReader().readNumbers(m_Memory.GetName(), *m_TIFF);
       return;
     }
     if (GetTraits(m_ComponentType).copy == nullptr)

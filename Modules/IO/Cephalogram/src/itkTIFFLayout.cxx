@@ -109,7 +109,6 @@ ReadLayout(TIFF * file)
   layout.orientation = orientation >= 1 && orientation <= 8 ? orientation : 1;
   return layout;
 }
-} // namespace
 
 std::optional<TIFFLayout>
 ReadTIFFLayout(const std::string & fileName)
@@ -187,4 +186,12 @@ ReadTIFFNumbers(const std::string & fileName, const TIFFLayout & expected)
   }
   return values;
 }
+} // namespace
 } // namespace itk
+
+const itk::TIFFReader *
+DentalSCRGetTIFFReader()
+{
+  static const itk::TIFFReader reader{ itk::ReadTIFFLayout, itk::ReadTIFFNumbers };
+  return &reader;
+}

@@ -58,14 +58,24 @@ struct TIFFLayout
   }
 };
 
-/** None where libtiff cannot open the file. */
-std::optional<TIFFLayout>
-ReadTIFFLayout(const std::string & fileName);
+/** \struct TIFFReader
+ * \brief What is wanted of libtiff, in a library of its own: it brings seven libraries of codecs, and few radiographs
+ * are TIFF files, so that it is loaded for one alone. */
+struct TIFFReader
+{
+  /** None where libtiff cannot open the file. */
+  std::optional<TIFFLayout> (*readLayout)(const std::string & fileName);
+  /** The numbers of such a file as it has them, row by row, those of a pixel side by side. Throws an ExceptionObject
+   * where the file is not whole or has become another one. */
+  std::vector<char> (*readNumbers)(const std::string & fileName, const TIFFLayout & layout);
+};
 
-/** The numbers of such a file as it has them, row by row, those of a pixel side by side. Throws an ExceptionObject
- * where the file is not whole or has become another one. */
-std::vector<char>
-ReadTIFFNumbers(const std::string & fileName, const TIFFLayout & layout);
+/** Loads libtiff on the first call, for as long as the process lasts. Throws an ExceptionObject where it cannot. */
+const TIFFReader &
+LoadTIFFReader();
 } // namespace itk
+
+extern "C" __attribute__((visibility("default"))) const itk::TIFFReader *
+DentalSCRGetTIFFReader();
 
 #endif

@@ -236,14 +236,16 @@ public:
   operator=(const QuietOpenMesh &) = delete;
 };
 } // namespace
+} // namespace itk
 
 bool
-WriteWithOpenMesh(std::ostream &                                     stream,
-                  MeshFileFormatEnum                                 format,
-                  const std::vector<std::array<float, 3>> &          points,
-                  const std::vector<SurfaceMeshFile::TriangleType> & triangles,
-                  bool                                               binary)
+DentalSCRWriteWithOpenMesh(std::ostream &                                          stream,
+                           itk::MeshFileFormatEnum                                 format,
+                           const std::vector<std::array<float, 3>> &               points,
+                           const std::vector<itk::SurfaceMeshFile::TriangleType> & triangles,
+                           bool                                                    binary)
 {
+  using namespace itk;
   // Its writers are singletons with state.
   static std::mutex                 mutex;
   const std::lock_guard<std::mutex> lock(mutex);
@@ -263,4 +265,3 @@ WriteWithOpenMesh(std::ostream &                                     stream,
   const bool done = OpenMesh::IO::IOManager().write(stream, extension, exporter, options, 9);
   return done && stream.good();
 }
-} // namespace itk

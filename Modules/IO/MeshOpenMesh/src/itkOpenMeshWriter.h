@@ -25,7 +25,8 @@
 namespace itk
 {
 /** Writes a surface with OpenMesh's writer for the format, whatever the program's locale. \return false where OpenMesh
- * or the stream fails. */
+ * or the stream fails. OpenMesh has a tenth of all symbols that a program with this module would look up when it
+ * starts, and few write a mesh: the first call loads it. Throws an ExceptionObject where it cannot. */
 bool
 WriteWithOpenMesh(std::ostream &                                     stream,
                   MeshFileFormatEnum                                 format,
@@ -33,5 +34,13 @@ WriteWithOpenMesh(std::ostream &                                     stream,
                   const std::vector<SurfaceMeshFile::TriangleType> & triangles,
                   bool                                               binary);
 } // namespace itk
+
+/** WriteWithOpenMesh() of the part that links OpenMesh. */
+extern "C" __attribute__((visibility("default"))) bool
+DentalSCRWriteWithOpenMesh(std::ostream &                                          stream,
+                           itk::MeshFileFormatEnum                                 format,
+                           const std::vector<std::array<float, 3>> &               points,
+                           const std::vector<itk::SurfaceMeshFile::TriangleType> & triangles,
+                           bool                                                    binary);
 
 #endif

@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "itkFindSilhouettes.h"
 
-#include "itkLeastSquaresSumMetricv4.h"
+#include "itkForEachTerm.h"
 #include "itkPoseStateBlocks.h"
 
 #include <algorithm>
@@ -26,25 +26,6 @@ namespace itk
 {
 namespace
 {
-void
-Append(const LeastSquaresMetricv4 &               metric,
-       const LeastSquaresMetricv4::PositionType & x,
-       std::vector<FoundSilhouette> &             found)
-{
-  if (const auto * silhouette = dynamic_cast<const SilhouettePoseMetricv4 *>(&metric))
-  {
-    found.push_back({ silhouette, x });
-    return;
-  }
-  if (const auto * sum = dynamic_cast<const LeastSquaresSumMetricv4 *>(&metric))
-  {
-    for (SizeValueType t = 0; t < sum->GetNumberOfMetrics(); ++t)
-    {
-      Append(*sum->GetMetric(t), sum->GetTermPosition(t, x), found);
-    }
-  }
-}
-
 /** Whether both project a point onto the same pixel. */
 bool
 IsSameView(const PoseGeometry & a, const PoseGeometry & b)
@@ -59,7 +40,10 @@ std::vector<FoundSilhouette>
 FindSilhouettes(const LeastSquaresMetricv4 & metric, const LeastSquaresMetricv4::PositionType & x)
 {
   std::vector<FoundSilhouette> found;
-  Append(metric, x, found);
+  ForEachTerm<SilhouettePoseMetricv4>(
+    metric, x, [&](const SilhouettePoseMetricv4 & term, const LeastSquaresMetricv4::PositionType & own) {
+      found.push_back({ &term, own });
+    });
   return found;
 }
 

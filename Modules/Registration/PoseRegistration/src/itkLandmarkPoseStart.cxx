@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "itkLandmarkPoseStart.h"
 
-#include "itkLeastSquaresSumMetricv4.h"
+#include "itkForEachTerm.h"
 #include "itkPoseModel.h"
 #include "itkPoseStateBlocks.h"
 
@@ -31,24 +31,20 @@ namespace
 {
 using CorrespondenceType = LandmarkPoseMetricv4::CorrespondenceType;
 
+/** Those of the first view that are of the pose as it is, not of a jaw's own. */
 template <typename TTerm>
-void
-AppendTerms(const LeastSquaresMetricv4 & metric, std::vector<const TTerm *> & found)
+std::vector<const TTerm *>
+FindTermsOfPose(const LeastSquaresMetricv4 & metric)
 {
-  if (const auto * term = dynamic_cast<const TTerm *>(&metric))
-  {
-    if (term->GetPoseBlock() == std::string("pose") && term->GetScaleBlock() == std::string("scale"))
-    {
-      found.push_back(term);
-    }
-  }
-  else if (const auto * sum = dynamic_cast<const LeastSquaresSumMetricv4 *>(&metric))
-  {
-    for (SizeValueType t = 0; t < sum->GetNumberOfMetrics(); ++t)
-    {
-      AppendTerms(*sum->GetMetric(t), found);
-    }
-  }
+  std::vector<const TTerm *> found;
+  ForEachTerm<TTerm>(
+    metric, metric.GetState().GetValues(), [&](const TTerm & term, const LeastSquaresMetricv4::PositionType &) {
+      if (term.GetPoseBlock() == std::string("pose") && term.GetScaleBlock() == std::string("scale"))
+      {
+        found.push_back(&term);
+      }
+    });
+  return found;
 }
 
 /** The pose that brings the points to the marks by a similarity of the plane, all of them but one. */
@@ -135,17 +131,13 @@ Solve(const PoseGeometry &                    geometry,
 std::vector<const LandmarkPoseMetricv4 *>
 LandmarkPoseStart::FindTerms(const LeastSquaresMetricv4 & metric)
 {
-  std::vector<const LandmarkPoseMetricv4 *> found;
-  AppendTerms(metric, found);
-  return found;
+  return FindTermsOfPose<LandmarkPoseMetricv4>(metric);
 }
 
 std::vector<const ToothOutlinePoseMetricv4 *>
 LandmarkPoseStart::FindOutlineTerms(const LeastSquaresMetricv4 & metric)
 {
-  std::vector<const ToothOutlinePoseMetricv4 *> found;
-  AppendTerms(metric, found);
-  return found;
+  return FindTermsOfPose<ToothOutlinePoseMetricv4>(metric);
 }
 
 std::vector<PoseStart::StartType>

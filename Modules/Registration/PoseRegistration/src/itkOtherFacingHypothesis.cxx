@@ -17,7 +17,8 @@
  *=========================================================================*/
 #include "itkOtherFacingHypothesis.h"
 
-#include "itkPoseMetricv4.h"
+#include "itkAddedRadiograph.h"
+
 
 namespace itk
 {
@@ -36,14 +37,7 @@ OtherFacingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGrou
 std::string
 OtherFacingHypothesis::GetObstacle(const PoseProblem & problem) const
 {
-  for (const PoseProblemTerm & term : problem.terms)
-  {
-    if (dynamic_cast<const PoseMetricv4 *>(term.metric.GetPointer()) != nullptr)
-    {
-      return std::string("the added ") + term.metric->GetNameOfClass() + " has a radiograph with a facing of its own";
-    }
-  }
-  return "";
+  return DescribeAddedRadiograph(problem, "has a radiograph with a facing of its own");
 }
 
 PoseProblem

@@ -17,7 +17,8 @@
  *=========================================================================*/
 #include "itkOtherSpacingHypothesis.h"
 
-#include "itkPoseMetricv4.h"
+#include "itkAddedRadiograph.h"
+
 
 #include <algorithm>
 
@@ -41,15 +42,7 @@ OtherSpacingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGro
 std::string
 OtherSpacingHypothesis::GetObstacle(const PoseProblem & problem) const
 {
-  for (const PoseProblemTerm & term : problem.terms)
-  {
-    if (dynamic_cast<const PoseMetricv4 *>(term.metric.GetPointer()) != nullptr)
-    {
-      return std::string("the added ") + term.metric->GetNameOfClass() +
-             " has a radiograph with a pixel spacing of its own";
-    }
-  }
-  return "";
+  return DescribeAddedRadiograph(problem, "has a radiograph with a pixel spacing of its own");
 }
 
 PoseProblem

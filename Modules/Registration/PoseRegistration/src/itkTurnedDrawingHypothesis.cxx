@@ -17,7 +17,8 @@
  *=========================================================================*/
 #include "itkTurnedDrawingHypothesis.h"
 
-#include "itkPoseMetricv4.h"
+#include "itkAddedRadiograph.h"
+
 
 #include <algorithm>
 #include <utility>
@@ -75,14 +76,7 @@ TurnedDrawingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGr
 std::string
 TurnedDrawingHypothesis::GetObstacle(const PoseProblem & problem) const
 {
-  for (const PoseProblemTerm & term : problem.terms)
-  {
-    if (dynamic_cast<const PoseMetricv4 *>(term.metric.GetPointer()) != nullptr)
-    {
-      return std::string("the added ") + term.metric->GetNameOfClass() + " was drawn on a radiograph of its own";
-    }
-  }
-  return "";
+  return DescribeAddedRadiograph(problem, "was drawn on a radiograph of its own");
 }
 
 PoseProblem

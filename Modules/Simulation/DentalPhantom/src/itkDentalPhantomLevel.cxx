@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkDentalPhantomLevel.h"
+#include "itkDentalPhantomLevelNames.h"
 
 #include "itkJsonDocument.h"
 #include "itkJsonNumber.h"
@@ -97,8 +98,7 @@ NumberText(double value)
 const std::vector<std::string> &
 DentalPhantomLevel::GetNames()
 {
-  static const std::vector<std::string> names = { "ideal",     "typical",  "hard",    "real",
-                                                  "real-hard", "standard", "practice" };
+  static const std::vector<std::string> names = GetDentalPhantomLevelNames();
   return names;
 }
 

@@ -26,13 +26,6 @@ namespace itk
 {
 namespace OverlayDrawing
 {
-bool
-KnowsSpacing(const OverlayScene & scene)
-{
-  return scene.pixelSpacing[0] > 0.0 && scene.pixelSpacing[1] > 0.0 && std::isfinite(scene.pixelSpacing[0]) &&
-         std::isfinite(scene.pixelSpacing[1]);
-}
-
 Frame
 MakeFrame(int width, int height)
 {

@@ -20,6 +20,8 @@
 
 #include "itkOverlayGeometry.h"
 
+#include <cmath>
+
 // How the picture is parted: layout and painter must divide it alike, so both ask here. Private to this module.
 namespace itk
 {
@@ -40,8 +42,12 @@ Frame
 MakeFrame(int width, int height);
 
 /** Whether lengths on the detector can be said in millimetres. */
-bool
-KnowsSpacing(const OverlayScene & scene);
+inline bool
+KnowsSpacing(const OverlayScene & scene)
+{
+  return scene.pixelSpacing[0] > 0.0 && scene.pixelSpacing[1] > 0.0 && std::isfinite(scene.pixelSpacing[0]) &&
+         std::isfinite(scene.pixelSpacing[1]);
+}
 } // namespace OverlayDrawing
 } // namespace itk
 

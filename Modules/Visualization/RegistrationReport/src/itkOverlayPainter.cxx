@@ -15,9 +15,9 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "itkOverlayPainter.h"
+#include "itkOverlayPainting.h"
 
-#include "itkOverlayFrame.h"
+#include "itkOverlayPainter.h"
 #include "itkOverlayPanel.h"
 #include "itkOverlayView.h"
 
@@ -35,22 +35,19 @@ using namespace OverlayDrawing;
 /** The radiograph is shown a little darker than it is, so that the overlay stands out on bright crowns. */
 constexpr double RadiographGain = 0.85;
 } // namespace
+} // namespace itk
 
-std::vector<std::uint8_t>
-PaintOverlay(const OverlayScene & scene, int width, int height)
+void
+DentalSCRPaintOverlay(const itk::OverlayScene &          scene,
+                      const itk::OverlayLayout &         layout,
+                      const itk::OverlayDrawing::Frame & frame,
+                      int                                width,
+                      int                                height,
+                      std::vector<std::uint8_t> &        pixels)
 {
-  const OverlayLayout layout = LayOutOverlay(scene, width, height);
-  const Frame         frame = MakeFrame(width, height);
-  const bool          picture = !scene.grey.empty();
-  if (scene.width < 0 || scene.height < 0 || scene.width > 32767 || scene.height > 32767 ||
-      (picture && scene.grey.size() != static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height)))
-  {
-    throw std::invalid_argument("The radiograph has " + std::to_string(scene.grey.size()) +
-                                " pixels, which do not fit " + std::to_string(scene.width) + " x " +
-                                std::to_string(scene.height) + " (at most 32767 a side).");
-  }
+  using namespace itk;
   std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t *)> radiograph(nullptr, cairo_surface_destroy);
-  if (picture)
+  if (!scene.grey.empty())
   {
     radiograph.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24, scene.width, scene.height));
     if (cairo_surface_status(radiograph.get()) != CAIRO_STATUS_SUCCESS)
@@ -150,6 +147,5 @@ PaintOverlay(const OverlayScene & scene, int width, int height)
   y += 0.8 * font;
   DrawTable(canvas, scene, { panel.x, y, panel.width, std::max(0.0, thumbTop - y) }, font);
   canvas.EndClip();
-  return canvas.GetPixels();
+  pixels = canvas.GetPixels();
 }
-} // namespace itk

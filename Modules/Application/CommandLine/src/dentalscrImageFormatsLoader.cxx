@@ -1,0 +1,38 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "dentalscrImageFormats.h"
+
+#ifdef DENTALSCR_FORMATS_LIBRARY
+#  include "itkLoadLibraryFunction.h"
+#endif
+
+namespace dentalscr
+{
+void
+RegisterImageFormats()
+{
+#ifdef DENTALSCR_FORMATS_LIBRARY
+  itk::LoadLibraryFunction<decltype(&DentalSCRRegisterImageFormats)>(DENTALSCR_FORMATS_LIBRARY,
+                                                                     "DentalSCRRegisterImageFormats",
+                                                                     "Images cannot be written",
+                                                                     DENTALSCR_FORMATS_LIBRARY)();
+#else
+  DentalSCRRegisterImageFormats();
+#endif
+}
+} // namespace dentalscr

@@ -1,0 +1,36 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkSlicerMarkups_h
+#define itkSlicerMarkups_h
+
+#include "itkAnnotationRecords.h"
+
+namespace itk
+{
+class JsonNode;
+
+/** Not installed. The curves of a markups file of 3D Slicer, in LPS mm whatever the file has. */
+void
+ReadSlicerContours(const JsonNode & root, AnnotationRecords & records);
+
+/** The points of its fiducials. */
+void
+ReadSlicerLandmarks(const JsonNode & root, AnnotationRecords & records);
+} // namespace itk
+
+#endif

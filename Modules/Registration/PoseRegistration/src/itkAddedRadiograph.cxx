@@ -1,0 +1,36 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkAddedRadiograph.h"
+
+#include "itkPoseMetricv4.h"
+
+namespace itk
+{
+std::string
+DescribeAddedRadiograph(const PoseProblem & problem, const std::string & what)
+{
+  for (const PoseProblemTerm & term : problem.terms)
+  {
+    if (dynamic_cast<const PoseMetricv4 *>(term.metric.GetPointer()) != nullptr)
+    {
+      return std::string("the added ") + term.metric->GetNameOfClass() + ' ' + what;
+    }
+  }
+  return "";
+}
+} // namespace itk
