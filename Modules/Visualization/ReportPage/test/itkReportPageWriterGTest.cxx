@@ -149,6 +149,25 @@ Count(const std::string & text, const std::string & what)
   return count;
 }
 
+/** A result whose upper jaw is in perspective, at the origin of the cephalostat: the source is at y = -1524 mm. */
+Json
+MakeResultInPerspective()
+{
+  auto geometry = itk::CephalometricGeometry::New();
+  geometry->SetPixelSpacing(itk::CephalometricGeometry::PixelSpacingType(0.25));
+  itk::CephalometricGeometry::PixelIndexType principal;
+  principal[0] = 100.0;
+  principal[1] = 80.0;
+  geometry->SetPrincipalPoint(principal);
+  const auto matrix = geometry->GetProjection().matrix;
+  Json       result = MakeResult();
+  for (unsigned int i = 0; i < 12; ++i)
+  {
+    result["jaws"]["upper"]["projection_3x4"][i / 4][i % 4] = matrix[i];
+  }
+  return result;
+}
+
 /** What the page's script reads. */
 Json
 DataOf(const std::string & page)
@@ -402,6 +421,42 @@ TEST(ReportPageWriter, AParallelProjectionHasNoPlaceInSpace)
   const std::string page = writer->MakePage();
   EXPECT_TRUE(DataOf(page)["spaces"][0].is_null());
   EXPECT_EQ(Count(page, "data-layer=\"drr\""), 0u);
+}
+
+TEST(ReportPageWriter, AScanThatCannotBeRenderedCostsItsLayerAlone)
+{
+  auto writer = WriterType::New();
+  writer->SetResult(MakeResultInPerspective().dump());
+  writer->SetDetails(MakeDetails().dump());
+  auto scan = MakeBowl(20);
+  writer->SetUpperScan(scan);
+  ASSERT_EQ(Count(writer->MakePage(), "<image class=\"drr\""), 1u);
+  // A vertex that is left from somewhere far behind the source.
+  WriterType::MeshType::PointType point = scan->GetPoint(0);
+  point[1] = -3000.0F;
+  scan->SetPoint(0, point);
+  const std::string page = writer->MakePage();
+  EXPECT_EQ(Count(page, "data-layer=\"drr\""), 0u);
+  EXPECT_EQ(Count(page, "class=\"layer\" data-layer=\"tracing\""), 1u);
+  EXPECT_FALSE(DataOf(page)["scans"]["upper"].is_null());
+}
+
+TEST(ReportPageWriter, EachViewHasAPipelineOfItsOwn)
+{
+  // Views are rendered by several threads: what one of them asks of a scan must not be written into it.
+  Json result = MakeResultInPerspective();
+  result["views"]["other"] = { { "jaws", result["jaws"] }, { "geometry", result["geometry"] } };
+  Json details = MakeDetails();
+  details["views"].push_back(details["views"][0]);
+  details["views"][1]["name"] = "other";
+  auto writer = WriterType::New();
+  writer->SetResult(result.dump());
+  writer->SetDetails(details.dump());
+  const auto scan = MakeBowl(20);
+  writer->SetUpperScan(scan);
+  const auto before = scan->GetRequestedRegion();
+  EXPECT_EQ(Count(writer->MakePage(), "<image class=\"drr\""), 2u);
+  EXPECT_EQ(scan->GetRequestedRegion(), before);
 }
 
 TEST(ReportPageWriter, WhatIsNoResultIsAnErrorThatNamesIt)

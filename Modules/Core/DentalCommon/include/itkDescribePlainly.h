@@ -18,7 +18,7 @@
 #ifndef itkDescribePlainly_h
 #define itkDescribePlainly_h
 
-#include "CaseRegistrationExport.h"
+#include "DentalCommonExport.h"
 
 #include "itkMacro.h"
 
@@ -29,9 +29,9 @@ namespace itk
 /** An exception's description without ITK's "ITK ERROR: Class(0x...): ", which tells a user nothing and differs from
  * run to run.
  *
- * \ingroup CaseRegistration */
-CaseRegistration_EXPORT std::string
-                        DescribePlainly(const ExceptionObject & error);
+ * \ingroup DentalCommon */
+DentalCommon_EXPORT std::string
+                    DescribePlainly(const ExceptionObject & error);
 } // namespace itk
 
 #endif
