@@ -1,7 +1,6 @@
 """The report page in a real browser: what a person can do with it, by mouse and by keyboard, at two widths.
 
-Needs Chromium and the package playwright (Utilities/python-venv.sh); skipped where either is missing. Playwright drives the
-browser of the system, it brings none."""
+Needs what conftest.py says, and matplotlib."""
 import io
 import os
 import pathlib
@@ -10,10 +9,6 @@ import shutil
 import pytest
 
 plt = pytest.importorskip("matplotlib.pyplot", reason="matplotlib, which reads screenshots, is not installed in this Python")
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed in this Python")
-BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-if BROWSER is None:
-    pytest.skip("there is no Chromium", allow_module_level=True)
 
 WIDTHS = {"wide": (1200, 900), "narrow": (400, 800)}
 
@@ -29,18 +24,6 @@ def page_file(run, sample, tmp_path_factory):
 @pytest.fixture(scope="module")
 def has_bundle(page_file):
     return "Built without npm" not in page_file.read_text()
-
-
-@pytest.fixture(scope="module")
-def browser():
-    with sync_api.sync_playwright() as playwright:
-        # A software renderer: no machine of ours has a graphics card.
-        started = playwright.chromium.launch(
-            executable_path=BROWSER,
-            args=["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
-        )
-        yield started
-        started.close()
 
 
 class Opened:
