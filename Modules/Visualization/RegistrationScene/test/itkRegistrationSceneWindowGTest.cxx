@@ -247,6 +247,17 @@ TEST_F(RegistrationSceneWindowTest, LeavesNothingOfAnExportThatFailed)
   EXPECT_EQ(CountFiles(), 2u);
 }
 
+TEST_F(RegistrationSceneWindowTest, AnyNameOfAnExportMayBeReplaced)
+{
+  // Also one that earlier blocks might be kept under meanwhile.
+  for (const char * name : { "old.vtm", "old.vtm", "scene.old.vtm", "scene.old.vtm" })
+  {
+    EXPECT_NO_THROW(m_Window->WriteExport(NameOf(name))) << name;
+  }
+  EXPECT_TRUE(fs::exists(NameOf("old")));
+  EXPECT_TRUE(fs::exists(NameOf("scene.old")));
+}
+
 TEST_F(RegistrationSceneWindowTest, SaysThatThereIsNoScreen)
 {
   const char * const old = std::getenv("DISPLAY");

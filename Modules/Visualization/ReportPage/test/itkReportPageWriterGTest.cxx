@@ -437,8 +437,29 @@ TEST(ReportPageWriter, AScanThatCannotBeRenderedCostsItsLayerAlone)
   scan->SetPoint(0, point);
   const std::string page = writer->MakePage();
   EXPECT_EQ(Count(page, "data-layer=\"drr\""), 0u);
+  // It is said, without ITK's words, which have an address that differs from run to run.
+  EXPECT_EQ(Count(page, "since it cannot be rendered: Point 0 of mesh 0"), 1u);
+  EXPECT_EQ(Count(page, "ITK ERROR"), 0u);
   EXPECT_EQ(Count(page, "class=\"layer\" data-layer=\"tracing\""), 1u);
   EXPECT_FALSE(DataOf(page)["scans"]["upper"].is_null());
+}
+
+TEST(ReportPageWriter, FlickerComparesTheSilhouetteWhereNoOutlineWasMatchedAsAWhole)
+{
+  EXPECT_EQ(Count(MakePage(MakeResult(), MakeDetails()), "data-after=\"whole\""), 0u);
+  Json result = MakeResult();
+  result["jaws"]["upper"].erase("metrics_matched");
+  EXPECT_EQ(Count(MakePage(result, MakeDetails()), "data-after=\"whole\""), 1u);
+}
+
+TEST(ReportPageWriter, NothingHasNoSign)
+{
+  Json result = MakeResult();
+  result["jaws"]["upper"]["pose"]["parameters"][4] = -0.001;
+  const std::string page = MakePage(result, MakeDetails());
+  EXPECT_EQ(Count(page, "<td class=\"number\">0.00 mm</td>"), 1u);
+  EXPECT_EQ(Count(page, "-0.00"), 0u);
+  EXPECT_EQ(Count(page, "-2.50 mm"), 1u);
 }
 
 TEST(ReportPageWriter, EachViewHasAPipelineOfItsOwn)
