@@ -6,6 +6,24 @@ import shutil
 
 import pytest
 
+# A software renderer beside a compiler's processes takes its time: what does not come at all is told later, that is all.
+PATIENCE_MS = 120_000
+
+
+class Contexts:
+    """A browser that waits for a busy machine."""
+
+    def __init__(self, browser):
+        self.browser = browser
+
+    def new_context(self, **options):
+        context = self.browser.new_context(**options)
+        context.set_default_timeout(PATIENCE_MS)
+        return context
+
+    def new_page(self, **options):
+        return self.new_context(**options).new_page()
+
 
 @pytest.fixture(scope="session")
 def browser():
@@ -20,5 +38,5 @@ def browser():
             executable_path=program,
             args=["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
         )
-        yield started
+        yield Contexts(started)
         started.close()

@@ -133,12 +133,12 @@ class SceneView {
   }
 
   /** What is switched on; and of the detectors those that are looked at from the source's side: from behind there is their frame
-   * alone, since one that stands in front of the face would hide it. */
+   * alone, since one that stands in front of the face would hide it; and what a source sees is on its own detector. */
   updateVisibility() {
     for (const [name, objects] of Object.entries(this.parts))
       for (const object of objects) object.visible = !this.hidden.has(name);
     for (const { plate, space } of this.plates)
-      plate.visible &&= this.camera.position.clone().sub(space.centre).dot(space.back) > 0;
+      plate.visible &&= (this.seen ?? space) === space && this.camera.position.clone().sub(space.centre).dot(space.back) > 0;
   }
 
   build(data) {
@@ -220,7 +220,7 @@ class SceneView {
       front: [new Vector3(1, -0.18 * side, 0.12), 290, 30], side: [new Vector3(0, -side, 0.02), 260, 30],
       above: [new Vector3(0.25, 0, 1), 260, 30], all: [new Vector3(1, -0.25 * side, 0.35), 0, 40],
     };
-    const seen = this.spaces[Number(/^source-(\d+)$/.exec(from)?.[1] ?? NaN)];
+    const seen = (this.seen = this.spaces[Number(/^source-(\d+)$/.exec(from)?.[1] ?? NaN)] ?? null);
     if (seen) {
       // A narrow lens far away: all rays are those of the X-rays.
       this.camera.position.copy(seen.source);
