@@ -252,20 +252,11 @@ def capture(folder, plots):
     methods = list(dict.fromkeys(row["method"] for row in data))
     bins = list(dict.fromkeys((float(row["from_mm"]), float(row["to_mm"])) for row in data))
     for key, title in (("accurate", "ends within 2 mm of the truth"), ("converged", "ends where the best start ends")):
-        shares = [
-            [
-                next(
-                    (
-                        100 * float(row[key])
-                        for row in data
-                        if row["method"] == method and (float(row["from_mm"]), float(row["to_mm"])) == place and row[key]
-                    ),
-                    None,
-                )
-                for place in bins
-            ]
-            for method in methods
-        ]
+        known = {(row["method"], float(row["from_mm"]), float(row["to_mm"])): 100 * float(row[key]) for row in data if row[key]}
+        if not known:
+            # An empty figure would look like a success of none.
+            continue
+        shares = [[known.get((method, *place)) for place in bins] for method in methods]
         if len(methods) > len(COLOURS):
             figure, axis = plt.subplots(figsize=(0.62 * len(bins) + 3, 0.3 * len(methods) + 1.5))
             norm = matplotlib.colors.Normalize(0, 100)
@@ -295,6 +286,8 @@ def sensitivity(folder, plots):
     factors = list(dict.fromkeys(row["factor"] for row in data))
     methods = list(dict.fromkeys(row["method"] for row in data))
     known = [float(row["mean_px"]) for row in data if row["mean_px"]]
+    if not known:
+        return
     many = len(methods) > len(COLOURS)
     width = min(4, len(factors))
     height = -(-len(factors) // width)
@@ -306,7 +299,9 @@ def sensitivity(folder, plots):
         found = {(row["method"], row["level"]): float(row["mean_px"]) for row in chosen if row["mean_px"]}
         if many:
             means = [[found.get((method, level)) for level in levels] for method in methods]
-            norm = matplotlib.colors.LogNorm(max(0.1, min(known)), max(known))
+            lowest, highest = max(0.1, min(known)), max(known)
+            # However small or alike all of them are: a scale of no length has no colours.
+            norm = matplotlib.colors.LogNorm(lowest, highest if highest > lowest else 2 * lowest)
             cells(axis, means, methods, levels, lambda v: f"{v:.2g}" if v < 10 else f"{v:.0f}", "viridis_r", norm)
         else:
             for i, method in enumerate(methods):

@@ -1,18 +1,11 @@
 """The page of a batch of 1,000 cases in a real browser: how much it weighs, how fast it opens, sorting and filters.
 
-The cases are those of one registration, their figures and findings made up; the page is the program's. Needs Chromium and playwright, as
-test_report_page.py does."""
+The cases are those of one registration, their figures and findings made up; the page is the program's. Needs what conftest.py says."""
 import json
 import os
-import shutil
 import time
 
 import pytest
-
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed in this Python")
-BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-if BROWSER is None:
-    pytest.skip("there is no Chromium", allow_module_level=True)
 
 COUNT = 1000
 STATUSES = ["ok"] * 16 + ["suspect"] * 2 + ["failed", "unusable"]
@@ -55,14 +48,6 @@ def page_file(run, tmp_path_factory):
     done = run("batch", folder / "cases.csv", "--collect", folder / "out/parts", "--output", folder / "out")
     assert done.returncode == 2 and f"{COUNT} cases: 800 ok, 100 suspect, 50 failed, 50 unusable" in done.stdout, done.stdout + done.stderr
     return folder / "out/index.html"
-
-
-@pytest.fixture(scope="module")
-def browser():
-    with sync_api.sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
-        yield started
-        started.close()
 
 
 def count_processor_seconds(page):

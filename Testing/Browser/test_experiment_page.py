@@ -1,16 +1,11 @@
 """The page of an experiment in a real browser: tables to sort and filter, figures, nothing asked of the network.
 
-Needs Chromium and playwright, as test_report_page.py does."""
+Needs what conftest.py says."""
 import os
 import pathlib
 import shutil
 
 import pytest
-
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed in this Python")
-BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-if BROWSER is None:
-    pytest.skip("there is no Chromium", allow_module_level=True)
 
 HOSTILE = "<img src=x onerror=alert(1)>"
 
@@ -25,14 +20,6 @@ def folder(run, sample, tmp_path_factory):
     assert done.returncode == 0, done.stderr
     assert "index.html" in done.stdout
     return made / "out"
-
-
-@pytest.fixture(scope="module")
-def browser():
-    with sync_api.sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
-        yield started
-        started.close()
 
 
 @pytest.fixture(params=[1200, 400])

@@ -1,7 +1,6 @@
 """The report page in a real browser: what a person can do with it, by mouse and by keyboard, at two widths.
 
-Needs Chromium and the package playwright (Utilities/python-venv.sh); skipped where either is missing. Playwright drives the
-browser of the system, it brings none."""
+Needs what conftest.py says, and matplotlib."""
 import io
 import os
 import pathlib
@@ -10,10 +9,6 @@ import shutil
 import pytest
 
 plt = pytest.importorskip("matplotlib.pyplot", reason="matplotlib, which reads screenshots, is not installed in this Python")
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed in this Python")
-BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-if BROWSER is None:
-    pytest.skip("there is no Chromium", allow_module_level=True)
 
 WIDTHS = {"wide": (1200, 900), "narrow": (400, 800)}
 
@@ -29,18 +24,6 @@ def page_file(run, sample, tmp_path_factory):
 @pytest.fixture(scope="module")
 def has_bundle(page_file):
     return "Built without npm" not in page_file.read_text()
-
-
-@pytest.fixture(scope="module")
-def browser():
-    with sync_api.sync_playwright() as playwright:
-        # A software renderer: no machine of ours has a graphics card.
-        started = playwright.chromium.launch(
-            executable_path=BROWSER,
-            args=["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
-        )
-        yield started
-        started.close()
 
 
 class Opened:
@@ -150,6 +133,31 @@ def test_flicker_shows_where_it_began(page):
     assert page.locator('g.layer[data-layer="stage-start"]').get_attribute("hidden") is not None
 
 
+def test_flicker_compares_silhouettes_where_no_outline_was_matched_as_a_whole(browser, run, tmp_path):
+    """A standard tracing: whole teeth, of which the crowns alone are compared. A stage is drawn of the silhouette, and the result's
+    takes turns with it."""
+    assert run("phantom", "--level", "standard", "--seed", 1, "--output", tmp_path / "case").returncode == 0
+    done = run("register", tmp_path / "case" / "case.json", "--output", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    made = Opened(browser, tmp_path / "out" / "report.html", WIDTHS["wide"])
+    made.page.emulate_media(reduced_motion="no-preference")
+    whole, start = (made.page.locator(f'g.layer[data-layer="{key}"]') for key in ("whole", "stage-start"))
+    # Of both jaws.
+    assert start.locator("path").count() == 2
+    assert (whole.is_visible(), start.is_visible()) == (False, False)
+    made.page.locator("[data-action=flicker]").click()
+    for state in ((False, True), (True, False), (False, True)):
+        made.page.wait_for_function(
+            """([whole, start]) => ["whole", "stage-start"].every((key, i) =>
+              document.querySelector(`g.layer[data-layer="${key}"]`).hasAttribute("hidden") !== [whole, start][i])""",
+            arg=state,
+        )
+    made.page.locator("[data-action=flicker]").click()
+    assert (whole.is_visible(), start.is_visible()) == (False, False)
+    assert said(made) == []
+    made.context.close()
+
+
 def test_opacity_of_drawing_and_radiograph(page):
     page.locator("[data-action=opacity]").fill("0.2")
     assert page.locator(".drawing").evaluate("element => getComputedStyle(element).opacity") == "0.2"
@@ -183,7 +191,7 @@ def test_scene_draws_and_every_view_is_another(page, has_bundle):
     page.locator("#scene").scroll_into_view_if_needed()
     assert page.locator("#scene-message").inner_text() == ""
     seen = set()
-    for camera in ("front", "side", "source", "above", "all"):
+    for camera in ("front", "side", "source-0", "above", "all"):
         page.locator(f'button[data-camera="{camera}"]').click()
         colours, digest = scene_pixels(page)
         # Blank would be one colour.
@@ -234,7 +242,11 @@ def test_scans_lie_on_their_shadows_seen_from_the_source(page, has_bundle):
     and scans are in one frame. Half a millimetre on the detector is two to four of them."""
     if not has_bundle:
         pytest.skip("this build has no scene: npm or its registry was missing")
-    page.locator('button[data-camera="source"]').click()
+    check_shadows(page, 0)
+
+
+def check_shadows(page, view):
+    page.locator(f'button[data-camera="source-{view}"]').click()
     page.locator("input[data-scene=opacity]").fill("1")
     edges, outline, share = page.evaluate(OUTLINE_ON_EDGES, 4)
     assert edges > 500 and outline > 150
@@ -244,6 +256,22 @@ def test_scans_lie_on_their_shadows_seen_from_the_source(page, has_bundle):
     page.locator("#scene-canvas").focus()
     page.keyboard.press("ArrowUp")
     assert page.evaluate(OUTLINE_ON_EDGES, 4)[2] < 0.4
+
+
+def test_a_detector_hides_nothing_from_behind(page, has_bundle):
+    """From there it is a frame: of a view with the source behind the head it stands before the face."""
+    if not has_bundle:
+        pytest.skip("this build has no scene: npm or its registry was missing")
+    page.locator('button[data-camera="source-0"]').click()
+    for part in page.locator("input[data-part]").all():
+        part.set_checked(part.get_attribute("data-part") == "detector")
+    assert scene_pixels(page)[0] > 50
+    page.locator("#scene-canvas").focus()
+    # Half a turn, by tenths of a radian.
+    for _ in range(31):
+        page.keyboard.press("ArrowRight")
+    # The frame may be around what the lens takes in.
+    assert scene_pixels(page)[0] < 20
 
 
 # The scan as a radiograph, and the outlines of the whole scans: how well what is bright fills them, and how little is outside; and
@@ -322,7 +350,7 @@ def test_what_the_scan_would_look_like_is_a_layer_on_its_outline(page):
     check_drr(page, "lateral")
 
 
-def test_a_further_view_has_its_own(browser, run, program, tmp_path):
+def test_a_further_view_has_its_own(browser, run, has_bundle, tmp_path):
     parameters = tmp_path / "parameters.json"
     parameters.write_text('{"level": "typical", "frontal": {"given": true}}')
     assert run("phantom", "--parameters", parameters, "--seed", 12, "--output", tmp_path / "case").returncode == 0
@@ -331,6 +359,9 @@ def test_a_further_view_has_its_own(browser, run, program, tmp_path):
     made = Opened(browser, tmp_path / "out" / "report.html", WIDTHS["wide"])
     for name in ("lateral", "frontal"):
         check_drr(made.page, name)
+    if has_bundle:
+        for view in range(2):
+            check_shadows(made.page, view)
     assert said(made) == []
     made.context.close()
 

@@ -1,12 +1,11 @@
 """The tracing page in a real browser, used as a person does: by mouse, finger and keyboard, at two widths.
 
-Needs Chromium and the package playwright (Utilities/python-venv.sh); skipped where either is missing."""
+Needs what conftest.py says."""
 import base64
 import json
 import os
 import pathlib
 import re
-import shutil
 import signal
 import struct
 import subprocess
@@ -15,20 +14,7 @@ import zlib
 
 import pytest
 
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed in this Python")
-BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-if BROWSER is None:
-    pytest.skip("there is no Chromium", allow_module_level=True)
-
 WIDTHS = {"wide": (1600, 1000), "narrow": (400, 800)}
-
-
-@pytest.fixture(scope="module")
-def browser():
-    with sync_api.sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
-        yield started
-        started.close()
 
 
 class Opened:

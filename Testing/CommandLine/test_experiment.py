@@ -73,6 +73,18 @@ def test_page_holds_the_tables_and_the_pictures(experiment):
     assert "default-src 'none'" in text and "http:" not in head and "https:" not in head
 
 
+def test_page_shows_no_picture_of_other_cases(run, tmp_path):
+    """One case with its pictures, then two without: the tables are of two, and so is the page."""
+    options = ("experiment", "--methods", "bounding-box", "--output", tmp_path / "out")
+    assert run(*options, "--cases", 1).returncode == 0
+    assert len(page_data(tmp_path / "out")[1]["figures"]) >= 2
+    assert run(*options, "--cases", 2, "--no-figures").returncode == 0
+    _, data = page_data(tmp_path / "out")
+    (cases,) = (table for table in data["tables"] if table["file"] == "cases.csv")
+    assert len({row[0] for row in cases["rows"]}) == 2
+    assert data["figures"] == []
+
+
 def test_every_figure_follows_from_the_landmarks(experiment):
     landmarks = rows(experiment / "landmarks.csv")
     for row in rows(experiment / "table1_landmarks.csv"):

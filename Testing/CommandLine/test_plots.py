@@ -136,6 +136,31 @@ def test_curves_are_few_or_a_table(script, draw, methods):
                 assert all(re.fullmatch(r"[0-9.]+", text.get_text()) for text in texts_of(axes.yaxis))
 
 
+@pytest.mark.parametrize("methods", [METHODS, METHODS[:3]], ids=["many", "few"])
+def test_what_is_known_of_no_method_is_no_figure(script, draw, methods):
+    tables = {**capture_table(methods), **sensitivity_table(methods)}
+    for table, columns in (("capture.csv", ("accurate",)), ("sensitivity.csv", ("mean_px",))):
+        header, *lines = tables[table]
+        for column in columns:
+            for line in lines:
+                line[header.split(",").index(column)] = ""
+    assert set(draw(tables, script.capture)) == {"capture_converged.png"}
+    assert draw(tables, script.sensitivity) == {}
+
+
+@pytest.mark.parametrize("mean", [0.02, 0.1, 3.0])
+def test_means_that_are_all_alike_have_colours(script, draw, mean):
+    """Also where all are below the scale's lower end, 0.1 px."""
+    table = sensitivity_table(METHODS)
+    for line in table["sensitivity.csv"][1:]:
+        line[-1] = mean
+    (figure,) = draw(table, script.sensitivity).values()
+    for axes in (one for one in figure.axes if one.axison):
+        check_cells(axes)
+        (image,) = axes.images
+        assert image.norm.vmin < image.norm.vmax
+
+
 def test_verdicts_are_read_on_dark_and_on_light(script, draw):
     rows = ["input,verdict,up_to_0_5mm,up_to_2mm,above_2mm,no_error_known"]
     rows += [[kind, verdict, 0, 9 * i, 20 * i, 40 * i] for kind in ("none", "turned", "other_patient") for i, verdict in enumerate(("ok", "suspect", "failed"))]

@@ -115,6 +115,46 @@ def test_render_and_contour_of_a_result_are_where_the_case_was_registered(run, s
     assert larger[1] - larger[0] == pytest.approx(1.1 * (box(drawn)[1] - box(drawn)[0]), rel=0.01)
 
 
+def test_a_result_is_named_by_its_folder_as_well(run, sample, result, tmp_path):
+    for name, place in (("file", result), ("folder", result.parent)):
+        done = run("contour", "--case", sample / "case.json", "--result", place, "--output", tmp_path / f"{name}.json")
+        assert done.returncode == 0, done.stderr
+    assert (tmp_path / "file.json").read_bytes() == (tmp_path / "folder.json").read_bytes()
+
+
+WRONG_RESULTS = {
+    "schema": (lambda content: content.update(schema="dentalscr-result/99"), "schema: ", "register the case again"),
+    "no schema": (lambda content: content.pop("schema"), "schema: ", "name a result.json"),
+    "unit": (lambda content: content.update(mesh_unit="ell"), "mesh_unit: ", "register the case again"),
+    "jaw": (lambda content: content["jaws"].pop("lower"), "jaws.lower: ", "reasons"),
+    "failed jaw": (lambda content: content["jaws"]["lower"].pop("projection_3x4"), "jaws.lower.projection_3x4: ", "reasons"),
+    "rows": (lambda content: content["jaws"]["upper"]["projection_3x4"].pop(), "jaws.upper.projection_3x4: ", "register the case again"),
+    "no projection": (
+        lambda content: content["jaws"]["upper"].update(projection_3x4=[[0] * 4] * 3),
+        "jaws.upper.projection_3x4: ",
+        "register the case again",
+    ),
+    "distance": (
+        lambda content: content["geometry"]["source_to_detector_mm"].update(value=-1),
+        "geometry: ",
+        "register the case again",
+    ),
+}
+
+
+@pytest.mark.parametrize("verb", ["render", "contour"])
+@pytest.mark.parametrize("wrong", WRONG_RESULTS)
+def test_a_wrong_result_is_an_error_that_names_file_and_field(run, sample, result, tmp_path, verb, wrong):
+    change, field, remedy = WRONG_RESULTS[wrong]
+    content = json.loads(result.read_text())
+    change(content)
+    (tmp_path / "wrong.json").write_text(json.dumps(content))
+    done = run(verb, "--case", sample / "case.json", "--result", tmp_path / "wrong.json", "--output", tmp_path / "x.mha")
+    assert done.returncode == 2
+    assert f"wrong.json: {field}" in done.stderr and remedy in done.stderr, done.stderr
+    assert not (tmp_path / "x.mha").exists()
+
+
 def test_render_without_a_spacing_says_what_to_give(run, sample, tmp_path):
     done = run("render", "--upper", sample / "upper.stl", "--output", tmp_path / "drr.png")
     assert done.returncode == 2 and "--spacing" in done.stderr

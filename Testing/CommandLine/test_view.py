@@ -318,6 +318,17 @@ def test_the_viewer_sends_no_control_bytes_to_a_terminal(program, tmp_path):
     assert "\033" not in done.stderr and "\\x1b[31mred" in done.stderr
 
 
+def test_only_the_viewer_fills_a_pool_of_threads(program, tmp_path):
+    """A viewer that counts the threads of the program that waits for it."""
+    shutil.copy2(program, tmp_path / "dentalscr")
+    viewer = tmp_path / "dentalscr-view"
+    viewer.write_text("#!/bin/sh\nls /proc/$PPID/task | wc -l\n")
+    viewer.chmod(0o755)
+    done = subprocess.run([str(tmp_path / "dentalscr"), "--threads", "8", "view", str(tmp_path)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.strip() == "1"
+
+
 def test_what_is_no_result_is_named(view, sample, tmp_path):
     for file, words in (("nothing", "nothing"), (sample / "case.json", "no result of dentalscr")):
         done = view(file, "--export", tmp_path / "scene.vtp")

@@ -75,6 +75,22 @@ def test_a_view_that_is_not_there_is_named(run, frontal_phantom, tmp_path, verb)
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize("verb", ["render", "contour"])
+def test_a_view_that_the_result_lacks_is_named(run, frontal_phantom, tmp_path, verb):
+    done, result = register(run, frontal_phantom / "case.json", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    for views in ({}, None):
+        result["views"] = views
+        if views is None:
+            del result["views"]
+        (tmp_path / "less.json").write_text(json.dumps(result))
+        arguments = ("--case", frontal_phantom / "case.json", "--result", tmp_path / "less.json", "--view", "frontal")
+        done = run(verb, *arguments, "--output", tmp_path / "x.mha")
+        assert done.returncode == 2
+        assert "less.json: views.frontal: " in done.stderr and "register the case again" in done.stderr, done.stderr
+    assert not (tmp_path / "x.mha").exists()
+
+
 def changed(source, target, change):
     shutil.copytree(source, target)
     case = json.loads((target / "case.json").read_text())

@@ -212,8 +212,8 @@ struct JawResult
   std::vector<double> tracingDistances;
   /** The same by tooth, in the order of the tracing. */
   std::vector<ToothResidual> residuals;
-  /** The outline of the scan that could be matched, points of the mesh (mm): by a projection they are drawn where the
-   * jaw is placed by it. Empty where the method has none. */
+  /** The outline of the scan that could be matched, else its silhouette, points of the mesh (mm): by a projection they
+   * are drawn where the jaw is placed by it. Empty where the method has none. */
   std::vector<std::array<double, 3>> outline;
   /** What the method did, stage by stage; of jaws that share a pose the first has it. */
   std::vector<RegistrationStageCourse> course;

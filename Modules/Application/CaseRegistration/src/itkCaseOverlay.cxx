@@ -139,9 +139,8 @@ MakeCaseOverlay(const CaseResult & result, ToothCode::JawEnum jawName)
   if (!jaw.usedLandmarks.empty() && result.data->cephalometricLandmarks.IsNotNull())
   {
     // Behind the contours, and never number 0.
-    overlay->SetMovingContour(std::max(1u, number),
-                              DrawUsedLandmarks(result, jaw),
-                              "registered with: mark (cross) and its place on the scan (ring)");
+    overlay->SetMovingContour(
+      std::max(1u, number), DrawUsedLandmarks(result, jaw), "registered with (cross), on scan (ring)");
   }
   auto                          predicted = DentalLandmarkSet<2>::New();
   std::map<std::string, double> sigmas;

@@ -378,7 +378,10 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     DentalContour * tracing = data.GetJaw(entry.first).contour;
     if (!traced)
     {
-      DescribeWithoutDistances(*solution, entry.first, silhouettes[ToIndex(entry.first)], jaw);
+      // No outline was matched as a whole: where a stage began is shown by the silhouette.
+      DentalContour * const silhouette = silhouettes[ToIndex(entry.first)];
+      jaw.outline = CollectRimPoints(*silhouette);
+      DescribeWithoutDistances(*solution, entry.first, silhouette, jaw);
       jaw.seconds.emplace_back("contour", silhouetteProbe.GetTotal());
       continue;
     }

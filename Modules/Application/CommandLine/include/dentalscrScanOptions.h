@@ -26,7 +26,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>

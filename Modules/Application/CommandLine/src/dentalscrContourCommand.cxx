@@ -226,7 +226,8 @@ AddContourCommand(CLI::App & program, const CommonOptions & common, RunFunction 
     ->check(CLI::IsMember({ "upper", "lower" }))
     ->capture_default_str();
   command->add_option("-o,--output", options->output, "contours.json")->required();
-  command->add_option("--result", options->result, "result.json: silhouettes where the case was registered");
+  command->add_option(
+    "--result", options->result, "result.json, or its folder: silhouettes where the case was registered");
   AddViewOption(command, options->view);
   command->add_option("--points", options->points, "Resample to so many points (0: as they come)")
     ->check(CLI::Range(0u, 1000000u))

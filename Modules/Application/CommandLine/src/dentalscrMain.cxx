@@ -135,7 +135,11 @@ Run(int argc, const char * const * argv)
 
   common.commandLine = arguments;
   common.commandLine.insert(common.commandLine.begin(), program.get_name());
-  SetNumberOfThreads(common.threads);
+  // The verb view waits for a program, which has threads of its own.
+  if (!program.got_subcommand("view"))
+  {
+    SetNumberOfThreads(common.threads);
+  }
   return run();
 }
 } // namespace

@@ -206,8 +206,9 @@ AddRenderCommand(CLI::App & program, const CommonOptions & common, RunFunction &
   auto * command = program.add_subcommand("render", "Renders scans as a radiograph would show them (surface DRR)");
   options->scans.AddTo(command, true);
   command->add_option("-o,--output", options->output, "Image: .png (8 bit), .tif, .mha, .nrrd (float)")->required();
-  command->add_option(
-    "--result", options->result, "result.json: render where the case was registered, on its radiograph's grid");
+  command->add_option("--result",
+                      options->result,
+                      "result.json, or its folder: render where the case was registered, on its radiograph's grid");
   AddViewOption(command, options->view);
   command->add_option("--sigma", options->sigmaInPixels, "Width of the splats, pixels")
     ->check(CLI::Range(0.1, 100.0))

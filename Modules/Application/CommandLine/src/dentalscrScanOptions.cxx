@@ -20,11 +20,9 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
-#include "itkJsonDocument.h"
 #include "itkMakeDentalFrameTransform.h"
 #include "itkMillimetresPerUnit.h"
-#include "itkPlaceByProjection.h"
-#include "itkProjectionRows.h"
+#include "itkReadPlacedGeometry.h"
 
 #include <iostream>
 
@@ -37,18 +35,6 @@ using GeometryType = itk::CephalometricGeometry;
 
 /** What the case's own radiograph is called among its views. */
 constexpr char FirstView[] = "lateral";
-
-std::array<double, 12>
-ReadMatrix(const itk::JsonNode & node)
-{
-  std::array<double, 12> matrix{};
-  for (std::size_t row = 0; row < 3; ++row)
-  {
-    const std::vector<double> numbers = node.At(row).AsNumbers(4, "[p, p, p, p]");
-    std::copy(numbers.begin(), numbers.end(), matrix.begin() + 4 * row);
-  }
-  return matrix;
-}
 } // namespace
 
 void
@@ -208,35 +194,21 @@ PlaceJaw(const itk::DentalCaseData &    data,
          const std::string &            resultFile,
          const std::string &            view)
 {
+  const GeometryType & ofCase = *FindView(data, view).geometry;
+  if (!resultFile.empty())
+  {
+    return itk::ReadPlacedGeometry(resultFile, jaw, view == FirstView ? std::string() : view);
+  }
   auto geometry = GeometryType::New();
-  geometry->CopyParameters(FindView(data, view).geometry);
-  if (resultFile.empty())
-  {
-    // Jaws in one frame keep their relation to each other.
-    const itk::DentalJawFrame &  own = frames.GetJaw(jaw);
-    const itk::DentalJawFrame &  frame = frames.jawsShareFrame && frames.joint.valid ? frames.joint : own;
-    const auto                   transform = itk::MakeDentalFrameTransform(frame.axes, frame.origin);
-    GeometryType::PixelIndexType principal;
-    principal.Fill(0.0);
-    geometry->SetPrincipalPoint(principal);
-    geometry->SetPose(transform->GetMatrix(), transform->GetTranslation());
-  }
-  else
-  {
-    const auto   root = itk::JsonDocument::ReadFile(resultFile).GetRoot();
-    const bool   isFirst = view.empty() || view == FirstView;
-    const auto   node = isFirst ? root : root.Get("views").Get(view);
-    const auto   own = node.Get("geometry");
-    const auto   placed = node.Get("jaws").Get(itk::ToString(jaw)).Get("projection_3x4");
-    const auto   midplane = own.Find("source_to_midcoronal_mm");
-    const auto   unit = root.Find("mesh_unit");
-    const double millimetres = unit ? itk::MillimetresPerUnitFromString(unit->AsString()) : 1.0;
-    geometry->SetSourceToDetectorDistance(own.Get("source_to_detector_mm").Get("value").AsNumber());
-    geometry->SetSourceToMidsagittalDistance(
-      (midplane ? *midplane : own.Get("source_to_midsagittal_mm")).Get("value").AsNumber());
-    // Scans are in mm here. With the scale that was estimated, which pose and spacing of the result are without.
-    itk::PlaceByProjection(itk::ScaleColumns(ReadMatrix(placed), 1.0 / millimetres), geometry);
-  }
+  geometry->CopyParameters(&ofCase);
+  // Jaws in one frame keep their relation to each other.
+  const itk::DentalJawFrame &  own = frames.GetJaw(jaw);
+  const itk::DentalJawFrame &  frame = frames.jawsShareFrame && frames.joint.valid ? frames.joint : own;
+  const auto                   transform = itk::MakeDentalFrameTransform(frame.axes, frame.origin);
+  GeometryType::PixelIndexType principal;
+  principal.Fill(0.0);
+  geometry->SetPrincipalPoint(principal);
+  geometry->SetPose(transform->GetMatrix(), transform->GetTranslation());
   if (!geometry->HasPixelSpacing())
   {
     itkDentalInputErrorMacro(

@@ -172,6 +172,8 @@ private:
   std::string
   ClaimFolder(const std::vector<ExperimentMethod> & methods) const;
   void
+  RemovePage() const;
+  void
   RunCases(ExperimentPlan & plan, const std::string & key);
 
   unsigned int             m_NumberOfCases{ 34 };

@@ -26,8 +26,9 @@ namespace itk
 {
 /** Writes index.html into the folder of an experiment (CohortExperiment): one page that asks nothing of the network,
  * with the tables that are there, to sort and filter, and the figures, those of plots/ included. Call it when they are
- * drawn. Times of computing are left out: the same settings give the same page. Throws DentalInputError where the
- * folder is no experiment's, a table in it can't be read, or the page can't be written. \ingroup Experiment */
+ * drawn. Times of computing are left out: the same settings give the same page. A table of more than 2 MB is linked and
+ * not shown. Throws DentalInputError where the folder is no experiment's, a table or a picture in it can't be read, or
+ * the page can't be written. \ingroup Experiment */
 Experiment_EXPORT void
 WriteExperimentPage(const std::string & folder);
 } // namespace itk

@@ -18,6 +18,7 @@
 #include "itkCohortExperiment.h"
 
 #include "itkExperimentCaseFiles.h"
+#include "itkExperimentPictures.h"
 #include "itkExperimentPlan.h"
 
 #include "itkDentalInputError.h"
@@ -367,6 +368,27 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
   queue.Run(open.size(), std::max<ThreadIdType>(1, this->GetNumberOfWorkUnits()));
 }
 
+/** Takes away the page and all pictures of an earlier run, which may have been of fewer cases. */
+void
+CohortExperiment::RemovePage() const
+{
+  const fs::path folder = fs::u8path(m_OutputDirectory);
+  const auto     remove = [&folder](const char * name) {
+    std::error_code error;
+    fs::remove(folder / name, error);
+    if (error)
+    {
+      itkDentalInputErrorMacro(
+        (folder / name).u8string(), "", "is of an earlier run and can't be removed: " + error.message(), "remove it");
+    }
+  };
+  remove("index.html");
+  for (const ExperimentPicture & picture : ExperimentPictures)
+  {
+    remove(picture.fileName);
+  }
+}
+
 void
 CohortExperiment::Update()
 {
@@ -400,6 +422,7 @@ CohortExperiment::GenerateData()
   this->UpdateProgress(0.98F);
   // All of them in memory before the first is written.
   const std::map<std::string, std::string> files = plan->MakeFiles();
+  this->RemovePage();
   for (const auto & file : files)
   {
     WriteFileAtomically((fs::u8path(m_OutputDirectory) / file.first).string(), file.second);

@@ -21,15 +21,17 @@
 #include "itkDentalSCRVersion.h"
 #include "itkEscapeForScript.h"
 #include "itkExperimentPageParts.h"
+#include "itkExperimentPictures.h"
 #include "itkJsonDocument.h"
 #include "itkReadCSVTable.h"
 #include "itkTextFile.h"
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -60,18 +62,10 @@ constexpr NameType Tables[] = { { "table1_landmarks.csv", "Landmark errors" },
                                 { "failures.csv", "Failures" },
                                 { "cases.csv", "Cases" } };
 
-constexpr NameType Figures[] = { { "plots/landmark_errors.png", "Mean landmark error of each case, by method" },
-                                 { "plots/success_rate.png", "Landmarks within each limit, by method" },
-                                 { "plots/capture_accurate.png", "Starts that end within 2 mm of the truth" },
-                                 { "plots/capture_converged.png", "Starts that end where the best one ends" },
-                                 { "plots/sensitivity.png", "Mean landmark error by the level of each factor" },
-                                 { "plots/ablation.png", "Mean and worst case of each variant" },
-                                 { "plots/calibration.png", "How often landmarks lie in the regions they are given" },
-                                 { "plots/verdict.png", "Verdicts by the error that there was" },
-                                 { "figure_median_upper.png", "The median case, upper jaw" },
-                                 { "figure_median_lower.png", "The median case, lower jaw" },
-                                 { "figure_worst_upper.png", "The worst case, upper jaw" },
-                                 { "figure_worst_lower.png", "The worst case, lower jaw" } };
+/** Larger tables are linked, not shown: no browser sorts them in a moment, nor does anybody read them on a page. */
+constexpr std::uintmax_t MaximumTableSize = 2u << 20;
+/** Of plots and drawings, which have a tenth of a megabyte. */
+constexpr std::size_t MaximumPictureSize = 32u << 20;
 
 bool
 IsThere(const fs::path & file)
@@ -83,12 +77,18 @@ IsThere(const fs::path & file)
 Json
 MakeTable(const fs::path & folder, const NameType & name)
 {
-  const std::string file = (folder / name.first).u8string();
-  auto              rows = ReadCSVTable(ReadTextFile(file, "a table"), file);
-  Json              table = { { "title", name.second },
-                              { "file", name.first },
-                              { "header", rows.empty() ? std::vector<std::string>() : rows.front() },
-                              { "rows", Json::array() } };
+  const fs::path    path = folder / name.first;
+  const std::string file = path.u8string();
+  std::error_code   error;
+  if (fs::file_size(path, error) > MaximumTableSize && !error)
+  {
+    return { { "title", name.second }, { "file", name.first }, { "rows", nullptr } };
+  }
+  auto rows = ReadCSVTable(ReadTextFile(file, "a table"), file);
+  Json table = { { "title", name.second },
+                 { "file", name.first },
+                 { "header", rows.empty() ? std::vector<std::string>() : rows.front() },
+                 { "rows", Json::array() } };
   for (std::size_t i = 1; i < rows.size(); ++i)
   {
     // Rows are as long as the heading, whatever a table that was edited has.
@@ -99,11 +99,22 @@ MakeTable(const fs::path & folder, const NameType & name)
 }
 
 Json
-MakeFigure(const fs::path & folder, const NameType & name)
+MakeFigure(const fs::path & folder, const ExperimentPicture & picture)
 {
-  std::ifstream     file(folder / name.first, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  return { { "title", name.second }, { "uri", "data:image/png;base64," + EncodeBase64(bytes.data(), bytes.size()) } };
+  const std::string bytes = ReadTextFile((folder / picture.fileName).u8string(), "a picture", MaximumPictureSize);
+  return { { "title", picture.title }, { "uri", "data:image/png;base64," + EncodeBase64(bytes.data(), bytes.size()) } };
+}
+
+/** As it stands there: a seed has more digits than the numbers of a JsonNode. */
+std::string
+ReadSeed(const JsonNode & node, const std::string & text)
+{
+  const Json seed = Json::parse(text).at("seed");
+  if (!seed.is_number_unsigned())
+  {
+    node.Fail("is no seed, which is a whole number from 0", "run the experiment again into a new folder");
+  }
+  return seed.dump();
 }
 } // namespace
 
@@ -111,7 +122,9 @@ void
 WriteExperimentPage(const std::string & folderName)
 {
   const fs::path    folder = fs::u8path(folderName);
-  const auto        document = JsonDocument::ReadFile((folder / "experiment.json").u8string());
+  const std::string manifestName = (folder / "experiment.json").u8string();
+  const std::string manifest = ReadTextFile(manifestName, "an experiment");
+  const auto        document = JsonDocument::Parse(manifest, manifestName);
   const auto        root = document.GetRoot();
   const std::string study = root.Get("study").AsString();
   const std::string text = study + ".md";
@@ -129,7 +142,7 @@ WriteExperimentPage(const std::string & folderName)
   // A folder's whole name may tell of persons.
   set("cases of", from.empty() ? std::string("the phantom") : fs::u8path(from).filename().u8string());
   set("level", from.empty() ? root.Get("level").AsString() : std::string());
-  set("first seed", std::to_string(static_cast<std::uint64_t>(root.Get("seed").AsNumber())));
+  set("first seed", ReadSeed(root.Get("seed"), manifest));
   std::string methods;
   const auto  names = root.Get("methods");
   for (std::size_t i = 0; i < names.GetSize(); ++i)
@@ -144,11 +157,11 @@ WriteExperimentPage(const std::string & folderName)
       data["tables"].push_back(MakeTable(folder, table));
     }
   }
-  for (const NameType & figure : Figures)
+  for (const ExperimentPicture & picture : ExperimentPictures)
   {
-    if (IsThere(folder / figure.first))
+    if (IsThere(folder / picture.fileName))
     {
-      data["figures"].push_back(MakeFigure(folder, figure));
+      data["figures"].push_back(MakeFigure(folder, picture));
     }
   }
   std::string            page(ExperimentPageParts::Page());

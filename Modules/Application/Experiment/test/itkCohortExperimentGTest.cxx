@@ -133,6 +133,33 @@ TEST_F(CohortExperiment, InterruptedRunLeavesNoTablesAndGoesOn)
   EXPECT_TRUE(fs::exists(m_Folder / "run" / "tables.md"));
 }
 
+TEST_F(CohortExperiment, PicturesOfFewerCasesDoNotStayBesideTablesOfMore)
+{
+  const auto first = this->Make("run");
+  first->SetMethods({ "bounding-box", "single-stage" });
+  first->SetNumberOfCases(1);
+  first->DrawFiguresOn();
+  first->Update();
+  const fs::path folder = m_Folder / "run";
+  ASSERT_TRUE(fs::exists(folder / "figure_median_upper.png"));
+  // What is made of tables and figures afterwards, and what is somebody else's.
+  fs::create_directory(folder / "plots");
+  for (const char * name : { "index.html", "plots/landmark_errors.png", "plots/own.png", "figure_own.png" })
+  {
+    std::ofstream(folder / name) << "of one case";
+  }
+  const auto more = this->Make("run");
+  more->SetMethods({ "bounding-box", "single-stage" });
+  more->Update();
+  for (const char * name : { "index.html", "plots/landmark_errors.png", "figure_median_upper.png" })
+  {
+    EXPECT_FALSE(fs::exists(folder / name)) << name;
+  }
+  EXPECT_TRUE(fs::exists(folder / "plots" / "own.png"));
+  EXPECT_TRUE(fs::exists(folder / "figure_own.png"));
+  EXPECT_TRUE(fs::exists(folder / "tables.md"));
+}
+
 TEST_F(CohortExperiment, RefusesTheFolderOfAnotherExperiment)
 {
   const auto first = this->Make("run");

@@ -113,31 +113,38 @@ IsWhole(const fs::path & fileName)
   return file && text.find(end) != std::string::npos;
 }
 
-/** A file and the folder of its blocks beside it take the place of those of an earlier export; where they can't, these
- * are put back. */
+/** A file and the folder of its blocks beside it take the place of those of an earlier export. Where one of the two
+ * can't, neither does, and what was there is put back. */
 void
 Publish(const fs::path & staging, const fs::path & target, const fs::path & folder)
 {
-  const fs::path  old = staging / "old";
+  const fs::path  old = staging / (folder.filename().string() + ".old");
+  const fs::path  made = staging / folder.filename();
   std::error_code error;
-  const bool      isReplaced = fs::exists(fs::symlink_status(folder, error));
+  bool            isTakenAway = false;
+  bool            isPublished = false;
   try
   {
-    if (isReplaced)
+    if (fs::exists(fs::symlink_status(folder, error)))
     {
       fs::rename(folder, old);
+      isTakenAway = true;
     }
-    if (fs::exists(staging / folder.filename()))
+    if (fs::exists(made))
     {
-      fs::rename(staging / folder.filename(), folder);
+      fs::rename(made, folder);
+      isPublished = true;
     }
     fs::rename(staging / target.filename(), target);
   }
   catch (const fs::filesystem_error & failure)
   {
-    if (isReplaced && fs::exists(old, error))
+    if (isPublished)
     {
-      fs::remove_all(folder, error);
+      fs::rename(folder, made, error);
+    }
+    if (isTakenAway)
+    {
       fs::rename(old, folder, error);
     }
     itkDentalInputErrorMacro(

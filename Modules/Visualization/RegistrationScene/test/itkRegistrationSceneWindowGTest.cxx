@@ -229,6 +229,35 @@ TEST_F(RegistrationSceneWindowTest, KeepsAFolderThatHoldsSomethingElse)
   EXPECT_TRUE(fs::exists(NameOf("scene/notes.txt")));
 }
 
+TEST_F(RegistrationSceneWindowTest, LeavesNothingOfAnExportThatFailed)
+{
+  // The blocks are there when the file turns out to be a folder.
+  fs::create_directory(NameOf("scene.vtm"));
+  EXPECT_THROW(m_Window->WriteExport(NameOf("scene.vtm")), itk::ExceptionObject);
+  EXPECT_FALSE(fs::exists(NameOf("scene")));
+  EXPECT_EQ(CountFiles(), 1u);
+  // Blocks of an earlier export are put back.
+  fs::remove(NameOf("scene.vtm"));
+  m_Window->WriteExport(NameOf("scene.vtm"));
+  std::ofstream(NameOf("scene/scene_99.vtp")) << "of an earlier one";
+  fs::remove(NameOf("scene.vtm"));
+  fs::create_directory(NameOf("scene.vtm"));
+  EXPECT_THROW(m_Window->WriteExport(NameOf("scene.vtm")), itk::ExceptionObject);
+  EXPECT_TRUE(fs::exists(NameOf("scene/scene_99.vtp")));
+  EXPECT_EQ(CountFiles(), 2u);
+}
+
+TEST_F(RegistrationSceneWindowTest, AnyNameOfAnExportMayBeReplaced)
+{
+  // Also one that earlier blocks might be kept under meanwhile.
+  for (const char * name : { "old.vtm", "old.vtm", "scene.old.vtm", "scene.old.vtm" })
+  {
+    EXPECT_NO_THROW(m_Window->WriteExport(NameOf(name))) << name;
+  }
+  EXPECT_TRUE(fs::exists(NameOf("old")));
+  EXPECT_TRUE(fs::exists(NameOf("scene.old")));
+}
+
 TEST_F(RegistrationSceneWindowTest, SaysThatThereIsNoScreen)
 {
   const char * const old = std::getenv("DISPLAY");

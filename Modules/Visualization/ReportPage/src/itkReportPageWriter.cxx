@@ -18,6 +18,7 @@
 #include "itkReportPageWriter.h"
 
 #include "itkDentalInputError.h"
+#include "itkDescribePlainly.h"
 #include "itkEscapeForScript.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkParallelFor.h"
@@ -163,6 +164,7 @@ ReportPageWriter::MakePage()
     {
       RadiographForPage radiograph;
       RadiographForPage drr;
+      std::string       drrProblem;
       Json              space;
     };
     std::vector<PictureType> pictures(views.size());
@@ -181,7 +183,16 @@ ReportPageWriter::MakePage()
       parts.emplace_back([&, i]() {
         const ViewForPage view(result, findOwn(i), views[i]);
         pictures[i].space = view.GetSpace();
-        pictures[i].drr = view.MakeDRR({ { "upper", meshes[0] }, { "lower", meshes[1] } }, m_MaximumRadiographSide);
+        try
+        {
+          pictures[i].drr = view.MakeDRR({ { "upper", meshes[0] }, { "lower", meshes[1] } }, m_MaximumRadiographSide);
+        }
+        catch (const ExceptionObject & problem)
+        {
+          // A scan that has a vertex behind the source, say, was registered all the same: its layer alone is missing,
+          // and the page says why.
+          pictures[i].drrProblem = DescribePlainly(problem);
+        }
       });
       const auto             found = m_ViewRadiographs.find(views[i].value("name", ""));
       const RadiographType * image = i == 0                             ? this->GetRadiograph()
@@ -206,6 +217,8 @@ ReportPageWriter::MakePage()
                                    { "svg", picture.GetSVG() },
                                    { "has_radiograph", !pictures[i].radiograph.uri.empty() },
                                    { "has_drr", !pictures[i].drr.uri.empty() },
+                                   { "has_drr_problem", !pictures[i].drrProblem.empty() },
+                                   { "drr_problem", pictures[i].drrProblem },
                                    { "layers", Json::array() },
                                    { "stages", Json::array() } };
       spaces.push_back(pictures[i].space);
@@ -219,6 +232,17 @@ ReportPageWriter::MakePage()
       }
       item["has_stages"] = !item["stages"].empty();
       model["views"].push_back(item);
+    }
+    model["sources"] = Json::array();
+    for (std::size_t i = 0; i < spaces.size(); ++i)
+    {
+      if (!spaces[i].is_null())
+      {
+        model["sources"].push_back(
+          { { "key", "source-" + std::to_string(i) },
+            { "label",
+              spaces.size() == 1 ? std::string("X-ray source") : "X-ray source: " + views[i].value("name", "") } });
+      }
     }
     model["has_views"] = !model["views"].empty();
     model["has_several_views"] = model["views"].size() > 1;

@@ -320,6 +320,7 @@ ReportPicture::ReportPicture(const Json &              result,
   std::map<std::size_t, std::string> others;
   std::string                        whole, matched, tracing, regions, predicted, errors, names, used;
   bool                               anyMatched = false;
+  bool                               anyOfWhole = false;
   for (const auto & entry : JsonMember(view, "jaws").items())
   {
     const std::string & name = entry.key();
@@ -330,6 +331,8 @@ ReportPicture::ReportPicture(const Json &              result,
     tracing += this->DrawTracing(name, drawing);
     const bool hasMatched = contours.contains("matched");
     anyMatched = anyMatched || hasMatched;
+    // Of outlines of whole teeth their crowns alone are matched, and outline_3d is the silhouette's.
+    anyOfWhole = anyOfWhole || (hasMatched && !jaw.contains("metrics_matched"));
     whole += this->DrawContour(name, JsonMember(contours, "whole"), "whole");
     matched += this->DrawContour(name, JsonMember(contours, hasMatched ? "matched" : "whole"), "matched after");
     regions += this->DrawRegions(jaw);
@@ -405,8 +408,9 @@ ReportPicture::ReportPicture(const Json &              result,
   const double headSize = 0.7 * m_Unit;
   m_SVG =
     "<svg class=\"picture\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" preserveAspectRatio=\"xMidYMid "
-    "meet\" viewBox=\"" +
-    box + "\" data-home=\"" + box + "\" data-all=\"" + all +
+    "meet\"" +
+    (anyOfWhole ? std::string(" data-after=\"whole\"") : std::string()) + " viewBox=\"" + box + "\" data-home=\"" +
+    box + "\" data-all=\"" + all +
     "\" aria-label=\"The radiograph with tracing, outline of the scan and landmarks\">\n<defs><marker id=\"head\" "
     "viewBox=\"0 0 10 10\" refX=\"9\" refY=\"5\" markerUnits=\"userSpaceOnUse\" markerWidth=\"" +
     Number(headSize) + "\" markerHeight=\"" + Number(headSize) +

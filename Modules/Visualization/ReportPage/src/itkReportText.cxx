@@ -64,6 +64,8 @@ FormatForPage(double value, int digits)
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
+  const std::string figure = text.str();
+  // What rounds to nothing has no sign.
+  return figure.front() == '-' && figure.find_first_of("123456789") == std::string::npos ? figure.substr(1) : figure;
 }
 } // namespace itk

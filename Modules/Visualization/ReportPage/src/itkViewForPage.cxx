@@ -140,20 +140,24 @@ ViewForPage::MakeDRR(const ScansType & scans, unsigned int maximumSide) const
     {
       continue;
     }
+    // A pipeline of its own: views are rendered by several threads, and a filter writes into its input which part of it
+    // it asks for.
+    auto mesh = MeshType::New();
+    mesh->Graft(scan->second);
     auto geometry = CephalometricGeometry::New();
     geometry->SetSourceToDetectorDistance(m_SourceToDetector);
     // Any plane between source and detector: the projection has the depth.
     geometry->SetSourceToMidsagittalDistance(0.9 * m_SourceToDetector);
     PlaceByProjection(entry.second, geometry);
     auto width = SurfaceSplatWidthCalculator::New();
-    width->SetMesh(scan->second);
+    width->SetMesh(mesh);
     width->SetGeometry(geometry);
     width->Update();
     const auto & pixel = geometry->GetPixelSpacing();
     // Splats narrower than a pixel of the picture would flicker from one to the next.
     const double widest = static_cast<double>(factor) * 0.5 * (pixel[0] + pixel[1]);
     auto         source = SourceType::New();
-    source->SetInput(scan->second);
+    source->SetInput(mesh);
     source->SetGeometry(geometry);
     source->SetSigma(std::max(width->GetSigma(), widest));
     source->UseGeometrySpacingOff();

@@ -149,6 +149,25 @@ Count(const std::string & text, const std::string & what)
   return count;
 }
 
+/** A result whose upper jaw is in perspective, at the origin of the cephalostat: the source is at y = -1524 mm. */
+Json
+MakeResultInPerspective()
+{
+  auto geometry = itk::CephalometricGeometry::New();
+  geometry->SetPixelSpacing(itk::CephalometricGeometry::PixelSpacingType(0.25));
+  itk::CephalometricGeometry::PixelIndexType principal;
+  principal[0] = 100.0;
+  principal[1] = 80.0;
+  geometry->SetPrincipalPoint(principal);
+  const auto matrix = geometry->GetProjection().matrix;
+  Json       result = MakeResult();
+  for (unsigned int i = 0; i < 12; ++i)
+  {
+    result["jaws"]["upper"]["projection_3x4"][i / 4][i % 4] = matrix[i];
+  }
+  return result;
+}
+
 /** What the page's script reads. */
 Json
 DataOf(const std::string & page)
@@ -402,6 +421,64 @@ TEST(ReportPageWriter, AParallelProjectionHasNoPlaceInSpace)
   const std::string page = writer->MakePage();
   EXPECT_TRUE(DataOf(page)["spaces"][0].is_null());
   EXPECT_EQ(Count(page, "data-layer=\"drr\""), 0u);
+}
+
+TEST(ReportPageWriter, AScanThatCannotBeRenderedCostsItsLayerAlone)
+{
+  auto writer = WriterType::New();
+  writer->SetResult(MakeResultInPerspective().dump());
+  writer->SetDetails(MakeDetails().dump());
+  auto scan = MakeBowl(20);
+  writer->SetUpperScan(scan);
+  ASSERT_EQ(Count(writer->MakePage(), "<image class=\"drr\""), 1u);
+  // A vertex that is left from somewhere far behind the source.
+  WriterType::MeshType::PointType point = scan->GetPoint(0);
+  point[1] = -3000.0F;
+  scan->SetPoint(0, point);
+  const std::string page = writer->MakePage();
+  EXPECT_EQ(Count(page, "data-layer=\"drr\""), 0u);
+  // It is said, without ITK's words, which have an address that differs from run to run.
+  EXPECT_EQ(Count(page, "since it cannot be rendered: Point 0 of mesh 0"), 1u);
+  EXPECT_EQ(Count(page, "ITK ERROR"), 0u);
+  EXPECT_EQ(Count(page, "class=\"layer\" data-layer=\"tracing\""), 1u);
+  EXPECT_FALSE(DataOf(page)["scans"]["upper"].is_null());
+}
+
+TEST(ReportPageWriter, FlickerComparesTheSilhouetteWhereNoOutlineWasMatchedAsAWhole)
+{
+  EXPECT_EQ(Count(MakePage(MakeResult(), MakeDetails()), "data-after=\"whole\""), 0u);
+  Json result = MakeResult();
+  result["jaws"]["upper"].erase("metrics_matched");
+  EXPECT_EQ(Count(MakePage(result, MakeDetails()), "data-after=\"whole\""), 1u);
+}
+
+TEST(ReportPageWriter, NothingHasNoSign)
+{
+  Json result = MakeResult();
+  result["jaws"]["upper"]["pose"]["parameters"][4] = -0.001;
+  const std::string page = MakePage(result, MakeDetails());
+  EXPECT_EQ(Count(page, "<td class=\"number\">0.00 mm</td>"), 1u);
+  // Not in what is shown: the data have the figure itself.
+  EXPECT_EQ(Count(page, ">-0.00"), 0u);
+  EXPECT_EQ(Count(page, "-2.50 mm"), 1u);
+}
+
+TEST(ReportPageWriter, EachViewHasAPipelineOfItsOwn)
+{
+  // Views are rendered by several threads: what one of them asks of a scan must not be written into it.
+  Json result = MakeResultInPerspective();
+  result["views"]["other"] = { { "jaws", result["jaws"] }, { "geometry", result["geometry"] } };
+  Json details = MakeDetails();
+  details["views"].push_back(details["views"][0]);
+  details["views"][1]["name"] = "other";
+  auto writer = WriterType::New();
+  writer->SetResult(result.dump());
+  writer->SetDetails(details.dump());
+  const auto scan = MakeBowl(20);
+  writer->SetUpperScan(scan);
+  const auto before = scan->GetRequestedRegion();
+  EXPECT_EQ(Count(writer->MakePage(), "<image class=\"drr\""), 2u);
+  EXPECT_EQ(scan->GetRequestedRegion(), before);
 }
 
 TEST(ReportPageWriter, WhatIsNoResultIsAnErrorThatNamesIt)

@@ -77,6 +77,9 @@ class PictureView {
     this.svg.classList.toggle("flick", before);
     for (const input of this.root.querySelectorAll("input[data-layer^=stage-]"))
       this.layer(input.dataset.layer)?.toggleAttribute("hidden", !(before && input.dataset.layer === chosen) && !input.checked);
+    // Where the whole silhouette is what a stage is drawn of, the result's takes turns with it.
+    const whole = this.svg.dataset.after === "whole" && this.root.querySelector("input[data-layer=whole]");
+    if (whole) this.layer("whole").toggleAttribute("hidden", before || !(whole.checked || this.flickering));
   }
 
   setBox(text) {

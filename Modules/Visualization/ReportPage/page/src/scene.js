@@ -1,7 +1,7 @@
 // The scans, the X-ray source and the detector in space, by three.js. Cephalostat frame: x anterior, y patient's left,
 // z superior, mm; that is right-handed with z up, which three.js is told.
 import {
-  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, FrontSide, Group, Line, LineBasicMaterial, LineDashedMaterial,
+  AmbientLight, Box3, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, FrontSide, Group, Line, LineBasicMaterial, LineDashedMaterial,
   LineSegments, Mesh, MeshBasicMaterial, MeshStandardMaterial, PerspectiveCamera, PlaneGeometry, Scene, SphereGeometry, SRGBColorSpace, Texture, Vector3,
   WebGLRenderer, Matrix4,
 } from "three";
@@ -46,9 +46,8 @@ class Space {
   }
 }
 
-function makeDetector(space, image) {
-  const { corners } = space;
-  const group = new Group();
+/** The radiograph on its detector. */
+function makePlate({ corners }, image) {
   const shape = new BufferGeometry();
   shape.setAttribute("position", new BufferAttribute(new Float32Array(corners.flatMap(corner => corner.toArray())), 3));
   shape.setAttribute("uv", new BufferAttribute(new Float32Array([0, 1, 1, 1, 1, 0, 0, 0]), 2));
@@ -57,14 +56,13 @@ function makeDetector(space, image) {
     const texture = new Texture(image);
     texture.colorSpace = SRGBColorSpace;
     texture.needsUpdate = true;
-    group.add(new Mesh(shape, new MeshBasicMaterial({ map: texture, side: DoubleSide })));
-  } else {
-    group.add(new Mesh(shape, new MeshBasicMaterial({ color: 0x30343a, side: DoubleSide })));
+    return new Mesh(shape, new MeshBasicMaterial({ map: texture, side: DoubleSide }));
   }
-  const border = new BufferGeometry().setFromPoints([...corners, corners[0]]);
-  group.add(new Line(border, new LineBasicMaterial({ color: 0x888888 })));
-  return group;
+  return new Mesh(shape, new MeshBasicMaterial({ color: 0x30343a, side: DoubleSide }));
 }
+
+const makeBorder = ({ corners }) =>
+  new Line(new BufferGeometry().setFromPoints([...corners, corners[0]]), new LineBasicMaterial({ color: 0x888888 }));
 
 /** Lines of the tracing and of the matched outline, just before the detector. */
 function drawLines(view, space) {
@@ -103,9 +101,12 @@ class SceneView {
     this.scene.background = new Color(0x101114);
     this.camera = new PerspectiveCamera(30, 1, 1, 20000);
     this.camera.up.set(0, 0, 1);
-    const size = data.details?.views?.[0]?.image_size;
-    this.space = data.spaces?.[0] ? new Space(data.spaces[0], size) : null;
+    // One for each radiograph, null where it has no place; a result without report.json has none.
+    this.spaces = data.spaces.map((space, i) => (space ? new Space(space, data.details.views[i].image_size) : null));
+    this.space = this.spaces.find(space => space) ?? null;
     this.parts = {};
+    this.hidden = new Set();
+    this.plates = [];
     this.build(data);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableZoom = false;
@@ -120,7 +121,7 @@ class SceneView {
     canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
     for (const button of document.querySelectorAll("button[data-camera]")) button.addEventListener("click", () => this.look(button.dataset.camera));
     for (const input of document.querySelectorAll("input[data-part]"))
-      input.addEventListener("change", () => { this.show(input.dataset.part, input.checked); this.draw(); });
+      input.addEventListener("change", () => { this.hidden[input.checked ? "delete" : "add"](input.dataset.part); this.draw(); });
     document.querySelector("input[data-scene=opacity]")?.addEventListener("input", event => { this.fade(Number(event.target.value)); this.draw(); });
     new ResizeObserver(() => this.draw()).observe(canvas);
     this.look("front");
@@ -131,8 +132,13 @@ class SceneView {
     this.scene.add(object);
   }
 
-  show(name, shown) {
-    for (const object of this.parts[name] ?? []) object.visible = shown;
+  /** What is switched on; and of the detectors those that are looked at from the source's side: from behind there is their frame
+   * alone, since one that stands in front of the face would hide it; and what a source sees is on its own detector. */
+  updateVisibility() {
+    for (const [name, objects] of Object.entries(this.parts))
+      for (const object of objects) object.visible = !this.hidden.has(name);
+    for (const { plate, space } of this.plates)
+      plate.visible &&= (this.seen ?? space) === space && this.camera.position.clone().sub(space.centre).dot(space.back) > 0;
   }
 
   build(data) {
@@ -152,22 +158,28 @@ class SceneView {
     for (const jaw of Object.values(data.result.jaws))
       if (jaw.mesh_to_umda_mm && jaw.mesh_to_cephalostat_mm) this.add("planes", makePlanes(jaw));
     // Without a detector there are the scans alone.
-    if (!this.space) return;
-    const { source, centre: foot } = this.space;
+    const pictures = document.querySelectorAll(".view");
+    this.spaces.forEach((space, i) => {
+      // The picture's own radiograph: it stands in the page once.
+      if (space) this.buildView(data.details.views[i], space, pictures[i]?.querySelector("image.radiograph"));
+    });
+  }
+
+  /** Source, central ray and detector of a radiograph. */
+  buildView(view, space, image) {
+    const { source, centre: foot } = space, size = view.image_size;
     const ray = new Line(new BufferGeometry().setFromPoints([source, foot]), new LineDashedMaterial({ color: 0xf0e442, dashSize: 8, gapSize: 5 }));
     ray.computeLineDistances();
     this.add("ray", ray);
     const ball = new Mesh(new SphereGeometry(18, 24, 16), new MeshBasicMaterial({ color: 0xf0e442 }));
     ball.position.copy(source);
     this.add("ray", ball);
-    const mark = new Mesh(new BoxGeometry(2.5, 2.5, 2.5), new MeshBasicMaterial({ color: 0xf0e442 }));
-    this.add("ray", mark);
-    const view = data.details.views[0], size = view.image_size;
-    // The picture's own radiograph: it stands in the page once.
-    const image = document.querySelector(".view")?.querySelector("image.radiograph");
-    const put = texture => {
-      this.add("detector", makeDetector(this.space, texture));
-      this.add("detector", drawLines(view, this.space));
+    this.add("detector", makeBorder(space));
+    const put = picture => {
+      const plate = new Group();
+      plate.add(makePlate(space, picture), drawLines(view, space));
+      this.plates.push({ plate, space });
+      this.add("detector", plate);
     };
     if (!image) {
       put(null);
@@ -206,20 +218,25 @@ class SceneView {
     const side = Math.sign(-(this.space?.back.y ?? -1));
     const views = {
       front: [new Vector3(1, -0.18 * side, 0.12), 290, 30], side: [new Vector3(0, -side, 0.02), 260, 30],
-      above: [new Vector3(0.25, 0, 1), 260, 30], all: [new Vector3(1, -0.25 * side, 0.35), this.distanceOf(this.space?.length ?? 300), 40],
+      above: [new Vector3(0.25, 0, 1), 260, 30], all: [new Vector3(1, -0.25 * side, 0.35), 0, 40],
     };
-    if (from === "source" && this.space) {
+    const seen = (this.seen = this.spaces[Number(/^source-(\d+)$/.exec(from)?.[1] ?? NaN)] ?? null);
+    if (seen) {
       // A narrow lens far away: all rays are those of the X-rays.
-      this.camera.position.copy(this.space.source);
-      this.camera.fov = 2 * Math.atan(48 / this.space.source.distanceTo(target)) * 180 / Math.PI;
+      this.camera.position.copy(seen.source);
+      this.camera.fov = 2 * Math.atan(48 / seen.source.distanceTo(target)) * 180 / Math.PI;
     } else {
-      const [direction, distance, angle] = views[from] ?? views.side;
-      if (from === "all" && this.space) target.copy(this.space.source).add(this.space.centre).divideScalar(2);
+      let [direction, distance, angle] = views[from] ?? views.side;
+      if (from === "all") {
+        const all = new Box3().setFromPoints(this.spaces.flatMap(space => (space ? [space.source, space.centre] : [])));
+        if (!all.isEmpty()) all.getCenter(target);
+        distance = this.distanceOf(all.isEmpty() ? 300 : all.getSize(new Vector3()).length());
+      }
       this.camera.position.copy(target).addScaledVector(direction.normalize(), distance);
       this.camera.fov = angle;
     }
     // Seen from the source the radiograph is behind the scans.
-    this.fade(from === "source" ? 0.5 : 1);
+    this.fade(seen ? 0.5 : 1);
     this.controls.target.copy(target);
     this.controls.update();
     this.draw();
@@ -270,6 +287,7 @@ class SceneView {
     this.light.position.copy(this.camera.position).addScaledVector(new Vector3(0, 0, 1), 60);
     this.light.target.position.copy(this.controls?.target ?? this.centre);
     this.light.target.updateMatrixWorld();
+    this.updateVisibility();
     this.renderer.render(this.scene, this.camera);
   }
 }

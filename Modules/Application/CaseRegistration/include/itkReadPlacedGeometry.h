@@ -15,23 +15,30 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef itkDescribePlainly_h
-#define itkDescribePlainly_h
+#ifndef itkReadPlacedGeometry_h
+#define itkReadPlacedGeometry_h
 
 #include "CaseRegistrationExport.h"
 
-#include "itkMacro.h"
+#include "itkCephalometricGeometry.h"
+#include "itkToothCode.h"
 
 #include <string>
 
 namespace itk
 {
-/** An exception's description without ITK's "ITK ERROR: Class(0x...): ", which tells a user nothing and differs from
- * run to run.
+/** The geometry of a radiograph with a jaw in it as an earlier run has placed it: its GetProjection() maps points of
+ * the scan (mm, its own frame) to pixel indices, and is the result's projection_3x4. The scale that was estimated is in
+ * the pixel spacing.
  *
+ * \param result the result.json, or the folder that has it
+ * \param jaw    of which the scan is
+ * \param view   a further view by its name; "" for the case's own radiograph
+ *
+ * Throws DentalInputError, with the field, where the file is no result, has no such view, or has not placed the jaw.
  * \ingroup CaseRegistration */
-CaseRegistration_EXPORT std::string
-                        DescribePlainly(const ExceptionObject & error);
+CaseRegistration_EXPORT CephalometricGeometry::Pointer
+ReadPlacedGeometry(const std::string & result, ToothCode::JawEnum jaw, const std::string & view = {});
 } // namespace itk
 
 #endif

@@ -1,0 +1,37 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkDescribePlainly_h
+#define itkDescribePlainly_h
+
+#include "DentalCommonExport.h"
+
+#include "itkMacro.h"
+
+#include <string>
+
+namespace itk
+{
+/** An exception's description without ITK's "ITK ERROR: Class(0x...): ", which tells a user nothing and differs from
+ * run to run.
+ *
+ * \ingroup DentalCommon */
+DentalCommon_EXPORT std::string
+                    DescribePlainly(const ExceptionObject & error);
+} // namespace itk
+
+#endif
