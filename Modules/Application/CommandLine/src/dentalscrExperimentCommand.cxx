@@ -42,14 +42,15 @@ struct ExperimentOptions
   unsigned int             cases{ 34 };
   std::uint64_t            seed{ 1 };
   std::string              level{ "typical" };
+  std::string              parameters;
   std::string              output;
   std::vector<std::string> methods{ "default" };
   std::string              from;
   std::string              study;
   unsigned int             starts{ 100 };
   bool                     noFigures{ false };
-  /** A level was named for a study that has its own. */
-  bool levelIsRefused{ false };
+  /** An option about the phantom was given to a study that has levels of its own. */
+  std::string refused;
 };
 
 /** A word for the shell, whatever it holds. */
@@ -85,17 +86,20 @@ Plot(const std::string & folder)
 int
 Experiment(const ExperimentOptions & options, const CommonOptions & common)
 {
-  if (options.levelIsRefused)
+  if (!options.refused.empty())
   {
     itkDentalInputErrorMacro(
-      "--level", "", "the study " + options.study + " has levels of its own", "leave out --level");
+      options.refused, "", "the study " + options.study + " has levels of its own", "leave out " + options.refused);
   }
   auto experiment = ExperimentType::New();
   experiment->SetNumberOfCases(options.cases);
   experiment->SetSeed(options.seed);
-  const auto & names = itk::DentalPhantomLevel::GetNames();
-  experiment->SetLevel(
-    static_cast<ExperimentType::CohortEnum>(std::find(names.begin(), names.end(), options.level) - names.begin()));
+  auto level = itk::DentalPhantomLevel::Named(options.level);
+  if (!options.parameters.empty())
+  {
+    level.ReadJson(options.parameters);
+  }
+  experiment->SetPhantomLevel(level);
   experiment->SetOutputDirectory(options.output);
   experiment->SetMethods(options.methods);
   experiment->SetCaseDirectory(options.from);
@@ -167,6 +171,12 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
   auto * level = command->add_option("--level", options->level, "of the phantom: typical, real, practice, ...")
                    ->check(CLI::IsMember(itk::DentalPhantomLevel::GetNames()))
                    ->capture_default_str();
+  auto * parameters =
+    command
+      ->add_option("--parameters",
+                   options->parameters,
+                   "JSON file with parameters of the phantom on top of the level's, as dentalscr phantom takes them")
+      ->check(CLI::ExistingFile);
   command
     ->add_option("--methods",
                  options->methods,
@@ -179,6 +189,7 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
     ->add_option(
       "--from", options->from, "Folder whose subfolders hold a case.json with landmarks_2d each, instead of simulating")
     ->excludes(level)
+    ->excludes(parameters)
     ->excludes(cases);
   command
     ->add_option(
@@ -195,13 +206,17 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
                   "Examples:\n"
                   "  dentalscr experiment --output experiment\n"
                   "  dentalscr experiment --cases 8 --level hard --methods paper,robust --output hard\n"
+                  "  dentalscr experiment --parameters mine.json --output mine\n"
                   "  dentalscr experiment --from annotated-cases --output clinic\n"
                   "  dentalscr experiment --study capture --methods all --output capture\n"
                   "  dentalscr experiment --study coverage --output coverage\n");
-  command->callback([options, cases, level, &common, &run]() {
+  command->callback([options, cases, level, parameters, &common, &run]() {
     const bool aboutRobust = options->study == "ablation" || options->study == "coverage" ||
                              options->study == "verdict" || options->study == "practice" || options->study == "views";
-    options->levelIsRefused = aboutRobust && level->count() > 0;
+    options->refused = !aboutRobust              ? ""
+                       : level->count() > 0      ? "--level"
+                       : parameters->count() > 0 ? "--parameters"
+                                                 : "";
     if (!options->study.empty() && cases->count() == 0)
     {
       options->cases = options->study == "coverage"   ? 200
