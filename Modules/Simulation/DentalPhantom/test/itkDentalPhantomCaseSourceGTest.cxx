@@ -548,9 +548,11 @@ TEST(DentalPhantomCaseSource, SeedsOfTheFirstLevelsGiveTheBitsTheyAlwaysGave)
     return hash;
   };
   const std::tuple<CohortEnum, std::uint64_t, SideEnum, bool, std::uint64_t> cases[] = {
-    { CohortEnum::Ideal, 1, SideEnum::Right, false, 0x1u },  { CohortEnum::Typical, 2, SideEnum::Right, true, 0x2u },
-    { CohortEnum::Typical, 3, SideEnum::Mean, false, 0x3u }, { CohortEnum::Hard, 5, SideEnum::Left, false, 0x4u },
-    { CohortEnum::Hard, 12, SideEnum::Both, false, 0x5u },
+    { CohortEnum::Ideal, 1, SideEnum::Right, false, 12191899568347999256u },
+    { CohortEnum::Typical, 2, SideEnum::Right, true, 2241907538000949805u },
+    { CohortEnum::Typical, 3, SideEnum::Mean, false, 2735510016947020003u },
+    { CohortEnum::Hard, 5, SideEnum::Left, false, 11161248881479646067u },
+    { CohortEnum::Hard, 12, SideEnum::Both, false, 9705396233145494842u },
   };
   for (const auto & one : cases)
   {
