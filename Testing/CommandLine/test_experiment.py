@@ -150,6 +150,9 @@ def test_nothing_to_measure_with_is_said(run, case, tmp_path):
         (["--study", "coverage", "--methods", "paper"], "--methods"),
         (["--study", "ablation", "--level", "hard"], "--level"),
         (["--study", "practice", "--level", "standard"], "--level"),
+        (["--from", "/nowhere", "--parameters", __file__], "--parameters"),
+        (["--parameters", "/nowhere.json"], "/nowhere.json"),
+        (["--parameters", __file__], "test_experiment.py"),
     ],
 )
 def test_bad_options_are_one_line(run, tmp_path, arguments, word):
@@ -157,6 +160,44 @@ def test_bad_options_are_one_line(run, tmp_path, arguments, word):
     assert done.returncode == 2
     assert word in done.stderr and done.stderr.count("\n") == 1
     assert not (tmp_path / "out").exists()
+
+
+def test_draws_cohorts_of_any_parameters(run, tmp_path):
+    """The same cases as `phantom --parameters` makes, kept in the experiment's settings, and no other ones in its folder."""
+    mine = tmp_path / "mine.json"
+    mine.write_text(
+        '{"level": "real", "traits": {"third_molar_probability": 1},'
+        ' "scan": {"triangles": 12000, "decimate_to": 0, "frame": "shared"}}'
+    )
+    command = ("experiment", "--parameters", mine, "--cases", 1, "--seed", 7, "--methods", "bounding-box", "--no-figures")
+    done = run(*command, "--output", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    settings = json.loads((tmp_path / "out" / "experiment.json").read_text())
+    assert settings["level"] == "real" and settings["parameters"]["traits"]["third_molar_probability"] == 1
+    assert settings["parameters"]["traits"]["wear_probability"] == 0.15
+    assert "level real, parameters of its own" in (tmp_path / "out" / "tables.md").read_text()
+    assert run("phantom", "--parameters", mine, "--seed", 7, "--no-radiograph", "--output", tmp_path / "case").returncode == 0
+    done = run("register", tmp_path / "case" / "case.json", "--preset", "bounding-box", "--output", tmp_path / "result")
+    assert done.returncode in (0, 1), done.stderr
+    result = json.loads((tmp_path / "result" / "result.json").read_text())
+    for row in rows(tmp_path / "out" / "cases.csv"):
+        assert row["case"] == "real-0007"
+        assert float(row["mean_px"]) == pytest.approx(result["jaws"][row["jaw"]]["error"]["mean_px"], abs=0.05)
+
+    # Neither other parameters nor the level's own go on in that folder.
+    before = tables(tmp_path / "out")
+    mine.write_text(mine.read_text().replace('"third_molar_probability": 1', '"third_molar_probability": 0'))
+    for options in (command, ("experiment", "--level", "real", *command[3:])):
+        done = run(*options, "--output", tmp_path / "out")
+        assert done.returncode == 2 and "parameters" in done.stderr and done.stderr.count("\n") == 1
+    assert tables(tmp_path / "out") == before
+
+    # What such cases can't have is said, and so is a study with levels of its own.
+    mine.write_text('{"frontal": {"given": true}}')
+    for options, words in (((), ("frontal.given", "--from")), (("--study", "coverage"), ("--parameters", "coverage"))):
+        done = run("experiment", "--parameters", mine, *options, "--output", tmp_path / "other")
+        assert done.returncode == 2 and done.stderr.count("\n") == 1
+        assert all(word in done.stderr for word in words), done.stderr
 
 
 def test_unwritable_folder_is_named(run, tmp_path):

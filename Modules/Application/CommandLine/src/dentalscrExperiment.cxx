@@ -75,17 +75,20 @@ DentalSCRRunExperiment(const dentalscr::ExperimentOptions & options,
                        const dentalscr::UpdateFunction &    update)
 {
   using namespace dentalscr;
-  if (options.levelIsRefused)
+  if (!options.refused.empty())
   {
     itkDentalInputErrorMacro(
-      "--level", "", "the study " + options.study + " has levels of its own", "leave out --level");
+      options.refused, "", "the study " + options.study + " has levels of its own", "leave out " + options.refused);
   }
   auto experiment = ExperimentType::New();
   experiment->SetNumberOfCases(options.cases);
   experiment->SetSeed(options.seed);
-  const auto & names = itk::DentalPhantomLevel::GetNames();
-  experiment->SetLevel(
-    static_cast<ExperimentType::CohortEnum>(std::find(names.begin(), names.end(), options.level) - names.begin()));
+  auto level = itk::DentalPhantomLevel::Named(options.level);
+  if (!options.parameters.empty())
+  {
+    level.ReadJson(options.parameters);
+  }
+  experiment->SetPhantomLevel(level);
   experiment->SetOutputDirectory(options.output);
   experiment->SetMethods(options.methods);
   experiment->SetCaseDirectory(options.from);

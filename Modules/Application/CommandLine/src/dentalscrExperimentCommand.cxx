@@ -46,6 +46,12 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
   auto * level = command->add_option("--level", options->level, "of the phantom: typical, real, practice, ...")
                    ->check(CLI::IsMember(itk::GetDentalPhantomLevelNames()))
                    ->capture_default_str();
+  auto * parameters =
+    command
+      ->add_option("--parameters",
+                   options->parameters,
+                   "JSON file with parameters of the phantom on top of the level's, as dentalscr phantom takes them")
+      ->check(CLI::ExistingFile);
   command
     ->add_option("--methods",
                  options->methods,
@@ -58,6 +64,7 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
     ->add_option(
       "--from", options->from, "Folder whose subfolders hold a case.json with landmarks_2d each, instead of simulating")
     ->excludes(level)
+    ->excludes(parameters)
     ->excludes(cases);
   command
     ->add_option(
@@ -74,13 +81,17 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
                   "Examples:\n"
                   "  dentalscr experiment --output experiment\n"
                   "  dentalscr experiment --cases 8 --level hard --methods paper,robust --output hard\n"
+                  "  dentalscr experiment --parameters mine.json --output mine\n"
                   "  dentalscr experiment --from annotated-cases --output clinic\n"
                   "  dentalscr experiment --study capture --methods all --output capture\n"
                   "  dentalscr experiment --study coverage --output coverage\n");
-  command->callback([options, cases, level, &common, &run]() {
+  command->callback([options, cases, level, parameters, &common, &run]() {
     const bool aboutRobust = options->study == "ablation" || options->study == "coverage" ||
                              options->study == "verdict" || options->study == "practice" || options->study == "views";
-    options->levelIsRefused = aboutRobust && level->count() > 0;
+    options->refused = !aboutRobust              ? ""
+                       : level->count() > 0      ? "--level"
+                       : parameters->count() > 0 ? "--parameters"
+                                                 : "";
     if (!options->study.empty() && cases->count() == 0)
     {
       options->cases = options->study == "coverage"   ? 200

@@ -60,14 +60,15 @@ struct ExperimentOptions
   unsigned int             cases{ 34 };
   std::uint64_t            seed{ 1 };
   std::string              level{ "typical" };
+  std::string              parameters;
   std::string              output;
   std::vector<std::string> methods{ "default" };
   std::string              from;
   std::string              study;
   unsigned int             starts{ 100 };
   bool                     noFigures{ false };
-  /** A level was named for a study that has its own. */
-  bool levelIsRefused{ false };
+  /** An option about the phantom was given to a study that has levels of its own. */
+  std::string refused;
 };
 
 /** Updates the process object, shows its progress with the stage that the function tells and ends it when the user

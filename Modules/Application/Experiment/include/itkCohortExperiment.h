@@ -104,8 +104,20 @@ public:
   itkGetConstMacro(Seed, std::uint64_t);
 
   /** Default Typical. Ablation, Coverage, Verdict, Practice and Views have levels of their own. */
-  itkSetEnumMacro(Level, CohortEnum);
-  itkGetEnumMacro(Level, CohortEnum);
+  void
+  SetLevel(CohortEnum level);
+  CohortEnum
+  GetLevel() const;
+
+  /** The same with any parameter of the phantom changed. A frontal radiograph is not part of these cases: Update()
+   * throws where one is asked for. */
+  void
+  SetPhantomLevel(const DentalPhantomLevel & level);
+  const DentalPhantomLevel &
+  GetPhantomLevel() const
+  {
+    return m_Level;
+  }
 
   /** A folder whose subfolders hold case.json each (or one that does itself): used, all of them, instead of simulated
    * cases. Tables and Capture only. A case whose files were edited is run again when a folder is resumed. */
@@ -178,7 +190,7 @@ private:
 
   unsigned int             m_NumberOfCases{ 34 };
   std::uint64_t            m_Seed{ 1 };
-  CohortEnum               m_Level{ CohortEnum::Typical };
+  DentalPhantomLevel       m_Level;
   std::string              m_CaseDirectory;
   std::string              m_OutputDirectory;
   StudyEnum                m_Study{ StudyEnum::Tables };

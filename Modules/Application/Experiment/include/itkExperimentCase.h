@@ -95,7 +95,16 @@ struct ExperimentVariation
   double distalTrim{ 0.0 };
 };
 
-/** Draws the phantom case of a seed, with a radiograph only where asked for. Runs on the calling thread alone. */
+/** Draws the phantom case of a seed, with a radiograph only where asked for. Runs on the calling thread alone. What a
+ * level gives beside the tracing is in the case: landmarks of an analysis and what is said of their errors. A frontal
+ * radiograph is not. */
+Experiment_EXPORT ExperimentCase
+MakePhantomExperimentCase(std::uint64_t               seed,
+                          const DentalPhantomLevel &  level,
+                          bool                        withRadiograph,
+                          const ExperimentVariation & variation = ExperimentVariation());
+
+/** The same of a level's table. */
 Experiment_EXPORT ExperimentCase
 MakePhantomExperimentCase(std::uint64_t                       seed,
                           DentalPhantomCaseSource::CohortEnum cohort,

@@ -95,6 +95,30 @@ CohortExperiment::SetMethods(const std::vector<std::string> & names)
   }
 }
 
+void
+CohortExperiment::SetLevel(CohortEnum level)
+{
+  this->SetPhantomLevel(DentalPhantomLevel::Named(NameOf(level)));
+}
+
+auto
+CohortExperiment::GetLevel() const -> CohortEnum
+{
+  const auto & names = DentalPhantomLevel::GetNames();
+  return static_cast<CohortEnum>(std::find(names.begin(), names.end(), m_Level.name) - names.begin());
+}
+
+void
+CohortExperiment::SetPhantomLevel(const DentalPhantomLevel & level)
+{
+  level.Validate();
+  if (level != m_Level)
+  {
+    m_Level = level;
+    this->Modified();
+  }
+}
+
 std::unique_ptr<ExperimentPlan>
 CohortExperiment::MakePlan() const
 {
@@ -133,8 +157,18 @@ CohortExperiment::MakePlan() const
   {
     itkDentalInputErrorMacro("--methods", "", "no method is chosen", "see dentalscr experiment --help");
   }
+  if (m_CaseDirectory.empty() && !IsAboutRobust(m_Study) && m_Level.frontalView)
+  {
+    itkDentalInputErrorMacro("--parameters",
+                             "frontal.given",
+                             "cases that are drawn here have a lateral radiograph alone",
+                             "make them with dentalscr phantom --count and take them with --from");
+  }
   ExperimentCohort cohort;
-  cohort.level = m_Level;
+  if (!IsAboutRobust(m_Study))
+  {
+    cohort.level = m_Level;
+  }
   cohort.seed = m_Seed;
   cohort.count = m_NumberOfCases;
   if (!m_CaseDirectory.empty())
@@ -187,7 +221,11 @@ CohortExperiment::ClaimFolder(const std::vector<ExperimentMethod> & methods) con
   manifest["study"] = NameOf(m_Study);
   manifest["from"] =
     m_CaseDirectory.empty() ? std::string() : fs::absolute(fs::u8path(m_CaseDirectory)).lexically_normal().string();
-  manifest["level"] = m_CaseDirectory.empty() && !IsAboutRobust(m_Study) ? NameOf(m_Level) : "";
+  const bool drawsLevel = m_CaseDirectory.empty() && !IsAboutRobust(m_Study);
+  manifest["level"] = drawsLevel ? m_Level.name : "";
+  // Null where all are those of the level's table: a folder that was begun with others is told apart either way.
+  manifest["parameters"] =
+    drawsLevel && m_Level != DentalPhantomLevel::Named(m_Level.name) ? Json::parse(m_Level.ToJson()) : Json();
   manifest["seed"] = m_Seed;
   manifest["methods"] = Json::array();
   for (const ExperimentMethod & method : methods)
@@ -446,7 +484,7 @@ CohortExperiment::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfCases: " << m_NumberOfCases << std::endl;
   os << indent << "Seed: " << m_Seed << std::endl;
-  os << indent << "Level: " << NameOf(m_Level) << std::endl;
+  os << indent << "Level: " << m_Level.name << std::endl;
   os << indent << "CaseDirectory: " << m_CaseDirectory << std::endl;
   os << indent << "OutputDirectory: " << m_OutputDirectory << std::endl;
   os << indent << "Study: " << m_Study << std::endl;

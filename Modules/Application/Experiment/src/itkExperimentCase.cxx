@@ -207,11 +207,21 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
                           bool                                withRadiograph,
                           const ExperimentVariation &         variation)
 {
+  return MakePhantomExperimentCase(
+    seed, DentalPhantomLevel::Named(DentalPhantomAcquisition::GetName(cohort)), withRadiograph, variation);
+}
+
+ExperimentCase
+MakePhantomExperimentCase(std::uint64_t               seed,
+                          const DentalPhantomLevel &  level,
+                          bool                        withRadiograph,
+                          const ExperimentVariation & variation)
+{
   using MistakeEnum = ExperimentMistakeEnums::Mistake;
   const MistakeEnum mistake = variation.mistake;
   auto              source = DentalPhantomCaseSource::New();
   source->SetSeed(seed);
-  source->SetCohort(cohort);
+  source->SetLevel(level);
   source->SetMakeRadiograph(withRadiograph);
   source->SetDropOutFraction(variation.dropOut);
   source->SetAdditionalYaw(variation.yawDegrees * Degree);
@@ -246,7 +256,7 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
   {
     scans = DentalPhantomCaseSource::New();
     scans->SetSeed(seed + 1);
-    scans->SetCohort(cohort);
+    scans->SetLevel(level);
     scans->SetMakeRadiograph(false);
     scans->SetNumberOfWorkUnits(1);
     scans->Update();
@@ -254,7 +264,7 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
 
   ExperimentCase     experimentCase;
   std::ostringstream id;
-  id << DentalPhantomAcquisition::GetName(cohort) << '-' << std::setw(4) << std::setfill('0') << seed;
+  id << level.name << '-' << std::setw(4) << std::setfill('0') << seed;
   experimentCase.id = id.str();
   experimentCase.seed = seed;
 
@@ -291,7 +301,11 @@ MakePhantomExperimentCase(std::uint64_t                       seed,
     {
       CephalometricLandmarkSet::PointType point;
       std::copy(mark.drawn.begin(), mark.drawn.end(), point.Begin());
-      data->cephalometricLandmarks->AddLandmark(mark.name, point);
+      // As the file of such a case says it, in the form that the level names.
+      data->cephalometricLandmarks->AddLandmark(mark.name,
+                                                point,
+                                                level.landmarkForm == "sigma" ? mark.slip.statedSigma : 0.0,
+                                                level.landmarkForm == "detector" ? mark.slip.GetPeak() : -1.0);
     }
   }
   for (unsigned int jaw = 0; jaw < 2; ++jaw)

@@ -43,7 +43,7 @@ ExperimentCohort::GetId(std::size_t i) const
     return files[i].second;
   }
   std::ostringstream id;
-  id << (name.empty() ? NameOf(level) : name) << '-' << std::setw(4) << std::setfill('0') << seed + i;
+  id << (name.empty() ? level.name : name) << '-' << std::setw(4) << std::setfill('0') << seed + i;
   return id.str();
 }
 
@@ -66,7 +66,8 @@ ExperimentCohort::Describe() const
   std::ostringstream text;
   if (this->IsSimulated())
   {
-    text << count << " simulated cases, " << (name.empty() ? std::string("level ") + NameOf(level) + ", " : "")
+    text << count << " simulated cases, " << (name.empty() ? "level " + level.name + ", " : "")
+         << (level != DentalPhantomLevel::Named(level.name) ? "parameters of its own (experiment.json), " : "")
          << "seeds " << seed << " to " << seed + count - 1;
   }
   else

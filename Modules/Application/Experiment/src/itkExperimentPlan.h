@@ -35,10 +35,10 @@ namespace itk
 struct ExperimentCohort
 {
   /** Of simulated cases, before their seed; the level's where empty. */
-  std::string                         name;
-  DentalPhantomCaseSource::CohortEnum level{ DentalPhantomCaseSource::CohortEnum::Typical };
-  std::uint64_t                       seed{ 1 };
-  std::size_t                         count{ 0 };
+  std::string        name;
+  DentalPhantomLevel level;
+  std::uint64_t      seed{ 1 };
+  std::size_t        count{ 0 };
   /** Case files with their names instead, where not empty. */
   std::vector<std::pair<std::string, std::string>> files;
 

@@ -55,6 +55,40 @@ TEST(ExperimentMethod, GroupsAndOrderAreThoseOfTheTables)
   EXPECT_EQ(itk::SelectExperimentMethods({ "no-coarse-to-fine" }).front().name, "single-stage");
 }
 
+TEST(ExperimentCase, SaysOfLandmarksAndOutlinesWhatItsLevelGives)
+{
+  auto level = itk::DentalPhantomLevel::Named("standard");
+  level.numberOfTriangles = 6000;
+  for (const char * const form : { "plain", "sigma", "detector" })
+  {
+    level.landmarkForm = form;
+    level.confidence = level.landmarkForm == "plain" ? "none" : "informative";
+    auto source = itk::DentalPhantomCaseSource::New();
+    source->SetSeed(4);
+    source->SetLevel(level);
+    source->MakeRadiographOff();
+    source->Update();
+    const auto   experimentCase = itk::MakePhantomExperimentCase(4, level, false);
+    const auto & marks = source->GetStandardTracing()->GetLandmarks();
+    const auto & given = experimentCase.data->cephalometricLandmarks->GetLandmarks();
+    ASSERT_EQ(given.size(), marks.size());
+    for (std::size_t i = 0; i < marks.size(); ++i)
+    {
+      EXPECT_EQ(given[i].name, marks[i].name);
+      EXPECT_EQ(given[i].point[0], marks[i].drawn[0]);
+      EXPECT_EQ(given[i].sigma, level.landmarkForm == "sigma" ? marks[i].slip.statedSigma : 0.0) << form;
+      EXPECT_EQ(given[i].confidence, level.landmarkForm == "detector" ? marks[i].slip.GetPeak() : -1.0) << form;
+    }
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      const auto & lines = experimentCase.data->GetJaw(jaw).contour->GetPolylines();
+      ASSERT_EQ(lines.size(), 2u);
+      EXPECT_EQ(lines.front().outline, itk::DentalContour::OutlineEnum::Tooth);
+      EXPECT_EQ(lines.front().sigmas.empty(), level.confidence == "none");
+    }
+  }
+}
+
 TEST(ExperimentMethod, PresetsGiveWhatTheProgramGives)
 {
   const auto            experimentCase = itk::MakePhantomExperimentCase(3, CohortEnum::Typical, false);

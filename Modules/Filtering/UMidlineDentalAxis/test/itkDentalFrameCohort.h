@@ -44,7 +44,7 @@ inline ScannedPair
 MakeScannedPair(std::uint64_t seed, const std::string & levelName)
 {
   const bool                              stone = levelName == "stone";
-  const itk::DentalPhantomLevel           level = itk::DentalPhantomLevel::Named(stone ? "typical" : levelName);
+  itk::DentalPhantomLevel                 level = itk::DentalPhantomLevel::Named(stone ? "typical" : levelName);
   itk::DentalPhantomParameters::Variation variation;
   variation.rotationDegrees = level.toothRotationDegrees;
   variation.tipDegrees = level.toothTipDegrees;
@@ -53,6 +53,8 @@ MakeScannedPair(std::uint64_t seed, const std::string & levelName)
   variation.occlusalOffset = level.occlusalOffset;
   variation.spacedArchProbability = level.spacedProbability;
   variation.palateProbability = level.palateProbability;
+  level.gingivaLeast = 0.0;
+  level.gingivaMost = 1.5;
   itk::DentalPhantomParameters parameters = itk::DentalPhantomParameters::Draw(seed, variation);
   parameters.frame = itk::DentalPhantomParameters::FrameEnum::Anatomical;
   parameters.scannerNoise = level.scannerNoise;
@@ -65,14 +67,6 @@ MakeScannedPair(std::uint64_t seed, const std::string & levelName)
   parameters.numberOfTriangles = 20000;
   parameters.scan.decimateTo = 0;
   parameters.stoneBase = stone;
-  itk::ReproducibleRandom random(seed, 4711);
-  for (auto & jaw : parameters.jaws)
-  {
-    const double flange = random.Uniform(0.0, 1.5);
-    // A phantom shows 1 mm of gingiva at least.
-    jaw.buccalFlange = std::max(1.0, flange * jaw.buccalFlange);
-    jaw.lingualFlange = std::max(1.0, flange * jaw.lingualFlange);
-  }
   const itk::DentalPhantomModel model(parameters, 1);
   for (unsigned int jaw = 0; jaw < 2; ++jaw)
   {

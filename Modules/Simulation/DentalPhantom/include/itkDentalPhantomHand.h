@@ -59,6 +59,10 @@ public:
     double sigma{ 0.0 };
     /** What is said of it: sigma where confidence informs, a number of the same kind that knows nothing else. */
     double statedSigma{ 0.0 };
+
+    /** The same as a detector says it, 0.05 to 0.98: its peak falls as its spread grows. */
+    double
+    GetPeak() const;
   };
   /** `item` numbers a tooth (its FDI number); the same for the same item. */
   Slip

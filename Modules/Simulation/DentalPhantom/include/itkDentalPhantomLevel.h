@@ -196,6 +196,10 @@ struct DentalPhantom_EXPORT DentalPhantomLevel
   double meanHoles{ 0.0 };
   /** Largest radius of a hole, mm. */
   double holeRadius{ 1.5 };
+  /** Least factor on the height of gingiva that a jaw's scan shows, which is 4 to 9 mm, and 1 mm at least. */
+  double gingivaLeast{ 1.0 };
+  /** Greatest such factor; where it is the smaller one it is the only one. */
+  double gingivaMost{ 1.0 };
   /** Frame of the files: shared (in occlusion), separate, centred (both occlusal sides alike), upright, or mixed:
    * drawn. */
   std::string frame{ "shared" };

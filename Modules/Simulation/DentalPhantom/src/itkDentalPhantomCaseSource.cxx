@@ -563,16 +563,24 @@ DentalPhantomCaseSource::GenerateData()
     {
       for (const auto & outline : m_StandardTracing->GetOutlines(jaw))
       {
-        const auto add = [&outline](DentalContour * contour, const auto & from) {
-          std::vector<DentalContour::PointType> points;
+        const auto add = [&outline](DentalContour * contour, const auto & from, double sigma) {
+          DentalContour::PolylineType line;
+          line.code = ToothCode(outline.fdi);
+          line.closed = true;
+          line.outline = DentalContour::OutlineEnum::Tooth;
           for (const auto & p : from)
           {
-            points.emplace_back(p.data());
+            line.points.emplace_back(p.data());
           }
-          contour->AddPolyline(points, ToothCode(outline.fdi), true);
+          if (sigma > 0.0)
+          {
+            line.sigmas.assign(line.points.size(), sigma);
+          }
+          contour->AddPolyline(line);
         };
-        add(static_cast<DentalContour *>(this->GetOutput(TrueTracingOutput + jaw)), outline.exact);
-        add(this->GetTracing(jaw), outline.drawn);
+        add(static_cast<DentalContour *>(this->GetOutput(TrueTracingOutput + jaw)), outline.exact, 0.0);
+        // What the files of such a case say of it.
+        add(this->GetTracing(jaw), outline.drawn, m_Level.confidence != "none" ? outline.slip.statedSigma : 0.0);
       }
     }
 

@@ -168,8 +168,8 @@ WriteCephalometricLandmarks(const DentalPhantomCaseSource & source, const std::s
     text += separator;
     if (form == "detector")
     {
-      // A detector's peak falls with its spread; its words follow the peak.
-      const double peak = std::min(0.98, std::max(0.05, 1.0 - 0.12 * landmark.slip.statedSigma));
+      // A detector's words follow its peak.
+      const double peak = landmark.slip.GetPeak();
       text += "  {\"name\": " + JsonString(landmark.name) + ", \"x\": " + JsonNumber(landmark.drawn[0]) +
               ", \"y\": " + JsonNumber(landmark.drawn[1]) + ", \"peak\": " + JsonNumber(peak) + ", \"confidence\": " +
               (peak > 0.7    ? "\"high\""

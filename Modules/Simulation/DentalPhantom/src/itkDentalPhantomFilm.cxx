@@ -81,6 +81,40 @@ Attenuation(const Part & part, double d)
   return sum;
 }
 
+/** Of a corner of a lattice, from -1 to 1. */
+double
+Chance(std::uint64_t seed, std::int64_t i, std::int64_t j)
+{
+  // SplitMix64's last steps.
+  std::uint64_t bits =
+    seed + 0x9e3779b97f4a7c15u * static_cast<std::uint64_t>(i) + 0xc2b2ae3d27d4eb4fu * static_cast<std::uint64_t>(j);
+  bits = (bits ^ (bits >> 30u)) * 0xbf58476d1ce4e5b9u;
+  bits = (bits ^ (bits >> 27u)) * 0x94d049bb133111ebu;
+  bits ^= bits >> 31u;
+  return 2.0 * (static_cast<double>(bits >> 11u) / 9007199254740992.0) - 1.0;
+}
+
+/** What bone is not: even. Trabeculae, and thicker and thinner places of some millimetres and of centimetres. */
+double
+Texture(std::uint64_t seed, double x, double z)
+{
+  constexpr double scales[] = { 1.3, 4.5, 15.0 };
+  constexpr double strengths[] = { 0.42, 0.34, 0.3 };
+  double           sum = 0.0;
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    const double u = x / scales[k];
+    const double v = z / scales[k];
+    const auto   i = static_cast<std::int64_t>(std::floor(u));
+    const auto   j = static_cast<std::int64_t>(std::floor(v));
+    const double s = SmoothStep(0.0, 1.0, u - static_cast<double>(i));
+    const double t = SmoothStep(0.0, 1.0, v - static_cast<double>(j));
+    sum += strengths[k] * ((1.0 - t) * ((1.0 - s) * Chance(seed + k, i, j) + s * Chance(seed + k, i + 1, j)) +
+                           t * ((1.0 - s) * Chance(seed + k, i, j + 1) + s * Chance(seed + k, i + 1, j + 1)));
+  }
+  return sum;
+}
+
 struct Shadow
 {
   double crown{ 0.0 };
@@ -138,11 +172,14 @@ DentalPhantomFilm::Render(const DentalPhantomModel & model, unsigned int threads
     std::vector<PlaneType> line;
     double                 share;
     double                 box[4];
+    bool                   bone;
   };
   std::vector<Drawn> drawn;
   ReproducibleRandom person(seed, 40);
   for (const Part & part : lateral ? Part::GetLateral() : Part::GetFrontal())
   {
+    // Not the soft tissue, which comes first, nor the thin walls of what is full of air.
+    const bool isBone = !drawn.empty() && (part.fill > 0.11 || part.rim > 0.2);
     for (unsigned int copy = 0; copy < (part.paired ? 2u : 1u); ++copy)
     {
       std::vector<PlaneType> knots;
@@ -164,9 +201,11 @@ DentalPhantomFilm::Render(const DentalPhantomModel & model, unsigned int threads
         }
         knots.push_back(p);
       }
-      Drawn one{
-        part, DentalPhantomSpline(knots, part.closed, 4), lateral && part.paired ? 0.6 : 1.0, { 1e9, 1e9, -1e9, -1e9 }
-      };
+      Drawn one{ part,
+                 DentalPhantomSpline(knots, part.closed, 4),
+                 lateral && part.paired ? 0.6 : 1.0,
+                 { 1e9, 1e9, -1e9, -1e9 },
+                 isBone };
       for (const PlaneType & p : one.line)
       {
         one.box[0] = std::min(one.box[0], p[0]);
@@ -183,6 +222,7 @@ DentalPhantomFilm::Render(const DentalPhantomModel & model, unsigned int threads
       const double x = facing * (coarse * column - earRod[0]) * pixelSize;
       const double z = -(coarse * static_cast<double>(row) - earRod[1]) * pixelSize;
       double       sum = 0.0;
+      const double texture = 1.0 + 0.3 * Texture(seed, x, z);
       for (const Drawn & one : drawn)
       {
         const double margin = 4.0 * one.part.width;
@@ -190,7 +230,8 @@ DentalPhantomFilm::Render(const DentalPhantomModel & model, unsigned int threads
         {
           continue;
         }
-        sum += one.share * Attenuation(one.part, Distance(one.line, one.part.closed, x, z));
+        sum +=
+          one.share * (one.bone ? texture : 1.0) * Attenuation(one.part, Distance(one.line, one.part.closed, x, z));
       }
       field[row * nu + column] = static_cast<float>(sum);
     }

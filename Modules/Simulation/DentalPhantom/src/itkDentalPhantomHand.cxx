@@ -51,6 +51,12 @@ DentalPhantomHand::DentalPhantomHand(const DentalPhantomLevel & level,
   m_Bias[1] = level.readerBias / spacing * random.Normal();
 }
 
+double
+DentalPhantomHand::Slip::GetPeak() const
+{
+  return std::min(0.98, std::max(0.05, 1.0 - 0.12 * statedSigma));
+}
+
 auto
 DentalPhantomHand::Draw(std::uint64_t stream, double along, double across, const double shared[2], double part) const
   -> Slip

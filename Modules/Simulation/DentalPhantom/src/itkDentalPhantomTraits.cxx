@@ -49,7 +49,8 @@ enum Stream : std::uint64_t
   CrumbStream = 314,
   SpeckStream = 315,
   HoleStream = 316,
-  ScanStream = 317
+  ScanStream = 317,
+  GingivaStream = 4711
 };
 
 class Giver
@@ -456,6 +457,27 @@ public:
   }
 
   void
+  TrimGingiva()
+  {
+    if (m_Level.gingivaLeast == 1.0 && m_Level.gingivaMost == 1.0)
+    {
+      return;
+    }
+    ReproducibleRandom random(m_Seed, GingivaStream);
+    double             least = 100.0;
+    for (auto & jaw : m_Parameters.jaws)
+    {
+      const double factor = random.Uniform(std::min(m_Level.gingivaLeast, m_Level.gingivaMost), m_Level.gingivaMost);
+      for (double * const flange : { &jaw.buccalFlange, &jaw.lingualFlange })
+      {
+        *flange = std::max(1.0, factor * *flange);
+        least = std::min(least, *flange);
+      }
+    }
+    this->Note({ "gingiva", {}, least }, true);
+  }
+
+  void
   Scan()
   {
     DentalPhantomScan & scan = m_Parameters.scan;
@@ -542,6 +564,7 @@ DentalPhantomTraits::Apply(std::uint64_t seed, const DentalPhantomLevel & level,
   giver.CrossPosterior();
   giver.CrossAnterior();
   giver.Bond();
+  giver.TrimGingiva();
   giver.Scan();
   return giver.GetTraits();
 }

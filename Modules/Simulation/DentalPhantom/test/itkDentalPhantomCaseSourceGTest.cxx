@@ -27,6 +27,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 
 namespace
 {
@@ -497,6 +498,141 @@ TEST(DentalPhantomCaseSource, HeadTurnsAndTeethGoMissingOnDemand)
     EXPECT_NE(line.code.GetFDI(), 14);
   }
   EXPECT_THROW(changed->SetMissingTeeth({ 18 }), itk::ExceptionObject);
+}
+
+TEST(DentalPhantomCaseSource, SeedsOfTheFirstLevelsGiveTheBitsTheyAlwaysGave)
+{
+  // Tables, frozen answers and users' cases are of these seeds: whatever is added to the phantom must leave them alone.
+  // Coordinates are on rasters (mesh 1e-4 mm, drawing 1e-3 px), so that the numbers are whole.
+  const auto digest = [](CaseType * source) {
+    std::uint64_t hash = 14695981039346656037u;
+    const auto    add = [&hash](double value) {
+      // FNV-1a, a byte each.
+      auto bits = static_cast<std::uint64_t>(std::llround(value));
+      for (unsigned int k = 0; k < 8; ++k, bits >>= 8)
+      {
+        hash = (hash ^ (bits & 0xffu)) * 1099511628211u;
+      }
+    };
+    source->Update();
+    for (const unsigned int jaw : { 0u, 1u })
+    {
+      const auto * mesh = source->GetMesh(jaw);
+      for (itk::IdentifierType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+      {
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          add(1e4 * mesh->GetPoint(i)[d]);
+        }
+      }
+      for (auto it = mesh->GetCells()->Begin(); it != mesh->GetCells()->End(); ++it)
+      {
+        for (unsigned int corner = 0; corner < 3; ++corner)
+        {
+          add(static_cast<double>(it.Value()->GetPointIds()[corner]));
+        }
+      }
+      const auto * tracing = source->GetTracing(jaw);
+      for (itk::IdentifierType i = 0; i < tracing->GetNumberOfPoints(); ++i)
+      {
+        add(1e3 * tracing->GetPoint(i)[0]);
+        add(1e3 * tracing->GetPoint(i)[1]);
+      }
+    }
+    const auto * image = source->GetRadiograph();
+    const auto   size = image->GetBufferedRegion().GetNumberOfPixels();
+    for (itk::SizeValueType i = 0; i < size; i += 7)
+    {
+      add(image->GetBufferPointer()[i]);
+    }
+    return hash;
+  };
+  const std::tuple<CohortEnum, std::uint64_t, SideEnum, bool, std::uint64_t> cases[] = {
+    { CohortEnum::Ideal, 1, SideEnum::Right, false, 12191899568347999256u },
+    { CohortEnum::Typical, 2, SideEnum::Right, true, 2241907538000949805u },
+    { CohortEnum::Typical, 3, SideEnum::Mean, false, 2735510016947020003u },
+    { CohortEnum::Hard, 5, SideEnum::Left, false, 11161248881479646067u },
+    { CohortEnum::Hard, 12, SideEnum::Both, false, 9705396233145494842u },
+  };
+  for (const auto & one : cases)
+  {
+    const auto source = Case(std::get<1>(one), std::get<0>(one), std::get<2>(one));
+    source->SetMakeRadiograph(std::get<3>(one));
+    EXPECT_EQ(digest(source), std::get<4>(one)) << std::get<0>(one) << " seed " << std::get<1>(one);
+  }
+}
+
+TEST(DentalPhantomCaseSource, SameBitsForAnyNumberOfWorkUnitsOfAStandardTracingAndBothFilms)
+{
+  auto level = itk::DentalPhantomLevel::Named("practice");
+  level.ParseJson(
+    "{\"scan\": {\"decimate_to\": 0, \"gingiva_least\": 0.3, \"gingiva_most\": 0.6}, \"frontal\": {\"given\": "
+    "true, \"same_head_position\": false}, \"tracing\": {\"confidence\": \"informative\"}}",
+    "test");
+  std::array<CaseType::Pointer, 2> sources;
+  for (const unsigned int k : { 0u, 1u })
+  {
+    sources[k] = CaseType::New();
+    sources[k]->SetLevel(level);
+    sources[k]->SetNumberOfTriangles(12000);
+    sources[k]->SetSeed(8);
+    sources[k]->SetNumberOfWorkUnits(k == 0 ? 1 : 5);
+    sources[k]->Update();
+  }
+  const auto * a = sources[0]->GetRadiograph();
+  const auto   pixels = a->GetBufferedRegion().GetNumberOfPixels();
+  ASSERT_GT(pixels, 0u);
+  EXPECT_TRUE(
+    std::equal(a->GetBufferPointer(), a->GetBufferPointer() + pixels, sources[1]->GetRadiograph()->GetBufferPointer()));
+  ASSERT_NE(sources[0]->GetFrontalView(), nullptr);
+  const auto * front = sources[0]->GetFrontalView()->image.GetPointer();
+  EXPECT_TRUE(std::equal(front->GetBufferPointer(),
+                         front->GetBufferPointer() + front->GetBufferedRegion().GetNumberOfPixels(),
+                         sources[1]->GetFrontalView()->image->GetBufferPointer()));
+  for (const unsigned int jaw : { 0u, 1u })
+  {
+    const auto * mesh = sources[0]->GetMesh(jaw);
+    ASSERT_EQ(mesh->GetNumberOfPoints(), sources[1]->GetMesh(jaw)->GetNumberOfPoints());
+    for (itk::IdentifierType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      ASSERT_EQ(mesh->GetPoint(i), sources[1]->GetMesh(jaw)->GetPoint(i));
+    }
+    const auto & lines = sources[0]->GetTracing(jaw)->GetPolylines();
+    ASSERT_EQ(lines.size(), 2u);
+    for (std::size_t k = 0; k < lines.size(); ++k)
+    {
+      const auto & other = sources[1]->GetTracing(jaw)->GetPolylines()[k];
+      EXPECT_EQ(lines[k].points, other.points);
+      EXPECT_EQ(lines[k].sigmas, other.sigmas);
+    }
+  }
+}
+
+TEST(DentalPhantomCaseSource, OutlinesSayWhatTheyAreAndHowSureTheyAre)
+{
+  auto level = itk::DentalPhantomLevel::Named("standard");
+  for (const char * const confidence : { "none", "informative", "uninformative" })
+  {
+    level.confidence = confidence;
+    auto source = CaseType::New();
+    source->SetLevel(level);
+    source->SetNumberOfTriangles(8000);
+    source->MakeRadiographOff();
+    source->Update();
+    for (const unsigned int jaw : { 0u, 1u })
+    {
+      const auto & lines = source->GetTracing(jaw)->GetPolylines();
+      const auto & outlines = source->GetStandardTracing()->GetOutlines(jaw);
+      ASSERT_EQ(lines.size(), outlines.size());
+      for (std::size_t k = 0; k < lines.size(); ++k)
+      {
+        EXPECT_EQ(lines[k].outline, itk::DentalContour::OutlineEnum::Tooth);
+        EXPECT_TRUE(lines[k].closed);
+        const std::vector<double> said(lines[k].points.size(), outlines[k].slip.statedSigma);
+        EXPECT_EQ(lines[k].sigmas, level.confidence == "none" ? std::vector<double>() : said) << confidence;
+      }
+    }
+  }
 }
 
 TEST(DentalPhantomCaseSource, SameBitsForAnyNumberOfWorkUnitsAndEveryRun)

@@ -145,6 +145,49 @@ TEST(DentalPhantomScanDefects, FlapsHangOnTheBorderCrumbsAndSpecksAreLoose)
   }
 }
 
+TEST(DentalPhantomScanDefects, GingivaIsAsHighAsItsFactorSays)
+{
+  const auto plain = Make(6, "{}", 10000);
+  const auto same = Make(6, Scan("\"gingiva_least\": 1, \"gingiva_most\": 1"), 10000);
+  const auto trimmed = Make(6, Scan("\"gingiva_least\": 0.2, \"gingiva_most\": 0.2"), 10000);
+  EXPECT_EQ(Find(plain, "gingiva"), nullptr);
+  ASSERT_NE(Find(trimmed, "gingiva"), nullptr);
+  // 4 to 9 mm by 0.2, and 1 mm at least.
+  EXPECT_GE(Find(trimmed, "gingiva")->amount, 1.0);
+  EXPECT_LE(Find(trimmed, "gingiva")->amount, 1.8);
+  for (const unsigned int jaw : { 0u, 1u })
+  {
+    EXPECT_EQ(Surface(plain, jaw).points, Surface(same, jaw).points);
+    const auto & before = plain->GetParameters().jaws[jaw];
+    const auto & after = trimmed->GetParameters().jaws[jaw];
+    EXPECT_EQ(after.buccalFlange, std::max(1.0, 0.2 * before.buccalFlange));
+    EXPECT_EQ(after.lingualFlange, std::max(1.0, 0.2 * before.lingualFlange));
+    // The scan itself: its extent away from the occlusal plane shrinks by what was taken off buccally, but for the
+    // trimming's slope and wave; teeth and landmarks are where they were.
+    const auto reach = [jaw](CaseType * source) {
+      double z = 0.0;
+      for (const auto & p : Surface(source, jaw).points)
+      {
+        z = std::max(z, jaw == 0 ? p[2] : -p[2]);
+      }
+      return z;
+    };
+    if (!before.palate)
+    {
+      const double taken = std::max(before.buccalFlange, before.lingualFlange) - after.buccalFlange;
+      EXPECT_NEAR(reach(plain) - reach(trimmed), taken, 1.5);
+    }
+    EXPECT_EQ(Teeth(plain, jaw), Teeth(trimmed, jaw));
+  }
+  const auto mixed = Make(7, Scan("\"gingiva_least\": 0.2, \"gingiva_most\": 1.5"), 6000);
+  // Each jaw draws its own.
+  const auto drawn = itk::DentalPhantomParameters::Draw(7);
+  const auto factor = [&](unsigned int jaw) {
+    return mixed->GetParameters().jaws[jaw].buccalFlange / drawn.jaws[jaw].buccalFlange;
+  };
+  EXPECT_NE(factor(0), factor(1));
+}
+
 TEST(DentalPhantomScanDefects, HolesOpenTheSurfaceButNotAtALandmark)
 {
   const auto plain = Make(6, "{}", 20000);

@@ -527,4 +527,27 @@ TEST(DentalPhantomFilm, ShowsTeethAndIsTheSameForAnyNumberOfThreads)
   // Enamel over dentine over air: the grain of 2.5 is 0.5 in a mean of 25.
   EXPECT_GT(grey(crown), grey(root) + 5.0);
   EXPECT_GT(grey(root), grey(air) + 60.0);
+
+  // Bone is uneven (trabeculae of 1.3 mm), soft tissue is not: how bent the grey values are over 4 px, without grain.
+  film.noise = 0.0;
+  film.blur = 0.0;
+  const auto smooth = film.Render(model, 1);
+  const auto bend = [&](double u, double v) {
+    double sum = 0.0;
+    for (int i = -10; i <= 10; ++i)
+    {
+      for (int j = -10; j <= 10; ++j)
+      {
+        const std::size_t at =
+          static_cast<std::size_t>(std::lround(v) + j) * 500 + static_cast<std::size_t>(std::lround(u) + i);
+        sum += std::abs(smooth[at - 4] - 2.0 * smooth[at] + smooth[at + 4]) / 441.0;
+      }
+    }
+    return sum;
+  };
+  double     below[2];
+  const auto apex = molar.ToJaw({ { 0.0, 0.0, -19.0 } });
+  film.projection.Project(apex.data(), below[0], below[1]);
+  // The nose, 104 mm before and 4 mm above the ear rods.
+  EXPECT_GT(bend(below[0], below[1]), 2.0 * bend(-4.0 + 104.0 / 0.25, 256.0 - 4.0 / 0.25) + 0.5);
 }
