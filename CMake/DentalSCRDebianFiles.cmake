@@ -11,7 +11,7 @@ set(_copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-f
 Upstream-Name: DentalSCR
 
 Files: *
-Copyright: The DentalSCR authors
+Copyright: 2026 The DentalSCR authors
 License: Apache-2.0
  On Debian systems the text of the Apache License, version 2.0, is in
  /usr/share/common-licenses/Apache-2.0.
@@ -35,9 +35,15 @@ while(_names)
     if(_component STREQUAL Runtime)
       file(WRITE "${_doc}/copyright" "${_copyright}${_embedded}")
       # Loaded by name and linked by nobody: no package can come to depend on them.
-      file(WRITE "${_root}/usr/share/lintian/overrides/dentalscr"
-        "# Parts of libraries that are loaded by their file name when they are first needed; nothing links them.\n"
-        "dentalscr: ships-undeclared-shared-library *\n")
+      set(_overrides "# Parts of libraries that are loaded by their file name when they are first needed; nothing links them.\n")
+      file(GLOB_RECURSE _parts RELATIVE "${_root}" "${_root}/usr/lib/libDentalSCR*-*.so" "${_root}/usr/lib/*/libDentalSCR*-*.so")
+      list(SORT _parts)
+      foreach(_part IN LISTS _parts)
+        string(REGEX MATCH "(libDentalSCR[A-Za-z]+)-([0-9.]+)[.]so$" _name "${_part}")
+        string(APPEND _overrides
+          "dentalscr: ships-undeclared-shared-library ${CMAKE_MATCH_1} ${CMAKE_MATCH_2} for ${_part} [shlibs]\n")
+      endforeach()
+      file(WRITE "${_root}/usr/share/lintian/overrides/dentalscr" "${_overrides}")
     else()
       file(WRITE "${_doc}/copyright" "${_copyright}")
     endif()

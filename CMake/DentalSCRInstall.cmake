@@ -27,5 +27,8 @@ endif()
 
 install(FILES "${DentalSCR_SOURCE_DIR}/LICENSE" "${DentalSCR_SOURCE_DIR}/CITATION.cff"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/dentalscr" COMPONENT Runtime)
+# Scripts, for whoever has 3D Slicer: Documentation/Slicer.md.
+install(DIRECTORY "${DentalSCR_SOURCE_DIR}/Slicer/" DESTINATION "${CMAKE_INSTALL_DATADIR}/dentalscr/slicer"
+  USE_SOURCE_PERMISSIONS COMPONENT Runtime PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY "${DentalSCR_SOURCE_DIR}/Examples/" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/dentalscr/examples"
   COMPONENT Development PATTERN "__pycache__" EXCLUDE PATTERN ".*" EXCLUDE)

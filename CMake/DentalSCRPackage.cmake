@@ -13,7 +13,6 @@ else()
 endif()
 # Each has a first line of its own, below.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
-set(CPACK_RESOURCE_FILE_LICENSE "${DentalSCR_SOURCE_DIR}/LICENSE")
 set(CPACK_GENERATOR DEB)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -66,6 +65,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "toolkit of ITK process objects for cep
 
 # What Debian wants of every package, and nobody else.
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/DentalSCRDebianFiles.cmake")
-set(CPACK_DENTALSCR_SOURCE "${DentalSCR_SOURCE_DIR}")
 set(CPACK_DENTALSCR_VERSION "${_version}")
 include(CPack)

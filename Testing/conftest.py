@@ -17,6 +17,18 @@ def pytest_addoption(parser):
     parser.addoption("--refreeze", action="store_true", help="freeze the results anew instead of comparing with them")
 
 
+def pytest_collection_modifyitems(config, items):
+    """In several processes (-n 2 --dist loadgroup) a file stays in one, with what it has made for all of its tests. The files
+    whose tests share registrations are one group as well, and the first, since they take longest."""
+    if not hasattr(config, "workerinput"):
+        return
+    shared = [item for item in items if item.path.name in ("test_frozen_results.py", "test_accuracy_gate.py")]
+    first = set(shared)
+    items[:] = shared + [item for item in items if item not in first]
+    for item in items:
+        item.add_marker(pytest.mark.xdist_group("runs" if item in first else str(item.path.relative_to(ROOT))))
+
+
 @pytest.fixture(scope="session")
 def build_dir(request):
     return pathlib.Path(request.config.getoption("--build-dir")).resolve()

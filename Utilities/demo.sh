@@ -1,9 +1,15 @@
 #!/usr/bin/env bash
 # Installs, builds, makes a sample case with the toolkit's own phantom, registers it and names the picture to look at.
+#   Utilities/demo.sh
+# Into out/sample and out/result. What build/demo or a compiler cache has is not compiled again.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+case "${1:-}" in
+  "") ;;
+  *) sed -n '2,4s/^# \?//p' "Utilities/${0##*/}"; [ "$1" = --help ] && exit 0; exit 2 ;;
+esac
 
-Utilities/install-dependencies.sh
+Utilities/install-dependencies.sh build
 cmake --preset demo >/dev/null
 cmake --build --preset demo
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of the examples in Documentation/Images anew, with the programs of build/test.
 set -euo pipefail
+[ "${1:-}" != --help ] || { sed -n '2,2s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 bin=build/test/bin

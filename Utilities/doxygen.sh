@@ -2,6 +2,7 @@
 # Pages of the C++ classes in build/doxygen/html. Fails on any warning, where a public class has no words, and where more
 # functions have none than before.
 set -euo pipefail
+[ "${1:-}" != --help ] || { sed -n '2,3s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 out=build/doxygen

@@ -1,25 +1,39 @@
 #!/usr/bin/env bash
 # Installs what building and testing need from Debian's packages. Does nothing where all of it is there.
-# With "browser" also a browser, which the tests of pages need and nothing else; with "slurm" also Slurm, for Utilities/test-cohort.sh.
+#   Utilities/install-dependencies.sh [build] [test] [browser] [slurm]
+# build: what compiling the program, the libraries and the Python package needs, and nothing else.
+# test: that, and what the tests, the benchmarks and the pages of the site need; this is what is installed without a word.
+# browser: also a browser, for the tests of pages. slurm: also Slurm, for Utilities/test-cohort.sh.
 set -euo pipefail
 
-packages=(
+build=(
   g++ cmake ninja-build ccache pkg-config
   libinsighttoolkit5-dev libvtk9-dev libopenmesh-dev libeigen3-dev
   libexpat1-dev libtiff-dev zlib1g-dev nlohmann-json3-dev libcli11-dev libcairo2-dev nettle-dev libcsv-dev
   libmeshoptimizer-dev libkainjow-mustache-dev libcpp-httplib-dev fonts-dejavu-core
-  libgtest-dev python3 python3-pytest python3-numpy
-  python3-dev python3-venv pybind11-dev
+  python3 python3-dev python3-venv pybind11-dev
+)
+tests=(
+  libgtest-dev python3-pytest python3-pytest-xdist python3-numpy
   xvfb xauth python3-matplotlib python3-scipy
   libbenchmark-dev libnanoflann-dev
   doxygen
 )
 
-if [ "${1:-}" = browser ] && ! command -v chromium chromium-browser google-chrome >/dev/null; then
-  packages+=(chromium)
-elif [ "${1:-}" = slurm ]; then
-  packages+=(slurmctld slurmd slurm-client munge)
-fi
+packages=("${build[@]}")
+[ $# -gt 0 ] || set -- test
+for part in "$@"; do
+  case "$part" in
+    build) ;;
+    test) packages+=("${tests[@]}") ;;
+    browser)
+      packages+=("${tests[@]}")
+      command -v chromium chromium-browser google-chrome >/dev/null || packages+=(chromium)
+      ;;
+    slurm) packages+=("${tests[@]}" slurmctld slurmd slurm-client munge) ;;
+    *) sed -n '2,6s/^# \?//p' "${BASH_SOURCE[0]}"; [ "$part" = --help ] && exit 0; exit 2 ;;
+  esac
+done
 
 missing=()
 for package in "${packages[@]}"; do

@@ -9,6 +9,7 @@
 # so a mutation takes one file to compile and one library to link.
 # Exit code: 1 where a mutation survives that isn't told to be equivalent, or where the list is not true.
 set -euo pipefail
+[ "${1:-}" != --help ] || { sed -n '2,10s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 if [ "${1:-}" = --check ]; then

@@ -7,14 +7,14 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 case "${1:-}" in
   "") ;;
-  *) sed -n '2,6s/^# \?//p' "$0"; [ "$1" = --help ] && exit 0; exit 2 ;;
+  *) sed -n '2,6s/^# \?//p' "Utilities/${0##*/}"; [ "$1" = --help ] && exit 0; exit 2 ;;
 esac
 for tool in dpkg-shlibdeps dpkg-deb; do
   command -v $tool >/dev/null || { echo "package.sh: $tool is missing: apt-get install dpkg-dev" >&2; exit 2; }
 done
 
 export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
-Utilities/install-dependencies.sh
+Utilities/install-dependencies.sh build
 cmake --preset package >/dev/null
 cmake --build --preset package
 rm -rf build/packages

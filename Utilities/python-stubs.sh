@@ -2,6 +2,7 @@
 # Makes the stub of the Python package's compiled part from the build tree: Wrapping/Python/dentalscr/_core.pyi, or the file
 # that is named. Needs pybind11-stubgen.
 set -euo pipefail
+[ "${1:-}" != --help ] || { sed -n '2,3s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 python="${PYTHON:-build/python-venv/bin/python}"
 output="${1:-Wrapping/Python/dentalscr/_core.pyi}"

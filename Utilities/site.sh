@@ -10,7 +10,7 @@ build=build/test
 case "${1:-}" in
   --build-dir) build="$2" ;;
   "") ;;
-  *) sed -n '2,6s/^# \?//p' "$0"; [ "$1" = --help ] && exit 0; exit 2 ;;
+  *) sed -n '2,6s/^# \?//p' "Utilities/${0##*/}"; [ "$1" = --help ] && exit 0; exit 2 ;;
 esac
 for file in "$build/bin/dentalscr" "$build/python/dentalscr/__init__.py"; do
   [ -e "$file" ] || { echo "$file is missing: cmake --preset test && cmake --build --preset test" >&2; exit 2; }

@@ -7,10 +7,10 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 case "${1:-}" in
   "") ;;
-  *) sed -n '2,5s/^# \?//p' "$0"; [ "$1" = --help ] && exit 0; exit 2 ;;
+  *) sed -n '2,5s/^# \?//p' "Utilities/${0##*/}"; [ "$1" = --help ] && exit 0; exit 2 ;;
 esac
 export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
-Utilities/install-dependencies.sh
+Utilities/install-dependencies.sh build
 cmake --preset static >/dev/null
 cmake --build --preset static
 
@@ -22,8 +22,12 @@ shared=$(find "$prefix" -name 'libDentalSCR*.so*')
 cmake -S Examples/InstalledPackage -B build/static/consumer -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_PREFIX_PATH="$prefix" >/dev/null
 cmake --build build/static/consumer
-build/static/consumer/InstalledPackage
-! ldd build/static/consumer/InstalledPackage "$prefix/bin/dentalscr" | grep libDentalSCR
+build/static/consumer/InstalledPackage | grep shift
+# A command behind "!" never ends a script of "set -e".
+if ldd build/static/consumer/InstalledPackage "$prefix/bin/dentalscr" | grep libDentalSCR; then
+  echo "static.sh: a shared library of ours is loaded" >&2
+  exit 1
+fi
 "$prefix/bin/dentalscr" phantom --level typical --seed 7 --output build/static/case --quiet
 "$prefix/bin/dentalscr" register build/static/case/case.json --output build/static/result
 rm -rf build/static/case build/static/result

@@ -13,7 +13,7 @@ parts=("$@")
 for part in "${parts[@]}"; do
   case "$part" in
     wheel | deb | dev) ;;
-    *) sed -n '2,9s/^# \?//p' "$0"; [ "$part" = --help ] && exit 0; exit 2 ;;
+    *) sed -n '2,9s/^# \?//p' "Utilities/${0##*/}"; [ "$part" = --help ] && exit 0; exit 2 ;;
   esac
 done
 [ "$(id -u)" -eq 0 ] || { echo "test-packages.sh: a root of its own can be entered by root alone" >&2; exit 2; }
@@ -50,6 +50,14 @@ fresh() {
 }
 inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 leave() { umount "$root/proc"; }
+# refuse WHAT PATH...: ends where one of these paths is there. (A command behind "!" never ends a script of "set -e".)
+refuse() {
+  local what=$1 path
+  shift
+  for path in "$@"; do
+    [ ! -e "$path" ] || { echo "test-packages.sh: $what: $path" >&2; exit 1; }
+  done
+}
 
 test_wheel() {
   local tag wheel
@@ -66,7 +74,8 @@ test_wheel() {
   cp -r Examples Wrapping Documentation README.md CMakeLists.txt "$root/trial/"
   mkdir "$root/trial/Testing" && cp -r Testing/conftest.py Testing/Examples "$root/trial/Testing/"
   # What the page of the wheel says that it needs: the C and C++ libraries alone.
-  ! ls "$root"/usr/lib/*/libITK* "$root"/usr/lib/libITK* "$root"/usr/lib/*/libcairo* "$root"/usr/lib/*/libX11* 2>/dev/null
+  refuse "the root is not a bare one" "$root"/usr/lib/*/libITK* "$root"/usr/lib/libITK* "$root"/usr/lib/*/libcairo* \
+    "$root"/usr/lib/*/libX11* "$root"/usr/share/fonts/truetype/*
   local begin=$SECONDS numpy
   for numpy in "numpy<2" "numpy>=2"; do
     inside rm -rf /trial/venv
@@ -108,12 +117,18 @@ test_deb() {
   inside dentalscr --version
   inside dentalscr phantom --level typical --seed 7 --output /trial/case --quiet
   inside dentalscr register /trial/case/case.json --output /trial/result
-  inside dentalscr-view --help >/dev/null
+  inside dentalscr-view --help | grep -q -- --snapshot
   test -s "$root/trial/result/report.html" && test -s "$root/usr/share/man/man1/dentalscr-register.1.gz"
   inside bash -c 'source /usr/share/bash-completion/completions/dentalscr && complete -p dentalscr'
+  # The modules for 3D Slicer find the program that they are installed with; python-real is Slicer's.
+  inside apt-get install -y -qq --no-install-recommends python3-numpy >/dev/null 2>&1
+  inside python3 /usr/share/dentalscr/slicer/DentalSCRRegister.py --case /trial/case/case.json --output /trial/slicer \
+    --returnparameterfile /trial/returned >/dev/null
+  grep -q '^status = ' "$root/trial/returned"
   # Nothing is left of it.
   inside apt-get purge -y -qq dentalscr dentalscr-view >/dev/null 2>&1
-  ! inside sh -c 'ls -d /usr/lib/*/libDentalSCR* /usr/bin/dentalscr* /usr/share/doc/dentalscr' 2>/dev/null
+  refuse "left after a purge" "$root"/usr/lib/*/libDentalSCR* "$root"/usr/bin/dentalscr* "$root"/usr/share/doc/dentalscr* \
+    "$root"/usr/share/dentalscr "$root"/usr/share/man/man1/dentalscr*
   echo "deb: $((SECONDS - begin)) s"
   leave
 }
@@ -128,7 +143,8 @@ test_dev() {
   echo "dev: installed in $((SECONDS - begin)) s"
   inside sh -c 'cmake -S /usr/share/doc/dentalscr/examples/InstalledPackage -B /trial -G Ninja -DCMAKE_BUILD_TYPE=Release > /packages/log &&
     cmake --build /trial >> /packages/log || { tail -n 40 /packages/log; exit 1; }'
-  inside /trial/InstalledPackage
+  inside /trial/InstalledPackage | tee "$root/trial/said"
+  grep -q shift "$root/trial/said"
   echo "dev: $((SECONDS - begin)) s"
   leave
 }

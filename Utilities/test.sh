@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs, builds and runs every test: ctest for the toolkit, pytest for the program and what is installed, doxygen and
-# the site for the words.
+# the site for the words. Two tests at a time, as most of them keep one core busy.
 set -euo pipefail
+[ "${1:-}" != --help ] || { sed -n '2,3s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Paths relative to the tree, so that the wheel's objects are those of the build tree.
@@ -16,7 +17,9 @@ cmake --build --preset test
 status=0
 ctest --preset test || status=1
 wait $venv || true
-/usr/bin/python3 -m pytest -q -p no:cacheprovider Testing --ignore Testing/Browser --build-dir build/test || status=1
+# The files of the slowest tests are one group, and each other file is one (Testing/conftest.py).
+/usr/bin/python3 -m pytest -q -p no:cacheprovider -n 2 --dist loadgroup Testing --ignore Testing/Browser \
+  --build-dir build/test || status=1
 python=build/python-venv/bin/python
 [ -x "$python" ] || python=/usr/bin/python3
 # The page in a browser needs packages of the Python environment; without them it says that it is skipped.

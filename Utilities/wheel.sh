@@ -12,13 +12,13 @@ pythons=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --output) output="$2"; shift ;;
-    --help) sed -n '2,6s/^# \?//p' "$0"; exit 0 ;;
+    --help) sed -n '2,6s/^# \?//p' "Utilities/${0##*/}"; exit 0 ;;
     -*) echo "wheel.sh: unknown option $1; see --help" >&2; exit 2 ;;
     *) pythons+=("$1") ;;
   esac
   shift
 done
-Utilities/install-dependencies.sh
+Utilities/install-dependencies.sh build
 mkdir -p "$output"
 output=$(cd "$output" && pwd)
 

@@ -33,9 +33,11 @@ def test_description_has_what_help_has(run, description):
     assert listed == [verb["name"] for verb in description["verbs"]] and len(listed) > 10
     assert read_help(text)[0] == names_of(description, False)
     assert description["version"] in run("--version").stdout
+    common = names_of({"options": [option for option in description["options"] if option["group"] == "Options of every verb"]}, False)
+    assert common == {"--threads", "--quiet"}
     for verb in description["verbs"]:
         text = run(verb["name"], "--help").stdout
-        assert read_help(text) == (names_of(verb, False), names_of(verb, True)), verb["name"]
+        assert read_help(text) == (names_of(verb, False) | common, names_of(verb, True)), verb["name"]
         assert verb["notes"].strip() in text
         for option in verb["options"]:
             # CLI11 breaks lines at its own width.
@@ -53,7 +55,7 @@ def test_manual_pages_have_every_option_and_groff_takes_them(run, description):
         for option in (verb or description)["options"]:
             assert ("\n.TP\n" + ", ".join(option["names"])) in page, option["names"]
         for option in description["options"]:
-            assert option["names"][-1] in page
+            assert (option["names"][-1] in page) or (verb and option["group"] != "Options of every verb")
         if groff:
             done = subprocess.run([groff, "-man", "-ww", "-Tutf8", "-z"], input=done.stdout, capture_output=True, text=True)
             assert done.returncode == 0 and done.stderr == ""
@@ -65,7 +67,16 @@ def test_manual_pages_have_every_option_and_groff_takes_them(run, description):
 def test_what_can_not_be_written_is_said(run, question):
     done = run(*question)
     assert done.returncode == 2 and done.stdout == ""
-    assert question[0] == "--man" or "bash, zsh, fish" in done.stderr
+    assert question[0] == "--man" or all(shell in done.stderr for shell in ("bash", "zsh", "fish"))
+
+
+@pytest.mark.parametrize("question", ["--describe", "--xml", "--completion=bash"])
+def test_what_the_program_says_of_itself_is_said_anywhere_and_ends_it(run, question, tmp_path):
+    first = run(question)
+    assert first.returncode == 0 and len(first.stdout) > 1000
+    # Behind a verb as well, which does not run.
+    later = run("phantom", "--output", tmp_path / "case", question)
+    assert later.returncode == 0 and later.stdout == first.stdout and not (tmp_path / "case").exists()
 
 
 def complete_bash(script, *words):

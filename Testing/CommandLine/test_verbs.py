@@ -1,6 +1,7 @@
 """The verbs beside register, on files that they can use."""
 import json
 import math
+import pathlib
 import struct
 import zlib
 
@@ -220,6 +221,50 @@ def test_evaluate_agrees_with_the_result(run, sample, result, tmp_path):
         assert float(row[3]) == pytest.approx(jaws[row[1]]["error"]["mean_px"], abs=1e-5)
     # Twice the same case: the pooled rows have twice the landmarks.
     assert [int(row[2]) for row in rows[-2:]] == [2 * int(row[2]) for row in rows[1:3]]
+
+
+def test_evaluate_takes_folders_and_the_landmarks_that_the_case_names(run, sample, result, tmp_path):
+    by_name = run("evaluate", result, "--landmarks", sample / "landmarks2d.json", "--csv", tmp_path / "named.csv")
+    assert by_name.returncode == 0, by_name.stderr
+    assert run("evaluate", result.parent, "--csv", tmp_path / "folder.csv").returncode == 0
+    assert (tmp_path / "folder.csv").read_text() == (tmp_path / "named.csv").read_text()
+    # A folder of results, one of which has no marks: it is named and left out.
+    for name in ("b", "a"):
+        (tmp_path / "results" / name).mkdir(parents=True)
+        content = json.loads(result.read_text())
+        (tmp_path / "results" / name / "result.json").write_text(json.dumps(content))
+    (tmp_path / "results" / "c").mkdir()
+    content["inputs"].pop("landmarks_2d")
+    (tmp_path / "results" / "c" / "result.json").write_text(json.dumps(content))
+    done = run("evaluate", tmp_path / "results", "--csv", tmp_path / "all.csv")
+    assert done.returncode == 0 and "c/result.json is left out" in done.stderr
+    rows = [line.split(",") for line in (tmp_path / "all.csv").read_text().splitlines()[1:]]
+    assert [pathlib.Path(row[0]).parent.name for row in rows] == ["a", "a", "b", "b", "", ""]
+    assert [int(row[2]) for row in rows[-2:]] == [2 * int(row[2]) for row in rows[:2]]
+    for folder, words in ((tmp_path / "results" / "c", "names landmarks"), (sample, "no result.json")):
+        done = run("evaluate", folder)
+        assert done.returncode == 2 and words in done.stderr
+
+
+@pytest.mark.parametrize("name", ["x.csv", "x.mrk.json", "x.png"])
+def test_json_is_written_under_a_name_of_json_only(run, labels, result, sample, tmp_path, name):
+    """Who asks for a table must not get JSON under its name."""
+    for words in (
+        ("contour", "--labels", labels), ("project", result, "--points", sample / "landmarks3d.json"), ("new", sample),
+    ):
+        done = run(*words, "--output", tmp_path / name)
+        assert done.returncode == 2 and "ends in .json" in done.stderr, words
+        assert not (tmp_path / name).exists()
+
+
+def test_width_of_the_splats_is_mm_as_everywhere(run, sample, tmp_path):
+    """The same width in mm: half as many pixels where they are twice as large, and the default is that of the filter."""
+    for name, words in (("default", ()), ("half", ("--sigma", "0.5"))):
+        done = run("render", "--upper", sample / "upper.stl", "--spacing", 0.25, 0.25, *words, "--output", tmp_path / f"{name}.mha")
+        assert done.returncode == 0, done.stderr
+    assert (tmp_path / "default.mha").read_bytes() == (tmp_path / "half.mha").read_bytes()
+    done = run("render", "--upper", sample / "upper.stl", "--spacing", 0.25, 0.25, "--sigma", "30", "--output", tmp_path / "x.mha")
+    assert done.returncode == 2
 
 
 def test_phantom_has_the_same_bits_for_the_same_seed(run, tmp_path):

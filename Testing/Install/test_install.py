@@ -160,6 +160,38 @@ def test_tests_include_public_headers_only():
     assert found <= {("itkCaseRegistrationGTest.cxx", "itkCasePoseRegistration.h")}
 
 
+def write_projects(page, folder):
+    """The files of a page: a code block behind a line with its name alone."""
+    blocks = re.findall(r"^`([\w/.]+)`:\n```\w+\n(.*?)^```$", page.read_text(), re.DOTALL | re.MULTILINE)
+    for name, text in blocks:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return [name for name, _ in blocks]
+
+
+def test_projects_of_the_cookbook_build_as_shown_and_run(prefix, sample, tmp_path):
+    names = write_projects(HERE.parent.parent / "Documentation" / "OwnProject.md", tmp_path)
+    assert len([name for name in names if name.endswith("CMakeLists.txt")]) == 4
+
+    def build(name, *more):
+        call("cmake", "-S", tmp_path / name, "-B", tmp_path / name / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+             f"-DCMAKE_PREFIX_PATH={prefix};{tmp_path / 'own'}", *more)
+        call("cmake", "--build", tmp_path / name / "build")
+        return tmp_path / name / "build"
+
+    upper, lower = sample / "upper.stl", sample / "lower.stl"
+    widths = [float(line.split()[0]) for line in call(build("program") / "arches", upper, lower).stdout.splitlines()]
+    # Between the outer sides of the last molars.
+    assert len(widths) == 2 and all(45 < width < 85 for width in widths)
+    missing = subprocess.run([tmp_path / "program/build/arches", "nowhere.stl", lower], capture_output=True, text=True)
+    assert missing.returncode == 1 and "nowhere.stl" in missing.stderr
+    call("cmake", "--install", build("library"), "--prefix", tmp_path / "own")
+    length = float(call(build("user") / "user", upper).stdout.split()[0])
+    assert 200 < length < 2000
+    out = call(build("filter") / "filter", upper, tmp_path / "drr.mha").stdout
+    assert re.fullmatch(r"\[\d+, \d+\]\n", out) and (tmp_path / "drr.mha").stat().st_size > 1000
+
+
 def test_program_of_the_readme_compiles_as_shown_and_runs(prefix, run, tmp_path):
     text = (HERE.parent.parent / "README.md").read_text()
     for language, name in (("cmake", "CMakeLists.txt"), ("cpp", "mine.cxx")):

@@ -111,7 +111,7 @@ from ._convert import (
     to_trimesh,
     to_vtk,
 )
-from ._errors import AbortedError, ArgumentError, Error, FilterError, InputError
+from ._errors import AbortedError, ArgumentError, Error, FilterError, InputError, MissingFileError
 from ._evaluation import (
     CohortExperiment,
     LandmarkError,
@@ -367,6 +367,7 @@ __all__ = [
     "MidsagittalPlaneFilter",
     "MillimetreLandmarksHypothesis",
     "MirrorPlane",
+    "MissingFileError",
     "Motion",
     "Numbering",
     "OpenSilhouetteContour",

@@ -5,8 +5,9 @@ import base64
 import copy
 import html
 import json
+import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Callable, Dict, Optional, Tuple, Union, cast
 
 import numpy as np
@@ -109,28 +110,36 @@ class Case:
         known = None if geometry is None else as_geometry(geometry)
         if principalPointKnown is None:
             principalPointKnown = known is not None and tuple(known.GetPrincipalPoint()) != (0.0, 0.0)
-        self._native = _core._Case(
-            None if upper is None else as_mesh(upper),
-            None if lower is None else as_mesh(lower),
-            None if upperContour is None else as_contour(upperContour, "upper"),
-            None if lowerContour is None else as_contour(lowerContour, "lower"),
-            known,
-            None if image is None else as_image(image),
-            imageSize or (0, 0),
-            principalPointKnown,
-            tracedSide,
-            occlusion,
-            None if cephalometricLandmarks is None else as_cephalometric_landmarks(cephalometricLandmarks),
-            None if landmarks3D is None else as_landmarks(landmarks3D, 3),
-            None if landmarks2D is None else as_landmarks(landmarks2D, 2),
-            list(exclude),
-            list(fix),
+        self._make(
+            (
+                None if upper is None else as_mesh(upper),
+                None if lower is None else as_mesh(lower),
+                None if upperContour is None else as_contour(upperContour, "upper"),
+                None if lowerContour is None else as_contour(lowerContour, "lower"),
+                known,
+                None if image is None else as_image(image),
+                imageSize or (0, 0),
+                principalPointKnown,
+                tracedSide,
+                occlusion,
+                None if cephalometricLandmarks is None else as_cephalometric_landmarks(cephalometricLandmarks),
+                None if landmarks3D is None else as_landmarks(landmarks3D, 3),
+                None if landmarks2D is None else as_landmarks(landmarks2D, 2),
+                list(exclude),
+                list(fix),
+            ),
+            [self._take_view(**view) for view in views],
         )
-        for view in views:
-            self._add_view(**view)
 
-    def _add_view(
-        self,
+    def _make(self, parts: Tuple[Any, ...], views: list[Tuple[Any, ...]]) -> None:
+        self._native = _core._Case(*parts)
+        for view in views:
+            self._native._AddView(*view)
+        # What it is made of, from which a pickle makes it again.
+        self._made_of: Tuple[str, Tuple[Any, ...]] = ("parts", (parts, views))
+
+    @staticmethod
+    def _take_view(
         geometry: Any,
         upperContour: Optional[ContourLike] = None,
         lowerContour: Optional[ContourLike] = None,
@@ -140,8 +149,8 @@ class Case:
         name: str = "frontal",
         sameHeadPosition: bool = True,
         principalPointSigma: float = 4.0,
-    ) -> None:
-        self._native._AddView(
+    ) -> Tuple[Any, ...]:
+        return (
             name,
             as_geometry(geometry),
             None if upperContour is None else as_contour(upperContour, "upper"),
@@ -154,10 +163,40 @@ class Case:
         )
 
     @classmethod
-    def _of(cls, native: _core._Case) -> "Case":
+    def _of(cls, native: _core._Case, *words: Any) -> "Case":
+        """A case that was read with these words: what to leave out, what to hold, where to start."""
         case = cls.__new__(cls)
         case._native = native
+        case._made_of = ("file", words or ([], [], ""))
         return case
+
+    def __copy__(self) -> "Case":
+        case = Case.__new__(Case)
+        case.__dict__.update(self.__dict__)
+        return case
+
+    def __getstate__(self) -> Dict[str, Any]:
+        kind, words = self._made_of
+        if kind == "parts":
+            return {"kind": kind, "words": words}
+        # Files are named and not carried along; what was in them is held against them where they are read again.
+        exclude, fix, init = words
+        files = [os.path.abspath(self._native._GetFileName()), list(exclude), list(fix), init and os.path.abspath(init)]
+        return {"kind": kind, "words": files, "inputs": [hashed for _, hashed in self._native._GetInputs()]}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        if state["kind"] == "parts":
+            self._make(*state["words"])
+            return
+        self._native = _core._Case._Read(*state["words"])
+        self._made_of = ("file", tuple(state["words"][1:]))
+        now = self._native._GetInputs()
+        if [hashed for _, hashed in now] != state["inputs"]:
+            changed = [name for (name, hashed), then in zip(now, state["inputs"]) if hashed != then]
+            raise ArgumentError(
+                f"{changed[0] if changed else state['words'][0]} has changed since the case was pickled, which names its "
+                "files and does not hold them; read the case again"
+            )
 
     @property
     def upper(self) -> Optional[_core.Mesh]:
@@ -237,11 +276,11 @@ def ReadCase(
     init: Optional[PathLike] = None,
 ) -> Case:
     """Reads a case file and every file that it names but its 2-D landmarks (Documentation/FileFormats.md)."""
-    native = _core._Case._Read(as_path(fileName), list(exclude), list(fix), "" if init is None else as_path(init))
-    return Case._of(native)
+    words = (list(exclude), list(fix), "" if init is None else as_path(init))
+    return Case._of(_core._Case._Read(as_path(fileName), *words), *words)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class JawResult:
     """One registered jaw. Names say the direction: ``T_b_from_a`` maps points of a to b."""
 
@@ -272,7 +311,22 @@ class JawResult:
     #: Landmark errors, pixels; None without 2-D landmarks.
     error: Optional[Dict[str, Any]]
     #: Aligned contours in the radiograph by name, "whole" among them.
-    contours: Dict[str, _core.Contour] = field(repr=False)
+    contours: Dict[str, _core.Contour]
+
+    def __repr__(self) -> str:
+        return f"<dentalscr.JawResult {self._figures()}>"
+
+    def _figures(self) -> str:
+        text = self.status
+        if self.fit is not None:
+            text += f", fit {self.fit:.2f} px"
+        elif self.registered and self.metrics and self.expected_error is None:
+            text += f", Chamfer {self.metrics['chamfer_px']:.2f} px"
+        if self.expected_error is not None:
+            text += f", expected error {self.expected_error:.2f} px"
+        if self.error is not None:
+            text += f", landmark error {self.error['mean_px']:.2f} px"
+        return text
 
     def project(self, points: Any) -> Array:
         """Where points of the mesh file (N, 3) are in the radiograph: (N, 2) continuous pixel indices."""
@@ -281,7 +335,7 @@ class JawResult:
         return cast(Array, rows[:, :2] / rows[:, 2:])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ViewResult:
     """What a further radiograph of a registered case shows (Documentation/Views.md)."""
 
@@ -295,6 +349,9 @@ class ViewResult:
     #: By jaw, as in ``views`` of result.json: ``projection_3x4``, ``landmarks_px``, ``landmark_sigma_px``, ``head_moved``,
     #: ``scale_factor``, ...
     jaws: Dict[str, Dict[str, Any]]
+
+    def __repr__(self) -> str:
+        return f"<dentalscr.ViewResult {self.name}, {self.direction}, {self.status}: {', '.join(self.jaws)}>"
 
     def project(self, jaw: str, points: Any) -> Array:
         """Where points of a jaw's mesh file (N, 3) are on this radiograph: (N, 2) continuous pixel indices."""
@@ -460,15 +517,7 @@ class CaseResult:
     def __repr__(self) -> str:
         lines = [f"<dentalscr.CaseResult {self.status}, preset {self.preset}"]
         for name, jaw in self.jaws.items():
-            text = f"  {name}: {jaw.status}"
-            if jaw.fit is not None:
-                text += f", fit {jaw.fit:.2f} px"
-            elif jaw.registered and jaw.metrics and jaw.expected_error is None:
-                text += f", Chamfer {jaw.metrics['chamfer_px']:.2f} px"
-            if jaw.expected_error is not None:
-                text += f", expected error {jaw.expected_error:.2f} px"
-            if jaw.error is not None:
-                text += f", landmark error {jaw.error['mean_px']:.2f} px"
+            text = f"  {name}: {jaw._figures()}"
             for reason in jaw.reasons:
                 text += f"\n    {reason}"
             lines.append(text)

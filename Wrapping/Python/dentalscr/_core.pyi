@@ -131,7 +131,7 @@ class Mesh(DataObject):
         """
     def __getstate__(self) -> tuple[typing.Any, ...]:
         ...
-    def __init__(self, points: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike, labels: typing.Any = None) -> None:
+    def __init__(self, points: numpy.typing.ArrayLike, triangles: typing.Any, labels: typing.Any = None) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -153,7 +153,7 @@ class Mesh(DataObject):
         (N,) uint8 or None: a copy. FDI numbers, 0 for gingiva.
         """
     @labels.setter
-    def labels(self, arg1: numpy.typing.ArrayLike) -> None:
+    def labels(self, arg1: typing.Any) -> None:
         ...
     @property
     def points(self) -> numpy.typing.NDArray[typing.Any]:
@@ -1051,6 +1051,11 @@ class CephalometricPoseTransform(Transform):
         ...
     def __setstate__(self, arg0: tuple[typing.Any, ...]) -> None:
         ...
+    @property
+    def matrix(self) -> numpy.typing.NDArray[typing.Any]:
+        """
+        (4, 4), of the rigid part: dental frame to cephalostat frame, mm; a copy. The projection follows it, and so does the scale exp(kappa).
+        """
 class ProcessObject:
     """
     What every filter has.
@@ -3258,9 +3263,17 @@ class RegistrationLevel:
     numberOfIterations : int
         From a start; 0 leaves the optimizer's own.
     """
+    def __copy__(self) -> RegistrationLevel:
+        ...
+    def __deepcopy__(self, memo: dict[str, typing.Any]) -> RegistrationLevel:
+        ...
+    def __getstate__(self) -> tuple[typing.Any, ...]:
+        ...
     def __init__(self, scaleBound: float = 0.35, rotationBound: float = 0.0, translationBound: float = 0.0, numberOfScales: int = 0, numberOfRotations: int = 0, numberOfTranslations: int = 0, numberOfStarts: int = 1, numberOfIterations: int = 0) -> None:
         ...
     def __repr__(self) -> str:
+        ...
+    def __setstate__(self, arg0: tuple[typing.Any, ...]) -> None:
         ...
     @property
     def numberOfIterations(self) -> int:
@@ -7860,6 +7873,8 @@ class _Case:
     def _GetImage(self) -> Image | None:
         ...
     def _GetImageSize(self) -> tuple[int, int]:
+        ...
+    def _GetInputs(self) -> list[tuple[str, str]]:
         ...
     def _GetLandmarks3D(self) -> dict[str, typing.Any]:
         ...

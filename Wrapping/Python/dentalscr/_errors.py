@@ -15,6 +15,13 @@ class InputError(Error):
     remedy: str = ""
 
 
+class MissingFileError(InputError, FileNotFoundError):
+    """A file that is not there, named in a call or in a case file; also Python's FileNotFoundError."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
 class FilterError(Error):
     """A process object refuses or fails; the message names the value and what to do."""
 

@@ -1,6 +1,7 @@
 """The steps from scans and pictures to contours."""
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple, Optional, Tuple, Union, cast
 
@@ -46,6 +47,10 @@ class DentalAxes(NamedTuple):
     jointTransform: Optional[_core.VersorRigid3DTransform]
     #: Everything that was found, for :class:`ScanCheckFilter` to judge.
     frames: Optional[_core.DentalFrames] = None
+
+    def __repr__(self) -> str:
+        found = (("upper", self.upperTransform), ("lower", self.lowerTransform), ("joint", self.jointTransform))
+        return f"<dentalscr.DentalAxes {', '.join(name for name, transform in found if transform is not None)}>"
 
 
 class UMidlineDentalAxisFilter(ProcessObject, _core.UMidlineDentalAxisFilter):
@@ -222,9 +227,22 @@ class SilhouetteContourFilter(ProcessObject, _core.SilhouetteContourFilter):
         Parameters
         ----------
         image : image-like
-            Grey values, or labels under ``SetContent``.
+            Grey values, or labels under ``SetContent``. Of an image that begins elsewhere than at (0, 0) mm, as a DRR does
+            that came back from SimpleITK, pixels are ambiguous: a warning says how to tell.
         """
-        self._SetInput(as_image(image))
+        picture = as_image(image)
+        if (
+            self.GetContent() == _core.SilhouetteContent.Intensity
+            and self.GetOutputCoordinates() == _core.SilhouetteCoordinates.Index
+            and tuple(picture.GetIndex()) == (0, 0)
+            and any(picture.GetOrigin())
+        ):
+            warnings.warn(
+                f"the image begins at {picture.GetOrigin()} mm, and the contour is in the image's own pixels; those of the radiograph "
+                'for a DRR of to_sitk() or to_itk() come with outputCoordinates="PhysicalOverSpacing"',
+                stacklevel=3,
+            )
+        self._SetInput(picture)
         self._Update()
         return self._TakeOutput()
 

@@ -72,6 +72,12 @@ class ProcessObject(Observable, _Base):
     """
 
 
+if not TYPE_CHECKING:
+    # Its classes inherit these from the compiled part; who asks the class itself for them must find them, too.
+    for _name in ("GetGlobalDefaultNumberOfThreads", "SetGlobalDefaultNumberOfThreads"):
+        setattr(ProcessObject, _name, staticmethod(getattr(_core.ProcessObject, _name)))
+
+
 def apply_settings(process: Any, settings: dict[str, Any]) -> None:
     """Keywords of a procedural twin: ``sigma=0.5`` is ``SetSigma(0.5)``; True and False switch too."""
     for name, value in settings.items():

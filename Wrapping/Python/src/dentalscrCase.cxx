@@ -460,6 +460,15 @@ WrapCase(py::module_ & module)
     .def("_GetLandmarks3D", [](const Case & self) { return ToDict<3>(self.data->landmarks3D); })
     .def("_GetCephalometricLandmarks",
          [](const Case & self) { return ToDict(self.data->cephalometricLandmarks.GetPointer()); })
+    .def("_GetInputs",
+         [](const Case & self) {
+           std::vector<std::pair<std::string, std::string>> inputs;
+           for (const itk::CaseInputFile & file : self.data->inputs)
+           {
+             inputs.emplace_back(file.path, file.sha256);
+           }
+           return inputs;
+         })
     .def("_GetFileName", [](const Case & self) { return self.data->description.fileName; })
     .def("_GetWarnings", [](const Case & self) { return self.data->warnings; })
     .def("_HasPrincipalPoint", [](const Case & self) { return self.data->HasPrincipalPoint(); })

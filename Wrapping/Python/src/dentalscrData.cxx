@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 namespace dentalscr
@@ -32,7 +33,6 @@ namespace dentalscr
 namespace
 {
 using IndexArray = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
-using LabelArray = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
 
 /** Throws unless the array is N x columns. */
 void
@@ -50,9 +50,27 @@ CheckShape(const py::array & array, py::ssize_t columns, const char * what)
   }
 }
 
-void
-SetLabels(MeshType & mesh, const LabelArray & labels)
+/** The same as integers. A number with a fraction, or a yes and no, is never rounded to an index: it was meant for
+ * something else. */
+template <typename TArray>
+TArray
+ToIntegers(const py::object & values, const char * what)
 {
+  const auto array = py::module_::import("numpy").attr("asarray")(values).cast<py::array>();
+  const char kind = array.dtype().kind();
+  if (kind != 'i' && kind != 'u' && array.size() > 0)
+  {
+    throw std::invalid_argument(std::string(what) + " are " + py::str(array.dtype()).cast<std::string>() +
+                                ", and integers are needed; where they are whole numbers, convert them by " +
+                                ".astype(int)");
+  }
+  return array.cast<TArray>();
+}
+
+void
+SetLabels(MeshType & mesh, const py::object & numbers)
+{
+  const auto labels = ToIntegers<IndexArray>(numbers, "labels");
   if (labels.ndim() != 1 || static_cast<std::size_t>(labels.size()) != mesh.GetNumberOfPoints())
   {
     throw std::invalid_argument("there are " + std::to_string(labels.size()) + " labels for " +
@@ -62,15 +80,21 @@ SetLabels(MeshType & mesh, const LabelArray & labels)
   data->Reserve(mesh.GetNumberOfPoints());
   for (py::ssize_t i = 0; i < labels.size(); ++i)
   {
-    data->SetElement(i, labels.at(i));
+    if (labels.at(i) < 0 || labels.at(i) > std::numeric_limits<std::uint8_t>::max())
+    {
+      throw std::invalid_argument("label " + std::to_string(labels.at(i)) + " of point " + std::to_string(i) +
+                                  " is no FDI number, nor 0 for gingiva");
+    }
+    data->SetElement(i, static_cast<float>(labels.at(i)));
   }
   mesh.SetPointData(data);
   mesh.Modified();
 }
 
 MeshType::Pointer
-MakeMesh(const FloatArray & points, const IndexArray & triangles, const py::object & labels)
+MakeMesh(const FloatArray & points, const py::object & triangleIndices, const py::object & labels)
 {
+  const auto triangles = ToIntegers<IndexArray>(triangleIndices, "triangles");
   CheckShape(points, 3, "points");
   CheckShape(triangles, 3, "triangles");
   const auto           numberOfPoints = static_cast<std::size_t>(points.shape(0));
@@ -123,7 +147,7 @@ MakeMesh(const FloatArray & points, const IndexArray & triangles, const py::obje
   }
   if (!labels.is_none())
   {
-    SetLabels(*mesh, labels.cast<LabelArray>());
+    SetLabels(*mesh, labels);
   }
   return mesh;
 }
@@ -235,9 +259,7 @@ labels : (N,) array of integers, optional
         const auto & mesh = self.cast<const MeshType &>();
         return py::make_tuple(ViewPoints(self), CopyTriangles(mesh), CopyLabels(mesh));
       },
-      [](const py::tuple & state) {
-        return MakeMesh(state[0].cast<FloatArray>(), state[1].cast<IndexArray>(), state[2]);
-      }));
+      [](const py::tuple & state) { return MakeMesh(state[0].cast<FloatArray>(), state[1], state[2]); }));
 }
 
 using VectorType = itk::Vector<double, 2>;

@@ -20,6 +20,8 @@
 #include "itkDentalInputError.h"
 #include "itkDescribePlainly.h"
 
+#include <filesystem>
+
 namespace dentalscr
 {
 namespace
@@ -51,7 +53,13 @@ WrapErrors(py::module_ & module)
     }
     catch (const itk::DentalInputError & error)
     {
-      Raise("InputError",
+      // Python's own name of it as well: who looks for a file that may be absent looks for that. A file is missing that
+      // was named in the call, or in a case file.
+      std::error_code code;
+      const bool      isMissing = (error.GetField().empty() && !error.GetInputFile().empty() &&
+                              !std::filesystem::exists(error.GetInputFile(), code) && !code) ||
+                             error.GetProblem().rfind("there is no file ", 0) == 0;
+      Raise(isMissing ? "MissingFileError" : "InputError",
             error.GetOneLine(),
             { { "file", error.GetInputFile() },
               { "field", error.GetField() },

@@ -61,19 +61,34 @@ SetPose(GeometryType & geometry, const DoubleArray & matrix)
   geometry.SetPose(rotation, translation);
 }
 
+/** Two numbers, or an error that names the keyword. */
+template <typename TPair>
+TPair
+ToPair(const py::object & object, const char * name, const char * remedy)
+{
+  try
+  {
+    return object.cast<TPair>();
+  }
+  catch (const py::cast_error &)
+  {
+    throw std::invalid_argument(std::string(name) + " is " + py::repr(object).cast<std::string>() + "; " + remedy);
+  }
+}
+
 /** One number or two; what is no spacing is refused, as it would count as an unknown one. */
 GeometryType::PixelSpacingType
 ToPixelSpacing(const py::object & object)
 {
-  const bool                           isNumber = PyNumber_Check(object.ptr()) && !PySequence_Check(object.ptr());
-  const GeometryType::PixelSpacingType spacing =
-    isNumber ? GeometryType::PixelSpacingType(object.cast<double>()) : object.cast<GeometryType::PixelSpacingType>();
+  const char * const remedy = "give mm a pixel, > 0, one number or two (u, v), or leave it out where it is unknown";
+  const bool         isNumber = PyNumber_Check(object.ptr()) && !PySequence_Check(object.ptr());
+  const auto         spacing = isNumber ? GeometryType::PixelSpacingType(ToPair<double>(object, "pixelSpacing", remedy))
+                                        : ToPair<GeometryType::PixelSpacingType>(object, "pixelSpacing", remedy);
   for (const double value : spacing)
   {
     if (!(std::isfinite(value) && value > 0.0))
     {
-      throw std::invalid_argument("pixelSpacing is " + py::repr(object).cast<std::string>() +
-                                  "; give mm a pixel, > 0, or leave it out where it is unknown");
+      throw std::invalid_argument("pixelSpacing is " + py::repr(object).cast<std::string>() + "; " + remedy);
     }
   }
   return spacing;
@@ -99,7 +114,8 @@ MakeGeometry(double             sourceToMidsagittal,
   }
   if (!principalPoint.is_none())
   {
-    geometry->SetPrincipalPoint(principalPoint.cast<GeometryType::PixelIndexType>());
+    geometry->SetPrincipalPoint(ToPair<GeometryType::PixelIndexType>(
+      principalPoint, "principalPoint", "give a continuous pixel index, two numbers (u, v)"));
   }
   geometry->SetSourceSide(sourceSide);
   geometry->SetFacing(facing);

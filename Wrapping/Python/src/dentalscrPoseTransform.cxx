@@ -133,6 +133,24 @@ parameters : seven numbers, optional)")
       py::arg("kappa") = 0.0,
       "c = rotation p + translation (mm), and kappa.")
     .def("GetRigidTransform", &TransformType::GetRigidTransform, "Dental frame to cephalostat frame, mm.")
+    .def_property_readonly(
+      "matrix",
+      [](const TransformType & self) {
+        std::vector<double> values(16, 0.0);
+        const auto          rigid = self.GetRigidTransform();
+        for (unsigned int row = 0; row < 3; ++row)
+        {
+          for (unsigned int column = 0; column < 3; ++column)
+          {
+            values[4 * row + column] = rigid->GetMatrix()(row, column);
+          }
+          values[4 * row + 3] = rigid->GetOffset()[row];
+        }
+        values.back() = 1.0;
+        return MakeArray<double>(values, { 4, 4 });
+      },
+      "(4, 4), of the rigid part: dental frame to cephalostat frame, mm; a copy. The projection follows it, and so "
+      "does the scale exp(kappa).")
     .def("GetScaleFactor", &TransformType::GetScaleFactor, "exp(kappa).")
     .def(
       "TransformPoint",

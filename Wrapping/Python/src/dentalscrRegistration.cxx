@@ -362,10 +362,31 @@ numberOfIterations : int
     .def_readwrite("numberOfIterations",
                    &LevelType::numberOfIterations,
                    "The most iterations of the optimizer from a start; 0 leaves the optimizer's own limit.")
-    .def("__repr__", [](const LevelType & self) {
-      return "<dentalscr.RegistrationLevel scale " + std::to_string(self.scaleBound) + ", rotation " +
-             std::to_string(self.rotationBound) + " rad, translation " + std::to_string(self.translationBound) + " mm>";
-    });
+    .def("__repr__",
+         [](const LevelType & self) {
+           return "<dentalscr.RegistrationLevel scale " + std::to_string(self.scaleBound) + ", rotation " +
+                  std::to_string(self.rotationBound) + " rad, translation " + std::to_string(self.translationBound) +
+                  " mm>";
+         })
+    .def("__copy__", [](const LevelType & self) { return LevelType(self); })
+    .def(
+      "__deepcopy__", [](const LevelType & self, const py::dict &) { return LevelType(self); }, py::arg("memo"))
+    .def(py::pickle(
+      [](const LevelType & self) {
+        return py::make_tuple(self.scaleBound,
+                              self.rotationBound,
+                              self.translationBound,
+                              self.numberOfScales,
+                              self.numberOfRotations,
+                              self.numberOfTranslations,
+                              self.numberOfStarts,
+                              self.numberOfIterations);
+      },
+      [](const py::tuple & state) {
+        return LevelType{ state[0].cast<double>(),       state[1].cast<double>(),       state[2].cast<double>(),
+                          state[3].cast<unsigned int>(), state[4].cast<unsigned int>(), state[5].cast<unsigned int>(),
+                          state[6].cast<unsigned int>(), state[7].cast<std::size_t>() };
+      }));
   py::class_<ResultType>(module, "RegistrationLevelResult", "How a level went.")
     .def_readonly("initialParameters",
                   &ResultType::initialParameters,

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkCaseResult.h"
 
+#include "itkCasePresetNames.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -131,18 +133,40 @@ ToString(CasePresetEnum preset)
   }
 }
 
+namespace
+{
+const CasePresetEnum AllPresets[] = {
+  CasePresetEnum::Robust, CasePresetEnum::Paper, CasePresetEnum::BoundingBox, CasePresetEnum::SingleStage
+};
+} // namespace
+
+const std::vector<std::string> &
+GetCasePresetNames()
+{
+  static const std::vector<std::string> names = []() {
+    std::vector<std::string> list;
+    for (const CasePresetEnum preset : AllPresets)
+    {
+      list.emplace_back(ToString(preset));
+    }
+    return list;
+  }();
+  return names;
+}
+
 CasePresetEnum
 CasePresetFromString(const std::string & text)
 {
-  for (const CasePresetEnum preset :
-       { CasePresetEnum::Robust, CasePresetEnum::Paper, CasePresetEnum::BoundingBox, CasePresetEnum::SingleStage })
+  std::string list;
+  for (const CasePresetEnum preset : AllPresets)
   {
     if (text == ToString(preset))
     {
       return preset;
     }
+    list += std::string(list.empty() ? "" : ", ") + ToString(preset);
   }
-  throw std::invalid_argument("\"" + text + "\" is no preset (robust, paper, bounding-box or single-stage)");
+  throw std::invalid_argument("\"" + text + "\" is no preset; use one of " + list);
 }
 
 const char *

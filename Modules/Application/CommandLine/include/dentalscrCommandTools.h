@@ -47,7 +47,8 @@ struct CommonOptions
 
 /** \class ProgressLine
  * \brief Shows on a terminal what a process object does, on one line that is rewritten; shows nothing in a pipe or when
- * quiet. */
+ * quiet. Where DENTALSCR_PROGRESS is "slicer" it writes the tags of the Slicer Execution Model to standard output
+ * instead. */
 class CommandLine_EXPORT ProgressLine
 {
 public:
@@ -67,6 +68,7 @@ private:
 
   itk::ProcessObject *         m_Process;
   std::function<std::string()> m_Stage;
+  bool                         m_IsForSlicer;
   bool                         m_Active;
   unsigned long                m_Tags[2]{ 0, 0 };
   std::string                  m_Last;

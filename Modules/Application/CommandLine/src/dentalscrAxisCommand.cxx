@@ -126,7 +126,9 @@ AddAxisCommand(CLI::App & program, const CommonOptions & common, RunFunction & r
   auto   options = std::make_shared<AxisOptions>();
   auto * command = program.add_subcommand("axis", "The U-midline dental axis: scans in their anatomical frame");
   options->scans.AddTo(command, false);
-  command->add_option("-o,--output", options->output, "Folder: *_umda.stl, *_umda.tfm, axis.json")->required();
+  command->add_option("-o,--output", options->output, "Folder: *_umda.stl, *_umda.tfm, axis.json")
+    ->type_name("FOLDER")
+    ->required();
   command->add_flag("--embed-axes", options->embedAxes, "Add the axes to the meshes as arrows");
   command->add_flag("--refine-midline", options->refineMidline, "Find the midline by mirror symmetry");
   command->footer("x anterior, y to the patient's left, z superior; origin the area-weighted centroid.\n"

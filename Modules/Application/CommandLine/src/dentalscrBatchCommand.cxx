@@ -23,6 +23,7 @@
 #include "itkBatchParts.h"
 #include "itkBatchRunner.h"
 #include "itkBatchSummary.h"
+#include "itkCasePresetNames.h"
 #include "itkCommand.h"
 #include "itkDentalInputError.h"
 #include "itkOutputFolder.h"
@@ -294,13 +295,16 @@ AddBatchCommand(CLI::App & program, const CommonOptions & common, RunFunction & 
   auto * command = program.add_subcommand("batch", "Registers many cases, and sums them up in tables and a page");
   command
     ->add_option("cases", options->inputs, "Folders with a case.json below, a table cases.csv, case files, or patterns")
+    ->type_name("FILE")
     ->required();
   command->add_option("-o,--output", options->output, "Folder: one a case, summary.csv, summary.json, index.html")
+    ->type_name("FOLDER")
     ->required();
   command->add_option("--jobs", options->jobs, "Cases at a time (default: one a core)")->check(CLI::Range(1u, 1024u));
   command->add_flag("--resume", options->resume, "Keep what an earlier batch has done of cases that have not changed");
   command->add_flag("--wait", options->wait, "Where another batch is at work in the folder, wait until it has ended");
-  command->add_option("--range", options->range, "Only these of the cases: first and last, as in 251-500");
+  command->add_option("--range", options->range, "Only these of the cases: first and last, as in 251-500")
+    ->type_name("FIRST-LAST");
   command
     ->add_option(
       "--collect", options->collect, "Run nothing: sum up what batches of parts have left in the folders in this one")
@@ -310,7 +314,7 @@ AddBatchCommand(CLI::App & program, const CommonOptions & common, RunFunction & 
     ->excludes("--wait");
   command->add_flag("--strict", options->strict, "End with 1 where a jaw is suspect, too");
   command->add_option("--preset", options->preset, "As of register")
-    ->type_name("{robust,paper,bounding-box,single-stage}")
+    ->type_name("{" + CLI::detail::join(itk::GetCasePresetNames()) + "}")
     ->capture_default_str();
   command->add_option("--option", options->set, "As of register, any number of times")->type_name("NAME=VALUE");
   command->add_flag("--no-report", options->noReport, "Write no overlays, scans and pages of cases");

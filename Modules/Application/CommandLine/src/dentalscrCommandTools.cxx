@@ -22,6 +22,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <iterator>
@@ -50,6 +51,14 @@ struct sigaction previousActions[std::size(Signals)];
 unsigned long        interruptTag = 0;
 itk::ProcessObject * guardedProcess = nullptr;
 
+/** The modules of 3D Slicer set it (Slicer/): their own reader of standard output is not a terminal. */
+bool
+IsStartedBySlicer()
+{
+  const char * const kind = std::getenv("DENTALSCR_PROGRESS");
+  return kind != nullptr && std::string(kind) == "slicer";
+}
+
 /** Past std::cerr, which lets no control bytes through. */
 void
 EraseLine()
@@ -62,7 +71,8 @@ EraseLine()
 ProgressLine::ProgressLine(itk::ProcessObject * process, std::function<std::string()> stage, bool quiet)
   : m_Process(process)
   , m_Stage(std::move(stage))
-  , m_Active(!quiet && isatty(STDERR_FILENO) != 0)
+  , m_IsForSlicer(IsStartedBySlicer())
+  , m_Active(m_IsForSlicer || (!quiet && isatty(STDERR_FILENO) != 0))
 {
   if (m_Active)
   {
@@ -78,7 +88,10 @@ ProgressLine::~ProgressLine()
   {
     m_Process->RemoveObserver(m_Tags[0]);
     m_Process->RemoveObserver(m_Tags[1]);
-    EraseLine();
+    if (!m_IsForSlicer)
+    {
+      EraseLine();
+    }
   }
 }
 
@@ -86,6 +99,17 @@ void
 ProgressLine::Show()
 {
   std::ostringstream line;
+  if (m_IsForSlicer)
+  {
+    line << "<filter-progress>" << std::fixed << std::setprecision(2) << m_Process->GetProgress()
+         << "</filter-progress>\n<filter-comment>" << m_Stage() << "</filter-comment>\n";
+    if (line.str() != m_Last)
+    {
+      m_Last = line.str();
+      std::cout << m_Last << std::flush;
+    }
+    return;
+  }
   line << std::setw(3) << static_cast<int>(100.0F * m_Process->GetProgress() + 0.5F) << " %  " << m_Stage();
   if (line.str() != m_Last)
   {

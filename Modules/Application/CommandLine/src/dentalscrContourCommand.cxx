@@ -24,6 +24,7 @@
 #include "itkImage.h"
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkReadLabelImage.h"
+#include "itkRequireJsonName.h"
 #include "itkSilhouetteContourFilter.h"
 
 #include <iostream>
@@ -184,6 +185,7 @@ ContoursOfScans(const ContourOptions & options, itk::DentalContour * contours[2]
 int
 Contour(const ContourOptions & options, const CommonOptions & common)
 {
+  itk::RequireJsonName(options.output, "contours");
   auto                 upper = itk::DentalContour::New();
   auto                 lower = itk::DentalContour::New();
   itk::DentalContour * contours[2] = { upper, lower };
@@ -225,9 +227,10 @@ AddContourCommand(CLI::App & program, const CommonOptions & common, RunFunction 
   command->add_option("--jaw", options->jaw, "Jaw of outlines without a tooth")
     ->check(CLI::IsMember({ "upper", "lower" }))
     ->capture_default_str();
-  command->add_option("-o,--output", options->output, "contours.json")->required();
-  command->add_option(
-    "--result", options->result, "result.json, or its folder: silhouettes where the case was registered");
+  command->add_option("-o,--output", options->output, "The contours (.json)")->type_name("FILE")->required();
+  command
+    ->add_option("--result", options->result, "result.json, or its folder: silhouettes where the case was registered")
+    ->type_name("FILE");
   AddViewOption(command, options->view);
   command->add_option("--points", options->points, "Resample to so many points (0: as they come)")
     ->check(CLI::Range(0u, 1000000u))

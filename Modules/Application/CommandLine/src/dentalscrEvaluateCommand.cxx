@@ -25,6 +25,8 @@
 #include "itkLandmarkErrorStatistics.h"
 #include "itkTextFile.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -34,6 +36,7 @@ namespace dentalscr
 {
 namespace
 {
+namespace fs = std::filesystem;
 using JawEnum = itk::ToothCode::JawEnum;
 using GroupEnum = itk::ToothCode::GroupEnum;
 
@@ -113,16 +116,78 @@ WriteRow(
   os << row.str() << '\n';
 }
 
+/** The results of a folder: its own, or those of all folders below it, by name. */
+std::vector<std::string>
+FindResults(const std::string & name)
+{
+  std::error_code error;
+  if (!fs::is_directory(name, error))
+  {
+    return { name };
+  }
+  const fs::path own = fs::path(name) / "result.json";
+  if (fs::exists(own, error))
+  {
+    return { own.string() };
+  }
+  std::vector<std::string> results;
+  for (auto entry = fs::recursive_directory_iterator(name, fs::directory_options::skip_permission_denied, error);
+       !error && entry != fs::recursive_directory_iterator();
+       entry.increment(error))
+  {
+    if (entry->path().filename() == "result.json")
+    {
+      results.push_back(entry->path().string());
+    }
+  }
+  if (results.empty())
+  {
+    itkDentalInputErrorMacro(
+      name, "", "there is no result.json in it or below", "name the output of register or batch");
+  }
+  std::sort(results.begin(), results.end());
+  return results;
+}
+
+/** The landmarks that were marked on the radiograph of a result, as its case names them; "" where it names none. */
+std::string
+FindLandmarks(const std::string & result, const itk::JsonNode & root)
+{
+  const auto inputs = root.Find("inputs");
+  const auto marked = inputs ? inputs->Find("landmarks_2d") : std::nullopt;
+  const auto path = marked ? marked->Find("path") : std::nullopt;
+  if (!path)
+  {
+    return "";
+  }
+  const auto      given = inputs->Find("case");
+  const auto      caseFile = given ? given->Find("path") : std::nullopt;
+  const fs::path  file = (caseFile ? fs::path(caseFile->AsString()).parent_path() : fs::path()) / path->AsString();
+  std::error_code error;
+  if (!fs::exists(file, error))
+  {
+    path->Fail("there is no file \"" + file.string() + "\", seen from here",
+               "give it by --landmarks, or run from the folder that " + result + " was made from");
+  }
+  return file.string();
+}
+
 int
 Evaluate(const EvaluateOptions & options, const CommonOptions & common)
 {
-  if (options.results.size() != options.landmarks.size())
+  std::vector<std::string> results;
+  for (const std::string & name : options.results)
+  {
+    const auto found = FindResults(name);
+    results.insert(results.end(), found.begin(), found.end());
+  }
+  if (!options.landmarks.empty() && results.size() != options.landmarks.size())
   {
     itkDentalInputErrorMacro("command line",
                              "--landmarks",
-                             std::to_string(options.results.size()) + " results but " +
+                             std::to_string(results.size()) + " results but " +
                                std::to_string(options.landmarks.size()) + " landmark files",
-                             "give one landmark file a result, in the same order");
+                             "give one landmark file a result, in the same order, or none: then the case names them");
   }
   itk::LandmarkErrorStatistics cohort[2];
   std::ostringstream           table;
@@ -131,14 +196,14 @@ Evaluate(const EvaluateOptions & options, const CommonOptions & common)
   table << std::left << std::setw(40) << "case" << std::right << std::setw(7) << "jaw" << std::setw(5) << "n"
         << std::setw(10) << "mean" << std::setw(10) << "RMSE" << std::setw(10) << "std" << std::setw(10) << "Inc.&Can."
         << std::setw(10) << "PreM" << std::setw(10) << "Molars" << '\n';
-  for (std::size_t i = 0; i < options.results.size(); ++i)
+  std::size_t measured = 0;
+  for (std::size_t i = 0; i < results.size(); ++i)
   {
-    const auto root = itk::JsonDocument::ReadFile(options.results[i]).GetRoot();
+    const auto root = itk::JsonDocument::ReadFile(results[i]).GetRoot();
     const auto schema = root.IsObject() ? root.Find("schema") : std::nullopt;
     if (!schema)
     {
-      itkDentalInputErrorMacro(
-        options.results[i], "schema", "missing: this is no result of dentalscr", "name a result.json");
+      itkDentalInputErrorMacro(results[i], "schema", "missing: this is no result of dentalscr", "name a result.json");
     }
     // Figures of another version's fields would be figures of something else.
     if (schema->AsString() != "dentalscr-result/1")
@@ -146,8 +211,15 @@ Evaluate(const EvaluateOptions & options, const CommonOptions & common)
       schema->Fail("is \"" + schema->AsString() + "\", and this version reads \"dentalscr-result/1\"",
                    "register the case again");
     }
+    const std::string marked = options.landmarks.empty() ? FindLandmarks(results[i], root) : options.landmarks[i];
+    if (marked.empty())
+    {
+      std::cerr << "dentalscr: warning: " << results[i] << " is left out: its case names no landmarks_2d\n";
+      continue;
+    }
+    ++measured;
     auto reader = itk::DentalLandmarkFileReader<2>::New();
-    reader->SetFileName(options.landmarks[i]);
+    reader->SetFileName(marked);
     reader->Update();
     const auto side = root.Find("traced_side");
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
@@ -163,12 +235,17 @@ Evaluate(const EvaluateOptions & options, const CommonOptions & common)
       filter->SetJaw(jaw);
       filter->SetBisectSides(side && side->AsString() == "mean");
       filter->Update();
-      WriteRow(table, options.results[i], jaw, filter->GetStatistics(), false);
-      WriteRow(csv, options.results[i], jaw, filter->GetStatistics(), true);
+      WriteRow(table, results[i], jaw, filter->GetStatistics(), false);
+      WriteRow(csv, results[i], jaw, filter->GetStatistics(), true);
       cohort[jaw == JawEnum::Upper ? 0 : 1].Add(filter->GetStatistics());
     }
   }
-  if (options.results.size() > 1)
+  if (measured == 0)
+  {
+    itkDentalInputErrorMacro(
+      options.results[0], "", "no case of it names landmarks that were marked", "give them by --landmarks");
+  }
+  if (measured > 1)
   {
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
@@ -193,12 +270,20 @@ AddEvaluateCommand(CLI::App & program, const CommonOptions & common, RunFunction
 {
   auto   options = std::make_shared<EvaluateOptions>();
   auto * command = program.add_subcommand("evaluate", "Landmark errors of results against marked landmarks, in pixels");
-  command->add_option("results", options->results, "result.json of one or more cases")->required();
-  command->add_option("--landmarks", options->landmarks, "2-D landmark file of each case, in the same order")
+  command
+    ->add_option("results", options->results, "Results: result.json, its folder, or a folder with results below it")
+    ->type_name("FILE")
     ->required();
-  command->add_option("--csv", options->csv, "Write the table to a file too");
+  command
+    ->add_option("--landmarks",
+                 options->landmarks,
+                 "2-D landmark file of each result, in the same order (default: what its case names)")
+    ->type_name("FILE");
+  command->add_option("--csv", options->csv, "Write the table to a file too")->type_name("FILE");
   command->footer("With several results the last rows pool all landmarks, as the paper's tables do.\n"
-                  "Example:\n"
+                  "Examples:\n"
+                  "  dentalscr evaluate result\n"
+                  "  dentalscr evaluate results --csv errors.csv      # all cases of a batch\n"
                   "  dentalscr evaluate result/result.json --landmarks case/landmarks2d.json\n");
   command->callback([options, &common, &run]() { run = [options, &common]() { return Evaluate(*options, common); }; });
 }

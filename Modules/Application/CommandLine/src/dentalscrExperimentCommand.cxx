@@ -31,6 +31,7 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
   auto * command = program.add_subcommand(
     "experiment", "Compares methods on a simulated cohort or on annotated cases: the paper's tables and more");
   command->add_option("-o,--output", options->output, "Folder for tables and plots; a run that was interrupted goes on")
+    ->type_name("FOLDER")
     ->required();
   auto * cases =
     command
@@ -58,11 +59,13 @@ AddExperimentCommand(CLI::App & program, const CommonOptions & common, RunFuncti
                  "Methods, separated by commas: bounding-box, single-stage, paper, robust, icp[-trimmed][-rigid], "
                  "cpd[-robust][-rigid], mutual-information, normalized-correlation, gradient-correlation, no-umda, "
                  "one-sided, no-coarse-to-fine (= single-stage), parallel; or default, intensity, all")
+    ->type_name("METHOD")
     ->delimiter(',')
     ->capture_default_str();
   command
     ->add_option(
       "--from", options->from, "Folder whose subfolders hold a case.json with landmarks_2d each, instead of simulating")
+    ->type_name("FOLDER")
     ->excludes(level)
     ->excludes(parameters)
     ->excludes(cases);

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -35,21 +36,55 @@ namespace dentalscr
 {
 namespace
 {
-/** What the program is asked to say of itself: --describe, --completion SHELL, --man [VERB]; else nothing. */
-std::string
-Describe(const CLI::App & program, int argc, const char * const * argv)
+/** The help of a verb ends with the options that every verb has: a verb has no further verbs, which would stand there.
+ */
+class HelpFormatter : public CLI::Formatter
 {
-  const std::string first = argc > 1 ? argv[1] : "";
-  const std::string second = argc > 2 ? argv[2] : "";
-  if (first == "--describe")
+public:
+  std::string
+  make_subcommands(const CLI::App * app, CLI::AppFormatMode mode) const override
   {
-    return ToJson(DescribeProgram(program));
+    if (app->get_parent() == nullptr)
+    {
+      return CLI::Formatter::make_subcommands(app, mode);
+    }
+    return this->make_group(CommonGroup, false, app->get_parent()->get_options([](const CLI::Option * option) {
+      return option->get_group() == CommonGroup;
+    }));
   }
-  if (first == "--completion")
-  {
-    return WriteShellCompletion(DescribeProgram(program), second);
-  }
-  return first == "--man" ? WriteManualPage(DescribeProgram(program), second) : "";
+};
+
+/** What the program is asked to say of itself ends it, as --version does. */
+void
+AddSelfDescription(CLI::App & program)
+{
+  const auto print = [](const std::string & text) { throw CLI::CallForVersion(text, AllRegistered); };
+  program
+    .add_option_function<std::string>(
+      "--completion",
+      [&program, print](const std::string & shell) { print(WriteShellCompletion(DescribeProgram(program), shell)); },
+      "Print a script that completes what is typed")
+    ->check(CLI::IsMember(GetCompletionShells()))
+    ->group(SelfGroup);
+  // With the name of a verb it never comes here (Run()).
+  program
+    .add_option_function<std::string>(
+      "--man",
+      [&program, print](const std::string & verb) { print(WriteManualPage(DescribeProgram(program), verb)); },
+      "Print a manual page: that of a verb, or the program's")
+    ->type_name("VERB")
+    ->expected(0, 1)
+    ->group(SelfGroup);
+  program
+    .add_flag_callback(
+      "--describe",
+      [&program, print]() { print(ToJson(DescribeProgram(program))); },
+      "Print all verbs and options as JSON")
+    ->group(SelfGroup);
+  program
+    .add_flag_callback(
+      "--xml", [print]() { print(SlicerDescription()); }, "Print the verb register as a module of 3D Slicer")
+    ->group(SelfGroup);
 }
 
 int
@@ -58,6 +93,7 @@ Run(int argc, const char * const * argv)
   CLI::App program{ "Aligns 3-D intraoral scans of the teeth with a lateral cephalometric radiograph.\n"
                     "Research software, not a medical device." };
   program.name("dentalscr");
+  program.formatter(std::make_shared<HelpFormatter>());
   program.set_version_flag(
     "--version", std::string("dentalscr ") + itk::DentalSCRVersion + " (ITK " + itk::Version::GetITKVersion() + ")");
   program.require_subcommand(1);
@@ -65,13 +101,14 @@ Run(int argc, const char * const * argv)
   program.footer("Example:\n"
                  "  dentalscr phantom --output sample\n"
                  "  dentalscr register sample/case.json --output result\n"
-                 "Each verb has its own --help with examples. --xml describes the verb register to 3D Slicer,\n"
-                 "--completion SHELL prints a script for bash, zsh or fish, --man [VERB] a manual page.");
+                 "Each verb has its own --help with examples.");
 
   CommonOptions common;
   program.add_option("--threads", common.threads, "Number of threads (0: all); the result is the same for any")
-    ->check(CLI::Range(0u, 1024u));
-  program.add_flag("--quiet", common.quiet, "No progress and no summary");
+    ->check(CLI::Range(0u, 1024u))
+    ->group(CommonGroup);
+  program.add_flag("--quiet", common.quiet, "No progress and no summary")->group(CommonGroup);
+  AddSelfDescription(program);
 
   RunFunction run;
   AddRegisterCommand(program, common, run);
@@ -88,23 +125,18 @@ Run(int argc, const char * const * argv)
   AddExperimentCommand(program, common, run);
   AddViewCommand(program, common, run);
 
-  if (argc > 1 && std::string(argv[1]) == "--xml")
+  // The parser would take the verb behind it for one to run.
+  if (argc > 2 && std::string(argv[1]) == "--man")
   {
-    std::cout << SlicerDescription() << std::flush;
-    return AllRegistered;
-  }
-  try
-  {
-    const std::string text = Describe(program, argc, argv);
-    if (!text.empty())
+    try
     {
-      std::cout << text << std::flush;
+      std::cout << WriteManualPage(DescribeProgram(program), argv[2]) << std::endl;
       return AllRegistered;
     }
-  }
-  catch (const std::invalid_argument & error)
-  {
-    return Fail(error.what());
+    catch (const std::invalid_argument & error)
+    {
+      return Fail(error.what());
+    }
   }
   const auto isChosen = [&](CLI::App * verb) { return argc > 1 && verb->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && program.get_subcommands(isChosen).empty())

@@ -247,16 +247,10 @@ WriteVerb(const ProgramDescription & description, const VerbDescription & verb)
   }
   page << " [\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n" << Escape(verb.help) << ".\n";
   WriteOptions(page, verb);
-  page << ".SH COMMON OPTIONS\n";
-  for (const OptionDescription & option : description.program.options)
+  page << ".SH OPTIONS OF EVERY VERB\n";
+  for (const OptionDescription & option : description.common)
   {
-    const bool isKnown = std::any_of(verb.options.begin(), verb.options.end(), [&](const OptionDescription & other) {
-      return other.names == option.names;
-    });
-    if (!isKnown)
-    {
-      WriteOption(page, option);
-    }
+    WriteOption(page, option);
   }
   WriteNotes(page, verb.notes);
   page << ".SH SEE ALSO\n\\fBdentalscr\\fR(1)\n";

@@ -19,6 +19,7 @@
 
 #include "itkDentalInputError.h"
 #include "itkRecogniseCaseFolder.h"
+#include "itkRequireJsonName.h"
 #include "itkTextFile.h"
 
 #include <nlohmann/json.hpp>
@@ -46,6 +47,7 @@ struct NewOptions
 int
 New(const NewOptions & options, const CommonOptions & common)
 {
+  itk::RequireJsonName(options.output, "cases");
   const fs::path  output = options.output.empty() ? fs::path(options.folder) / "case.json" : fs::path(options.output);
   std::error_code error;
   if (fs::exists(output, error) && !options.force)
@@ -104,8 +106,11 @@ AddNewCommand(CLI::App & program, const CommonOptions & common, RunFunction & ru
 {
   auto   options = std::make_shared<NewOptions>();
   auto * command = program.add_subcommand("new", "Writes a case file from what it recognises in a folder");
-  command->add_option("folder", options->folder, "Folder with scans, radiograph, tracing, landmarks")->required();
-  command->add_option("-o,--output", options->output, "The case file (default: case.json in the folder)");
+  command->add_option("folder", options->folder, "Folder with scans, radiograph, tracing, landmarks")
+    ->type_name("FOLDER")
+    ->required();
+  command->add_option("-o,--output", options->output, "The case file (default: case.json in the folder)")
+    ->type_name("FILE");
   command->add_flag("--force", options->force, "Replace a case file that is there");
   command->footer(
     "Scans are told by whole words of their names (upper, maxilla, UpperJawScan, shell_occlusion_u), drawings by\n"

@@ -29,7 +29,7 @@ AddPhantomCommand(CLI::App & program, const CommonOptions & common, RunFunction 
 {
   auto   options = std::make_shared<PhantomOptions>();
   auto * command = program.add_subcommand("phantom", "Makes simulated cases with a known answer");
-  command->add_option("-o,--output", options->output, "Folder of the case, or of the cases");
+  command->add_option("-o,--output", options->output, "Folder of the case, or of the cases")->type_name("FOLDER");
   command
     ->add_option("--level",
                  options->level,

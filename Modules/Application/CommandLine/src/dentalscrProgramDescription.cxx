@@ -21,6 +21,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <iterator>
+
 namespace dentalscr
 {
 namespace
@@ -45,14 +48,11 @@ GetChoices(const std::string & type)
   return choices;
 }
 
+/** What may follow, by the name of its type that --help prints: every option says there whether it is a file. */
 ValueEnum
 GetValue(const CLI::Option & option, const OptionDescription & description)
 {
-  const auto startsWith = [&](const char * word) { return description.type.rfind(word, 0) == 0; };
-  const auto endsWith = [&](const std::string & word) {
-    return description.type.size() >= word.size() &&
-           description.type.compare(description.type.size() - word.size(), word.size(), word) == 0;
-  };
+  const auto has = [&](const char * word) { return description.type.find(word) != std::string::npos; };
   if (option.get_items_expected_max() == 0)
   {
     return ValueEnum::None;
@@ -61,19 +61,15 @@ GetValue(const CLI::Option & option, const OptionDescription & description)
   {
     return ValueEnum::Choice;
   }
-  if (startsWith("INT") || startsWith("UINT") || startsWith("FLOAT"))
+  if (has("INT") || has("FLOAT"))
   {
     return ValueEnum::Number;
   }
-  const std::string folder = "Folder";
-  if (endsWith("DIR") ||
-      (description.help.rfind(folder, 0) == 0 && description.help.compare(folder.size(), 1, "s") != 0))
+  if (has("FOLDER") || has("DIR"))
   {
     return ValueEnum::Folder;
   }
-  // Words with a delimiter between them, such as codes of teeth, are no files, and neither are assignments.
-  const bool isAssignment = description.type.find('=') != std::string::npos;
-  return option.get_delimiter() != '\0' || isAssignment ? ValueEnum::List : ValueEnum::File;
+  return has("FILE") ? ValueEnum::File : ValueEnum::List;
 }
 
 VerbDescription
@@ -145,6 +141,10 @@ DescribeProgram(const CLI::App & program)
 {
   ProgramDescription description;
   description.program = DescribeVerb(program);
+  std::copy_if(description.program.options.begin(),
+               description.program.options.end(),
+               std::back_inserter(description.common),
+               [](const OptionDescription & option) { return option.group == CommonGroup; });
   description.version = itk::DentalSCRVersion;
   for (const CLI::App * verb : program.get_subcommands([](const CLI::App *) { return true; }))
   {

@@ -25,6 +25,10 @@
 
 namespace dentalscr
 {
+/** Headings of --help: what every verb takes as well, and what makes the program speak of itself and end. */
+constexpr char CommonGroup[] = "Options of every verb";
+constexpr char SelfGroup[] = "About the program";
+
 /** An option, or an argument by position, as the parser knows it. */
 struct OptionDescription
 {
@@ -55,7 +59,7 @@ struct OptionDescription
   bool isRequired{ false };
 };
 
-/** A verb with what it takes; or the program itself, whose options every verb takes as well. */
+/** A verb with what it takes; or the program itself. */
 struct VerbDescription
 {
   std::string                    name;
@@ -69,9 +73,11 @@ struct VerbDescription
  * --describe are written from it, so that none of them can lag behind --help. */
 struct ProgramDescription
 {
-  VerbDescription              program;
-  std::string                  version;
-  std::vector<VerbDescription> verbs;
+  VerbDescription program;
+  /** Those of the program's options that every verb takes. */
+  std::vector<OptionDescription> common;
+  std::string                    version;
+  std::vector<VerbDescription>   verbs;
 };
 
 ProgramDescription

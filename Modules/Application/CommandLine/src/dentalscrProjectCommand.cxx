@@ -23,6 +23,7 @@
 #include "itkDentalLandmarkFileReader.h"
 #include "itkJsonDocument.h"
 #include "itkLandmarkProjectionFilter.h"
+#include "itkRequireJsonName.h"
 #include "itkTextFile.h"
 
 #include <nlohmann/json.hpp>
@@ -126,6 +127,7 @@ ReadPoints(const ProjectOptions & options)
 int
 Project(const ProjectOptions & options)
 {
+  itk::RequireJsonName(options.output, "points");
   auto reader = itk::CaseResultFileReader::New();
   reader->SetFileName(options.result);
   reader->SetViewName(options.view);
@@ -185,14 +187,15 @@ AddProjectCommand(CLI::App & program, const CommonOptions &, RunFunction & run)
 {
   auto   options = std::make_shared<ProjectOptions>();
   auto * command = program.add_subcommand("project", "Where points of a registered scan are on the radiograph");
-  command->add_option("result", options->result, "result.json, or its folder")->required();
+  command->add_option("result", options->result, "result.json, or its folder")->type_name("FILE")->required();
   command
     ->add_option("--points", options->points, "JSON {\"name\": [x, y, z]} or landmarks, in the scan's frame and unit")
+    ->type_name("FILE")
     ->required();
   command->add_option("--jaw", options->jaw, "The jaw of points whose names do not tell it")
     ->check(CLI::IsMember({ "upper", "lower" }));
   AddViewOption(command, options->view);
-  command->add_option("-o,--output", options->output, "JSON file (default: standard output)");
+  command->add_option("-o,--output", options->output, "JSON file (default: standard output)")->type_name("FILE");
   command->footer("Gives position (continuous pixel index) and sigma_px (standard deviation an axis) of each.\n"
                   "Example:\n"
                   "  dentalscr project result --points landmarks3d.json\n"

@@ -20,6 +20,7 @@
 
 #include "itkCaseInputFile.h"
 #include "itkCaseLandmarkErrorFilter.h"
+#include "itkCasePresetNames.h"
 #include "itkCaseRegistration.h"
 #include "itkCaseResultFolderWriter.h"
 #include "itkDentalCaseFileReader.h"
@@ -346,20 +347,27 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
 {
   auto   options = std::make_shared<RegisterOptions>();
   auto * command = program.add_subcommand("register", "Registers a case: scans and tracing in, aligned case out");
-  command->add_option("case", options->caseFile, "Case file (JSON); or give its fields as options (below)");
-  command->add_option("-o,--output", options->output, "Folder for the result")->required();
-  command->add_option("--preset", options->preset, "robust, paper, bounding-box or single-stage")
-    ->type_name("{robust,paper,bounding-box,single-stage}")
+  command->add_option("case", options->caseFile, "Case file (JSON); or give its fields as options (below)")
+    ->type_name("FILE");
+  command->add_option("-o,--output", options->output, "Folder for the result")->type_name("FOLDER")->required();
+  command
+    ->add_option("--preset", options->preset, "How to register: " + CLI::detail::join(itk::GetCasePresetNames(), ", "))
+    ->type_name("{" + CLI::detail::join(itk::GetCasePresetNames()) + "}")
     ->capture_default_str();
-  command->add_option("--init", options->init, "JSON file with the alignment to start from, as the case's \"init\"");
+  command->add_option("--init", options->init, "JSON file with the alignment to start from, as the case's \"init\"")
+    ->type_name("FILE");
   options->fields.AddTo(command);
-  command->add_option("--from",
-                      options->from,
-                      "An earlier result (result.json or its folder): its case again, from where it ended, with its "
-                      "--exclude, --fix and --option unless they are given here");
+  command
+    ->add_option("--from",
+                 options->from,
+                 "An earlier result (result.json or its folder): its case again, from where it ended, with its "
+                 "--exclude, --fix and --option unless they are given here")
+    ->type_name("FILE");
   command->add_option("--exclude", options->exclude, "Teeth to leave out of the tracing, e.g. UR3,UR4; none: nobody")
+    ->type_name("TOOTH")
     ->delimiter(',');
   command->add_option("--fix", options->fix, "What to hold at its start: scale, rotation, translation; none: nothing")
+    ->type_name("WHAT")
     ->delimiter(',');
   command
     ->add_option(

@@ -47,7 +47,7 @@ struct RenderOptions
   std::string output;
   std::string result;
   std::string view;
-  double      sigmaInPixels{ 2.0 };
+  double      sigma{ 0.5 };
   std::string mode{ "thickness" };
   std::string normalization{ "physical" };
   double      attenuation{ 0.08 };
@@ -108,7 +108,7 @@ Render(const RenderOptions & options, const CommonOptions & common)
     auto       source = SourceType::New();
     source->SetInput(data->GetJaw(jaw).mesh);
     source->SetGeometry(geometry);
-    source->SetSigma(options.sigmaInPixels * 0.5 * (geometry->GetPixelSpacing()[0] + geometry->GetPixelSpacing()[1]));
+    source->SetSigma(options.sigma);
     source->SetNormalization(options.normalization == "paper"
                                ? itk::SurfaceDRRImageSourceEnums::Normalization::Paper
                                : itk::SurfaceDRRImageSourceEnums::Normalization::Physical);
@@ -205,13 +205,17 @@ AddRenderCommand(CLI::App & program, const CommonOptions & common, RunFunction &
   auto   options = std::make_shared<RenderOptions>();
   auto * command = program.add_subcommand("render", "Renders scans as a radiograph would show them (surface DRR)");
   options->scans.AddTo(command, true);
-  command->add_option("-o,--output", options->output, "Image: .png (8 bit), .tif, .mha, .nrrd (float)")->required();
-  command->add_option("--result",
-                      options->result,
-                      "result.json, or its folder: render where the case was registered, on its radiograph's grid");
+  command->add_option("-o,--output", options->output, "Image: .png (8 bit), .tif, .mha, .nrrd (float)")
+    ->type_name("FILE")
+    ->required();
+  command
+    ->add_option("--result",
+                 options->result,
+                 "result.json, or its folder: render where the case was registered, on its radiograph's grid")
+    ->type_name("FILE");
   AddViewOption(command, options->view);
-  command->add_option("--sigma", options->sigmaInPixels, "Width of the splats, pixels")
-    ->check(CLI::Range(0.1, 100.0))
+  command->add_option("--sigma", options->sigma, "Width of the splats in the detector plane, mm")
+    ->check(CLI::Range(0.01, 25.0))
     ->capture_default_str();
   command->add_option("--mode", options->mode, "thickness, intensity (Beer-Lambert) or radiograph (inverted)")
     ->check(CLI::IsMember({ "thickness", "intensity", "radiograph" }))

@@ -59,9 +59,11 @@ AddReportCommand(CLI::App & program, const CommonOptions & common, RunFunction &
 {
   auto   options = std::make_shared<ReportOptions>();
   auto * command = program.add_subcommand("report", "Writes the page of a result again: one file to judge it by");
-  command->add_option("result", options->result, "result.json, or its folder")->required();
-  command->add_option("-o,--output", options->page.fileName, "The page (default: report.html beside the result)");
-  command->add_option("--image", options->page.imageFile, "The radiograph, where it is not where the result says");
+  command->add_option("result", options->result, "result.json, or its folder")->type_name("FILE")->required();
+  command->add_option("-o,--output", options->page.fileName, "The page (default: report.html beside the result)")
+    ->type_name("FILE");
+  command->add_option("--image", options->page.imageFile, "The radiograph, where it is not where the result says")
+    ->type_name("FILE");
   command->add_flag("--anonymous", options->page.anonymous, "No paths and no names of files in it");
   command->footer("The page asks nothing of the network; every number on it is in result.json and report.json.\n"
                   "Example:\n"

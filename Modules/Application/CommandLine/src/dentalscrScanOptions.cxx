@@ -40,12 +40,15 @@ constexpr char FirstView[] = "lateral";
 void
 ScanOptions::AddTo(CLI::App * command, bool withGeometry)
 {
-  auto * caseFile = command->add_option("--case", m_CaseFile, "Take scans and geometry from a case file");
-  command->add_option("--upper", m_Upper, "Upper scan (STL, PLY, OBJ, OFF)")->excludes(caseFile);
-  command->add_option("--lower", m_Lower, "Lower scan")->excludes(caseFile);
+  auto * caseFile =
+    command->add_option("--case", m_CaseFile, "Take scans and geometry from a case file")->type_name("FILE");
+  command->add_option("--upper", m_Upper, "Upper scan (STL, PLY, OBJ, OFF)")->type_name("FILE")->excludes(caseFile);
+  command->add_option("--lower", m_Lower, "Lower scan")->type_name("FILE")->excludes(caseFile);
   command->add_option("--mesh-unit", m_MeshUnit, "Unit of the scans: mm, cm, inch, m or um (default mm)")
+    ->type_name("{mm,cm,inch,m,um}")
     ->excludes(caseFile);
-  command->add_option("--occlusion", m_Occlusion, "Jaws in one frame: true, false or check (default check)");
+  command->add_option("--occlusion", m_Occlusion, "Jaws in one frame: true, false or check (default check)")
+    ->type_name("{true,false,check}");
   if (withGeometry)
   {
     command->add_option("--spacing", m_PixelSpacing, "Pixel spacing in the detector plane, mm: u v")->expected(2);
@@ -122,7 +125,8 @@ ScanOptions::Load() const
 void
 AddViewOption(CLI::App * command, std::string & view)
 {
-  command->add_option("--view", view, "A further view of the case, by its name, instead of the lateral one");
+  command->add_option("--view", view, "A further view of the case, by its name, instead of the lateral one")
+    ->type_name("NAME");
 }
 
 ScanFrames

@@ -58,10 +58,10 @@ Quote(const std::string & text, const std::string & quote)
 }
 
 std::vector<std::string>
-GetNames(const VerbDescription & verb)
+GetNames(const std::vector<OptionDescription> & options)
 {
   std::vector<std::string> names;
-  for (const OptionDescription & option : verb.options)
+  for (const OptionDescription & option : options)
   {
     if (!option.isPositional)
     {
@@ -141,16 +141,16 @@ WriteBash(const ProgramDescription & description)
   {
     script << "    " << verb.name << ")\n      case $previous in\n";
     WriteBashValues(script, verb);
-    script << "        *) words='" << Join(GetNames(verb), " ") << "'; kind=other ;;\n      esac\n      ;;\n";
+    script << "        *) words='" << Join(GetNames(verb.options), " ") << "'; kind=other ;;\n      esac\n      ;;\n";
   }
-  script << "    *)\n      words='" << Join(verbs, " ") << ' ' << Join(GetNames(description.program), " ")
+  script << "    *)\n      words='" << Join(verbs, " ") << ' ' << Join(GetNames(description.program.options), " ")
          << "'\n      ;;\n  esac\n  case $previous in\n";
   WriteBashValues(script, description.program);
   script << "  esac\n";
   script << R"(  if [ "$kind" = other ]; then
     # The options of every verb; a word without dashes is a file.
     words="$words )"
-         << Join(GetNames(description.program), " ") << R"("
+         << Join(GetNames(description.common), " ") << R"("
     case $current in
       -*) kind= ;;
       *) words=; kind=file ;;
@@ -251,14 +251,8 @@ WriteZsh(const ProgramDescription & description)
   {
     script << "_dentalscr_" << verb.name << "()\n{\n  _arguments";
     WriteZshOptions(script, verb);
-    VerbDescription common = description.program;
-    // A verb has a --help of its own.
-    const auto isKnown = [&](const OptionDescription & option) {
-      return std::any_of(verb.options.begin(), verb.options.end(), [&](const OptionDescription & other) {
-        return other.names == option.names;
-      });
-    };
-    common.options.erase(std::remove_if(common.options.begin(), common.options.end(), isKnown), common.options.end());
+    VerbDescription common;
+    common.options = description.common;
     WriteZshOptions(script, common);
     script << "\n}\n";
   }
@@ -317,7 +311,16 @@ WriteFish(const ProgramDescription & description)
     script << "complete -c dentalscr -n __fish_use_subcommand -f -a " << verb.name << " -d " << Quote(verb.help, "\\'")
            << '\n';
   }
-  WriteFishOptions(script, description.program, "");
+  // Those of every verb anywhere, the others before a verb.
+  VerbDescription common;
+  common.options = description.common;
+  VerbDescription others = description.program;
+  others.options.erase(std::remove_if(others.options.begin(),
+                                      others.options.end(),
+                                      [](const OptionDescription & option) { return option.group == CommonGroup; }),
+                       others.options.end());
+  WriteFishOptions(script, common, "");
+  WriteFishOptions(script, others, "__fish_use_subcommand");
   for (const VerbDescription & verb : description.verbs)
   {
     WriteFishOptions(script, verb, "__fish_seen_subcommand_from " + verb.name);

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "dentalscrCommands.h"
 
+#include "itkCasePresetNames.h"
 #include "itkDentalSCRVersion.h"
 
 #include <string>
@@ -26,6 +27,11 @@ namespace dentalscr
 std::string
 SlicerDescription()
 {
+  std::string presets;
+  for (const std::string & name : itk::GetCasePresetNames())
+  {
+    presets += "      <element>" + name + "</element>\n";
+  }
   // The verb is a hidden first argument: Slicer knows none.
   return std::string(R"(<?xml version="1.0" encoding="utf-8"?>
 <executable>
@@ -66,12 +72,8 @@ SlicerDescription()
       <label>Preset</label>
       <description>How to register</description>
       <longflag>--preset</longflag>
-      <default>robust</default>
-      <element>robust</element>
-      <element>paper</element>
-      <element>bounding-box</element>
-      <element>single-stage</element>
-    </string-enumeration>
+      <default>)" +
+         itk::GetCasePresetNames().front() + "</default>\n" + presets + R"(    </string-enumeration>
     <integer>
       <name>threads</name>
       <label>Threads</label>

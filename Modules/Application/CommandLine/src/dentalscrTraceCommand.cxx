@@ -364,13 +364,17 @@ AddTraceCommand(CLI::App & program, const CommonOptions & common, RunFunction & 
   auto   options = std::make_shared<TraceOptions>();
   auto * command = program.add_subcommand(
     "trace", "Opens a radiograph to be traced in a browser, with drafts of the crowns where the scans are known");
-  command->add_option("radiograph", options->image, "The radiograph (default: the case's)");
-  command->add_option("--case", options->caseFile, "Case file, whose scans are registered while you draw");
-  command->add_option(
-    "-o,--output", options->output, "File for the tracing (contours.json); what is in it is gone on with");
-  command->add_option("--landmarks", options->landmarks, "The same for landmarks (cephalometric_landmarks)");
-  command->add_option(
-    "--page", options->page, "Write one HTML file that works by itself, instead of answering a browser");
+  command->add_option("radiograph", options->image, "The radiograph (default: the case's)")->type_name("FILE");
+  command->add_option("--case", options->caseFile, "Case file, whose scans are registered while you draw")
+    ->type_name("FILE");
+  command
+    ->add_option("-o,--output", options->output, "File for the tracing (contours.json); what is in it is gone on with")
+    ->type_name("FILE");
+  command->add_option("--landmarks", options->landmarks, "The same for landmarks (cephalometric_landmarks)")
+    ->type_name("FILE");
+  command
+    ->add_option("--page", options->page, "Write one HTML file that works by itself, instead of answering a browser")
+    ->type_name("FILE");
   command->add_option("--port", options->port, "Port of 127.0.0.1 (0: any that is free)")
     ->check(CLI::Range(0, 65535))
     ->capture_default_str();

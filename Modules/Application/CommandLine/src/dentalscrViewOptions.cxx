@@ -22,20 +22,25 @@ namespace dentalscr
 void
 ViewOptions::AddTo(CLI::App * command)
 {
-  command->add_option("result", result, "result.json, or its folder")->required();
-  command->add_option("--snapshot", snapshot, "PNG file with a picture of the scene, instead of a window");
-  command->add_option("--export",
-                      exportFile,
-                      "File for other programs, instead of a window: .gltf (Blender, web), .vtm (ParaView), "
-                      ".vtp (Slicer, ParaView)");
+  command->add_option("result", result, "result.json, or its folder")->type_name("FILE")->required();
+  command->add_option("--snapshot", snapshot, "PNG file with a picture of the scene, instead of a window")
+    ->type_name("FILE");
+  command
+    ->add_option("--export",
+                 exportFile,
+                 "File for other programs, instead of a window: .gltf (Blender, web), .vtm (ParaView), "
+                 ".vtp (Slicer, ParaView)")
+    ->type_name("FILE");
   command
     ->add_option(
       "--camera", camera, "overview, front, side, above, all, source, teeth, or the name of a view, as lateral")
+    ->type_name("NAME")
     ->capture_default_str();
   command->add_option("--size", size, "Width and height of window or picture, pixels")
     ->check(CLI::Range(64u, 8192u))
     ->capture_default_str();
-  command->add_option("--case", caseFile, "The case file, where it is no longer where the result says");
+  command->add_option("--case", caseFile, "The case file, where it is no longer where the result says")
+    ->type_name("FILE");
 }
 
 std::vector<std::string>

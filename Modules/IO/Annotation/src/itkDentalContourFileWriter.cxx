@@ -18,6 +18,7 @@
 #include "itkDentalContourFileWriter.h"
 
 #include "itkJsonNumber.h"
+#include "itkRequireJsonName.h"
 #include "itkTextFile.h"
 
 #include <algorithm>
@@ -131,6 +132,7 @@ DentalContourFileWriter::VerifyPreconditions() ITKv5_CONST
   {
     itkExceptionMacro("No file to write. Call SetFileName() first.");
   }
+  RequireJsonName(m_FileName, "contours");
   if (this->GetUpper() == nullptr && this->GetLower() == nullptr)
   {
     itkExceptionMacro("Nothing to write. Call SetUpper() or SetLower() first.");

@@ -18,6 +18,7 @@
 #include "itkDentalLandmarkFileWriter.h"
 
 #include "itkJsonNumber.h"
+#include "itkRequireJsonName.h"
 #include "itkTextFile.h"
 
 namespace itk
@@ -45,6 +46,7 @@ DentalLandmarkFileWriter<VDimension>::VerifyPreconditions() ITKv5_CONST
   {
     itkExceptionMacro("No file to write. Call SetFileName() first.");
   }
+  RequireJsonName(m_FileName, "landmarks");
   if (this->GetInput() == nullptr)
   {
     itkExceptionMacro("Nothing to write. Call SetInput() first.");
