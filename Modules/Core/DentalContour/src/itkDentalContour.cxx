@@ -110,11 +110,18 @@ DentalContour::AddPolyline(const PolylineType & polyline)
   {
     itkExceptionMacro("A closed contour needs at least 3 points, not " << polyline.points.size() << ".");
   }
-  if (!polyline.weights.empty() && polyline.weights.size() != polyline.points.size())
-  {
-    itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << polyline.weights.size()
-                                       << " weights; give one a point or none.");
-  }
+  const auto verifyCount = [&](std::size_t given, const char * name) {
+    if (given != 0 && given != polyline.points.size())
+    {
+      itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << given << ' ' << name
+                                         << "; give one a point or none.");
+    }
+  };
+  verifyCount(polyline.weights.size(), "weights");
+  verifyCount(polyline.sigmas.size(), "sigmas");
+  verifyCount(polyline.normals.size(), "normals");
+  verifyCount(polyline.rimPoints.size(), "rim points");
+  verifyCount(polyline.teeth.size(), "teeth");
   for (const PointType & point : polyline.points)
   {
     if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
@@ -129,11 +136,6 @@ DentalContour::AddPolyline(const PolylineType & polyline)
       itkExceptionMacro("A point's weight " << weight << " is not in [0, 1].");
     }
   }
-  if (!polyline.sigmas.empty() && polyline.sigmas.size() != polyline.points.size())
-  {
-    itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << polyline.sigmas.size()
-                                       << " sigmas; give one a point or none.");
-  }
   for (const double sigma : polyline.sigmas)
   {
     if (!(sigma >= 0.0) || !std::isfinite(sigma))
@@ -141,16 +143,6 @@ DentalContour::AddPolyline(const PolylineType & polyline)
       itkExceptionMacro("A point's sigma " << sigma << " is no standard deviation in pixels.");
     }
   }
-  const auto verifyCount = [&](std::size_t given, const char * name) {
-    if (given != 0 && given != polyline.points.size())
-    {
-      itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << given << ' ' << name
-                                         << "; give one a point or none.");
-    }
-  };
-  verifyCount(polyline.normals.size(), "normals");
-  verifyCount(polyline.rimPoints.size(), "rim points");
-  verifyCount(polyline.teeth.size(), "teeth");
   for (const NormalType & normal : polyline.normals)
   {
     // Far more than rounding, far less than a vector that was meant for another length.
