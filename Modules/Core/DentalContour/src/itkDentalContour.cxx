@@ -355,19 +355,65 @@ DentalContour::OutlineFromString(const std::string & text)
 }
 
 void
-AppendSilhouetteData(const DentalContour::PolylineType & from, std::size_t index, DentalContour::PolylineType & to)
+AppendPoint(const DentalContour::PolylineType & from, std::size_t index, DentalContour::PolylineType & to)
 {
-  const std::size_t before = to.points.size() - 1;
-  const auto        append = [&](auto & own, const auto & others, const auto & earlier, const auto & otherwise) {
+  const std::size_t before = to.points.size();
+  const auto        append = [&](auto & own, const auto & others, const auto & otherwise) {
     if (!own.empty() || !others.empty())
     {
-      own.resize(before, earlier);
+      own.resize(before, otherwise);
       own.push_back(others.empty() ? otherwise : others[index]);
     }
   };
-  append(to.normals, from.normals, UnknownNormal(), UnknownNormal());
-  append(to.rimPoints, from.rimPoints, UnknownRimPoint(), UnknownRimPoint());
-  append(to.teeth, from.teeth, to.code, from.code);
+  append(to.weights, from.weights, 1.0);
+  append(to.sigmas, from.sigmas, 0.0);
+  append(to.normals, from.normals, UnknownNormal());
+  append(to.rimPoints, from.rimPoints, UnknownRimPoint());
+  const ToothCode tooth = from.GetTooth(index);
+  if (before == 0)
+  {
+    to.code = tooth;
+    to.outline = from.outline;
+  }
+  else if (to.outline != from.outline)
+  {
+    to.outline = DentalContour::OutlineEnum::Unspecified;
+  }
+  // Of a polyline that is all of one tooth its code says it.
+  if (!to.teeth.empty() || tooth != to.code)
+  {
+    to.teeth.resize(before, to.code);
+    to.teeth.push_back(tooth);
+  }
+  to.points.push_back(from.points[index]);
+}
+
+DentalContour::PolylinesType
+KeepPoints(const DentalContour::PolylineType & polyline, const std::vector<bool> & keep)
+{
+  const auto firstDropped = std::find(keep.begin(), keep.end(), false);
+  if (firstDropped == keep.end())
+  {
+    return { polyline };
+  }
+  DentalContour::PolylinesType runs;
+  const std::size_t            count = polyline.points.size();
+  const std::size_t            start = polyline.closed ? static_cast<std::size_t>(firstDropped - keep.begin()) : 0;
+  bool                         open = false;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t k = (start + i) % count;
+    if (keep[k] && !open)
+    {
+      runs.emplace_back();
+    }
+    open = keep[k];
+    if (open)
+    {
+      AppendPoint(polyline, k, runs.back());
+    }
+  }
+  return runs;
 }
 
 std::ostream &
