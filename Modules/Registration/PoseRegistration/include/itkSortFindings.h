@@ -28,13 +28,14 @@ namespace itk
 {
 /** Where a finding stands by how much of the others it explains: first what is wrong with a file or with its reading,
  * from which all else follows, one code before the other; then what a side or a name may be; then how the fit looks,
- * and codes that nobody knows. \ingroup PoseRegistration */
+ * and codes that nobody knows.
+ * \ingroup PoseRegistration */
 PoseRegistration_EXPORT unsigned int
 GetWeightOrder(const std::string & code);
 
 /** In the order of their weight: what explains the others first, then the severer ones, then as they were found. A
- * person reads the first line, and a wrong pixel spacing behind five of its symptoms is not read. \ingroup
- * PoseRegistration */
+ * person reads the first line, and a wrong pixel spacing behind five of its symptoms is not read.
+ * \ingroup PoseRegistration */
 PoseRegistration_EXPORT void
 SortFindings(std::vector<RegistrationFinding> & findings);
 } // namespace itk
