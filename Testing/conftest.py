@@ -83,6 +83,26 @@ def shared_cases(shared_folder):
     return shared_folder
 
 
+@pytest.fixture(scope="session")
+def standard_sample(run, tmp_path_factory):
+    """A phantom with the standard tracing and the four landmarks of every analysis; read it, don't write to it."""
+    folder = tmp_path_factory.mktemp("standard") / "case"
+    done = run("phantom", "--level", "standard", "--seed", 9105, "--output", folder)
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+@pytest.fixture
+def standard_case(standard_sample, tmp_path):
+    """A copy of it that a test may spoil, with its landmarks alone."""
+    folder = tmp_path / "standard"
+    shutil.copytree(standard_sample, folder)
+    case = CaseFolder(folder)
+    content = case.load("case-landmarks.json")
+    case.save(content)
+    return case
+
+
 class CaseFolder:
     """A case on disk with its JSON files at hand."""
 

@@ -9,7 +9,7 @@ set -euo pipefail
 build=(
   g++ cmake ninja-build ccache pkg-config
   libinsighttoolkit5-dev libvtk9-dev libopenmesh-dev libeigen3-dev
-  libexpat1-dev libtiff-dev zlib1g-dev nlohmann-json3-dev libcli11-dev libcairo2-dev nettle-dev libcsv-dev
+  libexpat1-dev libtiff-dev zlib1g-dev nlohmann-json3-dev libcli11-dev libcairo2-dev nettle-dev libcsv-dev libminizip-dev
   libmeshoptimizer-dev libkainjow-mustache-dev libcpp-httplib-dev fonts-dejavu-core
   python3 python3-dev python3-venv pybind11-dev
 )

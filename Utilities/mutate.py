@@ -61,10 +61,24 @@ def find(tree, mutation):
     return found[0], ""
 
 
-def build(tree, *libraries):
-    return subprocess.run(
-        ["cmake", "--build", str(tree / "build" / "test"), "--target", *libraries], capture_output=True, text=True
+def library(path):
+    """That of a file of Modules/GROUP/LIBRARY/src."""
+    return path.parent.parent.name
+
+
+def build(tree, *targets):
+    """\\return whether they are built, and what the build has said."""
+    done = subprocess.run(
+        ["cmake", "--build", str(tree / "build" / "test"), "--target", *targets], capture_output=True, text=True
     )
+    return done.returncode == 0, done.stdout[-3000:] + done.stderr[-1000:]
+
+
+def restore(tree, targets):
+    """Libraries of unmutated files, without which every later verdict would be of another mutation."""
+    is_built, said = build(tree, *sorted(targets))
+    if not is_built:
+        sys.exit(f"{said}\n{' '.join(sorted(targets))} is not built without a mutation")
 
 
 def run(options, kind, what, limit):
@@ -109,39 +123,48 @@ def main():
         print(f"{len(mutations)} mutations, {len(untrue)} of them not true")
         return 1 if untrue else 0
     chosen = [m for m in mutations if not options.patterns or any(p in str(m) for p in options.patterns)]
-    done = build(options.tree, "dentalscr", "dentalscr-decode")
-    if done.returncode != 0:
-        print(done.stdout[-3000:] + done.stderr[-1000:])
-        return 1
+    caught, survivors = 0, []
+    # What no test stands beside need not be built: nobody would look at it.
+    equivalent = [m for m in chosen if not m.tests]
+    chosen = [m for m in chosen if m.tests]
+    for mutation in equivalent:
+        print(f"equal     {mutation}", flush=True)
+    files = {mutation.number: find(options.tree, mutation)[0] for mutation in chosen}
+    # Those of the mutations, too: of a run that was killed they may be mutated still.
+    restore(options.tree, {"dentalscr", "dentalscr-decode", *map(library, files.values())})
     limits = {}
-    caught, survivors, equivalent = 0, [], []
+    for test in dict.fromkeys(test for mutation in chosen for test in mutation.tests):
+        # Unmutated it is there and passes, or it would notice nothing, or everything.
+        start = time.monotonic()
+        if not is_there(options, *test) or not run(options, *test, 1800):
+            print(f"no test, or it fails without a mutation: {': '.join(test)}")
+            return 1
+        limits[test] = 60 + 10 * (time.monotonic() - start)
+    # Libraries of which the files are as they were and the builds are not: the next build takes them with it.
+    stale = set()
     for mutation in chosen:
-        path, _ = find(options.tree, mutation)
-        for test in set(mutation.tests) - set(limits):
-            # Unmutated it is there and passes, or it would notice nothing, or everything.
-            start = time.monotonic()
-            if not is_there(options, *test) or not run(options, *test, 1800):
-                print(f"no test, or it fails without a mutation: {': '.join(test)}")
-                return 1
-            limits[test] = 60 + 10 * (time.monotonic() - start)
+        path = files[mutation.number]
         whole = path.read_text()
         start = time.monotonic()
+        stale.add(library(path))
         try:
             path.write_text(whole.replace(mutation.old, mutation.new))
+            is_built, _ = build(options.tree, *sorted(stale))
             is_caught, how = False, ""
-            if build(options.tree, path.parent.parent.name).returncode != 0:
-                # No test has noticed it, and none could.
-                untrue.append((mutation, "is no program"))
-                print(f"NO PROGRAM {mutation}", flush=True)
-                continue
-            for test in mutation.tests:
+            for test in mutation.tests if is_built else ():
                 if not run(options, *test, limits[test]):
                     is_caught, how = True, ": ".join(test)
                     break
         finally:
             path.write_text(whole)
-            # Not the next test's: a library that is still mutated.
-            build(options.tree, path.parent.parent.name)
+        if not is_built:
+            # No test has noticed it, and none could; unless it is the tree that isn't built.
+            restore(options.tree, stale)
+            stale = set()
+            untrue.append((mutation, "is no program"))
+            print(f"NO PROGRAM {mutation}", flush=True)
+            continue
+        stale = {library(path)}
         seconds = time.monotonic() - start
         if is_caught:
             caught += 1
@@ -151,6 +174,8 @@ def main():
         else:
             (equivalent if mutation.equivalent else survivors).append(mutation)
             print(f"{'equal    ' if mutation.equivalent else 'SURVIVES '} {mutation}   [{seconds:.0f} s]", flush=True)
+    if stale:
+        restore(options.tree, stale)
     counted = caught + len(survivors)
     print(f"{caught} of {counted} caught ({100.0 * caught / max(1, counted):.0f} %), {len(equivalent)} equivalent")
     for mutation in survivors:

@@ -2,8 +2,8 @@
 # Tests under the address and undefined-behaviour sanitizers.
 #
 #     Utilities/sanitize.sh           the whole suite, in build/sanitize; hours on two cores
-#     Utilities/sanitize.sh readers   the readers' and kernels' tests of build/test, the damaged files and 30 s of mutants, with
-#                                     sanitized libraries of these (build/sanitize-readers); 106 files to compile
+#     Utilities/sanitize.sh readers   the readers' and kernels' tests of build/test, every input that once failed and 39 s of
+#                                     mutants, with sanitized libraries of these (build/sanitize-readers); 106 files to compile
 set -euo pipefail
 [ "${1:-}" != --help ] || { sed -n '2,6s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -24,6 +24,8 @@ if [ "${1:-}" = readers ]; then
   # than they do. The sanitizers' own libraries have to be the first.
   preload="$(c++ -print-file-name=libasan.so):$(c++ -print-file-name=libubsan.so)"
   sanitized() { env LD_PRELOAD="$preload" LD_LIBRARY_PATH="$PWD/build/sanitize-readers/lib" "$@"; }
+  export preload
+  export -f sanitized
   loaded="$(LD_LIBRARY_PATH="$PWD/build/sanitize-readers/lib" ldd build/test/bin/AnnotationGTestDriver)"
   [[ "$loaded" == *build/sanitize-readers/lib/libDentalSCRAnnotation* ]] || { echo "the sanitized libraries are not loaded" >&2; exit 2; }
   for library in "${libraries[@]}"; do
@@ -31,13 +33,8 @@ if [ "${1:-}" = readers ]; then
     sanitized "build/test/bin/${library}GTestDriver" --gtest_brief=1 \
       --gtest_filter=-DecoderProcess.DiesAloneAndIsToldByItsSignal || status=1
   done
-  folder=build/fuzz
-  /usr/bin/python3 Testing/Fuzz/make_seeds.py "$folder" --program build/test/bin/dentalscr
-  for target in $(cd "$folder/seeds" && echo *); do
-    corpus=("$folder/corpus/$target"/*)
-    [ ! -e "${corpus[0]}" ] || sanitized build/test/bin/dentalscr-fuzz "$target" --replay "${corpus[@]}" || status=1
-    sanitized build/test/bin/dentalscr-fuzz "$target" --seconds 3 --seed "$(date +%s)" --findings "$folder/findings" "$folder/seeds/$target"/* || status=1
-  done
+  # Three seconds for each of the 13 readers.
+  FUZZ_RUNNER=sanitized Utilities/fuzz.sh 0.65 build/test || status=1
 else
   cmake --preset sanitize >/dev/null
   cmake --build --preset sanitize

@@ -1,5 +1,4 @@
 """Many cases at once: what breaks one leaves the others alone, and nothing is done twice."""
-import csv
 import json
 import os
 import pty
@@ -11,14 +10,10 @@ import time
 import pytest
 
 from program_faults import wait_until
+from result_files import rows_of
 
 FAST = ("--no-report", "--no-page", "--preset", "bounding-box")
 COLUMNS = ["case", "jaw", "status", "findings", "matched_px", "expected_error_px", "seconds", "message"]
-
-
-def rows_of(folder):
-    with open(folder / "summary.csv", newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
 
 
 def times_of(folder):
@@ -300,7 +295,7 @@ def whole(run, same, tmp_path_factory):
 
 
 def without_times(folder):
-    return [{key: value for key, value in row.items() if key not in ("seconds", "folder")} for row in rows_of(folder)]
+    return rows_of(folder, "seconds", "folder")
 
 
 def test_disk_that_is_full_in_the_middle(run, same, whole, small_disk):

@@ -4,7 +4,11 @@ import json
 import math
 import struct
 
+import matplotlib.image
+import numpy
 import pytest
+
+from png_file import png
 
 
 def load(folder):
@@ -119,7 +123,10 @@ def test_a_wrong_spacing_is_told_with_the_right_one(run, case, tmp_path, factor)
     done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
     assert done.returncode == 1
     for jaw in load(tmp_path / "out")["jaws"].values():
-        (finding,) = [each for each in jaw["findings"] if each["code"] == "pixel-spacing"]
+        finding = jaw["findings"][0]
+        assert [each["code"] for each in jaw["findings"]].count("pixel-spacing") == 1
+        assert finding["code"] == "pixel-spacing" and jaw["reasons"][0] == finding["text"]
+        assert "jaws-exchanged" not in [each["code"] for each in jaw["findings"]]
         assert finding["value"] == pytest.approx(right, rel=0.03)
         assert finding["limit"] == pytest.approx(right * factor)
 
@@ -129,8 +136,11 @@ def test_a_spacing_in_centimetres_is_told(run, case, tmp_path):
     content["cephalogram"]["pixel_spacing_mm"] = [s / 10.0 for s in content["cephalogram"]["pixel_spacing_mm"]]
     case.save(content)
     done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
-    assert done.returncode == 1 and "is pixel_spacing_mm in cm" in done.stderr
+    assert done.returncode == 1 and "mm were pixel_spacing_mm in cm" in done.stderr
     assert "expected error" not in done.stdout
+    # What explains the others is read first.
+    for jaw in load(tmp_path / "out")["jaws"].values():
+        assert jaw["findings"][0]["code"] in ("film-size", "pixel-spacing"), jaw["reasons"]
 
 
 def test_a_tracing_of_a_smaller_copy_is_told(run, case, tmp_path):
@@ -148,6 +158,62 @@ def test_a_tracing_of_a_smaller_copy_is_told(run, case, tmp_path):
         assert "film-size" in codes_of(result, jaw)
 
 
+def change_picture(case, change):
+    """The picture alone becomes another one; what was drawn stays what it was."""
+    file = case.folder / "ceph.png"
+    rows = numpy.rint(255.0 * matplotlib.image.imread(file)).astype(numpy.uint8)
+    file.write_bytes(png(change(rows)))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda rows: rows[::-1, ::-1], "turned by 180 degrees"),
+        (lambda rows: rows[:, ::-1], "left and right exchanged"),
+        (lambda rows: rows[::-1], "above and below exchanged"),
+    ],
+)
+def test_a_picture_that_was_turned_alone_is_told(run, case, plain, tmp_path, change, words):
+    assert not any("one that was drawn on" in line for line in load(plain)["not_checkable"])
+    change_picture(case, change)
+    run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    for name, jaw in load(tmp_path / "out")["jaws"].items():
+        finding = jaw["findings"][0]
+        assert finding["code"] == "picture" and words in finding["text"], jaw["reasons"]
+        assert jaw["status"] == "suspect"
+        # The drawing is where it was.
+        assert jaw["landmarks_px"] == load(plain)["jaws"][name]["landmarks_px"]
+
+
+def test_a_picture_without_edges_tells_nothing_and_it_is_said(run, case, tmp_path):
+    change_picture(case, lambda rows: 0 * rows + 90)
+    run("register", case.file, "--output", tmp_path / "flat", "--no-report")
+    lines = load(tmp_path / "flat")["not_checkable"]
+    assert any("no edges under the drawing" in line for line in lines), lines
+    content = case.load()
+    content["cephalogram"].pop("image")
+    case.save(content)
+    run("register", case.file, "--output", tmp_path / "none", "--no-report")
+    assert any("there is no picture of it" in line for line in load(tmp_path / "none")["not_checkable"])
+
+
+@pytest.mark.parametrize(
+    ("size", "words"),
+    [
+        (lambda w, h: [h, w], "turned by 90 degrees"),
+        (lambda w, h: [w * 2, h * 2], "a copy 2 times as large"),
+        (lambda w, h: [w // 2, h // 2], "a copy 0.499 times as large"),
+        (lambda w, h: [w + 50, h], "trace on this image"),
+    ],
+)
+def test_another_size_says_what_may_have_become_of_the_picture(run, case, tmp_path, size, words):
+    contours = case.load("contours.json")
+    contours["image_size"] = size(*contours["image_size"])
+    case.save(contours, "contours.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 2 and words in done.stderr, done.stderr
+
+
 def test_a_turned_radiograph_is_told(run, case, tmp_path):
     content = case.load()
     content["cephalogram"].pop("image")
@@ -159,8 +225,8 @@ def test_a_turned_radiograph_is_told(run, case, tmp_path):
     done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
     assert done.returncode == 1
     for jaw in load(tmp_path / "out")["jaws"].values():
-        (finding,) = [each for each in jaw["findings"] if each["code"] == "turned-image"]
-        assert "turned by 90 degrees" in finding["text"]
+        finding = jaw["findings"][0]
+        assert finding["code"] == "turned-image" and "turned by 90 degrees" in finding["text"]
 
 
 @pytest.mark.parametrize(("detector", "midsagittal"), [(1500.0, 1350.0), (1530.0, 1380.0), (1700.0, 1524.0)])
@@ -205,6 +271,74 @@ def test_both_sides_are_both_where_nobody_says(run, case, tmp_path):
     done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
     assert 'taken as "both"' in done.stderr
     assert load(tmp_path / "out")["traced_side"] == "both"
+
+
+@pytest.mark.parametrize(
+    ("place", "code"),
+    [
+        (lambda u, v, s: (u / 2, v / 2), "pixel-spacing"),
+        (lambda u, v, s: (u * s, v * s), "landmarks-mm"),
+    ],
+)
+def test_landmarks_of_another_copy_are_told_as_such(run, standard_case, tmp_path, place, code):
+    case = standard_case
+    spacing = case.load()["cephalogram"]["pixel_spacing_mm"][0]
+    case.save({name: place(u, v, spacing) for name, (u, v) in case.load("cephalometric.json").items()}, "cephalometric.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 1
+    for jaw in load(tmp_path / "out")["jaws"].values():
+        finding = jaw["findings"][0]
+        assert finding["code"] == code, jaw["reasons"]
+        if code == "pixel-spacing":
+            assert "a copy of the radiograph 0.5" in finding["text"] and finding["value"] == pytest.approx(2 * spacing, rel=0.05)
+
+
+def test_a_molar_marked_at_its_other_end_is_no_other_spacing(run, standard_case, tmp_path):
+    """The mesial cusps called mesial contacts: all distances from the incisors are a tenth too short, as at another scale."""
+    case = standard_case
+    names = {"U6_MB": "Ms", "L6_MB": "Mi"}
+    case.save({names.get(name, name): place for name, place in case.load("cephalometric.json").items()}, "cephalometric.json")
+    run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    result = load(tmp_path / "out")
+    for jaw in ("upper", "lower"):
+        assert "pixel-spacing" not in codes_of(result, jaw)
+
+
+def test_a_quadrant_is_no_exchange_of_the_scans(run, case, tmp_path):
+    """In occlusion the landmarks of the half that is missing lie near to the other jaw."""
+    landmarks = case.load("landmarks3d.json")
+    right, left = landmarks["UR6_MB"], landmarks["UL6_MB"]
+    middle = [(a + b) / 2 for a, b in zip(right, left)]
+    to_right = [a - b for a, b in zip(right, left)]
+    inside = [
+        triangle
+        for triangle in read_stl(case.folder / "upper.stl")
+        if sum(n * (sum(triangle[d::3]) / 3 - m) for d, (n, m) in enumerate(zip(to_right, middle))) > 0
+    ]
+    write_stl(case.folder / "upper.stl", inside)
+    run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    result = load(tmp_path / "out")
+    assert "partial-arch" in codes_of(result, "upper")
+    for jaw in ("upper", "lower"):
+        assert "jaws-exchanged" not in codes_of(result, jaw)
+
+
+def test_exchanged_scans_are_said_once(run, case, tmp_path):
+    case.change(upper=case.load()["lower"], lower=case.load()["upper"])
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    for jaw in load(tmp_path / "out")["jaws"].values():
+        codes = [finding["code"] for finding in jaw["findings"]]
+        assert codes[0] == "jaws-exchanged" and codes.count("jaws-exchanged") == 1
+        assert "sides-exchanged" not in codes
+    assert done.returncode in (0, 1)
+
+
+def test_both_jaws_in_one_scan_are_not_said_to_be_a_turned_drawing(run, case, tmp_path):
+    write_stl(case.folder / "upper.stl", read_stl(case.folder / "upper.stl") + read_stl(case.folder / "lower.stl"))
+    run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    findings = load(tmp_path / "out")["jaws"]["upper"]["findings"]
+    assert findings[0]["code"] == "both-jaws"
+    assert not {"turned-image", "pixel-spacing", "facing"} & {finding["code"] for finding in findings}
 
 
 def test_strict_ends_with_one_where_a_jaw_is_suspect(run, case, tmp_path):
@@ -347,6 +481,22 @@ def test_a_second_run_goes_on_from_the_first(run, sample, plain, tmp_path):
     for name, jaw in load(freed)["jaws"].items():
         for mark, place in load(plain)["jaws"][name]["landmarks_px"].items():
             assert math.dist(jaw["landmarks_px"][mark], place) < 0.05
+
+
+def test_going_on_without_a_principal_point_begins_where_the_first_ended(run, case, tmp_path):
+    """A pose means something in its own geometry alone, and without a principal point each tracing has one of its own."""
+    content = case.load()
+    content["geometry"].pop("principal_point_px")
+    case.save(content)
+    assert run("register", case.file, "--output", tmp_path / "first", "--no-report").returncode == 0
+    done = run("register", "--from", tmp_path / "first", "--exclude", "UR1", "--output", tmp_path / "again", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert "is not used" not in done.stderr and "taken with the start" in done.stderr, done.stderr
+    first, again = load(tmp_path / "first"), load(tmp_path / "again")
+    assert again["geometry"]["principal_point_px"]["value"] == first["geometry"]["principal_point_px"]["value"]
+    for name, jaw in again["jaws"].items():
+        for mark, place in first["jaws"][name]["landmarks_px"].items():
+            assert math.dist(jaw["landmarks_px"][mark], place) < 4.0
 
 
 def test_going_on_says_what_it_misses(run, case, plain, tmp_path):

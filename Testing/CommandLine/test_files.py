@@ -1,25 +1,14 @@
 """Files as people have them: every form of one tracing gives the answer that contours.json gives."""
+import io
 import json
 import struct
-import zlib
+import zipfile
 
 import pytest
 
+from png_file import png
+
 WIDTH, HEIGHT = 703, 938
-
-
-def png(rows, palette=None):
-    """A grey PNG of 8 bits, or one with a palette, without any library."""
-
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    colours = b"" if palette is None else chunk(b"PLTE", bytes(value for colour in palette for value in colour))
-    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 0 if palette is None else 3, 0, 0, 0)
-    pixels = zlib.compress(b"".join(b"\0" + bytes(row) for row in rows))
-    return (
-        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + colours + chunk(b"IDAT", pixels) + chunk(b"IEND", b"")
-    )
 
 
 def tiff_int32(rows):
@@ -170,10 +159,27 @@ def as_supervisely(size, polylines):
 
 
 def as_german_table(size, polylines):
+    # Of a single column that is no coordinate the name does not matter.
     lines = ["Zahn;x (px);y (px)"]
-    lines[0] = "label;x (px);y (px)"
     lines += [f"{code};{u!r};{v!r}".replace(".", ",") for code, points in polylines for u, v in points]
     return "\n".join(lines) + "\n"
+
+
+def as_coco(size, polylines):
+    """As outlines of what each line encloses, with a slip of the mouse among them."""
+    categories = [{"id": i, "name": code} for i, (code, _) in enumerate(polylines)]
+    annotations = [
+        {"id": i, "image_id": 1, "category_id": i, "segmentation": [[x for point in from_corner(there_and_back(points)) for x in point]]}
+        for i, (_, points) in enumerate(polylines)
+    ]
+    annotations.append({"id": 999, "image_id": 1, "category_id": 0, "segmentation": [[5.0, 5.0, 6.0, 6.0]]})
+    images = [{"id": 1, "file_name": "ceph.png", "width": size[0], "height": size[1]}]
+    return json.dumps({"images": images, "annotations": annotations, "categories": categories})
+
+
+def there_and_back(points):
+    """A polygon that lies on a line: what a program that has polygons alone makes of it."""
+    return points + points[-2:0:-1]
 
 
 FORMS = {
@@ -195,6 +201,67 @@ def test_a_tracing_gives_one_answer_in_every_form(run, case, tmp_path, landmarks
     result = json.loads((tmp_path / "out" / "result.json").read_text())
     # The same numbers but for the last digits that per cent and half pixels cost.
     assert difference(landmarks, result) < 1e-3
+
+
+def test_a_slip_of_the_mouse_does_not_refuse_the_file(run, case, tmp_path):
+    size, polylines = tracing_of(case)
+    (case.folder / "coco.json").write_text(as_coco(size, [(code, points) for code, points in polylines if len(points) > 2]))
+    case.change(contours="coco.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode in (0, 1), done.stderr
+    assert done.stderr.count("is no outline: left out") == 1, done.stderr
+    # In our own format somebody has written it, and means something else.
+    content = case.load("contours.json")
+    content["contours"]["upper"][0].update(closed=True, points=[[5, 5], [6, 6]])
+    case.save(content, "contours.json")
+    case.change(contours="contours.json")
+    done = run("register", case.file, "--output", tmp_path / "own", "--no-report")
+    assert done.returncode == 2 and "give it at least 3 points" in done.stderr, done.stderr
+
+
+def test_a_header_without_a_column_of_labels_is_an_error_that_names_it(run, case, tmp_path):
+    (case.folder / "table.csv").write_text("Zahn,Nummer,x,y\nUR1,1,5,6\n")
+    case.change(contours="table.csv")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 2 and 'name that column "label"' in done.stderr, done.stderr
+
+
+def wceph(landmarks, **picture):
+    """An archive as WebCeph writes it, with the pictures before the index."""
+    landmarks = {name: {"x": u + 0.5, "y": v + 0.5} for name, (u, v) in landmarks.items()}
+    entry = {"name": "ceph.png", "type": "ceph_lateral", "flipX": False, "flipY": False, **picture}
+    entry["tracing"] = {"mode": "assisted", "scaleFactor": None, "manualLandmarks": landmarks, "skippedSteps": {}}
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("images/image_1", bytes(range(256)) * 40)
+        archive.writestr("index.json", json.dumps({"version": 1, "refs": {"images": {}}, "data": {"image_1": entry}}))
+    return content.getvalue()
+
+
+@pytest.mark.parametrize("flipped", [False, True])
+def test_webcephs_archive_registers_as_its_landmarks_do(run, standard_case, tmp_path, flipped):
+    case = standard_case
+    marks = {name: point["position"] if isinstance(point, dict) else point for name, point in case.load("cephalometric.json").items()}
+    case.save(marks, "cephalometric.json")
+    done = run("register", case.file, "--output", tmp_path / "json", "--no-report")
+    names = {"U1_tip": "U1 Incisal Edge", "L1_tip": "L1 Incisal Edge", "U6_MB": "U6 MB", "L6_MB": "L6 MB"}
+    (case.folder / "patient.wceph").write_bytes(
+        wceph({"S": [9, 9], **{names[name]: point for name, point in marks.items()}}, flipX=flipped)
+    )
+    case.change(cephalometric_landmarks="patient.wceph")
+    archive = run("register", case.file, "--output", tmp_path / "wceph", "--no-report")
+    assert archive.returncode == done.returncode, archive.stderr
+    assert ("shows this picture mirrored" in archive.stderr) == flipped
+    result = json.loads((tmp_path / "wceph" / "result.json").read_text())
+    plain = json.loads((tmp_path / "json" / "result.json").read_text())
+    assert difference({name: jaw["landmarks_px"] for name, jaw in plain["jaws"].items()}, result) < 1e-3
+
+
+def test_webcephs_archive_is_no_tracing_and_says_what_it_is(run, case, tmp_path):
+    (case.folder / "patient.wceph").write_bytes(wceph({"U1": [5, 5]}))
+    case.change(contours="patient.wceph")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 2 and "WebCeph" in done.stderr and "cephalometric_landmarks" in done.stderr, done.stderr
 
 
 def markups(polylines, spacing, system="LPS"):

@@ -3,7 +3,6 @@ lost, nothing half written, nothing done twice. A few of each here; before a rel
 
     pytest Testing/CommandLine/test_interruptions.py --kills 200 --full-disks 50 -s
 """
-import csv
 import json
 import os
 import random
@@ -15,6 +14,7 @@ import time
 import pytest
 
 from program_faults import processes_of, wait_until
+from result_files import poses_of, rows_of
 
 FAST = ("--no-report", "--no-page", "--preset", "bounding-box", "--jobs", "2")
 CASES = 8
@@ -38,24 +38,17 @@ class Whole:
         done = run("batch", table, "--output", output, *FAST)
         self.seconds = time.monotonic() - start
         assert done.returncode == 0, done.stderr
-        self.rows = rows_of(output)
+        self.rows = rows_of(output, "seconds")
         self.files = {path.name for path in (output / "c0").iterdir()}
         self.poses = poses_of(output / "c0")
-        self.kibibytes = sum(-(-path.stat().st_size // 4096) * 4 for path in (output / "c0").iterdir())
+        # Where one byte less is too little: for the longest file, and for all of them on a disk.
+        self.longest = max(path.stat().st_size for path in (output / "c0").iterdir())
+        self.kibibytes = sum(-(-path.stat().st_size // 4096) * 4 for path in output.rglob("*") if path.is_file())
 
 
 @pytest.fixture(scope="module")
 def whole(run, table, tmp_path_factory):
     return Whole(run, table, tmp_path_factory.mktemp("whole") / "out")
-
-
-def rows_of(output):
-    with open(output / "summary.csv", newline="", encoding="utf-8") as file:
-        return [{key: value for key, value in row.items() if key != "seconds"} for row in csv.DictReader(file)]
-
-
-def poses_of(folder):
-    return {jaw: found["projection_3x4"] for jaw, found in json.loads((folder / "result.json").read_text())["jaws"].items()}
 
 
 def check(output, whole):
@@ -79,7 +72,7 @@ def check(output, whole):
 def check_end(output, whole, done, before):
     assert done.returncode == 0, done.stderr
     after = check(output, whole)
-    assert len(after) == CASES and rows_of(output) == whole.rows
+    assert len(after) == CASES and rows_of(output, "seconds") == whole.rows
     assert {name: after[name] for name in before} == before, "what was recorded is done once"
     # Of every process that was killed everything is swept up by the one that did its case.
     assert not list(output.rglob(".dentalscr-*")), list(output.rglob(".dentalscr-*"))
@@ -139,12 +132,13 @@ def test_no_space_at_random_places(request, program, run, table, whole, small_di
     limit = None
     for k in range(rounds // 2 + rounds % 2):
         if kind == "disk":
-            # From nothing to nearly all of it.
-            disk = small_disk(chance.randrange(8, CASES * (whole.kibibytes + 12)))
+            # From nothing to nearly all of it, less the page to which a size is rounded up: too little each time.
+            disk = small_disk(chance.randrange(8, whole.kibibytes - 4))
             output = disk / "out"
         else:
             output = tmp_path / f"limited{k}"
-            size = chance.randrange(1, 4096 if chance.random() < 0.5 else 40000)
+            # Too short for the longest file each time, and half of the times for others, too.
+            size = chance.randrange(1, 4096 if chance.random() < 0.5 else whole.longest)
             limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))  # noqa: E731
         command = ["batch", str(table), "--output", str(output), "--resume", *FAST]
         done = subprocess.run([str(program), *command], capture_output=True, text=True, preexec_fn=limit, timeout=300)

@@ -1,11 +1,12 @@
 """More threads than the system gives: fewer are used, it is said once, and the result is the same."""
-import json
 import os
 import pathlib
 import shutil
 import subprocess
 
 import pytest
+
+from result_files import poses_of
 
 
 @pytest.fixture
@@ -56,12 +57,6 @@ def test_fewer_threads_than_were_asked_for(program, limited, sample, verb, limit
             )
             assert free.returncode == 0
 
-            def jaws(name):
-                return {
-                    jaw: result["projection_3x4"]
-                    for jaw, result in json.loads((folder / name / "result.json").read_text())["jaws"].items()
-                }
-
-            assert jaws("out") == jaws("free")
+            assert poses_of(folder / "out") == poses_of(folder / "free")
     finally:
         shutil.rmtree(folder)

@@ -13,6 +13,7 @@ import time
 import pytest
 
 from program_faults import wait_until
+from result_files import poses_in
 
 
 def digests(folder):
@@ -219,10 +220,6 @@ def small_case(run, tmp_path_factory):
     return folder / "case.json"
 
 
-def poses(result):
-    return {jaw: found["projection_3x4"] for jaw, found in json.loads(result)["jaws"].items()}
-
-
 def test_killed_at_each_change_of_its_folder_nothing_is_half_written(program, run, small_case, faults, tmp_path):
     """Over an earlier result, and before each file that is made, renamed or removed: what is there then is all of the
     earlier run, all of this one, or without the result.json that says that the others belong together."""
@@ -236,12 +233,12 @@ def test_killed_at_each_change_of_its_folder_nothing_is_half_written(program, ru
     for name in wholes["this"]:
         if name.endswith("similarity2d.tfm"):
             assert wholes["earlier"][name] != wholes["this"][name], name
-    assert poses(wholes["earlier"]["result.json"]) != poses(wholes["this"]["result.json"])
+    assert poses_in(wholes["earlier"]["result.json"]) != poses_in(wholes["this"]["result.json"])
 
     def is_of(name, files):
         whole = wholes[name]
         return set(files) == set(whole) and all(
-            poses(files[file]) == poses(whole[file]) if file == "result.json" else files[file] == whole[file] for file in files
+            poses_in(files[file]) == poses_in(whole[file]) if file == "result.json" else files[file] == whole[file] for file in files
         )
 
     output = tmp_path / "out"

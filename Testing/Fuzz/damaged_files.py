@@ -1,5 +1,5 @@
 """Files that are damaged or mistaken in one way each, of every format that is read, with what has to come of each: that it
-is read, or the words of its error, which name what is wrong in it. test_damaged_files.py has them read."""
+is read, or the words of its error, which name what is wrong in it. test_damage.py has them read."""
 import json
 import struct
 

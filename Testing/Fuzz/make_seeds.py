@@ -18,6 +18,11 @@ sys.path.insert(0, str(ROOT / "Testing" / "CommandLine"))
 
 import test_hostile_images as hostile  # noqa: E402  (the files that the tests make)
 
+# The readers that dentalscr-fuzz knows; of a result there are seeds where the program has made one.
+TARGETS = [
+    "batch", "case", "cephalometric", "contours", "image", "labelmap", "landmarks2d", "landmarks3d", "mask", "result", "scan",
+    "toothlabels", "transform",
+]
 CORNERS = [(x, y, z) for x in (0, 9) for y in (0, 9) for z in (0, 9)]
 FACES = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
 

@@ -10,11 +10,7 @@ import pytest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "CommandLine"))
 
 import damaged_files  # noqa: E402
-
-TARGETS = [
-    "batch", "case", "cephalometric", "contours", "image", "labelmap", "landmarks2d", "landmarks3d", "mask", "result", "scan",
-    "toothlabels", "transform",
-]
+from make_seeds import TARGETS  # noqa: E402
 
 
 @pytest.fixture(scope="module")

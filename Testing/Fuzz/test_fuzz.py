@@ -6,11 +6,9 @@ import sys
 
 import pytest
 
+from make_seeds import TARGETS
+
 HERE = pathlib.Path(__file__).resolve().parent
-TARGETS = [
-    "batch", "case", "cephalometric", "contours", "image", "labelmap", "landmarks2d", "landmarks3d", "mask", "result", "scan",
-    "toothlabels", "transform",
-]
 
 
 @pytest.fixture(scope="session")

@@ -1134,6 +1134,8 @@ class AnnotationFileFormat:
 
       Supervisely
 
+      WebCeph
+
       LabelImage
     """
     Aariz: typing.ClassVar[AnnotationFileFormat]
@@ -1151,6 +1153,7 @@ class AnnotationFileFormat:
     SlicerMarkups: typing.ClassVar[AnnotationFileFormat]
     Supervisely: typing.ClassVar[AnnotationFileFormat]
     VIA: typing.ClassVar[AnnotationFileFormat]
+    WebCeph: typing.ClassVar[AnnotationFileFormat]
     __members__: typing.ClassVar[dict[str, AnnotationFileFormat]]
     def __eq__(self, other: typing.Any) -> bool:
         ...

@@ -165,6 +165,7 @@ WrapInputOutput(py::module_ & module)
                          { "VIA", FormatEnum::VIA },
                          { "LabelStudio", FormatEnum::LabelStudio },
                          { "Supervisely", FormatEnum::Supervisely },
+                         { "WebCeph", FormatEnum::WebCeph },
                          { "LabelImage", FormatEnum::LabelImage } },
                        "What an annotation file is written in.");
   using OriginEnum = itk::AnnotationPixelOriginEnum;

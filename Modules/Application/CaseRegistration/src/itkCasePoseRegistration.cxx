@@ -49,6 +49,24 @@ ToIndex(JawEnum jaw)
   return jaw == JawEnum::Upper ? 0 : 1;
 }
 
+/** Whether the scan is not one whole jaw in mm, of which everything else follows. */
+bool
+HasScanOfNoUse(const JawResult & jaw)
+{
+  return std::any_of(jaw.findings.begin(), jaw.findings.end(), [](const RegistrationFinding & finding) {
+    return finding.code == "both-jaws" || finding.code == "same-scan" || finding.code == "partial-arch" ||
+           finding.code == "arch-width";
+  });
+}
+
+/** Whether a finding says that the drawing means something else. */
+bool
+IsOtherReading(const std::string & code)
+{
+  return code == "turned-image" || code == "pixel-spacing" || code == "facing" || code == "jaws-exchanged" ||
+         code == "other-side";
+}
+
 /** A case file's pose is checked to 1e-4 when it is read. */
 constexpr double RotationTolerance = 1e-3;
 
@@ -312,14 +330,28 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       result.warnings.push_back(unused);
     }
     const auto numberBefore = static_cast<std::ptrdiff_t>(jaw.findings.size());
-    const auto statusBefore = jaw.status;
+    // Jaws in one frame have one pose: the scan of either spoils both.
+    const bool isOfNoUse =
+      HasScanOfNoUse(jaw) ||
+      (result.jawsShareFrame && std::any_of(result.jaws.begin(), result.jaws.end(), [](const auto & each) {
+         return HasScanOfNoUse(each.second);
+       }));
     for (const RegistrationFinding & finding : verdict->GetVerdict(entry.first).findings)
     {
+      // With such a scan some reading of the drawing always fits better than another one.
+      if (isOfNoUse && IsOtherReading(finding.code))
+      {
+        continue;
+      }
       // What the checks of the scan have said already, they said with what is in the file.
       const bool isSaid = std::any_of(jaw.findings.begin(),
                                       jaw.findings.begin() + numberBefore,
                                       [&](const RegistrationFinding & said) { return said.code == finding.code; });
-      if (!isSaid || finding.severity > statusBefore)
+      if (isSaid)
+      {
+        jaw.RaiseFinding(finding.code, finding.severity);
+      }
+      else
       {
         jaw.AddFinding(finding);
       }

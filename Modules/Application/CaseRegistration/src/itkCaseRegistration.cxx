@@ -22,11 +22,13 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDescribePlainly.h"
+#include "itkDrawingOnPicture.h"
 
 #include "itkPoseRegistrationOptionTable.h"
 #include "itkRegistrationVerdict.h"
 #include "itkRigidTransformRows.h"
 #include "itkScanCheckFilter.h"
+#include "itkSortFindings.h"
 #include "itkCommand.h"
 #include "itkTimeProbe.h"
 #include "itkTracingPixelSpacingFilter.h"
@@ -51,6 +53,65 @@ DraftedShareOf(const DentalCaseData & data, ToothCode::JawEnum jaw)
 {
   const auto & contour = data.GetJaw(jaw).contour;
   return contour.IsNull() ? 0.0 : contour->GetDraftedShare();
+}
+
+std::string
+DescribeReading(PictureReadingEnum reading)
+{
+  switch (reading)
+  {
+    case PictureReadingEnum::Turned90:
+      return "turned by 90 degrees clockwise";
+    case PictureReadingEnum::Turned180:
+      return "turned by 180 degrees";
+    case PictureReadingEnum::Turned270:
+      return "turned by 270 degrees clockwise";
+    case PictureReadingEnum::Mirrored:
+      return "mirrored (left and right exchanged)";
+    default:
+      return "mirrored (above and below exchanged)";
+  }
+}
+
+/** Whether the picture is the one that was drawn on, as far as its grey values tell. */
+void
+CheckPicture(const DentalCaseData & data, CaseResult & result)
+{
+  const auto isTraced = [](const DentalContour * contour) {
+    return contour != nullptr && contour->GetNumberOfPoints() > 0;
+  };
+  const bool isDrawn = isTraced(data.upper.contour) || isTraced(data.lower.contour);
+  if (data.image.IsNull() || !isDrawn)
+  {
+    result.notCheckable.push_back(
+      std::string("whether the radiograph is the one that was drawn on: ") +
+      (isDrawn ? "there is no picture of it" : "a few landmarks lie on edges of any picture"));
+    return;
+  }
+  const auto             spacing = result.geometry->GetPixelSpacing();
+  const DrawingOnPicture found =
+    CompareDrawingWithPicture(data.image, { data.upper.contour, data.lower.contour }, { { spacing[0], spacing[1] } });
+  if (found.reading == PictureReadingEnum::AsItIs)
+  {
+    return;
+  }
+  if (found.reading == PictureReadingEnum::Untold)
+  {
+    result.notCheckable.emplace_back(
+      "whether the radiograph is the one that was drawn on: its grey values have no edges under the drawing");
+    return;
+  }
+  for (auto & entry : result.jaws)
+  {
+    entry.second.AddFinding({ RegistrationStatusEnum::Suspect,
+                              "picture",
+                              "the radiograph seems to have been " + DescribeReading(found.reading) +
+                                " after it was drawn on: what was drawn lies on edges of its picture then, and on none "
+                                "as it is; give the picture that was drawn on",
+                              found.inReading,
+                              found.asItIs,
+                              "sd" });
+  }
 }
 } // namespace
 
@@ -546,6 +607,11 @@ CaseRegistration::GenerateData()
   else
   {
     this->RegisterBySimilarity();
+  }
+  CheckPicture(*m_Data, m_Result);
+  for (auto & entry : m_Result.jaws)
+  {
+    SortFindings(entry.second.findings);
   }
   total.Stop();
   m_Result.totalSeconds = total.GetTotal() + m_Data->readSeconds;

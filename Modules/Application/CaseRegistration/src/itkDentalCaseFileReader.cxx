@@ -183,6 +183,14 @@ ReadResultAsStart(const std::string & fileName, DentalCase & dentalCase)
   {
     itkDentalInputErrorMacro(fileName, "jaws", "none of them was registered", "start from a result that has a jaw");
   }
+  // A pose means something in its own geometry alone. Without a principal point each run takes the middle of what is
+  // drawn, and that moves with the first tooth that is left out.
+  if (!dentalCase.principalPoint)
+  {
+    dentalCase.principalPoint = solution->GetResult().geometry.principalPoint;
+    dentalCase.warnings.push_back(fileName +
+                                  ": geometry.principal_point_px: taken with the start, as the case gives none");
+  }
 }
 
 void

@@ -46,7 +46,7 @@ using Words = std::vector<std::string>;
 const std::set<std::string> ScanExtensions{ ".stl", ".ply", ".obj", ".off", ".vtk", ".vtp" };
 const std::set<std::string> PictureExtensions{ ".png",  ".jpg", ".jpeg", ".tif", ".tiff",  ".bmp",
                                                ".nrrd", ".mha", ".mhd",  ".dcm", ".dicom", ".ima" };
-const std::set<std::string> DrawingExtensions{ ".json", ".csv", ".tsv", ".txt", ".xml" };
+const std::set<std::string> DrawingExtensions{ ".json", ".csv", ".tsv", ".txt", ".xml", ".wceph" };
 
 const std::set<std::string> UpperWords{ "upper",   "upperjaw",  "upperjawscan", "upperarch",
                                         "maxilla", "maxillary", "maxillar",     "oberkiefer" };
@@ -430,6 +430,7 @@ private:
     else if (Reads([&]() {
                auto reader = CephalometricLandmarkFileReader::New();
                reader->SetFileName(file);
+               reader->SetImageFileName(m_Case.Find("cephalogram.image"));
                reader->Update();
                const auto & landmarks = reader->GetOutput()->GetLandmarks();
                sided = std::all_of(landmarks.begin(), landmarks.end(), [](const auto & landmark) {

@@ -20,10 +20,23 @@
 
 #include "DentalCommonExport.h"
 
+#include <array>
 #include <string>
 
 namespace itk
 {
+/** A unit of a scan. \ingroup DentalCommon */
+struct MeshUnit
+{
+  const char * name;
+  double       millimetres;
+};
+
+/** All units that a scan may be in: the one table of them. \ingroup DentalCommon */
+constexpr std::array<MeshUnit, 5> MeshUnits{
+  { { "mm", 1.0 }, { "cm", 10.0 }, { "inch", 25.4 }, { "m", 1000.0 }, { "um", 0.001 } }
+};
+
 /** mm in a unit of a scan: "mm", "cm", "inch", "m" or "um". Throws std::invalid_argument for any other.
  * \ingroup DentalCommon */
 DentalCommon_EXPORT double

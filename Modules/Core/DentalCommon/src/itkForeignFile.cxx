@@ -20,6 +20,7 @@
 #include "itkDentalInputError.h"
 #include "itkInputFile.h"
 #include "itkLowerCase.h"
+#include "itkReadFileTail.h"
 
 
 namespace itk
@@ -35,7 +36,7 @@ enum class PlaceEnum : uint8_t
   Text,
   /** The first element of XML, whatever its prolog, in lower case. */
   Element,
-  /** Anywhere in the first bytes of a ZIP archive. */
+  /** Anywhere in the first bytes of a ZIP archive, or in its directory, which is at its end. */
   Archive
 };
 
@@ -73,7 +74,8 @@ const Kind Kinds[] = {
     "index.json",
     Any,
     "a ZIP archive with an index.json, such as WebCeph's .wceph",
-    "export the points as CSV with the columns label,x,y" },
+    "a .wceph has landmarks of an analysis: name it as cephalometric_landmarks; else unpack it and name the file in "
+    "it" },
   { PlaceEnum::Start, "PK\x03\x04", Any, "a ZIP archive", "unpack it and name the file in it" },
   { PlaceEnum::Start, "Rar!", Any, "a RAR archive", "unpack it and name the file in it" },
   { PlaceEnum::Start, "7z\xbc\xaf\x27\x1c", Any, "a 7-Zip archive", "unpack it and name the file in it" },
@@ -190,6 +192,7 @@ RefuseForeignFile(const std::string & fileName, FilePurposeEnum purpose)
   text.erase(0, first == std::string::npos ? text.size() : first);
   const std::string element = !text.empty() && text[0] == '<' ? FindElement(text) : std::string();
   const bool        archive = head.compare(0, 4, "PK\x03\x04") == 0;
+  const std::string names = archive ? text + LowerCase(ReadFileTail(fileName, 65536)) : std::string();
   const auto        fits = [&](const Kind & kind) {
     switch (kind.place)
     {
@@ -200,7 +203,7 @@ RefuseForeignFile(const std::string & fileName, FilePurposeEnum purpose)
       case PlaceEnum::Element:
         return element == kind.signature;
       default:
-        return archive && text.find(kind.signature) != std::string::npos;
+        return archive && names.find(kind.signature) != std::string::npos;
     }
   };
   const auto refuse = [&](const char * name, const char * remedy) {

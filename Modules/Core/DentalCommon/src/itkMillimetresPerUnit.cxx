@@ -24,25 +24,12 @@ namespace itk
 double
 MillimetresPerUnitFromString(const std::string & unit)
 {
-  if (unit == "mm")
+  for (const MeshUnit & known : MeshUnits)
   {
-    return 1.0;
-  }
-  if (unit == "cm")
-  {
-    return 10.0;
-  }
-  if (unit == "inch")
-  {
-    return 25.4;
-  }
-  if (unit == "m")
-  {
-    return 1000.0;
-  }
-  if (unit == "um")
-  {
-    return 0.001;
+    if (unit == known.name)
+    {
+      return known.millimetres;
+    }
   }
   throw std::invalid_argument("\"" + unit + "\" is no mesh unit (\"mm\", \"cm\", \"inch\", \"m\" or \"um\")");
 }

@@ -61,7 +61,9 @@ TEST(ForeignFile, IsNamedForWhatItIsWithWhatToExportInstead)
     { "upper.dcm", Hps, "3Shape", "STL or PLY" },
     { "points.xlsx", Workbook, "Excel", "CSV" },
     { "scan.zip", std::string("PK\x03\x04\x14\0\0\0", 8) + "upper.stl", "ZIP", "unpack" },
-    { "case.wceph", std::string("PK\x03\x04\x14\0\0\0", 8) + "index.json", "WebCeph", "CSV" },
+    { "case.wceph", std::string("PK\x03\x04\x14\0\0\0", 8) + "index.json", "WebCeph", "cephalometric_landmarks" },
+    // Its pictures come first, and the directory is at the end.
+    { "big.wceph", "PK\x03\x04" + std::string(9000, 'x') + "index.json", "WebCeph", "cephalometric_landmarks" },
     { "old.xls", "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "Excel", "CSV" },
     { "trace.svg", "<?xml version='1.0'?>\n<!DOCTYPE svg>\n<svg width='10'>", "SVG", "labelme" },
     { "report.pdf", "%PDF-1.7\n", "PDF", "name the" },

@@ -103,6 +103,13 @@ public:
     /** The teeth of the points where they are not all of one, and then `code` is that of the first; one a point or
      * empty. */
     std::vector<ToothCode> teeth{};
+
+    /** Tooth of a point. */
+    ToothCode
+    GetTooth(std::size_t index) const
+    {
+      return teeth.empty() ? code : teeth[index];
+    }
   };
 
   using PolylinesType = std::vector<PolylineType>;
@@ -188,11 +195,17 @@ private:
   std::vector<RimPointType> m_RimPoints;
 };
 
-/** Gives the last point of `to` what `from` knows of its point `index` as a silhouette's: normal, rim point, tooth. For
- * filters that cut, join or resample polylines: one call for each point that they append, behind it.
- * \ingroup DentalContour */
+/** Appends the point `index` of `from` to `to` with all that is known of it: weight, drawing error, normal, rim point
+ * and tooth. What one of the two does not say is filled as if it had said it. The first point gives `to` its code and
+ * its outline, and one of another outline takes that away. For filters that cut, join or resample polylines: none of
+ * them knows which fields there are. \ingroup DentalContour */
 DentalContour_EXPORT void
-AppendSilhouetteData(const DentalContour::PolylineType & from, std::size_t index, DentalContour::PolylineType & to);
+AppendPoint(const DentalContour::PolylineType & from, std::size_t index, DentalContour::PolylineType & to);
+
+/** The runs of points of a polyline that are kept, open; or all of it as it is. A closed one is walked from a point
+ * that is dropped, so that no run is cut where the polyline begins. \ingroup DentalContour */
+DentalContour_EXPORT DentalContour::PolylinesType
+                     KeepPoints(const DentalContour::PolylineType & polyline, const std::vector<bool> & keep);
 
 /** "crown", "tooth", "labial", or "unspecified". \ingroup DentalContour */
 DentalContour_EXPORT std::ostream &

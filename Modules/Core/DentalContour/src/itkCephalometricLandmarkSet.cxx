@@ -47,6 +47,16 @@ Normalize(const std::string & name)
   return text;
 }
 
+/** "incisaledge" of "incisal_edge": whoever writes a name in words parts them with a blank, an underscore or not at
+ * all.
+ */
+std::string
+JoinWords(std::string text)
+{
+  text.erase(std::remove(text.begin(), text.end(), '_'), text.end());
+  return text;
+}
+
 struct Alias
 {
   const char * name;
@@ -97,7 +107,6 @@ struct Suffix
 constexpr Suffix Suffixes[] = {
   { "tip", FeatureEnum::Tip },
   { "t", FeatureEnum::Tip },
-  { "incisaltip", FeatureEnum::Tip },
   { "incisal_tip", FeatureEnum::Tip },
   { "incisal_edge", FeatureEnum::Tip },
   { "cusp", FeatureEnum::Cusp },
@@ -108,7 +117,6 @@ constexpr Suffix Suffixes[] = {
   { "DL", FeatureEnum::DistolingualCusp },
   { "mesial", FeatureEnum::MesialContact },
   { "mesial_contact", FeatureEnum::MesialContact },
-  { "mesialcontact", FeatureEnum::MesialContact },
   { "contact", FeatureEnum::MesialContact },
   { "occlusal", FeatureEnum::OcclusalMiddle },
   { "occl", FeatureEnum::OcclusalMiddle },
@@ -129,7 +137,7 @@ FindFeature(const std::string & suffix, unsigned int position, FeatureEnum & fea
   }
   for (const Suffix & known : Suffixes)
   {
-    if (suffix != Normalize(known.text))
+    if (JoinWords(suffix) != JoinWords(Normalize(known.text)))
     {
       continue;
     }

@@ -110,11 +110,18 @@ DentalContour::AddPolyline(const PolylineType & polyline)
   {
     itkExceptionMacro("A closed contour needs at least 3 points, not " << polyline.points.size() << ".");
   }
-  if (!polyline.weights.empty() && polyline.weights.size() != polyline.points.size())
-  {
-    itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << polyline.weights.size()
-                                       << " weights; give one a point or none.");
-  }
+  const auto verifyCount = [&](std::size_t given, const char * name) {
+    if (given != 0 && given != polyline.points.size())
+    {
+      itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << given << ' ' << name
+                                         << "; give one a point or none.");
+    }
+  };
+  verifyCount(polyline.weights.size(), "weights");
+  verifyCount(polyline.sigmas.size(), "sigmas");
+  verifyCount(polyline.normals.size(), "normals");
+  verifyCount(polyline.rimPoints.size(), "rim points");
+  verifyCount(polyline.teeth.size(), "teeth");
   for (const PointType & point : polyline.points)
   {
     if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
@@ -129,11 +136,6 @@ DentalContour::AddPolyline(const PolylineType & polyline)
       itkExceptionMacro("A point's weight " << weight << " is not in [0, 1].");
     }
   }
-  if (!polyline.sigmas.empty() && polyline.sigmas.size() != polyline.points.size())
-  {
-    itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << polyline.sigmas.size()
-                                       << " sigmas; give one a point or none.");
-  }
   for (const double sigma : polyline.sigmas)
   {
     if (!(sigma >= 0.0) || !std::isfinite(sigma))
@@ -141,16 +143,6 @@ DentalContour::AddPolyline(const PolylineType & polyline)
       itkExceptionMacro("A point's sigma " << sigma << " is no standard deviation in pixels.");
     }
   }
-  const auto verifyCount = [&](std::size_t given, const char * name) {
-    if (given != 0 && given != polyline.points.size())
-    {
-      itkExceptionMacro("A polyline of " << polyline.points.size() << " points has " << given << ' ' << name
-                                         << "; give one a point or none.");
-    }
-  };
-  verifyCount(polyline.normals.size(), "normals");
-  verifyCount(polyline.rimPoints.size(), "rim points");
-  verifyCount(polyline.teeth.size(), "teeth");
   for (const NormalType & normal : polyline.normals)
   {
     // Far more than rounding, far less than a vector that was meant for another length.
@@ -385,19 +377,68 @@ DentalContour::OutlineFromString(const std::string & text)
 }
 
 void
-AppendSilhouetteData(const DentalContour::PolylineType & from, std::size_t index, DentalContour::PolylineType & to)
+AppendPoint(const DentalContour::PolylineType & from, std::size_t index, DentalContour::PolylineType & to)
 {
-  const std::size_t before = to.points.size() - 1;
-  const auto        append = [&](auto & own, const auto & others, const auto & earlier, const auto & otherwise) {
+  const std::size_t before = to.points.size();
+  const auto        append = [&](auto & own, const auto & others, const auto & otherwise) {
     if (!own.empty() || !others.empty())
     {
-      own.resize(before, earlier);
+      own.resize(before, otherwise);
       own.push_back(others.empty() ? otherwise : others[index]);
     }
   };
-  append(to.normals, from.normals, UnknownNormal(), UnknownNormal());
-  append(to.rimPoints, from.rimPoints, UnknownRimPoint(), UnknownRimPoint());
-  append(to.teeth, from.teeth, to.code, from.code);
+  append(to.weights, from.weights, 1.0);
+  append(to.sigmas, from.sigmas, 0.0);
+  append(to.normals, from.normals, UnknownNormal());
+  append(to.rimPoints, from.rimPoints, UnknownRimPoint());
+  const ToothCode tooth = from.GetTooth(index);
+  if (before == 0)
+  {
+    to.code = tooth;
+    to.outline = from.outline;
+    to.drafted = from.drafted;
+  }
+  else if (to.outline != from.outline)
+  {
+    to.outline = DentalContour::OutlineEnum::Unspecified;
+  }
+  // Of points of which some were mended the whole was.
+  to.drafted = to.drafted && from.drafted;
+  // Of a polyline that is all of one tooth its code says it.
+  if (!to.teeth.empty() || tooth != to.code)
+  {
+    to.teeth.resize(before, to.code);
+    to.teeth.push_back(tooth);
+  }
+  to.points.push_back(from.points[index]);
+}
+
+DentalContour::PolylinesType
+KeepPoints(const DentalContour::PolylineType & polyline, const std::vector<bool> & keep)
+{
+  const auto firstDropped = std::find(keep.begin(), keep.end(), false);
+  if (firstDropped == keep.end())
+  {
+    return { polyline };
+  }
+  DentalContour::PolylinesType runs;
+  const std::size_t            count = polyline.points.size();
+  const std::size_t            start = polyline.closed ? static_cast<std::size_t>(firstDropped - keep.begin()) : 0;
+  bool                         open = false;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t k = (start + i) % count;
+    if (keep[k] && !open)
+    {
+      runs.emplace_back();
+    }
+    open = keep[k];
+    if (open)
+    {
+      AppendPoint(polyline, k, runs.back());
+    }
+  }
+  return runs;
 }
 
 std::ostream &

@@ -54,7 +54,19 @@ ErrorOf(SetType * set, const std::string & name, double u, double sigma = 0.0)
 
 TEST(CephalometricLandmarkSet, KnowsTheNamesThatPointsHave)
 {
-  for (const char * name : { "U1", "U1_tip", "u1_TIP", "U1T", "UIT", "UIE", "Is", "I", "upper incisor tip", "l12" })
+  for (const char * name : { "U1",
+                             "U1_tip",
+                             "u1_TIP",
+                             "U1T",
+                             "UIT",
+                             "UIE",
+                             "Is",
+                             "I",
+                             "upper incisor tip",
+                             "l12",
+                             "U1 Incisal Edge",
+                             "u1-incisal-tip",
+                             "U1IncisalEdge" })
   {
     EXPECT_EQ(Canonical(name), "U1_tip") << name;
   }

@@ -306,22 +306,75 @@ TEST(DentalContour, RefusesWhatIsNoSilhouette)
   EXPECT_EQ(contour->GetNumberOfPoints(), 0u);
 }
 
-TEST(DentalContour, AppendedSilhouetteDataFillWhatIsNotKnown)
+TEST(DentalContour, AnAppendedPointFillsWhatIsNotKnown)
 {
   const auto                polylines = MakeSilhouettes()->GetPolylines();
   ContourType::PolylineType joined;
-  joined.code = itk::ToothCode(14);
-  joined.points.push_back(polylines[1].points[0]);
-  itk::AppendSilhouetteData(polylines[1], 0, joined);
+  itk::AppendPoint(polylines[1], 0, joined);
   EXPECT_TRUE(joined.normals.empty());
-  joined.points.push_back(polylines[0].points[2]);
-  itk::AppendSilhouetteData(polylines[0], 2, joined);
-  joined.points.push_back(polylines[1].points[1]);
-  itk::AppendSilhouetteData(polylines[1], 1, joined);
+  EXPECT_TRUE(joined.teeth.empty()) << "all of one tooth";
+  itk::AppendPoint(polylines[0], 2, joined);
+  itk::AppendPoint(polylines[1], 1, joined);
+  EXPECT_EQ(joined.points, (std::vector<ContourType::PointType>{ P(10, 0), P(2, 0), P(11, 0) }));
   EXPECT_EQ(joined.normals, (std::vector<ContourType::NormalType>{ N(0, 0), N(1, 0), N(0, 0) }));
   ASSERT_EQ(joined.rimPoints.size(), 3u);
   EXPECT_TRUE(std::isnan(joined.rimPoints[0][0]));
   EXPECT_EQ(joined.rimPoints[1], R(7, 8, 9));
   EXPECT_TRUE(std::isnan(joined.rimPoints[2][0]));
-  EXPECT_EQ(joined.teeth, (std::vector<itk::ToothCode>{ itk::ToothCode(14), itk::ToothCode(12), itk::ToothCode(13) }));
+  EXPECT_EQ(joined.code, itk::ToothCode(13)) << "that of the first point";
+  EXPECT_EQ(joined.teeth, (std::vector<itk::ToothCode>{ itk::ToothCode(13), itk::ToothCode(12), itk::ToothCode(13) }));
+}
+
+TEST(DentalContour, APointIsAppendedWithAllThatWasDrawn)
+{
+  using OutlineEnum = ContourType::OutlineEnum;
+  ContourType::PolylineType weighted;
+  weighted.code = itk::ToothCode(11);
+  weighted.points = { P(0, 0), P(1, 0) };
+  weighted.weights = { 0.5, 0.25 };
+  weighted.outline = OutlineEnum::Crown;
+  ContourType::PolylineType measured;
+  measured.code = itk::ToothCode(12);
+  measured.points = { P(2, 0) };
+  measured.sigmas = { 3.0 };
+  measured.outline = OutlineEnum::Crown;
+  ContourType::PolylineType joined;
+  itk::AppendPoint(weighted, 1, joined);
+  EXPECT_EQ(joined.outline, OutlineEnum::Crown);
+  itk::AppendPoint(measured, 0, joined);
+  itk::AppendPoint(weighted, 0, joined);
+  EXPECT_EQ(joined.weights, (std::vector<double>{ 0.25, 1.0, 0.5 }));
+  EXPECT_EQ(joined.sigmas, (std::vector<double>{ 0.0, 3.0, 0.0 }));
+  EXPECT_EQ(joined.outline, OutlineEnum::Crown);
+  // Two polylines of one tooth each: neither has `teeth`, and both codes stay.
+  EXPECT_EQ(joined.teeth, (std::vector<itk::ToothCode>{ itk::ToothCode(11), itk::ToothCode(12), itk::ToothCode(11) }));
+  EXPECT_EQ(joined.GetTooth(1), itk::ToothCode(12));
+  EXPECT_EQ(measured.GetTooth(0), itk::ToothCode(12));
+  measured.outline = OutlineEnum::Tooth;
+  itk::AppendPoint(measured, 0, joined);
+  EXPECT_EQ(joined.outline, OutlineEnum::Unspecified) << "of the whole nobody said one";
+}
+
+TEST(DentalContour, KeptPointsAreRunsThatBeginWithTheirOwnTooth)
+{
+  ContourType::PolylineType ring;
+  ring.closed = true;
+  ring.points = { P(0, 0), P(1, 0), P(2, 0), P(2, 1), P(1, 1) };
+  ring.code = itk::ToothCode(11);
+  ring.teeth = { itk::ToothCode(11), itk::ToothCode(12), itk::ToothCode(12), itk::ToothCode(13), itk::ToothCode(11) };
+  const auto whole = itk::KeepPoints(ring, { true, true, true, true, true });
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_TRUE(whole[0].closed);
+  EXPECT_EQ(whole[0].teeth, ring.teeth);
+  EXPECT_TRUE(itk::KeepPoints(ring, { false, false, false, false, false }).empty());
+  const auto runs = itk::KeepPoints(ring, { true, false, true, false, true });
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].points, (std::vector<ContourType::PointType>{ P(2, 0) }));
+  EXPECT_EQ(runs[0].code, itk::ToothCode(12));
+  EXPECT_EQ(runs[1].points, (std::vector<ContourType::PointType>{ P(1, 1), P(0, 0) })) << "over its beginning";
+  EXPECT_EQ(runs[1].code, itk::ToothCode(11));
+  EXPECT_TRUE(runs[1].teeth.empty());
+  EXPECT_FALSE(runs[1].closed);
+  ring.closed = false;
+  EXPECT_EQ(itk::KeepPoints(ring, { true, false, true, false, true }).size(), 3u);
 }

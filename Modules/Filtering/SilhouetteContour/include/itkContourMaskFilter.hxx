@@ -18,7 +18,6 @@
 #ifndef itkContourMaskFilter_hxx
 #define itkContourMaskFilter_hxx
 
-#include <algorithm>
 #include <vector>
 
 namespace itk
@@ -76,48 +75,12 @@ ContourMaskFilter<TMaskImage>::GenerateData()
       }
       keep[i] = region.IsInside(index) && mask->GetPixel(index) != typename MaskImageType::PixelType{};
     }
-    const auto firstDropped = std::find(keep.begin(), keep.end(), false);
-    if (firstDropped == keep.end())
+    for (const auto & stretch : KeepPoints(polyline, keep))
     {
-      if (count >= m_MinimumNumberOfPoints)
-      {
-        output->AddPolyline(polyline);
-      }
-      continue;
-    }
-    // A closed polyline is walked from a point that is dropped, so that no stretch is cut at its start.
-    const std::size_t           start = polyline.closed ? static_cast<std::size_t>(firstDropped - keep.begin()) : 0;
-    DentalContour::PolylineType stretch;
-    stretch.code = polyline.code;
-    stretch.outline = polyline.outline;
-    stretch.drafted = polyline.drafted;
-    for (std::size_t i = 0; i <= count; ++i)
-    {
-      const std::size_t k = (start + i) % count;
-      if (i < count && keep[k])
-      {
-        stretch.points.push_back(polyline.points[k]);
-        if (!polyline.weights.empty())
-        {
-          stretch.weights.push_back(polyline.weights[k]);
-        }
-        if (!polyline.sigmas.empty())
-        {
-          stretch.sigmas.push_back(polyline.sigmas[k]);
-        }
-        AppendSilhouetteData(polyline, k, stretch);
-        continue;
-      }
       if (stretch.points.size() >= m_MinimumNumberOfPoints)
       {
         output->AddPolyline(stretch);
       }
-      stretch.points.clear();
-      stretch.weights.clear();
-      stretch.sigmas.clear();
-      stretch.normals.clear();
-      stretch.rimPoints.clear();
-      stretch.teeth.clear();
     }
   }
 }

@@ -87,49 +87,35 @@ ContourResampleFilter::GenerateData()
   {
     const auto &                polyline = polylines[l];
     DentalContour::PolylineType resampled;
-    resampled.code = polyline.code;
-    resampled.outline = polyline.outline;
-    resampled.drafted = polyline.drafted;
     if (!(lengths[l] > 0.0))
     {
-      resampled.points.push_back(polyline.points.front());
-      if (!polyline.weights.empty())
-      {
-        resampled.weights.push_back(polyline.weights.front());
-      }
-      if (!polyline.sigmas.empty())
-      {
-        resampled.sigmas.push_back(polyline.sigmas.front());
-      }
-      AppendSilhouetteData(polyline, 0, resampled);
+      AppendPoint(polyline, 0, resampled);
       output->AddPolyline(resampled);
       continue;
     }
     resampled.closed = polyline.closed;
     for (const ContourPosition & position : ResamplePolyline(points[l], polyline.closed, counts[l]))
     {
-      const std::size_t        from = position.segment;
-      const std::size_t        to = from + 1 < points[l].size() ? from + 1 : 0;
-      DentalContour::PointType point;
+      const std::size_t from = position.segment;
+      const std::size_t to = from + 1 < points[l].size() ? from + 1 : 0;
+      // Between two neighbours a silhouette may leap from one tooth to another: a mean of both is on neither.
+      AppendPoint(polyline, position.share < 0.5 ? from : to, resampled);
       for (unsigned int d = 0; d < 2; ++d)
       {
-        point[d] = points[l][from][d] + position.share * (points[l][to][d] - points[l][from][d]);
+        resampled.points.back()[d] = points[l][from][d] + position.share * (points[l][to][d] - points[l][from][d]);
       }
-      resampled.points.push_back(point);
       if (!polyline.weights.empty())
       {
-        resampled.weights.push_back((1.0 - position.share) * polyline.weights[from] +
-                                    position.share * polyline.weights[to]);
+        resampled.weights.back() =
+          (1.0 - position.share) * polyline.weights[from] + position.share * polyline.weights[to];
       }
       if (!polyline.sigmas.empty())
       {
         // 0 is no number to be between: what is drawn from or to a point of unknown error is of unknown error.
         const bool known = polyline.sigmas[from] > 0.0 && polyline.sigmas[to] > 0.0;
-        resampled.sigmas.push_back(
-          known ? (1.0 - position.share) * polyline.sigmas[from] + position.share * polyline.sigmas[to] : 0.0);
+        resampled.sigmas.back() =
+          known ? (1.0 - position.share) * polyline.sigmas[from] + position.share * polyline.sigmas[to] : 0.0;
       }
-      // Between two neighbours a silhouette may leap from one tooth to another: a mean of both is on neither.
-      AppendSilhouetteData(polyline, position.share < 0.5 ? from : to, resampled);
     }
     output->AddPolyline(resampled);
   }

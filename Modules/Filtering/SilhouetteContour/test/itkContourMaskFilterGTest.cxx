@@ -192,6 +192,24 @@ TEST(ContourMaskFilter, KeepsWhatASilhouettesPointsKnow)
   }
 }
 
+TEST(ContourMaskFilter, EachPolylineKeepsItsTooth)
+{
+  const auto contour = itk::DentalContour::New();
+  auto       second = MakeSquare();
+  second.code = itk::ToothCode(12);
+  contour->AddPolyline(MakeSquare());
+  contour->AddPolyline(second);
+  const auto filter = FilterType::New();
+  filter->SetInput(contour);
+  filter->SetMaskImage(MakeMask(10));
+  filter->Update();
+  const auto kept = filter->GetOutput()->GetPolylines();
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0].code, itk::ToothCode(11));
+  EXPECT_EQ(kept[1].code, itk::ToothCode(12));
+  EXPECT_TRUE(kept[0].teeth.empty() && kept[1].teeth.empty());
+}
+
 TEST(ContourMaskFilter, SaysWhatIsMissing)
 {
   auto filter = FilterType::New();

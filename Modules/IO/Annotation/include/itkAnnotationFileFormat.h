@@ -58,14 +58,16 @@ enum class AnnotationFileFormatEnum : uint8_t
   /** JSON of Supervisely, a file a picture. */
   Supervisely,
   /** A label map, one mask a class, or drawn lines; contours only. */
-  LabelImage
+  LabelImage,
+  /** The archive .wceph of the program WebCeph, cephalometric landmarks only. */
+  WebCeph
 };
 
 /** Where a 2-D annotation's (0, 0) is. \ingroup Annotation */
 enum class AnnotationPixelOriginEnum : uint8_t
 {
-  /** Corner for labelme, CVAT, COCO, VIA, Label Studio and Supervisely, which draw on a canvas; Centre for all others.
-   */
+  /** Corner for labelme, CVAT, COCO, VIA, Label Studio, Supervisely and WebCeph, which draw on a canvas; Centre for all
+   * others. */
   FormatDefault,
   /** The centre of the first pixel, as ITK's continuous index has it. */
   Centre,

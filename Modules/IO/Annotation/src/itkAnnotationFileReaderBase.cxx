@@ -35,6 +35,7 @@ DrawsOnCanvas(AnnotationFileFormatEnum format)
     case AnnotationFileFormatEnum::VIA:
     case AnnotationFileFormatEnum::LabelStudio:
     case AnnotationFileFormatEnum::Supervisely:
+    case AnnotationFileFormatEnum::WebCeph:
       return true;
     default:
       return false;

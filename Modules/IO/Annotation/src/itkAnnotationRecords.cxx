@@ -71,6 +71,8 @@ operator<<(std::ostream & os, AnnotationFileFormatEnum format)
       return os << "LabelStudio";
     case AnnotationFileFormatEnum::Supervisely:
       return os << "Supervisely";
+    case AnnotationFileFormatEnum::WebCeph:
+      return os << "WebCeph";
     default:
       return os << "LabelImage";
   }
@@ -107,7 +109,7 @@ void
 RefuseCephalometricFormat(const std::string & fileName, Format format)
 {
   if (format == Format::Aariz || format == Format::LandmarkDetector || format == Format::CLDetection ||
-      format == Format::ISBI2015)
+      format == Format::ISBI2015 || format == Format::WebCeph)
   {
     std::ostringstream problem;
     problem << "format " << format << " has only the landmarks of a cephalometric analysis";

@@ -99,7 +99,20 @@ ReadHeader(const std::string &              fileName,
   }
   if (!label)
   {
-    itkDentalInputErrorMacro(fileName, field, "is a header without a column of labels", "name that column \"label\"");
+    // In whatever language it is: a single column that is neither a coordinate nor a unit can only be the labels'.
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      if (i != axes[0] && i != axes[1] && i != axes[2] && i != unit)
+      {
+        others.push_back(i);
+      }
+    }
+    if (others.size() != 1)
+    {
+      itkDentalInputErrorMacro(fileName, field, "is a header without a column of labels", "name that column \"label\"");
+    }
+    label = others.front();
   }
   columns.label = *label;
   for (unsigned int d = 0; d < dimension; ++d)

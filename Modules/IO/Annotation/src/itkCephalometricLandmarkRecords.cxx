@@ -25,6 +25,7 @@
 #include "itkLowerCase.h"
 #include "itkTextFile.h"
 #include "itkVIATable.h"
+#include "itkWebCephRecords.h"
 
 #include <algorithm>
 #include <cmath>
@@ -379,6 +380,10 @@ ReadCephalometricLandmarkRecords(const std::string &          fileName,
                                  const IsDentalLandmarkType & isDental,
                                  const std::string &          imageName)
 {
+  if (format == Format::WebCeph || (format == Format::Automatic && IsWebCephFile(fileName)))
+  {
+    return ReadWebCephRecords(fileName, isDental, imageName);
+  }
   RefuseForeignFile(fileName, FilePurposeEnum::Landmarks);
   const Format found = format == Format::Automatic ? AnnotationFormatFromFile(fileName) : format;
   if (found == Format::CSV || found == Format::CLDetection || found == Format::ISBI2015)

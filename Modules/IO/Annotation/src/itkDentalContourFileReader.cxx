@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -39,6 +40,31 @@ std::string
 ToString(const Size<2> & size)
 {
   return std::to_string(size[0]) + " x " + std::to_string(size[1]);
+}
+
+/** What may have become of the picture that a tracing of another size was drawn on. */
+std::string
+DescribeRemedy(const Size<2> & drawn, const Size<2> & image)
+{
+  if (drawn[0] == image[1] && drawn[1] == image[0])
+  {
+    return "the picture was turned by 90 degrees before or after it was drawn on: turn it back, or trace on it as it "
+           "is";
+  }
+  const double ratio = static_cast<double>(drawn[0]) / static_cast<double>(image[0]);
+  const double other = static_cast<double>(drawn[1]) / static_cast<double>(image[1]);
+  // Half a pixel is rounded away in each direction.
+  const double tolerance = 0.5 / static_cast<double>(std::min(image[0], image[1])) + 1e-3;
+  if (std::abs(ratio - other) <= tolerance)
+  {
+    std::ostringstream factor;
+    factor.precision(3);
+    factor << ratio;
+    return "it was drawn on a copy " + factor.str() +
+           " times as large: name that copy (and its pixel spacing), or divide points and image_size by " +
+           factor.str();
+  }
+  return "trace on this image or name the right one";
 }
 
 /** The numbering of the file where it states one, else the case's. */
@@ -248,7 +274,7 @@ DentalContourFileReader::GenerateData()
     itkDentalInputErrorMacro(fileName,
                              records.imageSizeField,
                              "is " + ToString(stated) + ", but the image is " + ToString(m_ImageSize),
-                             "trace on this image or name the right one");
+                             DescribeRemedy(stated, m_ImageSize));
   }
   if (!sizeIsGiven && !records.imageSize)
   {
@@ -307,6 +333,15 @@ DentalContourFileReader::GenerateData()
     }
     if (polyline.closed && !polyline.points.empty() && polyline.points.size() < 3)
     {
+      if (records.format != FileFormatEnum::DentalSCR)
+      {
+        // A slip of the mouse, which editors keep as a polygon; in our own format somebody has written it.
+        this->Warn(record.field,
+                   "is closed but has " + std::to_string(polyline.points.size()) +
+                     " different points, which is no outline: left out");
+        pointCount -= record.points.size();
+        continue;
+      }
       itkDentalInputErrorMacro(fileName,
                                record.field,
                                "is closed but has " + std::to_string(polyline.points.size()) + " different points",

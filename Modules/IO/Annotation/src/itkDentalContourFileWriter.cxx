@@ -75,6 +75,71 @@ AppendSigmas(std::ostream & os, const std::vector<double> & sigmas)
   os << ']';
 }
 
+/** Runs of points of one tooth: a file has one code a polyline. Of a closed one that goes over several teeth the runs
+ * are open; those on both sides of its first point are one. */
+DentalContour::PolylinesType
+SplitByTooth(const DentalContour::PolylineType & polyline)
+{
+  const std::size_t count = polyline.points.size();
+  std::size_t       start = 0;
+  while (start < count && polyline.GetTooth(start) == polyline.GetTooth(0))
+  {
+    ++start;
+  }
+  if (start == count)
+  {
+    return { polyline };
+  }
+  DentalContour::PolylinesType runs;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t k = polyline.closed ? (start + i) % count : i;
+    if (runs.empty() || runs.back().code != polyline.GetTooth(k))
+    {
+      runs.emplace_back();
+    }
+    AppendPoint(polyline, k, runs.back());
+  }
+  return runs;
+}
+
+void
+AppendPolyline(std::ostream & os, const DentalContour::PolylineType & polyline, ToothCode::NumberingEnum numbering)
+{
+  os << "      {\"code\": "
+     << JsonString(CodeText(polyline.points.empty() ? polyline.code : polyline.GetTooth(0), numbering));
+  if (polyline.closed)
+  {
+    os << ", \"closed\": true";
+  }
+  os << ", \"points\": [";
+  for (std::size_t i = 0; i < polyline.points.size(); ++i)
+  {
+    os << (i == 0 ? "[" : ", [") << JsonNumber(polyline.points[i][0]) << ", " << JsonNumber(polyline.points[i][1])
+       << ']';
+  }
+  os << ']';
+  if (!polyline.weights.empty())
+  {
+    os << ", \"weights\": [";
+    for (std::size_t i = 0; i < polyline.weights.size(); ++i)
+    {
+      os << (i == 0 ? "" : ", ") << JsonNumber(polyline.weights[i]);
+    }
+    os << ']';
+  }
+  if (polyline.outline != DentalContour::OutlineEnum::Unspecified)
+  {
+    os << ", \"outline\": \"" << polyline.outline << '"';
+  }
+  if (polyline.drafted)
+  {
+    os << ", \"drafted\": true";
+  }
+  AppendSigmas(os, polyline.sigmas);
+  os << '}';
+}
+
 void
 AppendJaw(std::ostream & os, const char * jaw, const DentalContour & contour, ToothCode::NumberingEnum numbering)
 {
@@ -82,38 +147,12 @@ AppendJaw(std::ostream & os, const char * jaw, const DentalContour & contour, To
   const char * separator = "\n";
   for (const DentalContour::PolylineType & polyline : contour.GetPolylines())
   {
-    os << separator << "      {\"code\": " << JsonString(CodeText(polyline.code, numbering));
-    if (polyline.closed)
+    for (const DentalContour::PolylineType & run : SplitByTooth(polyline))
     {
-      os << ", \"closed\": true";
+      os << separator;
+      AppendPolyline(os, run, numbering);
+      separator = ",\n";
     }
-    os << ", \"points\": [";
-    for (std::size_t i = 0; i < polyline.points.size(); ++i)
-    {
-      os << (i == 0 ? "[" : ", [") << JsonNumber(polyline.points[i][0]) << ", " << JsonNumber(polyline.points[i][1])
-         << ']';
-    }
-    os << ']';
-    if (!polyline.weights.empty())
-    {
-      os << ", \"weights\": [";
-      for (std::size_t i = 0; i < polyline.weights.size(); ++i)
-      {
-        os << (i == 0 ? "" : ", ") << JsonNumber(polyline.weights[i]);
-      }
-      os << ']';
-    }
-    if (polyline.outline != DentalContour::OutlineEnum::Unspecified)
-    {
-      os << ", \"outline\": \"" << polyline.outline << '"';
-    }
-    if (polyline.drafted)
-    {
-      os << ", \"drafted\": true";
-    }
-    AppendSigmas(os, polyline.sigmas);
-    os << '}';
-    separator = ",\n";
   }
   os << "\n    ]";
 }

@@ -23,6 +23,11 @@
 
 #include <gtest/gtest.h>
 
+#include <zip.h>
+
+#include <fstream>
+#include <iterator>
+
 namespace
 {
 using ReaderType = itk::CephalometricLandmarkFileReader;
@@ -94,6 +99,45 @@ MakeCLDetection(int radiographs = 1)
     }
   }
   return text + "\n";
+}
+/** An archive as WebCeph writes it: the pictures first, then the index. */
+std::string
+WriteWebCeph(const std::string & name, const std::string & index, const std::string & indexName = "index.json")
+{
+  const std::string path = itk::TestFolder() + '/' + name;
+  zipFile           archive = zipOpen64(path.c_str(), APPEND_STATUS_CREATE);
+  const auto        add = [&](const std::string & entry, const std::string & content) {
+    EXPECT_EQ(zipOpenNewFileInZip(
+                archive, entry.c_str(), nullptr, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED, Z_DEFAULT_COMPRESSION),
+              ZIP_OK);
+    EXPECT_EQ(zipWriteInFileInZip(archive, content.data(), static_cast<unsigned int>(content.size())), ZIP_OK);
+    EXPECT_EQ(zipCloseFileInZip(archive), ZIP_OK);
+  };
+  std::string noise(9000, '\0');
+  for (std::size_t i = 0; i < noise.size(); ++i)
+  {
+    noise[i] = static_cast<char>((i * 2654435761u) >> 13);
+  }
+  add("images/image_1", noise);
+  add(indexName, index);
+  EXPECT_EQ(zipClose(archive, nullptr), ZIP_OK);
+  return path;
+}
+
+/** A picture of the index with its landmarks. */
+std::string
+WebCephPicture(const std::string & name, const std::string & type, const std::string & landmarks, bool flipped = false)
+{
+  return R"({"name": ")" + name + R"(", "type": )" + type + R"(, "flipX": )" + (flipped ? "true" : "false") +
+         R"(, "flipY": false, "tracing": {"mode": "assisted", "scaleFactor": null, "manualLandmarks": )" + landmarks +
+         R"(, "skippedSteps": {}}})";
+}
+
+std::string
+WebCephIndex(const std::string & pictures)
+{
+  return R"({"version": 1, "refs": {"thumbs": {}, "images": {"image_1": "images/image_1"}}, "data": {)" + pictures +
+         "}}";
 }
 } // namespace
 
@@ -305,6 +349,76 @@ TEST(CephalometricLandmarkFileReader, OtherReadersSayThatTheFormatIsNotTheirs)
   landmarks->SetFileName(file);
   landmarks->SetFileFormat(FormatEnum::Aariz);
   EXPECT_TRUE(itk::Contains(itk::ExpectInputError([&] { landmarks->Update(); }).GetOneLine(), "Aariz"));
+}
+
+TEST(CephalometricLandmarkFileReader, ReadsWebCephsArchive)
+{
+  const std::string four = R"({"U1 Incisal Edge": {"x": 570.0, "y": 643.5}, "L1 Incisal Edge": {"x": 557, "y": 622},
+    "U1 Apex": {"x": 530, "y": 560}, "U6": {"x": 464, "y": 614}, "S": {"x": 1, "y": 2},
+    "L6": {"x1": 1, "y1": 2, "x2": 3, "y2": 4}})";
+  const auto        reader = ReaderType::New();
+  reader->SetFileName(WriteWebCeph(
+    "one.wceph",
+    WebCephIndex(R"("a": )" + WebCephPicture("face.jpg", R"("photo_lateral")", R"({"U1": {"x": 9, "y": 9}})") +
+                 R"(, "b": )" + WebCephPicture("ceph.png", "null", four, true) + R"(, "c": )" +
+                 WebCephPicture("later.png", R"("ceph_lateral")", "{}"))));
+  reader->Update();
+  EXPECT_EQ(reader->GetReadFileFormat(), FormatEnum::WebCeph);
+  ASSERT_EQ(reader->GetOutput()->GetNumberOfLandmarks(), 4u);
+  // Counted from the picture's corner, and not turned: flipX is how it is shown.
+  ExpectAt(reader, "U1_tip", 569.5, 643.0);
+  ExpectAt(reader, "L1_tip", 556.5, 621.5);
+  ExpectAt(reader, "U1_apex", 529.5, 559.5);
+  EXPECT_EQ(reader->GetOutput()->GetLandmarks()[3].name, "U6");
+  ASSERT_EQ(reader->GetWarnings().size(), 2u);
+  EXPECT_TRUE(itk::Contains(reader->GetWarnings()[0], "mirrored"));
+  EXPECT_TRUE(itk::Contains(reader->GetWarnings()[1], "left out: S, L6")) << reader->GetWarnings()[1];
+}
+
+TEST(CephalometricLandmarkFileReader, OfWebCephsPicturesTakesTheRadiographs)
+{
+  const auto picture = [](const char * name, const char * x) {
+    return WebCephPicture(name, R"("ceph_lateral")", std::string(R"({"U1": {"x": )") + x + R"(, "y": 9}})");
+  };
+  const std::string path = WriteWebCeph(
+    "two.wceph", WebCephIndex(R"("a": )" + picture("before.png", "10") + R"(, "b": )" + picture("after.png", "20")));
+  const auto reader = ReaderType::New();
+  reader->SetFileName(path);
+  const auto error = itk::ExpectInputError([&] { reader->Update(); });
+  EXPECT_TRUE(itk::Contains(error.GetOneLine(), "before.png")) << error.GetOneLine();
+  reader->SetImageFileName("/somewhere/after.png");
+  reader->Update();
+  ExpectAt(reader, "U1_tip", 19.5, 8.5);
+}
+
+TEST(CephalometricLandmarkFileReader, RefusesArchivesThatAreNotWebCephsInWords)
+{
+  const auto errorOf = [](const std::string & path) {
+    const auto reader = ReaderType::New();
+    reader->SetFileName(path);
+    return itk::ExpectInputError([&] { reader->Update(); }).GetOneLine();
+  };
+  const std::string whole = WriteWebCeph("whole.wceph", WebCephIndex(R"("a": )" + WebCephPicture("a", "null", "{}")));
+  EXPECT_TRUE(itk::Contains(errorOf(whole), "has no landmarks on a cephalogram")) << errorOf(whole);
+  EXPECT_TRUE(itk::Contains(errorOf(WriteWebCeph("v2.wceph", R"({"version": 2, "data": {}})")), "version"));
+  EXPECT_TRUE(itk::Contains(errorOf(WriteWebCeph("other.wceph", "{}")), "version"));
+  EXPECT_TRUE(itk::Contains(errorOf(WriteWebCeph("other.zip", "{}", "folder/notes.txt")), "a ZIP archive"));
+  // As a tracing it is named for what it is, though the index stands behind all pictures.
+  const auto contours = itk::DentalContourFileReader::New();
+  contours->SetFileName(whole);
+  contours->SetImageSize({ { 100, 100 } });
+  const std::string refusal = itk::ExpectInputError([&] { contours->Update(); }).GetOneLine();
+  EXPECT_TRUE(itk::Contains(refusal, "WebCeph") && itk::Contains(refusal, "cephalometric_landmarks")) << refusal;
+  // Cut anywhere it is an error in words; the directory is at its end.
+  std::ifstream     file(whole, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  for (const std::size_t length : { bytes.size() - 1, bytes.size() - 30, bytes.size() / 2 })
+  {
+    errorOf(itk::WriteTestFile("cut.wceph", bytes.substr(0, length)));
+  }
+  std::string damaged = bytes;
+  damaged[damaged.rfind("index.json") - 60] ^= 0x55;
+  errorOf(itk::WriteTestFile("damaged.wceph", damaged));
 }
 
 TEST(CephalometricLandmarkFileReader, ReadsTheSharedCases)

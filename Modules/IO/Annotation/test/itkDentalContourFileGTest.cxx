@@ -386,6 +386,50 @@ TEST(DentalContourFileWriter, ReadsBackToTheSameBits)
   }
 }
 
+TEST(DentalContourFileWriter, ALineOverSeveralTeethIsWrittenAToothEach)
+{
+  const auto                       upper = itk::DentalContour::New();
+  itk::DentalContour::PolylineType line;
+  for (int i = 0; i < 5; ++i)
+  {
+    itk::DentalContour::PointType point;
+    point[0] = 10.0 * i;
+    point[1] = 5.0;
+    line.points.push_back(point);
+    line.weights.push_back(0.1 * (i + 1));
+  }
+  line.teeth = { itk::ToothCode(11), itk::ToothCode(11), itk::ToothCode(12), itk::ToothCode(12), itk::ToothCode(11) };
+  line.code = line.teeth.front();
+  upper->AddPolyline(line);
+  line.closed = true;
+  upper->AddPolyline(line);
+  const std::string file = itk::TestFolder() + "/teeth.json";
+  const auto        writer = itk::DentalContourFileWriter::New();
+  writer->SetFileName(file);
+  writer->SetUpper(upper);
+  writer->SetImageSize({ { 100, 100 } });
+  writer->Update();
+  const auto reader = itk::DentalContourFileReader::New();
+  reader->SetFileName(file);
+  reader->Update();
+  const auto polylines = reader->GetUpperOutput()->GetPolylines();
+  // Of the closed one the two ends that are of one tooth are one run.
+  const std::vector<std::vector<double>> expected = { { 0, 10 }, { 20, 30 }, { 40 }, { 20, 30 }, { 40, 0, 10 } };
+  const std::vector<int>                 codes = { 11, 12, 11, 12, 11 };
+  ASSERT_EQ(polylines.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    EXPECT_EQ(polylines[i].code, itk::ToothCode(codes[i])) << i;
+    EXPECT_FALSE(polylines[i].closed) << i;
+    ASSERT_EQ(polylines[i].points.size(), expected[i].size()) << i;
+    for (std::size_t k = 0; k < expected[i].size(); ++k)
+    {
+      EXPECT_EQ(polylines[i].points[k][0], expected[i][k]) << i;
+      EXPECT_DOUBLE_EQ(polylines[i].weights[k], 0.01 * expected[i][k] + 0.1) << i;
+    }
+  }
+}
+
 TEST(DentalContourFileWriter, SaysWhatIsMissing)
 {
   const auto writer = DentalContourFileWriter::New();

@@ -75,8 +75,7 @@ MatchedContourFilter::GenerateData()
       }
       if (beside)
       {
-        piece.points.push_back(point);
-        AppendSilhouetteData(polyline, i, piece);
+        AppendPoint(polyline, i, piece);
       }
     }
   }

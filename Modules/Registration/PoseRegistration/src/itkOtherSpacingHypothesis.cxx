@@ -30,13 +30,37 @@ OtherSpacingHypothesis::GetCode() const
   return Code;
 }
 
+namespace
+{
+/** Four marks of two jaws in one frame have eight coordinates, of which a pose and a scale take five: fewer fit at any
+ * scale. */
+constexpr std::size_t MinimumNumberOfLandmarks = 4;
+
+bool
+HasEnoughLandmarks(const PoseProblem & problem)
+{
+  std::size_t count = 0;
+  for (const PoseJawInput & jaw : problem.jaws)
+  {
+    if (jaw.landmarks.IsNull() || jaw.counterparts.IsNull())
+    {
+      return false;
+    }
+    count += jaw.landmarks->GetNumberOfLandmarks();
+  }
+  return problem.jaws.size() == 2 && count >= MinimumNumberOfLandmarks;
+}
+} // namespace
+
 bool
 OtherSpacingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
 {
   // A spacing that is wrong by less than the search bridges fits, and contradicts its prior.
   return problem.nominal.pixelSpacingKnown && result.score > problem.options.poorScore &&
-         std::any_of(
-           problem.jaws.begin(), problem.jaws.end(), [](const PoseJawInput & jaw) { return jaw.tracing.IsNotNull(); });
+         (std::any_of(problem.jaws.begin(),
+                      problem.jaws.end(),
+                      [](const PoseJawInput & jaw) { return jaw.tracing.IsNotNull(); }) ||
+          HasEnoughLandmarks(problem));
 }
 
 std::string

@@ -20,10 +20,12 @@
 #include "itkExchangedJawsHypothesis.h"
 #include "itkExchangedLandmarksHypothesis.h"
 #include "itkJoinNames.h"
+#include "itkMillimetresPerUnit.h"
 #include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 #include "itkOtherSpacingHypothesis.h"
+#include "itkSortFindings.h"
 #include "itkTurnedDrawingHypothesis.h"
 #include "itkVerdictText.h"
 
@@ -46,6 +48,10 @@ constexpr double MajorityOfCodes = 0.5;
  * where an open shell has 0.3 to 0.6 (DentalJawFrame::openness). The size of Thresholds::suspectWinding, so that a cast
  * is either judged by its winding or said not to be. */
 constexpr double WindingOfClosedCast = 0.1;
+/** Logarithm of the ratio of two pixel spacings from which on landmarks alone tell them apart: a molar marked at its
+ * other end, or the tooth behind it, is a third of the distance between incisor and molar. Copies are half as large, or
+ * twice. */
+constexpr double SpacingDifferenceOfLandmarks = 0.4;
 constexpr double DegreesPerRadian = 180.0 / 3.14159265358979323846;
 
 /** What a rule measured and the limit that it is beyond. */
@@ -99,17 +105,13 @@ JudgeWidth(const PoseJawResult &                   jaw,
     return;
   }
   std::string text = "the arch is " + FormatNumber(width, width < 1.0 ? 4 : 1) + " mm wide";
-  struct Unit
+  for (const MeshUnit & unit : MeshUnits)
   {
-    double       factor;
-    const char * name;
-  };
-  for (const Unit & unit : { Unit{ 10.0, "cm" }, Unit{ 25.4, "inch" }, Unit{ 1000.0, "m" }, Unit{ 0.001, "um" } })
-  {
-    if (width * unit.factor >= thresholds.minimumArchWidth && width * unit.factor <= thresholds.maximumArchWidth)
+    if (width * unit.millimetres >= thresholds.minimumArchWidth &&
+        width * unit.millimetres <= thresholds.maximumArchWidth)
     {
       text += std::string("; the mesh may be in ") + unit.name + " (it would then be " +
-              FormatNumber(width * unit.factor, 1) + " mm)";
+              FormatNumber(width * unit.millimetres, 1) + " mm)";
       break;
     }
   }
@@ -303,11 +305,16 @@ JudgeFilm(const PoseGeometry &                       geometry,
     const bool isShort = length < thresholds.shortestFilm;
     if (length > 0.0 && (isShort || length > thresholds.failedFilmLength))
     {
+      const double inCentimetres = 10.0 * length;
+      const bool   fitsInCentimetres =
+        inCentimetres >= thresholds.shortestFilm && inCentimetres <= thresholds.suspectFilmLength;
       Add(verdict,
           StatusEnum::Suspect,
           "film-size",
           "by its pixel spacing the radiograph would be " + FormatNumber(length, 0) +
-            " mm long: is pixel_spacing_mm in cm, or of another resolution?",
+            (fitsInCentimetres
+               ? " mm long, and " + FormatNumber(inCentimetres, 0) + " mm were pixel_spacing_mm in cm: give mm a pixel"
+               : " mm long: is pixel_spacing_mm of another resolution?"),
           { length, isShort ? thresholds.shortestFilm : thresholds.failedFilmLength, "mm" });
     }
     return;
@@ -364,18 +371,25 @@ JudgePriors(const PoseGroupResult &                 group,
 /** The other readings of the drawing that are told by their score. Names that are exchanged fit the other facing a
  * little better as well, and a scale that is free fits everything a little better: one is named, the best. */
 void
-JudgeReadings(const PoseGeometry &                    geometry,
+JudgeReadings(const PoseRegistrationResult &          registration,
               const PoseGroupResult &                 group,
               const RegistrationVerdict::Thresholds & thresholds,
               RegistrationVerdict::JawVerdict &       verdict)
 {
+  const PoseGeometry & geometry = registration.geometry;
+  const bool           isTraced = std::any_of(
+    group.jaws.begin(), group.jaws.end(), [&](std::size_t j) { return registration.jaws[j].fit.numberOfPoints > 0; });
+  const double difference =
+    isTraced ? thresholds.spacingDifference : std::max(thresholds.spacingDifference, SpacingDifferenceOfLandmarks);
   const auto spacingOf = [&](const PoseHypothesisOutcome & outcome) {
     return 0.5 * (outcome.pixelSpacing[0] + outcome.pixelSpacing[1]);
   };
   const double given = 0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]);
   const auto   isSpacing = [](const std::string & code) { return code == OtherSpacingHypothesis::Code; };
   const auto   isTurned = [](const std::string & code) { return code.rfind(TurnedDrawingHypothesis::Code, 0) == 0; };
-  const std::pair<const std::string, PoseHypothesisOutcome> * best = nullptr;
+  using EntryType = std::pair<const std::string, PoseHypothesisOutcome>;
+  const EntryType * best = nullptr;
+  const EntryType * bestScale = nullptr;
   for (const auto & entry : group.outcomes)
   {
     const PoseHypothesisOutcome & outcome = entry.second;
@@ -387,27 +401,47 @@ JudgeReadings(const PoseGeometry &                    geometry,
     }
     // Where the scale is free only a good fit with another one says something.
     if (isSpacing(code) && (outcome.score > thresholds.spacingScore || !(spacingOf(outcome) > 0.0) ||
-                            std::abs(std::log(spacingOf(outcome) / given)) < thresholds.spacingDifference))
+                            std::abs(std::log(spacingOf(outcome) / given)) < difference))
     {
       continue;
     }
+    const EntryType *& place = isSpacing(code) ? bestScale : best;
     if (outcome.score < group.score - thresholds.hypothesisGain &&
-        (best == nullptr || outcome.score < best->second.score))
+        (place == nullptr || outcome.score < place->second.score))
     {
-      best = &entry;
+      place = &entry;
     }
   }
+  // A scale that is free fits at least as well as one that was said: it has to be better than the other readings by as
+  // much as they are better than none.
+  if (bestScale != nullptr &&
+      (best == nullptr || bestScale->second.score < best->second.score - thresholds.hypothesisGain))
+  {
+    best = bestScale;
+  }
   const PoseHypothesisOutcome * exchangedJaws = group.FindOutcome(ExchangedJawsHypothesis::Code);
+  const bool isExchanged = exchangedJaws != nullptr && exchangedJaws->score < group.score - thresholds.hypothesisGain;
+  // One mistake at a time: with the scans exchanged nothing fits well, whatever the scale, and at a wrong scale each
+  // scan fits the other's tracing about as well as its own.
+  if (isExchanged && (best == nullptr || exchangedJaws->score <= best->second.score + thresholds.hypothesisGain ||
+                      best->first == OtherFacingHypothesis::Code))
+  {
+    Add(verdict,
+        StatusEnum::Failed,
+        "jaws-exchanged",
+        "upper and lower scan seem to be exchanged",
+        { group.score - exchangedJaws->score, thresholds.hypothesisGain, "" });
+    if (best != nullptr && exchangedJaws->score < best->second.score)
+    {
+      return;
+    }
+  }
   if (best == nullptr)
   {
     return;
   }
   const std::string & code = best->first;
   const Measure       gain{ group.score - best->second.score, thresholds.hypothesisGain, "" };
-  if ((isSpacing(code) || isTurned(code)) && exchangedJaws != nullptr && exchangedJaws->score < best->second.score)
-  {
-    return;
-  }
   if (code == ExchangedLandmarksHypothesis::Code)
   {
     Add(verdict,
@@ -427,13 +461,18 @@ JudgeReadings(const PoseGeometry &                    geometry,
   }
   else if (isSpacing(code))
   {
-    const double spacing = spacingOf(best->second);
+    // A drawing in mm has a spacing of 1; that of an estimated scale is as sure as a patient's size.
+    constexpr double sureness = 0.05;
+    const double     spacing = spacingOf(best->second);
+    const bool       inMillimetres = std::abs(std::log(spacing)) < sureness && std::abs(std::log(given)) > sureness;
     Add(verdict,
         StatusEnum::Failed,
         "pixel-spacing",
-        "the tracing fits with a pixel spacing of " + FormatNumber(spacing, spacing < 0.1 ? 3 : 2) + " mm, not of " +
+        "what was drawn fits with a pixel spacing of " + FormatNumber(spacing, spacing < 0.1 ? 3 : 2) + " mm, not of " +
           FormatNumber(given, given < 0.1 ? 3 : 2) +
-          " mm: check pixel_spacing_mm and its unit, or whether the tracing was made on a copy of another size",
+          " mm: check pixel_spacing_mm and its unit, or whether it was drawn " +
+          (inMillimetres ? std::string("in mm instead of pixels")
+                         : "on a copy of the radiograph " + FormatNumber(given / spacing, 2) + " times as large"),
         { spacing, given, "mm" });
   }
   else if (isTurned(code))
@@ -638,25 +677,14 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
     {
       continue;
     }
-    const auto gain = [&](const char * code) {
-      return Measure{ group.score - group.FindOutcome(code)->score, thresholds.hypothesisGain, "" };
-    };
-    const auto fitsBetter = [&](const char * code) {
-      const PoseHypothesisOutcome * outcome = group.FindOutcome(code);
-      return outcome != nullptr && outcome->score < group.score - thresholds.hypothesisGain;
-    };
-    if (fitsBetter(ExchangedJawsHypothesis::Code))
-    {
-      Add(verdict,
-          StatusEnum::Failed,
-          "jaws-exchanged",
-          "upper and lower scan seem to be exchanged",
-          gain(ExchangedJawsHypothesis::Code));
-    }
-    JudgeReadings(result.geometry, group, thresholds, verdict);
+    JudgeReadings(result, group, thresholds, verdict);
   }
   AddOfViews(result, thresholds, verdicts);
   AddOfOtherJaw(result, verdicts);
+  for (JawVerdict & verdict : verdicts)
+  {
+    SortFindings(verdict.findings);
+  }
   return verdicts;
 }
 

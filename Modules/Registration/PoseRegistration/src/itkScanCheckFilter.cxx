@@ -19,6 +19,7 @@
 
 #include "itkJawExchangeEvidence.h"
 #include "itkMakeTriangleSurface.h"
+#include "itkMillimetresPerUnit.h"
 #include "itkRegistrationVerdict.h"
 #include "itkSurfaceParts.h"
 
@@ -27,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <iomanip>
 #include <limits>
@@ -68,6 +70,8 @@ constexpr double OpennessOfShell = 0.2;
 constexpr double OnTheScan = 0.5;
 /** Landmarks are the other scan's where they are nearer to it by this factor. */
 constexpr double NearerByFactor = 0.5;
+/** Share of a jaw's landmarks that may lie on its scan by chance where the scans are exchanged. */
+constexpr double ShareOnOwnScan = 0.25;
 /** windingAgreement (a cosine, 1 for an open shell that faces outward) below which a shell faces inward. Its sign
  * tells; this far from 0 a hole or a fold does not turn it. */
 constexpr double InwardWinding = -0.2;
@@ -236,16 +240,12 @@ CheckSize(Scan & scan, double millimetresPerUnit)
     "the arch is " + Number(width) + " mm wide, not " + Number(NarrowestArch) + " to " + Number(WidestArch);
   const double                                inFile = width / millimetresPerUnit;
   std::vector<std::pair<double, std::string>> fitting;
-  for (const auto & unit : { std::make_pair("mm", 1.0),
-                             std::make_pair("cm", 10.0),
-                             std::make_pair("inch", 25.4),
-                             std::make_pair("m", 1000.0),
-                             std::make_pair("um", 0.001) })
+  for (const MeshUnit & unit : MeshUnits)
   {
-    const double fitted = inFile * unit.second;
+    const double fitted = inFile * unit.millimetres;
     if (fitted >= NarrowestArch && fitted <= WidestArch)
     {
-      fitting.emplace_back(std::abs(std::log(fitted / UsualArch)), unit.first);
+      fitting.emplace_back(std::abs(std::log(fitted / UsualArch)), unit.name);
     }
   }
   std::sort(fitting.begin(), fitting.end());
@@ -343,35 +343,73 @@ CheckLandmarkDistances(Scan & scan, const std::vector<double> & distances)
            "mm");
 }
 
-/** \return whether the names could tell whether the scans were exchanged. */
+/** What the names of landmarks say of the scans. */
+enum class NamesEnum : uint8_t
+{
+  Nothing,
+  InPlace,
+  Exchanged
+};
+
+/** Whether a jaw's landmarks are vertices of the other's scan. Of a scan that lacks its other half half of them lie
+ * off it, near to the jaw that it bites on: those that lie on it tell that it is theirs. */
 bool
+LieOnOtherScan(const Scan & scan, const std::vector<double> & toOwn, const Scan & other)
+{
+  const double ownMedian = Median(toOwn);
+  if (!other.IsThere() || ownMedian <= OnTheScan)
+  {
+    return false;
+  }
+  const auto onOwn = std::count_if(toOwn.begin(), toOwn.end(), [](double distance) { return distance <= OnTheScan; });
+  return Median(DistancesToScan(scan.landmarks, other.mesh)) < NearerByFactor * ownMedian &&
+         static_cast<double>(onOwn) <= ShareOnOwnScan * static_cast<double>(toOwn.size());
+}
+
+NamesEnum
 CheckNamesAgainstScans(std::array<Scan, 2> & scans)
 {
-  bool told = false;
+  NamesEnum            told = NamesEnum::Nothing;
+  std::vector<JawEnum> exchanged;
+  double               otherMedian = 0.0;
+  double               limit = 0.0;
+  for (const Scan & scan : scans)
+  {
+    if (!scan.IsThere() || scan.landmarks.empty())
+    {
+      continue;
+    }
+    told = NamesEnum::InPlace;
+    const Scan &              other = scans[ToIndex(OtherJaw(scan.jaw))];
+    const std::vector<double> toOwn = DistancesToScan(scan.landmarks, scan.mesh);
+    if (LieOnOtherScan(scan, toOwn, other))
+    {
+      exchanged.push_back(scan.jaw);
+      otherMedian = Median(DistancesToScan(scan.landmarks, other.mesh));
+      limit = NearerByFactor * Median(toOwn);
+    }
+  }
+  if (!exchanged.empty())
+  {
+    const std::string text =
+      std::string("upper and lower scan seem exchanged: the ") +
+      (exchanged.size() == 2 ? "landmarks of each lie" : ToString(exchanged.front()) + std::string(" landmarks lie")) +
+      " on the other scan";
+    for (Scan & scan : scans)
+    {
+      scan.Add(Suspect, "jaws-exchanged", text, otherMedian, limit, "mm");
+      // In the frame of a scan that is taken for the other jaw right is left: they say nothing of the sides.
+      scan.landmarks.clear();
+    }
+    return NamesEnum::Exchanged;
+  }
   for (Scan & scan : scans)
   {
     if (!scan.IsThere() || scan.landmarks.empty())
     {
       continue;
     }
-    told = true;
-    const Scan &              other = scans[ToIndex(OtherJaw(scan.jaw))];
     const std::vector<double> toOwn = DistancesToScan(scan.landmarks, scan.mesh);
-    const double              ownMedian = Median(toOwn);
-    if (other.IsThere() && ownMedian > OnTheScan)
-    {
-      const double otherMedian = Median(DistancesToScan(scan.landmarks, other.mesh));
-      if (otherMedian < NearerByFactor * ownMedian)
-      {
-        const std::string text = std::string("upper and lower scan seem exchanged: the ") + ToString(scan.jaw) +
-                                 " landmarks lie on the other scan";
-        for (Scan & each : scans)
-        {
-          each.Add(Suspect, "jaws-exchanged", text, otherMedian, NearerByFactor * ownMedian, "mm");
-        }
-        continue;
-      }
-    }
     CheckLandmarkDistances(scan, toOwn);
     // What lies elsewhere says nothing of the sides.
     for (std::size_t i = toOwn.size(); i-- > 0;)
@@ -589,9 +627,10 @@ ScanCheckFilter::GenerateData()
       scan.Add(Failed, "same-scan", "upper and lower scan are the same; name the scan of each jaw");
     }
   }
-  const bool namesTold = CheckNamesAgainstScans(scans);
-  const bool shapesTold = CheckShapesForExchange(frames, scans);
-  if (!namesTold && !shapesTold)
+  const NamesEnum names = CheckNamesAgainstScans(scans);
+  // Names that say so need no shapes beside them.
+  const bool shapesTold = names != NamesEnum::Exchanged && CheckShapesForExchange(frames, scans);
+  if (names == NamesEnum::Nothing && !shapesTold)
   {
     m_NotCheckable.emplace_back(
       "whether upper and lower scan were exchanged: there are no 3-D landmarks, and no two jaws in one frame");

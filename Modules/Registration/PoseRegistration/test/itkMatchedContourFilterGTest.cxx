@@ -178,3 +178,33 @@ TEST(MatchedContourFilter, KeepsWhatThePointsOfTheMovingContourKnow)
   }
   EXPECT_TRUE(std::isnan(matched[0].rimPoints.back()[0]));
 }
+
+TEST(MatchedContourFilter, PolylinesOfOneToothEachKeepIt)
+{
+  auto contour = ContourType::New();
+  contour->AddPolyline(Stretch(0.0, 20.0, 3.0), itk::ToothCode(11));
+  // Within the gap, so that it joins the piece; and one that begins a piece.
+  contour->AddPolyline(Stretch(22.0, 40.0, 3.0), itk::ToothCode(12));
+  ContourType::PolylineType weighted;
+  weighted.points = Stretch(80.0, 100.0, 3.0);
+  weighted.code = itk::ToothCode(13);
+  weighted.weights.assign(weighted.points.size(), 0.5);
+  contour->AddPolyline(weighted);
+  auto fixed = ContourType::New();
+  fixed->AddPolyline(Stretch(0.0, 100.0, 0.0));
+  auto filter = FilterType::New();
+  filter->SetMovingContour(contour);
+  filter->SetFixedContour(fixed);
+  filter->Update();
+  const auto pieces = filter->GetOutput()->GetPolylines();
+  ASSERT_EQ(pieces.size(), 2u);
+  EXPECT_EQ(pieces[0].code, itk::ToothCode(11));
+  ASSERT_EQ(pieces[0].teeth.size(), pieces[0].points.size());
+  for (std::size_t i = 0; i < pieces[0].points.size(); ++i)
+  {
+    EXPECT_EQ(pieces[0].teeth[i], itk::ToothCode(pieces[0].points[i][0] < 21.0 ? 11u : 12u)) << i;
+  }
+  EXPECT_EQ(pieces[1].code, itk::ToothCode(13));
+  EXPECT_TRUE(pieces[1].teeth.empty());
+  EXPECT_EQ(pieces[1].weights, weighted.weights);
+}
