@@ -128,8 +128,9 @@ TEST(CaseOutlines, BesideLandmarksATextbooksPlaceIsNoSecondMeasurement)
     EXPECT_EQ(result.jaws.at(jaw).projection, expected.jaws.at(jaw).projection);
     EXPECT_EQ(result.jaws.at(jaw).status, expected.jaws.at(jaw).status);
   }
-  EXPECT_NE(Join(result.warnings).find("outlines U1 and U6: the crown is known by a textbook's place along the arch alone"),
-            std::string::npos)
+  EXPECT_NE(
+    Join(result.warnings).find("outlines U1 and U6: the crown is known by a textbook's place along the arch alone"),
+    std::string::npos)
     << Join(result.warnings);
 }
 

@@ -413,9 +413,9 @@ TEST(DentalContourFileWriter, ALineOverSeveralTeethIsWrittenAToothEach)
   reader->SetFileName(file);
   reader->Update();
   const auto polylines = reader->GetUpperOutput()->GetPolylines();
-  // Of the closed one the two ends that are of one tooth are one run.
-  const std::vector<std::vector<double>> expected = { { 0, 10 }, { 20, 30 }, { 40 }, { 20, 30 }, { 40, 0, 10 } };
-  const std::vector<int>                 codes = { 11, 12, 11, 12, 11 };
+  // Of the closed one the two ends that are of one tooth are one run; points by themselves come after the lines.
+  const std::vector<std::vector<double>> expected = { { 0, 10 }, { 20, 30 }, { 20, 30 }, { 40, 0, 10 }, { 40 } };
+  const std::vector<int>                 codes = { 11, 12, 12, 11, 11 };
   ASSERT_EQ(polylines.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
