@@ -49,9 +49,8 @@ struct UMidlineDentalAxis_EXPORT MidsagittalPlaneOptions
   double trimmedFraction{ 0.75 };
   /** Distances count up to this value (mm) while searching, and as inliers. */
   double truncationDistance{ 2.0 };
-  /** And up to this one where the leaders are ranked: teeth that are each other's mirror images lie within it, and
-   * those that have none on the other side, as beside a closed gap or a milk molar, count alike wherever they come to
-   * lie. */
+  /** And up to this one where the leaders are ranked: teeth that are mirror images of each other lie within it, and
+   * those that have none, as beside a closed gap or a milk molar, count alike wherever they come to lie. */
   double rankingDistance{ 1.0 };
   /** Samples of all jaws together while searching, and in the final updates. */
   unsigned int searchSamples{ 600 };
