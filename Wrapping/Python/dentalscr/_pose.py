@@ -407,6 +407,9 @@ class LandmarkProjections(NamedTuple):
     #: (2, 2): of the middle between a right landmark and its left one, which a bisected tracing determines.
     middleCovariances: Dict[str, Array]
 
+    def __repr__(self) -> str:
+        return f"<dentalscr.LandmarkProjections of {len(self.positions)} landmarks, {len(self.middleCovariances)} middles>"
+
 
 class LandmarkProjectionFilter(ProcessObject, _core.LandmarkProjectionFilter):
     """Landmarks of the scans as a pose registration places them on the radiograph, with their uncertainty."""

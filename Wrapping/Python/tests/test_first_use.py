@@ -21,7 +21,7 @@ def test_case_of_parts_pickles_and_copies(ds, case, result):
     for other in (pickle.loads(pickle.dumps(made)), copy.copy(made), copy.deepcopy(made)):
         assert repr(other) == repr(made) and other.imageSize == made.imageSize
         np.testing.assert_array_equal(other.upper.points, made.upper.points)
-        np.testing.assert_array_equal(other.lowerContour[0].points, made.lowerContour[0].points)
+        np.testing.assert_array_equal(other.lowerContour.points, made.lowerContour.points)
         assert other.cephalometricLandmarks["U1_tip"]["sigma_px"] == 3.0
         assert other.geometry.GetPixelSpacing() == made.geometry.GetPixelSpacing()
     assert copy.copy(made).upper is made.upper and copy.deepcopy(made).upper is not made.upper
