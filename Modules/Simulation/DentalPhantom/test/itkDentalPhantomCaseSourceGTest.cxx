@@ -597,11 +597,11 @@ TEST(DentalPhantomCaseSource, SameBitsForAnyNumberOfWorkUnitsOfAStandardTracingA
     {
       ASSERT_EQ(mesh->GetPoint(i), sources[1]->GetMesh(jaw)->GetPoint(i));
     }
-    const auto & lines = sources[0]->GetTracing(jaw)->GetPolylines();
+    const auto lines = sources[0]->GetTracing(jaw)->GetPolylines();
     ASSERT_EQ(lines.size(), 2u);
     for (std::size_t k = 0; k < lines.size(); ++k)
     {
-      const auto & other = sources[1]->GetTracing(jaw)->GetPolylines()[k];
+      const auto other = sources[1]->GetTracing(jaw)->GetPolylines()[k];
       EXPECT_EQ(lines[k].points, other.points);
       EXPECT_EQ(lines[k].sigmas, other.sigmas);
     }
