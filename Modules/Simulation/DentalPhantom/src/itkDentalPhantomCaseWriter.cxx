@@ -324,9 +324,10 @@ DrawingText(const DentalPhantomCaseSource & source)
   return text;
 }
 
+/** Of a name of its own: itk::WriteImage() takes smart pointers, and whatever format is registered. */
 template <typename TImage>
 void
-WriteImage(TImage * picture, const std::string & fileName)
+WritePNG(TImage * picture, const std::string & fileName)
 {
   auto writer = ImageFileWriter<TImage>::New();
   writer->SetImageIO(PNGImageIO::New());
@@ -417,7 +418,7 @@ DentalPhantomCaseWriter::WriteFiles(const std::string & directory)
     WriteLandmarks<2>(frontal->landmarks, nullptr, base + "frontal.json");
     if (frontal->image)
     {
-      WriteImage(frontal->image, base + "frontal.png");
+      WritePNG(frontal->image.GetPointer(), base + "frontal.png");
     }
   }
   WriteLandmarks<3>(source.GetLandmarks3D(0), source.GetLandmarks3D(1), base + "landmarks3d.json");
@@ -425,7 +426,7 @@ DentalPhantomCaseWriter::WriteFiles(const std::string & directory)
 
   if (source.GetMakeRadiograph())
   {
-    WriteImage(source.GetRadiograph(), base + "ceph.png");
+    WritePNG(source.GetRadiograph(), base + "ceph.png");
   }
 
   const auto &       spacing = nominal.GetPixelSpacing();
@@ -516,7 +517,7 @@ DentalPhantomCaseWriter::WriteFiles(const std::string & directory)
     picture->SetRegions(ColourImageType::SizeType{ { 4u * m_PreviewSize, m_PreviewSize } });
     picture->Allocate();
     std::copy(bytes.begin(), bytes.end(), reinterpret_cast<unsigned char *>(picture->GetBufferPointer()));
-    WriteImage(picture.GetPointer(), base + "preview.png");
+    WritePNG(picture.GetPointer(), base + "preview.png");
   }
 
   const auto &       drawn = source.GetAcquisition();

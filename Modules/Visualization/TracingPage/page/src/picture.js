@@ -91,8 +91,9 @@ class Picture extends EventTarget {
       this.finishDrag(true);
       this.gesture = { kind: "pinch" };
     } else if (this.pointers.size === 1) {
-      // Before the capture: what lies under the pointer.
-      const target = event.target.closest?.("[data-kind]");
+      // What lies under the pointer: of a hand that is faster than the screen, under what its last click has made.
+      const under = this.waiting ? (this.paintNow(), document.elementFromPoint(event.clientX, event.clientY)) : event.target;
+      const target = under?.closest?.("[data-kind]");
       const takes = event.button === 0 && target && ["vertex", "landmark"].includes(target.dataset.kind);
       this.gesture = { kind: takes ? "drag" : "pan", target: target ? { ...target.dataset } : null, start: event, last: this.toUnits(event), moved: false, button: event.button };
     }
@@ -158,14 +159,16 @@ class Picture extends EventTarget {
   }
 
   redraw() {
-    if (!this.paint || this.waiting) return;
-    this.waiting = requestAnimationFrame(() => {
-      this.waiting = 0;
-      const scale = this.scale;
-      const layers = Object.fromEntries(["drafts", "drawing", "aim"].map(id => [id, new Pen(this, scale)]));
-      this.paint(layers, scale);
-      for (const [id, pen] of Object.entries(layers)) this.svg.querySelector(`#${id}`).replaceChildren(...pen.elements);
-    });
+    if (this.paint && !this.waiting) this.waiting = requestAnimationFrame(() => this.paintNow());
+  }
+
+  paintNow() {
+    cancelAnimationFrame(this.waiting);
+    this.waiting = 0;
+    const scale = this.scale;
+    const layers = Object.fromEntries(["drafts", "drawing", "aim"].map(id => [id, new Pen(this, scale)]));
+    this.paint(layers, scale);
+    for (const [id, pen] of Object.entries(layers)) this.svg.querySelector(`#${id}`).replaceChildren(...pen.elements);
   }
 }
 
