@@ -7,7 +7,7 @@
 # BUILD-DIR: build/test, or build/sanitize for mutants under the sanitizers.
 # FUZZ_RUNNER, a variable: a command, or a function that is exported, by which dentalscr-fuzz is called in place of directly.
 set -euo pipefail
-[ "${1:-}" != --help ] || { sed -n '2,7s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
+[ "${1:-}" != --help ] || { sed -n '2,8s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 minutes=${1:?"how many minutes? e.g. Utilities/fuzz.sh 10"}

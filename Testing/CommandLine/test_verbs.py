@@ -150,10 +150,10 @@ def test_a_wrong_result_is_an_error_that_names_file_and_field(run, sample, resul
     content = json.loads(result.read_text())
     change(content)
     (tmp_path / "wrong.json").write_text(json.dumps(content))
-    done = run(verb, "--case", sample / "case.json", "--result", tmp_path / "wrong.json", "--output", tmp_path / "x.mha")
+    done = run(verb, "--case", sample / "case.json", "--result", tmp_path / "wrong.json", "--output", tmp_path / ("x.mha" if verb == "render" else "x.json"))
     assert done.returncode == 2
     assert f"wrong.json: {field}" in done.stderr and remedy in done.stderr, done.stderr
-    assert not (tmp_path / "x.mha").exists()
+    assert not (tmp_path / ("x.mha" if verb == "render" else "x.json")).exists()
 
 
 def test_render_without_a_spacing_says_what_to_give(run, sample, tmp_path):

@@ -122,8 +122,9 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
     }
   }
   const bool isHeadMoved = head < thresholds.suspectMoveDeviance && headMove > thresholds.suspectHeadMove;
+  const bool isContrary = apart.size() > fitting;
   double     readingLimit = thresholds.suspectDeviance;
-  if (apart.size() > fitting)
+  if (isContrary)
   {
     readingLimit = std::min(readingLimit,
                             thresholds.suspectDevianceOfLandmark * static_cast<double>(apart.size() - outlinesApart) +
@@ -156,7 +157,7 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
 
   const std::string drawings = !hasOutlines ? "landmarks" : hasLandmarks ? "landmarks and outlines" : "outlines";
   const double      ratio = tally.GetRatio();
-  if (apart.size() > fitting)
+  if (isContrary)
   {
     add(Suspect,
         "view-disagrees",
