@@ -18,6 +18,7 @@
 #include "itkCasePoseDescription.h"
 
 #include "itkContourDistanceFilter.h"
+#include "itkGroupByReason.h"
 #include "itkJoinNames.h"
 #include "itkLandmarkCounterpartFilter.h"
 #include "itkLandmarkProjectionFilter.h"
@@ -31,7 +32,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 namespace itk
@@ -322,12 +322,7 @@ FindCaseCounterparts(const DentalCaseData &               data,
   filter->SetDirection(direction);
   filter->SetIgnoreSides(ignoreSides);
   filter->Update();
-  std::map<std::string, std::vector<std::string>> namesOfReason;
-  for (const auto & unused : filter->GetUnused())
-  {
-    namesOfReason[unused.reason].push_back(unused.name);
-  }
-  for (const auto & entry : namesOfReason)
+  for (const auto & entry : GroupByReason(filter->GetUnused()))
   {
     const bool several = entry.second.size() > 1;
     result.warnings.push_back(prefix + (several ? "landmarks " : "landmark ") + JoinNames(entry.second) +

@@ -89,8 +89,10 @@ CaseResultDocument::GetView(const std::string & name) const
       names += ", " + member.first;
     }
   }
-  itkDentalInputErrorMacro(
-    m_FileName, "views", "has no view \"" + name + '"', "name one that was registered: " + names);
+  itkDentalInputErrorMacro(m_FileName,
+                           "views." + name,
+                           "missing: the case was registered without this view",
+                           "name one that was registered (" + names + "), or register the case again");
 }
 
 double

@@ -38,26 +38,13 @@ Require(const JsonNode & node, const std::string & key, const std::string & prob
   const std::string & path = node.GetPath();
   itkDentalInputErrorMacro(node.GetFileName(), (path.empty() ? "" : path + '.') + key, problem, remedy);
 }
-
-JsonNode
-RequireView(const JsonNode & root, const std::string & view)
-{
-  const std::string problem = "missing: the case was registered without this view";
-  const std::string remedy = "register the case again";
-  if (const auto views = root.Find("views"))
-  {
-    return Require(*views, view, problem, remedy);
-  }
-  itkDentalInputErrorMacro(root.GetFileName(), "views." + view, problem, remedy);
-}
 } // namespace
 
 CephalometricGeometry::Pointer
 ReadPlacedGeometry(const std::string & result, ToothCode::JawEnum jaw, const std::string & view)
 {
   const CaseResultDocument document(result);
-  const JsonNode           root = document.GetRoot();
-  const JsonNode           own = view.empty() ? root : RequireView(root, view);
+  const JsonNode           own = document.GetView(view);
   const std::string        reasons = "its reasons stand in the result; register the case again when they are mended";
   const JsonNode node = Require(own.Get("jaws"), ToString(jaw), "missing: the jaw was not registered", reasons);
   const JsonNode placed =

@@ -18,11 +18,11 @@
 #include "itkPoseTerms.h"
 
 #include "itkGemanMcClureKernel.h"
+#include "itkGroupByReason.h"
 #include "itkJoinNames.h"
 #include "itkPoseFrameOperations.h"
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 namespace itk
@@ -187,13 +187,8 @@ MakeOutlineTerm(const PoseJawInput &               jaw,
 std::vector<std::string>
 DescribeUnused(const ToothOutlinePoseMetricv4 & term)
 {
-  std::map<std::string, std::vector<std::string>> namesOfReason;
-  for (const auto & unused : term.GetUnused())
-  {
-    namesOfReason[unused.reason].push_back(unused.name);
-  }
   std::vector<std::string> lines;
-  for (const auto & entry : namesOfReason)
+  for (const auto & entry : GroupByReason(term.GetUnused()))
   {
     lines.push_back((entry.second.size() > 1 ? "outlines " : "outline ") + JoinNames(entry.second) + ": " +
                     entry.first);
