@@ -33,11 +33,8 @@ COHORTS = {
 }
 # Mean, median and largest landmark error, px.
 MEASURED = {
-    # No noise and the true geometry: what the method itself is off by. Four of the cases are within 0.06 px; the third and
-    # the last end in a neighbouring minimum, 0.2 px away, and make the mean, so that the median is what tells of the
-    # others. Which cases do so is chance: a frame that differs by 2 micrometres moved the last one there, and of twenty
-    # other seeds half do, with any frame.
-    "ideal": {"upper": (0.0733, 0.0095, 0.4457), "lower": (0.0643, 0.0099, 0.6089)},
+    # No noise and the true geometry: what the method itself is off by.
+    "ideal": {"upper": (0.0088, 0.0074, 0.0340), "lower": (0.0083, 0.0057, 0.0421)},
     # Drawing errors of 1.2 px along the tracing, the head turned by 1.5 degrees, source distances that are not quite true.
     "typical": {"upper": (0.7472, 0.7111, 1.5836), "lower": (0.6583, 0.6181, 1.3441)},
     # Twice the errors and turns, and teeth that are missing or not traced.

@@ -32,6 +32,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <typeinfo>
 #include <utility>
 
@@ -138,6 +139,14 @@ struct ObserverGuard
  * part of the evidence, it is what the same jaws had them count, three fifths (Documentation/RobustStudies.md). */
 constexpr double EvidenceShare = 0.2;
 constexpr double KnownShare = 0.4;
+
+/** Two ways that ended less than this apart ended in one minimum, px: it counts once. */
+constexpr double SameMinimum = 0.5;
+
+/** A drawing is precise where its jitter is estimated below so many times the error of the outline itself: 0.3 px,
+ * where hands have 0.4 and more, and contours that a program made next to none. Drift that the last kernel does not
+ * span is no drift. */
+constexpr double PreciseFactor = 2.0;
 
 /** Of a point, in comparisons of models: so small that a point which fits somewhat counts as before, so large that one
  * which fits nowhere costs 3 log 10. */
@@ -349,18 +358,19 @@ PoseGroupRegistration::Refine(MetricType &         metric,
   const ObserverGuard observer{ optimizer, optimizer->AddObserver(IterationEvent(), command) };
 
   const bool   estimate = schedule.estimateNoise && m_Options.estimateNoise;
+  const auto   widths = static_cast<unsigned int>(schedule.isNear ? 0 : schedule.widths.size());
   double       damping = 0.0;
   double       reach = FirstReach;
   unsigned int accepted = 0;
   while (!m_Monitor.IsAborted())
   {
-    const bool annealed = accepted >= schedule.widths.size();
+    const bool annealed = accepted >= widths;
     double     width = annealed ? schedule.widths.back() : schedule.widths[accepted];
     if (annealed && estimate)
     {
       ContourNoiseLevels levels = candidate.noise;
       metric.GetNoiseLevels(levels);
-      width = m_Options.adaptiveKernelFactor * std::hypot(levels.smooth, levels.white);
+      width = this->GetOwnWidth(levels);
     }
     metric.SetKernelWidth(width);
     metric.SetReach(reach);
@@ -368,7 +378,7 @@ PoseGroupRegistration::Refine(MetricType &         metric,
     metric.UpdateNoiseCorrelation(metric.GetState().GetValues());
     report.kernelWidth = width;
     // Every second step once the kernel is narrow: the levels settle much faster than the pose.
-    if (estimate && annealed && (accepted - schedule.widths.size()) % 2 == 0)
+    if (estimate && annealed && (accepted - widths) % 2 == 0)
     {
       metric.EstimateNoise();
     }
@@ -404,7 +414,7 @@ PoseGroupRegistration::Refine(MetricType &         metric,
       OptimizerType::ParametersType end = optimizer->GetCurrentPosition();
       metric.SetParameters(end);
       ++accepted;
-      candidate.converged = accepted > schedule.widths.size();
+      candidate.converged = accepted > widths;
       if (candidate.converged)
       {
         break;
@@ -435,8 +445,7 @@ PoseGroupRegistration::Refine(MetricType &         metric,
       ++accepted;
       candidate.converged = false;
     }
-    if ((candidate.converged && accepted > schedule.widths.size()) ||
-        candidate.evaluations >= schedule.maximumEvaluations)
+    if ((candidate.converged && accepted > widths) || candidate.evaluations >= schedule.maximumEvaluations)
     {
       break;
     }
@@ -595,21 +604,25 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   std::stable_sort(pool.begin(), pool.end(), byScore);
   const MetricType::Pointer reference = this->CloneAt(pool.front().x);
   reference->Hold(MetricType::HoldEnum::Contours);
-  const auto refineAll = [&](const ScheduleType & schedule, JoinsEnum stage) {
-    m_Monitor.ForEach(pool.size(), threads, [&](std::size_t i) {
-      const MetricType::Pointer metric = this->CloneAt(pool[i].x, stage);
-      if (!m_Options.regenerateOutline)
+  const auto refineThese =
+    [&](std::vector<CandidateType> & these, const ScheduleType & schedule, JoinsEnum stage, std::size_t firstIndex) {
+      m_Monitor.ForEach(these.size(), threads, [&](std::size_t i) {
+        const MetricType::Pointer metric = this->CloneAt(these[i].x, stage);
+        if (!m_Options.regenerateOutline)
+        {
+          metric->Hold(MetricType::HoldEnum::Contours);
+        }
+        this->Refine(*metric, schedule, static_cast<unsigned int>(firstIndex + i), these[i]);
+      });
+      for (const CandidateType & candidate : these)
       {
-        metric->Hold(MetricType::HoldEnum::Contours);
+        group.evaluations += candidate.evaluations;
       }
-      this->Refine(*metric, schedule, static_cast<unsigned int>(i), pool[i]);
-    });
-    for (const CandidateType & candidate : pool)
-    {
-      group.evaluations += candidate.evaluations;
-    }
-    std::stable_sort(pool.begin(), pool.end(), byScore);
-    return !m_Monitor.IsAborted();
+      std::stable_sort(these.begin(), these.end(), byScore);
+      return !m_Monitor.IsAborted();
+    };
+  const auto refineAll = [&](const ScheduleType & schedule, JoinsEnum stage) {
+    return refineThese(pool, schedule, stage, 0);
   };
 
   // A few steps of each, then the best ones to the end.
@@ -654,11 +667,45 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   {
     return false;
   }
+  // Where a drawing is precise the whitened criterion has minima a fraction of a pixel beside the answer: a smooth
+  // misfit, which it takes for drift of the hand, costs it little against the outline's own small steps. A second way
+  // leads there by the plain criterion, and ends by the whitened one with the noise as it is there.
+  std::vector<CandidateType> second;
+  std::copy_if(pool.begin(), pool.end(), std::back_inserter(second), [&](const CandidateType & candidate) {
+    return m_Options.estimateNoise && candidate.noise.white < PreciseFactor * m_Options.modelSigma &&
+           candidate.noise.smooth < m_Options.fineKernelWidth;
+  });
+  const bool precise = !second.empty();
+  if (precise)
+  {
+    for (CandidateType & candidate : second)
+    {
+      candidate.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
+    }
+    ScheduleType plain = fine;
+    plain.correlated = false;
+    fine.isNear = true;
+    if (!refineThese(second, plain, JoinsEnum::Refinement, pool.size()) ||
+        !refineThese(second, fine, JoinsEnum::Refinement, pool.size()))
+    {
+      return false;
+    }
+    pool.insert(pool.end(), second.begin(), second.end());
+  }
   // Of those that went to the end, each at its own estimate of the noise: hard noise blurs the fixed width's score, and
-  // a wrong place that a wide prior allows explains a tracing with levels that no hand has.
-  m_Monitor.ForEach(pool.size(), threads, [&](std::size_t i) { pool[i].deviance = this->ComputePosterior(pool[i]); });
+  // a wrong place that a wide prior allows explains a tracing with levels that no hand has. Where the noise is little,
+  // the few points that are no part of it are told by a kernel of its width.
+  m_Monitor.ForEach(pool.size(), threads, [&](std::size_t i) {
+    const double fit = PoseSilhouetteKernel::FitWidth;
+    pool[i].deviance = this->ComputePosterior(pool[i], precise ? std::min(fit, this->GetOwnWidth(pool[i].noise)) : fit);
+  });
   std::stable_sort(
     pool.begin(), pool.end(), [](const CandidateType & a, const CandidateType & b) { return a.deviance < b.deviance; });
+  if (precise)
+  {
+    // Both ways to one place are one candidate.
+    pool = this->SelectDistinct(*reference, pool, SameMinimum, pool.size());
+  }
   m_Stages(PoseStageEnum::Uncertainty);
   if (m_Monitor.IsAborted())
   {
@@ -726,8 +773,6 @@ PoseGroupRegistration::ComputeCovariance(const MetricType & reference, const std
 {
   // Minima of a share below this change no standard deviation of a landmark that the verdict would let pass.
   constexpr double smallestShare = 0.01;
-  // Two ways that ended less than this apart ended in one minimum, px: it counts once.
-  constexpr double sameMinimum = 0.5;
 
   const CandidateType &              best = pool.front();
   std::vector<const CandidateType *> minima;
@@ -737,7 +782,7 @@ PoseGroupRegistration::ComputeCovariance(const MetricType & reference, const std
   {
     const double share = std::exp(-0.5 * (candidate.deviance - best.deviance));
     const bool   same = std::any_of(minima.begin(), minima.end(), [&](const CandidateType * other) {
-      return this->Distance(reference, candidate.x, other->x) < sameMinimum;
+      return this->Distance(reference, candidate.x, other->x) < SameMinimum;
     });
     if (minima.empty() || (share > smallestShare && !same))
     {
@@ -797,12 +842,18 @@ PoseGroupRegistration::ComputeCriterion(const MetricType &   metric,
 }
 
 double
-PoseGroupRegistration::ComputePosterior(const CandidateType & candidate) const
+PoseGroupRegistration::GetOwnWidth(const ContourNoiseLevels & noise) const
+{
+  return m_Options.adaptiveKernelFactor * std::hypot(noise.smooth, noise.white);
+}
+
+double
+PoseGroupRegistration::ComputePosterior(const CandidateType & candidate, double width) const
 {
   const MetricType::Pointer metric = this->CloneAt(candidate.x);
   metric->Hold(MetricType::HoldEnum::Nothing);
   this->Settle(*metric, candidate);
-  metric->SetKernelWidth(PoseSilhouetteKernel::FitWidth);
+  metric->SetKernelWidth(width);
   // Marginal over the pose, by Laplace: the data at the minimum, and how much room there is about it.
   const double evidence = metric->EstimateNoise(SmallestWeight);
   // What has no noise to estimate, the priors and landmarks, by its own criterion: the evidence has its squares, and

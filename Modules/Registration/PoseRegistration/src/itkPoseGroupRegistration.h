@@ -115,7 +115,9 @@ private:
     bool                similarityOnly{ false };
     bool                correlated{ true };
     bool                estimateNoise{ true };
-    PoseStageEnum       stage{ PoseStageEnum::Refinement };
+    /** Near the end already: the noise is estimated before the first step, and no width comes before its own. */
+    bool          isNear{ false };
+    PoseStageEnum stage{ PoseStageEnum::Refinement };
   };
 
   std::vector<CandidateType>
@@ -135,9 +137,13 @@ private:
   /** Puts a metric where a candidate ended, with its noise. */
   void
   Settle(MetricType & metric, const CandidateType & candidate) const;
-  /** Minus twice the logarithm of what a minimum weighs: its posterior, with the mass about it. */
+  /** The kernel's width that is of the noise. */
   double
-  ComputePosterior(const CandidateType & candidate) const;
+  GetOwnWidth(const ContourNoiseLevels & noise) const;
+  /** Minus twice the logarithm of what a minimum weighs: its posterior, with the mass about it.
+   * \param width  of the kernel that tells which points are no part of the evidence. */
+  double
+  ComputePosterior(const CandidateType & candidate, double width) const;
   /** Of the minima together, each by its weight. */
   vnl_matrix<double>
   ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const;
