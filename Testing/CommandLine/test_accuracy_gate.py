@@ -52,7 +52,7 @@ MEASURED = {
     # What a clinic has, landmarks of an analysis and whole teeth, of arches as real ones (some of the teeth templates), and
     # of regular ones. Errors of the middle.
     "practice": {"upper": (2.3353, 2.3312, 5.0169), "lower": (2.2105, 2.2584, 5.2306)},
-    "standard": {"upper": (2.2426, 2.1695, 4.4991), "lower": (2.1991, 2.1106, 4.5906)},
+    "standard": {"upper": (2.1056, 1.9153, 4.1840), "lower": (2.0495, 1.8349, 4.3462)},
 }
 
 

@@ -142,8 +142,10 @@ struct LandmarkCase : PhantomCase
 
 /** Errors of the middles of both sides, of all landmarks of a jaw, pixels: what such drawings determine. By the
  * projection, which a case without landmarks of the scan has as well. */
-inline std::map<std::string, double>
-MiddleErrors(const LandmarkCase & phantom, const itk::CaseResult & result, itk::ToothCode::JawEnum jaw)
+
+/** Displacement, pixels, by the middle's name. */
+inline std::map<std::string, std::array<double, 2>>
+MiddleDisplacements(const LandmarkCase & phantom, const itk::CaseResult & result, itk::ToothCode::JawEnum jaw)
 {
   const auto & p = result.jaws.at(jaw).projection;
   const auto * scan = phantom.source->GetLandmarks3D(jaw == itk::ToothCode::JawEnum::Upper ? 0 : 1);
@@ -167,18 +169,46 @@ MiddleErrors(const LandmarkCase & phantom, const itk::CaseResult & result, itk::
     error[1] = h[1] / h[2] - marked->point[1];
     return true;
   };
-  std::map<std::string, double> errors;
+  std::map<std::string, std::array<double, 2>> errors;
   for (const auto & landmark : scan->GetLandmarks())
   {
     const std::string other = landmark.name[0] + ("L" + landmark.name.substr(2));
     double            right[2], left[2];
     if (landmark.tooth.IsRight() && errorOf(landmark.name, right) && errorOf(other, left))
     {
-      errors[landmark.name[0] + landmark.name.substr(2)] =
-        std::hypot(0.5 * (right[0] + left[0]), 0.5 * (right[1] + left[1]));
+      errors[landmark.name[0] + landmark.name.substr(2)] = { { 0.5 * (right[0] + left[0]),
+                                                               0.5 * (right[1] + left[1]) } };
     }
   }
   return errors;
+}
+
+/** Distance, pixels, by the middle's name. */
+inline std::map<std::string, double>
+MiddleErrors(const LandmarkCase & phantom, const itk::CaseResult & result, itk::ToothCode::JawEnum jaw)
+{
+  std::map<std::string, double> errors;
+  for (const auto & [name, displacement] : MiddleDisplacements(phantom, result, jaw))
+  {
+    errors[name] = std::hypot(displacement[0], displacement[1]);
+  }
+  return errors;
+}
+
+/** Mean displacement of a jaw's middles, pixels. */
+inline std::array<double, 2>
+MiddleBias(const LandmarkCase & phantom, const itk::CaseResult & result, itk::ToothCode::JawEnum jaw)
+{
+  std::array<double, 2> mean{};
+  const auto            displacements = MiddleDisplacements(phantom, result, jaw);
+  for (const auto & entry : displacements)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      mean[d] += entry.second[d] / static_cast<double>(displacements.size());
+    }
+  }
+  return mean;
 }
 
 inline double

@@ -64,6 +64,9 @@ public:
     double sigmaWidth{ 0.0 };
     /** How it was found, for a person: "tooth labels". */
     std::string source;
+    /** What of it has the outline that is seen from the side, where a cut that is not known by labels has the
+     * neighbours' edges beside it, as an incisor's has: its middle. Null: the surface. */
+    std::shared_ptr<const TriangleSurface> profile{};
   };
 
   /** Throws std::invalid_argument where the tooth is not known, is there already, or has no triangle. */

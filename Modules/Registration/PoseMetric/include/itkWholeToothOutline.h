@@ -25,6 +25,8 @@
 #include "itkToothCode.h"
 #include "itkToothOutline.h"
 
+#include "itkNumericTraits.h"
+
 namespace itk
 {
 /** \class WholeToothOutline
@@ -33,8 +35,10 @@ namespace itk
  *
  * The tooth's axis is the outline's long one, its occlusal end the one toward the other jaw. The crown ends at the
  * neck, which is put at a textbook's share of the tooth's length; a tenth of the crown before it is left out, as
- * gingiva covers it on a scan. Points lie at equal distances on what is left, from one side over the occlusal end to
- * the other. The reference is the incisal edge of a front tooth, the middle of the crown of one behind it.
+ * gingiva covers it on a scan. Where the scan's crown is known to be lower, what is drawn of the tooth beyond that is
+ * left out too: it could only be matched from a place too near to the root. Points lie at equal distances on what is
+ * left, from one side over the occlusal end to the other. The reference is the incisal edge of a front tooth, the
+ * middle of the crown of one behind it.
  *
  * Sources of the shares: Wheeler's dental anatomy, table of measurements (crown 10.5 of 23.5 mm in an upper central
  * incisor, 9 of 21.5 in a lower one, 7.5 of 20 and of 21.5 in first molars).
@@ -44,10 +48,12 @@ namespace itk
 class PoseMetric_EXPORT WholeToothOutline : public ToothOutline
 {
 public:
-  /** \param polyline  continuous pixel indices; an open one whose ends meet within a tenth of its length is closed. */
+  /** \param polyline  continuous pixel indices; an open one whose ends meet within a tenth of its length is closed.
+   * \param scanned  how much of the crown from its occlusal end the scan shows, px of 0.25 mm in the detector plane. */
   WholeToothOutline(const PoseGeometry &                geometry,
                     const DentalContour::PolylineType & polyline,
-                    ToothCode::JawEnum                  jaw);
+                    ToothCode::JawEnum                  jaw,
+                    double                              scanned = NumericTraits<double>::max());
 
   /** Along the axis, px. */
   double

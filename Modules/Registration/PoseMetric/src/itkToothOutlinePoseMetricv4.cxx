@@ -71,6 +71,15 @@ constexpr int Rounds = 3;
 /** mm by which a tooth's outline and its crown differ where no hand is wrong: part of a shift's error. */
 constexpr double OutlineSigma = 0.25;
 
+/** mm along the dental frame's z. */
+double
+ComputeHeight(const TriangleSurface & crown)
+{
+  const auto range = std::minmax_element(
+    crown.points.begin(), crown.points.end(), [](const auto & a, const auto & b) { return a[2] < b[2]; });
+  return (*range.second)[2] - (*range.first)[2];
+}
+
 /** The samples of a crown's outline as one line, in pixels, that begins behind the widest gap: where it was cut. */
 std::vector<std::array<double, 2>>
 MakeOpenLine(const PoseContour & contour, const PoseGeometry & geometry)
@@ -222,23 +231,10 @@ ToothOutlinePoseMetricv4::Prepare()
       m_Unused.push_back({ tooth.name, "there is an outline of this tooth already" });
       continue;
     }
-    std::shared_ptr<const ToothOutline> outline;
-    if (isFrontal)
-    {
-      outline = std::make_shared<const FrontalToothOutline>(geometry, polyline, m_Jaw);
-    }
-    else
-    {
-      outline = std::make_shared<const WholeToothOutline>(geometry, polyline, m_Jaw);
-    }
-    if (!outline->GetFailure().empty())
-    {
-      m_Unused.push_back({ tooth.name, outline->GetFailure() });
-      continue;
-    }
     std::vector<std::shared_ptr<const TriangleSurface>> crowns;
     double                                              sigmaAlong = 0.0;
     double                                              sigmaWidth = 0.0;
+    double                                              height = NumericTraits<double>::max();
     const ToothCode right(10 * ((upper ? 1U : 4U) + (polyline.code.IsPrimary() ? 4U : 0U)) + position);
     const auto      codes =
       isFrontal ? std::vector<ToothCode>{ polyline.code } : std::vector<ToothCode>{ right, right.GetContralateral() };
@@ -246,10 +242,26 @@ ToothOutlinePoseMetricv4::Prepare()
     {
       if (const auto * crown = this->GetCrowns()->Find(code))
       {
-        crowns.push_back(crown->surface);
+        crowns.push_back(crown->profile && !isFrontal ? crown->profile : crown->surface);
         sigmaAlong = std::max(sigmaAlong, crown->sigmaAlong);
         sigmaWidth = std::max(sigmaWidth, crown->sigmaWidth);
+        height = std::min(height, ComputeHeight(*crowns.back()));
       }
+    }
+    std::shared_ptr<const ToothOutline> outline;
+    if (isFrontal)
+    {
+      outline = std::make_shared<const FrontalToothOutline>(geometry, polyline, m_Jaw);
+    }
+    else
+    {
+      outline =
+        std::make_shared<const WholeToothOutline>(geometry, polyline, m_Jaw, magnification * perMillimetre * height);
+    }
+    if (!outline->GetFailure().empty())
+    {
+      m_Unused.push_back({ tooth.name, outline->GetFailure() });
+      continue;
     }
     if (crowns.empty())
     {

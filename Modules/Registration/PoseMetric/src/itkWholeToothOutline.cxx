@@ -34,6 +34,8 @@ constexpr double UpperBackShare = 7.5 / 20.0;
 constexpr double LowerBackShare = 7.5 / 21.5;
 /** Of the crown from its occlusal end: what gingiva leaves free. */
 constexpr double FreeShare = 0.9;
+/** Of what the scan shows of it: where a crown was cut across, its outline ends at different heights all around. */
+constexpr double ScannedShare = 0.85;
 /** Shortest and longest tooth with its root, mm. A lower central incisor of 16 mm and a canine of 33 are known; roots
  * are resorbed by a quarter in orthodontic treatment, are seen at a slant, and hands end them early, where bone hides
  * them. */
@@ -55,7 +57,8 @@ ShareOf(ToothCode::JawEnum jaw, unsigned int position)
 
 WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometry,
                                      const DentalContour::PolylineType & polyline,
-                                     ToothCode::JawEnum                  jaw)
+                                     ToothCode::JawEnum                  jaw,
+                                     double                              scanned)
 {
   m_Position = polyline.code.GetPosition();
   std::vector<PointType> drawn;
@@ -158,7 +161,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     area += a[0] * b[1] - a[1] * b[0];
   }
   const double sign = area > 0.0 ? 1.0 : -1.0;
-  const double neck = high - FreeShare * ShareOf(jaw, m_Position) * m_Length;
+  const double neck = high - std::min(FreeShare * ShareOf(jaw, m_Position) * m_Length, ScannedShare * scanned);
   for (std::size_t i = 0; i < count; ++i)
   {
     if (along(points[i]) < neck)

@@ -47,12 +47,18 @@ FindTermsOfPose(const LeastSquaresMetricv4 & metric)
   return found;
 }
 
-/** The pose that brings the points to the marks by a similarity of the plane, all of them but one. */
+/** rad: outlines are matched with what is nearest, and a crown's centre and an outline's are not quite one point, so
+ * that one start may end beside the answer. From further ones, turned to either side, the best is taken. */
+constexpr double OutlineTurn = 0.05;
+
+/** The pose that brings the points to the marks by a similarity of the plane, all of them but one, and turns further.
+ */
 PoseStart::StartType
 Solve(const PoseGeometry &                    geometry,
       const std::vector<CorrespondenceType> & correspondences,
       std::size_t                             leftOut,
-      const PoseStart::RequestType &          request)
+      const PoseStart::RequestType &          request,
+      double                                  turn = 0.0)
 {
   PoseStart::StartType start;
   start.parameters = request.pose;
@@ -122,6 +128,7 @@ Solve(const PoseGeometry &                    geometry,
       start.parameters[PoseKappa] += std::log(std::max(1e-3, std::hypot(cosine, sine) / size));
     }
   }
+  start.parameters[PosePitch] += turn;
   PoseModel(geometry, start.parameters)
     .SolveTranslation(centre.data(), toMean.data(), start.parameters[PoseTx], start.parameters[PoseTz]);
   return start;
@@ -151,8 +158,10 @@ LandmarkPoseStart::Search(const LeastSquaresMetricv4 & metric, const RequestType
     const auto own = term->GetCorrespondences();
     correspondences.insert(correspondences.end(), own.begin(), own.end());
   }
+  bool hasOutlines = false;
   for (const ToothOutlinePoseMetricv4 * term : FindOutlineTerms(metric))
   {
+    hasOutlines = true;
     geometry = term->GetTransform()->GetPoseGeometry();
     for (const auto & own : term->GetCorrespondences())
     {
@@ -165,6 +174,17 @@ LandmarkPoseStart::Search(const LeastSquaresMetricv4 & metric, const RequestType
     return starts;
   }
   starts.push_back(Solve(geometry, correspondences, correspondences.size(), request));
+  if (hasOutlines && !request.holdRotation)
+  {
+    for (const double turn : { -OutlineTurn, OutlineTurn })
+    {
+      starts.push_back(Solve(geometry, correspondences, correspondences.size(), request, turn));
+    }
+    for (StartType & start : starts)
+    {
+      start.place = 1;
+    }
+  }
   if (correspondences.size() >= 4)
   {
     for (std::size_t i = 0; i < correspondences.size(); ++i)

@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <typeinfo>
 #include <utility>
 
@@ -538,16 +539,27 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
   const auto                        byLandmarks = LandmarkPoseStart::New()->Search(*metric, request);
   starts.insert(starts.end(), byLandmarks.begin(), byLandmarks.end());
   const auto maximumNumberOfCandidates = request.maximumNumberOfStarts + static_cast<unsigned int>(byLandmarks.size());
-  std::vector<CandidateType> candidates;
-  for (const auto & start : starts)
+  std::vector<CandidateType>          candidates;
+  std::map<unsigned int, std::size_t> bestOfPlaces;
+  for (std::size_t number = 0; number < starts.size(); ++number)
   {
     if (m_Monitor.IsAborted())
     {
       return {};
     }
-    candidates.push_back(this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters)));
-    const auto number = static_cast<unsigned int>(candidates.size() - 1);
-    this->Refine(*metric, schedule, index * maximumNumberOfCandidates + number, candidates.back());
+    const PoseStart::StartType & start = starts[number];
+    CandidateType candidate = this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters));
+    this->Refine(*metric, schedule, index * maximumNumberOfCandidates + static_cast<unsigned int>(number), candidate);
+    const auto place = bestOfPlaces.find(start.place);
+    if (start.place == 0 || place == bestOfPlaces.end())
+    {
+      bestOfPlaces[start.place] = candidates.size();
+      candidates.push_back(std::move(candidate));
+    }
+    else if (candidate.score < candidates[place->second].score)
+    {
+      candidates[place->second] = std::move(candidate);
+    }
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const CandidateType & a, const CandidateType & b) {
     return a.score < b.score;
@@ -859,8 +871,11 @@ PoseGroupRegistration::ComputePosterior(const CandidateType & candidate, double 
   // What has no noise to estimate, the priors and landmarks, by its own criterion: the evidence has its squares, and
   // neither the tails of a prior nor what a landmark is charged that was let go.
   const double known = metric->ComputeKnownDeviance(candidate.x, true);
-  // Without a tracing the evidence has nothing whose noise is to be estimated, and is 0.
+  // Without a tracing the evidence has nothing whose noise is to be estimated, and is 0. What is known is then what
+  // landmarks say, and outlines as so many landmarks: a likelihood that is not too sure.
   const double places = m_Options.codeWeight > 0.0 ? candidate.codeTerm / m_Options.codeSigma : 0.0;
-  return EvidenceShare * evidence + KnownShare * known + places * places;
+  ContourNoiseLevels levels;
+  const double       share = metric->GetNoiseLevels(levels) ? KnownShare : 1.0;
+  return EvidenceShare * evidence + share * known + places * places;
 }
 } // namespace itk

@@ -135,6 +135,7 @@ ToDentalFrame(const ToothCrownSet * crowns, const PoseJawInput & jaw)
       if (crown.tooth.GetJaw() == jaw.jaw)
       {
         crown.surface = ToDentalFrame(*crown.surface, jaw.frame);
+        crown.profile = crown.profile ? ToDentalFrame(*crown.profile, jaw.frame) : nullptr;
         moved->Add(crown);
       }
     }

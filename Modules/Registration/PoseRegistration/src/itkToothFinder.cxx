@@ -70,6 +70,9 @@ constexpr double CutSigma = 0.4;
 /** mm from the arch's curve across it: half a crown. Palate and cheek lie further off. */
 constexpr double FrontCutReach = 8.0;
 constexpr double MolarCutReach = 7.0;
+/** Of an incisor's width to either side: seen from the side its profile is that of its middle, while a wider cut has
+ * its neighbours' edges before and below it. */
+constexpr double ProfileShare = 0.3;
 /** mm from its highest point: about as much of a crown as gingiva leaves free. */
 constexpr double FrontCutHeight = 7.0;
 constexpr double BackCutHeight = 5.0;
@@ -159,7 +162,31 @@ ToothFinder::Find(const ToothCode & tooth, FeatureEnum feature)
   {
     return labelled;
   }
-  return this->FindAlongArch(tooth, feature);
+  return this->IsAbsent(tooth) ? std::nullopt : this->FindAlongArch(tooth, feature);
+}
+
+bool
+ToothFinder::IsAbsent(const ToothCode & tooth) const
+{
+  // Of the whole scan: one of other points has labels that are not used.
+  const bool labelled = m_Mesh != nullptr && m_Labels.size() == m_Mesh->GetNumberOfPoints() &&
+                        std::any_of(m_Labels.begin(), m_Labels.end(), [](std::uint8_t label) { return label != 0; });
+  if (labelled && std::find(m_Labels.begin(), m_Labels.end(), tooth.GetFDI()) == m_Labels.end())
+  {
+    return true;
+  }
+  // Behind the last tooth there is no neighbour, nor behind a milk molar one of its kind.
+  if (m_Landmarks == nullptr || tooth.IsPrimary() || tooth.GetPosition() > 7)
+  {
+    return false;
+  }
+  const auto isNamed = [this](const ToothCode & other) {
+    const auto & all = m_Landmarks->GetLandmarks();
+    return std::any_of(all.begin(), all.end(), [&](const auto & landmark) { return landmark.tooth == other; });
+  };
+  const ToothCode mesial = tooth.GetPosition() > 1 ? ToothCode(tooth.GetFDI() - 1) : tooth.GetContralateral();
+  const ToothCode distal(tooth.GetFDI() + 1u);
+  return !isNamed(tooth) && isNamed(mesial) && isNamed(distal);
 }
 
 std::optional<ToothFinder::PointType>
@@ -480,13 +507,8 @@ ToothFinder::FindCrown(const ToothCode & tooth)
         tooth, std::move(crown), LabelledCrownSigma, LabelledCrownSigma, "tooth labels"
       };
     }
-    if (std::any_of(m_Labels.begin(), m_Labels.end(), [](std::uint8_t label) { return label != 0; }))
-    {
-      // Labels that do not have the tooth say that it is not there.
-      return {};
-    }
   }
-  return this->CutAlongArch(tooth);
+  return this->IsAbsent(tooth) ? std::nullopt : this->CutAlongArch(tooth);
 }
 
 std::optional<ToothCrownSet::CrownType>
@@ -558,6 +580,28 @@ ToothFinder::CutAlongArch(const ToothCode & tooth)
   {
     return {};
   }
-  return ToothCrownSet::CrownType{ tooth, std::move(crown), std::hypot(sigma, CutSigma), CutWidthSigma, front->source };
+  ToothCrownSet::CrownType found;
+  found.tooth = tooth;
+  found.surface = std::move(crown);
+  found.sigmaAlong = std::hypot(sigma, CutSigma);
+  found.sigmaWidth = CutWidthSigma;
+  found.source = front->source;
+  if (tooth.GetPosition() <= 2)
+  {
+    for (std::size_t i = 0; i < marks.size(); ++i)
+    {
+      const auto & p = m_Surface->points[i];
+      if (std::abs(std::abs(m_Arch.Arc(p[0], p[1])) - middle) > ProfileShare * width)
+      {
+        marks[i] = 0;
+      }
+    }
+    auto profile = this->CutOut(marks);
+    if (profile->triangles.size() >= MinimumCrownTriangles)
+    {
+      found.profile = std::move(profile);
+    }
+  }
+  return found;
 }
 } // namespace itk

@@ -81,6 +81,10 @@ private:
   /** Whether the scan passes by a point, mesh frame, mm: a landmark elsewhere is none of it, whatever its name is. */
   bool
   IsOnScan(const PointType & point) const;
+  /** Whether those who named the scan's teeth did not find this one: labels of other teeth, or landmarks of both its
+   * neighbours and none of its own. Whatever stands at its place along the arch is another tooth. */
+  bool
+  IsAbsent(const ToothCode & tooth) const;
   /** A point below a place, away from the occlusal side. */
   PointType
   Below(const PointType & point, double distance) const;

@@ -177,6 +177,53 @@ TEST(ToothCrownFilter, LabelsThatLackAToothSayThatItIsNotThere)
   EXPECT_EQ(phantom.filter->GetMissing()[0].GetName(), "UL6");
 }
 
+TEST(ToothCrownFilter, LandmarksOfBothNeighboursSayThatAToothIsNotThere)
+{
+  // UL6 was lost, UL5 and UL7 have landmarks: at its place another tooth stands, whatever a textbook says.
+  for (const bool secondMolar : { true, false })
+  {
+    Phantom phantom(9002);
+    auto    some = itk::DentalLandmarkSet<3>::New();
+    for (const auto & landmark : phantom.landmarks->GetLandmarks())
+    {
+      const unsigned int fdi = landmark.tooth.GetFDI();
+      if (fdi != 26 && (fdi != 27 || secondMolar))
+      {
+        some->AddLandmark(landmark.name, landmark.point);
+      }
+    }
+    phantom.filter->SetScanLandmarks(some);
+    phantom.filter->Update();
+    // Where the teeth behind have no landmarks either, nobody looked there.
+    EXPECT_EQ(phantom.filter->GetOutput()->Find(itk::ToothCode(26)) == nullptr, secondMolar);
+    EXPECT_EQ(phantom.filter->GetMissing().size(), secondMolar ? 1u : 0u);
+    EXPECT_NE(phantom.filter->GetOutput()->Find(itk::ToothCode(16)), nullptr);
+  }
+}
+
+TEST(ToothCrownFilter, AnIncisorThatWasCutHasItsMiddleForAProfile)
+{
+  const Phantom labelled(9003);
+  labelled.filter->SetLabels(JawEnum::Upper, labelled.labels[0]);
+  labelled.filter->SetLabels(JawEnum::Lower, labelled.labels[1]);
+  labelled.filter->Update();
+  const Phantom cut(9003);
+  cut.filter->SetScanLandmarks(cut.landmarks);
+  cut.filter->Update();
+  const auto area = [](const itk::TriangleSurface & surface) { return static_cast<double>(surface.triangles.size()); };
+  for (const auto & crown : cut.filter->GetOutput()->GetCrowns())
+  {
+    EXPECT_EQ(crown.profile != nullptr, crown.tooth.GetPosition() == 1) << crown.tooth.GetName();
+    if (crown.profile != nullptr)
+    {
+      // Six tenths of its width.
+      EXPECT_LT(area(*crown.profile), 0.75 * area(*crown.surface)) << crown.tooth.GetName();
+      EXPECT_GT(area(*crown.profile), 0.3 * area(*crown.surface)) << crown.tooth.GetName();
+    }
+    EXPECT_EQ(labelled.filter->GetOutput()->Find(crown.tooth)->profile, nullptr) << crown.tooth.GetName();
+  }
+}
+
 TEST(ToothCrownFilter, MissingInputsNameTheCallToMake)
 {
   const auto message = [](FilterType * filter) -> std::string {
