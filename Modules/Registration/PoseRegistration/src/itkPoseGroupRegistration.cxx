@@ -873,7 +873,7 @@ PoseGroupRegistration::ComputePosterior(const CandidateType & candidate, double 
   const double known = metric->ComputeKnownDeviance(candidate.x, true);
   // Without a tracing the evidence has nothing whose noise is to be estimated, and is 0. What is known is then what
   // landmarks say, and outlines as so many landmarks: a likelihood that is not too sure.
-  const double places = m_Options.codeWeight > 0.0 ? candidate.codeTerm / m_Options.codeSigma : 0.0;
+  const double       places = m_Options.codeWeight > 0.0 ? candidate.codeTerm / m_Options.codeSigma : 0.0;
   ContourNoiseLevels levels;
   const double       share = metric->GetNoiseLevels(levels) ? KnownShare : 1.0;
   return EvidenceShare * evidence + share * known + places * places;
