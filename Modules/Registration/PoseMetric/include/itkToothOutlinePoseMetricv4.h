@@ -115,6 +115,10 @@ public:
     /** The same of a template's shape against the tooth's. */
     double templateTurn{ 0.08 };
     double templateSize{ 0.10 };
+    /** mm on the detector, on top of the hand's: where the tip of a template, or the middle of its crown behind the
+     * canines, lies against the tooth's. A tip is what it is placed by, and errs by four tenths of it along. */
+    double templateAlong{ 0.8 };
+    double templateAcross{ 0.4 };
     /** mm on the detector. */
     double lingual{ 0.5 };
     /** Along the line, px of 0.25 mm: a drift that is correlated over DriftLength px, and each point's own. */

@@ -65,6 +65,8 @@ constexpr double CutFacing = 0.5;
 /** By which the deviance of a jaw's templates has to be less: three of ten readers use templates, and what is not quite
  * a tooth's shape may also be how its crown was cut out of the scan. */
 constexpr double TemplatePenalty = 12.0;
+/** Of a template's error along the arch: a front tooth's tip is what it is placed by. */
+constexpr double TipShare = 0.4;
 /** Rounds of weights and errors in one update: each settles the other, and optimizer runs follow. */
 constexpr int Rounds = 3;
 
@@ -148,8 +150,9 @@ void
 ToothOutlinePoseMetricv4::SetErrors(const ErrorsType & errors)
 {
   if (!(errors.along > 0.0) || !(errors.across > 0.0) || !(errors.turn > 0.0) || !(errors.size > 0.0) ||
-      !(errors.templateTurn > 0.0) || !(errors.templateSize > 0.0) || !(errors.lingual > 0.0) ||
-      !(errors.drift > 0.0) || !(errors.jitter > 0.0) || !(errors.frontalJitter > 0.0))
+      !(errors.templateTurn > 0.0) || !(errors.templateSize > 0.0) || !(errors.templateAlong >= 0.0) ||
+      !(errors.templateAcross >= 0.0) || !(errors.lingual > 0.0) || !(errors.drift > 0.0) || !(errors.jitter > 0.0) ||
+      !(errors.frontalJitter > 0.0))
   {
     itkExceptionMacro("Errors of outlines are standard deviations and must be positive: see SetErrors().");
   }
@@ -314,12 +317,16 @@ ToothOutlinePoseMetricv4::Prepare()
     // A template is moved, turned and scaled by the hand as well, which moves its reference point.
     const double arm[2] = { outline->GetReference()[0] - outline->GetCentroid()[0],
                             outline->GetReference()[1] - outline->GetCentroid()[1] };
-    tooth.ways = { { makeWay(outline->GetCentroid(), { { along, across, errors.turn, errors.size } }),
-                     makeWay(outline->GetReference(),
-                             { { std::hypot(along, std::hypot(errors.turn * arm[1], errors.size * arm[0])),
-                                 std::hypot(across, std::hypot(errors.turn * arm[0], errors.size * arm[1])),
-                                 m_Errors.templateTurn,
-                                 m_Errors.templateSize } }) } };
+    const double placed[2] = { (front ? TipShare : 1.0) * m_Errors.templateAlong * perMillimetre,
+                               m_Errors.templateAcross * perMillimetre };
+    tooth.ways = {
+      { makeWay(outline->GetCentroid(), { { along, across, errors.turn, errors.size } }),
+        makeWay(outline->GetReference(),
+                { { std::hypot(std::hypot(along, placed[0]), std::hypot(errors.turn * arm[1], errors.size * arm[0])),
+                    std::hypot(std::hypot(across, placed[1]), std::hypot(errors.turn * arm[0], errors.size * arm[1])),
+                    m_Errors.templateTurn,
+                    m_Errors.templateSize } }) }
+    };
     // Of a tooth that is drawn and matched without a fault: its crown's normals are those of the outline.
     const std::size_t n = outline->GetPoints().size();
     EvaluationType    faultless;

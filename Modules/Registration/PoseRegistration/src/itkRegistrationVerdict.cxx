@@ -291,6 +291,38 @@ JudgeMiddle(const PoseJawResult &                   jaw,
   }
 }
 
+/** Whether another position may be the answer. A tracing's are told apart from 4 px on; landmarks and outlines of teeth
+ * err by half of that anyway, and a minimum nearer than twice as far is in their sigma. */
+void
+JudgeMargin(const PoseGroupResult &                 group,
+            const PoseJawResult &                   jaw,
+            const RegistrationVerdict::Thresholds & thresholds,
+            RegistrationVerdict::JawVerdict &       verdict)
+{
+  // Elsewhere, as the margin means it; the result does not carry the option that was used.
+  const double placeDistance = PoseRegistrationOptions().placeDistance;
+  const bool   isTraced = jaw.fit.numberOfPoints > 0;
+  double       margin = isTraced ? group.margin : 1.0;
+  double       distance = 0.0;
+  for (const PoseCandidate & candidate : group.candidates)
+  {
+    if (candidate.distance > (isTraced ? placeDistance : 2.0 * placeDistance))
+    {
+      const double own = -std::expm1(-0.5 * (candidate.deviance - group.candidates.front().deviance));
+      margin = isTraced ? margin : std::min(margin, own);
+      distance = distance > 0.0 ? distance : candidate.distance;
+    }
+  }
+  if (margin < thresholds.suspectMargin)
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "ambiguous",
+        "another position, " + FormatNumber(distance, 0) + " px away, fits nearly as well",
+        { margin, thresholds.suspectMargin, "" });
+  }
+}
+
 /** A spacing that only the drawing tells makes a film of some size. */
 void
 JudgeFilm(const PoseGeometry &                       geometry,
@@ -631,24 +663,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
         "mirrored",
         { otherSide->deviance, thresholds.suspectOtherSideDeviance, "" });
     }
-    if (group.margin < thresholds.suspectMargin)
-    {
-      double distance = 0.0;
-      for (const PoseCandidate & candidate : group.candidates)
-      {
-        // Elsewhere, as the margin means it; the result does not carry the option that was used.
-        if (candidate.distance > PoseRegistrationOptions().placeDistance)
-        {
-          distance = candidate.distance;
-          break;
-        }
-      }
-      Add(verdict,
-          StatusEnum::Suspect,
-          "ambiguous",
-          "another position, " + FormatNumber(distance, 0) + " px away, fits nearly as well",
-          { group.margin, thresholds.suspectMargin, "" });
-    }
+    JudgeMargin(group, jaw, thresholds, verdict);
     JudgePriors(group, !result.views.empty(), thresholds, verdict);
     if (std::abs(group.parameters[PosePitch]) > thresholds.failedPitch)
     {

@@ -716,6 +716,25 @@ TEST(RegistrationVerdict, HypothesesAreNamedByWhatToCheck)
   EXPECT_TRUE(Contains(reason.text, "27 px")) << reason.text;
 }
 
+TEST(RegistrationVerdict, WithoutATracingAnotherPlaceIsOneThatItsSigmaDoesNotHold)
+{
+  // Landmarks and outlines err by some px: a minimum 7 px away is in their sigma, one 9 px away is another answer.
+  for (const double distance : { 7.0, 9.0 })
+  {
+    Result result = MakeGoodResult();
+    result.jaws[0].fit.numberOfPoints = 0;
+    result.groups[0].margin = 0.01;
+    result.groups[0].candidates.resize(2);
+    result.groups[0].candidates[1].distance = distance;
+    result.groups[0].candidates[1].deviance = 1.0;
+    const Named expected = distance > 8.0 ? Named{ { "ambiguous", Suspect } } : Named{};
+    EXPECT_EQ(NamesOf(Verdict::Evaluate(result)[0]), expected) << distance;
+    // Of odds that are none.
+    result.groups[0].candidates[1].deviance = 10.0;
+    EXPECT_TRUE(NamesOf(Verdict::Evaluate(result)[0]).empty()) << distance;
+  }
+}
+
 TEST(RegistrationVerdict, NotCheckableIsWhatTheDataOfTheCaseLeavesOpen)
 {
   using Lines = std::vector<std::string>;
