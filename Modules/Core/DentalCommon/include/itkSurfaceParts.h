@@ -106,6 +106,7 @@ private:
   std::vector<std::uint32_t> m_WeldedPoints;
   std::vector<PartType>      m_Parts;
   std::vector<std::uint32_t> m_PartOfTriangle;
+  std::vector<std::uint8_t>  m_IsPointKept;
   double                     m_Area{ 0.0 };
 };
 } // namespace itk

@@ -100,10 +100,11 @@ SurfaceParts::SurfaceParts(const TriangleSurface & surface)
       continue;
     }
     areas[t] = area;
-    const auto & corners = surface.triangles[t];
-    for (const std::uint32_t corner : corners)
+    const auto &        corners = surface.triangles[t];
+    const std::uint32_t root = Find(parent, first[corners[0]]);
+    for (unsigned int k = 1; k < 3; ++k)
     {
-      parent[Find(parent, first[corner])] = Find(parent, first[corners[0]]);
+      parent[Find(parent, first[corners[k]])] = root;
     }
   }
   m_PartOfTriangle.assign(triangles, NoPart);
@@ -128,6 +129,17 @@ SurfaceParts::SurfaceParts(const TriangleSurface & surface)
       m_Parts[part].normal[d] += normals[t][d];
     }
   }
+  m_IsPointKept.assign(surface.points.size(), 0);
+  for (std::size_t t = 0; t < triangles; ++t)
+  {
+    if (this->IsKept(t))
+    {
+      for (const std::uint32_t corner : surface.triangles[t])
+      {
+        m_IsPointKept[corner] = 1;
+      }
+    }
+  }
 }
 
 std::pair<double, double>
@@ -135,15 +147,11 @@ SurfaceParts::ComputeExtent(const TriangleSurface & surface, const PointType & d
 {
   double low = std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::lowest();
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
   {
-    if (!this->IsKept(t))
+    if (m_IsPointKept[i] != 0)
     {
-      continue;
-    }
-    for (const std::uint32_t corner : surface.triangles[t])
-    {
-      const PointType & p = surface.points[corner];
+      const PointType & p = surface.points[i];
       const double      along = direction[0] * p[0] + direction[1] * p[1] + direction[2] * p[2];
       low = std::min(low, along);
       high = std::max(high, along);

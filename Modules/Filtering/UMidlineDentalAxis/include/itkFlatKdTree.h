@@ -31,7 +31,8 @@ namespace itk
  * \brief Nearest neighbours among a few thousand points: a balanced k-d tree in flat arrays. Free of ITK headers.
  *
  * The points are copied in tree order, so that a query runs through contiguous memory. Of several nearest points the
- * first in tree order wins; the order depends on the points alone.
+ * first in tree order wins; the order depends on the points alone. A node is left out by the box of its points in two
+ * and three dimensions, by the splitting plane alone in more, where a box costs more than it spares.
  *
  * \ingroup UMidlineDentalAxis
  */
@@ -139,9 +140,12 @@ public:
 
 private:
   static constexpr std::uint32_t LeafSize = 10;
+  static constexpr unsigned int  FirstFew = VDimension < 3 ? VDimension : 3;
 
   struct Node
   {
+    PointType     low;
+    PointType     high;
     double        split{ 0.0 };
     std::uint32_t begin{ 0 };
     std::uint32_t end{ 0 };
@@ -162,6 +166,26 @@ private:
     return sum;
   }
 
+  /** No more than SquaredDistance() of any point in the box, to the last bit: rounding is monotonic, and the operations
+   * are the same in the same order. */
+  static double
+  SquaredDistanceToBox(const PointType & query, const PointType & low, const PointType & high)
+  {
+    double sum = 0.0;
+    for (unsigned int d = 0; d < VDimension; ++d)
+    {
+      const double outside = std::max(std::max(low[d] - query[d], query[d] - high[d]), 0.0);
+      sum += outside * outside;
+    }
+    return sum;
+  }
+
+  static bool
+  MayHave(const Node & node, const PointType & query, double bound)
+  {
+    return VDimension > 3 || SquaredDistanceToBox(query, node.low, node.high) < bound;
+  }
+
   std::uint32_t
   Build(const std::vector<PointType> & points, std::uint32_t begin, std::uint32_t end)
   {
@@ -170,18 +194,20 @@ private:
     Node node;
     node.begin = begin;
     node.end = end;
+    PointType & low = node.low;
+    PointType & high = node.high;
+    low = points[m_Index[begin]];
+    high = low;
+    for (std::uint32_t k = begin; k < end; ++k)
+    {
+      for (unsigned int d = 0; d < VDimension; ++d)
+      {
+        low[d] = std::min(low[d], points[m_Index[k]][d]);
+        high[d] = std::max(high[d], points[m_Index[k]][d]);
+      }
+    }
     if (end - begin > LeafSize)
     {
-      PointType low = points[m_Index[begin]];
-      PointType high = low;
-      for (std::uint32_t k = begin; k < end; ++k)
-      {
-        for (unsigned int d = 0; d < VDimension; ++d)
-        {
-          low[d] = std::min(low[d], points[m_Index[k]][d]);
-          high[d] = std::max(high[d], points[m_Index[k]][d]);
-        }
-      }
       for (unsigned int d = 1; d < VDimension; ++d)
       {
         if (high[d] - low[d] > high[node.axis] - low[node.axis])
@@ -214,20 +240,34 @@ private:
     {
       for (std::uint32_t k = node.begin; k < node.end; ++k)
       {
-        const double d = SquaredDistance(query, m_Points[k]);
-        if (d < bound)
+        // Most are too far away by their first coordinates.
+        double sum = 0.0;
+        for (unsigned int d = 0; d < FirstFew; ++d)
         {
-          bound = d;
-          best = k;
+          sum += (query[d] - m_Points[k][d]) * (query[d] - m_Points[k][d]);
+        }
+        if (sum < bound)
+        {
+          for (unsigned int d = FirstFew; d < VDimension; ++d)
+          {
+            sum += (query[d] - m_Points[k][d]) * (query[d] - m_Points[k][d]);
+          }
+          if (sum < bound)
+          {
+            bound = sum;
+            best = k;
+          }
         }
       }
       return;
     }
-    const double difference = query[node.axis] - node.split;
-    this->Search(difference < 0.0 ? node.left : node.right, query, bound, best);
-    if (difference * difference < bound)
+    const double        difference = query[node.axis] - node.split;
+    const std::uint32_t nearer = difference < 0.0 ? node.left : node.right;
+    const std::uint32_t farther = difference < 0.0 ? node.right : node.left;
+    this->Search(nearer, query, bound, best);
+    if (difference * difference < bound && this->MayHave(m_Nodes[farther], query, bound))
     {
-      this->Search(difference < 0.0 ? node.right : node.left, query, bound, best);
+      this->Search(farther, query, bound, best);
     }
   }
 

@@ -51,6 +51,45 @@ TEST(FlatKdTree, NearestIsThatOfBruteForceWithAnyGuess)
   }
 }
 
+TEST(FlatKdTree, NearestInSixDimensionsIsThatOfBruteForce)
+{
+  using Point = std::array<double, 6>;
+  itk::ReproducibleRandom random(5);
+  const auto              draw = [&random]() {
+    Point point;
+    for (double & x : point)
+    {
+      x = random.Uniform(-1, 1);
+    }
+    return point;
+  };
+  std::vector<Point> points(500);
+  for (Point & point : points)
+  {
+    point = draw();
+    // As normals of a flat arch: most of them have one direction.
+    point[5] = 2.0;
+  }
+  const itk::FlatKdTree<6> tree(points);
+  for (unsigned int trial = 0; trial < 300; ++trial)
+  {
+    const Point query = draw();
+    double      expected = std::numeric_limits<double>::infinity();
+    for (const Point & p : points)
+    {
+      double squared = 0.0;
+      for (unsigned int d = 0; d < 6; ++d)
+      {
+        squared += (query[d] - p[d]) * (query[d] - p[d]);
+      }
+      expected = std::min(expected, squared);
+    }
+    double found = std::numeric_limits<double>::infinity();
+    tree.Nearest(query, found, random.Integer(500));
+    EXPECT_EQ(found, expected);
+  }
+}
+
 TEST(FlatKdTree, NothingIsNearerThanATightBoundAndAnEmptyTreeHasNothing)
 {
   const itk::FlatKdTree<3> tree({ { { 0, 0, 0 } }, { { 3, 0, 0 } } });

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkAddedRadiograph.h"
 
+#include "itkForEachTerm.h"
 #include "itkPoseMetricv4.h"
 
 namespace itk
@@ -24,13 +25,16 @@ namespace itk
 std::string
 DescribeAddedRadiograph(const PoseProblem & problem, const std::string & what)
 {
+  std::string description;
   for (const PoseProblemTerm & term : problem.terms)
   {
-    if (dynamic_cast<const PoseMetricv4 *>(term.metric.GetPointer()) != nullptr)
-    {
-      return std::string("the added ") + term.metric->GetNameOfClass() + ' ' + what;
-    }
+    ForEachTerm<PoseMetricv4>(*term.metric, [&](const PoseMetricv4 & added) {
+      if (description.empty())
+      {
+        description = std::string("the added ") + added.GetNameOfClass() + ' ' + what;
+      }
+    });
   }
-  return "";
+  return description;
 }
 } // namespace itk

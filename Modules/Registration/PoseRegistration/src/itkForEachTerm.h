@@ -43,6 +43,24 @@ ForEachTerm(const LeastSquaresMetricv4 &               metric,
     }
   }
 }
+
+/** The same where terms are to be changed and no position is asked for. */
+template <typename TTerm, typename TFunction>
+void
+ForEachTerm(LeastSquaresMetricv4 & metric, const TFunction & function)
+{
+  if (auto * term = dynamic_cast<TTerm *>(&metric))
+  {
+    function(*term);
+  }
+  else if (auto * sum = dynamic_cast<LeastSquaresSumMetricv4 *>(&metric))
+  {
+    for (SizeValueType t = 0; t < sum->GetNumberOfMetrics(); ++t)
+    {
+      ForEachTerm<TTerm>(*sum->GetMetric(t), function);
+    }
+  }
+}
 } // namespace itk
 
 #endif

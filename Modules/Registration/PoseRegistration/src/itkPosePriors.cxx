@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkPosePriors.h"
 
+#include "itkForEachTerm.h"
 #include "itkLeastSquaresSumMetricv4.h"
 #include "itkPoseStateBlocks.h"
 
@@ -144,15 +145,13 @@ PosePriors::SetPriors(LeastSquaresSumMetricv4 & sum, const SigmasType & sigmas, 
   // The first of each block is the method's own; a user's prior on the same block comes after it and stays.
   bool poseIsSet = false;
   bool scaleIsSet = false;
-  for (SizeValueType t = 0; t < sum.GetNumberOfMetrics(); ++t)
-  {
-    auto * prior = dynamic_cast<ParameterPriorMetricv4 *>(sum.GetMetric(t));
-    if (prior == nullptr || prior->GetBlock().parameters.empty())
-    {
-      continue;
-    }
+  ForEachTerm<ParameterPriorMetricv4>(sum, [&](ParameterPriorMetricv4 & prior) {
     std::vector<ParameterPriorMetricv4::PriorType> priors;
-    if (prior->GetBlock().name == "pose" && !poseIsSet)
+    if (prior.GetBlock().parameters.empty())
+    {
+      return;
+    }
+    if (prior.GetBlock().name == "pose" && !poseIsSet)
     {
       poseIsSet = true;
       for (unsigned int k = 0; k < PoseKappa; ++k)
@@ -160,17 +159,17 @@ PosePriors::SetPriors(LeastSquaresSumMetricv4 & sum, const SigmasType & sigmas, 
         priors.push_back(this->MakePrior(k, sigmas[k]));
       }
     }
-    else if (prior->GetBlock().name == "scale" && !scaleIsSet)
+    else if (prior.GetBlock().name == "scale" && !scaleIsSet)
     {
       scaleIsSet = true;
       priors.push_back(this->MakePrior(PoseKappa, sigmas[PoseKappa]));
     }
     else
     {
-      continue;
+      return;
     }
-    prior->SetPriors(priors);
-    prior->SetUseVariancePrecision(forVariance);
-  }
+    prior.SetPriors(priors);
+    prior.SetUseVariancePrecision(forVariance);
+  });
 }
 } // namespace itk

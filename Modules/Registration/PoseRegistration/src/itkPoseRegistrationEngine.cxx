@@ -303,8 +303,17 @@ PoseRegistrationEngine::TryHypotheses(const GroupType & group, PoseGroupResult &
   {
     return;
   }
+  std::size_t done = 0;
+  const auto  tellDone = [&]() {
+    if (hypothesisObserver)
+    {
+      hypothesisObserver(group.index, static_cast<double>(done) / static_cast<double>(hypotheses.size()));
+    }
+    ++done;
+  };
   for (const auto & hypothesis : hypotheses)
   {
+    tellDone();
     if (monitor->IsAborted())
     {
       return;
@@ -326,6 +335,7 @@ PoseRegistrationEngine::TryHypotheses(const GroupType & group, PoseGroupResult &
     }
     result.outcomes[hypothesis->GetCode()] = *outcome;
   }
+  tellDone();
 }
 
 std::optional<PoseHypothesisOutcome>

@@ -44,6 +44,8 @@ public:
   /** Told the metric of a group before it is registered. */
   using GroupObserverType = std::function<void(unsigned int group, unsigned int numberOfGroups, MetricType * metric)>;
   using StageObserverType = std::function<void(unsigned int group, PoseStageEnum stage)>;
+  /** Told before each hypothesis, and after the last, which share of a group's hypotheses is done. */
+  using HypothesisObserverType = std::function<void(unsigned int group, double share)>;
 
   PoseGroupRegistration::PartsType              parts;
   PoseGroupRegistration::OptimizerType::Pointer optimizer;
@@ -52,6 +54,7 @@ public:
   PoseIterationMonitor *                        monitor{ nullptr };
   GroupObserverType                             groupObserver;
   StageObserverType                             stageObserver;
+  HypothesisObserverType                        hypothesisObserver;
 
   /** A group that was registered: what a hypothesis is tried beside. */
   struct GroupType

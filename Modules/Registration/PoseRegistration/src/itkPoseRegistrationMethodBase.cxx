@@ -622,6 +622,14 @@ PoseRegistrationMethodBase::GenerateData()
     this->InvokeEvent(MultiResolutionIterationEvent());
     this->UpdateProgress(static_cast<float>(m_CurrentLevel) / static_cast<float>(m_NumberOfLevels));
   };
+  engine.hypothesisObserver = [this](unsigned int group, double share) {
+    if (!this->GetAbortGenerateData())
+    {
+      // They come after the last level and take the second half of its share.
+      this->UpdateProgress((4.0f * static_cast<float>(group) + 3.5f + 0.5f * static_cast<float>(share)) /
+                           static_cast<float>(m_NumberOfLevels));
+    }
+  };
   PoseRegistrationResult result;
   auto                   answered = std::make_unique<AnsweredType>();
   m_Answered.reset();

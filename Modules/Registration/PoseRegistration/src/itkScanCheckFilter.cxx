@@ -139,10 +139,12 @@ struct Scan
 std::array<double, 3>
 PrincipalLengths(const Scan & scan)
 {
-  const PointType    centroid = scan.surface.AreaCentroid();
-  vnl_matrix<double> covariance(3, 3, 0.0);
-  vnl_matrix<double> axes(3, 3, 0.0);
-  vnl_vector<double> values(3, 0.0);
+  const PointType centroid = scan.surface.AreaCentroid();
+  // vnl's elements are function calls.
+  std::array<std::array<double, 3>, 3> sums{};
+  vnl_matrix<double>                   covariance(3, 3, 0.0);
+  vnl_matrix<double>                   axes(3, 3, 0.0);
+  vnl_vector<double>                   values(3, 0.0);
   for (std::size_t t = 0; t < scan.surface.triangles.size(); ++t)
   {
     if (!scan.parts->IsKept(t))
@@ -153,14 +155,22 @@ PrincipalLengths(const Scan & scan)
     const double    area = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
     for (const std::uint32_t corner : scan.surface.triangles[t])
     {
+      const PointType & p = scan.surface.points[corner];
+      const PointType   x{ p[0] - centroid[0], p[1] - centroid[1], p[2] - centroid[2] };
       for (unsigned int row = 0; row < 3; ++row)
       {
         for (unsigned int column = 0; column < 3; ++column)
         {
-          covariance(row, column) += area * (scan.surface.points[corner][row] - centroid[row]) *
-                                     (scan.surface.points[corner][column] - centroid[column]);
+          sums[row][column] += area * x[row] * x[column];
         }
       }
+    }
+  }
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      covariance(row, column) = sums[row][column];
     }
   }
   vnl_symmetric_eigensystem_compute(covariance, axes, values);

@@ -269,6 +269,10 @@ TEST(PoseRegistrationEvents, ProgressRunsFromNothingToAll)
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   EXPECT_EQ(progress.front(), 0.0f);
   EXPECT_EQ(progress.back(), 1.0f);
+  // Hypotheses are tried after the last of four levels, and tell of each.
+  const auto ofHypotheses =
+    std::count_if(progress.begin(), progress.end(), [](float value) { return value >= 0.875f && value < 1.0f; });
+  EXPECT_GE(ofHypotheses, 5);
 }
 
 TEST(PoseRegistrationEvents, TheReadyObserverRecordsThem)

@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace itk
 {
@@ -81,6 +82,27 @@ Deviance(const std::vector<DiagonalBlock> & blocks,
     value += std::log(std::max(solver.vectorD()[i], 1e-300));
   }
   return value;
+}
+
+/** Of each column of a lower triangle, column by column, behind which row it has nothing but zeros, nor has any column
+ * before it. */
+std::vector<std::size_t>
+ColumnEnds(const double * triangle, std::size_t count)
+{
+  std::vector<std::size_t> ends(count);
+  std::size_t              end = 0;
+  for (std::size_t j = 0; j < count; ++j)
+  {
+    const double * const column = triangle + j * count;
+    std::size_t          last = count;
+    while (last > std::max(end, j + 1) && column[last - 1] == 0.0)
+    {
+      --last;
+    }
+    end = std::max(end, last);
+    ends[j] = end;
+  }
+  return ends;
 }
 } // namespace
 
@@ -271,19 +293,76 @@ ContourNoiseModel::Estimate(const std::vector<BlockType> & blocks,
 bool
 ContourNoiseModel::Factor(double * covariance, std::size_t count)
 {
-  const auto                                    n = static_cast<Eigen::Index>(count);
-  Eigen::Map<Eigen::MatrixXd>                   k(covariance, n, n);
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(k);
-  return factor.info() == Eigen::Success;
+  // Noise is correlated over a part of a tracing, and the factor has no entries where the covariance has none before
+  // them in the row: column by column, each takes what those before it that reach it leave over.
+  const std::vector<std::size_t> ends = ColumnEnds(covariance, count);
+  // Columns are taken off four at a time: one pass over memory instead of four.
+  std::size_t first = 0;
+  for (std::size_t j = 0; j < count; ++j)
+  {
+    double * const column = covariance + j * count;
+    while (ends[first] <= j)
+    {
+      ++first;
+    }
+    std::size_t k = first;
+    for (; k + 4 <= j; k += 4)
+    {
+      const double * const a = covariance + k * count;
+      const double * const b = a + count;
+      const double * const c = b + count;
+      const double * const d = c + count;
+      const double         fa = a[j];
+      const double         fb = b[j];
+      const double         fc = c[j];
+      const double         fd = d[j];
+      for (std::size_t i = j; i < ends[k + 3]; ++i)
+      {
+        column[i] -= fa * a[i] + fb * b[i] + (fc * c[i] + fd * d[i]);
+      }
+    }
+    for (; k < j; ++k)
+    {
+      const double * const a = covariance + k * count;
+      const double         fa = a[j];
+      for (std::size_t i = j; i < ends[k]; ++i)
+      {
+        column[i] -= fa * a[i];
+      }
+    }
+    if (!(column[j] > 0.0))
+    {
+      return false;
+    }
+    const double diagonal = std::sqrt(column[j]);
+    const double inverse = 1.0 / diagonal;
+    column[j] = diagonal;
+    for (std::size_t i = j + 1; i < ends[j]; ++i)
+    {
+      column[i] *= inverse;
+    }
+  }
+  return true;
 }
 
 void
 ContourNoiseModel::Whiten(const double * factor, std::size_t count, double * columns, std::size_t numberOfColumns)
 {
-  const auto                              n = static_cast<Eigen::Index>(count);
-  const Eigen::Map<const Eigen::MatrixXd> l(factor, n, n);
-  Eigen::Map<Eigen::MatrixXd>             x(columns, n, static_cast<Eigen::Index>(numberOfColumns));
-  l.triangularView<Eigen::Lower>().solveInPlace(x);
+  const std::vector<std::size_t> ends = ColumnEnds(factor, count);
+  for (std::size_t j = 0; j < count; ++j)
+  {
+    const double * const l = factor + j * count;
+    for (std::size_t c = 0; c < numberOfColumns; ++c)
+    {
+      double * const x = columns + c * count;
+      x[j] /= l[j];
+      const double value = x[j];
+      for (std::size_t i = j + 1; i < ends[j]; ++i)
+      {
+        x[i] -= value * l[i];
+      }
+    }
+  }
 }
 
 void

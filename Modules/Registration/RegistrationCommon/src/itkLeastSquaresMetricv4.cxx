@@ -338,7 +338,8 @@ LeastSquaresMetricv4::Initialize()
   this->InitializeTerm();
   if (m_State.GetNumberOfParameters() == 0)
   {
-    itkExceptionMacro("This metric reads no parameters: its DeclareBlocks() must name at least one block.");
+    itkExceptionMacro("This metric reads no parameters: its DeclareBlocks() (blocks() of a metric in Python) must name "
+                      "at least one block.");
   }
   if (m_State.GetNumberOfFreeParameters() == 0)
   {

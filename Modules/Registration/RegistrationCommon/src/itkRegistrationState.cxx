@@ -55,10 +55,11 @@ RegistrationState::AddBlock(const BlockType & block)
     }
     if (other.parameters.size() != block.parameters.size())
     {
-      itkGenericExceptionMacro("The block \"" << block.name << "\" has " << other.parameters.size()
-                                              << " parameters in one metric and " << block.parameters.size()
-                                              << " in another; metrics that read the same block must declare it alike "
-                                                 "(DeclareBlocks()), or give one of the blocks another name.");
+      itkGenericExceptionMacro("The block \""
+                               << block.name << "\" has " << other.parameters.size() << " parameters in one metric and "
+                               << block.parameters.size()
+                               << " in another; metrics that read the same block must declare it alike "
+                                  "(DeclareBlocks(); blocks() in Python), or give one of the blocks another name.");
     }
     return;
   }

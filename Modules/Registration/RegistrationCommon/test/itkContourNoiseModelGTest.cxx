@@ -445,6 +445,57 @@ TEST(CorrelatedNoiseModel, BasicObjectMethodsAndDefaults)
   EXPECT_EQ(model->GetCorrelationLength(), 0.0);
 }
 
+TEST(ContourNoiseModel, FactorWithinABandGivesBackTheCovarianceAndWhitensWithIt)
+{
+  // As of a tracing in two parts: a band, with points in between that are correlated with nothing.
+  constexpr std::size_t n = 37;
+  std::vector<double>   covariance(n * n, 0.0);
+  const auto            entry = [](std::size_t i, std::size_t j) {
+    const std::size_t apart = i > j ? i - j : j - i;
+    const bool        isAlone = (i > 17 && i < 22) || (j > 17 && j < 22);
+    return i == j ? 2.5 : (apart > 6 || isAlone ? 0.0 : std::exp(-0.1 * static_cast<double>(apart * apart)));
+  };
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      covariance[j * n + i] = entry(i, j);
+    }
+  }
+  ASSERT_TRUE(itk::ContourNoiseModel::Factor(covariance.data(), n));
+  std::vector<double> columns(2 * n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    columns[i] = std::sin(1.0 + static_cast<double>(i));
+    columns[n + i] = static_cast<double>(i % 5) - 2.0;
+    for (std::size_t j = 0; j <= i; ++j)
+    {
+      double product = 0.0;
+      for (std::size_t k = 0; k <= j; ++k)
+      {
+        product += covariance[k * n + i] * covariance[k * n + j];
+      }
+      EXPECT_NEAR(product, entry(i, j), 1e-14) << i << ' ' << j;
+    }
+  }
+  const std::vector<double> given = columns;
+  itk::ContourNoiseModel::Whiten(covariance.data(), n, columns.data(), 2);
+  for (std::size_t c = 0; c < 2; ++c)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      double product = 0.0;
+      for (std::size_t k = 0; k <= i; ++k)
+      {
+        product += covariance[k * n + i] * columns[c * n + k];
+      }
+      EXPECT_NEAR(product, given[c * n + i], 1e-13) << c << ' ' << i;
+    }
+  }
+  std::vector<double> indefinite{ 1.0, 2.0, 2.0, 1.0 };
+  EXPECT_FALSE(itk::ContourNoiseModel::Factor(indefinite.data(), 2));
+}
+
 TEST(CorrelatedNoiseModel, IsTheCorrelationOfTheFlatFormula)
 {
   const auto                model = itk::CorrelatedNoiseModel::New();

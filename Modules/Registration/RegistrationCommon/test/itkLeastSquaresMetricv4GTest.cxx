@@ -212,7 +212,7 @@ TEST(LeastSquaresMetricv4, ChangesOfValuesAndMasksAreSeenInTheTime)
 TEST(LeastSquaresMetricv4, ErrorsSayWhatIsMissing)
 {
   const auto empty = EmptyMetric::New();
-  EXPECT_TRUE(Contains(MessageOfCall([&] { empty->Initialize(); }), "DeclareBlocks() must name at least one block"));
+  EXPECT_TRUE(Contains(MessageOfCall([&] { empty->Initialize(); }), "DeclareBlocks() (blocks() of a metric in Python) must name at least one block"));
   const auto metric = CurveFitMetric::New();
   metric->SetBlockFree("curve", false);
   const std::string held = MessageOfCall([&] { metric->Initialize(); });

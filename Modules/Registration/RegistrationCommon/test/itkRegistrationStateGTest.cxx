@@ -122,7 +122,7 @@ TEST(RegistrationState, ErrorsNameBlocksAndNumbers)
   EXPECT_TRUE(Contains(MessageOfCall([&] { state.GetOffset("lower"); }), "there are \"pose\", \"scale\""));
   const std::string sizes = MessageOfCall([&] { state.AddBlock({ "pose", { { "pitch", 0.0, 1.0, 0.0, true } } }); });
   EXPECT_TRUE(Contains(sizes, "\"pose\" has 2 parameters in one metric and 1 in another")) << sizes;
-  EXPECT_TRUE(Contains(sizes, "DeclareBlocks()")) << sizes;
+  EXPECT_TRUE(Contains(sizes, "(DeclareBlocks(); blocks() in Python)")) << sizes;
   EXPECT_TRUE(Contains(MessageOfCall([&] { state.SetBlockValues("pose", { 1.0 }); }),
                        "\"pose\" has 2 parameters, not 1 as in SetBlockValues()"));
   EXPECT_TRUE(Contains(MessageOfCall([&] { state.SetBlockFree("pose", std::vector<bool>(3, true)); }),
