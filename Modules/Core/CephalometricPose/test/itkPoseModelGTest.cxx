@@ -18,6 +18,7 @@
 #include "itkPoseModel.h"
 
 #include "itkPoseFrameOperations.h"
+#include "itkRigidTransformRows.h"
 
 #include "itkAffineTransform.h"
 #include "itkVersorRigid3DTransform.h"

@@ -18,6 +18,7 @@
 #include "itkAnnotationText.h"
 
 #include "itkToothCode.h"
+#include "itkTrimText.h"
 
 #include <algorithm>
 #include <charconv>
@@ -34,13 +35,7 @@ EndsWith(const std::string & text, const std::string & end)
 std::string
 Trim(const std::string & text)
 {
-  constexpr const char * blank = " \t\r\n";
-  const std::size_t      first = text.find_first_not_of(blank);
-  if (first == std::string::npos)
-  {
-    return std::string();
-  }
-  std::string trimmed = text.substr(first, text.find_last_not_of(blank) - first + 1);
+  std::string trimmed = TrimText(text);
   if (trimmed.size() >= 2 && trimmed.front() == '"' && trimmed.back() == '"')
   {
     trimmed = trimmed.substr(1, trimmed.size() - 2);

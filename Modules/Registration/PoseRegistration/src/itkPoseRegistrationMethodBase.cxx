@@ -28,6 +28,7 @@
 #include "itkOtherSideHypothesis.h"
 #include "itkOtherSpacingHypothesis.h"
 #include "itkOtherViewHypothesis.h"
+#include "itkRigidTransformRows.h"
 #include "itkTurnedDrawingHypothesis.h"
 #include "itkPoseFrameOperations.h"
 #include "itkPoseGeometryCompletion.h"
