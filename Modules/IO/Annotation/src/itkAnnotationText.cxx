@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkAnnotationText.h"
 
+#include "itkDentalInputError.h"
+#include "itkInputFile.h"
 #include "itkToothCode.h"
 #include "itkTrimText.h"
 
@@ -96,6 +98,28 @@ ParseTableNumber(const std::string & text, double & value)
   std::string point = text;
   point[comma] = '.';
   return ParseNumber(point, value);
+}
+
+void
+RequireJsonBeginning(const std::string & fileName)
+{
+  const std::string head = ReadFileHead(fileName, 512);
+  const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  if (first == std::string::npos || head[first] == '{' || head[first] == '[')
+  {
+    return;
+  }
+  const std::size_t end = std::min(head.find_first_of("\r\n", first), first + 30);
+  const std::string begin = head.substr(first, end - first);
+  const bool        isText =
+    std::all_of(begin.begin(), begin.end(), [](char letter) { return letter >= ' ' && letter <= '~'; });
+  itkDentalInputErrorMacro(
+    fileName,
+    "",
+    "is in no form that is known, " +
+      (isText ? "and no JSON: it begins with \"" + begin + "\"" : std::string("nor is it text")),
+    "export JSON (labelme, COCO, VIA, Label Studio, Supervisely, 3D Slicer) or CVAT XML, or write a "
+    "table .csv with label,x,y (Documentation/OtherFiles.md)");
 }
 
 std::string
