@@ -556,10 +556,11 @@ def test_a_start_of_another_geometry_keeps_its_place_on_the_radiograph(run, case
 
 def test_what_has_failed_is_searched_anew(run, case, plain, tmp_path):
     content = case.load()
-    content["cephalogram"]["pixel_spacing_mm"] = [0.1, 0.1]
+    right = content["cephalogram"]["pixel_spacing_mm"]
+    content["cephalogram"]["pixel_spacing_mm"] = [0.4 * right[0], 0.4 * right[1]]
     case.save(content)
     assert run("register", case.file, "--output", tmp_path / "first", "--no-report").returncode == 1
-    content["cephalogram"]["pixel_spacing_mm"] = [0.2433, 0.2433]
+    content["cephalogram"]["pixel_spacing_mm"] = right
     case.save(content)
     done = run("register", "--from", tmp_path / "first", "--output", tmp_path / "again", "--no-report")
     assert done.returncode == 0, done.stderr
