@@ -499,6 +499,122 @@ def test_going_on_without_a_principal_point_begins_where_the_first_ended(run, ca
             assert math.dist(jaw["landmarks_px"][mark], place) < 4.0
 
 
+def moved(first, second):
+    """How far each landmark of each jaw has moved from a result to another, pixels."""
+    return [
+        math.dist(jaw["landmarks_px"][mark], place)
+        for name, jaw in second["jaws"].items()
+        for mark, place in first["jaws"][name]["landmarks_px"].items()
+    ]
+
+
+def test_going_on_without_a_pixel_spacing_begins_with_the_estimate(run, case, tmp_path):
+    """The scale of the earlier result is a start: what is estimated anew moves with each tooth that is left out."""
+    content = case.load()
+    content["cephalogram"].pop("pixel_spacing_mm")
+    content["geometry"].pop("principal_point_px")
+    case.save(content)
+    assert run("register", case.file, "--output", tmp_path / "first", "--no-report").returncode == 0
+    done = run("register", "--from", tmp_path / "first", "--exclude", "UR6", "--output", tmp_path / "again", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert "is not used" not in done.stderr, done.stderr
+    assert "principal point and pixel spacing taken with the start" in done.stderr, done.stderr
+    first, again = load(tmp_path / "first"), load(tmp_path / "again")
+    assert again["geometry"]["pixel_spacing_mm"]["value"] == first["geometry"]["pixel_spacing_mm"]["value"]
+    assert again["geometry"]["pixel_spacing_mm"]["source"] == "estimated"
+    assert any("not searched beside a given start" in line for line in again["not_checkable"])
+    assert 0.01 < max(moved(first, again)) < 4.0
+    # Held at the start, it stays what it was.
+    done = run(
+        "register", "--from", tmp_path / "first", "--fix", "scale,rotation,translation", "--output", tmp_path / "held", "--no-report"
+    )
+    assert done.returncode == 0, done.stderr
+    assert max(moved(first, load(tmp_path / "held"))) < 0.01
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"cephalogram": {"pixel_spacing_mm": [0.2, 0.2]}},
+        {"geometry": {"principal_point_px": [120.0, 300.0]}},
+        {"geometry": {"source_to_midsagittal_mm": 1400.0, "source_to_detector_mm": 1600.0}},
+    ],
+    ids=["spacing", "principal-point", "distances"],
+)
+def test_a_start_of_another_geometry_keeps_its_place_on_the_radiograph(run, case, plain, tmp_path, change):
+    content = case.load()
+    for field, values in change.items():
+        content[field].update(values)
+    case.save(content)
+    done = run(
+        "register", case.file, "--from", plain, "--fix", "scale,rotation,translation", "--output", tmp_path / "held", "--no-report"
+    )
+    assert done.returncode in (0, 1), done.stderr
+    # The jaws' middle keeps its place exactly, what lies before and behind it by how the rays spread.
+    assert max(moved(load(plain), load(tmp_path / "held"))) < 6.0
+
+
+def test_what_has_failed_is_searched_anew(run, case, plain, tmp_path):
+    content = case.load()
+    right = content["cephalogram"]["pixel_spacing_mm"]
+    content["cephalogram"]["pixel_spacing_mm"] = [0.4 * right[0], 0.4 * right[1]]
+    case.save(content)
+    assert run("register", case.file, "--output", tmp_path / "first", "--no-report").returncode == 1
+    content["cephalogram"]["pixel_spacing_mm"] = right
+    case.save(content)
+    done = run("register", "--from", tmp_path / "first", "--output", tmp_path / "again", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert "failed, and is no start" in done.stderr
+    assert max(moved(load(plain), load(tmp_path / "again"))) < 0.05
+
+
+def test_going_on_has_the_landmarks_that_stood_in_place_of_the_cases(run, standard_case, tmp_path):
+    other = json.loads((standard_case.folder / "cephalometric.json").read_text())
+    other.pop("U6_MB")
+    (tmp_path / "other.json").write_text(json.dumps(other))
+    done = run(
+        "register", standard_case.file, "--cephalometric-landmarks", tmp_path / "other.json", "--output", tmp_path / "first",
+        "--no-report",
+    )
+    assert done.returncode in (0, 1), done.stderr
+    done = run("register", "--from", tmp_path / "first", "--output", tmp_path / "again", "--no-report")
+    assert done.returncode in (0, 1), done.stderr
+    hashes = [load(tmp_path / name)["inputs"]["cephalometric_landmarks"]["sha256"] for name in ("first", "again")]
+    assert hashes[0] == hashes[1]
+
+
+def test_a_tracing_of_another_radiograph_is_told_by_the_picture(run, case, tmp_path):
+    """It fits the scans, as dentitions are alike, and lies on no edges of the picture but elsewhere."""
+    other = run("phantom", "--seed", "3", "--no-radiograph", "--output", tmp_path / "other")
+    assert other.returncode == 0, other.stderr
+    content = case.load()
+    (case.folder / content["contours"]).write_bytes((tmp_path / "other" / "contours.json").read_bytes())
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode in (0, 1), done.stderr
+    found = [each for each in load(tmp_path / "out")["jaws"]["upper"]["findings"] if each["code"] == "picture"]
+    assert found and "another patient's radiograph" in found[0]["text"], done.stderr
+    assert found[0]["value"] >= found[0]["limit"] + 2.0
+
+
+def test_a_picture_that_was_cut_after_it_was_drawn_on_is_told(run, case, plain, tmp_path):
+    cut = (37, 52)
+
+    def move(pixels):
+        grey = numpy.full_like(pixels, pixels[0, 0])
+        grey[: -cut[1], : -cut[0]] = pixels[cut[1] :, cut[0] :]
+        return grey
+
+    change_picture(case, move)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    for name, jaw in load(tmp_path / "out")["jaws"].items():
+        finding = next(each for each in jaw["findings"] if each["code"] == "picture")
+        assert "px to the left" in finding["text"] and "px above" in finding["text"], finding
+        said = [int(word) for word in finding["text"].split() if word.isdigit()]
+        assert abs(said[0] - cut[0]) <= 4 and abs(said[1] - cut[1]) <= 4, finding
+        assert jaw["landmarks_px"] == load(plain)["jaws"][name]["landmarks_px"]
+
+
 def test_going_on_says_what_it_misses(run, case, plain, tmp_path):
     done = run("register", "--from", tmp_path, "--output", tmp_path / "out")
     assert done.returncode == 2 and "result.json" in done.stderr

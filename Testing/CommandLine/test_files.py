@@ -3,7 +3,10 @@ import io
 import json
 import struct
 import zipfile
+import zlib
 
+import matplotlib.image
+import numpy
 import pytest
 
 from png_file import png
@@ -406,6 +409,59 @@ def test_a_scan_that_is_none_is_named_for_what_it_is(run, case, tmp_path):
         assert done.returncode == 2
         assert words in done.stderr, done.stderr
         assert "STL" in done.stderr or "unpack" in done.stderr, done.stderr
+
+
+def test_a_tracing_of_no_known_form_is_named_for_how_it_begins(run, case, tmp_path):
+    """"JSON syntax error" helps nobody who named a file of another program."""
+    for name, content, words in (
+        ("t.tps", "LM=2\n1 2\n3 4\nIMAGE=ceph.png\nID=0\n", "lower one"),
+        ("t.yaml", "UR1:\n  - [1, 2]\n", 'begins with "UR1:"'),
+        ("t.bin", "\x01\x02\x03", "nor is it text"),
+        ("t.txt", "0 0.71 0.52 0.72 0.53 0.74 0.52\n", "YOLO"),
+        ("t.geojson", '{"type": "FeatureCollection", "features": []}', "type, features"),
+        ("t.json", '[{"Labeled Data": "ceph.png", "Label": {}}]', "Labeled Data, Label"),
+    ):
+        (case.folder / name).write_text(content)
+        case.change(contours=name)
+        done = run("register", case.file, "--output", tmp_path / "out")
+        assert done.returncode == 2
+        assert words in done.stderr and "JSON syntax error" not in done.stderr, done.stderr
+        assert len(done.stderr.splitlines()) == 1
+    (case.folder / "landmarks.tps").write_text("LM=2\n1 2\n3 4\n")
+    case.change(contours="contours.json", cephalometric_landmarks="landmarks.tps")
+    done = run("register", case.file, "--output", tmp_path / "out")
+    assert done.returncode == 2 and "tpsDig" in done.stderr, done.stderr
+
+
+def with_orientation(content, orientation):
+    """A PNG with the chunk that tells viewers how to turn it."""
+    exif = b"II*\0\x08\0\0\0\x01\0" + struct.pack("<HHII", 274, 3, 1, orientation) + b"\0\0\0\0"
+    chunk = b"eXIf" + exif
+    chunk = struct.pack(">I", len(exif)) + chunk + struct.pack(">I", zlib.crc32(chunk))
+    end = 8 + 25
+    return content[:end] + chunk + content[end:]
+
+
+@pytest.mark.parametrize(("orientation", "stored"), [(3, lambda rows: rows[::-1, ::-1]), (6, lambda rows: numpy.rot90(rows))])
+def test_a_png_is_turned_as_its_orientation_says(run, case, tmp_path, landmarks, orientation, stored):
+    file = case.folder / "ceph.png"
+    rows = numpy.rint(255.0 * matplotlib.image.imread(file)).astype(numpy.uint8)
+    file.write_bytes(with_orientation(png(numpy.ascontiguousarray(stored(rows))), orientation))
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert f"orientation: {orientation} in the file turns the picture upright" in done.stderr
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    assert difference(landmarks, result) == 0.0
+    assert all(jaw["status"] == "ok" for jaw in result["jaws"].values()), done.stderr
+
+
+def test_numbers_that_no_radiograph_has_are_warned_of(run, case, tmp_path):
+    content = case.load()
+    content["cephalogram"]["pixel_spacing_mm"][1] *= 1.1
+    content["geometry"]["principal_point_px"] = [1407.0, 185.0]
+    case.save(content)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert "no squares" in done.stderr and "lies outside the radiograph" in done.stderr, done.stderr
 
 
 def test_bytes_behind_a_binary_stl_are_left_alone_and_named(run, case, tmp_path, landmarks):

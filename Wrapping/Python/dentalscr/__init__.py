@@ -98,6 +98,7 @@ from ._case import (
     WriteCaseResult,
     WriteReportPage,
     register,
+    register_from,
     ViewResult,
 )
 from ._convert import (
@@ -487,6 +488,7 @@ __all__ = [
     "from_sitk",
     "batch",
     "register",
+    "register_from",
     "sitkAbortEvent",
     "sitkAnyEvent",
     "sitkDeleteEvent",

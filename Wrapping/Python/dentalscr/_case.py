@@ -70,6 +70,8 @@ class Case:
         Teeth to leave out of the tracing.
     fix : sequence of str, optional
         "scale", "rotation", "translation": what to hold.
+    init : path or CaseResult, optional
+        Where to start instead of searching: an alignment's file (``init`` of a case file), or an earlier result.
     views : sequence of dict, optional
         Radiographs beside the lateral one (Documentation/Views.md), each with a ``geometry`` (``direction="Frontal"`` for
         one from the front) and what was drawn on it: ``upperContour``, ``lowerContour``, ``cephalometricLandmarks``;
@@ -96,6 +98,7 @@ class Case:
         fix: Sequence[str] = (),
         cephalometricLandmarks: Optional[Any] = None,
         views: Sequence[Dict[str, Any]] = (),
+        init: Optional[Union[PathLike, CaseResult]] = None,
     ) -> None:
         if contours is not None:
             if upperContour is not None or lowerContour is not None:
@@ -129,14 +132,36 @@ class Case:
                 list(fix),
             ),
             [self._take_view(**view) for view in views],
+            _as_start(init),
         )
 
-    def _make(self, parts: Tuple[Any, ...], views: list[Tuple[Any, ...]]) -> None:
+    def _make(self, parts: Tuple[Any, ...], views: list[Tuple[Any, ...]], start: Tuple[str, str] = ("", "")) -> None:
         self._native = _core._Case(*parts)
         for view in views:
             self._native._AddView(*view)
+        if any(start):
+            self._native._StartFrom(*start)
         # What it is made of, from which a pickle makes it again.
-        self._made_of: Tuple[str, Tuple[Any, ...]] = ("parts", (parts, views))
+        self._made_of: Tuple[str, Tuple[Any, ...]] = ("parts", (parts, views, start))
+
+    def _again(self, exclude: Optional[Sequence[str]], fix: Optional[Sequence[str]], start: Tuple[str, str]) -> Case:
+        """The same case from another start, and where given with other teeth left out and other things held."""
+        kind, words = self._made_of
+        if kind == "file":
+            words = (
+                list(words[0] if exclude is None else exclude or ["none"]),
+                list(words[1] if fix is None else fix or ["none"]),
+                *start,
+            )
+            return Case._of(_core._Case._Read(self._native._GetFileName(), *words), *words)
+        case = Case.__new__(Case)
+        parts = list(words[0])
+        if exclude is not None:
+            parts[-2] = list(exclude)
+        if fix is not None:
+            parts[-1] = list(fix)
+        case._make(tuple(parts), words[1], start)
+        return case
 
     @staticmethod
     def _take_view(
@@ -164,10 +189,10 @@ class Case:
 
     @classmethod
     def _of(cls, native: _core._Case, *words: Any) -> "Case":
-        """A case that was read with these words: what to leave out, what to hold, where to start."""
+        """A case that was read with these words: what to leave out, what to hold, where to start (file, text)."""
         case = cls.__new__(cls)
         case._native = native
-        case._made_of = ("file", words or ([], [], ""))
+        case._made_of = ("file", words or ([], [], "", ""))
         return case
 
     def __copy__(self) -> "Case":
@@ -180,8 +205,9 @@ class Case:
         if kind == "parts":
             return {"kind": kind, "words": words}
         # Files are named and not carried along; what was in them is held against them where they are read again.
-        exclude, fix, init = words
-        files = [os.path.abspath(self._native._GetFileName()), list(exclude), list(fix), init and os.path.abspath(init)]
+        exclude, fix, init, text = words
+        init = os.path.abspath(init) if init and not text else init
+        files = [os.path.abspath(self._native._GetFileName()), list(exclude), list(fix), init, text]
         return {"kind": kind, "words": files, "inputs": [hashed for _, hashed in self._native._GetInputs()]}
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
@@ -269,14 +295,34 @@ class Case:
         return f"<dentalscr.Case {self._native._GetFileName()}: {', '.join(parts)}>"
 
 
+def _as_start(init: Optional[Union[PathLike, CaseResult]]) -> Tuple[str, str]:
+    """A start as (name, text): of a file the text is empty, of a result in memory the name is for messages."""
+    if init is None:
+        return "", ""
+    if isinstance(init, CaseResult):
+        return "earlier result", json.dumps(init._dict)
+    return as_path(init), ""
+
+
 def ReadCase(
     fileName: PathLike,
     exclude: Sequence[str] = (),
     fix: Sequence[str] = (),
-    init: Optional[PathLike] = None,
+    init: Optional[Union[PathLike, CaseResult]] = None,
 ) -> Case:
-    """Reads a case file and every file that it names but its 2-D landmarks (Documentation/FileFormats.md)."""
-    words = (list(exclude), list(fix), "" if init is None else as_path(init))
+    """Reads a case file and every file that it names but its 2-D landmarks (Documentation/FileFormats.md).
+
+    Parameters
+    ----------
+    fileName : path
+    exclude : sequence of str, optional
+        Teeth to leave out, besides those that the file says.
+    fix : sequence of str, optional
+        "scale", "rotation", "translation": what to hold, besides what the file says.
+    init : path or CaseResult, optional
+        Where to start instead of searching: an alignment's file, or an earlier result.
+    """
+    words = (list(exclude), list(fix), *_as_start(init))
     return Case._of(_core._Case._Read(as_path(fileName), *words), *words)
 
 
@@ -365,6 +411,8 @@ class CaseResult:
 
     def __init__(self, native: _core._CaseResult) -> None:
         self._native: Optional[_core._CaseResult] = native
+        #: What was registered, and with which options: for register_from().
+        self._case: Optional[Case] = None
         self._dict = cast("Dict[str, Any]", json.loads(native._ToJson()))
         self._pictures: Dict[str, bytes] = {}
         self.geometry: Optional[_core.CephalometricGeometry] = native._GetGeometry()
@@ -554,6 +602,7 @@ class CaseResult:
                 self.overlay_png(name)
         state = dict(self.__dict__)
         state["_native"] = None
+        state["_case"] = None
         return state
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
@@ -664,7 +713,9 @@ class CaseRegistration(ProcessObject, _core.CaseRegistration):
         given = case if isinstance(case, Case) else ReadCase(case)
         self._SetData(given._native)
         self._Update()
-        return CaseResult(self._TakeResult(given._native))
+        result = CaseResult(self._TakeResult(given._native))
+        result._case = given
+        return result
 
 
 def register(
@@ -674,7 +725,7 @@ def register(
     preset: Union[str, _core.Preset] = "robust",
     exclude: Sequence[str] = (),
     fix: Sequence[str] = (),
-    init: Optional[PathLike] = None,
+    init: Optional[Union[PathLike, CaseResult]] = None,
     silhouette: str = "drr",
     options: Optional[Mapping[str, Any]] = None,
     threads: Optional[int] = None,
@@ -695,9 +746,9 @@ def register(
         Teeth to leave out, e.g. "UR8". For a case file or keywords.
     fix : sequence of str, optional
         "scale", "rotation", "translation". For a case file or keywords.
-    init : path, optional
-        Alignment to start from, for a case file; or an earlier result's folder: after a "suspect" leave out a tooth, hold
-        something, and go on from there.
+    init : path or CaseResult, optional
+        Where to start instead of searching: an alignment's file, or an earlier result. For a case file or keywords;
+        :func:`register_from` goes on from a result with what it was registered with.
     silhouette : "drr" or "mesh"
         Where the paper's silhouette comes from.
     options : dict, optional
@@ -722,7 +773,10 @@ def register(
         For unusable input. A jaw that can't be registered is no error: see its ``status`` and ``reasons``.
     """
     if isinstance(case, Mapping):
-        given = Case(**{**case, "exclude": [*case.get("exclude", ()), *exclude], "fix": [*case.get("fix", ()), *fix]})
+        more: Dict[str, Any] = {"exclude": [*case.get("exclude", ()), *exclude], "fix": [*case.get("fix", ()), *fix]}
+        if init is not None:
+            more["init"] = init
+        given = Case(**{**case, **more})
     elif isinstance(case, Case):
         if exclude or fix or init is not None:
             raise ArgumentError("exclude, fix and init belong to the making of the Case")
@@ -749,6 +803,81 @@ def register(
     if output is not None:
         result.Write(output, page=page, anonymous=anonymous)
     return result
+
+
+def register_from(
+    result: Union[PathLike, CaseResult],
+    output: Optional[PathLike] = None,
+    *,
+    case: Optional[Union[Case, PathLike, Mapping[str, Any]]] = None,
+    exclude: Optional[Sequence[str]] = None,
+    fix: Optional[Sequence[str]] = None,
+    options: Optional[Mapping[str, Any]] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Callable[[float, str], object]] = None,
+    page: bool = True,
+    anonymous: bool = False,
+) -> CaseResult:
+    """Registers an earlier result's case again, from where that one ended: what ``dentalscr register --from`` does.
+
+    After a "suspect" correct a tooth's tracing, leave a tooth out, hold or free something. What the first run was told
+    holds on unless something else is said here. Other readings of the drawing are not tried beside a start.
+
+    Parameters
+    ----------
+    result : CaseResult or path
+        Of :func:`register`, or its folder or result.json.
+    output : path, optional
+        Folder for result.json, overlays, scans, transforms and the page.
+    case : path, Case or dict, optional
+        The case, where it was corrected in memory or its file has another name. Default: the result's own; of a file the
+        file as it is now.
+    exclude : sequence of str, optional
+        Teeth to leave out in place of those that the first run left out: ``[]`` takes them back.
+    fix : sequence of str, optional
+        "scale", "rotation", "translation", in place of what the first run held: ``[]`` frees it.
+    options : dict, optional
+        Ingredients of preset robust on top of the first run's.
+    threads, progress, page, anonymous
+        As of :func:`register`.
+
+    Returns
+    -------
+    CaseResult
+
+    Raises
+    ------
+    InputError
+        Where the result or its case cannot be read, and where the result has no pose, as those of the paper's presets.
+    """
+    start = _as_start(result)
+    if isinstance(result, CaseResult):
+        before, given = result.to_dict(), result._case
+        if case is None and given is None:
+            raise ArgumentError("a result that was pickled has no case with it; give case, or the folder of the result")
+        control = before.get("control", {})
+        excluded, fixed, earlier = control.get("exclude", []), control.get("fix", []), before.get("options", [])
+        landmarks = ""
+    else:
+        found = _core._ReadContinuation(start[0], case is None)
+        excluded, fixed, earlier, given = found["exclude"], found["fix"], found["options"], None
+        landmarks = found["landmarks"]
+        case = found["case"] if case is None else case
+    # An empty list takes back what the case file says, too, as "none" does on the command line.
+    exclude = (list(excluded) or None) if exclude is None else list(exclude)
+    fix = (list(fixed) or None) if fix is None else list(fix)
+    if case is None:
+        again = cast(Case, given)._again(exclude, fix, start)
+    elif isinstance(case, Case):
+        again = case._again(exclude, fix, start)
+    elif isinstance(case, Mapping):
+        again = Case(**{**case, "exclude": exclude or [], "fix": fix or [], "init": result})
+    else:
+        words = ([] if exclude is None else exclude or ["none"], [] if fix is None else fix or ["none"], *start)
+        again = Case._of(_core._Case._Read(as_path(case), *words, landmarks), *words)
+    merged: Dict[str, Any] = dict(assignment.split("=", 1) for assignment in earlier)
+    merged.update(options or {})
+    return register(again, output, options=merged, threads=threads, progress=progress, page=page, anonymous=anonymous)
 
 
 def as_preset(preset: Union[str, _core.Preset]) -> _core.Preset:

@@ -173,6 +173,17 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
             raise ArgumentError("an initial transform maps the mesh to the cephalostat; ClearInitialTransforms()")
         self._SetInitialTransform(cast(_core.Jaw, jaw), rigid, scaleFactor)
 
+    def SetInitialGeometry(self, geometry: Optional[Any]) -> None:
+        """The geometry that the initial transforms are of, where it is another than the radiograph's: they are converted.
+
+        Parameters
+        ----------
+        geometry : CephalometricGeometry, dict or None
+            That of an earlier registration. A pixel spacing that this radiograph does not have begins as this one. None:
+            they are of the radiograph's own.
+        """
+        self._SetInitialGeometry(None if geometry is None else as_geometry(geometry))
+
     def AddView(
         self,
         geometry: Any,

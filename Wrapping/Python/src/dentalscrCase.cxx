@@ -18,6 +18,7 @@
 #include "dentalscrLandmarks.h"
 
 #include "itkBatchCaseList.h"
+#include "itkCaseContinuation.h"
 #include "itkCaseOverlay.h"
 #include "itkCaseRegistration.h"
 #include "itkCaseLandmarkErrorFilter.h"
@@ -64,24 +65,49 @@ ParseCodes(const std::vector<std::string> & codes, itk::ToothCode::NumberingEnum
   return excluding.excludedTeeth;
 }
 
+/** Where a case starts: a file of an alignment, or the text of a result that lies in none; neither: it searches. */
+void
+StartFrom(itk::DentalCase & description, const std::string & init, const std::string & text)
+{
+  if (!text.empty())
+  {
+    itk::ParseResultAsStart(text, init, description);
+  }
+  else if (!init.empty())
+  {
+    itk::ReadInitialAlignment(init, description);
+  }
+}
+
 std::shared_ptr<Case>
 ReadCase(const std::string &              fileName,
          const std::vector<std::string> & exclude,
          const std::vector<std::string> & fix,
-         const std::string &              init)
+         const std::string &              init,
+         const std::string &              initText,
+         const std::string &              landmarks)
 {
-  itk::DentalCase description = itk::ReadDentalCase(fileName);
-  if (!init.empty())
+  itk::DentalCase       description = itk::ReadDentalCase(fileName);
+  itk::CaseContinuation continuation;
+  continuation.cephalometricLandmarksFile = landmarks;
+  continuation.SetLandmarks(description);
+  StartFrom(description, init, initText);
+  for (const std::string & code : exclude)
   {
-    itk::ReadInitialAlignment(init, description);
-  }
-  for (const itk::ToothCode code :
-       ParseCodes(exclude, description.numbering.value_or(itk::ToothCode::NumberingEnum::Quadrant)))
-  {
-    description.excludedTeeth.push_back(code);
+    if (code == "none")
+    {
+      description.excludedTeeth.clear();
+      continue;
+    }
+    itk::ExcludeTooth(description, code);
   }
   for (const std::string & what : fix)
   {
+    if (what == "none")
+    {
+      description.fixScale = description.fixRotation = description.fixTranslation = false;
+      continue;
+    }
     itk::FixParameter(description, what);
   }
   auto result = std::make_shared<Case>();
@@ -448,7 +474,20 @@ WrapCase(py::module_ & module)
                 py::arg("exclude"),
                 py::arg("fix"),
                 py::arg("init"),
+                py::arg("initText"),
+                py::arg("landmarks") = "",
                 py::call_guard<py::gil_scoped_release>())
+    .def(
+      "_StartFrom",
+      [](Case & self, const std::string & init, const std::string & text) {
+        const std::size_t before = self.data->description.warnings.size();
+        StartFrom(self.data->description, init, text);
+        const auto & warnings = self.data->description.warnings;
+        self.data->warnings.insert(
+          self.data->warnings.end(), warnings.begin() + static_cast<std::ptrdiff_t>(before), warnings.end());
+      },
+      py::arg("init"),
+      py::arg("initText"))
     .def(
       "_GetMesh", [](const Case & self, JawEnum jaw) { return self.data->GetJaw(jaw).mesh; }, py::arg("jaw"))
     .def(
@@ -473,6 +512,22 @@ WrapCase(py::module_ & module)
     .def("_GetWarnings", [](const Case & self) { return self.data->warnings; })
     .def("_HasPrincipalPoint", [](const Case & self) { return self.data->HasPrincipalPoint(); })
     .def("_GetTracedSide", [](const Case & self) { return itk::ToString(self.data->description.tracedSide); });
+
+  module.def(
+    "_ReadContinuation",
+    [](const std::string & result, bool needsCase) {
+      const itk::CaseContinuation found = itk::ReadCaseContinuation(result, needsCase);
+      py::dict                    values;
+      values["case"] = found.caseFile;
+      values["exclude"] = found.excludedTeeth;
+      values["fix"] = found.fixed;
+      values["options"] = found.options;
+      values["landmarks"] = found.cephalometricLandmarksFile;
+      return values;
+    },
+    py::arg("result"),
+    py::arg("needsCase"),
+    "What an earlier result was registered with; see register_from().");
 
   module.def(
     "_FindBatchCases",

@@ -962,6 +962,10 @@ WrapPoseMethod(py::module_ & module)
       py::arg("scaleFactor"))
     .def("ClearInitialTransforms", &MethodType::ClearInitialTransforms, "Back to a search.")
     .def(
+      "_SetInitialGeometry",
+      [](MethodType & self, const itk::CephalometricGeometry * geometry) { self.SetInitialGeometry(geometry); },
+      py::arg("geometry"))
+    .def(
       "SetOptimizer",
       [](MethodType & self, OptimizerBaseType * optimizer) { self.SetOptimizer(optimizer); },
       py::arg("optimizer"),

@@ -342,3 +342,83 @@ def test_a_view_joins_the_method(ds, two_views):
     assert np.linalg.norm(np.subtract(place, truth["UR2_tip"])) < 4.0
     with pytest.raises(Exception, match="frontal"):
         method.AddView(case.geometry)
+
+
+def moved(first, second):
+    """How far landmarks have moved from a result to another, pixels."""
+    return max(
+        np.linalg.norm(second.jaws[name].landmarks[mark] - place)
+        for name, jaw in first.jaws.items()
+        for mark, place in jaw.landmarks.items()
+    )
+
+
+def keywords(sample, case):
+    return {
+        "upper": case.upper,
+        "lower": case.lower,
+        "contours": sample / "contours.json",
+        "geometry": case.geometry,
+        "imageSize": case.imageSize,
+        "landmarks3D": case.landmarks3D,
+        "tracedSide": "right",
+    }
+
+
+def test_a_result_is_gone_on_from_on_disk_and_in_memory(ds, sample, result, tmp_path):
+    result.Write(tmp_path / "first", report=False)
+    again = {
+        name: ds.register_from(first, exclude=["UR6", "LR6"])
+        for name, first in (("disk", tmp_path / "first"), ("file", tmp_path / "first" / "result.json"), ("memory", result))
+    }
+    for other in again.values():
+        assert other.to_dict()["control"] == {"exclude": ["UR6", "LR6"], "init": True}
+        assert any("not searched beside a given start" in line for line in other.to_dict()["not_checkable"])
+        assert 0.01 < moved(result, other) < 3.0
+        assert moved(again["disk"], other) == 0.0
+    # What it was told holds on; an empty list takes it back, and so it is where it was.
+    third = ds.register_from(again["memory"], fix=["scale"], output=tmp_path / "third")
+    assert third.to_dict()["control"] == {"exclude": ["UR6", "LR6"], "fix": ["scale"], "init": True}
+    for first in (third, tmp_path / "third"):
+        freed = ds.register_from(first, exclude=[], fix=[])
+        assert freed.to_dict()["control"] == {"init": True}
+        assert moved(result, freed) < 0.05
+
+
+def test_a_case_in_memory_is_gone_on_with_and_may_be_corrected(ds, sample, case):
+    first = ds.register(ds.Case(**keywords(sample, case), exclude=["UR3"]))
+    again = ds.register_from(first, fix=["scale", "rotation", "translation"])
+    assert again.to_dict()["control"] == {"exclude": ["UR3"], "fix": ["scale", "rotation", "translation"], "init": True}
+    assert moved(first, again) < 1e-6
+    back = ds.register_from(first, exclude=[])
+    assert back.to_dict()["control"] == {"init": True} and moved(first, back) > 0.001
+    # A tooth's line is corrected: what was learnt of the rest is the start.
+    contours = ds.ReadContours(sample / "contours.json")
+    corrected = ds.register_from(first, case={**keywords(sample, case), "contours": contours}, exclude=[])
+    assert moved(back, corrected) < 0.05
+    assert ds.register(ds.Case(**keywords(sample, case), init=first)).to_dict()["control"] == {"init": True}
+    started = ds.register(keywords(sample, case), init=first)
+    assert started.to_dict()["control"] == {"init": True}
+
+
+def test_a_start_without_a_pixel_spacing_is_the_estimate(ds, sample, case):
+    first = ds.register({**keywords(sample, case), "geometry": None})
+    assert first.to_dict()["geometry"]["pixel_spacing_mm"]["source"] == "estimated"
+    again = ds.register_from(first, exclude=["UR6"])
+    assert not any("is not used" in line for line in again.warnings)
+    assert again.to_dict()["geometry"]["pixel_spacing_mm"] == first.to_dict()["geometry"]["pixel_spacing_mm"]
+    assert 0.001 < moved(first, again) < 4.0
+
+
+def test_what_cannot_be_gone_on_from_is_said(ds, sample, result, tmp_path):
+    pickled = pickle.loads(pickle.dumps(result))
+    with pytest.raises(ValueError, match="pickled"):
+        ds.register_from(pickled)
+    assert moved(result, ds.register_from(pickled, case=sample / "case.json")) < 0.05
+    with pytest.raises(ds.InputError, match="result.json"):
+        ds.register_from(tmp_path)
+    with pytest.raises(ds.InputError, match="pose"):
+        ds.register_from(ds.register(sample / "case.json", preset="bounding-box"))
+    started = ds.ReadCase(sample / "case.json", init=result)
+    copied = pickle.loads(pickle.dumps(started))
+    assert moved(ds.register(started), ds.register(copied)) == 0.0

@@ -62,6 +62,11 @@ public:
   itkSetStringMacro(FileName);
   itkGetStringMacro(FileName);
 
+  /** The text of a result that lies in no file; messages call it by the file name. Empty, the default: the file is
+   * read. */
+  itkSetStringMacro(Text);
+  itkGetStringMacro(Text);
+
   /** A further view, by its name, whose poses and projections are read instead of those of the first radiograph; ""
    * (default) or "lateral": the first one. */
   itkSetStringMacro(ViewName);
@@ -96,6 +101,7 @@ protected:
 
 private:
   std::string                m_FileName;
+  std::string                m_Text;
   std::string                m_ViewName;
   std::array<std::string, 2> m_Status;
   double                     m_MillimetresPerUnit{ 1.0 };

@@ -110,6 +110,8 @@ struct DentalCase : public DentalRadiograph
   std::optional<std::array<double, 12>> initialPose;
   /** Before the others, for the jaws that it has. */
   std::map<ToothCode::JawEnum, PlacementType> initialPlacements;
+  /** The geometry that these placements are of, which the case's own may differ from. */
+  CephalometricGeometry::ConstPointer initialGeometry;
 
   /** Whether any jaw is to start somewhere. */
   bool

@@ -57,6 +57,11 @@ ParseDentalCaseToDraw(const std::string & text, const std::string & sourceName, 
 CaseRegistration_EXPORT void
 ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase);
 
+/** The same of the text of a result that lies in no file; messages call it by the name of its source. A jaw that has
+ * failed is no start, which is a warning. \ingroup CaseRegistration */
+CaseRegistration_EXPORT void
+ParseResultAsStart(const std::string & text, const std::string & sourceName, DentalCase & dentalCase);
+
 /** \name Words of the case file and the command line
  * Each throws std::invalid_argument that names the text and what was expected.
  * @{ */

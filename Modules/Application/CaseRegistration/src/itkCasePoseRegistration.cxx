@@ -83,7 +83,26 @@ SetInitialTransforms(const DentalCaseData &               data,
   {
     return;
   }
-  if (!data.HasPrincipalPoint() || !data.HasPixelSpacing())
+  const auto & initialGeometry = description.initialGeometry;
+  if (initialGeometry.IsNotNull())
+  {
+    if (initialGeometry->GetFacing() != data.geometry->GetFacing())
+    {
+      result.warnings.push_back("\"init\" is not used: it is of a radiograph that faces the other way");
+      return;
+    }
+    method->SetInitialGeometry(initialGeometry);
+    std::string taken = data.HasPrincipalPoint() ? "" : "principal point";
+    if (!data.HasPixelSpacing())
+    {
+      taken += taken.empty() ? "pixel spacing" : " and pixel spacing";
+    }
+    if (!taken.empty())
+    {
+      result.warnings.push_back("\"init\": " + taken + " taken with the start, as the case gives none");
+    }
+  }
+  else if (!data.HasPrincipalPoint() || !data.HasPixelSpacing())
   {
     result.warnings.push_back("\"init\" is not used: it means nothing without pixel spacing and principal point");
     return;

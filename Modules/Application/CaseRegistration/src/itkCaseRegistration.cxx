@@ -36,6 +36,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <typeinfo>
 #include <utility>
@@ -101,16 +102,30 @@ CheckPicture(const DentalCaseData & data, CaseResult & result)
       "whether the radiograph is the one that was drawn on: its grey values have no edges under the drawing");
     return;
   }
+  std::ostringstream text;
+  if (found.reading == PictureReadingEnum::Shifted)
+  {
+    const auto say = [&](double pixels, const char * above, const char * below) {
+      text << std::lround(std::abs(pixels)) << " px " << (pixels > 0.0 ? above : below);
+    };
+    text << "what was drawn lies on no edges of the radiograph where it is, and on edges of it ";
+    say(found.shift[0], "to the right", "to the left");
+    text << " and ";
+    say(found.shift[1], "below", "above");
+    text
+      << ": was it drawn on another patient's radiograph, or on one that was cut otherwise? Give the picture that was "
+         "drawn on";
+  }
+  else
+  {
+    text << "the radiograph seems to have been " << DescribeReading(found.reading)
+         << " after it was drawn on: what was drawn lies on edges of its picture then, and on none as it is; give the "
+            "picture that was drawn on";
+  }
   for (auto & entry : result.jaws)
   {
-    entry.second.AddFinding({ RegistrationStatusEnum::Suspect,
-                              "picture",
-                              "the radiograph seems to have been " + DescribeReading(found.reading) +
-                                " after it was drawn on: what was drawn lies on edges of its picture then, and on none "
-                                "as it is; give the picture that was drawn on",
-                              found.inReading,
-                              found.asItIs,
-                              "sd" });
+    entry.second.AddFinding(
+      { RegistrationStatusEnum::Suspect, "picture", text.str(), found.inReading, found.asItIs, "sd" });
   }
 }
 } // namespace

@@ -52,6 +52,20 @@ CaseResultDocument::CaseResultDocument(const std::string & name)
   m_FileName = fs::is_directory(path, error) ? (path / "result.json").u8string() : name;
   m_Folder = fs::absolute(fs::u8path(m_FileName)).parent_path();
   m_Text = ReadTextFile(m_FileName, "a result");
+  this->Parse();
+}
+
+CaseResultDocument::CaseResultDocument(const std::string & name, const std::string & text)
+  : m_FileName(name)
+  , m_Folder(fs::current_path())
+  , m_Text(text)
+{
+  this->Parse();
+}
+
+void
+CaseResultDocument::Parse()
+{
   m_Root = JsonDocument::Parse(m_Text, m_FileName).GetRoot();
   const auto schema = m_Root->IsObject() ? m_Root->Find("schema") : std::nullopt;
   if (!schema || !schema->IsString())

@@ -39,6 +39,8 @@ public:
 
   /** The file, or the folder that it lies in. */
   explicit CaseResultDocument(const std::string & name);
+  /** A text that lies in no file, and is called by this name. */
+  CaseResultDocument(const std::string & name, const std::string & text);
 
   const std::string &
   GetFileName() const
@@ -102,6 +104,9 @@ public:
   }
 
 private:
+  void
+  Parse();
+
   std::string             m_FileName;
   std::filesystem::path   m_Folder;
   std::string             m_Text;

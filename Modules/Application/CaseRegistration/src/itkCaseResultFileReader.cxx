@@ -79,9 +79,10 @@ CaseResultFileReader::VerifyPreconditions() ITKv5_CONST
 void
 CaseResultFileReader::GenerateData()
 {
-  const CaseResultDocument document(m_FileName);
-  const JsonNode           view = document.GetView(m_ViewName);
-  const JsonNode           firstJaws = document.GetRoot().Get("jaws");
+  const CaseResultDocument document =
+    m_Text.empty() ? CaseResultDocument(m_FileName) : CaseResultDocument(m_FileName, m_Text);
+  const JsonNode view = document.GetView(m_ViewName);
+  const JsonNode firstJaws = document.GetRoot().Get("jaws");
   m_Status.fill("");
   PoseRegistrationResult result;
   const auto             geometry = view.Get("geometry");
@@ -148,6 +149,7 @@ CaseResultFileReader::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << m_FileName << std::endl;
+  os << indent << "Text: " << m_Text.size() << " bytes" << std::endl;
   os << indent << "ViewName: " << m_ViewName << std::endl;
   os << indent << "Status: " << m_Status[0] << ' ' << m_Status[1] << std::endl;
   os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;

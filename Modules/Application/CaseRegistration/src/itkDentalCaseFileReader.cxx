@@ -22,6 +22,8 @@
 #include "itkDentalInputError.h"
 #include "itkDentalViewReader.h"
 #include "itkJsonDocument.h"
+#include "itkPoseGeometryConversion.h"
+#include "itkRegistrationFinding.h"
 #include "itkRigidTransformRows.h"
 
 #include <algorithm>
@@ -157,39 +159,6 @@ ReadInit(const JsonNode & init, DentalCase & dentalCase)
       pose->Fail("mirrors the mesh", "the side that the patient faces belongs in \"facing\"");
     }
     dentalCase.initialPose = matrix;
-  }
-}
-
-/** Where a result has its jaws is where they start. */
-void
-ReadResultAsStart(const std::string & fileName, DentalCase & dentalCase)
-{
-  auto reader = CaseResultFileReader::New();
-  reader->SetFileName(fileName);
-  reader->Update();
-  const PoseSolution * solution = reader->GetOutput();
-  for (const ToothCode::JawEnum jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
-  {
-    if (solution->IsRegistered(jaw))
-    {
-      DentalCase::PlacementType placement;
-      const PoseJawResult &     own = solution->GetJaw(jaw);
-      placement.meshToCephalostat = MakeRigidTransformRows(own.rotation, own.translation);
-      placement.scale = std::exp(solution->GetGroup(jaw).parameters[PoseKappa]);
-      dentalCase.initialPlacements[jaw] = placement;
-    }
-  }
-  if (dentalCase.initialPlacements.empty())
-  {
-    itkDentalInputErrorMacro(fileName, "jaws", "none of them was registered", "start from a result that has a jaw");
-  }
-  // A pose means something in its own geometry alone. Without a principal point each run takes the middle of what is
-  // drawn, and that moves with the first tooth that is left out.
-  if (!dentalCase.principalPoint)
-  {
-    dentalCase.principalPoint = solution->GetResult().geometry.principalPoint;
-    dentalCase.warnings.push_back(fileName +
-                                  ": geometry.principal_point_px: taken with the start, as the case gives none");
   }
 }
 
@@ -358,24 +327,76 @@ ToString(OcclusionEnum occlusion)
   }
 }
 
+namespace
+{
+/** Where a result has its jaws is where they start. */
+void
+TakeResultAsStart(CaseResultFileReader * reader, const std::string & name, DentalCase & dentalCase)
+{
+  reader->Update();
+  const PoseSolution * solution = reader->GetOutput();
+  std::string          failed;
+  for (const ToothCode::JawEnum jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
+  {
+    if (!solution->IsRegistered(jaw))
+    {
+      continue;
+    }
+    if (reader->GetStatus(jaw) == ToString(RegistrationStatusEnum::Failed))
+    {
+      failed = ToString(jaw);
+      continue;
+    }
+    DentalCase::PlacementType placement;
+    const PoseJawResult &     own = solution->GetJaw(jaw);
+    placement.meshToCephalostat = MakeRigidTransformRows(own.rotation, own.translation);
+    placement.scale = std::exp(solution->GetGroup(jaw).parameters[PoseKappa]);
+    dentalCase.initialPlacements[jaw] = placement;
+  }
+  if (!failed.empty())
+  {
+    // From a wrong place the right one is not found: what has failed is searched for again.
+    dentalCase.warnings.push_back(name + ": jaws." + failed + ": failed, and is no start");
+  }
+  else if (dentalCase.initialPlacements.empty())
+  {
+    itkDentalInputErrorMacro(name, "jaws", "none of them was registered", "start from a result that has a jaw");
+  }
+  const auto geometry = CephalometricGeometry::New();
+  CopyToGeometry(solution->GetResult().geometry, 1.0, *geometry);
+  dentalCase.initialGeometry = geometry.GetPointer();
+}
+} // namespace
+
 void
 ReadInitialAlignment(const std::string & fileName, DentalCase & dentalCase)
 {
   std::error_code error;
+  auto            reader = CaseResultFileReader::New();
+  reader->SetFileName(fileName);
   if (fs::is_directory(fileName, error))
   {
-    ReadResultAsStart(fileName, dentalCase);
+    TakeResultAsStart(reader, fileName, dentalCase);
     return;
   }
   const JsonDocument document = JsonDocument::ReadFile(fileName);
   if (document.GetRoot().IsObject() && document.GetRoot().Find("schema"))
   {
-    ReadResultAsStart(fileName, dentalCase);
+    TakeResultAsStart(reader, fileName, dentalCase);
     return;
   }
   ReadInit(document.GetRoot(), dentalCase);
   const auto & warnings = document.GetWarnings();
   dentalCase.warnings.insert(dentalCase.warnings.end(), warnings.begin(), warnings.end());
+}
+
+void
+ParseResultAsStart(const std::string & text, const std::string & sourceName, DentalCase & dentalCase)
+{
+  auto reader = CaseResultFileReader::New();
+  reader->SetFileName(sourceName);
+  reader->SetText(text);
+  TakeResultAsStart(reader, sourceName, dentalCase);
 }
 
 namespace

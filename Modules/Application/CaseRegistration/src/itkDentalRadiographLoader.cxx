@@ -232,6 +232,26 @@ DentalRadiographLoader::SettlePixelSpacing()
 }
 
 void
+DentalRadiographLoader::CheckPixelShape()
+{
+  if (!m_Data.geometry->HasPixelSpacing())
+  {
+    return;
+  }
+  // Detectors and scanners of films have square pixels; those of a few differ in the last digits that a header has.
+  constexpr double tolerance = 0.02;
+  const auto &     spacing = m_Data.geometry->GetPixelSpacing();
+  if (std::abs(spacing[0] / spacing[1] - 1.0) > tolerance)
+  {
+    std::ostringstream text;
+    text << '[' << spacing[0] << ", " << spacing[1]
+         << "] mm are no squares, as the pixels of nearly all radiographs are: is one of the numbers wrong, or was the "
+            "picture stretched?";
+    this->Warn("cephalogram.pixel_spacing_mm", text.str());
+  }
+}
+
+void
 DentalRadiographLoader::SettleGeometry()
 {
   m_Data.geometry = CephalometricGeometry::New();
@@ -266,8 +286,21 @@ DentalRadiographLoader::SettleGeometry()
     principal[1] = (*m_Description.principalPoint)[1];
     m_Data.geometry->SetPrincipalPoint(principal);
     m_Data.sources.principalPoint = ValueSourceEnum::Given;
+    const auto & size = m_Data.imageSize;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      if (size[d] > 0 && (principal[d] < -0.5 || principal[d] > size[d] - 0.5))
+      {
+        std::ostringstream text;
+        text << '[' << principal[0] << ", " << principal[1] << "] lies outside the radiograph of " << size[0] << " x "
+             << size[1] << " pixels: the ear rods are on it, unless the picture was cut";
+        this->Warn("geometry.principal_point_px", text.str());
+        break;
+      }
+    }
   }
   this->SettlePixelSpacing();
+  this->CheckPixelShape();
   this->SettleMarkupsGrid();
 }
 

@@ -89,6 +89,9 @@ private:
   SettleDistances();
   void
   SettlePixelSpacing();
+  /** Pixels that are no squares are most often a slip. */
+  void
+  CheckPixelShape();
   void
   SettleMarkupsGrid();
   void

@@ -39,6 +39,8 @@ enum class PictureReadingEnum : uint8_t
   Mirrored,
   /** Above and below exchanged. */
   MirroredUpsideDown,
+  /** The drawing is of another place: of another patient's radiograph, or of a picture that was cut. */
+  Shifted,
   /** No reading has the drawing on edges of the picture. */
   Untold
 };
@@ -51,11 +53,14 @@ struct DrawingOnPicture
    * with the picture as it is, and in the reading. */
   double asItIs{ 0.0 };
   double inReading{ 0.0 };
+  /** Of Shifted: from the drawing to where it lies on edges, pixels. */
+  std::array<double, 2> shift{ { 0.0, 0.0 } };
 };
 
 /** Whether a drawing lies on edges of a picture: a registration fits drawings, and does not look at the picture. One
  * that was turned or mirrored after it was drawn on is told where the drawing lies on edges in that reading, better
- * than anywhere about, and is nothing special where it is. `spacing` is mm a pixel, for the width of an edge. */
+ * than anywhere about, and is nothing special where it is; one that was not drawn on, where it does so elsewhere.
+ * `spacing` is mm a pixel, for the width of an edge. */
 DrawingOnPicture
 CompareDrawingWithPicture(const Image<float, 2> *                    picture,
                           const std::vector<const DentalContour *> & drawings,

@@ -93,7 +93,7 @@ SplitWords(const std::string & name)
       whole.clear();
       continue;
     }
-    if (!part.empty() && part.back() >= 'a' && part.back() <= 'z' && c >= 'A' && c <= 'Z')
+    if (!part.empty() && IsASCIILowerCase(part.back()) && IsASCIIUpperCase(c))
     {
       add(part);
     }

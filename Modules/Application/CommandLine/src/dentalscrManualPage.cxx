@@ -17,8 +17,9 @@
  *=========================================================================*/
 #include "dentalscrManualPage.h"
 
+#include "itkASCIICharacter.h"
+
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 #include <stdexcept>
 
@@ -56,7 +57,7 @@ Escape(const std::string & text)
 std::string
 Capitalize(std::string text)
 {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
+  std::transform(text.begin(), text.end(), text.begin(), itk::ToASCIIUpperCase);
   return text;
 }
 
@@ -204,7 +205,7 @@ WriteProgram(const ProgramDescription & description)
   const std::string & help = description.program.help;
   const std::size_t   end = help.find('\n');
   std::string         summary = help.substr(0, end);
-  summary[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(summary[0])));
+  summary[0] = itk::ToASCIILowerCase(summary[0]);
   summary.erase(summary.find_last_not_of('.') + 1);
   page << ".SH NAME\ndentalscr \\- " << Escape(summary) << '\n'
        << ".SH SYNOPSIS\n\\fBdentalscr\\fR \\fIVERB\\fR [\\fIARGUMENTS\\fR] [\\fIOPTIONS\\fR]\n"
@@ -230,7 +231,7 @@ WriteVerb(const ProgramDescription & description, const VerbDescription & verb)
   std::ostringstream page;
   WriteHead(page, description, "dentalscr-" + verb.name);
   std::string summary = verb.help;
-  summary[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(summary[0])));
+  summary[0] = itk::ToASCIILowerCase(summary[0]);
   page << ".SH NAME\ndentalscr\\-" << verb.name << " \\- " << Escape(summary) << '\n'
        << ".SH SYNOPSIS\n\\fBdentalscr " << verb.name << "\\fR";
   for (const OptionDescription & option : verb.options)

@@ -18,7 +18,7 @@
 #include "dentalscrCaseOptions.h"
 #include "dentalscrCommands.h"
 
-#include "itkCaseInputFile.h"
+#include "itkCaseContinuation.h"
 #include "itkCaseLandmarkErrorFilter.h"
 #include "itkCasePresetNames.h"
 #include "itkCaseRegistration.h"
@@ -26,11 +26,9 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseReader.h"
 #include "itkDentalInputError.h"
-#include "itkJsonDocument.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTextFile.h"
 
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -181,74 +179,47 @@ ReadCase(const RegisterOptions & options)
 
 /** Another run of an earlier result's case, from where that one ended. What is given here replaces what it had. */
 RegisterOptions
-ContinueFrom(const RegisterOptions & options)
+ContinueFrom(const RegisterOptions & options, itk::CaseContinuation & continuation)
 {
-  namespace fs = std::filesystem;
-  RegisterOptions continued = options;
-  std::error_code error;
-  const fs::path  folder =
-    fs::is_directory(options.from, error) ? fs::path(options.from) : fs::path(options.from).parent_path();
-  const std::string fileName = fs::is_directory(options.from, error) ? (folder / "result.json").string() : options.from;
-  const auto        root = itk::JsonDocument::ReadFile(fileName).GetRoot();
   if (!options.init.empty())
   {
     itkDentalInputErrorMacro(
       "command line", "--init", "stands beside --from, which is a start", "leave one of them out");
   }
-  continued.init = fileName;
-  if (options.caseFile.empty() && options.fields.GetFirstGiven().empty())
+  const std::string given = options.fields.GetFirstGiven();
+  const bool        isOtherCase = !options.caseFile.empty() || (!given.empty() && given != "--cephalometric-landmarks");
+  continuation = itk::ReadCaseContinuation(options.from, !isOtherCase);
+  RegisterOptions continued = options;
+  continued.init = continuation.resultFile;
+  if (isOtherCase || !given.empty())
   {
-    const auto inputs = root.Find("inputs");
-    const auto recorded = inputs ? inputs->Find("case") : std::nullopt;
-    if (!recorded)
+    continuation.cephalometricLandmarksFile.clear();
+  }
+  if (!isOtherCase)
+  {
+    continued.caseFile = continuation.caseFile;
+    if (continuation.caseHasChanged)
     {
-      itkDentalInputErrorMacro(
-        fileName, "inputs.case", "missing: it was made without a case file", "give the case's options again");
-    }
-    if (!recorded->Find("path"))
-    {
-      recorded->Fail("does not say where it is: the result is anonymous", "name the case file");
-    }
-    continued.caseFile = recorded->Get("path").AsString();
-    if (!fs::is_regular_file(continued.caseFile, error))
-    {
-      recorded->Get("path").Fail("is not there, seen from here",
-                                 "name the case file, or run from the folder that the first run was started in");
-    }
-    if (itk::ComputeFileSHA256(continued.caseFile) != recorded->Get("sha256").AsString())
-    {
-      std::cerr << "dentalscr: warning: " << continued.caseFile << " has changed since " << fileName << '\n';
+      std::cerr << "dentalscr: warning: " << continuation.caseFile << " has changed since " << continuation.resultFile
+                << '\n';
     }
   }
   // The case file says its own again; what the first run was given beside it stands in its result alone.
-  const auto append = [](const std::optional<itk::JsonNode> & list, std::vector<std::string> & words) {
-    for (std::size_t i = 0; list && i < list->GetSize(); ++i)
-    {
-      words.push_back(list->At(i).AsString());
-    }
-  };
-  const auto control = root.Find("control");
-  if (control && options.exclude.empty())
-  {
-    append(control->Find("exclude"), continued.exclude);
-  }
-  if (control && options.fix.empty())
-  {
-    append(control->Find("fix"), continued.fix);
-  }
-  std::vector<std::string> set;
-  append(root.Find("options"), set);
+  continued.exclude = options.exclude.empty() ? continuation.excludedTeeth : options.exclude;
+  continued.fix = options.fix.empty() ? continuation.fixed : options.fix;
   // In this order: the later of two assignments counts.
-  set.insert(set.end(), options.set.begin(), options.set.end());
-  continued.set = set;
+  continued.set = continuation.options;
+  continued.set.insert(continued.set.end(), options.set.begin(), options.set.end());
   return continued;
 }
 
 int
 Register(const RegisterOptions & givenOptions, const CommonOptions & common)
 {
-  const RegisterOptions options = givenOptions.from.empty() ? givenOptions : ContinueFrom(givenOptions);
+  itk::CaseContinuation continuation;
+  const RegisterOptions options = givenOptions.from.empty() ? givenOptions : ContinueFrom(givenOptions, continuation);
   itk::DentalCase       description = ReadCase(options);
+  continuation.SetLandmarks(description);
   if (!options.init.empty())
   {
     itk::ReadInitialAlignment(options.init, description);

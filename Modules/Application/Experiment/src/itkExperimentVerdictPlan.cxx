@@ -16,12 +16,12 @@
  *
  *=========================================================================*/
 #include "itkExperimentConfusionTable.h"
+#include "itkASCIICharacter.h"
 #include "itkExperimentRecordPlan.h"
 #include "itkExperimentStratum.h"
 #include "itkExperimentTable.h"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -52,9 +52,8 @@ WithoutNumbers(const std::string & wholeReason)
   bool              inNumber = false;
   for (std::size_t i = 0; i < reason.size(); ++i)
   {
-    const bool digit = std::isdigit(static_cast<unsigned char>(reason[i])) != 0;
-    const bool point = inNumber && reason[i] == '.' && i + 1 < reason.size() &&
-                       std::isdigit(static_cast<unsigned char>(reason[i + 1])) != 0;
+    const bool digit = IsASCIIDigit(reason[i]);
+    const bool point = inNumber && reason[i] == '.' && i + 1 < reason.size() && IsASCIIDigit(reason[i + 1]);
     if (digit || point)
     {
       text += inNumber ? "" : "#";

@@ -24,30 +24,10 @@
 
 #include <array>
 
-// Between a mesh and its dental frame, p_dental = rotation (p_mesh - origin), mm: the formula stands here and nowhere
-// else.
+// Points and motions between a mesh and its dental frame, p_dental = rotation (p_mesh - origin), mm. A frame is made of
+// a transform by itkRigidTransformRows.h.
 namespace itk
 {
-/** The frame of a rigid transform from the mesh to it, as UMidlineDentalAxisFilter gives one. */
-inline PoseFrame
-ToPoseFrame(const MatrixOffsetTransformBase<double, 3, 3> & transform)
-{
-  // q = R p + b = R (p - o), o = -R' b.
-  PoseFrame    frame;
-  const auto & matrix = transform.GetMatrix();
-  const auto & offset = transform.GetOffset();
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    frame.origin[row] = 0.0;
-    for (unsigned int column = 0; column < 3; ++column)
-    {
-      frame.rotation[3 * row + column] = matrix(row, column);
-      frame.origin[row] -= matrix(column, row) * offset[column];
-    }
-  }
-  return frame;
-}
-
 /** A point of the mesh in the dental frame. */
 inline std::array<double, 3>
 ToDentalFrame(const PoseFrame & frame, const std::array<double, 3> & mesh)

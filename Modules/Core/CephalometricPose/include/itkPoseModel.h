@@ -82,6 +82,13 @@ public:
   void
   SolveTranslation(const double p[3], const double w[2], double & along, double & tz) const;
 
+  /** A pose that was found in one geometry as one in another, so that what is near a point of the dental frame keeps
+   * its place and its size on the radiograph: the rotation stays, the factor makes up for spacing and distances, the
+   * shift along the film for the principal point. In the same geometry nothing changes. Facing and direction must
+   * agree. */
+  static PoseParameters
+  ConvertPose(const PoseGeometry & from, const PoseParameters & parameters, const PoseGeometry & to, const double p[3]);
+
   /** Pixel of the radiograph to working plane, and back. */
   static std::array<double, 2>
   ToWorkingPlane(const PoseGeometry & geometry, const std::array<double, 2> & pixel);

@@ -131,6 +131,13 @@ ToPoseFrame(const RigidTransformRows & rows)
   }
   return frame;
 }
+
+/** The frame of a rigid transform from the mesh to it, as UMidlineDentalAxisFilter gives one. */
+inline PoseFrame
+ToPoseFrame(const MatrixOffsetTransformBase<double, 3, 3> & transform)
+{
+  return ToPoseFrame(ToRows(transform));
+}
 } // namespace itk
 
 #endif

@@ -197,6 +197,35 @@ PoseModel::SolveTranslation(const double p[3], const double w[2], double & along
   tz = -w[1] / m - c[2];
 }
 
+PoseParameters
+PoseModel::ConvertPose(const PoseGeometry &   from,
+                       const PoseParameters & parameters,
+                       const PoseGeometry &   to,
+                       const double           p[3])
+{
+  if (from.pixelSpacing == to.pixelSpacing && from.principalPoint == to.principalPoint &&
+      from.sourceToMidsagittal == to.sourceToMidsagittal && from.sourceToDetector == to.sourceToDetector)
+  {
+    return parameters;
+  }
+  const auto pixelsPerMillimetre = [](const PoseGeometry & geometry) {
+    return geometry.sourceToDetector / geometry.sourceToMidsagittal /
+           std::sqrt(geometry.pixelSpacing[0] * geometry.pixelSpacing[1]);
+  };
+  PoseParameters converted = parameters;
+  converted[PoseKappa] += std::log(pixelsPerMillimetre(from) / pixelsPerMillimetre(to));
+  double place[2];
+  if (!PoseModel(from, parameters).Project(p, place))
+  {
+    return converted;
+  }
+  const auto   film = ToWorkingPlane(to, ToPixel(from, { { place[0], place[1] } }));
+  const double target[2] = { film[0], film[1] };
+  PoseModel(to, converted)
+    .SolveTranslation(p, target, converted[to.GetFilmAxis() == 0 ? PoseTx : PoseTy], converted[PoseTz]);
+  return converted;
+}
+
 std::array<double, 2>
 PoseModel::ToWorkingPlane(const PoseGeometry & geometry, const std::array<double, 2> & pixel)
 {

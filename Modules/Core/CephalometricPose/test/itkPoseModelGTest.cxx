@@ -18,6 +18,7 @@
 #include "itkPoseModel.h"
 
 #include "itkPoseFrameOperations.h"
+#include "itkRigidTransformRows.h"
 
 #include "itkAffineTransform.h"
 #include "itkVersorRigid3DTransform.h"
@@ -195,6 +196,43 @@ TEST(PoseModel, SolvedTranslationBringsThePointThere)
   itk::PoseModel(Geometry(1.0, 1.0, true), moved).Project(p, w);
   EXPECT_NEAR(w[0], target[0], 1e-9);
   EXPECT_NEAR(w[1], target[1], 1e-9);
+}
+
+TEST(PoseModel, APoseOfAnotherGeometryKeepsPlaceAndSizeOnTheRadiograph)
+{
+  const itk::PoseGeometry then = Geometry(1.0, 1.0, false);
+  const double            middle[3] = { 10.0, 2.0, -5.0 };
+  EXPECT_EQ(itk::PoseModel::ConvertPose(then, pose, then, middle), pose);
+  for (const bool frontal : { false, true })
+  {
+    const itk::PoseGeometry from = Geometry(1.0, 1.0, frontal);
+    itk::PoseGeometry       to = from;
+    to.pixelSpacing = { { 0.6 * from.pixelSpacing[0], 0.6 * from.pixelSpacing[1] } };
+    to.principalPoint = { { from.principalPoint[0] + 40.0, from.principalPoint[1] - 25.0 } };
+    to.sourceToMidsagittal = from.sourceToMidsagittal - 100.0;
+    const auto converted = itk::PoseModel::ConvertPose(from, pose, to, middle);
+    for (const auto angle : { itk::PosePitch, itk::PoseRoll, itk::PoseYaw })
+    {
+      EXPECT_EQ(converted[angle], pose[angle]);
+    }
+    const auto pixel =
+      [](const itk::PoseGeometry & geometry, const itk::PoseParameters & parameters, const double p[3]) {
+        double w[2];
+        EXPECT_TRUE(itk::PoseModel(geometry, parameters).Project(p, w));
+        return itk::PoseModel::ToPixel(geometry, { { w[0], w[1] } });
+      };
+    for (const double ahead : { 0.0, 20.0 })
+    {
+      const double place[3] = { middle[0] + (frontal ? 0.0 : ahead), middle[1] + (frontal ? ahead : 0.0), middle[2] };
+      const auto   before = pixel(from, pose, place);
+      const auto   behind = pixel(to, converted, place);
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        // Exact in the middle; farther out the rays of a source that is 100 mm nearer spread otherwise.
+        EXPECT_NEAR(behind[d], before[d], ahead == 0.0 ? 1e-9 : 1.0) << frontal << ' ' << ahead;
+      }
+    }
+  }
 }
 
 TEST(PoseModel, AFrameGoesToTheMeshAndBackForPointsAndForMotions)

@@ -32,10 +32,44 @@ IsASCIIBlank(char character)
 
 /** \ingroup DentalCommon */
 constexpr bool
+IsASCIIDigit(char character)
+{
+  return character >= '0' && character <= '9';
+}
+
+/** \ingroup DentalCommon */
+constexpr bool
+IsASCIIUpperCase(char character)
+{
+  return character >= 'A' && character <= 'Z';
+}
+
+/** \ingroup DentalCommon */
+constexpr bool
+IsASCIILowerCase(char character)
+{
+  return character >= 'a' && character <= 'z';
+}
+
+/** \ingroup DentalCommon */
+constexpr char
+ToASCIILowerCase(char character)
+{
+  return IsASCIIUpperCase(character) ? static_cast<char>(character - 'A' + 'a') : character;
+}
+
+/** \ingroup DentalCommon */
+constexpr char
+ToASCIIUpperCase(char character)
+{
+  return IsASCIILowerCase(character) ? static_cast<char>(character - 'a' + 'A') : character;
+}
+
+/** \ingroup DentalCommon */
+constexpr bool
 IsASCIIAlphanumeric(char character)
 {
-  return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
-         (character >= '0' && character <= '9');
+  return IsASCIIDigit(character) || IsASCIIUpperCase(character) || IsASCIILowerCase(character);
 }
 } // namespace itk
 

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkLowerCase.h"
 
+#include "itkASCIICharacter.h"
+
 #include <algorithm>
 
 namespace itk
@@ -24,9 +26,7 @@ namespace itk
 std::string
 LowerCase(std::string text)
 {
-  std::transform(text.begin(), text.end(), text.begin(), [](char character) {
-    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-  });
+  std::transform(text.begin(), text.end(), text.begin(), ToASCIILowerCase);
   return text;
 }
 } // namespace itk

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkASCIICharacter.h"
 #include "itkLowerCase.h"
+#include "itkTrimText.h"
 
 #include "itkGTest.h"
 
@@ -31,7 +32,19 @@ TEST(ASCIICharacter, IsWhatTheClassicLocaleSays)
   {
     const auto character = static_cast<char>(code);
     EXPECT_EQ(itk::IsASCIIBlank(character), std::isspace(code) != 0) << code;
+    EXPECT_EQ(itk::IsASCIIDigit(character), std::isdigit(code) != 0) << code;
+    EXPECT_EQ(itk::IsASCIIUpperCase(character), std::isupper(code) != 0) << code;
+    EXPECT_EQ(itk::IsASCIILowerCase(character), std::islower(code) != 0) << code;
+    EXPECT_EQ(itk::ToASCIIUpperCase(character), static_cast<char>(std::toupper(code))) << code;
     EXPECT_EQ(itk::IsASCIIAlphanumeric(character), std::isalnum(code) != 0) << code;
     EXPECT_EQ(itk::LowerCase(std::string(1, character))[0], static_cast<char>(std::tolower(code))) << code;
   }
+}
+
+TEST(TrimText, TakesTheEndsAlone)
+{
+  EXPECT_EQ(itk::TrimText(" \t a b\r\n"), "a b");
+  EXPECT_EQ(itk::TrimText("_-11- ", " _-"), "11");
+  EXPECT_EQ(itk::TrimText(" \n"), "");
+  EXPECT_EQ(itk::TrimText(std::string_view("\0 x \0", 5), std::string_view("\0 ", 2)), "x");
 }

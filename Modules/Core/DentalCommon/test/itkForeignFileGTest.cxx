@@ -68,6 +68,10 @@ TEST(ForeignFile, IsNamedForWhatItIsWithWhatToExportInstead)
     { "trace.svg", "<?xml version='1.0'?>\n<!DOCTYPE svg>\n<svg width='10'>", "SVG", "labelme" },
     { "report.pdf", "%PDF-1.7\n", "PDF", "name the" },
     { "page.html", "\n<!DOCTYPE HTML>\n<html>", "web page", "download" },
+    { "drawing.dxf", "  0\r\nSECTION\r\n  2\r\nENTITIES\r\n", "DXF", "name the" },
+    { "tooth.roi", std::string("Iout\0\xe4", 6), "ImageJ", "CSV" },
+    { "points.npy", "\x93NUMPY\x01", "NumPy", "name the" },
+    { "points.mat", "MATLAB 5.0 MAT-file, Platform: PCWIN64", "MATLAB", "CSV" },
     { "F.fcsv", "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n", ".fcsv", ".mrk.json" },
   };
   for (const Row & row : rows)

@@ -18,6 +18,7 @@
 #include "itkToothCode.h"
 
 #include "itkLowerCase.h"
+#include "itkTrimText.h"
 
 #include <stdexcept>
 
@@ -86,13 +87,6 @@ StartsWith(const std::string & text, const std::string & start)
   return text.compare(0, start.size(), start) == 0;
 }
 
-std::string
-WithoutEnds(const std::string & text, const char * characters)
-{
-  const std::size_t first = text.find_first_not_of(characters);
-  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(characters) - first + 1);
-}
-
 /** A code without what people write around it. */
 struct SpelledCode
 {
@@ -103,13 +97,13 @@ struct SpelledCode
 SpelledCode
 Spell(const std::string & text, NumberingEnum numbering)
 {
-  SpelledCode code{ LowerCase(WithoutEnds(text, " \t\r\n")), numbering };
+  SpelledCode code{ LowerCase(TrimText(text)), numbering };
   for (const char * word : { "tooth", "fdi", "#" })
   {
     if (StartsWith(code.text, word) && code.text.size() > std::string(word).size())
     {
       code.numbering = std::string(word) == "fdi" ? NumberingEnum::FDI : code.numbering;
-      code.text = WithoutEnds(code.text.substr(std::string(word).size()), " _-");
+      code.text = TrimText(code.text.substr(std::string(word).size()), " _-");
     }
   }
   // "1.1" is quadrant and position of FDI, whatever the numbering of digits is.
@@ -235,7 +229,7 @@ ToothCode::FromSidelessString(const std::string & text)
 ToothCode::JawEnum
 ToothCode::JawFromString(const std::string & text)
 {
-  std::string word = LowerCase(WithoutEnds(text, " \t\r\n"));
+  std::string word = LowerCase(TrimText(text));
   for (char & character : word)
   {
     character = character == '_' || character == '-' ? ' ' : character;

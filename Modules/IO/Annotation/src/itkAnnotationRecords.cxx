@@ -286,6 +286,23 @@ ReadPolyline(const JsonNode & node, const std::string & jaw)
 void
 ReadOwnContours(const JsonNode & root, AnnotationRecords & records)
 {
+  if (!root.IsObject() || !root.Find("contours"))
+  {
+    std::vector<std::string> names;
+    if (root.IsObject() || (root.GetSize() > 0 && root.At(0).IsObject()))
+    {
+      for (const auto & member : root.IsObject() ? root.GetMembers() : root.At(0).GetMembers())
+      {
+        names.push_back(member.first);
+      }
+    }
+    itkDentalInputErrorMacro(root.GetFileName(),
+                             root.IsObject() ? "contours" : "",
+                             "is JSON in no form that is known" +
+                               (names.empty() ? "" : ", with the fields " + ListNames(names)),
+                             "export it for labelme, COCO, VIA, Label Studio or Supervisely, or write it as "
+                             "Documentation/FileFormats.md says, with \"contours\"");
+  }
   root.WarnAboutUnknownFields({ "image_size", "contours", "numbering" });
   if (const auto size = root.Find("image_size"))
   {
@@ -463,6 +480,7 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
     TakeCalibrations(records);
     return records;
   }
+  RequireJsonBeginning(fileName);
   const JsonDocument document = JsonDocument::ReadFile(fileName);
   const JsonNode     root = document.GetRoot();
   if (records.format == Format::Automatic)
@@ -529,6 +547,7 @@ ReadLandmarkRecords(const std::string &      fileName,
     }
     return isVIATable ? ReadVIATable(fileName, imageName) : ReadCVATRecords(fileName, imageName);
   }
+  RequireJsonBeginning(fileName);
   const JsonDocument document = JsonDocument::ReadFile(fileName);
   records = ReadLandmarkRecords(document.GetRoot(), format, dimension, imageName);
   records.warnings.insert(records.warnings.begin(), document.GetWarnings().begin(), document.GetWarnings().end());

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 namespace itk
@@ -123,6 +124,23 @@ ReadHeader(const std::string &              fileName,
   columns.named = true;
   return true;
 }
+
+/** A class number and shares of a picture's size, all parted by blanks. */
+bool
+IsYolo(const std::string & line)
+{
+  std::istringstream stream(line);
+  std::size_t        count = 0;
+  for (std::string word; stream >> word; ++count)
+  {
+    double number = 0.0;
+    if (!ParseNumber(word, number) || number < 0.0 || (count > 0 && number > 1.0))
+    {
+      return false;
+    }
+  }
+  return count >= 5 && count % 2 == 1;
+}
 } // namespace
 
 std::vector<AnnotationTableRow>
@@ -174,6 +192,15 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
                                                         dimension == 3 ? columns.first[2] : std::size_t{ 0 },
                                                         columns.unit.value_or(0) })
                                            : dimension;
+    if (rows.empty() && IsYolo(line))
+    {
+      itkDentalInputErrorMacro(
+        fileName,
+        field,
+        "has numbers alone, parted by blanks, as YOLO writes outlines: its classes have numbers, "
+        "which are no teeth",
+        "export COCO or labelme, where classes have names");
+    }
     if (columns.named ? cells.size() <= last : cells.size() != dimension + 1 && cells.size() != dimension + 2)
     {
       itkDentalInputErrorMacro(fileName,

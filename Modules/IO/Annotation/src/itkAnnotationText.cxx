@@ -17,7 +17,10 @@
  *=========================================================================*/
 #include "itkAnnotationText.h"
 
+#include "itkDentalInputError.h"
+#include "itkInputFile.h"
 #include "itkToothCode.h"
+#include "itkTrimText.h"
 
 #include <algorithm>
 #include <charconv>
@@ -34,13 +37,7 @@ EndsWith(const std::string & text, const std::string & end)
 std::string
 Trim(const std::string & text)
 {
-  constexpr const char * blank = " \t\r\n";
-  const std::size_t      first = text.find_first_not_of(blank);
-  if (first == std::string::npos)
-  {
-    return std::string();
-  }
-  std::string trimmed = text.substr(first, text.find_last_not_of(blank) - first + 1);
+  std::string trimmed = TrimText(text);
   if (trimmed.size() >= 2 && trimmed.front() == '"' && trimmed.back() == '"')
   {
     trimmed = trimmed.substr(1, trimmed.size() - 2);
@@ -101,6 +98,28 @@ ParseTableNumber(const std::string & text, double & value)
   std::string point = text;
   point[comma] = '.';
   return ParseNumber(point, value);
+}
+
+void
+RequireJsonBeginning(const std::string & fileName)
+{
+  const std::string head = ReadFileHead(fileName, 512);
+  const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  if (first == std::string::npos || head[first] == '{' || head[first] == '[')
+  {
+    return;
+  }
+  const std::size_t end = std::min(head.find_first_of("\r\n", first), first + 30);
+  const std::string begin = head.substr(first, end - first);
+  const bool        isText =
+    std::all_of(begin.begin(), begin.end(), [](char letter) { return letter >= ' ' && letter <= '~'; });
+  itkDentalInputErrorMacro(
+    fileName,
+    "",
+    "is in no form that is known, " +
+      (isText ? "and no JSON: it begins with \"" + begin + "\"" : std::string("nor is it text")),
+    "export JSON (labelme, COCO, VIA, Label Studio, Supervisely, 3D Slicer) or CVAT XML, or write a "
+    "table .csv with label,x,y (Documentation/OtherFiles.md)");
 }
 
 std::string

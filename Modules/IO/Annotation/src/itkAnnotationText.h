@@ -43,6 +43,11 @@ ParseNumber(const std::string & text, double & value);
 bool
 ParseTableNumber(const std::string & text, double & value);
 
+/** Throws where a file of no form that is known by its content does not begin as JSON either: "JSON syntax error" helps
+ * nobody who named a file of another program. Files of blanks alone pass. */
+void
+RequireJsonBeginning(const std::string & fileName);
+
 /** Names in one line; of a long list only the beginning, as 29 names are nothing that anybody reads. */
 std::string
 ListNames(const std::vector<std::string> & names);

@@ -17,12 +17,12 @@
  *=========================================================================*/
 #include "itkCephalometricLandmarkFileReader.h"
 
+#include "itkASCIICharacter.h"
 #include "itkAnnotationText.h"
 #include "itkCephalometricLandmarkRecords.h"
 #include "itkDentalInputError.h"
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 #include <utility>
 
@@ -64,8 +64,7 @@ std::string
 CephalometricLandmarkFileReader::NameFromNumber(const std::string & name) const
 {
   const std::size_t end = name.find('_');
-  if (end == std::string::npos || end == 0 ||
-      !std::all_of(name.begin(), name.begin() + end, [](unsigned char letter) { return std::isdigit(letter) != 0; }))
+  if (end == std::string::npos || end == 0 || !std::all_of(name.begin(), name.begin() + end, IsASCIIDigit))
   {
     return name;
   }

@@ -411,6 +411,7 @@ ReadCephalometricLandmarkRecords(const std::string &          fileName,
     LeaveOutOthers(records, isDental);
     return records;
   }
+  RequireJsonBeginning(fileName);
   const JsonDocument document = JsonDocument::ReadFile(fileName);
   AnnotationRecords  records = ReadCephalometricLandmarkRecords(document.GetRoot(), format, isDental, imageName);
   records.warnings.insert(records.warnings.begin(), document.GetWarnings().begin(), document.GetWarnings().end());

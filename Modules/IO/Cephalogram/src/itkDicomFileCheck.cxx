@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDicomFileCheck.h"
 
+#include "itkASCIICharacter.h"
 #include "itkDentalInputError.h"
 
 #include <algorithm>
@@ -293,8 +294,8 @@ private:
     const std::string syntax = Text(m_Meta, 0x00020010u);
     if (syntax.empty())
     {
-      return position + 6 <= m_Bytes.size() && m_Bytes[position + 4] >= 'A' && m_Bytes[position + 4] <= 'Z' &&
-             m_Bytes[position + 5] >= 'A' && m_Bytes[position + 5] <= 'Z';
+      return position + 6 <= m_Bytes.size() && IsASCIIUpperCase(static_cast<char>(m_Bytes[position + 4])) &&
+             IsASCIIUpperCase(static_cast<char>(m_Bytes[position + 5]));
     }
     if (syntax == "1.2.840.10008.1.2")
     {

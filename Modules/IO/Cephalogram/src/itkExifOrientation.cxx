@@ -73,14 +73,31 @@ FindExif(std::string_view bytes)
   }
   return std::string_view();
 }
+
+/** The same of a PNG, where it is a chunk. */
+std::string_view
+FindExifChunk(std::string_view bytes)
+{
+  for (std::size_t position = 8; position + 8 <= bytes.size();)
+  {
+    const std::size_t length = GetNumber(bytes, position, 4, true);
+    if (bytes.substr(position + 4, 4) == "eXIf")
+    {
+      return bytes.substr(position + 8, length);
+    }
+    position += 12 + length;
+  }
+  return std::string_view();
+}
 } // namespace
 
 unsigned int
-ReadExifOrientation(std::string_view jpeg)
+ReadExifOrientation(std::string_view picture)
 {
   // The block is a TIFF of which only the first directory counts here.
-  const std::string_view block = FindExif(jpeg.substr(0, HeadSize));
-  const bool             bigEndian = block.substr(0, 2) == "MM";
+  const std::string_view block =
+    picture.substr(0, 4) == "\x89PNG" ? FindExifChunk(picture) : FindExif(picture.substr(0, HeadSize));
+  const bool bigEndian = block.substr(0, 2) == "MM";
   if ((!bigEndian && block.substr(0, 2) != "II") || GetNumber(block, 2, 2, bigEndian) != 42)
   {
     return 1;

@@ -22,11 +22,11 @@
 
 namespace itk
 {
-/** Not installed. How a JPEG has to be turned to be seen upright, by what a camera or an editor writes into it as Exif:
- * 1, as it is, to 8. 1 where it does not say it. Exif stands at the beginning; behind the first 256 KiB nobody looks
- * for it. */
+/** Not installed. How a JPEG or PNG has to be turned to be seen upright, by what a camera or an editor writes into it
+ * as Exif: 1, as it is, to 8. 1 where it does not say it. Of a JPEG it stands at the beginning; behind the first 256
+ * KiB nobody looks for it. */
 unsigned int
-ReadExifOrientation(std::string_view jpeg);
+ReadExifOrientation(std::string_view picture);
 } // namespace itk
 
 #endif

@@ -190,7 +190,7 @@ RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
   {
     m_TextHeader = GetRadiographTextHeader(bytes);
   }
-  if (m_Format == Format::JPEG)
+  if (m_Format == Format::JPEG || m_Format == Format::PNG)
   {
     m_Orientation = ReadExifOrientation(bytes);
   }

@@ -17,12 +17,14 @@
  *=========================================================================*/
 #include "itkRadiographFileFormat.h"
 
+#include "itkASCIICharacter.h"
 #include "itkDentalInputError.h"
 #include "itkDicomFileCheck.h"
 #include "itkForeignFile.h"
 #include "itkInputFile.h"
 #include "itkJPEGFileCheck.h"
 #include "itkLowerCase.h"
+#include "itkTrimText.h"
 
 #include <algorithm>
 #include <array>
@@ -169,7 +171,7 @@ PNGIsComplete(Bytes bytes)
     {
       return hasData;
     }
-    else if (type[0] >= 'A' && type[0] <= 'Z')
+    else if (IsASCIIUpperCase(type[0]))
     {
       // No other chunk is critical.
       return false;
@@ -409,13 +411,8 @@ VerifyMetaImage(const std::string & fileName, std::string & bytes)
     {
       fail("", "the header has a line without \"=\"");
     }
-    const auto trim = [](const std::string & text) {
-      const std::size_t first = text.find_first_not_of(" \t\r");
-      return first == std::string::npos ? std::string()
-                                        : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-    };
-    const std::string name = LowerCase(trim(line.substr(0, equals)));
-    fields[name] = trim(line.substr(equals + 1));
+    const std::string name = LowerCase(TrimText(line.substr(0, equals)));
+    fields[name] = TrimText(line.substr(equals + 1));
     if (name != "headersize" && name != "elementdatafile")
     {
       header += line + '\n';

@@ -18,6 +18,8 @@
 #ifndef itkRadiographText_h
 #define itkRadiographText_h
 
+#include "itkTrimText.h"
+
 #include <charconv>
 #include <cmath>
 #include <locale>
@@ -33,10 +35,8 @@ inline std::string
 Trim(const std::string & text)
 {
   // DICOM pads with blanks and null characters.
-  constexpr char    blank[] = { ' ', '\0', '\t', '\r', '\n' };
-  const std::string blanks(blank, sizeof(blank));
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  constexpr char blanks[] = { ' ', '\0', '\t', '\r', '\n' };
+  return TrimText(text, std::string_view(blanks, sizeof(blanks)));
 }
 
 /** \return whether the whole text is one finite number. */

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkMeshFileFormat.h"
 
+#include "itkASCIICharacter.h"
 #include "itkLowerCase.h"
 
 #include <algorithm>
@@ -29,12 +30,6 @@ namespace
 {
 constexpr std::size_t BinarySTLHeaderSize = 84;
 
-bool
-IsSpace(char character)
-{
-  return character == ' ' || (character >= '\t' && character <= '\r');
-}
-
 /** First word after blanks, comment lines and a byte order mark. */
 std::string_view
 FirstWord(std::string_view text)
@@ -45,7 +40,7 @@ FirstWord(std::string_view text)
   }
   while (!text.empty())
   {
-    if (IsSpace(text.front()))
+    if (IsASCIIBlank(text.front()))
     {
       text.remove_prefix(1);
     }
@@ -59,7 +54,7 @@ FirstWord(std::string_view text)
       break;
     }
   }
-  return text.substr(0, std::find_if(text.begin(), text.end(), IsSpace) - text.begin());
+  return text.substr(0, std::find_if(text.begin(), text.end(), IsASCIIBlank) - text.begin());
 }
 
 bool

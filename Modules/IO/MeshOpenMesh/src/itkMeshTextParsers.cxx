@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkMeshTextParsers.h"
 
+#include "itkASCIICharacter.h"
 #include "itkBinarySTLKernel.h"
 
 #include <algorithm>
@@ -31,17 +32,18 @@ namespace
 {
 constexpr std::size_t MaximumNumberOfPoints = 0xfffffffeu;
 
+/** A line's end parts records, blanks part words. */
 bool
 IsBlank(char character)
 {
-  return character == ' ' || character == '\t' || character == '\r' || character == '\v' || character == '\f';
+  return IsASCIIBlank(character) && character != '\n';
 }
 
 bool
 EqualsIgnoringCase(std::string_view word, std::string_view lowerCase)
 {
   return word.size() == lowerCase.size() && std::equal(word.begin(), word.end(), lowerCase.begin(), [](char a, char b) {
-           return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+           return ToASCIILowerCase(a) == b;
          });
 }
 
@@ -378,9 +380,7 @@ ParseOBJ(const char * bytes, std::size_t size)
       ++surface.numberOfFacesInFile;
       AddPolygon(surface, corners.data(), corners.size());
     }
-    else if (!std::all_of(keyword.begin(), keyword.end(), [](char c) {
-               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-             }))
+    else if (!std::all_of(keyword.begin(), keyword.end(), [](char c) { return IsASCIIAlphanumeric(c) || c == '_'; }))
     {
       cursor.Fail(QuoteForMessage(keyword) + " is no OBJ record");
     }

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkVTKSurfaceParts.h"
 
+#include "itkASCIICharacter.h"
 #include "itkLowerCase.h"
 
 #include <algorithm>
@@ -51,12 +52,6 @@ constexpr TypeInfo Types[] = { { "bit", 0, false, false },
                                { "vtktypeuint64", 8, false, false },
                                { "float", 4, true, true },
                                { "double", 8, true, true } };
-
-bool
-IsSpace(char c)
-{
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
 
 class LegacyParser
 {
@@ -99,9 +94,7 @@ private:
   ParseSection(const std::string & word)
   {
     m_Field = word;
-    std::transform(m_Field.begin(), m_Field.end(), m_Field.begin(), [](char c) {
-      return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    });
+    std::transform(m_Field.begin(), m_Field.end(), m_Field.begin(), ToASCIIUpperCase);
     if (word == "points")
     {
       const std::size_t         count = this->Count();
@@ -291,7 +284,7 @@ private:
       for (double & value : values)
       {
         const char * begin = this->SkipSpace();
-        while (m_Position < m_End && !IsSpace(*m_Position))
+        while (m_Position < m_End && !IsASCIIBlank(*m_Position))
         {
           ++m_Position;
         }
@@ -306,7 +299,7 @@ private:
     // Binary data begin behind the line.
     while (m_Position < m_End && *m_Position != '\n')
     {
-      if (!IsSpace(*m_Position++))
+      if (!IsASCIIBlank(*m_Position++))
       {
         this->Fail("has more words in its head than expected");
       }
@@ -411,7 +404,7 @@ private:
   const char *
   SkipSpace()
   {
-    while (m_Position < m_End && IsSpace(*m_Position))
+    while (m_Position < m_End && IsASCIIBlank(*m_Position))
     {
       ++m_Position;
     }
@@ -423,7 +416,7 @@ private:
   Word()
   {
     const char * begin = this->SkipSpace();
-    while (m_Position < m_End && !IsSpace(*m_Position))
+    while (m_Position < m_End && !IsASCIIBlank(*m_Position))
     {
       ++m_Position;
     }

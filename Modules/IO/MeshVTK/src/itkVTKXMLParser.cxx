@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkVTKSurfaceParts.h"
 
+#include "itkASCIICharacter.h"
+
 #include <algorithm>
 #include <cstring>
 #include <exception>
@@ -51,12 +53,6 @@ constexpr TypeInfo Types[] = { { "Int8", 1, false, true },   { "UInt8", 1, false
 /** Compression makes at most a thousandth of constant data. */
 constexpr std::size_t LargestRatio = 1100;
 
-bool
-IsSpace(char c)
-{
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
 /** Bytes of base64 up to its padding or the given number of bytes; `position` moves behind what was read. */
 std::string
 DecodeBase64(const std::string & text, std::size_t & position, std::size_t largest, const std::string & field)
@@ -68,7 +64,7 @@ DecodeBase64(const std::string & text, std::size_t & position, std::size_t large
   while (position < text.size() && bytes.size() < largest)
   {
     const char c = text[position];
-    if (IsSpace(c))
+    if (IsASCIIBlank(c))
     {
       ++position;
       continue;
@@ -395,14 +391,14 @@ private:
       bool        isBlank = true;
       for (const char letter : m_Text)
       {
-        words += isBlank && !IsSpace(letter) ? 1 : 0;
-        isBlank = IsSpace(letter);
+        words += isBlank && !IsASCIIBlank(letter) ? 1 : 0;
+        isBlank = IsASCIIBlank(letter);
       }
       m_Budget.SpendNumbers(words, m_Field);
       values.reserve(words);
-      while ((at = std::find_if_not(at, end, IsSpace)) != end)
+      while ((at = std::find_if_not(at, end, IsASCIIBlank)) != end)
       {
-        const char * const stop = std::find_if(at, end, IsSpace);
+        const char * const stop = std::find_if(at, end, IsASCIIBlank);
         values.push_back(ParseVTKNumber(at, stop, m_Field));
         at = stop;
       }

@@ -156,6 +156,13 @@ public:
   void
   ClearInitialTransforms();
 
+  /** The geometry that the initial transforms and their factors are of: that of an earlier registration. Null, the
+   * default: that of this one. Where they differ each start is converted (PoseModel::ConvertPose()); a pixel spacing or
+   * principal point that is not known begins as this geometry has it, and is estimated as ever. Throws in Update()
+   * where the two face another way. */
+  itkSetConstObjectMacro(InitialGeometry, GeometryType);
+  itkGetConstObjectMacro(InitialGeometry, GeometryType);
+
   // Parts -------------------------------------------------------------------------------------------------------
 
   /** LevenbergMarquardtOptimizerv4 by default, of which candidates take clones. Any other v4 optimizer runs as it is,
@@ -336,6 +343,7 @@ private:
   bool                                       m_PrincipalPointKnown{ true };
   std::optional<ScalePrior::SpacingSource>   m_SpacingSource;
   std::array<InitialType, NumberOfJaws>      m_Initial;
+  GeometryType::ConstPointer                 m_InitialGeometry;
   OptimizerType::Pointer                     m_Optimizer;
   PoseStart::ConstPointer                    m_Start;
   RobustKernel::ConstPointer                 m_RobustKernel;

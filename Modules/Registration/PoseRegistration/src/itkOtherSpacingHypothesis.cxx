@@ -76,6 +76,7 @@ OtherSpacingHypothesis::Apply(const PoseProblem & problem) const
   // As a case without a spacing is registered: the scale is searched, which takes its evaluations.
   other.options = MakeQuickOptions(problem.options, problem.options.maximumEvaluations);
   other.completed.reset();
+  other.initialGeometry.reset();
   other.nominal.pixelSpacingKnown = false;
   for (PoseJawInput & jaw : other.jaws)
   {

@@ -174,7 +174,20 @@ MeasureOutlines(const PoseProblem & problem, double & depth)
 PoseGeometry
 CompleteGeometry(const PoseProblem & problem)
 {
-  PoseGeometry  geometry = problem.nominal;
+  PoseGeometry geometry = problem.nominal;
+  if (problem.initialGeometry)
+  {
+    // Estimated anew they would move with each tooth that is left out, and the start would mean another place.
+    if (!geometry.principalPointKnown)
+    {
+      geometry.principalPoint = problem.initialGeometry->principalPoint;
+    }
+    if (!geometry.pixelSpacingKnown)
+    {
+      geometry.pixelSpacing = problem.initialGeometry->pixelSpacing;
+    }
+    return geometry;
+  }
   double        depth = 0.0;
   DrawingExtent extent;
   if (problem.options.tracedSide != TracedSideEnum::Standard)

@@ -19,6 +19,7 @@
 
 #include "itkFindSilhouettes.h"
 #include "itkLandmarkPoseStart.h"
+#include "itkPoseFrameOperations.h"
 #include "itkPoseGeometryCompletion.h"
 #include "itkPoseJawDescription.h"
 #include "itkPoseTerms.h"
@@ -198,6 +199,13 @@ PoseRegistrationEngine::Run(const PoseProblem & problem, std::vector<GroupType> 
     if (started != own.jaws.end())
     {
       own.options.initialPose = *started->initialPose;
+      if (problem.initialGeometry)
+      {
+        const auto centroid = started->surface->AreaCentroid();
+        const auto middle = ToDentalFrame(started->frame, { { centroid[0], centroid[1], centroid[2] } });
+        own.options.initialPose =
+          PoseModel::ConvertPose(*problem.initialGeometry, own.options.initialPose, result.geometry, middle.data());
+      }
       own.options.useInitialPose = true;
     }
     PoseGroupResult group;

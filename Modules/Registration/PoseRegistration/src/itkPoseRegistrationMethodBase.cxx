@@ -28,6 +28,7 @@
 #include "itkOtherSideHypothesis.h"
 #include "itkOtherSpacingHypothesis.h"
 #include "itkOtherViewHypothesis.h"
+#include "itkRigidTransformRows.h"
 #include "itkTurnedDrawingHypothesis.h"
 #include "itkPoseFrameOperations.h"
 #include "itkPoseGeometryCompletion.h"
@@ -282,6 +283,7 @@ PoseRegistrationMethodBase::GetMTime() const
   for (const Object * part : { static_cast<const Object *>(m_RobustKernel.GetPointer()),
                                static_cast<const Object *>(m_NoiseModel.GetPointer()),
                                static_cast<const Object *>(m_CovarianceNoiseModel.GetPointer()),
+                               static_cast<const Object *>(m_InitialGeometry.GetPointer()),
                                static_cast<const Object *>(m_Start.GetPointer()) })
   {
     time = part == nullptr ? time : std::max(time, part->GetMTime());
@@ -427,6 +429,13 @@ PoseRegistrationMethodBase::VerifyPreconditions() ITKv5_CONST
                                                     "ToothCrownFilter cuts out of the scans.");
     }
   }
+  if (m_InitialGeometry.IsNotNull() && (m_InitialGeometry->GetFacing() != this->GetGeometry()->GetFacing() ||
+                                        m_InitialGeometry->GetDirection() != this->GetGeometry()->GetDirection()))
+  {
+    itkExceptionMacro(
+      "The geometry of SetInitialGeometry() is of a radiograph that faces another way: a start in it means "
+      "nothing here. Leave the initial transforms out.");
+  }
   if (m_Optimizer.IsNull())
   {
     itkExceptionMacro("No optimizer: call SetOptimizer(), with a LevenbergMarquardtOptimizerv4 for example.");
@@ -544,6 +553,7 @@ PoseRegistrationMethodBase::GenerateData()
   {
     problem.options.kappaSigma = ScalePrior::GetSigma(*m_SpacingSource);
   }
+  bool isStarted = false;
   for (const JawEnum jaw : Jaws)
   {
     // A jaw of which nothing was drawn goes along where it shares the other's frame.
@@ -563,12 +573,16 @@ PoseRegistrationMethodBase::GenerateData()
     if (initial.transform.IsNotNull())
     {
       input.initialPose = ToParameters(*initial.transform, initial.scaleFactor, input.frame);
-      problem.options.useInitialPose = true;
+      isStarted = true;
     }
     problem.jaws.push_back(input);
   }
   problem.nominal = ToPoseGeometry(*nominal);
   problem.nominal.principalPointKnown = m_PrincipalPointKnown;
+  if (isStarted && m_InitialGeometry.IsNotNull())
+  {
+    problem.initialGeometry = ToPoseGeometry(*m_InitialGeometry);
+  }
   for (const auto & view : m_Views)
   {
     PoseViewInput input;
@@ -657,7 +671,7 @@ PoseRegistrationMethodBase::GenerateData()
   m_Answered = std::move(answered);
 
   PoseRegistrationOptions used = m_Options;
-  used.useInitialPose = problem.options.useInitialPose;
+  used.useInitialPose = m_Options.useInitialPose || isStarted;
   used.kappaSigma = problem.options.kappaSigma;
   this->GetOutput()->SetResult(result, used);
   for (const JawEnum jaw : Jaws)
@@ -766,6 +780,7 @@ PoseRegistrationMethodBase::PrintSelf(std::ostream & os, Indent indent) const
   itkPrintSelfObjectMacro(RobustKernel);
   itkPrintSelfObjectMacro(NoiseModel);
   itkPrintSelfObjectMacro(CovarianceNoiseModel);
+  itkPrintSelfObjectMacro(InitialGeometry);
   itkPrintSelfObjectMacro(Metric);
   os << indent << "Metrics: " << m_Terms.size() << std::endl;
   os << indent << "Views:";

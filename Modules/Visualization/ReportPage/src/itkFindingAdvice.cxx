@@ -19,6 +19,7 @@
 
 #include "itkReportParts.h"
 #include "itkReportText.h"
+#include "itkTrimText.h"
 
 #include <sstream>
 #include <vector>
@@ -27,13 +28,6 @@ namespace itk
 {
 namespace
 {
-std::string
-Trim(const std::string & text)
-{
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 /** Words between back quotes are code, a link is its words: what the table uses of Markdown. */
 std::string
 ToHTML(const std::string & markdown)
@@ -76,7 +70,7 @@ GetFindingAdvice(const std::string & code)
     std::string              cell;
     while (std::getline(row, cell, '|'))
     {
-      cells.push_back(Trim(cell));
+      cells.push_back(TrimText(cell));
     }
     if (cells.size() == 5 && cells[1] == '`' + code + '`')
     {
