@@ -244,6 +244,9 @@ struct JawResult
   /** The finding of this code is at least so severe. */
   void
   RaiseFinding(const std::string & code, RegistrationStatusEnum severity);
+  /** Takes a finding back: the status is that of the others. */
+  void
+  RemoveFinding(const std::string & code);
   /** Where no number decides. */
   void
   AddFinding(RegistrationStatusEnum severity, const std::string & code, const std::string & text);

@@ -375,6 +375,15 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
         jaw.AddFinding(finding);
       }
     }
+    // An unsure axis is a reason to look at how the drawing fits. Where it fits without doubt, it is none.
+    if (jaw.findings.size() == 1 && jaw.HasFinding("unsure-axis") &&
+        RegistrationVerdict::IsAxisBorneOut(
+          solution->GetGroup(entry.first), poseJaw, solution->GetOptions(), verdict->GetThresholds()))
+    {
+      result.warnings.push_back(std::string(ToString(entry.first)) + ": " + jaw.findings.front().text +
+                                "; the tracing bears it out");
+      jaw.RemoveFinding("unsure-axis");
+    }
     jaw.meshToUMDA = ToRows(*FrameOf(axis, entry.first)->Get());
 
     auto similarity = ProjectionSimilarityFilter::New();

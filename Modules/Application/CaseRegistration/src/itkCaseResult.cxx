@@ -76,6 +76,20 @@ JawResult::RaiseFinding(const std::string & code, RegistrationStatusEnum severit
   }
 }
 
+void
+JawResult::RemoveFinding(const std::string & code)
+{
+  findings.erase(std::remove_if(findings.begin(),
+                                findings.end(),
+                                [&](const RegistrationFinding & finding) { return finding.code == code; }),
+                 findings.end());
+  status = RegistrationStatusEnum::Ok;
+  for (const RegistrationFinding & finding : findings)
+  {
+    status = std::max(status, finding.severity);
+  }
+}
+
 bool
 JawResult::HasFinding(const std::string & code) const
 {

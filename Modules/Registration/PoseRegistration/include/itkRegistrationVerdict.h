@@ -120,6 +120,10 @@ public:
      * on it is another: 8 %, beyond what magnification and its default leave open. */
     double spacingScore{ 0.15 };
     double spacingDifference{ 0.08 };
+    /** Where a tracing determines roll and yaw, a dental axis that is unsure is borne out by a fit at most so poor and
+     * a margin at least so large (IsAxisBorneOut()). */
+    double borneOutCost{ 0.3 };
+    double borneOutMargin{ 0.85 };
     /** Of each further view. */
     ViewVerdict::Thresholds view;
   };
@@ -140,6 +144,16 @@ public:
    * hands drew enough. For methods too that have no verdict of their own. */
   static std::optional<RegistrationFinding>
   JudgeDrafts(double share, const Thresholds & thresholds);
+
+  /** Whether a fit leaves no doubt of the scan's dental axis, however unsure it was before: the tracing determined roll
+   * and yaw, which an axis that is off makes up for, and lies well on the outline at a place that has no rival. For
+   * callers that found nothing else to doubt: an unsure axis by itself is no reason then
+   * (Documentation/RobustStudies.md has what it cost and found). */
+  static bool
+  IsAxisBorneOut(const PoseGroupResult &         group,
+                 const PoseJawResult &           jaw,
+                 const PoseRegistrationOptions & options,
+                 const Thresholds &              thresholds);
 
   /** One of the sentences below, for callers that say the same of each cast. */
   static constexpr const char * ClosedCastLine = "winding of a closed cast";

@@ -709,6 +709,17 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result)
   return Evaluate(result, Thresholds());
 }
 
+bool
+RegistrationVerdict::IsAxisBorneOut(const PoseGroupResult &         group,
+                                    const PoseJawResult &           jaw,
+                                    const PoseRegistrationOptions & options,
+                                    const Thresholds &              thresholds)
+{
+  const bool rotates = !group.bisected && options.useFullPose && !options.fixRotation;
+  return rotates && jaw.fit.numberOfPoints > 0 && jaw.fit.cost <= thresholds.borneOutCost &&
+         group.margin >= thresholds.borneOutMargin;
+}
+
 std::optional<RegistrationFinding>
 RegistrationVerdict::JudgeDrafts(double share, const Thresholds & thresholds)
 {
