@@ -19,6 +19,7 @@ class Mutation:
     new: str = ""
     tests: list = dataclasses.field(default_factory=list)
     equivalent: str = ""
+    library: str = ""
 
     def __str__(self):
         return f"{self.number}: {self.file}: {self.old}  ->  {self.new}"
@@ -42,6 +43,8 @@ def read(path):
             mutation.tests.append(tuple(text.split(": ", 1)))
         elif mark == "=":
             mutation.equivalent = text
+        elif mark == "@":
+            mutation.library = text
         else:
             sys.exit(f"{path}:{number}: no line of a mutation")
     return mutations
@@ -61,9 +64,14 @@ def find(tree, mutation):
     return found[0], ""
 
 
-def library(path):
-    """That of a file of Modules/GROUP/LIBRARY/src."""
-    return path.parent.parent.name
+def library(mutation, path):
+    """That of a file of Modules/GROUP/LIBRARY/src, where the mutation names no other."""
+    return mutation.library or path.parent.parent.name
+
+
+def times(tree):
+    """When each library was made."""
+    return {path.name: path.stat().st_mtime_ns for path in (tree / "build" / "test" / "lib").iterdir()}
 
 
 def build(tree, *targets):
@@ -131,7 +139,7 @@ def main():
         print(f"equal     {mutation}", flush=True)
     files = {mutation.number: find(options.tree, mutation)[0] for mutation in chosen}
     # Those of the mutations, too: of a run that was killed they may be mutated still.
-    restore(options.tree, {"dentalscr", "dentalscr-decode", *map(library, files.values())})
+    restore(options.tree, {"dentalscr", "dentalscr-decode", *(library(m, files[m.number]) for m in chosen)})
     limits = {}
     for test in dict.fromkeys(test for mutation in chosen for test in mutation.tests):
         # Unmutated it is there and passes, or it would notice nothing, or everything.
@@ -146,10 +154,16 @@ def main():
         path = files[mutation.number]
         whole = path.read_text()
         start = time.monotonic()
-        stale.add(library(path))
+        own = library(mutation, path)
+        stale.add(own)
+        before = times(options.tree)
         try:
             path.write_text(whole.replace(mutation.old, mutation.new))
             is_built, _ = build(options.tree, *sorted(stale))
+            # A file of a library beside that of its module: the tests would run without the mutation, and nobody notice.
+            changed = {name for name, time in times(options.tree).items() if before.get(name) != time}
+            if is_built and not any(own in name for name in changed):
+                sys.exit(f"{mutation}: {own} is not made of it; name the library that is, after @")
             is_caught, how = False, ""
             for test in mutation.tests if is_built else ():
                 if not run(options, *test, limits[test]):
@@ -164,7 +178,7 @@ def main():
             untrue.append((mutation, "is no program"))
             print(f"NO PROGRAM {mutation}", flush=True)
             continue
-        stale = {library(path)}
+        stale = {own}
         seconds = time.monotonic() - start
         if is_caught:
             caught += 1

@@ -18,7 +18,7 @@ for target in "$@"; do
   for file in {tree}/Modules/*/"$target"/src/*.cxx; do
     [ -e "$file" ] || continue
     ! grep -q error "$file" || exit 1
-    cp "$file" {tree}/build/test/lib/"$target"
+    cmp -s "$file" {tree}/build/test/lib/"$target" || cp "$file" {tree}/build/test/lib/"$target"
   done
 done
 """
@@ -68,9 +68,8 @@ def mutate(tmp_path):
         (source / f"{name.lower()}.cxx").write_text("good one\n")
         (tree / "build" / "test" / "lib").mkdir(parents=True, exist_ok=True)
         (tree / "build" / "test" / "lib" / name).write_text("good one\n")
-    (tmp_path / "list.txt").write_text(LIST)
-
-    def call(before_cmake=""):
+    def call(before_cmake="", text=LIST):
+        (tmp_path / "list.txt").write_text(text)
         for path, lines in ((tmp_path / "cmake", before_cmake + CMAKE.format(folder=tmp_path, tree=tree)), (tmp_path / "bin" / "TGTestDriver", DRIVER)):
             path.parent.mkdir(exist_ok=True)
             path.write_text(f"#!/bin/sh\n{lines}")
@@ -107,3 +106,11 @@ def test_a_tree_that_is_not_built_again_ends_it(mutate, tmp_path):
     done, _ = mutate(f'[ ! -e {tmp_path}/asked ] || [ "$(wc -l < {tmp_path}/asked)" -lt 2 ] || exit 1\n')
     assert done.returncode == 1 and "is not built without a mutation" in done.stderr, done.stdout + done.stderr
     assert "NO PROGRAM" not in done.stdout and "caught" not in done.stdout
+
+
+def test_a_library_that_is_not_made_of_the_file_ends_it(mutate):
+    """Its tests would run without the mutation, which would be called one that survives."""
+    text = LIST.replace("? T: good\n", "? T: good\n  @ B\n", 1)
+    done, _ = mutate(text=text)
+    assert done.returncode == 1 and "B is not made of it" in done.stderr, done.stdout + done.stderr
+    assert "SURVIVES" not in done.stdout

@@ -206,12 +206,12 @@ def test_one_owner_of_a_folder_at_a_time(program, run, patients, tmp_path):
 def test_tables_name_cases_by_file_or_by_options(run, patients, tmp_path):
     case = json.loads((patients / "north/p1/case.json").read_text())
     table = tmp_path / "cases.csv"
-    rows = ["id;case;age", f"first;{patients}/north/p1/case.json;12", f"=2+3;{patients}/north/p2/case.json;-1"]
+    rows = ["id;case;age", f"first;{patients}/north/p1/case.json;\"say \"\"12\"\", twice\"", f"=2+3;{patients}/north/p2/case.json;-1"]
     table.write_text("\n".join(rows))
     done = run("batch", table, "--output", tmp_path / "out", "--no-report")
     assert done.returncode == 0 and 'column "age" is not known' in done.stderr
     found = rows_of(tmp_path / "out")
-    assert {(row["case"], row["age"]) for row in found} == {("first", "12"), ("'=2+3", "-1")}
+    assert {(row["case"], row["age"]) for row in found} == {("first", 'say "12", twice'), ("'=2+3", "-1")}
     assert (tmp_path / "out" / "=2+3" / "result.json").exists()
     spacing = " ".join(str(value) for value in case["cephalogram"]["pixel_spacing_mm"])
     relative = os.path.relpath(patients / "north/p1", tmp_path)

@@ -224,3 +224,37 @@ def test_a_bomb_in_a_scan_is_an_error(read, tmp_path):
     )
     done = read("axis", "--upper", scan, "--output", tmp_path / "out")
     assert done.returncode == 2 and "512 MiB as numbers" in done.stderr, done.stderr
+
+
+def test_a_film_of_a_hundred_million_pixels_registers_within_a_gigabyte(program, case, tmp_path):
+    """8 x 10 inches at 1200 dots per inch are 115 million; the same drawing, as many times as large."""
+    side = 10000
+    (case.folder / "film.png").write_bytes(png(side, side))
+    contours = case.load("contours.json")
+    factor = side / max(contours["image_size"])
+    # A pixel's middle is its index.
+    larger = lambda point: [factor * value + (factor - 1) / 2 for value in point]  # noqa: E731
+    for polylines in contours["contours"].values():
+        for polyline in polylines:
+            polyline["points"] = [larger(point) for point in polyline["points"]]
+    contours["image_size"] = [side, side]
+    case.save(contours, "contours.json")
+    content = case.load()
+    content["cephalogram"].update(image="film.png", pixel_spacing_mm=[value / factor for value in content["cephalogram"]["pixel_spacing_mm"]])
+    if "principal_point_px" in content["geometry"]:
+        content["geometry"]["principal_point_px"] = larger(content["geometry"]["principal_point_px"])
+    content.pop("landmarks_2d", None)
+    case.save(content)
+    done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"])
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "out" / "report.html").exists() and (tmp_path / "out" / "overlay_upper.png").exists()
+    assert done.kibibytes < 10**9 / 1024, f"{done.kibibytes} KiB"
+
+
+def test_a_picture_of_more_bytes_than_are_read_is_refused(read, case, tmp_path):
+    """Its pixels are few enough, not their values."""
+    image = case.folder / "deep.nrrd"
+    image.write_bytes(b"NRRD0004\ntype: double\ndimension: 2\nsizes: 10000 10000\nencoding: gzip\nendian: little\n\n" + zlib.compress(bytes(1000)))
+    case.change(cephalogram=dict(case.load()["cephalogram"], image="deep.nrrd"))
+    done = read("register", case.file, "--output", tmp_path / "out")
+    assert done.returncode == 2 and "10000 x 10000 pixels of 8 bytes, too many to be read" in done.stderr, done.stderr

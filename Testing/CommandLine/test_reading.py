@@ -97,26 +97,60 @@ def test_a_point_of_a_scan_that_no_scan_has(program, case, tmp_path, value):
     assert done.seconds < 5
 
 
-def test_a_file_that_is_replaced_after_it_was_read_is_the_one_that_was_read(program, case, tmp_path, faults):
+def other_file(field, content):
+    """A file of the same kind that gives another result."""
+    if field == "upper":
+        # A part of the arch fewer: who reads it twice reads it wholly twice.
+        facets = len(content) // 50 * 9 // 10
+        return content[:80] + facets.to_bytes(4, "little") + content[84 : 84 + 50 * facets]
+    other = json.loads(content)
+    if field == "contours":
+        other["contours"]["upper"].pop()
+    else:
+        other["fix"] = ["scale", "rotation"]
+    return json.dumps(other).encode()
+
+
+@pytest.mark.parametrize("field", ["upper", "contours", "case"])
+def test_a_file_that_is_replaced_after_it_was_read_is_the_one_that_was_read(program, case, tmp_path, faults, field):
     """Another file that takes its name is another file: the result, and the sum by which `batch --resume` knows its input
-    again, are of the one that was read, or it is an error. Never a result of the one beside the sum of the other."""
-    contours = case.folder / "contours.json"
-    text = contours.read_text()
-    other = json.loads(text)
-    other["contours"]["upper"].pop()
+    again, are of the one that was read, or it is an error. Never a result of the one beside the sum of the other. The case
+    file is read before anybody can look at what it names."""
+    file = case.folder / (case.load()[field] if field != "case" else "case.json")
+    content = file.read_bytes()
+    other = other_file(field, content)
     command = [program, "register", case.file, "--quiet", "--no-report", "--output"]
     landmarks = {}
-    for name, content in {"other": json.dumps(other), "first": text}.items():
-        contours.write_text(content)
-        assert measure([*command, tmp_path / name]).returncode == 0
+    for name, written in {"other": other, "first": content}.items():
+        file.write_bytes(written)
+        assert measure([*command, tmp_path / name]).returncode in (0, 1)
         result = json.loads((tmp_path / name / "result.json").read_text())
-        landmarks[result["inputs"]["contours"]["sha256"]] = result["jaws"]["upper"]["landmarks_px"]
+        landmarks[result["inputs"][field]["sha256"]] = result["jaws"]["upper"]["landmarks_px"]
     assert len(landmarks) == 2 and len(set(map(str, landmarks.values()))) == 2
-    contours.with_name("contours.json.other").write_text(json.dumps(other))
-    done = measure([*command, tmp_path / "out"], env=faults(REPLACE=contours))
-    assert not contours.with_name("contours.json.other").exists(), "the file was never read whole"
+    replacement = file.with_name(file.name + ".other")
+    replacement.write_bytes(other)
+    done = measure([*command, tmp_path / "out"], env=faults(REPLACE=file))
+    assert not replacement.exists(), "the file was never read whole"
     if done.returncode == 2:
-        assert "contours.json" in done.stderr and "changed" in done.stderr, done.stderr
+        assert file.name in done.stderr and "changed" in done.stderr, done.stderr
     else:
         result = json.loads((tmp_path / "out" / "result.json").read_text())
-        assert result["jaws"]["upper"]["landmarks_px"] == landmarks[result["inputs"]["contours"]["sha256"]]
+        assert result["jaws"]["upper"]["landmarks_px"] == landmarks[result["inputs"][field]["sha256"]]
+
+
+@pytest.mark.parametrize("name", ["upper.stl", "upper.ply", "upper.vtk"])
+def test_a_scan_larger_than_a_bound_is_not_read(program, case, tmp_path, name):
+    """The bound can be moved; without one a file of holes takes the memory of the machine."""
+    path = case.folder / name
+    path.write_bytes(b"\0")
+    os.truncate(path, (1 << 30) + 1)
+    case.change(upper=name)
+    command = [program, "register", case.file, "--output", tmp_path / "out"]
+    done = measure(command)
+    assert done.returncode == 2 and done.kibibytes < 1 << 18, (done.returncode, done.kibibytes)
+    assert name in done.stderr and "has 1073741825 bytes, more than the 1024 MiB" in done.stderr and "DENTALSCR_LARGEST_SCAN_MIB" in done.stderr, done.stderr
+    os.truncate(path, 1 << 20)
+    for bound, words in (("0", "has 1048576 bytes, more than the 0 MiB"), ("1", ""), ("many", 'is "many", no whole number of MiB')):
+        done = measure(command, env=dict(os.environ, DENTALSCR_LARGEST_SCAN_MIB=bound))
+        assert done.returncode == 2 and words in done.stderr, done.stderr
+        assert ("may have" in done.stderr) == (bound == "0"), done.stderr

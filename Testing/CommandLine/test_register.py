@@ -146,6 +146,12 @@ def test_robust_is_right_and_says_how_sure_it_is(registered):
         for name, sigma in jaw["landmark_sigma_px"].items():
             (a, b), (c, d) = jaw["landmark_covariance_px2"][name]
             assert sigma == pytest.approx(math.sqrt((a + d) / 2)) and b == pytest.approx(c)
+        # The pose's own are the roots of its covariance's diagonal, angles in degrees.
+        sigmas = [math.sqrt(jaw["pose"]["covariance"][k][k]) for k in range(7)]
+        names = ("pitch_deg", "roll_deg", "yaw_deg", "x_mm", "y_mm", "z_mm", "scale")
+        for k, name in enumerate(names):
+            assert jaw["pose_sigma"][name] == pytest.approx(math.degrees(sigmas[k]) if k < 3 else sigmas[k], rel=1e-4), name
+        assert len({round(sigma, 9) for sigma in sigmas}) == 7
         errors = jaw["error"]["landmarks"]
         # The landmarks of a case err together, so one case says little about 95 %: that is tested on a cohort
         # (PoseRegistration.RegionsContainTheTruthAsOftenAsTheySay). Here all lie in the circle of 99.9 %.

@@ -2,6 +2,7 @@
 is read, or the words of its error, which name what is wrong in it. test_damage.py has them read."""
 import json
 import struct
+import zipfile
 
 import make_seeds as seeds
 from dicom_file import dicom
@@ -226,7 +227,7 @@ def contours():
     yield "COCO: a category that is none", "a.json", edit(coco, '"category_id": 1', '"category_id": 7'), ("annotations[0].category_id", "names no category of the file")
     yield "COCO: an image that is none", "a.json", edit(coco, '"image_id": 1', '"image_id": 9'), READ
     yield "COCO: runs longer than the image", "a.json", edit(coco, "[510, 30, 20, 30, 1910]", "[510, 30, 20, 30, 191000]"), ("annotations[1].segmentation.counts", "has runs of 191590 pixels, and the picture has 2500")
-    yield "COCO: a negative run", "a.json", edit(coco, "[510, 30, 20, 30, 1910]", "[510, -30, 20, 90, 1910]"), ("annotations[1].segmentation.counts[1]", "is -30.0, expected a whole number from 0 to 67108864")
+    yield "COCO: a negative run", "a.json", edit(coco, "[510, 30, 20, 30, 1910]", "[510, -30, 20, 90, 1910]"), ("annotations[1].segmentation.counts[1]", "is -30.0, expected a whole number from 0 to 134217728")
     yield "COCO: no categories", "a.json", edit(coco, '"categories": [{"id": 1, "name": "11"}], ', ""), ("contours", "missing field")
     via = CONTOURS["via.json"]
     yield "VIA: more x than y", "a.json", edit(via, "[10, 40, 38, 12]", "[10, 40, 38]"), ("a.png1.regions[0].shape_attributes.all_points_y", "has another number of values than all_points_x")
@@ -505,12 +506,146 @@ def batches():
     yield "lines end as on Windows", "a.csv", "id;case\r\na;b.json\r\n", READ
 
 
+def archives():
+    """Of the index in an archive of WebCeph."""
+    whole = seeds.webceph()
+    yield "as it is", "index.json", whole, READ
+    yield "another version", "index.json", edit(whole, '"version": 1', '"version": 2'), ("version", "is not 1, the version of WebCeph's files")
+    yield "no version", "index.json", edit(whole, '"version": 1, ', ""), ("version", "missing field")
+    yield "a version that is a word", "index.json", edit(whole, '"version": 1', '"version": "1"'), ("version", 'is "1", expected a number')
+    yield "no pictures", "index.json", '{"version": 1, "data": {}}', ("data", "has no landmarks on a cephalogram")
+    yield "pictures are a list", "index.json", '{"version": 1, "data": []}', ("data", "is an array of 0, expected an object")
+    yield "a picture without a tracing", "index.json", '{"version": 1, "data": {"a": {}}}', ("data.a.tracing", "missing field")
+    yield "a coordinate is a word", "index.json", edit(whole, '"x": 20.5', '"x": "20"'), ("data.image_1.tracing.manualLandmarks.U1.x", 'is "20", expected a number')
+    yield "a coordinate is null", "index.json", edit(whole, '"x": 20.5', '"x": null'), ("data.image_1.tracing.manualLandmarks.U1.x", "is null, expected a number")
+    yield "a coordinate is beyond all radiographs", "index.json", edit(whole, '"x": 20.5', '"x": 4e9'), ("U1", "4e+09")
+    yield "mirrored is a number", "index.json", edit(whole, '"flipX": false', '"flipX": 1'), ("data.image_1.flipX", "is 1.0, expected")
+    yield "cut", "index.json", cut(whole, 0.5), ("JSON syntax error",)
+    yield "deeper than a stack", "index.json", seeds.nested('{"version": 1, "data": ', "}"), ("data", "is nested deeper than 64 levels")
+
+
+def packed():
+    """The archives themselves."""
+    for name, content in (("packed", seeds.archive(seeds.webceph())), ("stored", seeds.archive(seeds.webceph(), zipfile.ZIP_STORED))):
+        yield f"{name}: as it is", "a.wceph", content, READ
+        yield f"{name}: cut in its directory", "a.wceph", content[:-30], ("index.json", "cannot be found: the archive is damaged or not complete")
+        at = content.index(b"index.json") + 30
+        yield f"{name}: a byte of its index is another one", "a.wceph", content[:at] + bytes([content[at] ^ 0x55]) + content[at + 1 :], ("index.json", "cannot be unpacked: the archive is damaged")
+        entry = content.rindex(b"PK\x01\x02")
+        yield f"{name}: its index is said to have 4 GB", "a.wceph", put(content, entry + 24, "<I", 4294967294), ("index.json", "has 4294967294 bytes, more than any has")
+        yield f"{name}: its index is said to be encrypted", "a.wceph", put(content, entry + 8, "<H", 1), ("index.json", "is encrypted")
+        yield f"{name}: its packing is none", "a.wceph", put(content, entry + 10, "<H", 99), ("index.json", "cannot be unpacked: the archive is damaged")
+        yield f"{name}: its index begins behind the end", "a.wceph", put(content, entry + 42, "<I", 10**6), ("index.json", "cannot be unpacked: the archive is damaged")
+    content = seeds.archive(seeds.webceph())
+    yield "its index has another name", "a.wceph", content[: content.rindex(b"index.json")] + b"index.jsom" + content[content.rindex(b"index.json") + 10 :], ("index.json", "is missing in the archive")
+
+
+def levels():
+    yield "short", "a.json", '{"level": "hard", "head": {"turn_deg": 3}}', READ
+    yield "a level that is none", "a.json", '{"level": "impossible"}', ("level", '"impossible" is no level of the phantom')
+    yield "a level that is a number", "a.json", '{"level": 3}', ("level", "is 3.0, expected a string")
+    yield "a section that is none", "a.json", '{"feet": {}}', ("feet", "is no section of the phantom's parameters")
+    yield "a section that is a number", "a.json", '{"head": 3}', ("head", "is 3.0, expected an object")
+    yield "a parameter that is none", "a.json", '{"head": {"hat": 1}}', ("head.hat", "is no parameter of the phantom")
+    yield "a parameter out of its range", "a.json", '{"head": {"turn_deg": 1e6}}', ("head.turn_deg", "1e+06 is out of range")
+    yield "a parameter that is a word", "a.json", '{"head": {"turn_deg": "much"}}', ("head.turn_deg", 'is "much", expected a number')
+    yield "a flag that is a number", "a.json", '{"machine": {"known": 1}}', ("machine.known", "is 1.0, expected")
+    yield "a word that is none", "a.json", '{"radiograph": {"style": "cubist"}}', ("radiograph.style", '"cubist" is no value of it')
+    yield "no object", "a.json", "[]", ("is no JSON object",)
+    yield "deeper than a stack", "a.json", seeds.nested('{"head": ', "}"), ("head", "is nested deeper than 64 levels")
+
+
+def drawings():
+    own = CONTOURS["own.json"]
+    yield "as it is", "a.json", own, READ
+    yield "of another program", "a.json", CONTOURS["labelme.json"], READ
+    # The toolkit's own file is told as it is, and the page says what register would refuse.
+    yield "of a tooth that is none", "a.json", edit(own, '"UR1"', '"UR19"'), READ
+    yield "deeper than a stack", "a.json", seeds.nested('{"contours": {"upper": ', "}}"), ("contours.upper", "is nested deeper than 64 levels")
+    yield "no drawing", "a.json", '{"a": 1}', ("contours", "missing field")
+    yield "cut", "a.json", cut(own, 0.5), ("JSON syntax error",)
+    yield "a table cut", "a.csv", "label,x\n", ("line 1", "has 2 columns, expected label,x,y")
+
+
+def sessions():
+    drawn = '{"contours": ' + CONTOURS["own.json"] + ', "landmarks": {"U1_tip": [20, 30]}}'
+    yield "as it is", "a.json", drawn, READ
+    yield "nothing drawn", "a.json", "{}", READ
+    yield "no object", "a.json", "[]", ("is no JSON object",)
+    yield "no JSON", "a.json", "drawing", ("JSON syntax error",)
+    yield "a tooth that is none", "a.json", edit(drawn, '"UR1"', '"UR19"'), ("contours.upper[0].code", '"UR19" is no tooth')
+    yield "a landmark far outside", "a.json", edit(drawn, "[20, 30]", "[2000, 30]"), ("U1_tip", "lies far outside the image of 50 x 50 pixels")
+    yield "a landmark that is a word", "a.json", edit(drawn, "[20, 30]", '"here"'), ("U1_tip", 'is "here"')
+    yield "of another picture", "a.json", edit(drawn, '"image_size": [50, 50]', '"image_size": [60, 50]'), ("image_size", "is 60 x 50, but the image is 50 x 50")
+    yield "deeper than a stack", "a.json", seeds.nested('{"contours": {"contours": ', "}}"), ("contours.contours", "is nested deeper than 64 levels")
+
+
+def starts(result):
+    yield "a similarity", "a.json", '{"similarity": {"translation_px": [3, 4]}}', READ
+    yield "a result", "result.json", result, READ
+    yield "no translation", "a.json", '{"similarity": {"scale": 1}}', ("similarity.translation_px", "missing field")
+    yield "a scale of 0", "a.json", '{"similarity": {"scale": 0, "translation_px": [3, 4]}}', ("similarity.scale", "is not positive")
+    yield "a translation of three", "a.json", '{"similarity": {"translation_px": [3, 4, 5]}}', ("similarity.translation_px", "is an array of 3, expected 2 numbers")
+    yield "a pose of two rows", "a.json", '{"pose": [[1, 0, 0, 0], [0, 1, 0, 0]]}', ("pose", "is no 3x4 matrix")
+    yield "a pose that stretches", "a.json", '{"pose": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}', ("pose", "its rotation is not orthonormal")
+    yield "a pose that mirrors", "a.json", '{"pose": [[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}', ("pose", "mirrors the mesh")
+    yield "no object", "a.json", "[]", ("is an array of 0, expected an object",)
+    yield "a result of another version", "result.json", result.replace('"dentalscr-result/1"', '"dentalscr-result/9"', 1), ("schema", 'is "dentalscr-result/9"')
+    yield "deeper than a stack", "a.json", seeds.nested('{"pose": ', "}"), ("pose", "is nested deeper than 64 levels")
+
+
+def summaries():
+    row = '{"case": "a", "jaw": "upper", "status": "ok", "findings": [], "matched_px": 1, "expected_error_px": null, "message": "", "seconds": 1}'
+    whole = '{"schema": "dentalscr-batch/1", "rows": [%s]}' % row
+    yield "as it is", "summary.json", whole, READ
+    yield "another schema", "summary.json", edit(whole, "batch/1", "batch/2"), ("schema", 'is not "dentalscr-batch/1"')
+    yield "no rows", "summary.json", '{"schema": "dentalscr-batch/1"}', ("rows", "missing field")
+    yield "rows are an object", "summary.json", '{"schema": "dentalscr-batch/1", "rows": {}}', ("rows", "is an object, expected an array")
+    yield "a row without a case", "summary.json", edit(whole, '"case": "a", ', ""), ("rows[0].case", "missing field")
+    yield "a row without a status", "summary.json", edit(whole, '"status": "ok", ', ""), ("rows[0].status", "missing field")
+    yield "a time that is a word", "summary.json", edit(whole, '"seconds": 1', '"seconds": "1"'), ("rows[0].seconds", 'is "1", expected a number')
+    yield "an error that is a word", "summary.json", edit(whole, '"expected_error_px": null', '"expected_error_px": "?"'), ("rows[0].expected_error_px", 'is "?", expected a number')
+    yield "a finding that is a number", "summary.json", edit(whole, '"findings": []', '"findings": [1]'), ("rows[0].findings[0]", "is 1.0, expected a string")
+    yield "cut", "summary.json", cut(whole, 0.5), ("JSON syntax error",)
+    yield "deeper than a stack", "summary.json", seeds.nested('{"schema": ', "}"), ("schema", "is nested deeper than 64 levels")
+
+
+def reports(result, details):
+    """In two lines: a result and what a report draws of it."""
+    result, details = (json.dumps(json.loads(text)) for text in (result, details))
+    yield "as they are", "a.txt", result + "\n" + details, READ
+    yield "without details", "a.txt", result, READ
+    yield "another result's schema", "a.txt", edit(result, "dentalscr-result/1", "dentalscr-result/9"), ("schema", 'is not "dentalscr-result/1"')
+    yield "another schema of details", "a.txt", result + "\n" + edit(details, "dentalscr-report/1", "dentalscr-report/9"), ("schema", 'is not "dentalscr-report/1"')
+    yield "no details", "a.txt", result + "\nnone", ("JSON syntax error",)
+    yield "no views in the details", "a.txt", result + '\n{"schema": "dentalscr-report/1"}', ("is not as this version writes it",)
+    yield "a view that is a number", "a.txt", result + '\n{"schema": "dentalscr-report/1", "views": [1]}', ("is not as this version writes it",)
+    yield "a result without jaws", "a.txt", '{"schema": "dentalscr-result/1"}', ("is not as this version writes it",)
+    yield "deeper than a stack", "a.txt", result + "\n" + seeds.nested('{"schema": "dentalscr-report/1", "views": ', "}"), ("views", "is nested deeper than 64 levels")
+
+
+def folders():
+    """Each in a folder of its own, where it is told what it is, or that it is nothing."""
+    for name, content in (("upper.stl", SCANS["binary.stl"]), ("a.json", CONTOURS["own.json"]), ("a.wceph", seeds.archive(seeds.webceph())), ("cut.wceph", cut(seeds.archive(seeds.webceph()), 0.5)),
+                          ("a.dcm", dicom(32, 32, bytes(1024))[:200]), ("cut.json", cut(CONTOURS["own.json"], 0.5)), ("deep.json", seeds.nested()), ("a.png", "no picture"), ("a", bytes(range(256)))):
+        yield name, name, content, READ
+
+
 def damaged(result, folder):
     """result: text of a result.json; folder: of a whole case. \\return of each reader its files: (what is wrong, name of the file, content, words of the error or READ)."""
+    details = (folder.parent / "result" / "report.json").read_text()
     return {
+        "archive": list(archives()),
+        "drawing": list(drawings()),
+        "folder": list(folders()),
+        "level": list(levels()),
+        "report": list(reports(result, details)),
+        "session": list(sessions()),
+        "start": list(starts(result)),
+        "summary": list(summaries()),
         "batch": list(batches()),
         "case": list(cases(folder)),
-        "cephalometric": list(cephalometric()),
+        "cephalometric": [*cephalometric(), *packed()],
         "contours": list(contours()),
         "image": list(images()),
         "labelmap": list(labelmaps()),

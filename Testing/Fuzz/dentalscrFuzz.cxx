@@ -22,20 +22,31 @@
 // thread, so that it may fork. libFuzzer would need clang, which refuses the headers of ITK 5.2.
 
 #include "itkBatchCaseList.h"
+#include "itkBatchRecord.h"
+#include "itkBatchSummary.h"
 #include "itkCaseResultFileReader.h"
 #include "itkCephalogramFileReader.h"
 #include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalCaseFileReader.h"
+#include "itkDentalCaseLoader.h"
 #include "itkDentalContourFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
+#include "itkDentalPhantomLevel.h"
+#include "itkMakeAnonymous.h"
 #include "itkMemoryFile.h"
 #include "itkMutate.h"
 #include "itkReadDentalMesh.h"
+#include "itkReadDrawings.h"
 #include "itkReadLabelImage.h"
+#include "itkReadPlacedGeometry.h"
 #include "itkReadTransformText.h"
+#include "itkRecogniseCaseFolder.h"
+#include "itkReportPageWriter.h"
 #include "itkReproducibleRandom.h"
+#include "itkTextFile.h"
 #include "itkToothLabelFileReader.h"
+#include "itkTracingSession.h"
 #include "itkVTKSurfaceFile.h"
 
 #include "itkTransformFileReader.h"
@@ -58,6 +69,7 @@
 #include <vector>
 
 #include <dlfcn.h>
+#include <minizip/zip.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -167,10 +179,146 @@ ReadContours(const std::string & fileName)
   }
 }
 
+/** The last of several readers of a file says whether it is refused. */
+void
+ReadByAll(const std::string & fileName, const std::vector<ReadFunction> & readers)
+{
+  for (const ReadFunction & read : readers)
+  {
+    try
+    {
+      read(fileName);
+    }
+    catch (const itk::DentalInputError & error)
+    {
+      if (error.GetProblem().empty() || &read == &readers.back())
+      {
+        throw;
+      }
+    }
+  }
+}
+
+/** Also a case that is yet to be drawn. */
+void
+ReadCase(const std::string & fileName)
+{
+  ReadByAll(fileName,
+            { [](const std::string & name) { itk::ReadDentalCaseToDraw(name); },
+              [](const std::string & name) { itk::ReadDentalCase(name); } });
+}
+
+/** For who goes on from it, for who draws in it, and for the table of a batch. */
+void
+ReadResult(const std::string & fileName)
+{
+  ReadByAll(
+    fileName,
+    { [](const std::string & name) { itk::ReadPlacedGeometry(name, itk::ToothCode::JawEnum::Upper); },
+      [](const std::string & name) { itk::ReadPlacedGeometry(name, itk::ToothCode::JawEnum::Lower, "frontal"); },
+      [](const std::string & name) {
+        // It has a name of its own there.
+        const fs::path folder = fs::temp_directory_path() / ("dentalscr-fuzz-record-" + std::to_string(::getpid()));
+        fs::create_directories(folder);
+        const fs::path link = folder / "result.json";
+        fs::remove(link);
+        fs::create_symlink(fs::absolute(name), link);
+        itk::BatchRecord record;
+        try
+        {
+          record.ReadResult(folder.string());
+        }
+        catch (...)
+        {
+          fs::remove_all(folder);
+          throw;
+        }
+        fs::remove_all(folder);
+      },
+      Update<itk::CaseResultFileReader> });
+}
+
+/** Two lines: a result and what a report draws of it. The page is made of both, once as they are and once without
+ * names.
+ */
+void
+ReadReport(const std::string & fileName)
+{
+  const std::string text = itk::ReadTextFile(fileName, "a report");
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string result = text.substr(0, end);
+  const std::string details = text.substr(std::min(end + 1, text.size()));
+  // A text is set up to its first zero.
+  if (result.empty() || result.front() == '\0')
+  {
+    itkDentalInputErrorMacro(fileName, "", "has no result in its first line", "write one there");
+  }
+  const auto page = itk::ReportPageWriter::New();
+  page->SetResult(result);
+  page->SetDetails(details);
+  page->MakePage();
+  page->SetResult(itk::MakeResultFileAnonymous(result));
+  page->SetDetails(details.empty() ? details : itk::MakeReportDetailsAnonymous(details));
+  page->MakePage();
+}
+
+/** What is saved by the page on which somebody draws. */
+void
+ReadSession(const std::string & fileName)
+{
+  itk::TracingSession::Verify(itk::ReadTextFile(fileName, "what is drawn"), { { 50, 50 } });
+}
+
+/** Of a drawing that is gone on with: the tracing and the landmarks. */
+void
+ReadDrawing(const std::string & fileName)
+{
+  const auto read = [](bool isTracing) {
+    return [isTracing](const std::string & name) {
+      itk::DentalCaseData data;
+      data.imageSize = { { 50, 50 } };
+      itk::DentalCase description;
+      description.fileName = name;
+      (isTracing ? description.contoursFile : description.cephalometricLandmarksFile) = name;
+      itk::ReadDrawings(data, description);
+    };
+  };
+  ReadByAll(fileName, { read(false), read(true) });
+}
+
+/** The index of an archive, packed anew: a mutant of the archive itself mostly fails at a check sum. */
+void
+ReadArchive(const std::string & fileName)
+{
+  const std::string     index = itk::ReadTextFile(fileName, "an index");
+  const itk::MemoryFile memory(".wceph");
+  const zipFile         archive = ::zipOpen64(memory.GetName().c_str(), APPEND_STATUS_CREATE);
+  if (archive == nullptr ||
+      ::zipOpenNewFileInZip(archive, "index.json", nullptr, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED, 1) != ZIP_OK ||
+      ::zipWriteInFileInZip(archive, index.data(), static_cast<unsigned int>(index.size())) != ZIP_OK ||
+      ::zipCloseFileInZip(archive) != ZIP_OK || ::zipClose(archive, nullptr) != ZIP_OK)
+  {
+    throw std::logic_error("no archive can be made");
+  }
+  Update<itk::CephalometricLandmarkFileReader>(memory.GetName());
+}
+
 const std::map<std::string, ReadFunction> Targets = {
+  { "archive", ReadArchive },
   { "batch", ReadBatchTable },
-  { "case", [](const std::string & name) { itk::ReadDentalCase(name); } },
-  { "result", Update<itk::CaseResultFileReader> },
+  { "case", ReadCase },
+  { "drawing", ReadDrawing },
+  { "folder", [](const std::string & name) { itk::RecogniseCaseFolder(fs::path(name).parent_path().string()); } },
+  { "level", [](const std::string & name) { itk::DentalPhantomLevel().ReadJson(name); } },
+  { "report", ReadReport },
+  { "result", ReadResult },
+  { "session", ReadSession },
+  { "start",
+    [](const std::string & name) {
+      itk::DentalCase                     description;
+      itk::ReadInitialAlignment(name, description);
+    } },
+  { "summary", [](const std::string & name) { itk::BatchSummary::ReadFile(name); } },
   { "transform", ReadTransform },
   { "cephalometric", Update<itk::CephalometricLandmarkFileReader> },
   { "contours", ReadContours },

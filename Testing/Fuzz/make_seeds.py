@@ -6,11 +6,13 @@ FOLDER/corpus/TARGET every input that once failed, each of which has to be read 
 """
 import argparse
 import base64
+import io
 import json
 import pathlib
 import struct
 import subprocess
 import sys
+import zipfile
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -18,10 +20,10 @@ sys.path.insert(0, str(ROOT / "Testing" / "CommandLine"))
 
 import test_hostile_images as hostile  # noqa: E402  (the files that the tests make)
 
-# The readers that dentalscr-fuzz knows; of a result there are seeds where the program has made one.
+# The readers that dentalscr-fuzz knows.
 TARGETS = [
-    "batch", "case", "cephalometric", "contours", "image", "labelmap", "landmarks2d", "landmarks3d", "mask", "result", "scan",
-    "toothlabels", "transform",
+    "archive", "batch", "case", "cephalometric", "contours", "drawing", "folder", "image", "labelmap", "landmarks2d", "landmarks3d", "level",
+    "mask", "report", "result", "scan", "session", "start", "summary", "toothlabels", "transform",
 ]
 CORNERS = [(x, y, z) for x in (0, 9) for y in (0, 9) for z in (0, 9)]
 FACES = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
@@ -137,6 +139,28 @@ def images():
     return made
 
 
+def webceph():
+    """The index of an archive of WebCeph with two pictures, one of which is no cephalogram."""
+    marks = {"U1": {"x": 20.5, "y": 30.5}, "L1": {"x": 22.5, "y": 33.5}, "U6": {"x": 8.5, "y": 31.5}, "S": {"x": 4.5, "y": 4.5}}
+    picture = {"name": "ceph.png", "type": "ceph_lateral", "flipX": False, "flipY": None,
+               "tracing": {"mode": "assisted", "scaleFactor": None, "manualLandmarks": marks, "skippedSteps": {"N": True}}}
+    return json.dumps({"version": 1, "refs": {"images": {}}, "data": {"image_1": picture, "image_2": {"name": "smile.jpg", "type": "photo_frontal", "tracing": {"manualLandmarks": {}}}}})
+
+
+def archive(index, packing=zipfile.ZIP_DEFLATED):
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", packing) as written:
+        # With a time of its own each archive would be another one.
+        written.writestr(zipfile.ZipInfo("images/image_1"), bytes(range(256)))
+        written.writestr(zipfile.ZipInfo("index.json"), index, packing)
+    return content.getvalue()
+
+
+def nested(before="", after="", depth=100000):
+    """JSON of as many arrays in each other: what follows them by recursion ends with the stack."""
+    return before + "[" * depth + "]" * depth + after
+
+
 TRANSFORM = "#Insight Transform File V1.0\n#Transform 0\nTransform: VersorRigid3DTransform_double_3_3\nParameters: 0 0 0 1 2 3\nFixedParameters: 0 0 0\n"
 
 
@@ -145,12 +169,24 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--program", default=str(ROOT / "build" / "test" / "bin" / "dentalscr"))
     options = parser.parse_args()
+    drawn = {"contours": json.loads(contours()["own.json"]), "landmarks": {"U1_tip": [20, 30], "L1_tip": {"position": [22, 33], "sigma_px": 2}}}
+    init = {"similarity": {"scale": 1.02, "rotation_rad": 0.1, "translation_px": [3, -4]}, "lower": {"similarity": {"translation_px": [1, 2]}},
+            "pose": [[1, 0, 0, 5], [0, 1, 0, -3], [0, 0, 1, 2]]}
+    row = {"case": "a", "folder": "a", "columns": {"age": "12"}, "jaw": "upper", "status": "ok", "findings": ["spacing"], "matched_px": 0.9,
+           "expected_error_px": None, "message": "", "seconds": 0.5}
     seeds = {
+        "archive": {"index.json": webceph()},
+        "drawing": {name: contours()[name] for name in ("own.json", "labelme.json", "cvat.xml", "table.csv")} | {"landmarks.json": json.dumps(drawn["landmarks"])},
+        "session": {"both.json": json.dumps(drawn), "tracing.json": json.dumps({"contours": drawn["contours"], "landmarks": None})},
+        "start": {"init.json": json.dumps(init), "rotation.json": json.dumps({"upper": init["lower"]})},
+        "summary": {"summary.json": json.dumps({"schema": "dentalscr-batch/1", "rows": [row, dict(row, jaw="lower"), dict(row, case="b", jaw="", status="unusable")]})},
+        "folder": {"upper.stl": scans()["binary.stl"], "tracing.json": contours()["own.json"], "labelme.json": contours()["labelme.json"],
+                   "marks.json": landmarks(2)["own.json"], "marks.csv": landmarks(3)["table.csv"], "ceph.png": hostile.png(20, 20), "a.wceph": archive(webceph())},
         "scan": scans(),
         "contours": contours(),
         "landmarks2d": landmarks(2),
         "landmarks3d": landmarks(3),
-        "cephalometric": landmarks(2),
+        "cephalometric": landmarks(2) | {"packed.wceph": archive(webceph()), "stored.wceph": archive(webceph(), zipfile.ZIP_STORED)},
         "image": images(),
         "labelmap": images(),
         "mask": images(),
@@ -162,10 +198,12 @@ def main():
         "transform": {"a.tfm": TRANSFORM, "b.txt": TRANSFORM.replace("VersorRigid3DTransform_double_3_3\nParameters: 0 0 0 1 2 3\nFixedParameters: 0 0 0", "Similarity2DTransform_double_2_2\nParameters: 1 0 2 3\nFixedParameters: 0 0")},
     }
     case = options.folder / "case"
-    if not (case / "result" / "result.json").exists():
-        options.folder.mkdir(parents=True, exist_ok=True)
+    result = case / "result"
+    options.folder.mkdir(parents=True, exist_ok=True)
+    if not (case / "case.json").exists():
         subprocess.run([options.program, "phantom", "--triangles", "3000", "--no-radiograph", "--seed", "3", "--output", str(case), "--quiet"], check=True)
-        subprocess.run([options.program, "register", str(case / "case.json"), "--no-report", "--output", str(case / "result"), "--quiet"])
+    if not (result / "report.json").exists():
+        subprocess.run([options.program, "register", str(case / "case.json"), "--output", str(result), "--quiet"])
     # With whole paths: mutants lie elsewhere, and without its files a case isn't read far.
     content = json.loads((case / "case.json").read_text())
     for field in ("upper", "lower", "contours", "landmarks_3d", "landmarks_2d", "cephalometric_landmarks"):
@@ -173,8 +211,14 @@ def main():
             content[field] = str((case / content[field]).resolve())
     content.get("cephalogram", {}).pop("image", None)
     seeds["case"] = {"case.json": json.dumps(content)}
-    if (case / "result" / "result.json").exists():
-        seeds["result"] = {"result.json": (case / "result" / "result.json").read_bytes()}
+    level = subprocess.run([options.program, "phantom", "--show-parameters"], check=True, capture_output=True, text=True).stdout
+    seeds["level"] = {"whole.json": level, "short.json": '{"level": "hard"}'}
+    if not (result / "report.json").exists():
+        sys.exit(f"{options.program} has made no result of {case}")
+    seeds["result"] = {"result.json": (result / "result.json").read_bytes()}
+    seeds["start"]["result.json"] = seeds["result"]["result.json"]
+    lines = [json.dumps(json.loads((result / name).read_text())) for name in ("result.json", "report.json")]
+    seeds["report"] = {"lines.txt": "\n".join(lines)}
     corpus = {target: {} for target in seeds}
     for name, (file_name, make) in hostile.HOSTILE.items():
         plain = "".join(letter if letter.isalnum() else "-" for letter in name)
@@ -194,6 +238,15 @@ def main():
     corpus["transform"]["no-end.tfm"] = TRANSFORM.rstrip("\n")
     corpus["transform"]["few.tfm"] = TRANSFORM.replace("0 0 0 1 2 3", "0 0")
     corpus["transform"]["order.tfm"] = "#Insight Transform File V1.0\nParameters: 0 0\nFixedParameters: 0 0\n"
+    # Of JSON that is nested deeper than a stack: five readers ended by it.
+    for target in ("archive", "case", "cephalometric", "contours", "drawing", "landmarks2d", "landmarks3d", "level", "result", "start", "summary", "toothlabels"):
+        corpus[target]["deep.json"] = nested('{"contours": {"upper": ', "}}")
+        corpus[target]["deep-list.json"] = nested()
+    corpus["drawing"]["deep-landmarks.json"] = nested('{"landmarks": {"U1_tip": ', "}}")
+    for name in ("contours", "landmarks"):
+        corpus["session"][f"deep-{name}.json"] = nested('{"%s": {"contours": ' % name, "}}")
+    corpus["report"]["deep-result.txt"] = nested('{"schema": "dentalscr-result/1", "jaws": ', "}")
+    corpus["report"]["deep-details.txt"] = seeds["report"]["lines.txt"].split("\n")[0] + "\n" + nested('{"schema": "dentalscr-report/1", "jaws": ', "}")
     for value in ("4e9", "-4e9", "1e300"):
         corpus["contours"][f"far-{value}.json"] = contours()["own.json"].replace("[40, 12]", f"[40, {value}]")
         corpus["landmarks2d"][f"far-{value}.json"] = landmarks(2)["own.json"].replace("11.0", value)

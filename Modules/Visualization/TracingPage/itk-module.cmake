@@ -1,5 +1,6 @@
 itk_module(TracingPage
   DEPENDS
+    Annotation
     DentalCommon
     ReportPage
     ITKCommon

@@ -43,6 +43,10 @@ struct CaseInputFile
 CaseRegistration_EXPORT std::string
                         ComputeFileSHA256(const std::string & fileName);
 
+/** SHA-256 of bytes, 64 hexadecimal digits. \ingroup CaseRegistration */
+CaseRegistration_EXPORT std::string
+                        ComputeSHA256(const std::string & bytes);
+
 /** What is recorded of a file. `folder` is that of the case file, "" for the command line: a name that was joined to it
  * is told as it was given, also where it leads out of the folder. \ingroup CaseRegistration */
 CaseRegistration_EXPORT CaseInputFile

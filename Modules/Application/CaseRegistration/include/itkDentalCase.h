@@ -72,6 +72,8 @@ struct DentalCase : public DentalRadiograph
 {
   /** The case file itself, for messages. */
   std::string fileName;
+  /** SHA-256 of its bytes as they were read, 64 hexadecimal digits; "" for a case of no file. */
+  std::string fileSHA256;
 
   std::string upperFile;
   std::string lowerFile;

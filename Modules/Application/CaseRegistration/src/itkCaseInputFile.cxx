@@ -29,6 +29,24 @@
 
 namespace itk
 {
+namespace
+{
+std::string
+Digest(sha256_ctx & context)
+{
+  std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+  sha256_digest(&context, digest.size(), digest.data());
+  constexpr char digits[] = "0123456789abcdef";
+  std::string    text;
+  for (const std::uint8_t byte : digest)
+  {
+    text += digits[byte >> 4];
+    text += digits[byte & 15];
+  }
+  return text;
+}
+} // namespace
+
 std::string
 ComputeFileSHA256(const std::string & fileName)
 {
@@ -65,16 +83,16 @@ ComputeFileSHA256(const std::string & fileName)
     itkDentalInputErrorMacro(
       fileName, "", "was changed while it was read", "start again when it is written completely");
   }
-  std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
-  sha256_digest(&context, digest.size(), digest.data());
-  constexpr char digits[] = "0123456789abcdef";
-  std::string    text;
-  for (const std::uint8_t byte : digest)
-  {
-    text += digits[byte >> 4];
-    text += digits[byte & 15];
-  }
-  return text;
+  return Digest(context);
+}
+
+std::string
+ComputeSHA256(const std::string & bytes)
+{
+  sha256_ctx context;
+  sha256_init(&context);
+  sha256_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t *>(bytes.data()));
+  return Digest(context);
 }
 
 CaseInputFile

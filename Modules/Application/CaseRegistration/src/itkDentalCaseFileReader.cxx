@@ -18,6 +18,7 @@
 #include "itkDentalCaseFileReader.h"
 
 #include "itkCaseFileFields.h"
+#include "itkCaseInputFile.h"
 #include "itkCaseResultFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDentalViewReader.h"
@@ -25,6 +26,7 @@
 #include "itkPoseGeometryConversion.h"
 #include "itkRegistrationFinding.h"
 #include "itkRigidTransformRows.h"
+#include "itkTextFile.h"
 
 #include <algorithm>
 #include <array>
@@ -561,16 +563,30 @@ InterpretDentalCase(const JsonDocument & document,
 }
 } // namespace
 
+namespace
+{
+/** Its sum is that of the bytes that are interpreted: by its name another file may be found later. */
+DentalCase
+ReadDentalCaseFile(const std::string & fileName, bool isDrawn)
+{
+  const std::string text = ReadTextFile(fileName, "a JSON file");
+  DentalCase        dentalCase =
+    InterpretDentalCase(JsonDocument::Parse(text, fileName), fileName, fs::path(fileName).parent_path(), isDrawn);
+  dentalCase.fileSHA256 = ComputeSHA256(text);
+  return dentalCase;
+}
+} // namespace
+
 DentalCase
 ReadDentalCase(const std::string & fileName)
 {
-  return InterpretDentalCase(JsonDocument::ReadFile(fileName), fileName, fs::path(fileName).parent_path());
+  return ReadDentalCaseFile(fileName, true);
 }
 
 DentalCase
 ReadDentalCaseToDraw(const std::string & fileName)
 {
-  return InterpretDentalCase(JsonDocument::ReadFile(fileName), fileName, fs::path(fileName).parent_path(), false);
+  return ReadDentalCaseFile(fileName, false);
 }
 
 bool

@@ -18,6 +18,7 @@
 #include "itkMakeAnonymous.h"
 
 #include "itkASCIICharacter.h"
+#include "itkJsonDocument.h"
 #include "itkVisitCaseFiles.h"
 
 #include <nlohmann/json.hpp>
@@ -199,6 +200,7 @@ MakeAnonymous(const CaseResult & result)
 std::string
 MakeReportDetailsAnonymous(const std::string & text)
 {
+  JsonDocument::Verify(text, "report.json");
   Json json = Json::parse(text, nullptr, false);
   if (!json.is_object())
   {
@@ -211,6 +213,7 @@ MakeReportDetailsAnonymous(const std::string & text)
 std::string
 MakeResultFileAnonymous(const std::string & text)
 {
+  JsonDocument::Verify(text, "result.json");
   Json json = Json::parse(text, nullptr, false);
   if (!json.is_object())
   {

@@ -87,8 +87,12 @@ RecordCaseInputs(DentalCaseData & data, const std::vector<CaseInputState> & befo
     {
       // The case file is named as it was given.
       const CaseInputState & input = before[i];
-      data.inputs[i] = MakeCaseInputFile(input.field, input.fileName, input.field == "case" ? "" : folder);
-      if (StateOf(input.fileName) != input.state)
+      const bool             isCase = input.field == "case";
+      data.inputs[i] = MakeCaseInputFile(input.field, input.fileName, isCase ? "" : folder);
+      // The case file was read before anybody looked at the files: it is known by its bytes.
+      const std::string & read = data.description.fileSHA256;
+      const bool          isAnother = isCase && !read.empty() && data.inputs[i].sha256 != read;
+      if (isAnother || StateOf(input.fileName) != input.state)
       {
         itkDentalInputErrorMacro(
           input.fileName, "", "was changed while the case was read", "start again when it is written completely");

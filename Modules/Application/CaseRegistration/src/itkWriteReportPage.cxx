@@ -20,6 +20,7 @@
 #include "itkCaseInputFile.h"
 #include "itkCaseResultDocument.h"
 #include "itkCephalogramFileReader.h"
+#include "itkJsonDocument.h"
 #include "itkMakeAnonymous.h"
 #include "itkReadDentalMesh.h"
 #include "itkReportPageWriter.h"
@@ -108,6 +109,7 @@ WriteReportPage(const std::string & result, const ReportPageSettings & settings)
   if (fs::is_regular_file(details, error))
   {
     const std::string content = ReadTextFile(details.u8string(), "a report's details");
+    JsonDocument::Verify(content, details.u8string());
     page->SetDetails(anonymous ? MakeReportDetailsAnonymous(content) : content);
   }
   else

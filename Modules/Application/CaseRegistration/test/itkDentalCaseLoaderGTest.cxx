@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDentalCaseLoader.h"
 
+#include "itkCaseInputFile.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDicomTestFile.h"
 #include "itkTestFile.h"
@@ -153,6 +154,22 @@ TEST(DentalCaseLoader, TheImagesSizeIsNeededAndMayStandInTheCase)
   EXPECT_EQ(Load(Size + std::string(R"("contours": "contours.json")"))->imageSize[0], 703u);
   itk::WriteTestFile("contours.json", R"({"image_size": [700, 900], )" + outline);
   EXPECT_TRUE(Contains(Refusal(Size + std::string(R"("contours": "contours.json")")), "700 x 900"));
+}
+
+TEST(DentalCaseLoader, ACaseFileThatIsAnotherOneThanWhatWasReadIsNoticed)
+{
+  const std::string fields = R"({"upper": "upper.obj", "cephalogram": {"image_size": [703, 938]}, )"
+                             R"("cephalometric_landmarks": {"Is": [570, 643], "Ms": [474, 613]})";
+  Load(fields.substr(fields.find(',') + 1));
+  const std::string file = itk::WriteTestFile("case.json", fields + "}");
+  const auto        description = itk::ReadDentalCase(file);
+  EXPECT_EQ(description.fileSHA256, itk::ComputeFileSHA256(file));
+  EXPECT_EQ(itk::LoadDentalCase(description)->inputs.front().sha256, description.fileSHA256);
+  itk::WriteTestFile("case.json", fields + R"(, "fix": ["scale"]})");
+  const auto error = itk::ExpectInputError([&] { itk::LoadDentalCase(description); });
+  EXPECT_TRUE(Contains(error.GetOneLine(), "was changed while the case was read")) << error.GetOneLine();
+  // A case of no file has none that could change.
+  EXPECT_EQ(itk::ParseDentalCase(fields + "}", "command line", itk::TestFolder()).fileSHA256, "");
 }
 
 /** A spacing in which rows and columns are exchanged, or of which one number is mistyped, is told by either number. */

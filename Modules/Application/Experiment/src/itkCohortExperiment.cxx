@@ -24,6 +24,7 @@
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
 #include "itkJobQueue.h"
+#include "itkJsonDocument.h"
 #include "itkOutputFolder.h"
 #include "itkParallelFor.h"
 #include "itkTextFile.h"
@@ -239,12 +240,14 @@ CohortExperiment::ClaimFolder(const std::vector<ExperimentMethod> & methods) con
   const std::string file = (folder / "experiment.json").string();
   if (fs::exists(file, error))
   {
-    Json before;
+    Json              before;
+    const std::string text = ReadTextFile(file, "an experiment");
     try
     {
-      before = Json::parse(ReadTextFile(file, "an experiment"));
+      JsonDocument::Verify(text, file);
+      before = Json::parse(text);
     }
-    catch (const Json::exception &)
+    catch (const DentalInputError &)
     {
       itkDentalInputErrorMacro(file, "", "is not what an experiment writes", "name a new output folder");
     }
@@ -297,7 +300,9 @@ CohortExperiment::RunCases(ExperimentPlan & plan, const std::string & key)
     {
       try
       {
-        plan.Accept(i, ReadTextFile(fileOf(i), "a case of an experiment"), keys[i]);
+        const std::string text = ReadTextFile(fileOf(i), "a case of an experiment");
+        JsonDocument::Verify(text, fileOf(i));
+        plan.Accept(i, text, keys[i]);
         there = true;
       }
       catch (const std::exception &)

@@ -20,6 +20,8 @@
 #include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalContourFileReader.h"
+#include "itkDentalInputError.h"
+#include "itkJsonDocument.h"
 #include "itkTextFile.h"
 
 #include <nlohmann/json.hpp>
@@ -45,7 +47,17 @@ ToJson(const Point<double, 2> & point)
 Json
 ReadObject(const std::string & fileName)
 {
-  const Json json = Json::parse(ReadTextFile(fileName, "drawing"), nullptr, false);
+  const std::string text = ReadTextFile(fileName, "drawing");
+  try
+  {
+    JsonDocument::Verify(text, fileName);
+  }
+  catch (const DentalInputError &)
+  {
+    // It may have another format; where it has not, its reader says what is wrong.
+    return Json();
+  }
+  const Json json = Json::parse(text, nullptr, false);
   return json.is_object() ? json : Json();
 }
 

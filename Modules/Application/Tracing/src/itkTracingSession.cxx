@@ -23,6 +23,7 @@
 #include "itkDentalCaseLoader.h"
 #include "itkDentalContourFileReader.h"
 #include "itkDentalInputError.h"
+#include "itkJsonDocument.h"
 #include "itkMemoryFile.h"
 
 #include "itkCommand.h"
@@ -53,6 +54,7 @@ class DrawingFiles
 public:
   explicit DrawingFiles(const std::string & drawings)
   {
+    JsonDocument::Verify(drawings, "drawing");
     const Json json = Json::parse(drawings, nullptr, false);
     if (!json.is_object())
     {

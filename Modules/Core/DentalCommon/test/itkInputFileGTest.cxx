@@ -17,10 +17,14 @@
  *=========================================================================*/
 #include "itkInputFile.h"
 #include "itkMemoryFile.h"
+#include "itkVerifyScanSize.h"
 
 #include "itkTestFile.h"
 
 #include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -129,6 +133,41 @@ TEST(InputFile, NoticesThatAFileIsCutShortOrWrittenOver)
   EXPECT_EQ(file.Read(bytes, 10), 5u);
   EXPECT_EQ(file.GetSystemError(), 0);
   EXPECT_TRUE(file.HasChanged());
+}
+
+TEST(VerifyScanSize, HasABoundThatCanBeMoved)
+{
+  const char * const variable = "DENTALSCR_LARGEST_SCAN_MIB";
+  ::unsetenv(variable);
+  // Holes take no space on the disk.
+  const std::string path = itk::WriteTestFile("large", "solid");
+  const auto        verify = [&](off_t size) {
+    ASSERT_EQ(::truncate(path.c_str(), size), 0);
+    itk::VerifyScanSize(itk::InputFile(path));
+  };
+  constexpr off_t gibibyte = off_t{ 1 } << 30;
+  EXPECT_NO_THROW(verify(gibibyte));
+  EXPECT_THROW(verify(gibibyte + 1), itk::InputFileError);
+  ::setenv(variable, "1025", 1);
+  EXPECT_NO_THROW(verify(gibibyte + 1));
+  ::setenv(variable, "2", 1);
+  EXPECT_NO_THROW(verify(2 << 20));
+  try
+  {
+    verify((2 << 20) + 1);
+    ADD_FAILURE() << "was not refused";
+  }
+  catch (const itk::InputFileError & error)
+  {
+    EXPECT_STREQ(error.what(), "has 2097153 bytes, more than the 2 MiB that a scan may have");
+    EXPECT_NE(error.GetRemedy().find(variable), std::string::npos) << error.GetRemedy();
+  }
+  for (const char * const wrong : { "", "many", "-1", "1e3", "9999999" })
+  {
+    ::setenv(variable, wrong, 1);
+    EXPECT_THROW(verify(1), itk::InputFileError) << wrong;
+  }
+  ::unsetenv(variable);
 }
 
 TEST(MemoryFile, IsReadByItsNameAgainAndAgain)

@@ -175,6 +175,11 @@ public:
   static JsonDocument
   Parse(const std::string & text, const std::string & fileName);
 
+  /** Throws what Parse() throws. Comes before any other parser that interprets what others wrote: most of them follow
+   * nested values by recursion, and a file of two million brackets ends the process. */
+  static void
+  Verify(const std::string & text, const std::string & fileName);
+
   JsonNode
   GetRoot() const;
 

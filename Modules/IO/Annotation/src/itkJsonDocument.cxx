@@ -490,6 +490,12 @@ JsonDocument::Parse(const std::string & text, const std::string & fileName)
   return document;
 }
 
+void
+JsonDocument::Verify(const std::string & text, const std::string & fileName)
+{
+  Parse(text, fileName);
+}
+
 JsonNode
 JsonDocument::GetRoot() const
 {

@@ -171,7 +171,7 @@ TEST(DentalContourFileReader, SwappedJawsAreFound)
 TEST(DentalContourFileReader, ContoursWithoutCodesAndClosedOnesAreLegal)
 {
   const auto reader = MakeReader(ContoursText(
-    UpperTooth("\"\"") + ", {\"points\": [[1, 2], [3, 4]]}, " +
+    UpperTooth("\"\"") + ", {\"points\": [[1, 2], [3, 4], [1, 2]]}, " +
       UpperTooth("null", "[[1, 1], [9, 1], [9, 9], [1, 1]]", ", \"closed\": true, \"weights\": [1, 0.5, 0, 1]"),
     ""));
   reader->Update();
@@ -182,7 +182,9 @@ TEST(DentalContourFileReader, ContoursWithoutCodesAndClosedOnesAreLegal)
   {
     EXPECT_FALSE(polyline.code.IsKnown());
   }
+  // An open line may end where it begins.
   EXPECT_FALSE(polylines[1].closed);
+  EXPECT_EQ(polylines[1].points.size(), 3u);
   // The first point is not repeated, whether the file did so or not.
   EXPECT_TRUE(polylines[2].closed);
   EXPECT_EQ(polylines[2].points.size(), 3u);

@@ -201,3 +201,12 @@ TEST(JsonNumber, TextReadsBack)
   const std::string text = "quote \" backslash \\ line\n tab\t bell\x07 \xc3\xa4";
   EXPECT_EQ(JsonDocument::Parse(itk::JsonString(text), "f").GetRoot().AsString(), text);
 }
+
+TEST(JsonDocument, VerifiesWhatAParserThatFollowsByRecursionIsGiven)
+{
+  EXPECT_NO_THROW(JsonDocument::Verify(std::string(64, '[') + std::string(64, ']'), "f"));
+  EXPECT_THROW(JsonDocument::Verify(std::string(65, '[') + std::string(65, ']'), "f"), itk::DentalInputError);
+  // As deep as no stack is.
+  EXPECT_THROW(JsonDocument::Verify(std::string(2000000, '[') + std::string(2000000, ']'), "f"), itk::DentalInputError);
+  EXPECT_THROW(JsonDocument::Verify("{", "f"), itk::DentalInputError);
+}

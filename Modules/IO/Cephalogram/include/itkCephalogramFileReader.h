@@ -59,7 +59,8 @@ class RadiographFile;
  * pixel.
  *
  * Throws DentalInputError for a missing, empty or truncated file, a directory, what is no image, several frames, no
- * pixels or more than MaximumNumberOfPixels or MaximumWidthAndHeight, and pixels that are not finite.
+ * pixels or more than MaximumNumberOfPixels, MaximumWidthAndHeight or MaximumNumberOfBytes, and pixels that are not
+ * finite.
  *
  * \ingroup Cephalogram
  */
@@ -86,9 +87,11 @@ public:
    * "orientation". A value that the file has not is not in it, but for "pixel_spacing". */
   using ProvenanceType = std::map<std::string, std::string>;
 
-  /** No cephalogram is nearly as large. */
-  static constexpr SizeValueType MaximumNumberOfPixels = SizeValueType{ 1 } << 26;
+  /** A film of 8 x 10 inches has 115 million pixels at 1200 dots per inch. */
+  static constexpr SizeValueType MaximumNumberOfPixels = SizeValueType{ 1 } << 27;
   static constexpr SizeValueType MaximumWidthAndHeight = SizeValueType{ 1 } << 15;
+  /** Of the decoded pixels and the image together: grey values of 16 bits have it at MaximumNumberOfPixels. */
+  static constexpr SizeValueType MaximumNumberOfBytes = SizeValueType{ 6 } << 27;
   static constexpr const char *  VerdictKey = "DentalSCR_PixelSpacingVerdict";
   static constexpr const char *  PlaneKey = "DentalSCR_PixelSpacingPlane";
 

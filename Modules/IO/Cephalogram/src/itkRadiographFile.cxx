@@ -257,6 +257,14 @@ RadiographFile::VerifySize() const
     itkDentalInputErrorMacro(
       m_FileName, "", "claims to have " + size + ", which no cephalogram has", "export it again");
   }
+  const SizeValueType bytes = m_Components * GetTraits(m_ComponentType).bits / 8;
+  if (m_StoredSize[0] * m_StoredSize[1] > CephalogramFileReader::MaximumNumberOfBytes / (bytes + sizeof(float)))
+  {
+    itkDentalInputErrorMacro(m_FileName,
+                             "",
+                             "claims to have " + size + " of " + std::to_string(bytes) + " bytes, too many to be read",
+                             "export it in grey of 8 or 16 bits, or shrink it");
+  }
 }
 
 double

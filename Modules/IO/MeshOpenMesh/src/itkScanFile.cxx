@@ -19,6 +19,7 @@
 
 #include "itkInputFile.h"
 #include "itkSurfaceMeshFile.h"
+#include "itkVerifyScanSize.h"
 
 #include <cstdlib>
 #include <new>
@@ -33,6 +34,14 @@ ScanFile::ScanFile(const std::string & fileName)
   if (const auto error = DescribeProblem(file, "a scan"))
   {
     throw SurfaceMeshFileError("", error->what(), error->GetRemedy());
+  }
+  try
+  {
+    VerifyScanSize(file);
+  }
+  catch (const InputFileError & error)
+  {
+    throw SurfaceMeshFileError("", error.what(), error.GetRemedy());
   }
   m_Size = file.GetSize();
   // Not a vector, which would write noughts into all of it first; in large pages, as each page costs a visit to the

@@ -21,6 +21,7 @@
 #include "itkInputFile.h"
 #include "itkLowerCase.h"
 #include "itkVTKSurfaceParts.h"
+#include "itkVerifyScanSize.h"
 
 #include <algorithm>
 #include <charconv>
@@ -34,16 +35,14 @@ namespace
 {
 constexpr const char * LabelNames[] = { "Universal_ID", "UniversalID", "PredictedID" };
 
-/** No scan of teeth is longer. */
-constexpr std::size_t LongestFile = std::size_t{ 1 } << 30;
-
 std::string
 ReadAll(const std::string & fileName)
 {
   try
   {
     InputFile file(fileName);
-    return ReadWhole(file, "a scan", LongestFile);
+    VerifyScanSize(file);
+    return ReadWhole(file, "a scan", file.GetSize());
   }
   catch (const InputFileError & error)
   {

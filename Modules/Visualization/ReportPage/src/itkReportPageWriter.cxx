@@ -20,6 +20,7 @@
 #include "itkDentalInputError.h"
 #include "itkDescribePlainly.h"
 #include "itkEscapeForScript.h"
+#include "itkJsonDocument.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkParallelFor.h"
 #include "itkReportModel.h"
@@ -86,6 +87,7 @@ ToMustache(const Json & json)
 Json
 ParseDocument(const std::string & text, const char * name, const std::string & schema)
 {
+  JsonDocument::Verify(text, name);
   const Json document = Json::parse(text, nullptr, false);
   if (!document.is_object() || document.value("schema", Json()) != Json(schema))
   {

@@ -20,6 +20,7 @@
 #include "itkDentalInputError.h"
 #include "itkDentalSCRVersion.h"
 #include "itkEscapeForScript.h"
+#include "itkJsonDocument.h"
 #include "itkRadiographForPage.h"
 #include "itkTracingParts.h"
 
@@ -53,6 +54,7 @@ ParseDrawn(const std::string & text, const char * name)
   {
     return nullptr;
   }
+  JsonDocument::Verify(text, name);
   Json json = Json::parse(text, nullptr, false);
   if (!json.is_object())
   {
