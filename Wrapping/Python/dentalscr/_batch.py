@@ -8,12 +8,17 @@ import os
 import time
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, Callable, Dict, NamedTuple, Optional, Union, cast
+from typing import TYPE_CHECKING, Any, Callable, Dict, NamedTuple, Optional, Union, cast
 
 from . import _core
 from ._case import Case, CaseResult, register
 from ._errors import ArgumentError
 from ._inputs import PathLike, as_path, is_path
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from . import _settings
 
 
 class BatchItem(NamedTuple):
@@ -26,7 +31,7 @@ class BatchItem(NamedTuple):
     seconds: float
 
 
-def _run(case: Any, output: Optional[str], arguments: Dict[str, Any]) -> "tuple[Optional[CaseResult], Optional[Exception], float]":
+def _run(case: Any, output: Optional[str], arguments: Mapping[str, Any]) -> "tuple[Optional[CaseResult], Optional[Exception], float]":
     start = time.perf_counter()
     try:
         return register(case, output, **arguments), None, time.perf_counter() - start
@@ -62,7 +67,7 @@ def batch(
     jobs: Optional[int] = None,
     processes: bool = True,
     progress: Optional[Callable[[int, int, BatchItem], object]] = None,
-    **arguments: Any,
+    **arguments: Unpack[_settings.BatchSettings],
 ) -> Iterator[BatchItem]:
     """Registers many cases and yields each as it is done, in whatever order that is.
 
