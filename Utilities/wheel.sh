@@ -89,6 +89,7 @@ for python in "${pythons[@]}"; do
   begin=$SECONDS
   "$tool" -m pip wheel "$source" --no-build-isolation --no-deps --disable-pip-version-check -v -w "$raw" \
     --config-settings=build-dir="$source/build/$tag" \
+    --config-settings=cmake.define.CMAKE_UNITY_BUILD=OFF \
     --config-settings=cmake.define.DENTALSCR_WARNINGS_AS_ERRORS=ON > "$log" 2>&1 ||
     { tail -n 40 "$log" >&2; echo "wheel.sh: the wheel for $python was not built; all of it is in $log" >&2; exit 1; }
   "$tool" Utilities/repair_wheel.py "$raw"/*.whl --output "$output"

@@ -5,15 +5,21 @@ import concurrent.futures
 import functools
 import multiprocessing
 import os
+import threading
 import time
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, Callable, Dict, NamedTuple, Optional, Union, cast
+from typing import TYPE_CHECKING, Any, Callable, Dict, NamedTuple, Optional, Union, cast
 
 from . import _core
 from ._case import Case, CaseResult, register
-from ._errors import ArgumentError
+from ._errors import AbortedError, ArgumentError
 from ._inputs import PathLike, as_path, is_path
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from . import _settings
 
 
 class BatchItem(NamedTuple):
@@ -26,10 +32,17 @@ class BatchItem(NamedTuple):
     seconds: float
 
 
-def _run(case: Any, output: Optional[str], arguments: Dict[str, Any]) -> "tuple[Optional[CaseResult], Optional[Exception], float]":
+def _run(
+    case: Any, output: Optional[str], arguments: Mapping[str, Any], stop: Optional[threading.Event] = None
+) -> "tuple[Optional[CaseResult], Optional[Exception], float]":
     start = time.perf_counter()
+
+    def look(share: float, stage: str) -> None:
+        if stop is not None and stop.is_set():
+            raise AbortedError("the batch was interrupted")
+
     try:
-        return register(case, output, **arguments), None, time.perf_counter() - start
+        return register(case, output, progress=None if stop is None else look, **arguments), None, time.perf_counter() - start
     except Exception as error:  # One bad case never stops the rest; the caller gets what it raised.
         return None, error, time.perf_counter() - start
 
@@ -47,6 +60,13 @@ def _name(cases: Union[PathLike, Mapping[str, Any], Iterable[Any]]) -> Dict[str,
     return named
 
 
+def _end(workers: Iterable[concurrent.futures.Executor]) -> None:
+    """Ends processes in the midst of their cases, whose folders stay as they were."""
+    for worker in workers:
+        for process in list((getattr(worker, "_processes", None) or {}).values()):
+            process.terminate()
+
+
 def _make_worker(process: bool) -> concurrent.futures.Executor:
     """One worker: a pool of several would break as a whole with one of its processes, and take cases with it."""
     if process:
@@ -62,7 +82,7 @@ def batch(
     jobs: Optional[int] = None,
     processes: bool = True,
     progress: Optional[Callable[[int, int, BatchItem], object]] = None,
-    **arguments: Any,
+    **arguments: Unpack[_settings.BatchSettings],
 ) -> Iterator[BatchItem]:
     """Registers many cases and yields each as it is done, in whatever order that is.
 
@@ -89,6 +109,11 @@ def batch(
     Yields
     ------
     BatchItem
+
+    Raises
+    ------
+    KeyboardInterrupt
+        On Ctrl-C, at once: the cases at work are given up, and what their folders held before is still there.
     """
     named = _name(cases)
     if processes and any(isinstance(case, Case) for case in named.values()):
@@ -102,6 +127,8 @@ def batch(
     waiting = iter(named.items())
     running: "Dict[concurrent.futures.Future[Any], tuple[str, concurrent.futures.Executor]]" = {}
     done = 0
+    # Threads look at it while they register; processes are ended.
+    stop = threading.Event()
     try:
         while True:
             # No more than are at work: a thousand results that nobody has asked for yet would fill the memory.
@@ -111,7 +138,11 @@ def batch(
                     break
                 name, case = following
                 task = functools.partial(
-                    _run, str(case) if is_path(case) else case, None if folder is None else str(folder / name), arguments
+                    _run,
+                    str(case) if is_path(case) else case,
+                    None if folder is None else str(folder / name),
+                    arguments,
+                    None if processes else stop,
                 )
                 worker = idle.pop()
                 try:
@@ -140,6 +171,10 @@ def batch(
                 if progress is not None:
                     progress(done, len(named), item)
                 yield item
+    except KeyboardInterrupt:
+        stop.set()
+        _end(worker for _, worker in running.values())
+        raise
     finally:
         for worker in [*idle, *(worker for _, worker in running.values())]:
             worker.shutdown(wait=True, cancel_futures=True)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, Optional, Tuple, Union, cast
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Union, cast
 
 from . import _core
 from ._inputs import (
@@ -17,6 +17,11 @@ from ._inputs import (
     as_path,
 )
 from ._process import ProcessObject, apply_settings
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from . import _settings
 
 
 @dataclass(frozen=True)
@@ -48,7 +53,10 @@ class LandmarkErrorFilter(ProcessObject, _core.LandmarkErrorFilter):
 
 
 def LandmarkError(
-    predicted: LandmarksLike, reference: LandmarksLike, pixelSpacing: Optional[Any] = None, **settings: Any
+    predicted: LandmarksLike,
+    reference: LandmarksLike,
+    pixelSpacing: Optional[Any] = None,
+    **settings: Unpack[_settings.LandmarkErrorSettings],
 ) -> LandmarkErrors:
     """Landmark errors; see :class:`LandmarkErrorFilter`.
 
@@ -111,7 +119,7 @@ def RegistrationOverlay(
     predicted: Optional[LandmarksLike] = None,
     reference: Optional[LandmarksLike] = None,
     title: str = "",
-    **settings: Any,
+    **settings: Unpack[_settings.RegistrationOverlaySettings],
 ) -> _core.Picture:
     """The picture to judge a registration by; see :class:`RegistrationOverlayFilter`."""
     process = RegistrationOverlayFilter()
@@ -136,7 +144,7 @@ def RunCohortExperiment(
     numberOfCases: int = 34,
     level: Union[str, _core.PhantomCohort] = "Typical",
     caseDirectory: Optional[PathLike] = None,
-    **settings: Any,
+    **settings: Unpack[_settings.RunCohortExperimentSettings],
 ) -> list[str]:
     """An experiment; see :class:`CohortExperiment`.
 

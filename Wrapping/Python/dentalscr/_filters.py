@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple, Optional, Tuple, Union, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Tuple, Union, cast
 
 import numpy as np
 
@@ -22,6 +22,11 @@ from ._inputs import (
     as_transform,
 )
 from ._process import ProcessObject, apply_settings
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from . import _settings
 
 
 def as_rigid(value: Optional[TransformLike]) -> Optional[_core.VersorRigid3DTransform]:
@@ -80,7 +85,10 @@ class UMidlineDentalAxisFilter(ProcessObject, _core.UMidlineDentalAxisFilter):
 
 
 def UMidlineDentalAxis(
-    upper: Optional[MeshLike] = None, lower: Optional[MeshLike] = None, refineMidline: bool = False, **settings: Any
+    upper: Optional[MeshLike] = None,
+    lower: Optional[MeshLike] = None,
+    refineMidline: bool = False,
+    **settings: Unpack[_settings.UMidlineDentalAxisSettings],
 ) -> DentalAxes:
     """The anatomical frames of one scan or both; see :class:`UMidlineDentalAxisFilter`.
 
@@ -191,7 +199,7 @@ def SurfaceDRR(
     sigma: float = 0.5,
     size: Optional[Tuple[int, int]] = None,
     margin: Optional[float] = None,
-    **settings: Any,
+    **settings: Unpack[_settings.SurfaceDRRSettings],
 ) -> _core.Image:
     """A DRR of scans; see :class:`SurfaceDRRImageSource`.
 
@@ -251,7 +259,7 @@ def SilhouetteContour(
     image: ImageLike,
     levelValue: Optional[float] = None,
     content: Union[str, _core.SilhouetteContent] = "Intensity",
-    **settings: Any,
+    **settings: Unpack[_settings.SilhouetteContourSettings],
 ) -> _core.Contour:
     """The silhouette in a picture; see :class:`SilhouetteContourFilter`.
 
@@ -354,7 +362,7 @@ def OpenSilhouetteContour(
     geometry: Any,
     frameTransform: Optional[TransformLike] = None,
     jaw: Union[str, _core.Jaw] = "Upper",
-    **settings: Any,
+    **settings: Unpack[_settings.OpenSilhouetteContourSettings],
 ) -> _core.Contour:
     """The open outline of one side of a jaw; see :class:`OpenSilhouetteContourSource`."""
     process = OpenSilhouetteContourSource()
@@ -459,7 +467,10 @@ def as_similarity(value: Optional[TransformLike]) -> Optional[_core.Similarity2D
 
 
 def ContourDistance(
-    fixed: ContourLike, moving: ContourLike, transform: Optional[TransformLike] = None, **settings: Any
+    fixed: ContourLike,
+    moving: ContourLike,
+    transform: Optional[TransformLike] = None,
+    **settings: Unpack[_settings.ContourDistanceSettings],
 ) -> ContourDistances:
     """Distances between two contours; see :class:`ContourDistanceFilter`. ``distance="PointToSegment"`` is a setting."""
     process = ContourDistanceFilter()
@@ -508,7 +519,10 @@ class ContourOverlapFilter(ProcessObject, _core.ContourOverlapFilter):
 
 
 def ContourOverlap(
-    fixed: ContourLike, moving: ContourLike, transform: Optional[TransformLike] = None, **settings: Any
+    fixed: ContourLike,
+    moving: ContourLike,
+    transform: Optional[TransformLike] = None,
+    **settings: Unpack[_settings.ContourOverlapSettings],
 ) -> ContourOverlaps:
     """Overlap of two contours; see :class:`ContourOverlapFilter`. ``maximumDistance=3.0`` is a setting."""
     process = ContourOverlapFilter()
@@ -539,7 +553,7 @@ def CrownRegionMesh(
     mesh: MeshLike,
     jaw: Union[str, _core.Jaw] = "Upper",
     frameTransform: Optional[TransformLike] = None,
-    **settings: Any,
+    **settings: Unpack[_settings.CrownRegionMeshSettings],
 ) -> _core.Mesh:
     """The crowns of a scan; see :class:`CrownRegionMeshFilter`.
 

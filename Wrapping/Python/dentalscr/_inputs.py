@@ -15,7 +15,7 @@ from ._errors import ArgumentError
 Array = numpy.typing.NDArray[Any]
 #: A file name.
 PathLike = Union[str, "os.PathLike[str]"]
-#: Mesh, file, (points, triangles), trimesh, Open3D, vtkPolyData, pyvista, meshio, itk.Mesh as a dictionary.
+#: Mesh, file, (points, triangles), trimesh, Open3D (both kinds), vtkPolyData, pyvista, meshio, itk.Mesh as a dictionary.
 MeshLike = Any
 #: Contour, file, polylines, (N, 2) array.
 ContourLike = Any
@@ -101,6 +101,9 @@ def as_mesh(value: MeshLike) -> _core.Mesh:
         if others or "triangle" not in cells:
             raise ArgumentError(f"the meshio mesh has cells {sorted(cells)}; only triangles are a surface")
         return _core.Mesh(np.asarray(value.points)[:, :3], cells["triangle"])
+    if hasattr(value, "vertex") and hasattr(value, "triangle") and "positions" in value.vertex:
+        # Open3D's tensors, which may be a GPU's.
+        return _core.Mesh(value.vertex["positions"].cpu().numpy(), value.triangle["indices"].cpu().numpy())
     for points_name, triangles_name in (("vertices", "faces"), ("vertices", "triangles"), ("points", "triangles")):
         if hasattr(value, points_name) and hasattr(value, triangles_name):
             return _core.Mesh(np.asarray(getattr(value, points_name)), np.asarray(getattr(value, triangles_name)))

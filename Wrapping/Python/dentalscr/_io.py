@@ -1,7 +1,7 @@
 """Files in and out."""
 from __future__ import annotations
 
-from typing import Any, Mapping, NamedTuple, Optional, Tuple, Union, cast
+from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional, Tuple, Union, cast
 
 import numpy as np
 
@@ -22,6 +22,11 @@ from ._inputs import (
     as_transform,
 )
 from ._process import ProcessObject, apply_settings
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from . import _settings
 
 
 def ReadMesh(fileName: PathLike) -> _core.Mesh:
@@ -69,7 +74,9 @@ class DentalContourFileReader(ProcessObject, _core.DentalContourFileReader):
 
 
 def ReadContours(
-    fileName: Union[PathLike, Mapping[str, PathLike]], imageSize: Optional[Tuple[int, int]] = None, **settings: Any
+    fileName: Union[PathLike, Mapping[str, PathLike]],
+    imageSize: Optional[Tuple[int, int]] = None,
+    **settings: Unpack[_settings.ReadContoursSettings],
 ) -> Contours:
     """Reads the tracing on a radiograph; points are continuous pixel indices.
 
@@ -116,7 +123,7 @@ def WriteContours(
     imageSize: Tuple[int, int],
     upper: Optional[ContourLike] = None,
     lower: Optional[ContourLike] = None,
-    **settings: Any,
+    **settings: Unpack[_settings.WriteContoursSettings],
 ) -> None:
     """Writes contours.json, whole or not at all.
 
@@ -156,7 +163,11 @@ class DentalLandmarkFileReader3D(ProcessObject, _core.DentalLandmarkFileReader3D
         return cast("dict[str, Array]", self._GetOutput())
 
 
-def ReadLandmarks(fileName: PathLike, dimension: Optional[int] = None, **settings: Any) -> dict[str, Array]:
+def ReadLandmarks(
+    fileName: PathLike,
+    dimension: Optional[int] = None,
+    **settings: Unpack[_settings.ReadLandmarksSettings],
+) -> dict[str, Array]:
     """Reads named landmarks.
 
     Parameters
@@ -183,7 +194,7 @@ def ReadLandmarks(fileName: PathLike, dimension: Optional[int] = None, **setting
     return _read_landmarks(fileName, 2, settings)
 
 
-def _read_landmarks(fileName: PathLike, dimension: int, settings: dict[str, Any]) -> dict[str, Array]:
+def _read_landmarks(fileName: PathLike, dimension: int, settings: Mapping[str, object]) -> dict[str, Array]:
     reader: Union[DentalLandmarkFileReader2D, DentalLandmarkFileReader3D]
     reader = DentalLandmarkFileReader2D() if dimension == 2 else DentalLandmarkFileReader3D()
     apply_settings(reader, settings)
@@ -201,7 +212,10 @@ class CephalometricLandmarkFileReader(ProcessObject, _core.CephalometricLandmark
         return cast("dict[str, dict[str, Any]]", self._GetOutput())
 
 
-def ReadCephalometricLandmarks(fileName: PathLike, **settings: Any) -> dict[str, dict[str, Any]]:
+def ReadCephalometricLandmarks(
+    fileName: PathLike,
+    **settings: Unpack[_settings.ReadCephalometricLandmarksSettings],
+) -> dict[str, dict[str, Any]]:
     """Reads the dental landmarks of a cephalometric analysis (Documentation/FileFormats.md): what ``Case`` takes.
 
     Parameters
@@ -293,7 +307,7 @@ class ToothLabelFileReader(ProcessObject, _core.ToothLabelFileReader):
         return self._GetOutput()
 
 
-def ReadToothLabels(fileName: PathLike, **settings: Any) -> Array:
+def ReadToothLabels(fileName: PathLike, **settings: Unpack[_settings.ReadToothLabelsSettings]) -> Array:
     """Reads tooth labels: one FDI number a point, 0 for gingiva; assign them to ``mesh.labels``."""
     reader = ToothLabelFileReader()
     apply_settings(reader, settings)

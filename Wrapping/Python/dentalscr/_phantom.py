@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Dict, Optional, Union, cast
+from typing import TYPE_CHECKING, Any, Dict, Optional, Union, cast
 
 import numpy as np
 
@@ -10,6 +10,11 @@ from . import _core
 from ._case import Case
 from ._inputs import Array, PathLike, as_path
 from ._process import ProcessObject, apply_settings
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from . import _settings
 
 _UPPER = _core.Jaw.Upper
 _LOWER = _core.Jaw.Lower
@@ -127,7 +132,9 @@ class DentalPhantomCaseSource(ProcessObject, _core.DentalPhantomCaseSource):
 
 
 def DentalPhantomCase(
-    seed: int = 1, cohort: Union[str, _core.PhantomCohort] = "Typical", **settings: Any
+    seed: int = 1,
+    cohort: Union[str, _core.PhantomCohort] = "Typical",
+    **settings: Unpack[_settings.DentalPhantomCaseSettings],
 ) -> PhantomCase:
     """A simulated case; see :class:`DentalPhantomCaseSource`.
 

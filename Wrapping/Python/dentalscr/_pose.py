@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Dict, NamedTuple, Optional, Tuple, Union, cast
+from typing import TYPE_CHECKING, Any, Dict, NamedTuple, Optional, Tuple, Union, cast
 
 from . import _core
 from ._errors import ArgumentError
@@ -21,6 +21,11 @@ from ._inputs import (
 )
 from ._io import ReadCephalometricLandmarks
 from ._process import Observable, ProcessObject, apply_settings
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from . import _settings
 
 #: A jaw or its name.
 JawLike = Union[str, _core.Jaw]
@@ -306,7 +311,7 @@ def PoseRegistration(
     cephalometricLandmarks: Optional[Any] = None,
     counterparts: Optional[Dict[str, LandmarkCounterpart]] = None,
     toothCrowns: Optional[Dict[str, ToothCrown]] = None,
-    **settings: Any,
+    **settings: Unpack[_settings.PoseRegistrationSettings],
 ) -> _core.PoseSolution:
     """The robust registration; see :class:`PoseRegistrationMethod`.
 
@@ -399,7 +404,10 @@ class RegistrationVerdictFilter(ProcessObject, _core.RegistrationVerdictFilter):
         return None if found is None else JawVerdict(found[0], tuple(RegistrationFinding(*each) for each in found[1]))
 
 
-def RegistrationVerdict(solution: _core.PoseSolution, **settings: Any) -> RegistrationVerdicts:
+def RegistrationVerdict(
+    solution: _core.PoseSolution,
+    **settings: Unpack[_settings.RegistrationVerdictSettings],
+) -> RegistrationVerdicts:
     """Judges a pose registration; see :class:`RegistrationVerdictFilter`. ``thresholds`` is a setting."""
     process = RegistrationVerdictFilter()
     apply_settings(process, settings)
@@ -505,7 +513,7 @@ def ScanCheck(
     upperMesh: Optional[MeshLike] = None,
     lowerMesh: Optional[MeshLike] = None,
     landmarks: Optional[LandmarksLike] = None,
-    **settings: Any,
+    **settings: Unpack[_settings.ScanCheckSettings],
 ) -> ScanFindings:
     """Judges scans before a registration; see :class:`ScanCheckFilter`."""
     process = ScanCheckFilter()
@@ -569,7 +577,10 @@ class LandmarkCounterpartFilter(ProcessObject, _core.LandmarkCounterpartFilter):
         return {name: LandmarkCounterpart(*found) for name, found in self._GetCounterparts().items()}
 
 
-def FindLandmarkCounterparts(landmarks: Any, **inputs: Any) -> Dict[str, LandmarkCounterpart]:
+def FindLandmarkCounterparts(
+    landmarks: Any,
+    **inputs: Unpack[_settings.FindLandmarkCounterpartsSettings],
+) -> Dict[str, LandmarkCounterpart]:
     """Where an analysis's landmarks are on the scans; see :class:`LandmarkCounterpartFilter`."""
     return LandmarkCounterpartFilter().Execute(landmarks, **inputs)
 
@@ -631,7 +642,7 @@ class ToothCrownFilter(ProcessObject, _core.ToothCrownFilter):
         return {name: ToothCrown(*found) for name, found in self._GetCrowns().items()}
 
 
-def FindToothCrowns(**inputs: Any) -> Dict[str, ToothCrown]:
+def FindToothCrowns(**inputs: Unpack[_settings.FindToothCrownsSettings]) -> Dict[str, ToothCrown]:
     """The crowns of teeth that an analysis has outlined; see :class:`ToothCrownFilter`."""
     return ToothCrownFilter().Execute(**inputs)
 
@@ -685,7 +696,7 @@ def FindTracedSide(
     upperContour: Optional[ContourLike] = None,
     lowerContour: Optional[ContourLike] = None,
     cephalometricLandmarks: Optional[Any] = None,
-    **settings: Any,
+    **settings: Unpack[_settings.FindTracedSideSettings],
 ) -> TracedSides:
     """Which side a drawing shows; see :class:`TracedSideFilter`. Settings: ``tracedSide``, ``codesHaveSides``, ..."""
     process = TracedSideFilter()

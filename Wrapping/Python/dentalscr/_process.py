@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any, Callable, Union
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Union
 
 from . import _core
 from ._errors import ArgumentError
@@ -78,7 +78,7 @@ if not TYPE_CHECKING:
         setattr(ProcessObject, _name, staticmethod(getattr(_core.ProcessObject, _name)))
 
 
-def apply_settings(process: Any, settings: dict[str, Any]) -> None:
+def apply_settings(process: Any, settings: Mapping[str, object]) -> None:
     """Keywords of a procedural twin: ``sigma=0.5`` is ``SetSigma(0.5)``; True and False switch too."""
     for name, value in settings.items():
         setter = getattr(process, "Set" + name[:1].upper() + name[1:], None)

@@ -1,13 +1,18 @@
 """Registration of contours."""
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Union, cast
+from typing import TYPE_CHECKING, Any, Callable, Optional, Union, cast
 
 from . import _core
 from ._errors import ArgumentError
 from ._filters import as_similarity
 from ._inputs import Array, ContourLike, ImageLike, TransformLike, as_contour, as_image
 from ._process import ProcessObject, apply_settings
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from . import _settings
 
 
 class SilhouetteToContourRegistrationMethod(ProcessObject, _core.SilhouetteToContourRegistrationMethod):
@@ -79,7 +84,7 @@ def SilhouetteToContourRegistration(
     moving: ContourLike,
     pixelSpacing: float = 0.25,
     initialTransform: Optional[TransformLike] = None,
-    **settings: Any,
+    **settings: Unpack[_settings.SilhouetteToContourRegistrationSettings],
 ) -> _core.Similarity2DTransform:
     """The paper's registration of contours; see :class:`SilhouetteToContourRegistrationMethod`.
 
@@ -122,7 +127,10 @@ class IterativeClosestPointContourRegistrationMethod(
 
 
 def IterativeClosestPointContourRegistration(
-    fixed: ContourLike, moving: ContourLike, trimmedFraction: float = 0.0, **settings: Any
+    fixed: ContourLike,
+    moving: ContourLike,
+    trimmedFraction: float = 0.0,
+    **settings: Unpack[_settings.IterativeClosestPointContourRegistrationSettings],
 ) -> _core.Similarity2DTransform:
     """ICP; see :class:`IterativeClosestPointContourRegistrationMethod`. Maps moving to fixed."""
     process = IterativeClosestPointContourRegistrationMethod()
@@ -147,7 +155,10 @@ class CoherentPointDriftContourRegistrationMethod(ProcessObject, _core.CoherentP
 
 
 def CoherentPointDriftContourRegistration(
-    fixed: ContourLike, moving: ContourLike, outlierWeight: float = 0.0, **settings: Any
+    fixed: ContourLike,
+    moving: ContourLike,
+    outlierWeight: float = 0.0,
+    **settings: Unpack[_settings.CoherentPointDriftContourRegistrationSettings],
 ) -> _core.Similarity2DTransform:
     """CPD; see :class:`CoherentPointDriftContourRegistrationMethod`. Maps moving to fixed."""
     process = CoherentPointDriftContourRegistrationMethod()
@@ -189,7 +200,7 @@ def IntensityRegistration(
     fixed: ContourLike,
     moving: ContourLike,
     measure: Union[str, _core.IntensityMeasure] = "MutualInformation",
-    **settings: Any,
+    **settings: Unpack[_settings.IntensityRegistrationSettings],
 ) -> _core.Similarity2DTransform:
     """Registration by grey values; see :class:`IntensityRegistrationMethod`."""
     process = IntensityRegistrationMethod()

@@ -553,6 +553,13 @@ WrapCase(py::module_ & module)
         options.report = report;
         options.page = page;
         options.anonymous = anonymous;
+        options.between = []() {
+          const py::gil_scoped_acquire interpreter;
+          if (PyErr_CheckSignals() != 0)
+          {
+            throw py::error_already_set();
+          }
+        };
         itk::WriteCaseResult(self, folder, options);
       },
       py::arg("folder"),

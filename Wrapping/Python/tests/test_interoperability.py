@@ -200,3 +200,33 @@ def test_open3d_names_are_taken(ds):
         triangles = np.array([[0, 1, 2]], np.int32)
 
     assert ds.as_mesh(TriangleMesh()).GetNumberOfTriangles() == 1
+
+    class Tensor:
+        def __init__(self, values):
+            self.values = values
+
+        def cpu(self):
+            return self
+
+        def numpy(self):
+            return self.values
+
+    class TensorMesh:
+        vertex = {"positions": Tensor(np.eye(3, dtype=np.float32))}
+        triangle = {"indices": Tensor(np.array([[0, 1, 2]], np.int64))}
+
+    assert np.array_equal(ds.as_mesh(TensorMesh()).points, np.eye(3))
+
+
+def test_open3d_there_and_back(ds):
+    open3d = pytest.importorskip("open3d")
+    mesh = ds.DentalPhantomMesh(seed=3)["upper"].mesh
+    there = open3d.geometry.TriangleMesh(
+        open3d.utility.Vector3dVector(mesh.points.astype(float)), open3d.utility.Vector3iVector(mesh.triangles)
+    )
+    for given in (there, open3d.t.geometry.TriangleMesh.from_legacy(there)):
+        back = ds.as_mesh(given)
+        assert np.array_equal(back.points, mesh.points) and np.array_equal(back.triangles, mesh.triangles)
+    frame = ds.UMidlineDentalAxis(there)
+    there.transform(frame.upperTransform.matrix)
+    assert np.allclose(np.asarray(there.vertices), frame.upper.points, atol=1e-5)

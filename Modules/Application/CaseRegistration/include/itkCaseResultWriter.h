@@ -21,6 +21,7 @@
 #include "CaseRegistrationExport.h"
 #include "itkCaseResult.h"
 
+#include <functional>
 #include <string>
 
 namespace itk
@@ -37,6 +38,8 @@ struct CaseOutputOptions
   bool page{ true };
   /** Without paths and names (MakeAnonymous()). */
   bool anonymous{ false };
+  /** Called between files. What it throws ends the writing, and the folder stays as it was. */
+  std::function<void()> between;
 };
 
 /** Takes the files of an earlier result out of a folder, and leaves all others alone. \ingroup CaseRegistration */

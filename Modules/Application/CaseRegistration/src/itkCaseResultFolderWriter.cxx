@@ -83,6 +83,13 @@ CaseResultFolderWriter::GenerateData()
   options.report = m_WriteReport;
   options.page = m_WritePage;
   options.anonymous = m_Anonymous;
+  options.between = [this]() {
+    this->InvokeEvent(ProgressEvent());
+    if (this->GetAbortGenerateData())
+    {
+      throw ProcessAborted(__FILE__, __LINE__);
+    }
+  };
   if (m_CommandLine.empty())
   {
     WriteCaseResult(this->GetInput()->Get(), *folder, options);

@@ -109,6 +109,12 @@ ViewOverlayName(const std::string & view, const std::string & jaw)
 void
 WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputOptions & options)
 {
+  const auto look = [&options]() {
+    if (options.between)
+    {
+      options.between();
+    }
+  };
   auto page = ReportPageWriter::New();
   for (const auto & entry : result.jaws)
   {
@@ -122,6 +128,7 @@ WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputO
     {
       const auto scan = MoveMesh(result.data->GetJaw(entry.first).mesh, jaw.meshToCephalostat);
       WriteDentalMesh(scan.GetPointer(), (folder / (name + "_ceph.stl")).string());
+      look();
       if (entry.first == ToothCode::JawEnum::Upper)
       {
         page->SetUpperScan(scan);
@@ -131,11 +138,13 @@ WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputO
         page->SetLowerScan(scan);
       }
       WriteCaseOverlay(result, entry.first, (folder / ("overlay_" + name + ".png")).string());
+      look();
       for (const CaseViewResult & view : result.views)
       {
         if (view.result->jaws.count(entry.first) != 0)
         {
           WriteCaseOverlay(*view.result, entry.first, (folder / ViewOverlayName(view.name, name)).string());
+          look();
         }
       }
     }
@@ -175,6 +184,7 @@ WriteFiles(const CaseResult & result, const fs::path & folder, const CaseOutputO
       page->Update();
     }
   }
+  look();
   // Last: where it is, everything is.
   WriteFileAtomically((folder / "result.json").string(), json);
 }

@@ -44,7 +44,7 @@ namespace
 {
 using MeshType = DentalCaseData::MeshType;
 using ImageType = DentalCaseData::ImageType;
-using MethodType = SilhouetteToContourRegistrationMethod;
+using SimilarityMethodType = SilhouetteToContourRegistrationMethod;
 
 Similarity2DTransform<double>::Pointer
 MakeSimilarity(const SimilarityParameters & similarity)
@@ -60,7 +60,7 @@ MakeSimilarity(const SimilarityParameters & similarity)
 }
 
 void
-ReportBoundsHit(const MethodType * method, JawResult & result)
+ReportBoundsHit(const SimilarityMethodType * method, JawResult & result)
 {
   const auto & levels = method->GetLevelResults();
   if (levels.empty())
@@ -83,7 +83,7 @@ ReportBoundsHit(const MethodType * method, JawResult & result)
 }
 /** What the method did level by level, and where the jaw was when each began. */
 void
-KeepCourse(const MethodType *                 method,
+KeepCourse(const SimilarityMethodType *       method,
            const RegistrationCourseRecorder & recorder,
            ToothCode::JawEnum                 jaw,
            JawResult &                        result)
@@ -240,7 +240,7 @@ RegisterJawBySimilarity(const DentalCaseData &         data,
 
   TimeProbe probe;
   probe.Start();
-  auto method = MethodType::New();
+  auto method = SimilarityMethodType::New();
   method->SetFixedContour(tracing);
   method->SetMovingContour(silhouette);
   method->SetPixelSpacing(0.5 * (geometry->GetPixelSpacing()[0] + geometry->GetPixelSpacing()[1]));

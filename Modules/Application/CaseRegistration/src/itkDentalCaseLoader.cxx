@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDentalCaseLoader.h"
 
+#include "itkAppendTexts.h"
 #include "itkDentalInputError.h"
 #include "itkDentalLandmarkFileReader.h"
 #include "itkDentalRadiographLoader.h"
@@ -42,12 +43,6 @@ namespace itk
 namespace
 {
 using JawEnum = ToothCode::JawEnum;
-
-void
-Append(std::vector<std::string> & to, const std::vector<std::string> & from)
-{
-  to.insert(to.end(), from.begin(), from.end());
-}
 
 DentalCaseData::MeshType::Pointer
 LoadMesh(const std::string & fileName, double millimetresPerUnit, std::vector<std::string> & warnings)
@@ -217,7 +212,7 @@ LoadDentalCase(const DentalCase & description)
       landmarkReader->SetNumbering(*description.numbering);
     }
     landmarkReader->Update();
-    Append(data->warnings, landmarkReader->GetWarnings());
+    AppendTexts(data->warnings, landmarkReader->GetWarnings());
     data->landmarks3D = landmarkReader->GetOutput();
     data->landmarks3D->DisconnectPipeline();
   }
@@ -244,7 +239,7 @@ LoadDentalCase(const DentalCase & description)
   }
   for (const auto & warnings : meshWarnings)
   {
-    Append(data->warnings, warnings);
+    AppendTexts(data->warnings, warnings);
   }
   LoadLabels(*data);
   RecordCaseInputs(*data, before);

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkDentalRadiographLoader.h"
 
+#include "itkAppendTexts.h"
 #include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
@@ -36,12 +37,6 @@ namespace
 constexpr double SmallestHeadToDetector = 90.0;
 constexpr double UsualHeadToDetector = 150.0;
 constexpr double LargestHeadToDetector = 400.0;
-
-void
-Append(std::vector<std::string> & to, const std::vector<std::string> & from)
-{
-  to.insert(to.end(), from.begin(), from.end());
-}
 
 /** The given value before the DICOM file's; what there is of them, and where from. */
 template <typename TValue, typename TApply>
@@ -112,7 +107,7 @@ DentalRadiographLoader::LoadImage()
   m_Image->SetFileName(m_Description.imageFile);
   m_Image->Update();
   m_Data.image = m_Image->GetOutput();
-  Append(m_Warnings, m_Image->GetWarnings());
+  AppendTexts(m_Warnings, m_Image->GetWarnings());
   if (m_Image->HasRadiographDirection() && m_Image->GetRadiographDirection() != m_Direction)
   {
     const std::string said = m_Image->GetProvenance().at("direction");
@@ -416,7 +411,7 @@ DentalRadiographLoader::LoadContours(const std::vector<std::pair<std::string, st
   }
   reader->Update();
   this->RequireMarkupsGrid(*reader);
-  Append(m_Warnings, reader->GetWarnings());
+  AppendTexts(m_Warnings, reader->GetWarnings());
   m_Data.sidelessContours = reader->GetNumberOfSidelessCodes();
   this->SettleCalibration(*reader);
   m_Data.imageSize = { { static_cast<unsigned int>(reader->GetReadImageSize()[0]),
@@ -452,7 +447,7 @@ DentalRadiographLoader::LoadLandmarks()
     PrepareReader(m_Description, m_Data, *reader);
     reader->Update();
     this->RequireMarkupsGrid(*reader);
-    Append(m_Warnings, reader->GetWarnings());
+    AppendTexts(m_Warnings, reader->GetWarnings());
     m_Data.cephalometricLandmarks = reader->GetOutput();
     m_Data.cephalometricLandmarks->DisconnectPipeline();
   }

@@ -39,7 +39,7 @@ namespace
 using JawEnum = itk::ToothCode::JawEnum;
 using MeshType = itk::DentalCaseData::MeshType;
 using ImageType = itk::Image<float, 2>;
-using SourceType = itk::SurfaceDRRImageSource<MeshType, ImageType>;
+using RadiographSourceType = itk::SurfaceDRRImageSource<MeshType, ImageType>;
 
 struct RenderOptions
 {
@@ -97,7 +97,7 @@ Render(const RenderOptions & options, const CommonOptions & common)
   const auto   scans = FindFrames(*data);
 
   // Jaws have a pose each, hence a source each; where both are there the images share one grid and are added.
-  SourceType::Pointer sources[2];
+  RadiographSourceType::Pointer sources[2];
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     if (data->GetJaw(jaw).mesh.IsNull())
@@ -105,7 +105,7 @@ Render(const RenderOptions & options, const CommonOptions & common)
       continue;
     }
     const auto geometry = PlaceJaw(*data, jaw, scans.axis->GetFrame(), options.result, options.view);
-    auto       source = SourceType::New();
+    auto       source = RadiographSourceType::New();
     source->SetInput(data->GetJaw(jaw).mesh);
     source->SetGeometry(geometry);
     source->SetSigma(options.sigma);

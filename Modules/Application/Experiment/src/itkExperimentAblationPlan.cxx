@@ -31,7 +31,7 @@ namespace itk
 namespace
 {
 using CohortEnum = DentalPhantomCaseSource::CohortEnum;
-constexpr CohortEnum Levels[] = { CohortEnum::Typical, CohortEnum::Hard };
+constexpr CohortEnum AblationLevels[] = { CohortEnum::Typical, CohortEnum::Hard };
 
 /** Preset robust, what remains of it when one ingredient is taken away, and what two more would bring: an object of the
  * method is exchanged where the ingredient is one, an option is set where it is a number or a way to go. */
@@ -97,7 +97,7 @@ public:
   FillRecord(std::size_t, ExperimentRecord & record, const ExperimentMonitor & monitor) const override
   {
     std::size_t done = 0;
-    for (const CohortEnum level : Levels)
+    for (const CohortEnum level : AblationLevels)
     {
       const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, level, false);
       for (const ExperimentMethod & variant : this->GetMethods())
@@ -135,7 +135,7 @@ public:
       std::vector<std::string> cells = { variant.title };
       std::size_t              above = 0;
       std::size_t              lost = 0;
-      for (const CohortEnum level : Levels)
+      for (const CohortEnum level : AblationLevels)
       {
         for (const char * jaw : { "upper", "lower" })
         {

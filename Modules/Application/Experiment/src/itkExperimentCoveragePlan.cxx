@@ -28,7 +28,7 @@ namespace itk
 {
 namespace
 {
-constexpr const char * Method = "robust";
+constexpr const char * CoverageMethod = "robust";
 
 class CoveragePlan : public ExperimentRecordPlan
 {
@@ -48,8 +48,8 @@ public:
     ExperimentConfusionTable confusion;
     for (std::size_t i = 0; i < this->GetRecords().size(); ++i)
     {
-      coverage.Add(this->GetRecords()[i], Method, GetExperimentStratum(i).name);
-      confusion.Add("", this->GetRecords()[i], Method);
+      coverage.Add(this->GetRecords()[i], CoverageMethod, GetExperimentStratum(i).name);
+      confusion.Add("", this->GetRecords()[i], CoverageMethod);
     }
     ExperimentTable accuracy(
       { "Cohort", "cases", "upper mean / worst px", "lower mean / worst px", "ok of the jaws within 0.5 mm" });
@@ -73,7 +73,7 @@ public:
       ExperimentConfusionTable own;
       for (const ExperimentRecord & record : records)
       {
-        own.Add("", record, Method);
+        own.Add("", record, CoverageMethod);
       }
       const auto               counts = own.GetCounts("");
       std::size_t              good = 0;
@@ -84,7 +84,7 @@ public:
       }
       for (const char * jaw : { "upper", "lower" })
       {
-        const ExperimentFigures f = PoolExperiment(records, Method, jaw);
+        const ExperimentFigures f = PoolExperiment(records, CoverageMethod, jaw);
         cells.push_back(ExperimentTable::Number(f.mean, 2) + " / " + ExperimentTable::Number(f.worstCase, 2));
         csv.AddRow({ stratum.name,
                      jaw,
@@ -140,6 +140,6 @@ private:
 std::unique_ptr<ExperimentPlan>
 MakeCoveragePlan(const ExperimentCohort & cohort)
 {
-  return std::make_unique<CoveragePlan>(cohort, SelectExperimentMethods({ Method }));
+  return std::make_unique<CoveragePlan>(cohort, SelectExperimentMethods({ CoverageMethod }));
 }
 } // namespace itk

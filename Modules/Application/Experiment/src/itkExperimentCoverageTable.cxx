@@ -26,7 +26,7 @@ namespace itk
 {
 namespace
 {
-constexpr const char * Jaws[] = { "upper", "lower" };
+constexpr const char * JawsOfCoverage[] = { "upper", "lower" };
 /** Radius of the 95 % region in sigmas. */
 constexpr double Radius95 = 2.448;
 /** Where the strata of jaws and tooth groups begin. */
@@ -76,7 +76,7 @@ ExperimentCoverageTable::Add(const ExperimentRecord & record, const std::string 
   }
   for (std::size_t jaw = 0; jaw < 2; ++jaw)
   {
-    const auto * entry = record.Find(method, Jaws[jaw]);
+    const auto * entry = record.Find(method, JawsOfCoverage[jaw]);
     if (entry == nullptr || !entry->registered)
     {
       continue;

@@ -26,8 +26,8 @@ namespace itk
 namespace
 {
 constexpr double SuccessLimits[] = { 2.0, 2.5, 3.0, 4.0 };
-constexpr double NotUsable = 2.0;
-constexpr double None = std::numeric_limits<double>::quiet_NaN();
+constexpr double NotUsableFigure = 2.0;
+constexpr double NoFigure = std::numeric_limits<double>::quiet_NaN();
 } // namespace
 
 ExperimentFigures
@@ -64,7 +64,7 @@ PoolExperiment(const std::vector<ExperimentRecord> & records, const std::string 
     figures.contour.fixedToMoving += entry->whole.fixedToMoving;
     if (const auto mean = entry->GetMean(true))
     {
-      figures.above2mm += *mean > NotUsable ? 1 : 0;
+      figures.above2mm += *mean > NotUsableFigure ? 1 : 0;
       figures.worstCase = std::max(figures.worstCase, *entry->GetMean(false));
     }
     for (const auto & landmark : entry->landmarks)
@@ -84,16 +84,17 @@ PoolExperiment(const std::vector<ExperimentRecord> & records, const std::string 
     }
   }
   const auto ratio = [](double numerator, std::size_t denominator) {
-    return denominator > 0 ? numerator / static_cast<double>(denominator) : None;
+    return denominator > 0 ? numerator / static_cast<double>(denominator) : NoFigure;
   };
   figures.mean = ratio(sum, figures.landmarks);
   figures.rmse = std::sqrt(ratio(squares, figures.landmarks));
   // The population's: RMSE^2 = mean^2 + std^2.
-  figures.standardDeviation =
-    figures.landmarks > 0 ? std::sqrt(std::max(0.0, figures.rmse * figures.rmse - figures.mean * figures.mean)) : None;
+  figures.standardDeviation = figures.landmarks > 0
+                                ? std::sqrt(std::max(0.0, figures.rmse * figures.rmse - figures.mean * figures.mean))
+                                : NoFigure;
   if (figures.landmarks == 0)
   {
-    figures.worstCase = None;
+    figures.worstCase = NoFigure;
   }
   for (unsigned int i = 0; i < 3; ++i)
   {

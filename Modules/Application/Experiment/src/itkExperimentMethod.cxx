@@ -37,7 +37,7 @@ using KindEnum = ExperimentMethod::KindEnum;
 using ChainEnum = ExperimentMethod::ChainEnum;
 using JawEnum = ToothCode::JawEnum;
 using TransformType = ExperimentRunner::TransformType;
-constexpr JawEnum Jaws[] = { JawEnum::Upper, JawEnum::Lower };
+constexpr JawEnum BothJaws[] = { JawEnum::Upper, JawEnum::Lower };
 /** Far enough that rays are parallel to a part in 10^5 across an arch. */
 constexpr double ParallelDistance = 1e7;
 
@@ -129,7 +129,7 @@ ExperimentRunner::Prepare(JawEnum jaw, ChainEnum chain) -> PreparedType &
     // One for both jaws, as CaseRegistration does.
     auto spacing = TracingPixelSpacingFilter::New();
     spacing->SetGeometry(m_Case.data->geometry);
-    for (const JawEnum each : Jaws)
+    for (const JawEnum each : BothJaws)
     {
       const DentalJawFrame & frame = FrameOf(m_Case.frames, each);
       if (this->HasJaw(each) && frame.valid)
@@ -271,7 +271,7 @@ ExperimentRunner::Run(const ExperimentMethod & method)
     result.data = m_Case.data;
     result.geometry = CephalometricGeometry::New();
     result.geometry->CopyParameters(m_Case.data->geometry);
-    for (const JawEnum jaw : Jaws)
+    for (const JawEnum jaw : BothJaws)
     {
       if (this->HasJaw(jaw))
       {

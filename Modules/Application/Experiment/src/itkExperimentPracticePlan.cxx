@@ -32,9 +32,9 @@ namespace
 using JawEnum = ToothCode::JawEnum;
 using CohortEnum = DentalPhantomCaseSource::CohortEnum;
 
-constexpr const char * Method = "robust";
+constexpr const char * PracticeMethod = "robust";
 /** Radius of the 95 % region in sigmas. */
-constexpr double Radius95 = 2.448;
+constexpr double RadiusOf95 = 2.448;
 /** Mean errors of a jaw, pixels: up to the first the verdict should be ok, beyond the second it must not. */
 constexpr double Usable = 4.0;
 constexpr double Unusable = 8.0;
@@ -60,7 +60,7 @@ constexpr InputType Inputs[] = {
   { "outlines and landmarks", true, true, true, false, "1.38 / 3.1" },
 };
 
-constexpr CohortEnum Levels[] = { CohortEnum::Standard, CohortEnum::Practice };
+constexpr CohortEnum PracticeLevels[] = { CohortEnum::Standard, CohortEnum::Practice };
 
 /** The key of its results in a record. */
 std::string
@@ -107,7 +107,7 @@ MeasureMiddles(const PoseSolution * solution, JawEnum jaw, const ExperimentCase 
 }
 
 /** What a table tells of the jaws of one kind of input. */
-struct FiguresType
+struct PracticeFigures
 {
   std::size_t jaws{ 0 };
   std::size_t registered{ 0 };
@@ -160,7 +160,7 @@ struct FiguresType
       {
         if (middle.sigma && *middle.sigma > 0.0)
         {
-          ratios.push_back(middle.pixels / (Radius95 * *middle.sigma));
+          ratios.push_back(middle.pixels / (RadiusOf95 * *middle.sigma));
           covered += ratios.back() <= 1.0 ? 1 : 0;
         }
       }
@@ -186,7 +186,7 @@ struct FiguresType
 
 /** The smallest value that a share of them does not exceed; not a number where there is none. */
 double
-Quantile(std::vector<double> values, double share)
+RankedQuantile(std::vector<double> values, double share)
 {
   if (values.empty())
   {
@@ -218,14 +218,14 @@ public:
   FillRecord(std::size_t, ExperimentRecord & record, const ExperimentMonitor & monitor) const override
   {
     double part = 0.0;
-    for (const CohortEnum level : Levels)
+    for (const CohortEnum level : PracticeLevels)
     {
       const ExperimentCase full = MakePhantomExperimentCase(record.seed, level, false);
       for (const InputType & input : Inputs)
       {
         monitor.Advance(part);
         this->Run(full, NameOfCohort(level, input), input, record, monitor);
-        part += 1.0 / static_cast<double>(std::size(Levels) * std::size(Inputs));
+        part += 1.0 / static_cast<double>(std::size(PracticeLevels) * std::size(Inputs));
       }
     }
   }
@@ -261,17 +261,17 @@ public:
                                     "factor on sigma for 95 %",
                                     "predicted sigma that 90 % of the jaws within 4 px do not exceed",
                                     "smallest predicted sigma beyond 8 px" });
-    for (const CohortEnum level : Levels)
+    for (const CohortEnum level : PracticeLevels)
     {
       for (const InputType & input : Inputs)
       {
         const std::string cohort = NameOfCohort(level, input);
-        FiguresType       parts[2];
+        PracticeFigures   parts[2];
         for (std::size_t i = 0; i < this->GetRecords().size(); ++i)
         {
           parts[i < calibrating ? 0 : 1].Add(this->GetRecords()[i], cohort);
         }
-        for (const FiguresType & f : parts)
+        for (const PracticeFigures & f : parts)
         {
           csv.AddRow({ NameOf(level),
                        input.name,
@@ -287,7 +287,7 @@ public:
                        std::to_string(f.ratios.size()),
                        ExperimentTable::Number(f.GetCoverage(), 6) });
         }
-        const FiguresType & f = parts[1];
+        const PracticeFigures & f = parts[1];
         report.AddRow({ cohort,
                         std::to_string(f.jaws),
                         std::to_string(f.jaws - f.registered),
@@ -300,9 +300,9 @@ public:
                         Percent(f.GetCoverage()) });
         calibration.AddRow({ cohort,
                              Percent(parts[0].GetCoverage()),
-                             ExperimentTable::Number(Quantile(parts[0].ratios, 0.95), 2),
-                             ExperimentTable::Number(Quantile(parts[0].sigmasOfUsable, 0.9), 2),
-                             ExperimentTable::Number(Quantile(parts[0].sigmasOfUnusable, 0.0), 2) });
+                             ExperimentTable::Number(RankedQuantile(parts[0].ratios, 0.95), 2),
+                             ExperimentTable::Number(RankedQuantile(parts[0].sigmasOfUsable, 0.9), 2),
+                             ExperimentTable::Number(RankedQuantile(parts[0].sigmasOfUnusable, 0.0), 2) });
       }
     }
     std::ostringstream text;
@@ -359,7 +359,7 @@ private:
       own.data = data;
       // The method outlives the chain: its solution says what it would make of landmarks that the case was not given.
       PoseRegistrationMethodBase::Pointer registration;
-      ExperimentMethod                    method = *FindExperimentMethod(Method);
+      ExperimentMethod                    method = *FindExperimentMethod(PracticeMethod);
       method.exchange = [&](PoseRegistrationMethodBase & used) { registration = &used; };
       ExperimentRunner runner(own);
       runner.SetAbort(monitor.GetAbort());
@@ -382,6 +382,6 @@ private:
 std::unique_ptr<ExperimentPlan>
 MakePracticePlan(const ExperimentCohort & cohort)
 {
-  return std::make_unique<PracticePlan>(cohort, SelectExperimentMethods({ Method }));
+  return std::make_unique<PracticePlan>(cohort, SelectExperimentMethods({ PracticeMethod }));
 }
 } // namespace itk

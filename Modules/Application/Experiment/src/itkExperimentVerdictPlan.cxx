@@ -32,7 +32,7 @@ namespace
 {
 using MistakeEnum = ExperimentMistakeEnums::Mistake;
 using CohortEnum = DentalPhantomCaseSource::CohortEnum;
-constexpr const char * Method = "robust";
+constexpr const char * VerdictMethod = "robust";
 constexpr const char * GoodCases = "good cases";
 constexpr const char * WrongInputs = "wrong inputs";
 
@@ -86,7 +86,7 @@ public:
       const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, LevelOf(i), false, variation);
       ExperimentRunner     runner(experimentCase);
       runner.SetAbort(monitor.GetAbort());
-      record.Add(Describe(mistake), runner.Run(*FindExperimentMethod(Method)));
+      record.Add(Describe(mistake), runner.Run(*FindExperimentMethod(VerdictMethod)));
     }
   }
 
@@ -113,7 +113,7 @@ public:
     ExperimentConfusionTable confusion;
     for (const ExperimentRecord & record : this->GetRecords())
     {
-      confusion.Add(GoodCases, record, Method);
+      confusion.Add(GoodCases, record, VerdictMethod);
     }
     const auto addRows = [&](const std::string & name, const std::string & key, bool byLevel) {
       const RowType all = this->Count(key, nullptr);
@@ -144,7 +144,7 @@ public:
         }
       }
     };
-    addRows("nothing: cases of every kind", Method, false);
+    addRows("nothing: cases of every kind", VerdictMethod, false);
     for (const MistakeEnum mistake : GetExperimentMistakes())
     {
       addRows(Describe(mistake), Describe(mistake), true);
@@ -244,6 +244,6 @@ private:
 std::unique_ptr<ExperimentPlan>
 MakeVerdictPlan(const ExperimentCohort & cohort)
 {
-  return std::make_unique<VerdictPlan>(cohort, SelectExperimentMethods({ Method }));
+  return std::make_unique<VerdictPlan>(cohort, SelectExperimentMethods({ VerdictMethod }));
 }
 } // namespace itk

@@ -39,7 +39,7 @@ namespace
 {
 using JawEnum = ToothCode::JawEnum;
 
-constexpr const char * Method = "robust";
+constexpr const char * ViewsMethod = "robust";
 constexpr double       Degrees = 57.29577951308232;
 
 /** What of a frontal radiograph a case is given. */
@@ -172,7 +172,7 @@ MeasurePlace(const JawResult & jaw, const CephalometricGeometry & truth)
 }
 
 /** What a table tells of a variant. */
-struct FiguresType
+struct ViewFigures
 {
   std::size_t cases{ 0 };
   std::size_t ok{ 0 };
@@ -242,7 +242,7 @@ public:
       own.data = MakeCase(*lateral.data, *source->GetFrontalView(), variant);
       ExperimentRunner runner(own);
       runner.SetAbort(monitor.GetAbort());
-      const CaseResult result = runner.Run(*FindExperimentMethod(Method));
+      const CaseResult result = runner.Run(*FindExperimentMethod(ViewsMethod));
       record.Add(variant.name, result);
       for (const auto & entry : result.jaws)
       {
@@ -274,7 +274,7 @@ public:
     ExperimentTable csv({ "variant", "freedom", "jaws", "rms_error", "rms_sigma" });
     for (const VariantType & variant : Variants)
     {
-      FiguresType figures;
+      ViewFigures figures;
       for (const ExperimentRecord & record : this->GetRecords())
       {
         for (const char * name : { "upper", "lower" })
@@ -288,8 +288,8 @@ public:
       std::vector<std::string> row{ variant.name, std::to_string(figures.cases) };
       for (unsigned int k = 0; k < 6; ++k)
       {
-        const double error = FiguresType::Root(figures.squares[k], figures.cases);
-        const double sigma = FiguresType::Root(figures.sigmas[k], figures.cases);
+        const double error = ViewFigures::Root(figures.squares[k], figures.cases);
+        const double sigma = ViewFigures::Root(figures.sigmas[k], figures.cases);
         row.push_back(ExperimentTable::Number(error, 2) + " (" + ExperimentTable::Number(sigma, 2) + ")");
         csv.AddRow({ variant.name,
                      Freedoms[k],
@@ -323,6 +323,6 @@ public:
 std::unique_ptr<ExperimentPlan>
 MakeViewsPlan(const ExperimentCohort & cohort)
 {
-  return std::make_unique<ViewsPlan>(cohort, SelectExperimentMethods({ Method }));
+  return std::make_unique<ViewsPlan>(cohort, SelectExperimentMethods({ ViewsMethod }));
 }
 } // namespace itk

@@ -159,7 +159,7 @@ Round(double value)
 }
 
 Json
-ToJson(const DentalContour::PolylineType & polyline)
+DescribePolyline(const DentalContour::PolylineType & polyline)
 {
   Json points = Json::array();
   for (const auto & point : polyline.points)
@@ -224,7 +224,7 @@ DescribeJaw(const JawResult & jaw)
   {
     for (const auto & polyline : jaw.contours.front().second->GetPolylines())
     {
-      json["outline"].push_back(ToJson(polyline));
+      json["outline"].push_back(DescribePolyline(polyline));
     }
   }
   return json;
@@ -304,7 +304,7 @@ TracingSession::Register(const std::string & drawings)
     {
       for (const auto & polyline : polylines)
       {
-        json["drafts"][ToString(jaw)].push_back(ToJson(polyline));
+        json["drafts"][ToString(jaw)].push_back(DescribePolyline(polyline));
       }
     }
     for (const std::string & warning : result.warnings)

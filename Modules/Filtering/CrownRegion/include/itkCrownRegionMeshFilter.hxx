@@ -184,7 +184,11 @@ CrownRegionMeshFilter<TMesh>::GenerateData()
       CrownRegionOptions options;
       options.minimumCrownHeight = m_MinimumCrownHeight;
       options.maximumCrownHeight = m_MaximumCrownHeight;
-      options.abort = [this]() { return this->GetAbortGenerateData(); };
+      options.abort = [this]() {
+        // Whoever can end this, Ctrl-C say, is asked in the midst of it: it takes half a second for 400,000 triangles.
+        this->InvokeEvent(ProgressEvent());
+        return this->GetAbortGenerateData();
+      };
       m_Region = ComputeCrownRegion(surface, m_Jaw, frame.axes, frame.origin, options);
     }
     stopIfAborted();

@@ -29,7 +29,7 @@ namespace
 {
 using PointType = TriangleSurface::PointType;
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double HalfTurn = 3.14159265358979323846;
 constexpr double None = -1e9;
 
 bool
@@ -73,7 +73,8 @@ Solve(std::array<std::array<double, 6>, 5> a, std::array<double, 5> & result)
 unsigned int
 SectorOf(double x, double y)
 {
-  return static_cast<unsigned int>(std::clamp((std::atan2(y, x) + Pi) / (2.0 * Pi) * Sectors, 0.0, Sectors - 1.0));
+  return static_cast<unsigned int>(
+    std::clamp((std::atan2(y, x) + HalfTurn) / (2.0 * HalfTurn) * Sectors, 0.0, Sectors - 1.0));
 }
 
 std::vector<SectorTop>

@@ -30,7 +30,7 @@ namespace
 {
 using Vector3 = std::array<double, 3>;
 
-constexpr std::uint32_t None = 0xffffffffu;
+constexpr std::uint32_t NoPoint = 0xffffffffu;
 
 /** Faces with a larger ratio of two sides to twice the area, in parts of the surface's radius, are always tested
  * exactly. */
@@ -178,7 +178,7 @@ SilhouetteEdges::MergePoints(const std::vector<TriangleType> & triangles, std::v
   {
     capacity *= 2;
   }
-  std::vector<std::uint32_t> table(capacity, None);
+  std::vector<std::uint32_t> table(capacity, NoPoint);
   bool                       isSame = true;
   for (std::uint32_t i = 0; i < m_Points.size(); ++i)
   {
@@ -191,11 +191,11 @@ SilhouetteEdges::MergePoints(const std::vector<TriangleType> & triangles, std::v
       hash ^= hash >> 29;
     }
     std::size_t slot = hash & (capacity - 1);
-    while (table[slot] != None && m_Points[table[slot]] != m_Points[i])
+    while (table[slot] != NoPoint && m_Points[table[slot]] != m_Points[i])
     {
       slot = (slot + 1) & (capacity - 1);
     }
-    if (table[slot] == None)
+    if (table[slot] == NoPoint)
     {
       table[slot] = i;
     }
@@ -246,7 +246,7 @@ SilhouetteEdges::MeasureBox(const std::vector<TriangleType> & triangles)
 void
 SilhouetteEdges::BuildComponents(const std::vector<TriangleType> & triangles)
 {
-  std::vector<std::uint32_t> parent(m_Points.size(), None);
+  std::vector<std::uint32_t> parent(m_Points.size(), NoPoint);
   const auto                 find = [&parent](std::uint32_t i) {
     while (parent[i] != i)
     {
@@ -259,7 +259,7 @@ SilhouetteEdges::BuildComponents(const std::vector<TriangleType> & triangles)
   {
     for (const std::uint32_t corner : triangle)
     {
-      if (parent[corner] == None)
+      if (parent[corner] == NoPoint)
       {
         parent[corner] = corner;
       }
@@ -271,14 +271,14 @@ SilhouetteEdges::BuildComponents(const std::vector<TriangleType> & triangles)
       parent[std::max(a, b)] = std::min(a, b);
     }
   }
-  std::vector<std::uint32_t> number(m_Points.size(), None);
+  std::vector<std::uint32_t> number(m_Points.size(), NoPoint);
   m_ComponentOfPoint.assign(m_Points.size(), 0);
   for (std::uint32_t i = 0; i < m_Points.size(); ++i)
   {
-    if (parent[i] != None)
+    if (parent[i] != NoPoint)
     {
       const std::uint32_t root = find(i);
-      if (number[root] == None)
+      if (number[root] == NoPoint)
       {
         number[root] = static_cast<std::uint32_t>(m_NumberOfComponents++);
       }

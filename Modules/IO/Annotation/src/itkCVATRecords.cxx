@@ -38,7 +38,7 @@ namespace
 using AttributesType = std::map<std::string, std::string>;
 
 /** As deep as JSON may be nested; CVAT nests four elements. */
-constexpr int MaximumDepth = 64;
+constexpr int MaximumElementDepth = 64;
 
 struct Shape
 {
@@ -176,9 +176,9 @@ private:
   void
   StartElement(const std::string & name, const XML_Char ** list)
   {
-    if (++m_Depth > MaximumDepth)
+    if (++m_Depth > MaximumElementDepth)
     {
-      this->Fail("is nested deeper than " + std::to_string(MaximumDepth) + " elements", "export it again");
+      this->Fail("is nested deeper than " + std::to_string(MaximumElementDepth) + " elements", "export it again");
     }
     AttributesType attributes;
     for (; list[0] != nullptr; list += 2)

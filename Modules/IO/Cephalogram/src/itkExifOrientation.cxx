@@ -28,7 +28,7 @@ namespace itk
 namespace
 {
 /** Segments have at most 64 KiB, and one or two stand before Exif's. */
-constexpr std::size_t HeadSize = std::size_t{ 1 } << 18;
+constexpr std::size_t ExifHeadSize = std::size_t{ 1 } << 18;
 
 /** A number of the bytes, in either order; 0 where they end before it. */
 std::uint32_t
@@ -96,7 +96,7 @@ ReadExifOrientation(std::string_view picture)
 {
   // The block is a TIFF of which only the first directory counts here.
   const std::string_view block =
-    picture.substr(0, 4) == "\x89PNG" ? FindExifChunk(picture) : FindExif(picture.substr(0, HeadSize));
+    picture.substr(0, 4) == "\x89PNG" ? FindExifChunk(picture) : FindExif(picture.substr(0, ExifHeadSize));
   const bool bigEndian = block.substr(0, 2) == "MM";
   if ((!bigEndian && block.substr(0, 2) != "II") || GetNumber(block, 2, 2, bigEndian) != 42)
   {

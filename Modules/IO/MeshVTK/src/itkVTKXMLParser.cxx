@@ -36,7 +36,7 @@ namespace
 {
 using AttributesType = std::map<std::string, std::string>;
 
-struct TypeInfo
+struct XMLTypeInfo
 {
   const char * name;
   unsigned int size;
@@ -44,11 +44,11 @@ struct TypeInfo
   bool         isSigned;
 };
 
-constexpr TypeInfo Types[] = { { "Int8", 1, false, true },   { "UInt8", 1, false, false },
-                               { "Int16", 2, false, true },  { "UInt16", 2, false, false },
-                               { "Int32", 4, false, true },  { "UInt32", 4, false, false },
-                               { "Int64", 8, false, true },  { "UInt64", 8, false, false },
-                               { "Float32", 4, true, true }, { "Float64", 8, true, true } };
+constexpr XMLTypeInfo XMLTypes[] = { { "Int8", 1, false, true },   { "UInt8", 1, false, false },
+                                     { "Int16", 2, false, true },  { "UInt16", 2, false, false },
+                                     { "Int32", 4, false, true },  { "UInt32", 4, false, false },
+                                     { "Int64", 8, false, true },  { "UInt64", 8, false, false },
+                                     { "Float32", 4, true, true }, { "Float64", 8, true, true } };
 
 /** Compression makes at most a thousandth of constant data. */
 constexpr std::size_t LargestRatio = 1100;
@@ -375,8 +375,8 @@ private:
   {
     const std::string & typeName = m_Array["type"];
     const auto          type =
-      std::find_if(std::begin(Types), std::end(Types), [&](const TypeInfo & t) { return typeName == t.name; });
-    if (type == std::end(Types))
+      std::find_if(std::begin(XMLTypes), std::end(XMLTypes), [&](const XMLTypeInfo & t) { return typeName == t.name; });
+    if (type == std::end(XMLTypes))
     {
       throw VTKFileError(m_Field, "is of an unknown type");
     }
@@ -556,7 +556,7 @@ private:
   std::size_t
   Header(const std::string & head, std::size_t index, std::size_t largest) const
   {
-    const TypeInfo    type{ "", static_cast<unsigned int>(m_HeaderSize), false, false };
+    const XMLTypeInfo type{ "", static_cast<unsigned int>(m_HeaderSize), false, false };
     const std::size_t value = this->Bits(head.data() + index * m_HeaderSize, type.size);
     if (value > largest)
     {
@@ -577,7 +577,7 @@ private:
   }
 
   double
-  Interpret(const char * bytes, const TypeInfo & type) const
+  Interpret(const char * bytes, const XMLTypeInfo & type) const
   {
     std::uint64_t bits = this->Bits(bytes, type.size);
     if (type.real && type.size == 4)

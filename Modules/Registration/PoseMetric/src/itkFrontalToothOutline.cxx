@@ -28,9 +28,9 @@ namespace itk
 namespace
 {
 /** Positions of front teeth, whose edges are drawn; of those behind them the buccal borders are. */
-constexpr unsigned int LastFrontTooth = 3;
+constexpr unsigned int LastFrontToothOfOutline = 3;
 /** Of a normal's component toward the root, beyond which a closed outline is the neck and no border. */
-constexpr double FacesRoot = 0.5;
+constexpr double OutlineFacesRoot = 0.5;
 } // namespace
 
 FrontalToothOutline::FrontalToothOutline(const PoseGeometry &                geometry,
@@ -68,7 +68,7 @@ FrontalToothOutline::FrontalToothOutline(const PoseGeometry &                geo
     const PointType & a = points[i];
     const PointType & b = points[(i + 1) % n];
     normals.push_back(ComputeNormal(points, i, polyline.closed));
-    away += occlusal * normals.back()[1] + (m_Position > LastFrontTooth ? outward * normals.back()[0] : 0.0);
+    away += occlusal * normals.back()[1] + (m_Position > LastFrontToothOfOutline ? outward * normals.back()[0] : 0.0);
     area += a[0] * b[1] - a[1] * b[0];
   }
   const bool isInward = polyline.closed ? area < 0.0 : away < 0.0;
@@ -77,7 +77,7 @@ FrontalToothOutline::FrontalToothOutline(const PoseGeometry &                geo
   if (polyline.closed)
   {
     const auto looksAtRoot = [&](std::size_t i) {
-      return (isInward ? -occlusal : occlusal) * normals[i % n][1] < -FacesRoot;
+      return (isInward ? -occlusal : occlusal) * normals[i % n][1] < -OutlineFacesRoot;
     };
     std::size_t longest = 0, run = 0;
     for (std::size_t i = 0; i < 2 * n; ++i)
@@ -94,7 +94,7 @@ FrontalToothOutline::FrontalToothOutline(const PoseGeometry &                geo
   {
     const std::size_t i = (begin + k) % n;
     const PointType normal{ { isInward ? -normals[i][0] : normals[i][0], isInward ? -normals[i][1] : normals[i][1] } };
-    if (!polyline.closed || occlusal * normal[1] >= -FacesRoot)
+    if (!polyline.closed || occlusal * normal[1] >= -OutlineFacesRoot)
     {
       this->AddPoint(points[i], normal, 0.0);
     }

@@ -31,9 +31,9 @@ namespace
  */
 constexpr double FacesRoot = 0.5;
 /** px within which a sample of the fellow's outline is looked for, centres together: half a crown's height. */
-constexpr double PairingReach = 16.0;
+constexpr double ToothPairingReach = 16.0;
 /** px a unit normal: opposite flanks of a crown, whose normals are 2 apart, are never paired. */
-constexpr double PairingNormalWeight = 12.0;
+constexpr double ToothPairingNormalWeight = 12.0;
 } // namespace
 
 PoseToothContourModel::PoseToothContourModel(const std::vector<std::shared_ptr<const TriangleSurface>> & crowns,
@@ -131,14 +131,14 @@ PoseToothContourModel::ComputeMiddle(const PoseModel & model) const
     bool              open = false;
     for (std::size_t i = one.runs[r]; i < end; ++i)
     {
-      double      best = PairingReach * PairingReach;
+      double      best = ToothPairingReach * ToothPairingReach;
       std::size_t partner = other.Size();
       for (std::size_t j = 0; j < other.Size(); ++j)
       {
         const double u = one.u[i] + du - other.u[j];
         const double v = one.v[i] + dv - other.v[j];
         const double turned = 2.0 - 2.0 * (one.nu[i] * other.nu[j] + one.nv[i] * other.nv[j]);
-        const double d = u * u + v * v + PairingNormalWeight * PairingNormalWeight * turned;
+        const double d = u * u + v * v + ToothPairingNormalWeight * ToothPairingNormalWeight * turned;
         if (d < best)
         {
           best = d;

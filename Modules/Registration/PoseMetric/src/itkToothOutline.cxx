@@ -27,7 +27,7 @@ namespace itk
 namespace
 {
 /** Points to either side whose chord is a point's tangent: 5 px. */
-constexpr std::size_t TangentReach = 2;
+constexpr std::size_t OutlineTangentReach = 2;
 /** Points of a closed line that it is a line with. */
 constexpr std::size_t FewestClosed = 8;
 } // namespace
@@ -51,8 +51,8 @@ auto
 ToothOutline::ComputeNormal(const std::vector<PointType> & points, std::size_t i, bool closed) -> PointType
 {
   const std::size_t n = points.size();
-  const PointType & a = points[closed ? (i + n - TangentReach) % n : i - std::min(i, TangentReach)];
-  const PointType & b = points[closed ? (i + TangentReach) % n : std::min(n - 1, i + TangentReach)];
+  const PointType & a = points[closed ? (i + n - OutlineTangentReach) % n : i - std::min(i, OutlineTangentReach)];
+  const PointType & b = points[closed ? (i + OutlineTangentReach) % n : std::min(n - 1, i + OutlineTangentReach)];
   const double      chord = std::max(1e-9, std::hypot(b[0] - a[0], b[1] - a[1]));
   return { { (b[1] - a[1]) / chord, -(b[0] - a[0]) / chord } };
 }

@@ -59,7 +59,7 @@ constexpr double ShiftRidge = 1.0 / 144.0;
  * millimetres beside its place is off with all of its teeth, and is not to be caught by the one that happens to fit. */
 constexpr std::size_t FewestTeethWithASpread = 4;
 /** No weight is quite 0: the covariance is inverted. */
-constexpr double SmallestWeight = 1e-4;
+constexpr double SmallestToothWeight = 1e-4;
 /** Component along the arch of a normal above which its point is at an end of the tooth. */
 constexpr double CutFacing = 0.5;
 /** By which the deviance of a jaw's templates has to be less: three of ten readers use templates, and what is not quite
@@ -554,7 +554,7 @@ ToothOutlinePoseMetricv4::Factorize(const ToothType & tooth, NoiseType & noise) 
       }
       noise.factor[j * n + i] = k;
     }
-    noise.factor[j * n + j] += jitter2 / std::max(noise.weights[j], SmallestWeight);
+    noise.factor[j * n + j] += jitter2 / std::max(noise.weights[j], SmallestToothWeight);
   }
   if (!ContourNoiseModel::Factor(noise.factor.data(), n))
   {

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkLandmarkCounterpartFilter.h"
 
+#include "itkJawIndex.h"
 #include "itkToothFinder.h"
 
 #include <algorithm>
@@ -28,12 +29,6 @@ namespace
 {
 using JawEnum = ToothCode::JawEnum;
 using FeatureEnum = CephalometricLandmarkSet::FeatureEnum;
-
-unsigned int
-ToIndex(JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? 0 : 1;
-}
 
 /** The image of the other side's tooth, where only one was found: arches are not symmetric, heads turn by two degrees,
  * and 45 mm lie between first molars. */

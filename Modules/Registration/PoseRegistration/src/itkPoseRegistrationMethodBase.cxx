@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkPoseRegistrationMethodBase.h"
 
+#include "itkJawIndex.h"
 #include "itkPoseGeometryConversion.h"
 
 #include "itkDentalFrameEstimator.h"
@@ -46,12 +47,6 @@ namespace
 {
 using JawEnum = ToothCode::JawEnum;
 constexpr JawEnum Jaws[] = { JawEnum::Upper, JawEnum::Lower };
-
-unsigned int
-ToIndex(JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? 0 : 1;
-}
 
 /** Without a transform between them, whose rounding would move the origin. */
 PoseFrame

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkScanCheckFilter.h"
 
+#include "itkJawIndex.h"
 #include "itkJawExchangeEvidence.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkMillimetresPerUnit.h"
@@ -83,12 +84,6 @@ constexpr double ProbablyExchanged = 0.5;
 /** Confidence in a dental axis below which it is doubted: the middle of its range from 0 to 1 (Documentation/UMDA.md).
  */
 constexpr double UnsureAxis = 0.5;
-
-std::size_t
-ToIndex(JawEnum jaw)
-{
-  return jaw == JawEnum::Upper ? 0 : 1;
-}
 
 /** Three digits: what a person reads. */
 std::string

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkToothCrownFilter.h"
 
+#include "itkJawIndex.h"
 #include "itkToothFinder.h"
 
 #include <algorithm>
@@ -24,15 +25,6 @@
 
 namespace itk
 {
-namespace
-{
-unsigned int
-ToIndex(ToothCode::JawEnum jaw)
-{
-  return jaw == ToothCode::JawEnum::Upper ? 0 : 1;
-}
-} // namespace
-
 ToothCrownFilter::ToothCrownFilter()
 {
   this->AddOptionalInputName("UpperContour", 0);

@@ -53,7 +53,7 @@ enum Output : unsigned int
 };
 
 /** Random streams that only this class uses; those of the drawings are written where they are used. */
-enum Stream : std::uint64_t
+enum CaseStream : std::uint64_t
 {
   FrameStream = 318
 };
@@ -320,6 +320,11 @@ DentalPhantomCaseSource::GenerateData()
   auto               meshSource = MeshSourceType::New();
   meshSource->SetParameters(m_Parameters);
   meshSource->SetNumberOfWorkUnits(threads);
+  // The jaws take most of the time, a second for 200,000 triangles: they can be ended in the midst of it.
+  meshSource->AddObserver(ProgressEvent(), [this, source = meshSource.GetPointer()](const EventObject &) {
+    this->UpdateProgress(0.5f * source->GetProgress());
+    source->SetAbortGenerateData(this->GetAbortGenerateData());
+  });
   meshSource->Update();
   this->UpdateProgress(0.5f);
   if (this->GetAbortGenerateData())

@@ -34,7 +34,7 @@ using namespace DentalPhantomMath;
 
 namespace
 {
-enum Stream : std::uint64_t
+enum FrontalStream : std::uint64_t
 {
   FrontalHeadStream = 501,
   FrontalMachineStream = 502,

@@ -29,7 +29,7 @@ using namespace DentalPhantomMath;
 
 namespace
 {
-enum Stream : std::uint64_t
+enum HandStream : std::uint64_t
 {
   BiasStream = 400,
   OutlineStream = 1000,

@@ -39,7 +39,7 @@ namespace
 {
 using PointType = std::array<double, 3>;
 
-enum Stream : std::uint64_t
+enum ScanDefectStream : std::uint64_t
 {
   FlapStream = 1,
   CrumbStream = 3,

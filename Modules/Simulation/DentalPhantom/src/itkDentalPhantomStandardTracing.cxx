@@ -32,7 +32,7 @@ namespace
 using PixelType = DentalPhantomStandardTracing::PixelType;
 using PointType = DentalPhantomModel::PointType;
 
-enum Stream : std::uint64_t
+enum StandardTracingStream : std::uint64_t
 {
   TemplateStream = 401,
   PalatalStream = 3000,

@@ -31,7 +31,7 @@ using namespace DentalPhantomMath;
 namespace
 {
 /** A stream a trait; never reuse a number. */
-enum Stream : std::uint64_t
+enum TraitStream : std::uint64_t
 {
   ClosedExtractionStream = 301,
   OpenExtractionStream = 302,

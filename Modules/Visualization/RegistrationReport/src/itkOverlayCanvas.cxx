@@ -154,7 +154,7 @@ Canvas::StrokeBox(const Box & box, const Colour & colour, double width)
 }
 
 void
-Canvas::Line(const Point & from, const Point & to, const Colour & colour, double width, double alpha)
+Canvas::Line(const PixelPoint & from, const PixelPoint & to, const Colour & colour, double width, double alpha)
 {
   cairo_move_to(this->Get(), from[0], from[1]);
   cairo_line_to(this->Get(), to[0], to[1]);
@@ -164,7 +164,7 @@ Canvas::Line(const Point & from, const Point & to, const Colour & colour, double
 }
 
 void
-Canvas::Ring(const Point & centre, double radius, const Colour & colour, double width, double alpha)
+Canvas::Ring(const PixelPoint & centre, double radius, const Colour & colour, double width, double alpha)
 {
   cairo_new_sub_path(this->Get());
   cairo_arc(this->Get(), centre[0], centre[1], radius, 0.0, 2.0 * M_PI);
@@ -174,7 +174,7 @@ Canvas::Ring(const Point & centre, double radius, const Colour & colour, double 
 }
 
 void
-Canvas::Dot(const Point & centre, double radius, const Colour & colour, double alpha)
+Canvas::Dot(const PixelPoint & centre, double radius, const Colour & colour, double alpha)
 {
   cairo_new_sub_path(this->Get());
   cairo_arc(this->Get(), centre[0], centre[1], radius, 0.0, 2.0 * M_PI);

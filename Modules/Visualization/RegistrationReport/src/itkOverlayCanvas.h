@@ -72,13 +72,13 @@ public:
   StrokeBox(const Box & box, const Colour & colour, double width);
 
   void
-  Line(const Point & from, const Point & to, const Colour & colour, double width, double alpha = 1.0);
+  Line(const PixelPoint & from, const PixelPoint & to, const Colour & colour, double width, double alpha = 1.0);
 
   void
-  Ring(const Point & centre, double radius, const Colour & colour, double width, double alpha = 1.0);
+  Ring(const PixelPoint & centre, double radius, const Colour & colour, double width, double alpha = 1.0);
 
   void
-  Dot(const Point & centre, double radius, const Colour & colour, double alpha = 1.0);
+  Dot(const PixelPoint & centre, double radius, const Colour & colour, double alpha = 1.0);
 
   void
   SetFont(double size, bool bold = false);

@@ -25,7 +25,7 @@ namespace itk
 namespace OverlayDrawing
 {
 bool
-ClipSegment(Point & a, Point & b, const Box & box)
+ClipSegment(PixelPoint & a, PixelPoint & b, const Box & box)
 {
   const double d[2] = { b[0] - a[0], b[1] - a[1] };
   const double low[2] = { box.x, box.y };
@@ -59,7 +59,7 @@ ClipSegment(Point & a, Point & b, const Box & box)
   {
     return false;
   }
-  const Point start = a;
+  const PixelPoint start = a;
   for (unsigned int axis = 0; axis < 2; ++axis)
   {
     a[axis] = std::clamp(start[axis] + t0 * d[axis], low[axis], high[axis]);

@@ -28,7 +28,7 @@ namespace itk
 {
 namespace OverlayDrawing
 {
-using Point = OverlayScene::PointType;
+using PixelPoint = OverlayScene::PointType;
 
 /** A rectangle of the picture, its corner at the top left. */
 struct Box
@@ -39,7 +39,7 @@ struct Box
   double height{ 0.0 };
 
   bool
-  Holds(const Point & p) const
+  Holds(const PixelPoint & p) const
   {
     return p[0] >= x && p[0] <= x + width && p[1] >= y && p[1] <= y + height;
   }
@@ -56,30 +56,30 @@ struct Box
 };
 
 inline bool
-IsFinite(const Point & p)
+IsFinite(const PixelPoint & p)
 {
   return std::isfinite(p[0]) && std::isfinite(p[1]);
 }
 
 inline double
-Distance(const Point & a, const Point & b)
+Distance(const PixelPoint & a, const PixelPoint & b)
 {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
 /** Cuts the segment to the box (Liang, Barsky 1984). \return false where nothing of the segment is in the box. */
 bool
-ClipSegment(Point & a, Point & b, const Box & box);
+ClipSegment(PixelPoint & a, PixelPoint & b, const Box & box);
 
 /** How index coordinates come to lie in the picture. */
 struct Mapping
 {
-  Point first;
-  Point scale;
-  Point offset;
+  PixelPoint first;
+  PixelPoint scale;
+  PixelPoint offset;
 
-  Point
-  operator()(const Point & p) const
+  PixelPoint
+  operator()(const PixelPoint & p) const
   {
     return { scale[0] * (p[0] - first[0]) + offset[0], scale[1] * (p[1] - first[1]) + offset[1] };
   }

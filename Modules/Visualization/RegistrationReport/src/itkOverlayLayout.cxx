@@ -36,7 +36,7 @@ struct Extent
   double high[2]{ -std::numeric_limits<double>::max(), -std::numeric_limits<double>::max() };
 
   void
-  Add(const Point & p)
+  Add(const PixelPoint & p)
   {
     for (unsigned int axis = 0; axis < 2; ++axis)
     {
@@ -56,7 +56,7 @@ struct Extent
 Extent
 InterestingExtent(const OverlayScene & scene)
 {
-  const auto worth = [&scene](const Point & p) {
+  const auto worth = [&scene](const PixelPoint & p) {
     const double u = scene.width > 0 ? scene.width : 1e5;
     const double v = scene.height > 0 ? scene.height : 1e5;
     return IsFinite(p) && p[0] > -0.25 * u && p[0] < 1.25 * u && p[1] > -0.25 * v && p[1] < 1.25 * v;
@@ -67,7 +67,7 @@ InterestingExtent(const OverlayScene & scene)
     {
       for (const auto & stroke : contour.strokes)
       {
-        for (const Point & point : stroke.points)
+        for (const PixelPoint & point : stroke.points)
         {
           if (contour.role == role && worth(point))
           {

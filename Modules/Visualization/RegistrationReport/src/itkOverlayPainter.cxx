@@ -112,8 +112,8 @@ DentalSCRPaintOverlay(const itk::OverlayScene &          scene,
     canvas.FillBox(box, OverlayColour::Background);
     DrawRadiograph(canvas, radiograph.get(), scene, small);
     DrawContours(canvas, scene, small, box, 0.5);
-    Point first = small(layout.first);
-    Point last = small(
+    PixelPoint first = small(layout.first);
+    PixelPoint last = small(
       { layout.first[0] + frame.view.width / layout.scale[0], layout.first[1] + frame.view.height / layout.scale[1] });
     for (unsigned int axis = 0; axis < 2; ++axis)
     {

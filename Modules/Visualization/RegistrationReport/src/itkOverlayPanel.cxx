@@ -98,7 +98,7 @@ DrawLegend(Canvas & canvas, const OverlayScene & scene, const Box & box, double 
     {
       return;
     }
-    draw(Point{ box.x, y + 0.5 * row }, Point{ box.x + sample, y + 0.5 * row });
+    draw(PixelPoint{ box.x, y + 0.5 * row }, PixelPoint{ box.x + sample, y + 0.5 * row });
     canvas.SetFont(font);
     canvas.Text(canvas.Fit(Sanitize(text), box.width - sample - 12.0),
                 box.x + sample + 12.0,
@@ -114,22 +114,24 @@ DrawLegend(Canvas & canvas, const OverlayScene & scene, const Box & box, double 
     }
     const PenType pen = PenOf(contour.role);
     entry(contour.label,
-          [&](const Point & a, const Point & b) { canvas.Line(a, b, pen.colour, pen.width, pen.alpha); });
+          [&](const PixelPoint & a, const PixelPoint & b) { canvas.Line(a, b, pen.colour, pen.width, pen.alpha); });
   }
   const auto any = [&scene](const auto & test) {
     return std::any_of(scene.landmarks.begin(), scene.landmarks.end(), test);
   };
-  const auto middle = [](const Point & a, const Point & b) { return Point{ 0.5 * (a[0] + b[0]), a[1] }; };
+  const auto middle = [](const PixelPoint & a, const PixelPoint & b) {
+    return PixelPoint{ 0.5 * (a[0] + b[0]), a[1] };
+  };
   if (any([](const auto & l) { return IsFinite(l.predicted); }))
   {
-    entry("Landmark of the scan, aligned", [&](const Point & a, const Point & b) {
+    entry("Landmark of the scan, aligned", [&](const PixelPoint & a, const PixelPoint & b) {
       canvas.Dot(middle(a, b), 4.6, Black, 0.7);
       canvas.Dot(middle(a, b), 3.2, OverlayColour::Silhouette);
     });
   }
   if (any([](const auto & l) { return IsFinite(l.predicted) && l.sigma > 0.0; }))
   {
-    entry("95 % region of a landmark", [&](const Point & a, const Point & b) {
+    entry("95 % region of a landmark", [&](const PixelPoint & a, const PixelPoint & b) {
       const double dashes[2] = { 4.0, 5.0 };
       cairo_set_dash(canvas.Get(), dashes, 2, 0.0);
       canvas.Ring(middle(a, b), 0.55 * font, OverlayColour::Silhouette, 1.2, 0.9);
@@ -138,12 +140,13 @@ DrawLegend(Canvas & canvas, const OverlayScene & scene, const Box & box, double 
   }
   if (any([](const auto & l) { return IsFinite(l.reference); }))
   {
-    entry("Landmark on the radiograph",
-          [&](const Point & a, const Point & b) { canvas.Ring(middle(a, b), 6.0, OverlayColour::Tracing, 2.0); });
+    entry("Landmark on the radiograph", [&](const PixelPoint & a, const PixelPoint & b) {
+      canvas.Ring(middle(a, b), 6.0, OverlayColour::Tracing, 2.0);
+    });
   }
   if (any([](const auto & l) { return std::isfinite(LandmarkErrorInPixels(l)); }))
   {
-    entry("Error", [&](const Point & a, const Point & b) { canvas.Line(a, b, OverlayColour::Error, 2.2); });
+    entry("Error", [&](const PixelPoint & a, const PixelPoint & b) { canvas.Line(a, b, OverlayColour::Error, 2.2); });
   }
   return y;
 }

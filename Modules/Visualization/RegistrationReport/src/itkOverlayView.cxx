@@ -39,17 +39,17 @@ TraceContour(Canvas & canvas, const OverlayScene::ContourType & contour, const M
   for (const OverlayScene::StrokeType & stroke : contour.strokes)
   {
     const std::size_t count = stroke.points.size();
-    Point             pen{ -1e9, -1e9 };
+    PixelPoint        pen{ -1e9, -1e9 };
     for (std::size_t i = 0; i + (stroke.closed ? 0 : 1) < count; ++i)
     {
-      const Point & from = stroke.points[i];
-      const Point & to = stroke.points[(i + 1) % count];
+      const PixelPoint & from = stroke.points[i];
+      const PixelPoint & to = stroke.points[(i + 1) % count];
       if (!IsFinite(from) || !IsFinite(to))
       {
         continue;
       }
-      Point a = map(from);
-      Point b = map(to);
+      PixelPoint a = map(from);
+      PixelPoint b = map(to);
       if (!ClipSegment(a, b, box))
       {
         continue;
@@ -138,8 +138,8 @@ DrawContours(Canvas & canvas, const OverlayScene & scene, const Mapping & map, c
 void
 DrawRadiograph(Canvas & canvas, cairo_surface_t * radiograph, const OverlayScene & scene, const Mapping & map)
 {
-  const Point corner = map({ -0.5, -0.5 });
-  const Box   frame{ corner[0], corner[1], map.scale[0] * scene.width, map.scale[1] * scene.height };
+  const PixelPoint corner = map({ -0.5, -0.5 });
+  const Box        frame{ corner[0], corner[1], map.scale[0] * scene.width, map.scale[1] * scene.height };
   if (radiograph != nullptr)
   {
     cairo_save(canvas.Get());
@@ -179,8 +179,8 @@ DrawLandmarks(Canvas & canvas, const OverlayScene & scene, const Mapping & map, 
   {
     if (IsFinite(landmark.predicted) && IsFinite(landmark.reference))
     {
-      Point a = map(landmark.reference);
-      Point b = map(landmark.predicted);
+      PixelPoint a = map(landmark.reference);
+      PixelPoint b = map(landmark.predicted);
       if (ClipSegment(a, b, box.Grown(64.0)))
       {
         canvas.Line(a, b, Black, 4.5, 0.5);
@@ -188,19 +188,19 @@ DrawLandmarks(Canvas & canvas, const OverlayScene & scene, const Mapping & map, 
       }
     }
   }
-  std::vector<Point> marks;
+  std::vector<PixelPoint> marks;
   for (const auto & landmark : scene.landmarks)
   {
     if (IsFinite(landmark.reference) && box.Holds(map(landmark.reference)))
     {
-      const Point p = map(landmark.reference);
+      const PixelPoint p = map(landmark.reference);
       canvas.Ring(p, 6.0, Black, 4.0, 0.5);
       canvas.Ring(p, 6.0, OverlayColour::Tracing, 2.0);
       marks.push_back(p);
     }
     if (IsFinite(landmark.predicted) && box.Holds(map(landmark.predicted)))
     {
-      const Point p = map(landmark.predicted);
+      const PixelPoint p = map(landmark.predicted);
       if (landmark.sigma > 0.0 && std::isfinite(landmark.sigma) && landmark.sigma * map.scale[0] < box.width)
       {
         // 95 % of a round normal distribution in the plane.
@@ -215,12 +215,12 @@ DrawLandmarks(Canvas & canvas, const OverlayScene & scene, const Mapping & map, 
     }
   }
   // Labels: of all places around the mark the one that hides least.
-  std::vector<Point> contourPoints;
+  std::vector<PixelPoint> contourPoints;
   for (const auto & contour : scene.contours)
   {
     for (const auto & stroke : contour.strokes)
     {
-      for (const Point & point : stroke.points)
+      for (const PixelPoint & point : stroke.points)
       {
         if (contour.role != RoleEnum::Secondary && IsFinite(point) && box.Holds(map(point)))
         {
@@ -233,14 +233,14 @@ DrawLandmarks(Canvas & canvas, const OverlayScene & scene, const Mapping & map, 
   canvas.SetFont(font, true);
   for (const auto & landmark : scene.landmarks)
   {
-    const Point & anchorIndex = IsFinite(landmark.predicted) ? landmark.predicted : landmark.reference;
+    const PixelPoint & anchorIndex = IsFinite(landmark.predicted) ? landmark.predicted : landmark.reference;
     if (!IsFinite(anchorIndex) || !box.Holds(map(anchorIndex)))
     {
       continue;
     }
-    const Point  anchor = map(anchorIndex);
-    std::string  text = LandmarkText(landmark.name);
-    const double error = LandmarkErrorInPixels(landmark);
+    const PixelPoint anchor = map(anchorIndex);
+    std::string      text = LandmarkText(landmark.name);
+    const double     error = LandmarkErrorInPixels(landmark);
     if (std::isfinite(error))
     {
       text += Format("  %.1f px", error);
@@ -268,11 +268,11 @@ DrawLandmarks(Canvas & canvas, const OverlayScene & scene, const Mapping & map, 
         {
           cost += label.Overlaps(candidate.Grown(2.0)) ? 100.0 : 0.0;
         }
-        for (const Point & mark : marks)
+        for (const PixelPoint & mark : marks)
         {
           cost += candidate.Grown(6.0).Holds(mark) ? 20.0 : 0.0;
         }
-        for (const Point & point : contourPoints)
+        for (const PixelPoint & point : contourPoints)
         {
           cost += candidate.Grown(2.0).Holds(point) ? 1.0 : 0.0;
         }
@@ -284,14 +284,14 @@ DrawLandmarks(Canvas & canvas, const OverlayScene & scene, const Mapping & map, 
       }
     }
     labels.push_back(best);
-    const Point middle{ best.x + 0.5 * best.width, best.y + 0.5 * best.height };
-    Point       touch{ std::clamp(anchor[0], best.x, best.x + best.width),
-                 std::clamp(anchor[1], best.y, best.y + best.height) };
+    const PixelPoint middle{ best.x + 0.5 * best.width, best.y + 0.5 * best.height };
+    PixelPoint       touch{ std::clamp(anchor[0], best.x, best.x + best.width),
+                      std::clamp(anchor[1], best.y, best.y + best.height) };
     if (Distance(touch, anchor) > 10.0)
     {
-      const double length = Distance(touch, anchor);
-      const Point  start{ anchor[0] + 6.0 * (touch[0] - anchor[0]) / length,
-                         anchor[1] + 6.0 * (touch[1] - anchor[1]) / length };
+      const double     length = Distance(touch, anchor);
+      const PixelPoint start{ anchor[0] + 6.0 * (touch[0] - anchor[0]) / length,
+                              anchor[1] + 6.0 * (touch[1] - anchor[1]) / length };
       canvas.Line(start, touch, Black, 3.0, 0.5);
       canvas.Line(start, touch, White, 1.2);
     }
