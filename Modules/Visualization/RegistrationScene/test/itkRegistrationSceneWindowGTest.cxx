@@ -35,6 +35,7 @@
 
 #include "gtest/gtest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -164,6 +165,10 @@ TEST_F(RegistrationSceneWindowTest, ExportsOneSurfaceWithColoursAndNamesOfParts)
   double       darkest = 255.0;
   double       brightest = 0.0;
   const auto & detector = *m_Source->GetOutput()->FindDetector("lateral");
+  const auto & picture = *m_Source->GetOutput()->FindPart("lateral detector")->picture;
+  const auto   size = picture.GetBufferedRegion().GetSize();
+  unsigned int count = 0;
+  unsigned int inPlace = 0;
   for (vtkIdType i = 0; i < whole->GetNumberOfPoints(); ++i)
   {
     itk::SceneDetector::PointType point;
@@ -174,8 +179,23 @@ TEST_F(RegistrationSceneWindowTest, ExportsOneSurfaceWithColoursAndNamesOfParts)
     {
       darkest = std::min(darkest, grey);
       brightest = std::max(brightest, grey);
+      // Where it lies it has the grey of the radiograph; between two pixels that of either.
+      const auto pixel = detector.GetPixel(point);
+      const auto has = [&](double shift) {
+        itk::Index<2> index;
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          index[d] = std::clamp<itk::IndexValueType>(std::lround(pixel[d] + shift), 0, size[d] - 1);
+        }
+        return picture.GetPixel(index) == grey;
+      };
+      ++count;
+      inPlace += has(1e-3) || has(-1e-3) ? 1 : 0;
     }
   }
+  EXPECT_GT(count, 100u);
+  // What is drawn on the detector may be grey as well.
+  EXPECT_GT(inPlace, 0.9 * count);
   EXPECT_LT(darkest, 5.0);
   EXPECT_GT(brightest, 250.0);
 }
