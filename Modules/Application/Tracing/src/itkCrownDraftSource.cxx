@@ -61,6 +61,11 @@ SquaredDistance(const PointType & a, const PointType & b)
   return sum;
 }
 
+} // namespace
+
+/** What a source holds: named, as its class is known outside of this file. */
+namespace CrownDraftParts
+{
 /** Tells to which crown a point of the scan belongs: the crowns' points in cells as wide as the reach. */
 class ToothIndex
 {
@@ -165,6 +170,12 @@ struct JawModel
   std::vector<SideType> sides;
   ToothIndex            teeth;
 };
+} // namespace CrownDraftParts
+
+namespace
+{
+using CrownDraftParts::JawModel;
+using CrownDraftParts::SideType;
 
 /** A contour of one point a tooth: the filter reads codes alone. */
 DentalContour::Pointer
@@ -219,7 +230,7 @@ FindSource(const std::array<double, 12> & rows)
 class CrownDraftSource::Implementation
 {
 public:
-  std::map<JawEnum, JawModel> jaws;
+  std::map<JawEnum, CrownDraftParts::JawModel> jaws;
 };
 
 CrownDraftSource::CrownDraftSource(const DentalCaseData & data)
