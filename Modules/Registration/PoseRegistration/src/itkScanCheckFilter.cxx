@@ -79,6 +79,8 @@ constexpr double InwardWinding = -0.2;
 /** Mean distance of one side's landmarks from the midline on the wrong side, mm, from which on the sides are exchanged:
  * they lie 15 mm or more to their own side, and the midline is found to a millimetre or two. */
 constexpr double WrongSideOffset = 5.0;
+/** The same of a single one, which a crossed or crowded incisor may have some millimetres of. */
+constexpr double OneOnTheWrongSide = 8.0;
 /** Probability from which on the shapes say that the scans are exchanged: more likely than not. */
 constexpr double ProbablyExchanged = 0.5;
 /** Confidence in a dental axis below which it is doubted: the middle of its range from 0 to 1 (Documentation/UMDA.md).
@@ -429,6 +431,54 @@ CheckNamesAgainstScans(std::array<Scan, 2> & scans)
   return told;
 }
 
+/** How far a landmark lies on the other side than its name says, mm. */
+double
+ComputeWrongSideOffset(const DentalJawFrame & frame, const std::pair<std::string, PointType> & landmark)
+{
+  double y = 0.0;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    y += frame.axes[1][d] * (landmark.second[d] - frame.origin[d]);
+  }
+  return DentalLandmarkSet<3>::ParseName(landmark.first).IsRight() ? y : -y;
+}
+
+/** Where the landmarks as a whole are on their sides, those that are not: they lie on the scan, but on another tooth.
+ */
+void
+CheckSidesOneByOne(Scan & scan)
+{
+  if (scan.frame->confidence < UnsureAxis)
+  {
+    return;
+  }
+  std::string names;
+  double      largest = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = scan.landmarks.size(); i-- > 0;)
+  {
+    const double offset = ComputeWrongSideOffset(*scan.frame, scan.landmarks[i]);
+    if (offset > OneOnTheWrongSide)
+    {
+      ++count;
+      names = scan.landmarks[i].first + (names.empty() ? "" : ", ") + names;
+      largest = std::max(largest, offset);
+      scan.unusable.push_back(scan.landmarks[i].first);
+      scan.landmarks.erase(scan.landmarks.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+  if (count > 0)
+  {
+    scan.Add(Suspect,
+             "sides-exchanged",
+             "of the 3-D landmarks " + names + (count == 1 ? " lies" : " lie") +
+               " on the other side of the arch and cannot be used: of the other side's tooth?",
+             largest,
+             OneOnTheWrongSide,
+             "mm");
+  }
+}
+
 void
 CheckMirroring(Scan & scan)
 {
@@ -449,17 +499,12 @@ CheckMirroring(Scan & scan)
   int    lefts = 0;
   for (const auto & landmark : scan.landmarks)
   {
-    double y = 0.0;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      y += frame.axes[1][d] * (landmark.second[d] - frame.origin[d]);
-    }
     const bool isRight = DentalLandmarkSet<3>::ParseName(landmark.first).IsRight();
-    (isRight ? right : left) += y;
+    (isRight ? right : left) += ComputeWrongSideOffset(frame, landmark);
     ++(isRight ? rights : lefts);
   }
   const double rightOffset = rights > 0 ? right / rights : 0.0;
-  const double leftOffset = lefts > 0 ? -left / lefts : 0.0;
+  const double leftOffset = lefts > 0 ? left / lefts : 0.0;
   const double wrong = std::max(rightOffset, leftOffset);
   if (wrong > WrongSideOffset)
   {
@@ -469,7 +514,9 @@ CheckMirroring(Scan & scan)
              wrong,
              WrongSideOffset,
              "mm");
+    return;
   }
+  CheckSidesOneByOne(scan);
 }
 
 /** One file named twice. */

@@ -256,6 +256,32 @@ TEST(ScanCheckFilter, JudgesLandmarksOneByOne)
   EXPECT_EQ(CodesOf(filter, JawEnum::Lower), Codes());
 }
 
+/** It lies on the scan, and the side's landmarks are on their side on average. */
+TEST(ScanCheckFilter, TellsALandmarkOfTheOtherSidesTooth)
+{
+  Scans        scans;
+  auto         landmarks = itk::DentalLandmarkSet<3>::New();
+  const auto * distal = scans.landmarks->Find("UL6_DB");
+  const auto * mesial = scans.landmarks->Find("UL6_MB");
+  ASSERT_TRUE(distal != nullptr && mesial != nullptr);
+  for (const auto & landmark : scans.landmarks->GetLandmarks())
+  {
+    auto point = landmark.point;
+    if (landmark.name == "UR6_MB")
+    {
+      point.SetToMidPoint(distal->point, mesial->point);
+    }
+    landmarks->AddLandmark(landmark.name, point);
+  }
+  scans.landmarks = landmarks;
+  const auto filter = scans.Check();
+  ASSERT_EQ(CodesOf(filter, JawEnum::Upper), Codes{ "sides-exchanged" });
+  EXPECT_NE(filter->GetFindings(JawEnum::Upper).front().text.find("UR6_MB lies on the other side"), std::string::npos)
+    << filter->GetFindings(JawEnum::Upper).front().text;
+  EXPECT_EQ(CodesOf(filter, JawEnum::Lower), Codes());
+  EXPECT_EQ(filter->GetUnusableLandmarks(), std::vector<std::string>{ "UR6_MB" });
+}
+
 /** What was left where all begin may happen to lie on the scan; two teeth have no place in common. */
 TEST(ScanCheckFilter, LandmarksAtOneAndTheSamePlaceAreNone)
 {
