@@ -55,12 +55,13 @@ def test_verdicts_table_has_the_codes_thresholds():
         "drafts-unmended": [f"> {100 * t['suspectDraftedShare']:.0f} % of the tracing"],
         "search-limit": [f"pitch > {t['suspectPitch']:g} rad ({math.degrees(t['suspectPitch']):.1f}°)"],
         "jaws-exchanged": [f"scores better by {t['hypothesisGain']:g}"],
+        "unsure-axis": [f"cost ≤ {t['borneOutCost']:g}", f"margin ≥ {t['borneOutMargin']:g}"],
     }
     for rule, parts in written.items():
         for part in parts:
             assert part in rules[rule], rule
     # None of the thresholds is left out above.
-    assert len(t) == 31
+    assert len(t) == 33
 
 
 def test_views_table_has_the_codes_thresholds():
@@ -153,7 +154,8 @@ def test_fixed_constants_of_robust_are_those_of_the_code():
         "shares of E and P": [("PoseRegistration/src/itkPoseGroupRegistration.cxx", rf"{name}Share = (.*?);", 1)
                               for name in ("Evidence", "Known")],
         "smallest share, same minimum": [("PoseRegistration/src/itkPoseGroupRegistration.cxx", rf"{name} = (.*?);", 1)
-                                         for name in ("smallestShare", "sameMinimum")],
+                                         for name in ("smallestShare", "SameMinimum")],
+        "precise drawing": [("PoseRegistration/src/itkPoseGroupRegistration.cxx", r"PreciseFactor = (.*?);", 1)],
     }
     for row, sources in written.items():
         numbers = [float(number) for number in re.findall(r"(?<![\w.])\d+(?:\.\d+)?", rows[row])]

@@ -11,6 +11,7 @@ that moves where nothing was meant to is a fault.
 Not kept are times and paths, projections and covariances: the landmarks and their sigma are what these amount to.
 """
 import json
+import os
 import pathlib
 
 import pytest
@@ -35,6 +36,8 @@ def records(request):
     """Those that are frozen; written back where they are to be frozen anew."""
     kept = read_records()
     refreeze = request.config.getoption("--refreeze")
+    # Each would write what the others have not frozen.
+    assert not refreeze or int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", 1)) == 1, "--refreeze with one process: without -n"
     if refreeze:
         kept = {name: record for name, record in kept.items() if name in RUNS}
     yield kept

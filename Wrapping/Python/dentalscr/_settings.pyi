@@ -3,6 +3,7 @@ Further keywords of the procedural twins; made by Wrapping/Python/settings_stub.
 """
 import typing
 from typing import Any, Mapping, Optional, TypedDict, Union
+from ._case import CaseResult
 from ._inputs import ContourLike, ImageLike, LandmarksLike, MeshLike, PathLike, TransformLike
 from collections.abc import Sequence
 from . import _core
@@ -100,6 +101,7 @@ class OpenSilhouetteContourSettings(TypedDict, total=False):
 
 class PoseRegistrationSettings(TypedDict, total=False):
     covarianceNoiseModel: _core.ResidualNoiseModel | None
+    initialGeometry: Optional[Any]
     jointFrame: Optional[TransformLike]
     lowerFrame: Optional[TransformLike]
     noiseModel: _core.ResidualNoiseModel | None
@@ -228,7 +230,7 @@ class BatchSettings(TypedDict, total=False):
     anonymous: bool
     exclude: Sequence[str]
     fix: Sequence[str]
-    init: Optional[PathLike]
+    init: Optional[Union[PathLike, CaseResult]]
     options: Optional[Mapping[str, Any]]
     page: bool
     preset: Union[str, _core.Preset]

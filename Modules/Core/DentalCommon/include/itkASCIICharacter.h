@@ -30,42 +30,48 @@ IsASCIIBlank(char character)
   return character == ' ' || (character >= '\t' && character <= '\r');
 }
 
-/** \ingroup DentalCommon */
+/** 0 to 9, in any locale.
+ * \ingroup DentalCommon */
 constexpr bool
 IsASCIIDigit(char character)
 {
   return character >= '0' && character <= '9';
 }
 
-/** \ingroup DentalCommon */
+/** A to Z, in any locale.
+ * \ingroup DentalCommon */
 constexpr bool
 IsASCIIUpperCase(char character)
 {
   return character >= 'A' && character <= 'Z';
 }
 
-/** \ingroup DentalCommon */
+/** a to z, in any locale.
+ * \ingroup DentalCommon */
 constexpr bool
 IsASCIILowerCase(char character)
 {
   return character >= 'a' && character <= 'z';
 }
 
-/** \ingroup DentalCommon */
+/** A to Z become a to z; all else stays.
+ * \ingroup DentalCommon */
 constexpr char
 ToASCIILowerCase(char character)
 {
   return IsASCIIUpperCase(character) ? static_cast<char>(character - 'A' + 'a') : character;
 }
 
-/** \ingroup DentalCommon */
+/** a to z become A to Z; all else stays.
+ * \ingroup DentalCommon */
 constexpr char
 ToASCIIUpperCase(char character)
 {
   return IsASCIILowerCase(character) ? static_cast<char>(character - 'a' + 'A') : character;
 }
 
-/** \ingroup DentalCommon */
+/** A letter or a digit of ASCII, in any locale.
+ * \ingroup DentalCommon */
 constexpr bool
 IsASCIIAlphanumeric(char character)
 {

@@ -63,8 +63,6 @@ public:
   {
     PoseParameters parameters{ {} };
     double         cost{ 0.0 };
-    /** Starts of one number are ways to one place, of which the best goes on when they are refined; 0: of none. */
-    unsigned int place{ 0 };
   };
 
   /** \param metric  a metric or a sum, its contours held (HoldEnum::Contours) at the request's pose.

@@ -180,10 +180,6 @@ LandmarkPoseStart::Search(const LeastSquaresMetricv4 & metric, const RequestType
     {
       starts.push_back(Solve(geometry, correspondences, correspondences.size(), request, turn));
     }
-    for (StartType & start : starts)
-    {
-      start.place = 1;
-    }
   }
   if (correspondences.size() >= 4)
   {

@@ -33,7 +33,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <typeinfo>
 #include <utility>
 
@@ -539,27 +538,16 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
   const auto                        byLandmarks = LandmarkPoseStart::New()->Search(*metric, request);
   starts.insert(starts.end(), byLandmarks.begin(), byLandmarks.end());
   const auto maximumNumberOfCandidates = request.maximumNumberOfStarts + static_cast<unsigned int>(byLandmarks.size());
-  std::vector<CandidateType>          candidates;
-  std::map<unsigned int, std::size_t> bestOfPlaces;
-  for (std::size_t number = 0; number < starts.size(); ++number)
+  std::vector<CandidateType> candidates;
+  for (const auto & start : starts)
   {
     if (m_Monitor.IsAborted())
     {
       return {};
     }
-    const PoseStart::StartType & start = starts[number];
-    CandidateType candidate = this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters));
-    this->Refine(*metric, schedule, index * maximumNumberOfCandidates + static_cast<unsigned int>(number), candidate);
-    const auto place = bestOfPlaces.find(start.place);
-    if (start.place == 0 || place == bestOfPlaces.end())
-    {
-      bestOfPlaces[start.place] = candidates.size();
-      candidates.push_back(std::move(candidate));
-    }
-    else if (candidate.score < candidates[place->second].score)
-    {
-      candidates[place->second] = std::move(candidate);
-    }
+    candidates.push_back(this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters)));
+    const auto number = static_cast<unsigned int>(candidates.size() - 1);
+    this->Refine(*metric, schedule, index * maximumNumberOfCandidates + number, candidates.back());
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const CandidateType & a, const CandidateType & b) {
     return a.score < b.score;
