@@ -6262,6 +6262,22 @@ class RegistrationVerdictThresholds:
     def __init__(self) -> None:
         ...
     @property
+    def borneOutCost(self) -> float:
+        """
+        Cost up to which a fit bears out a dental axis that was unsure, where roll and yaw are determined.
+        """
+    @borneOutCost.setter
+    def borneOutCost(self, arg0: float) -> None:
+        ...
+    @property
+    def borneOutMargin(self) -> float:
+        """
+        Margin from which on it does.
+        """
+    @borneOutMargin.setter
+    def borneOutMargin(self, arg0: float) -> None:
+        ...
+    @property
     def failedCost(self) -> float:
         """
         Robust cost above which a jaw has failed (no-fit), no unit.

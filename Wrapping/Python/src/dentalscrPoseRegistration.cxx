@@ -1212,6 +1212,10 @@ WrapDownstream(py::module_ & module)
     .def_readwrite("spacingDifference",
                    &ThresholdsType::spacingDifference,
                    "Logarithm of the ratio of two spacings from which on they differ.")
+    .def_readwrite("borneOutCost",
+                   &ThresholdsType::borneOutCost,
+                   "Cost up to which a fit bears out a dental axis that was unsure, where roll and yaw are determined.")
+    .def_readwrite("borneOutMargin", &ThresholdsType::borneOutMargin, "Margin from which on it does.")
     .def_readwrite("view", &ThresholdsType::view, "Of each further view.");
 
   using VerdictType = itk::RegistrationVerdictFilter;
