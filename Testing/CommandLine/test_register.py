@@ -360,6 +360,12 @@ def test_excluded_teeth_do_not_count(run, case, registered, tmp_path):
     assert load(tmp_path / "out")["jaws"]["upper"]["similarity"] != before
 
 
+def test_no_tooth_is_excluded_by_no_name(run, case, tmp_path):
+    done = run("register", case.file, "--output", tmp_path / "out", "--exclude", "")
+    assert done.returncode == 2 and "--exclude" in done.stderr and "names no tooth" in done.stderr, done.stderr
+    assert not (tmp_path / "out").exists()
+
+
 def test_mesh_units(run, case, registered, tmp_path):
     """The same scans in metres, as OBJ: the same picture, a matrix for the file's own unit."""
     for name in ("upper", "lower"):

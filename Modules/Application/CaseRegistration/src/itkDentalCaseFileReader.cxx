@@ -277,7 +277,13 @@ ExcludeTooth(DentalCase & dentalCase, const std::string & text)
     return;
   }
   // UR3 is UR3 in any numbering: a result names its teeth so.
-  exclude(ToothCode::FromString(text, dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant)));
+  const ToothCode tooth =
+    ToothCode::FromString(text, dentalCase.numbering.value_or(ToothCode::NumberingEnum::Quadrant));
+  if (!tooth.IsKnown())
+  {
+    throw std::invalid_argument("\"" + text + "\" names no tooth: write UR3, 13 or U1, or leave it out");
+  }
+  exclude(tooth);
 }
 
 void
