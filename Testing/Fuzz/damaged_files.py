@@ -180,7 +180,7 @@ def contours():
     yield "a number that is none", "a.json", edit(own, "[40, 12]", "[40, NaN]"), ("line 1, column 124", "JSON syntax error: while parsing value - invalid literal")
     yield "a number that overflows", "a.json", edit(own, "[40, 12]", "[40, 1e999]"), ("line 1, column 128", "JSON syntax error: number overflow parsing '1e999'")
     yield "a field twice", "a.json", edit(own, '"closed": true', '"closed": true, "closed": false'), ("contours.upper[0].closed", "is there twice")
-    yield "no contours", "a.json", '{"image_size": [50, 50]}', ("contours", "missing field")
+    yield "no contours", "a.json", '{"image_size": [50, 50]}', ("contours", "JSON in no form that is known", "image_size")
     yield "contours are a list", "a.json", '{"image_size": [50, 50], "contours": []}', ("contours", "is an array of 0, expected an object")
     yield "nothing in them", "a.json", '{"image_size": [50, 50], "contours": {}}', READ
     yield "an image of two sizes", "a.json", edit(own, "[50, 50]", "[50, 50, 50]"), ("image_size", "is an array of 3, expected 2 numbers [width, height]")
@@ -212,7 +212,7 @@ def contours():
     yield "an outline that is none", "a.json", edit(own, '"closed": true', '"outline": "gum"'), ("contours.upper[0].outline", '"gum" is no outline ("crown", "tooth" or "labial")')
     yield "a numbering that is none", "a.json", edit(own, '{"image_size"', '{"numbering": "palmer", "image_size"'), ("numbering", '"palmer" is no numbering ("UR", "FDI" or "universal")')
     yield "deeper than anybody writes", "a.json", "[" * 1000 + "]" * 1000, ("[0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0]", "is nested deeper than 64 levels")
-    yield "a number alone", "a.json", "17", ("is 17.0, expected an object",)
+    yield "a number alone", "a.json", "17", ("no JSON: it begins with",)
     yield "a byte order mark before it", "a.json", b"\xef\xbb\xbf" + own.encode(), READ
     yield "UTF-16", "a.json", own.encode("utf-16"), ("is text in UTF-16, no tracing",)
     labelme = CONTOURS["labelme.json"]
@@ -228,7 +228,7 @@ def contours():
     yield "COCO: an image that is none", "a.json", edit(coco, '"image_id": 1', '"image_id": 9'), READ
     yield "COCO: runs longer than the image", "a.json", edit(coco, "[510, 30, 20, 30, 1910]", "[510, 30, 20, 30, 191000]"), ("annotations[1].segmentation.counts", "has runs of 191590 pixels, and the picture has 2500")
     yield "COCO: a negative run", "a.json", edit(coco, "[510, 30, 20, 30, 1910]", "[510, -30, 20, 90, 1910]"), ("annotations[1].segmentation.counts[1]", "is -30.0, expected a whole number from 0 to 134217728")
-    yield "COCO: no categories", "a.json", edit(coco, '"categories": [{"id": 1, "name": "11"}], ', ""), ("contours", "missing field")
+    yield "COCO: no categories", "a.json", edit(coco, '"categories": [{"id": 1, "name": "11"}], ', ""), ("contours", "JSON in no form that is known")
     via = CONTOURS["via.json"]
     yield "VIA: more x than y", "a.json", edit(via, "[10, 40, 38, 12]", "[10, 40, 38]"), ("a.png1.regions[0].shape_attributes.all_points_y", "has another number of values than all_points_x")
     yield "VIA: no shape", "a.json", edit(via, '"name": "polygon"', '"name": "ellipse"'), READ
@@ -562,7 +562,7 @@ def drawings():
     # The toolkit's own file is told as it is, and the page says what register would refuse.
     yield "of a tooth that is none", "a.json", edit(own, '"UR1"', '"UR19"'), READ
     yield "deeper than a stack", "a.json", seeds.nested('{"contours": {"upper": ', "}}"), ("contours.upper", "is nested deeper than 64 levels")
-    yield "no drawing", "a.json", '{"a": 1}', ("contours", "missing field")
+    yield "no drawing", "a.json", '{"a": 1}', ("contours", "JSON in no form that is known")
     yield "cut", "a.json", cut(own, 0.5), ("JSON syntax error",)
     yield "a table cut", "a.csv", "label,x\n", ("line 1", "has 2 columns, expected label,x,y")
 
