@@ -229,7 +229,8 @@ DentalRadiographLoader::SettlePixelSpacing()
 void
 DentalRadiographLoader::CheckPixelShape()
 {
-  if (!m_Data.geometry->HasPixelSpacing())
+  // A picture that has a spacing of its own bears the case's out, or contradicts it, which is told already.
+  if (!m_Data.geometry->HasPixelSpacing() || (m_Image != nullptr && m_Image->HasPixelSpacing()))
   {
     return;
   }

@@ -182,8 +182,7 @@ TEST(DentalCaseLoader, ASpacingThatContradictsDICOMIsToldOnceInEitherDirection)
     std::string text;
     for (const std::string & warning : data->warnings)
     {
-      // That pixels are no squares is told beside it.
-      text += Contains(warning, "DICOM file") ? warning + '\n' : std::string();
+      text += Contains(warning, "pixel_spacing_mm") ? warning + '\n' : std::string();
     }
     return text;
   };
