@@ -291,19 +291,21 @@ JudgeMiddle(const PoseJawResult &                   jaw,
   }
 }
 
-/** Whether another position may be the answer. A tracing's are told apart from 4 px on; landmarks and outlines of teeth
- * err by half of that anyway, and a minimum nearer than twice as far is in their sigma. */
+/** Whether another position may be the answer. A tracing's, of any jaw that shares the pose, are told apart from 4 px
+ * on; landmarks and outlines of teeth err by half of that anyway, and a minimum nearer than twice as far is in their
+ * sigma. */
 void
-JudgeMargin(const PoseGroupResult &                 group,
-            const PoseJawResult &                   jaw,
+JudgeMargin(const PoseRegistrationResult &          result,
+            const PoseGroupResult &                 group,
             const RegistrationVerdict::Thresholds & thresholds,
             RegistrationVerdict::JawVerdict &       verdict)
 {
   // Elsewhere, as the margin means it; the result does not carry the option that was used.
   const double placeDistance = PoseRegistrationOptions().placeDistance;
-  const bool   isTraced = jaw.fit.numberOfPoints > 0;
-  double       margin = isTraced ? group.margin : 1.0;
-  double       distance = 0.0;
+  const bool   isTraced = std::any_of(
+    group.jaws.begin(), group.jaws.end(), [&](std::size_t j) { return result.jaws[j].fit.numberOfPoints > 0; });
+  double margin = isTraced ? group.margin : 1.0;
+  double distance = 0.0;
   for (const PoseCandidate & candidate : group.candidates)
   {
     if (candidate.distance > (isTraced ? placeDistance : 2.0 * placeDistance))
@@ -663,7 +665,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
         "mirrored",
         { otherSide->deviance, thresholds.suspectOtherSideDeviance, "" });
     }
-    JudgeMargin(group, jaw, thresholds, verdict);
+    JudgeMargin(result, group, thresholds, verdict);
     JudgePriors(group, !result.views.empty(), thresholds, verdict);
     if (std::abs(group.parameters[PosePitch]) > thresholds.failedPitch)
     {

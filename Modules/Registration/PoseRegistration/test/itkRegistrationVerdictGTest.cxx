@@ -733,6 +733,16 @@ TEST(RegistrationVerdict, WithoutATracingAnotherPlaceIsOneThatItsSigmaDoesNotHol
     result.groups[0].candidates[1].deviance = 10.0;
     EXPECT_TRUE(NamesOf(Verdict::Evaluate(result)[0]).empty()) << distance;
   }
+  // Where the other jaw, which shares the pose, is traced, its tracing tells places apart for both.
+  Result shared = MakeGoodResult(2);
+  shared.jaws[0].fit.numberOfPoints = 0;
+  shared.groups[0].margin = 0.01;
+  shared.groups[0].candidates.resize(2);
+  shared.groups[0].candidates[1].distance = 7.0;
+  for (const auto & verdict : Verdict::Evaluate(shared))
+  {
+    EXPECT_EQ(NamesOf(verdict), (Named{ { "ambiguous", Suspect } }));
+  }
 }
 
 TEST(RegistrationVerdict, NotCheckableIsWhatTheDataOfTheCaseLeavesOpen)
