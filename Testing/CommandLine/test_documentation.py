@@ -37,6 +37,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         "upside-down": [f"pitch > {t['failedPitch']:g} rad (90°)"],
         "landmark-apart": [f"> {t['landmarkApart']:g} sd"],
         "landmarks-rough": [f"> {t['suspectLandmarkRatio']:g} sd"],
+        "outlines-contradict": [f"> {t['suspectOutlineRatio']:g} sd"],
         "ambiguous": [f"margin < {t['suspectMargin']:g}"],
         "prior-tension": [
             f"κ or ty > {t['suspectPriorTension']:g} sd, roll or yaw > {t['suspectRotationTension']:g} sd (17.5°)"

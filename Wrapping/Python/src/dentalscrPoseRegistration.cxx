@@ -168,6 +168,7 @@ VisitFields(itk::PoseJawResult & jaw, TField && field)
   {
     field(outline.name);
     field(outline.shift);
+    field(outline.shiftDistance);
     field(outline.distance);
     field(outline.weight);
     field(outline.matchedShare);
@@ -1193,6 +1194,10 @@ WrapDownstream(py::module_ & module)
                    &ThresholdsType::suspectLandmarkRatio,
                    "Root mean square of the landmarks' distances above which they are rough, standard "
                    "deviations.")
+    .def_readwrite("suspectOutlineRatio",
+                   &ThresholdsType::suspectOutlineRatio,
+                   "Root mean square of what the pose leaves free of the outlines' shifts above which they contradict "
+                   "each other, where they alone place it, standard deviations.")
     .def_readwrite("shortestFilm", &ThresholdsType::shortestFilm, "Length below which a radiograph is no head's, mm.")
     .def_readwrite("suspectFilmLength",
                    &ThresholdsType::suspectFilmLength,

@@ -113,6 +113,8 @@ struct UsedOutline
   std::string name;
   /** How far the hand shifted it, as far as can be told: drawn minus predicted, pixels. */
   std::array<double, 2> shift{ { 0.0, 0.0 } };
+  /** The same in standard deviations. */
+  double shiftDistance{ 0.0 };
   /** Shift, turn and size together, in standard deviations of a shift. */
   double distance{ 0.0 };
   /** What the robust kernel left of it, 1 to 0. */

@@ -117,8 +117,13 @@ DescribePlacedJaw(const PoseSolution &           solution,
   }
   for (const PoseOutlineFit & outline : own.outlines)
   {
-    result.usedOutlines.push_back(
-      { outline.name, outline.shift, outline.distance, outline.weight, outline.matchedShare, outline.isTemplate });
+    result.usedOutlines.push_back({ outline.name,
+                                    outline.shift,
+                                    outline.shiftDistance,
+                                    outline.distance,
+                                    outline.weight,
+                                    outline.matchedShare,
+                                    outline.isTemplate });
   }
 }
 

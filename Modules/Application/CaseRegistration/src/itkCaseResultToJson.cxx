@@ -294,6 +294,7 @@ AddOutlines(const JawResult & jaw, Json & json)
   for (const UsedOutline & outline : jaw.usedOutlines)
   {
     json["outlines_used"][outline.name] = { { "shift_px", outline.shift },
+                                            { "shift_sd", outline.shiftDistance },
                                             { "residual_sd", outline.distance },
                                             { "weight", outline.weight },
                                             { "matched_share", outline.matchedShare },

@@ -219,6 +219,8 @@ public:
     std::string name;
     /** How far the hand has shifted it, as far as can be told: drawn minus projected, pixels. */
     std::array<double, 2> shift;
+    /** The same over the standard deviations of the way in which it was drawn: 1.4 on average, as a landmark's. */
+    double shiftDistance;
     /** Of shift, turn and size together, in standard deviations of a shift: 1.4 on average. */
     double distance;
     /** What the robust kernel leaves of it, 1 to 0. */

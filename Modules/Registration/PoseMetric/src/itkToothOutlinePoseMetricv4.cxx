@@ -857,6 +857,8 @@ ToothOutlinePoseMetricv4::ComputeOutlineResiduals(const PositionType & x) const
     const auto end = PoseModel::ToPixel(geometry, { { noise.errors[0], noise.errors[1] } });
     residuals.push_back({ tooth.name,
                           { { end[0] - origin[0], end[1] - origin[1] } },
+                          std::hypot(noise.errors[0] / std::sqrt(tooth.ways[noise.way].variances[0]),
+                                     noise.errors[1] / std::sqrt(tooth.ways[noise.way].variances[1])),
                           ComputeDistance(tooth, noise),
                           noise.weight,
                           ComputeMatchedShare(noise),

@@ -223,6 +223,8 @@ struct PoseOutlineFit
   std::string name;
   /** How far the hand shifted it, as far as can be told: drawn minus predicted, pixels of the radiograph. */
   std::array<double, 2> shift{ { 0.0, 0.0 } };
+  /** The same in standard deviations. */
+  double shiftDistance{ 0.0 };
   /** Shift, turn and size together, in standard deviations of a shift. */
   double distance{ 0.0 };
   /** What the robust kernel leaves of it, 1 to 0. */

@@ -108,6 +108,7 @@ DescribeOutlines(const ToothOutlinePoseMetricv4 &               metric,
   {
     jaw.outlines.push_back({ residual.name,
                              residual.shift,
+                             residual.shiftDistance,
                              residual.distance,
                              residual.weight,
                              residual.matchedShare,

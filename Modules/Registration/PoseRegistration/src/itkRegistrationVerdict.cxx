@@ -262,6 +262,47 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
   }
 }
 
+/** The outlines of a group that nothing else places, against each other. A gross error of one of four is shared out by
+ * the pose: none of them stands apart, but together they are shifted further than hands shift them. */
+void
+JudgeOutlines(const PoseRegistrationResult &          result,
+              const PoseGroupResult &                 group,
+              const RegistrationVerdict::Thresholds & thresholds,
+              RegistrationVerdict::JawVerdict &       verdict)
+{
+  // What of the shifts' coordinates the pose itself takes: its place on the film, pitch and size.
+  constexpr double coordinatesOfPose = 4.0;
+  double           sum = 0.0;
+  double           coordinates = -coordinatesOfPose;
+  for (const std::size_t j : group.jaws)
+  {
+    const PoseJawResult & jaw = result.jaws[j];
+    if (jaw.fit.numberOfPoints > 0 || !jaw.landmarks.empty())
+    {
+      return;
+    }
+    for (const PoseOutlineFit & outline : jaw.outlines)
+    {
+      if (outline.distance <= thresholds.landmarkApart)
+      {
+        sum += outline.shiftDistance * outline.shiftDistance;
+        coordinates += 2.0;
+      }
+    }
+  }
+  const double ratio = coordinates > 0.0 ? std::sqrt(sum / coordinates) : 0.0;
+  if (ratio > thresholds.suspectOutlineRatio)
+  {
+    Add(verdict,
+        StatusEnum::Suspect,
+        "outlines-contradict",
+        "the outlines contradict each other: they are shifted " + FormatNumber(ratio, 1) +
+          " times as far as hands shift them, and a gross error of one moves all; look at each on the overlay, and mark "
+          "landmarks as well",
+        { ratio, thresholds.suspectOutlineRatio, "sd" });
+  }
+}
+
 /** What drawings that are of no side determine: the middle of both. */
 void
 JudgeMiddle(const PoseJawResult &                   jaw,
@@ -604,6 +645,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
     if (byLandmarks)
     {
       JudgeLandmarks(result, group, jaw, thresholds, verdict);
+      JudgeOutlines(result, group, thresholds, verdict);
     }
     if (!traced)
     {

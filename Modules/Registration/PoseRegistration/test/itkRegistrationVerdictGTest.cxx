@@ -925,6 +925,58 @@ TEST(RegistrationVerdict, LandmarksThatAllLieOffAreRough)
   }
 }
 
+TEST(RegistrationVerdict, OutlinesThatShareOutAGrossErrorContradictEachOther)
+{
+  const Thresholds limits;
+  auto             result = MakeResultOfLandmarks();
+  // Four of the eight coordinates are the pose's: a shift of each is the root mean square of what is left free.
+  for (auto & jaw : result.jaws)
+  {
+    jaw.landmarks.clear();
+    for (const char * name : { "U1", "U6" })
+    {
+      itk::PoseOutlineFit outline;
+      outline.name = name;
+      outline.distance = 1.4;
+      jaw.outlines.push_back(outline);
+    }
+  }
+  const auto shifted = [&](double distance) {
+    auto changed = result;
+    for (auto & jaw : changed.jaws)
+    {
+      for (auto & outline : jaw.outlines)
+      {
+        outline.shiftDistance = distance;
+      }
+    }
+    return changed;
+  };
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(shifted(limits.suspectOutlineRatio - 0.01)).at(0)), Named{});
+  for (const auto & verdict : Verdict::Evaluate(shifted(limits.suspectOutlineRatio + 0.01)))
+  {
+    EXPECT_EQ(NamesOf(verdict), (Named{ { "outlines-contradict", Suspect } }));
+  }
+  // One that was let go does not count, and of three two coordinates are left free.
+  auto apart = shifted(limits.suspectOutlineRatio * std::sqrt(2.0 / 3.0) - 0.01);
+  apart.jaws[1].outlines[0].distance = limits.landmarkApart + 0.01;
+  apart.jaws[1].outlines[0].shiftDistance = 6.0;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(apart).at(0)), (Named{ { "landmark-apart", Suspect } }));
+  for (auto & outline : apart.jaws[0].outlines)
+  {
+    outline.shiftDistance += 0.05;
+  }
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(apart).at(0)),
+            (Named{ { "landmark-apart", Suspect }, { "outlines-contradict", Suspect } }));
+  // Landmarks or a tracing place the pose beside them, and are judged themselves; two outlines leave nothing free.
+  auto marked = shifted(6.0);
+  marked.jaws[1].landmarks = MakeResultOfLandmarks().jaws[1].landmarks;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(marked).at(0)), Named{});
+  auto few = shifted(6.0);
+  few.jaws[1].outlines.clear();
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(few).at(0)), Named{});
+}
+
 TEST(RegistrationVerdict, ATracingThatCannotBeMatchedIsSaidWhereLandmarksPlacedTheJaw)
 {
   auto result = MakeResultOfLandmarks();
