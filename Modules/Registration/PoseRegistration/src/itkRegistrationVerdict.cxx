@@ -293,13 +293,14 @@ JudgeOutlines(const PoseRegistrationResult &          result,
   const double ratio = coordinates > 0.0 ? std::sqrt(sum / coordinates) : 0.0;
   if (ratio > thresholds.suspectOutlineRatio)
   {
-    Add(verdict,
-        StatusEnum::Suspect,
-        "outlines-contradict",
-        "the outlines contradict each other: they are shifted " + FormatNumber(ratio, 1) +
-          " times as far as hands shift them, and a gross error of one moves all; look at each on the overlay, and mark "
-          "landmarks as well",
-        { ratio, thresholds.suspectOutlineRatio, "sd" });
+    Add(
+      verdict,
+      StatusEnum::Suspect,
+      "outlines-contradict",
+      "the outlines contradict each other: they are shifted " + FormatNumber(ratio, 1) +
+        " times as far as hands shift them, and a gross error of one moves all; look at each on the overlay, and mark "
+        "landmarks as well",
+      { ratio, thresholds.suspectOutlineRatio, "sd" });
   }
 }
 
