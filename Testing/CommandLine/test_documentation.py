@@ -28,6 +28,9 @@ def test_verdicts_table_has_the_codes_thresholds():
             f"p90 > {t['suspectP90']:g}",
             f"median > {t['suspectMedian']:g}",
             f"inliers < {100 * t['suspectInlierShare']:.0f} %",
+            f"its own cost ≤ {t['borneOutPoorCost']:g} and inliers ≥ {100 * t['borneOutInlierShare']:.0f} %",
+            f"cost of the other ≤ {t['borneOutOtherCost']:g}, drift of both s_c ≤ {t['borneOutSmoothSigma']:g}",
+            f"margin ≥ {t['borneOutMargin']:g}",
         ],
         "rough-tracing": [f"drift s_c > {t['suspectSmoothSigma']:g}"],
         "uncertain": [
@@ -62,7 +65,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         for part in parts:
             assert part in rules[rule], rule
     # None of the thresholds is left out above.
-    assert len(t) == 33
+    assert len(t) == 38
 
 
 def test_views_table_has_the_codes_thresholds():

@@ -1221,6 +1221,17 @@ WrapDownstream(py::module_ & module)
                    &ThresholdsType::borneOutCost,
                    "Cost up to which a fit bears out a dental axis that was unsure, where roll and yaw are determined.")
     .def_readwrite("borneOutMargin", &ThresholdsType::borneOutMargin, "Margin from which on it does.")
+    .def_readwrite("borneOutPoorCost",
+                   &ThresholdsType::borneOutPoorCost,
+                   "Cost up to which a tracing may fit poorly where the other jaw's bears the pose out.")
+    .def_readwrite("borneOutInlierShare",
+                   &ThresholdsType::borneOutInlierShare,
+                   "Share of its points within 4 pixels of 0.25 mm from which on it may, 0 to 1.")
+    .def_readwrite(
+      "borneOutOtherCost", &ThresholdsType::borneOutOtherCost, "Cost up to which the other jaw's tracing does.")
+    .def_readwrite("borneOutSmoothSigma",
+                   &ThresholdsType::borneOutSmoothSigma,
+                   "Drift of both up to which it does, pixels of 0.25 mm, 1 sd.")
     .def_readwrite("view", &ThresholdsType::view, "Of each further view.");
 
   using VerdictType = itk::RegistrationVerdictFilter;

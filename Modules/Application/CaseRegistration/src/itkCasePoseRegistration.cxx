@@ -375,6 +375,11 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
         jaw.AddFinding(finding);
       }
     }
+    for (const RegistrationFinding & finding : verdict->GetVerdict(entry.first).takenBack)
+    {
+      result.warnings.push_back(std::string(ToString(entry.first)) + ": " + finding.text +
+                                "; the other jaw's tracing bears the pose out: look at where it differs");
+    }
     // An unsure axis is a reason to look at how the drawing fits. Where it fits without doubt, it is none.
     if (jaw.findings.size() == 1 && jaw.HasFinding("unsure-axis") &&
         RegistrationVerdict::IsAxisBorneOut(

@@ -50,11 +50,13 @@ public:
   {
     StatusEnum                       status{ StatusEnum::Ok };
     std::vector<RegistrationFinding> findings;
+    /** What was seen and is no reason to doubt the pose, as everything else bears it out: to be said, not judged by. */
+    std::vector<RegistrationFinding> takenBack;
 
     bool
     operator==(const JawVerdict & other) const
     {
-      return status == other.status && findings == other.findings;
+      return status == other.status && findings == other.findings && takenBack == other.takenBack;
     }
     bool
     operator!=(const JawVerdict & other) const
@@ -128,6 +130,13 @@ public:
      * a margin at least so large (IsAxisBorneOut()). */
     double borneOutCost{ 0.3 };
     double borneOutMargin{ 0.85 };
+    /** A tracing that fits poorly in places, as over brackets or teeth that have moved, no worse than the first two,
+     * says nothing against a pose that the other jaw's tracing bears out, by a cost of its own up to the third, while
+     * the drift of both is a hand's (Documentation/RobustStudies.md). */
+    double borneOutPoorCost{ 0.45 };
+    double borneOutInlierShare{ 0.60 };
+    double borneOutOtherCost{ 0.2 };
+    double borneOutSmoothSigma{ 2.2 };
     /** Of each further view. */
     ViewVerdict::Thresholds view;
   };

@@ -592,6 +592,43 @@ AddOfViews(const PoseRegistrationResult &                 result,
   }
 }
 
+/** Where two tracings share a pose and nothing is doubted but that one of them fits poorly, the other, by its own good
+ * fit, says that the pose is right: what fits poorly is then not where the jaw stands, but what was drawn. */
+void
+TakeBackPoorFits(const PoseRegistrationResult &                 result,
+                 const RegistrationVerdict::Thresholds &        thresholds,
+                 std::vector<RegistrationVerdict::JawVerdict> & verdicts)
+{
+  const auto hasOnly = [](const RegistrationVerdict::JawVerdict & verdict, const char * code) {
+    return verdict.findings.size() == 1 && verdict.findings.front().code == code;
+  };
+  for (const PoseGroupResult & group : result.groups)
+  {
+    if (group.jaws.size() != 2 || group.smoothSigma > thresholds.borneOutSmoothSigma ||
+        group.margin < thresholds.borneOutMargin)
+    {
+      continue;
+    }
+    for (const std::size_t j : group.jaws)
+    {
+      const std::size_t         other = group.jaws[0] == j ? group.jaws[1] : group.jaws[0];
+      const PoseFitStatistics & fit = result.jaws[j].fit;
+      const PoseFitStatistics & fitOfOther = result.jaws[other].fit;
+      if (hasOnly(verdicts[j], "poor-fit") && hasOnly(verdicts[other], "other-jaw") &&
+          fit.cost <= thresholds.borneOutPoorCost && fit.inlierShare >= thresholds.borneOutInlierShare &&
+          fitOfOther.numberOfPoints > 0 && fitOfOther.cost <= thresholds.borneOutOtherCost)
+      {
+        verdicts[j].takenBack = verdicts[j].findings;
+        for (const std::size_t each : group.jaws)
+        {
+          verdicts[each].findings.clear();
+          verdicts[each].status = RegistrationVerdict::StatusEnum::Ok;
+        }
+      }
+    }
+  }
+}
+
 /** A jaw of which nothing was drawn is where the other one is, and as sure. */
 void
 AddOfOtherJaw(const PoseRegistrationResult & result, std::vector<RegistrationVerdict::JawVerdict> & verdicts)
@@ -739,6 +776,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
     }
     JudgeReadings(result, group, thresholds, verdict);
   }
+  TakeBackPoorFits(result, thresholds, verdicts);
   AddOfViews(result, thresholds, verdicts);
   AddOfOtherJaw(result, verdicts);
   for (JawVerdict & verdict : verdicts)

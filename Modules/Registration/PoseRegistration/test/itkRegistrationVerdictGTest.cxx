@@ -556,6 +556,8 @@ TEST(RegistrationVerdict, PoorFitOfOneJawIsNamedForTheOtherThatSharesThePose)
   for (const double cost : { 0.4, 0.6 })
   {
     Result result = MakeGoodResult(2);
+    // The other one does not bear the pose out.
+    result.jaws[0].fit.cost = 0.25;
     result.jaws[1].fit.cost = cost;
     const auto verdicts = Verdict::Evaluate(result);
     EXPECT_EQ(NamesOf(verdicts[0]), (Named{ { "other-jaw", Suspect } }));
@@ -923,6 +925,52 @@ TEST(RegistrationVerdict, LandmarksThatAllLieOffAreRough)
     EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)),
               factor < 1.0 ? Named{} : (Named{ { "landmarks-rough", Suspect } }));
   }
+}
+
+TEST(RegistrationVerdict, APoorFitThatTheOtherJawBearsOutIsTakenBack)
+{
+  const Thresholds limits;
+  auto             good = MakeGoodResult(2);
+  good.groups[0].margin = limits.borneOutMargin;
+  good.groups[0].smoothSigma = limits.borneOutSmoothSigma;
+  good.jaws[0].fit.cost = limits.borneOutPoorCost;
+  good.jaws[0].fit.inlierShare = limits.borneOutInlierShare;
+  good.jaws[0].fit.p90Residual = 9.0;
+  good.jaws[1].fit.cost = limits.borneOutOtherCost;
+  const auto verdicts = Verdict::Evaluate(good);
+  for (const auto & verdict : verdicts)
+  {
+    EXPECT_EQ(verdict.status, StatusEnum::Ok);
+    EXPECT_TRUE(verdict.findings.empty());
+  }
+  ASSERT_EQ(verdicts[0].takenBack.size(), 1U);
+  EXPECT_EQ(verdicts[0].takenBack.front().code, "poor-fit");
+  EXPECT_TRUE(verdicts[1].takenBack.empty());
+
+  // Whatever else is in doubt leaves it a reason, for both jaws.
+  const auto expectSuspect = [&](const auto & change) {
+    auto changed = good;
+    change(changed);
+    for (const auto & verdict : Verdict::Evaluate(changed))
+    {
+      EXPECT_EQ(verdict.status, StatusEnum::Suspect);
+      EXPECT_TRUE(verdict.takenBack.empty());
+    }
+  };
+  using ResultType = itk::PoseRegistrationResult;
+  expectSuspect([&](ResultType & result) { result.groups[0].margin = limits.borneOutMargin - 0.01; });
+  expectSuspect([&](ResultType & result) { result.groups[0].smoothSigma = limits.borneOutSmoothSigma + 0.01; });
+  expectSuspect([&](ResultType & result) { result.jaws[0].fit.cost = limits.borneOutPoorCost + 0.01; });
+  expectSuspect([&](ResultType & result) { result.jaws[0].fit.inlierShare = limits.borneOutInlierShare - 0.01; });
+  expectSuspect([&](ResultType & result) { result.jaws[1].fit.cost = limits.borneOutOtherCost + 0.01; });
+  expectSuspect([&](ResultType & result) { result.jaws[1].fit.codeOffset = limits.suspectCodeOffset + 0.01; });
+  expectSuspect([&](ResultType & result) { result.jaws[0].fit.codeOffset = limits.suspectCodeOffset + 0.01; });
+  expectSuspect([&](ResultType & result) { result.jaws[1].fit.p90Residual = limits.suspectP90 + 0.01; });
+  // A jaw without a tracing bears nothing out.
+  auto alone = good;
+  alone.jaws[1].fit = itk::PoseFitStatistics();
+  EXPECT_EQ(Verdict::Evaluate(alone)[0].status, StatusEnum::Suspect);
+  EXPECT_TRUE(Verdict::Evaluate(alone)[0].takenBack.empty());
 }
 
 TEST(RegistrationVerdict, OutlinesThatShareOutAGrossErrorContradictEachOther)
