@@ -386,7 +386,9 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
           solution->GetGroup(entry.first), poseJaw, solution->GetOptions(), verdict->GetThresholds()))
     {
       result.warnings.push_back(std::string(ToString(entry.first)) + ": " + jaw.findings.front().text +
-                                "; the tracing bears it out");
+                                (poseJaw.fit.numberOfPoints > 0 ? "; the tracing bears it out"
+                                                                : "; what was drawn fits, and tells the middles of "
+                                                                  "both sides, which depend little on the axis"));
       jaw.RemoveFinding("unsure-axis");
     }
     jaw.meshToUMDA = ToRows(*FrameOf(axis, entry.first)->Get());

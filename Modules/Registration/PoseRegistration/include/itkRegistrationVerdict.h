@@ -159,9 +159,10 @@ public:
   JudgeDrafts(double share, const Thresholds & thresholds);
 
   /** Whether a fit leaves no doubt of the scan's dental axis, however unsure it was before: the tracing determined roll
-   * and yaw, which an axis that is off makes up for, and lies well on the outline at a place that has no rival. For
-   * callers that found nothing else to doubt: an unsure axis by itself is no reason then
-   * (Documentation/RobustStudies.md has what it cost and found). */
+   * and yaw, which an axis that is off makes up for, and lies well on the outline at a place that has no rival. Of a
+   * jaw without a tracing landmarks or outlines of teeth determine the middles of both sides, which an axis that is off
+   * by some degrees hardly moves. For callers that found nothing else to doubt: an unsure axis by itself is no reason
+   * then (Documentation/RobustStudies.md has what it cost and found). */
   static bool
   IsAxisBorneOut(const PoseGroupResult &         group,
                  const PoseJawResult &           jaw,

@@ -798,6 +798,10 @@ RegistrationVerdict::IsAxisBorneOut(const PoseGroupResult &         group,
                                     const PoseRegistrationOptions & options,
                                     const Thresholds &              thresholds)
 {
+  if (jaw.fit.numberOfPoints == 0)
+  {
+    return !jaw.landmarks.empty() || !jaw.outlines.empty();
+  }
   const bool rotates = !group.bisected && options.useFullPose && !options.fixRotation;
   return rotates && jaw.fit.numberOfPoints > 0 && jaw.fit.cost <= thresholds.borneOutCost &&
          group.margin >= thresholds.borneOutMargin;

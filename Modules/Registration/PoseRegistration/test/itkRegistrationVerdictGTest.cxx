@@ -973,6 +973,43 @@ TEST(RegistrationVerdict, APoorFitThatTheOtherJawBearsOutIsTakenBack)
   EXPECT_TRUE(Verdict::Evaluate(alone)[0].takenBack.empty());
 }
 
+TEST(RegistrationVerdict, ADentalAxisIsBorneOutByATracingThatDeterminesItOrByWhatDependsLittleOnIt)
+{
+  const Thresholds                   limits;
+  const itk::PoseRegistrationOptions options;
+  auto                               result = MakeGoodResult(1);
+  const auto                         isBorneOut = [&](const itk::PoseRegistrationOptions & used) {
+    return Verdict::IsAxisBorneOut(result.groups[0], result.jaws[0], used, limits);
+  };
+  result.jaws[0].fit.cost = limits.borneOutCost;
+  result.groups[0].margin = limits.borneOutMargin;
+  EXPECT_TRUE(isBorneOut(options));
+  result.jaws[0].fit.cost = limits.borneOutCost + 0.01;
+  EXPECT_FALSE(isBorneOut(options));
+  result.jaws[0].fit.cost = limits.borneOutCost;
+  result.groups[0].margin = limits.borneOutMargin - 0.01;
+  EXPECT_FALSE(isBorneOut(options));
+  result.groups[0].margin = limits.borneOutMargin;
+  // Held rotations make up for no axis, and a bisected tracing determines none.
+  auto held = options;
+  held.fixRotation = true;
+  EXPECT_FALSE(isBorneOut(held));
+  held = options;
+  held.useFullPose = false;
+  EXPECT_FALSE(isBorneOut(held));
+  result.groups[0].bisected = true;
+  EXPECT_FALSE(isBorneOut(options));
+  result.groups[0].bisected = false;
+  // Without a tracing middles are what is determined; a jaw of which nothing was drawn determines nothing.
+  result.jaws[0].fit = itk::PoseFitStatistics();
+  EXPECT_FALSE(isBorneOut(options));
+  result.jaws[0].landmarks.resize(2);
+  EXPECT_TRUE(isBorneOut(options));
+  result.jaws[0].landmarks.clear();
+  result.jaws[0].outlines.resize(2);
+  EXPECT_TRUE(isBorneOut(options));
+}
+
 TEST(RegistrationVerdict, OutlinesThatShareOutAGrossErrorContradictEachOther)
 {
   const Thresholds limits;
