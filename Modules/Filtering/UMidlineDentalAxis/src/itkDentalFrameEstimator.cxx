@@ -250,8 +250,12 @@ EstimateDentalFrame(const TriangleSurface * upper, const TriangleSurface * lower
     frame.symmetryConfidence = Ramp(share, 0.1, 0.3);
     const MidsagittalPlaneResult & mirror = refined ? plane : jaw.arch.mirror;
     frame.symmetryConfidence *= Ramp(mirror.inlierFraction, 0.5, 0.8) * (0.4 + 0.6 * Ramp(mirror.margin, 0.0, 0.1));
-    // Sides that differ all along have a mirror plane too, that of neither of them.
-    frame.symmetryConfidence *= Ramp(mirror.residual, 1.35, 1.05);
+    // Sides that differ all along have a mirror plane too, that of neither of them. Of two jaws each tells where the
+    // other one's sides differ.
+    if (!result.jawsShareFrame)
+    {
+      frame.symmetryConfidence *= Ramp(mirror.residual, 1.35, 1.05);
+    }
     frame.confidence = frame.signConfidence * frame.planeConfidence * frame.archConfidence * frame.symmetryConfidence;
     frame.valid = true;
   }

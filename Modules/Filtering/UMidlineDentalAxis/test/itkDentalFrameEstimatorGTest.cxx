@@ -395,6 +395,21 @@ TEST(DentalFrameEstimator, TeethWithoutAMirrorImageDoNotTurnTheAxis)
   EXPECT_LT(std::abs(result.lower.axes[0][1]), std::sin(2.5 * itk::Math::pi_over_180));
 }
 
+TEST(DentalFrameEstimator, AnAxisOfAJawAloneWhoseSidesDifferIsUnsure)
+{
+  // Yaw is 4 degrees off; share of crowns with an image, balance and margin find nothing wrong.
+  itk::DentalFrameOptions options;
+  options.refineMidline = true;
+  const ScannedPair pair = MakeScannedPair(3000, "real");
+  EXPECT_LT(itk::EstimateDentalFrame(nullptr, &pair.jaws[1], options).lower.confidence, 0.5);
+  // The other jaw's sides are alike, and of both together it tells where these differ.
+  EXPECT_GT(itk::EstimateDentalFrame(&pair.jaws[0], nullptr, options).upper.confidence, 0.8);
+  options.jawsShareFrame = itk::DentalFrameEnums::JawsShareFrame::On;
+  const auto both = itk::EstimateDentalFrame(&pair.jaws[0], &pair.jaws[1], options);
+  EXPECT_LT(std::abs(both.lower.axes[0][1]), std::sin(1.5 * itk::Math::pi_over_180));
+  EXPECT_GT(both.lower.confidence, 0.5);
+}
+
 TEST(DentalFrameEstimator, WhatTheOcclusionTestFoundIsSaid)
 {
   const auto jaws = MakePhantom(302);
