@@ -200,7 +200,7 @@ main(int argc, char * argv[])
   const std::uint64_t        count = std::stoull(argv[4]);
   std::map<JawEnum, Summary> summaries;
   std::cout
-    << "# seed jaw error_px sigma_px covered landmarks status margin | reasons\n"
+    << "# seed jaw error_px sigma_px covered landmarks status margin | code: reason | ...\n"
     << "# what is judged: V seed jaw error_px smooth_px cost p90_px median_px inliers sigma_px largest_sigma_px "
        "code_mm margin other_side confidence\n"
     << "# a minimum: C seed jaw rank error_px score distance_px" << std::endl;
@@ -289,9 +289,9 @@ main(int argc, char * argv[])
       summary.nearFlagged += !ok && error <= 2.0 ? 1 : 0;
       std::cout << seed << ' ' << name << ' ' << error << ' ' << std::sqrt(squares) << ' ' << covered << ' '
                 << landmarks.size() << ' ' << itk::ToString(jaw.status) << ' ' << Detail(jaw, "ambiguity_margin");
-      for (const std::string & reason : jaw.GetReasons())
+      for (const auto & finding : jaw.findings)
       {
-        std::cout << " | " << reason;
+        std::cout << " | " << finding.code << ": " << finding.text;
       }
       std::cout << std::endl;
       const itk::PoseGroupResult &       group = solution->GetGroup(entry.first);

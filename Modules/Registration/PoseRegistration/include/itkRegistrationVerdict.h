@@ -78,8 +78,9 @@ public:
     double suspectSmoothSigma{ 3.0 };
     /** At the tracing, and anywhere on the outline. Not judged on bisected tracings. With a standard deviation of 2.4
      * an axis a hundred times the probability of more than 8 px is that of less than 2: there a wrong ok, which weighs
-     * a hundred false alarms, costs as much as the alarm. */
-    double suspectPredictedSigma{ 2.4 };
+     * a hundred false alarms, costs as much as the alarm. What is predicted is that times 1.08, or more, in every group
+     * of jaws that was measured (Documentation/RobustStudies.md). */
+    double suspectPredictedSigma{ 2.6 };
     double suspectExtrapolatedSigma{ 5.5 };
     double failedPredictedSigma{ 20.0 };
     /** mm along the arch: codes that are off by a tooth have the teeth 6 mm (below) or 7 (above) from their places,

@@ -185,7 +185,7 @@ MakeLimits()
       { { "rough-tracing", Suspect } } },
     { "SuspectPredictedSigma",
       &Thresholds::suspectPredictedSigma,
-      2.4,
+      2.6,
       true,
       [](Result & r, double x) { r.jaws[0].fit.predictedSigma = x; },
       {},
