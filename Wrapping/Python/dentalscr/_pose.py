@@ -86,6 +86,46 @@ class LandmarkPoseMetricv4(_core.LandmarkPoseMetricv4):
         self._SetFixedLandmarks(as_landmarks(landmarks, 2))
 
 
+class OutlineResidual(NamedTuple):
+    """How the outline of a tooth is explained."""
+
+    #: "U1", "L6"; of a frontal radiograph "UR1".
+    name: str
+    #: (2,), how far the hand has shifted it, as far as can be told: drawn minus projected, pixels.
+    shift: Array
+    #: Of shift, turn and size together, in standard deviations of a shift: 1.4 on average.
+    distance: float
+    #: What the robust kernel leaves of it, 1 to 0.
+    weight: float
+    #: Share of its points that lie on the crown, after shift, turn and size.
+    matchedShare: float
+    #: Its shape is a stock template's, not the tooth's own.
+    isTemplate: bool
+    #: (n, 2), the projected outline of the crown that it was compared with, pixels.
+    crown: Array
+
+
+class ToothOutlinePoseMetricv4(_core.ToothOutlinePoseMetricv4):
+    """Crowns of a scan against outlines of whole teeth, as an analysis draws them: a term of the scan's pose.
+
+    Each tooth has errors of its own as a whole (``SetErrors``), and its points have a hand's. ``Initialize`` and
+    ``UpdateNoiseCorrelation`` settle, at the position as it is, what of each outline counts; call the latter between
+    runs of an optimizer.
+    """
+
+    def SetCrowns(self, crowns: Dict[str, "ToothCrown"]) -> None:
+        """Crowns in the dental frame, mm: those of :func:`FindToothCrowns`, their points moved by the frame."""
+        self._SetCrowns({name: tuple(crown) for name, crown in crowns.items()})
+
+    def SetFixedContour(self, contour: ContourLike) -> None:
+        """The outlines of this jaw's teeth, polylines with their codes, continuous pixel indices."""
+        self._SetFixedContour(as_contour(contour))
+
+    def GetOutlineResiduals(self) -> Tuple[OutlineResidual, ...]:
+        """How each outline is explained where the state stands; after ``Initialize``."""
+        return tuple(OutlineResidual(*values) for values in self._GetOutlineResiduals())
+
+
 class LeastSquaresMetric(_core._LeastSquaresMetric):
     """A metric of your own: derive from it and say which parameters it reads and what its residuals are.
 

@@ -902,6 +902,7 @@ WrapPoseMetrics(py::module_ & module)
   WrapModels(module);
   WrapMetricBase(module);
   WrapTerms(module);
+  WrapPoseTerms(module);
   WrapOptimizer(module);
   WrapIterationCommand(module);
 }

@@ -48,6 +48,15 @@ ToDict(const itk::PoseFitStatistics & fit)
   result["extrapolatedSigma"] = fit.extrapolatedSigma;
   return result;
 }
+
+/** Terms of whole teeth and of other views; options, iterations and solutions of a registration of poses; verdict,
+ * projections and other filters after it. */
+void
+WrapPoseTerms(py::module_ & module);
+void
+WrapPoseSolution(py::module_ & module);
+void
+WrapPoseDownstream(py::module_ & module);
 } // namespace dentalscr
 
 #endif
