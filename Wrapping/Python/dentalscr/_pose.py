@@ -10,12 +10,14 @@ from ._filters import DentalAxes, as_rigid
 from ._inputs import (
     Array,
     ContourLike,
+    ImageLike,
     LandmarksLike,
     MeshLike,
     TransformLike,
     as_cephalometric_landmarks,
     as_contour,
     as_geometry,
+    as_image,
     as_landmarks,
     as_mesh,
 )
@@ -559,6 +561,55 @@ def ScanCheck(
     process = ScanCheckFilter()
     apply_settings(process, settings)
     return process.Execute(axes, upperMesh, lowerMesh, landmarks)
+
+
+class PictureFindings(NamedTuple):
+    """What :class:`PictureCheckFilter` says of a radiograph; nothing where what was drawn lies on its edges."""
+
+    findings: Tuple[RegistrationFinding, ...]
+    #: What the data could not tell, as sentences.
+    notCheckable: Tuple[str, ...]
+
+
+class PictureCheckFilter(ProcessObject, _core.PictureCheckFilter):
+    """Whether a radiograph is the one that was drawn on, as far as its grey values tell."""
+
+    def Execute(
+        self,
+        radiograph: Optional[ImageLike],
+        geometry: Any,
+        upperContour: Optional[ContourLike] = None,
+        lowerContour: Optional[ContourLike] = None,
+    ) -> PictureFindings:
+        """Looks for edges of the picture under what was drawn.
+
+        Parameters
+        ----------
+        radiograph : image-like or None
+            The picture; without one nothing can be told.
+        geometry : CephalometricGeometry or dict
+            Its pixel spacing says how wide an edge is.
+        upperContour, lowerContour : contour-like, optional
+            What was drawn of each jaw, continuous pixel indices.
+        """
+        self._SetRadiograph(None if radiograph is None else as_image(radiograph))
+        self._SetGeometry(as_geometry(geometry))
+        self._SetUpperContour(None if upperContour is None else as_contour(upperContour, "upper"))
+        self._SetLowerContour(None if lowerContour is None else as_contour(lowerContour, "lower"))
+        self._Update()
+        return PictureFindings(
+            tuple(RegistrationFinding(*each) for each in self._GetFindings()), tuple(self.GetNotCheckable())
+        )
+
+
+def PictureCheck(
+    radiograph: Optional[ImageLike],
+    geometry: Any,
+    upperContour: Optional[ContourLike] = None,
+    lowerContour: Optional[ContourLike] = None,
+) -> PictureFindings:
+    """Whether a radiograph is the one that was drawn on; see :class:`PictureCheckFilter`."""
+    return PictureCheckFilter().Execute(radiograph, geometry, upperContour, lowerContour)
 
 
 class LandmarkCounterpart(NamedTuple):

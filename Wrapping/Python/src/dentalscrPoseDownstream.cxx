@@ -25,6 +25,7 @@
 #include "itkLandmarkMatrixProjectionFilter.h"
 #include "itkLandmarkProjectionFilter.h"
 #include "itkMatchedContourFilter.h"
+#include "itkPictureCheckFilter.h"
 #include "itkProjectionSimilarityFilter.h"
 #include "itkRegistrationVerdictFilter.h"
 #include "itkScanCheckFilter.h"
@@ -310,6 +311,17 @@ WrapDownstream(py::module_ & module)
       [](CheckType & self, JawEnum jaw) { return FindingsToList(self.GetFindings(Checked(jaw))); },
       py::arg("jaw"))
     .def("GetNotCheckable", &CheckType::GetNotCheckable, "What the data could not tell, as sentences.");
+
+  using PictureCheckType = itk::PictureCheckFilter;
+  ProcessClass<PictureCheckType>(
+    module, "PictureCheckFilter", "Whether a radiograph is the one that was drawn on, as far as its grey values tell.")
+    .def(New<PictureCheckType>())
+    .def("_SetRadiograph", &PictureCheckType::SetRadiograph, py::arg("radiograph"))
+    .def("_SetUpperContour", &PictureCheckType::SetUpperContour, py::arg("contour"))
+    .def("_SetLowerContour", &PictureCheckType::SetLowerContour, py::arg("contour"))
+    .def("_SetGeometry", &PictureCheckType::SetGeometry, py::arg("geometry"))
+    .def("_GetFindings", [](PictureCheckType & self) { return FindingsToList(self.GetFindings()); })
+    .def("GetNotCheckable", &PictureCheckType::GetNotCheckable, "What the data could not tell, as sentences.");
 
   using CounterpartType = itk::LandmarkCounterpartFilter;
   ProcessClass<CounterpartType>(

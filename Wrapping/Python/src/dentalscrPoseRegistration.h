@@ -24,6 +24,9 @@
 #include "itkObjectToObjectOptimizerBase.h"
 #include "itkPoseFitStatistics.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace dentalscr
 {
 using MetricBaseType = itk::LeastSquaresMetricv4;
@@ -49,8 +52,20 @@ ToDict(const itk::PoseFitStatistics & fit)
   return result;
 }
 
-/** Terms of whole teeth and of other views; options, iterations and solutions of a registration of poses; verdict,
- * projections and other filters after it. */
+/** A metric that has its blocks: before Initialize() a metric knows them only when it is asked. */
+inline const MetricBaseType &
+Ready(const MetricBaseType & metric)
+{
+  if (metric.GetState().GetNumberOfParameters() == 0)
+  {
+    throw std::invalid_argument(std::string(metric.GetNameOfClass()) +
+                                " reads no parameters yet; set its inputs and call Initialize()");
+  }
+  return metric;
+}
+
+/** Terms of a scan on a radiograph (silhouettes, landmarks, whole teeth, other views); options, iterations and
+ * solutions of a registration of poses; verdict, projections and other filters after it. */
 void
 WrapPoseTerms(py::module_ & module);
 void

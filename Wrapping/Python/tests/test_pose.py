@@ -296,6 +296,17 @@ def test_every_threshold_of_the_verdict_can_be_set(ds):
         setattr(thresholds, name, getattr(thresholds, name) + 1.0)
 
 
+def test_a_mirrored_picture_is_told_by_its_edges(ds):
+    case = ds.DentalPhantomCase(3, numberOfTriangles=20000)
+    drawn = (case.geometry, case.upper.tracing, case.lower.tracing)
+    assert ds.PictureCheck(case.image, *drawn) == ds.PictureFindings((), ())
+    found = ds.PictureCheck(np.asarray(case.image)[:, ::-1], *drawn)
+    assert [finding.code for finding in found.findings] == ["picture"] and "mirrored" in found.findings[0].text
+    assert "no picture" in ds.PictureCheck(None, *drawn).notCheckable[0]
+    with pytest.raises(ds.Error, match=r"SetGeometry\(\)"):
+        ds.PictureCheckFilter()._Update()
+
+
 # How it is set up ------------------------------------------------------------------------------------------------------
 
 
