@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MetricJoins', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'TracedSide', 'TracedSideFilter', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'ViewVerdictThresholds', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MetricJoins', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'ToothOutlineErrors', 'ToothOutlinePoseMetricv4', 'TracedSide', 'TracedSideFilter', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'ViewPoseMetricv4', 'ViewVerdictThresholds', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -4665,6 +4665,178 @@ class SilhouettePoseMetricv4(PoseMetricv4):
         ...
     def _SetMovingMesh(self, mesh: Mesh | None) -> None:
         ...
+    def __init__(self) -> None:
+        ...
+class ToothOutlineErrors:
+    """
+    What hands get wrong of a tooth, standard deviations.
+    """
+    def __init__(self) -> None:
+        ...
+    @property
+    def across(self) -> float:
+        """
+        Of its place across the occlusal plane, mm on the detector.
+        """
+    @across.setter
+    def across(self, arg0: float) -> None:
+        ...
+    @property
+    def along(self) -> float:
+        """
+        Of its place along the occlusal plane, mm on the detector.
+        """
+    @along.setter
+    def along(self, arg0: float) -> None:
+        ...
+    @property
+    def drift(self) -> float:
+        """
+        Of the line, correlated along it, px of 0.25 mm.
+        """
+    @drift.setter
+    def drift(self, arg0: float) -> None:
+        ...
+    @property
+    def frontalJitter(self) -> float:
+        """
+        Each point's own on a frontal radiograph, px of 0.25 mm.
+        """
+    @frontalJitter.setter
+    def frontalJitter(self, arg0: float) -> None:
+        ...
+    @property
+    def jitter(self) -> float:
+        """
+        Each point's own, px of 0.25 mm.
+        """
+    @jitter.setter
+    def jitter(self, arg0: float) -> None:
+        ...
+    @property
+    def lingual(self) -> float:
+        """
+        How far the inner side lies beside the edge, mm on the detector.
+        """
+    @lingual.setter
+    def lingual(self, arg0: float) -> None:
+        ...
+    @property
+    def size(self) -> float:
+        """
+        Of a hand that draws the tooth: a share of its size.
+        """
+    @size.setter
+    def size(self, arg0: float) -> None:
+        ...
+    @property
+    def templateSize(self) -> float:
+        """
+        Of a stock template: a share of its size.
+        """
+    @templateSize.setter
+    def templateSize(self, arg0: float) -> None:
+        ...
+    @property
+    def templateTurn(self) -> float:
+        """
+        Of a stock template: how far it is turned, rad.
+        """
+    @templateTurn.setter
+    def templateTurn(self, arg0: float) -> None:
+        ...
+    @property
+    def turn(self) -> float:
+        """
+        Of a hand that draws the tooth: how far it is turned, rad.
+        """
+    @turn.setter
+    def turn(self, arg0: float) -> None:
+        ...
+class ToothOutlinePoseMetricv4(PoseMetricv4):
+    """
+    Crowns of a scan against outlines of whole teeth: a term of its pose.
+    """
+    def GetErrors(self) -> ToothOutlineErrors:
+        """
+        A copy: give it back to SetErrors().
+        """
+    def GetFailure(self) -> str:
+        """
+        Why no outline can be matched; empty where one can. Valid after Initialize(), which says it as an error.
+        """
+    def GetJaw(self) -> Jaw:
+        """
+        Returns the jaw of the scan: Upper (the default) or Lower.
+        """
+    def GetMaximumCutSigma(self) -> float:
+        """
+        Returns how far from where it was cut a crown may be, standard deviation along the arch, mm: others are left out; without a limit by default.
+        """
+    def GetOutlinedTeeth(self) -> list[str]:
+        """
+        Names of the teeth whose outlines are used. Valid after Initialize().
+        """
+    def GetUnused(self) -> dict[str, typing.Any]:
+        """
+        Outlines that are not used and why: name ("U6"; of a frontal radiograph "UR6") to a sentence.
+        """
+    def SetErrors(self, errors: ToothOutlineErrors) -> None:
+        """
+        What hands get wrong (ToothOutlineErrors).
+        """
+    def SetExcludedTeeth(self, teeth: typing.Sequence[int]) -> None:
+        """
+        FDI numbers of teeth to leave out.
+        """
+    def SetJaw(self, jaw: Jaw | str) -> None:
+        """
+        Sets the jaw of the scan: Upper (the default) or Lower.
+        """
+    def SetMarkedTeeth(self, teeth: typing.Sequence[str]) -> None:
+        """
+        Names of teeth whose landmarks are registered with as well: the two share a part of their error.
+        """
+    def SetMaximumCutSigma(self, value: float) -> None:
+        """
+        Sets how far from where it was cut a crown may be, standard deviation along the arch, mm: others are left out; without a limit by default.
+        """
+    def _GetOutlineResiduals(self) -> list[typing.Any]:
+        ...
+    def _SetCrowns(self, crowns: dict[str, typing.Any]) -> None:
+        ...
+    def _SetFixedContour(self, contour: Contour | None) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class ViewPoseMetricv4(LeastSquaresMetricv4):
+    """
+    A term of another view: the one that it holds, with the head where it was for that view.
+
+    Reads the body's "pose", how the head was moved for the view, and the view's scale: blocks of 6, 6 and 1 parameters
+    (GetBlocks()). Kernel, noise and matches are those of the term that it holds. Priors say how far the head may have
+    moved: a ParameterPriorMetricv4 on the second block.
+    """
+    def GetTerm(self) -> PoseMetricv4:
+        """
+        The term that it holds.
+        """
+    def GetTermValues(self) -> numpy.typing.NDArray[typing.Any]:
+        """
+        Where the scan is in the view: pitch, roll, yaw (rad), tx, ty, tz (mm), kappa, by the values of the state.
+        """
+    def GetView(self) -> str:
+        """
+        Name of the view.
+        """
+    def SetTerm(self, term: PoseMetricv4) -> None:
+        """
+        The term with the view's radiograph, whose geometry is its transform's.
+        """
+    def SetView(self, name: str) -> None:
+        """
+        Name of the view, after which its blocks are named.
+        """
     def __init__(self) -> None:
         ...
 class StopCondition:

@@ -80,6 +80,8 @@ class PhantomCase:
     image: Optional[_core.Image]
     imageSize: tuple[int, int]
     tracedSide: str
+    #: What an analysis marked, with its errors: ``{"U1_tip": (u, v), ...}``; None where the level has no analysis.
+    cephalometricLandmarks: Optional[Dict[str, tuple[float, float]]] = None
 
     def to_case(self, withLandmarks2D: bool = True) -> Case:
         """As :func:`register` takes it."""
@@ -93,6 +95,7 @@ class PhantomCase:
             imageSize=self.imageSize,
             principalPointKnown=True,
             tracedSide=self.tracedSide,
+            cephalometricLandmarks=self.cephalometricLandmarks,
             landmarks3D={**self.upper.landmarks3D, **self.lower.landmarks3D},
             landmarks2D={**self.upper.landmarks2D, **self.lower.landmarks2D} if withLandmarks2D else None,
         )
@@ -124,6 +127,7 @@ class DentalPhantomCaseSource(ProcessObject, _core.DentalPhantomCaseSource):
             image=image,
             imageSize=self.GetImageSize(),
             tracedSide=self.GetTracedSide().name.lower(),
+            cephalometricLandmarks=cast("Optional[Dict[str, tuple[float, float]]]", self._GetCephalometricLandmarks()),
         )
 
     def Write(self, folder: PathLike, meshExtension: str = "stl") -> None:
@@ -142,12 +146,14 @@ def DentalPhantomCase(
     ----------
     seed : int
         The same seed, the same case.
-    cohort : "Ideal", "Typical" or "Hard"
+    cohort : "ideal", "typical", "hard", "real", "real-hard", "standard" or "practice"
+        The level, as ``dentalscr phantom --level`` has it. Of "practice" and "standard" an analysis has drawn whole
+        teeth and marked landmarks.
     **settings
         ``tracedSide``, ``facing``, ``numberOfTriangles``, ``makeRadiograph``, ...
     """
     process = DentalPhantomCaseSource()
     process.SetSeed(seed)
-    process.SetCohort(cast(_core.PhantomCohort, cohort))
+    process.SetCohort(cast(_core.PhantomCohort, cohort.replace("-", "") if isinstance(cohort, str) else cohort))
     apply_settings(process, settings)
     return process.Execute()

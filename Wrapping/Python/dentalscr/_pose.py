@@ -10,12 +10,14 @@ from ._filters import DentalAxes, as_rigid
 from ._inputs import (
     Array,
     ContourLike,
+    ImageLike,
     LandmarksLike,
     MeshLike,
     TransformLike,
     as_cephalometric_landmarks,
     as_contour,
     as_geometry,
+    as_image,
     as_landmarks,
     as_mesh,
 )
@@ -84,6 +86,46 @@ class LandmarkPoseMetricv4(_core.LandmarkPoseMetricv4):
     def SetFixedLandmarks(self, landmarks: LandmarksLike) -> None:
         """Of the radiograph, continuous pixel indices: ``{"UR1_tip": (u, v)}`` or a file."""
         self._SetFixedLandmarks(as_landmarks(landmarks, 2))
+
+
+class OutlineResidual(NamedTuple):
+    """How the outline of a tooth is explained."""
+
+    #: "U1", "L6"; of a frontal radiograph "UR1".
+    name: str
+    #: (2,), how far the hand has shifted it, as far as can be told: drawn minus projected, pixels.
+    shift: Array
+    #: Of shift, turn and size together, in standard deviations of a shift: 1.4 on average.
+    distance: float
+    #: What the robust kernel leaves of it, 1 to 0.
+    weight: float
+    #: Share of its points that lie on the crown, after shift, turn and size.
+    matchedShare: float
+    #: Its shape is a stock template's, not the tooth's own.
+    isTemplate: bool
+    #: (n, 2), the projected outline of the crown that it was compared with, pixels.
+    crown: Array
+
+
+class ToothOutlinePoseMetricv4(_core.ToothOutlinePoseMetricv4):
+    """Crowns of a scan against outlines of whole teeth, as an analysis draws them: a term of the scan's pose.
+
+    Each tooth has errors of its own as a whole (``SetErrors``), and its points have a hand's. ``Initialize`` and
+    ``UpdateNoiseCorrelation`` settle, at the position as it is, what of each outline counts; call the latter between
+    runs of an optimizer.
+    """
+
+    def SetCrowns(self, crowns: Dict[str, "ToothCrown"]) -> None:
+        """Crowns in the dental frame, mm: those of :func:`FindToothCrowns`, their points moved by the frame."""
+        self._SetCrowns({name: tuple(crown) for name, crown in crowns.items()})
+
+    def SetFixedContour(self, contour: ContourLike) -> None:
+        """The outlines of this jaw's teeth, polylines with their codes, continuous pixel indices."""
+        self._SetFixedContour(as_contour(contour))
+
+    def GetOutlineResiduals(self) -> Tuple[OutlineResidual, ...]:
+        """How each outline is explained where the state stands; after ``Initialize``."""
+        return tuple(OutlineResidual(*values) for values in self._GetOutlineResiduals())
 
 
 class LeastSquaresMetric(_core._LeastSquaresMetric):
@@ -519,6 +561,55 @@ def ScanCheck(
     process = ScanCheckFilter()
     apply_settings(process, settings)
     return process.Execute(axes, upperMesh, lowerMesh, landmarks)
+
+
+class PictureFindings(NamedTuple):
+    """What :class:`PictureCheckFilter` says of a radiograph; nothing where what was drawn lies on its edges."""
+
+    findings: Tuple[RegistrationFinding, ...]
+    #: What the data could not tell, as sentences.
+    notCheckable: Tuple[str, ...]
+
+
+class PictureCheckFilter(ProcessObject, _core.PictureCheckFilter):
+    """Whether a radiograph is the one that was drawn on, as far as its grey values tell."""
+
+    def Execute(
+        self,
+        radiograph: Optional[ImageLike],
+        geometry: Any,
+        upperContour: Optional[ContourLike] = None,
+        lowerContour: Optional[ContourLike] = None,
+    ) -> PictureFindings:
+        """Looks for edges of the picture under what was drawn.
+
+        Parameters
+        ----------
+        radiograph : image-like or None
+            The picture; without one nothing can be told.
+        geometry : CephalometricGeometry or dict
+            Its pixel spacing says how wide an edge is.
+        upperContour, lowerContour : contour-like, optional
+            What was drawn of each jaw, continuous pixel indices.
+        """
+        self._SetRadiograph(None if radiograph is None else as_image(radiograph))
+        self._SetGeometry(as_geometry(geometry))
+        self._SetUpperContour(None if upperContour is None else as_contour(upperContour, "upper"))
+        self._SetLowerContour(None if lowerContour is None else as_contour(lowerContour, "lower"))
+        self._Update()
+        return PictureFindings(
+            tuple(RegistrationFinding(*each) for each in self._GetFindings()), tuple(self.GetNotCheckable())
+        )
+
+
+def PictureCheck(
+    radiograph: Optional[ImageLike],
+    geometry: Any,
+    upperContour: Optional[ContourLike] = None,
+    lowerContour: Optional[ContourLike] = None,
+) -> PictureFindings:
+    """Whether a radiograph is the one that was drawn on; see :class:`PictureCheckFilter`."""
+    return PictureCheckFilter().Execute(radiograph, geometry, upperContour, lowerContour)
 
 
 class LandmarkCounterpart(NamedTuple):

@@ -33,6 +33,7 @@
 #include "itkDentalCaseLoader.h"
 #include "itkDentalCaseReader.h"
 #include "itkDentalInputError.h"
+#include "itkFirstViewName.h"
 
 #include <sstream>
 
@@ -158,11 +159,12 @@ AddView(Case &                       self,
         bool                         sameHeadPosition,
         double                       principalPointSigma)
 {
-  if (!itk::IsViewName(name) || name == "lateral")
+  if (!itk::IsViewName(name) || name == itk::FirstViewName)
   {
     throw std::invalid_argument('"' + name +
                                 "\" is no name of a further view: use letters, digits, - and _, as in \"frontal\"; the "
-                                "case itself is \"lateral\"");
+                                "case itself is \"" +
+                                itk::FirstViewName + '"');
   }
   for (const auto & other : self.data->views)
   {

@@ -20,6 +20,7 @@
 #include "itkDentalPhantomCaseSource.h"
 #include "itkDentalPhantomCaseWriter.h"
 #include "itkDentalPhantomMeshSource.h"
+#include "itkDentalPhantomStandardTracing.h"
 
 #include <sstream>
 #include <stdexcept>
@@ -122,11 +123,16 @@ ToGrey(const SourceType::ImageType * image)
 void
 WrapPhantom(py::module_ & module)
 {
-  BindEnum<CohortEnum>(
-    module,
-    "PhantomCohort",
-    { { "Ideal", CohortEnum::Ideal }, { "Typical", CohortEnum::Typical }, { "Hard", CohortEnum::Hard } },
-    "How well a simulated case is taken and traced.");
+  BindEnum<CohortEnum>(module,
+                       "PhantomCohort",
+                       { { "Ideal", CohortEnum::Ideal },
+                         { "Typical", CohortEnum::Typical },
+                         { "Hard", CohortEnum::Hard },
+                         { "Real", CohortEnum::Real },
+                         { "RealHard", CohortEnum::RealHard },
+                         { "Standard", CohortEnum::Standard },
+                         { "Practice", CohortEnum::Practice } },
+                       "The level of a simulated case: how well it is taken and traced, and the arches that it is of.");
   BindEnum<FrameEnum>(module,
                       "PhantomFrame",
                       { { "Anatomical", FrameEnum::Anatomical },
@@ -287,6 +293,19 @@ WrapPhantom(py::module_ & module)
          [](SourceType & self, JawEnum jaw) { return ToDict<3>(self.GetLandmarks3D(ToNumber(jaw))); })
     .def("_GetLandmarks2D",
          [](SourceType & self, JawEnum jaw) { return ToDict<2>(self.GetLandmarks2D(ToNumber(jaw))); })
+    .def("_GetCephalometricLandmarks",
+         [](SourceType & self) -> py::object {
+           if (self.GetStandardTracing() == nullptr || !self.GetLevel().giveLandmarks)
+           {
+             return py::none();
+           }
+           py::dict landmarks;
+           for (const auto & landmark : self.GetStandardTracing()->GetLandmarks())
+           {
+             landmarks[py::str(landmark.name)] = py::make_tuple(landmark.drawn[0], landmark.drawn[1]);
+           }
+           return std::move(landmarks);
+         })
     .def("_GetTrueGeometry", [](SourceType & self, JawEnum jaw) { return Copy(self.GetTrueGeometry(ToNumber(jaw))); })
     .def("_GetNominalGeometry", [](SourceType & self) { return Copy(self.GetNominalGeometry()); })
     .def("_GetRadiograph",

@@ -15,18 +15,15 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "dentalscrLandmarks.h"
 #include "dentalscrPythonLeastSquaresMetric.h"
 
 #include "itkCorrelatedNoiseModel.h"
 #include "itkGemanMcClureKernel.h"
-#include "itkLandmarkPoseMetricv4.h"
 #include "itkLeastSquaresSumMetricv4.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkParameterPriorMetricv4.h"
 #include "itkPoseStateBlocks.h"
 #include "itkRegistrationIterationCommand.h"
-#include "itkSilhouettePoseMetricv4.h"
 #include "itkSquaresKernel.h"
 
 #include <limits>
@@ -56,18 +53,6 @@ ToArray(const vnl_matrix<double> & matrix)
 {
   return MakeArray(std::vector<double>(matrix.begin(), matrix.end()),
                    { static_cast<py::ssize_t>(matrix.rows()), static_cast<py::ssize_t>(matrix.cols()) });
-}
-
-/** A metric that has its blocks: before Initialize() a metric knows them only when it is asked. */
-const MetricBaseType &
-Ready(const MetricBaseType & metric)
-{
-  if (metric.GetState().GetNumberOfParameters() == 0)
-  {
-    throw std::invalid_argument(std::string(metric.GetNameOfClass()) +
-                                " reads no parameters yet; set its inputs and call Initialize()");
-  }
-  return metric;
 }
 
 void
@@ -506,153 +491,6 @@ from the moment it is added.)")
                       UseVariancePrecision,
                       "whether the curvature is that of the prior's variance, also where its long tails are "
                       "flatter.");
-
-  using PoseMetricType = itk::PoseMetricv4;
-  MetricClass<PoseMetricType>(
-    module, "PoseMetricv4", "Base of the terms whose residuals are those of a scan's pose on a radiograph.")
-    .def("SetTransform",
-         &PoseMetricType::SetTransform,
-         py::arg("transform"),
-         "Its geometry is the radiograph's; its parameters are where pose and scale begin.")
-    .def(
-      "GetTransform",
-      [](const PoseMetricType & self) {
-        return PoseMetricType::TransformType::Pointer(const_cast<PoseMetricType::TransformType *>(self.GetTransform()));
-      },
-      "The transform from the dental frame (mm) to pixels that the metric moves.")
-    .def("SetPoseBlock", &PoseMetricType::SetPoseBlock, py::arg("name"), "Another body has another one.")
-    .def(
-      "GetPoseBlock",
-      [](const PoseMetricType & self) { return std::string(self.GetPoseBlock()); },
-      "Name of the block of the pose.")
-    .def("SetScaleBlock", &PoseMetricType::SetScaleBlock, py::arg("name"), "Another view has another one.")
-    .def(
-      "GetScaleBlock",
-      [](const PoseMetricType & self) { return std::string(self.GetScaleBlock()); },
-      "Name of the block of the scale.");
-
-  using LandmarkType = itk::LandmarkPoseMetricv4;
-  py::class_<LandmarkType, PoseMetricType, itk::SmartPointer<LandmarkType>>(
-    module, "LandmarkPoseMetricv4", "Landmarks of a scan against landmarks of the radiograph: a term of its pose.")
-    .def(New<LandmarkType>())
-    .def(
-      "_SetMovingLandmarks",
-      [](LandmarkType & self, const py::dict & landmarks) { self.SetMovingLandmarks(FromDict<3>(landmarks)); },
-      py::arg("landmarks"))
-    .def(
-      "_SetFixedLandmarks",
-      [](LandmarkType & self, const py::dict & landmarks) { self.SetFixedLandmarks(FromDict<2>(landmarks)); },
-      py::arg("landmarks"))
-    .dentalscrProperty(LandmarkType,
-                       Sigma,
-                       "the standard deviation an axis of marks without a covariance of their own, pixels of the "
-                       "radiograph; 4 by default.")
-    .dentalscrProperty(
-      LandmarkType, KernelWidthInSigmas, "the width of the robust kernel in standard deviations; 4 by default.")
-    .def(
-      "SetCovariance",
-      [](LandmarkType & self, const std::string & name, const DoubleArray & covariance) {
-        if (covariance.ndim() != 2 || covariance.shape(0) != 2 || covariance.shape(1) != 2)
-        {
-          throw std::invalid_argument("the covariance of a mark is a 2 x 2 matrix, square pixels");
-        }
-        LandmarkType::CovarianceType matrix;
-        for (unsigned int i = 0; i < 4; ++i)
-        {
-          matrix(i / 2, i % 2) = covariance.at(i / 2, i % 2);
-        }
-        self.SetCovariance(name, matrix);
-      },
-      py::arg("name"),
-      py::arg("covariance"),
-      "Of one mark, square pixels, instead of Sigma.")
-    .def("ClearCovariances", &LandmarkType::ClearCovariances, "Takes back all covariances.")
-    .def("GetMatchedNames", &LandmarkType::GetMatchedNames, "In the order of the residuals, u and v each.");
-
-  using SilhouetteType = itk::SilhouettePoseMetricv4;
-  py::class_<SilhouetteType, PoseMetricType, itk::SmartPointer<SilhouetteType>>(
-    module,
-    "SilhouettePoseMetricv4",
-    R"(A scan's silhouette against a tracing of it: the term of a jaw in a registration of its pose.
-
-Reads the blocks "pose" and "scale", or as named. The mesh is in its dental frame, as UMidlineDentalAxis() returns it.)")
-    .def(New<SilhouetteType>())
-    .def(
-      "_SetMovingMesh", [](SilhouetteType & self, const MeshType * mesh) { self.SetMovingMesh(mesh); }, py::arg("mesh"))
-    .def(
-      "_SetFixedContour",
-      [](SilhouetteType & self, const itk::DentalContour * contour) { self.SetFixedContour(contour); },
-      py::arg("contour"))
-    .def(
-      "_SetMovingContour",
-      [](SilhouetteType & self, const itk::DentalContour * contour) { self.SetMovingContour(contour); },
-      py::arg("contour"))
-    .def("SetJaw", &SilhouetteType::SetJaw, py::arg("jaw"), "Sets the jaw of the scan: Upper (the default) or Lower.")
-    .def("GetJaw", &SilhouetteType::GetJaw, "Returns the jaw of the scan: Upper (the default) or Lower.")
-    .def("SetTracedSide",
-         &SilhouetteType::SetTracedSide,
-         py::arg("side"),
-         "Sets the patient's side whose outline was traced; Right by default.")
-    .def("GetTracedSide",
-         &SilhouetteType::GetTracedSide,
-         "Returns the patient's side whose outline was traced; Right by default.")
-    .dentalscrBoolean(SilhouetteType, UseSideSelection, "whether the scan is cut at the midline plane. On by default.")
-    .dentalscrProperty(
-      SilhouetteType, MidlineMargin, "how far beyond the midline plane the scan is kept, mm; -0.5 by default.")
-    .dentalscrBoolean(SilhouetteType,
-                      UseFacingFilter,
-                      "whether the occlusal and anterior part of the outline alone is kept. On by default.")
-    .dentalscrBoolean(SilhouetteType, UseOrientation, "whether directions are matched beside positions. On by default.")
-    .dentalscrProperty(
-      SilhouetteType, OrientationWeight, "the weight of directions, pixels a unit normal; 8 by default.")
-    .dentalscrProperty(
-      SilhouetteType, MaximumTracingPoints, "the number of points above which a tracing is thinned; 200 by default.")
-    .dentalscrBoolean(SilhouetteType,
-                      GateByTooth,
-                      "whether a point that carries a tooth's code is matched with that tooth alone, or one up to "
-                      "ToothRange positions away. Off by default.")
-    .dentalscrProperty(SilhouetteType,
-                       ToothRange,
-                       "the number of positions along the arch that a code may be off, under GateByTooth; 1 by "
-                       "default.")
-    .dentalscrProperty(SilhouetteType,
-                       ReverseWeight,
-                       "the weight of the direction from the outline to the tracing, beside the forward one; 0 by "
-                       "default.")
-    .dentalscrProperty(SilhouetteType,
-                       TaperLength,
-                       "the length from an end of the tracing over which the reverse direction fades in, pixels; 6 "
-                       "by default.")
-    .dentalscrProperty(SilhouetteType,
-                       GapLength,
-                       "the length of a gap in the tracing below which it has no ends there, pixels; 8 by default.")
-    .def("SetExcludedTeeth", &SilhouetteType::SetExcludedTeeth, py::arg("teeth"), "FDI numbers.")
-    .def(
-      "GetExcludedTeeth",
-      [](const SilhouetteType & self) {
-        return std::vector<int>(self.GetExcludedTeeth().begin(), self.GetExcludedTeeth().end());
-      },
-      "FDI numbers of the teeth that are left out.")
-    .def(
-      "GetKernelWidth", &SilhouetteType::GetKernelWidth, "Width of the robust kernel, pixels of 0.25 mm; 3 by default.")
-    .def("GetFailure", &SilhouetteType::GetFailure, "Why the tracing can't be matched; empty where it can.")
-    .def(
-      "GetFit",
-      [](const SilhouetteType & self) {
-        py::list result;
-        for (const auto & fit : self.ComputeFitStatistics(Ready(self).GetState().GetValues()))
-        {
-          py::dict values = ToDict(fit);
-          // What takes a covariance, or the contour that was found.
-          for (const char * name : { "overlap", "predictedSigma", "extrapolatedSigma" })
-          {
-            values.attr("pop")(name);
-          }
-          result.append(values);
-        }
-        return result;
-      },
-      "How well each strand of the tracing is explained, px of 0.25 mm.");
 }
 
 void
@@ -902,6 +740,7 @@ WrapPoseMetrics(py::module_ & module)
   WrapModels(module);
   WrapMetricBase(module);
   WrapTerms(module);
+  WrapPoseTerms(module);
   WrapOptimizer(module);
   WrapIterationCommand(module);
 }

@@ -24,6 +24,9 @@
 #include "itkObjectToObjectOptimizerBase.h"
 #include "itkPoseFitStatistics.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace dentalscr
 {
 using MetricBaseType = itk::LeastSquaresMetricv4;
@@ -48,6 +51,27 @@ ToDict(const itk::PoseFitStatistics & fit)
   result["extrapolatedSigma"] = fit.extrapolatedSigma;
   return result;
 }
+
+/** A metric that has its blocks: before Initialize() a metric knows them only when it is asked. */
+inline const MetricBaseType &
+Ready(const MetricBaseType & metric)
+{
+  if (metric.GetState().GetNumberOfParameters() == 0)
+  {
+    throw std::invalid_argument(std::string(metric.GetNameOfClass()) +
+                                " reads no parameters yet; set its inputs and call Initialize()");
+  }
+  return metric;
+}
+
+/** Terms of a scan on a radiograph (silhouettes, landmarks, whole teeth, other views); options, iterations and
+ * solutions of a registration of poses; verdict, projections and other filters after it. */
+void
+WrapPoseTerms(py::module_ & module);
+void
+WrapPoseSolution(py::module_ & module);
+void
+WrapPoseDownstream(py::module_ & module);
 } // namespace dentalscr
 
 #endif

@@ -296,6 +296,17 @@ def test_every_threshold_of_the_verdict_can_be_set(ds):
         setattr(thresholds, name, getattr(thresholds, name) + 1.0)
 
 
+def test_a_mirrored_picture_is_told_by_its_edges(ds):
+    case = ds.DentalPhantomCase(3, numberOfTriangles=20000)
+    drawn = (case.geometry, case.upper.tracing, case.lower.tracing)
+    assert ds.PictureCheck(case.image, *drawn) == ds.PictureFindings((), ())
+    found = ds.PictureCheck(np.asarray(case.image)[:, ::-1], *drawn)
+    assert [finding.code for finding in found.findings] == ["picture"] and "mirrored" in found.findings[0].text
+    assert "no picture" in ds.PictureCheck(None, *drawn).notCheckable[0]
+    with pytest.raises(ds.Error, match=r"SetGeometry\(\)"):
+        ds.PictureCheckFilter()._Update()
+
+
 # How it is set up ------------------------------------------------------------------------------------------------------
 
 
@@ -1034,6 +1045,113 @@ def test_landmarks_alone_determine_a_pose(ds, phantom, axes):
     assert np.allclose(places, true.TransformPoints(list(moving.values())), atol=1e-3)
     with pytest.raises(ValueError, match="2 x 2"):
         metric.SetCovariance("UR1_tip", [1.0, 1.0])
+
+
+def test_outlines_of_whole_teeth_alone_determine_a_pose(ds):
+    case = ds.DentalPhantomCase(3, "standard", makeRadiograph=False)
+    frame = ds.UMidlineDentalAxis(case.upper.mesh, case.lower.mesh, refineMidline=True).jointTransform
+    found = ds.FindToothCrowns(
+        upperContour=case.upper.tracing,
+        lowerContour=case.lower.tracing,
+        upperMesh=case.upper.mesh,
+        lowerMesh=case.lower.mesh,
+        upperFrame=frame,
+        lowerFrame=frame,
+        scanLandmarks={**case.upper.landmarks3D, **case.lower.landmarks3D},
+    )
+    crowns = {name: crown._replace(points=frame.TransformPoints(crown.points)) for name, crown in found.items()}
+    total = ds.LeastSquaresSumMetricv4()
+    terms = []
+    for jaw, given in (("upper", case.upper), ("lower", case.lower)):
+        metric = ds.ToothOutlinePoseMetricv4()
+        metric.SetTransform(ds.CephalometricPoseTransform(case.geometry))
+        with pytest.raises(ds.Error, match=r"SetCrowns\(\)|SetFixedContour\(\)"):
+            metric.Initialize()
+        metric.SetCrowns(crowns)
+        metric.SetFixedContour(given.tracing)
+        metric.SetJaw(jaw)
+        terms.append(metric)
+        total.AddMetric(metric)
+    prior = ds.ParameterPriorMetricv4()
+    prior.SetBlock(ds.PoseStateBlocks.MakePose())
+    # What one side's outlines hardly tell: roll, yaw, shift across the picture.
+    sigmas = [np.inf, 0.05, 0.05, np.inf, 1.0, np.inf]
+    prior.SetPriors([ds.ParameterPrior(0.0, sigma) for sigma in sigmas])
+    total.AddMetric(prior)
+    total.SetBlockFree("scale", False)
+    # True marks of the right side give the pose; half a degree of tip and two millimetres are put beside it.
+    marks = ds.LandmarkPoseMetricv4()
+    marks.SetTransform(ds.CephalometricPoseTransform(case.geometry))
+    marks.SetMovingLandmarks(
+        {name: frame.TransformPoint(point) for name, point in case.upper.landmarks3D.items()}
+    )
+    marks.SetFixedLandmarks(case.upper.landmarks2D)
+    marks.SetBlockFree("scale", False)
+    marks.Initialize()
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    optimizer.SetMetric(marks)
+    optimizer.StartOptimization()
+    total.SetBlockValues("pose", np.array(marks.GetBlockValues("pose")) + [0.01, 0.0, 0.0, 1.5, 0.0, -1.5])
+    total.Initialize()
+    assert terms[0].GetFailure() == "" and terms[0].GetOutlinedTeeth()
+    before = [np.linalg.norm(residual.shift) for term in terms for residual in term.GetOutlineResiduals()]
+    optimizer.SetMetric(total)
+    for _ in range(3):
+        total.UpdateNoiseCorrelation()
+        optimizer.StartOptimization()
+    residuals = [residual for term in terms for residual in term.GetOutlineResiduals()]
+    after = [np.linalg.norm(residual.shift) for residual in residuals]
+    assert np.mean(after) < 0.5 * np.mean(before)
+    assert all(residual.crown.shape[1] == 2 and 0.0 <= residual.weight <= 1.0 for residual in residuals)
+
+
+def test_errors_of_outlines_are_taken_and_given_back(ds):
+    metric = ds.ToothOutlinePoseMetricv4()
+    errors = metric.GetErrors()
+    assert errors.along == 0.52 and errors.across == 0.70
+    errors.along = 0.8
+    metric.SetErrors(errors)
+    assert metric.GetErrors().along == 0.8 and ds.ToothOutlineErrors().along == 0.52
+    metric.SetMaximumCutSigma(1.0)
+    assert metric.GetMaximumCutSigma() == 1.0
+
+
+def test_a_term_of_another_view_moves_with_the_body_and_by_itself(ds):
+    places = {
+        "UR1_tip": (24.0, -4.0, 1.0),
+        "UR3_cusp": (18.0, -14.0, 0.0),
+        "UR5_B": (2.0, -20.0, -1.0),
+        "UR6_MB": (-18.0, -25.0, 2.0),
+        "UL1_tip": (24.5, 4.0, 1.0),
+        "UL6_MB": (-17.0, 25.0, 1.5),
+    }
+    geometry = ds.CephalometricGeometry(direction="Frontal")
+    term = ds.LandmarkPoseMetricv4()
+    term.SetTransform(ds.CephalometricPoseTransform(geometry))
+    view = ds.ViewPoseMetricv4()
+    with pytest.raises(ds.Error, match=r"SetTerm\(\)"):
+        view.Initialize()
+    view.SetTerm(term)
+    view.SetView("frontal")
+    assert view.GetView() == "frontal" and view.GetTerm().GetNameOfClass() == "LandmarkPoseMetricv4"
+    term.SetMovingLandmarks(places)
+    true = (0.05, -0.03, 0.08, 1.0, 2.0, -1.0, 0.01)
+    seen = ds.CephalometricPoseTransform(geometry, true)
+    term.SetFixedLandmarks({name: seen.TransformPoint(point) for name, point in places.items()})
+    names = [block.name for block in view.GetBlocks()]
+    assert names[0] == "pose" and len(names) == 3 and all("frontal" in name for name in names[1:])
+    # The body stays where it is: the head has moved for the view.
+    view.SetBlockFree("pose", False)
+    view.Initialize()
+    assert view.GetNumberOfResiduals() == 12
+    optimizer = ds.LevenbergMarquardtOptimizerv4()
+    optimizer.SetMetric(view)
+    optimizer.StartOptimization()
+    assert view.GetValue() < 1e-6
+    assert np.allclose(view.GetBlockValues("pose"), 0.0)
+    found = ds.CephalometricPoseTransform(geometry, view.GetTermValues())
+    points = list(places.values())
+    assert np.allclose(found.TransformPoints(points), seen.TransformPoints(points), atol=1e-3)
 
 
 def test_gradient_of_a_silhouette_is_that_of_its_differences(silhouettes, solution):

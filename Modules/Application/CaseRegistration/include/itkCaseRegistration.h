@@ -206,26 +206,18 @@ private:
 
   void
   EnterStage(const std::string & stage, float progress);
-  /** Landmarks of a jaw that can be registered with. */
-  bool
-  HasLandmarks(JawEnum jaw) const;
-  /** Whether something of a jaw was drawn on a further view. */
-  bool
-  IsOnAView(JawEnum jaw) const;
-  void
-  SkipWhatIsIncomplete();
   /** The dental axis of the scans, that of the last run where nothing that it depends on is another. */
   void
   PrepareAxis();
   /** What can be said of the scans before anything is registered. */
   void
   CheckScans();
+  /** Whether the picture is the one that was drawn on. */
+  void
+  CheckPicture();
   /** Drafts that nobody mended, where they are too few for a finding. */
   void
   WarnOfDrafts();
-  /** A jaw of which nothing was drawn goes along with the other one, whose frame it shares. */
-  void
-  PlaceBesideTheOther();
   void
   RegisterBySimilarity();
   void

@@ -17,13 +17,13 @@
  *=========================================================================*/
 #include "itkCaseRegistration.h"
 
+#include "itkCaseJaws.h"
 #include "itkCasePoseRegistration.h"
 #include "itkCaseSimilarityRegistration.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDescribePlainly.h"
-#include "itkDrawingOnPicture.h"
-
+#include "itkPictureCheckFilter.h"
 #include "itkPoseRegistrationOptionTable.h"
 #include "itkRegistrationVerdict.h"
 #include "itkRigidTransformRows.h"
@@ -36,7 +36,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <typeinfo>
 #include <utility>
@@ -45,7 +44,6 @@ namespace itk
 {
 namespace
 {
-constexpr ToothCode::JawEnum Jaws[] = { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower };
 /** The one option that is not in PoseRegistrationOptions. */
 constexpr char RefineMidlineName[] = "refineMidline";
 
@@ -54,79 +52,6 @@ DraftedShareOf(const DentalCaseData & data, ToothCode::JawEnum jaw)
 {
   const auto & contour = data.GetJaw(jaw).contour;
   return contour.IsNull() ? 0.0 : contour->GetDraftedShare();
-}
-
-std::string
-DescribeReading(PictureReadingEnum reading)
-{
-  switch (reading)
-  {
-    case PictureReadingEnum::Turned90:
-      return "turned by 90 degrees clockwise";
-    case PictureReadingEnum::Turned180:
-      return "turned by 180 degrees";
-    case PictureReadingEnum::Turned270:
-      return "turned by 270 degrees clockwise";
-    case PictureReadingEnum::Mirrored:
-      return "mirrored (left and right exchanged)";
-    default:
-      return "mirrored (above and below exchanged)";
-  }
-}
-
-/** Whether the picture is the one that was drawn on, as far as its grey values tell. */
-void
-CheckPicture(const DentalCaseData & data, CaseResult & result)
-{
-  const auto isTraced = [](const DentalContour * contour) {
-    return contour != nullptr && contour->GetNumberOfPoints() > 0;
-  };
-  const bool isDrawn = isTraced(data.upper.contour) || isTraced(data.lower.contour);
-  if (data.image.IsNull() || !isDrawn)
-  {
-    result.notCheckable.push_back(
-      std::string("whether the radiograph is the one that was drawn on: ") +
-      (isDrawn ? "there is no picture of it" : "a few landmarks lie on edges of any picture"));
-    return;
-  }
-  const auto             spacing = result.geometry->GetPixelSpacing();
-  const DrawingOnPicture found =
-    CompareDrawingWithPicture(data.image, { data.upper.contour, data.lower.contour }, { { spacing[0], spacing[1] } });
-  if (found.reading == PictureReadingEnum::AsItIs)
-  {
-    return;
-  }
-  if (found.reading == PictureReadingEnum::Untold)
-  {
-    result.notCheckable.emplace_back(
-      "whether the radiograph is the one that was drawn on: its grey values have no edges under the drawing");
-    return;
-  }
-  std::ostringstream text;
-  if (found.reading == PictureReadingEnum::Shifted)
-  {
-    const auto say = [&](double pixels, const char * above, const char * below) {
-      text << std::lround(std::abs(pixels)) << " px " << (pixels > 0.0 ? above : below);
-    };
-    text << "what was drawn lies on no edges of the radiograph where it is, and on edges of it ";
-    say(found.shift[0], "to the right", "to the left");
-    text << " and ";
-    say(found.shift[1], "below", "above");
-    text
-      << ": was it drawn on another patient's radiograph, or on one that was cut otherwise? Give the picture that was "
-         "drawn on";
-  }
-  else
-  {
-    text << "the radiograph seems to have been " << DescribeReading(found.reading)
-         << " after it was drawn on: what was drawn lies on edges of its picture then, and on none as it is; give the "
-            "picture that was drawn on";
-  }
-  for (auto & entry : result.jaws)
-  {
-    entry.second.AddFinding(
-      { RegistrationStatusEnum::Suspect, "picture", text.str(), found.inReading, found.asItIs, "sd" });
-  }
 }
 } // namespace
 
@@ -383,102 +308,6 @@ CaseRegistration::EnterStage(const std::string & stage, float progress)
   }
 }
 
-bool
-CaseRegistration::HasLandmarks(JawEnum jaw) const
-{
-  // The paper's chain registers contours alone.
-  if (m_Preset != CasePresetEnum::Robust || m_Data->cephalometricLandmarks.IsNull())
-  {
-    return false;
-  }
-  const auto & landmarks = m_Data->cephalometricLandmarks->GetLandmarks();
-  return std::any_of(landmarks.begin(), landmarks.end(), [&](const auto & landmark) {
-    return landmark.meaning.jaw == jaw && landmark.meaning.feature != CephalometricLandmarkSet::FeatureEnum::Apex;
-  });
-}
-
-bool
-CaseRegistration::IsOnAView(JawEnum jaw) const
-{
-  const auto isOfJaw = [jaw](const auto & landmark) { return landmark.meaning.jaw == jaw; };
-  return m_Preset == CasePresetEnum::Robust &&
-         std::any_of(m_Data->views.begin(), m_Data->views.end(), [&](const DentalViewData & view) {
-           return CountTracingPoints(view.GetContour(jaw)) > 0 ||
-                  (view.cephalometricLandmarks.IsNotNull() &&
-                   std::any_of(view.cephalometricLandmarks->GetLandmarks().begin(),
-                               view.cephalometricLandmarks->GetLandmarks().end(),
-                               isOfJaw));
-         });
-}
-
-void
-CaseRegistration::PlaceBesideTheOther()
-{
-  for (const JawEnum jaw : Jaws)
-  {
-    const JawEnum other = OtherJaw(jaw);
-    const auto    drawn = m_Result.jaws.find(other);
-    if (m_Result.skipped.count(jaw) != 0 && m_Data->GetJaw(jaw).mesh.IsNotNull() && drawn != m_Result.jaws.end() &&
-        drawn->second.status != RegistrationStatusEnum::Failed)
-    {
-      m_Result.skipped.erase(jaw);
-      m_Result.jaws[jaw];
-    }
-  }
-}
-
-void
-CaseRegistration::SkipWhatIsIncomplete()
-{
-  for (const JawEnum jaw : Jaws)
-  {
-    const auto &       input = m_Data->GetJaw(jaw);
-    const unsigned int points = CountTracingPoints(input.contour);
-    if (input.mesh.IsNull())
-    {
-      m_Result.skipped[jaw] = points > 0 ? "traced, but there is no scan of this jaw" : "neither scan nor tracing";
-    }
-    else if (points == 0 && (this->HasLandmarks(jaw) || this->IsOnAView(jaw)))
-    {
-      m_Result.jaws[jaw];
-    }
-    else if (points == 0)
-    {
-      const bool traced = input.contour.IsNotNull();
-      const bool excluded =
-        traced && input.contour->GetNumberOfPoints() == 0 && !m_Data->description.excludedTeeth.empty();
-      m_Result.skipped[jaw] = excluded ? "all traced teeth of this jaw are excluded"
-                              : traced && input.contour->GetNumberOfPoints() > 0
-                                ? "every point of this jaw's tracing has weight 0"
-                              : m_Preset != CasePresetEnum::Robust && m_Data->cephalometricLandmarks.IsNotNull()
-                                ? std::string("landmarks alone were marked of this jaw: preset ") + ToString(m_Preset) +
-                                    " registers contours, use preset robust"
-                                : "there is a scan, but no tracing of this jaw";
-    }
-    else
-    {
-      JawResult & result = m_Result.jaws[jaw];
-      if (points < MinimumTracingPoints && !this->HasLandmarks(jaw))
-      {
-        result.AddFinding(RegistrationStatusEnum::Failed,
-                          "few-points",
-                          "the tracing has " + std::to_string(points) + " points that count; at least " +
-                            std::to_string(MinimumTracingPoints) + " are needed, better 30 or more");
-      }
-    }
-  }
-  if (m_Result.skipped.size() == 2 && m_Result.jaws.empty())
-  {
-    for (auto & skipped : m_Result.skipped)
-    {
-      if (!m_Data->GetJaw(skipped.first).mesh.IsNull())
-      {
-        m_Result.jaws[skipped.first].AddFinding(RegistrationStatusEnum::Failed, "not-drawn", skipped.second);
-      }
-    }
-  }
-}
-
 void
 CaseRegistration::PrepareAxis()
 {
@@ -532,6 +361,26 @@ CaseRegistration::CheckScans()
 }
 
 void
+CaseRegistration::CheckPicture()
+{
+  auto check = PictureCheckFilter::New();
+  check->SetRadiograph(m_Data->image);
+  check->SetUpperContour(m_Data->upper.contour);
+  check->SetLowerContour(m_Data->lower.contour);
+  check->SetGeometry(m_Result.geometry);
+  check->Update();
+  for (auto & entry : m_Result.jaws)
+  {
+    for (const RegistrationFinding & finding : check->GetFindings())
+    {
+      entry.second.AddFinding(finding);
+    }
+  }
+  m_Result.notCheckable.insert(
+    m_Result.notCheckable.end(), check->GetNotCheckable().begin(), check->GetNotCheckable().end());
+}
+
+void
 CaseRegistration::WarnOfDrafts()
 {
   for (const auto & entry : m_Result.jaws)
@@ -572,7 +421,7 @@ CaseRegistration::GenerateData()
   m_Result.data = m_Data;
   m_Result.warnings = m_Data->warnings;
   m_Result.inputs = m_Data->inputs;
-  this->SkipWhatIsIncomplete();
+  ChooseJaws(*m_Data, m_Result);
 
   this->EnterStage("dental axis", 0.1F);
   TimeProbe axisProbe;
@@ -589,7 +438,7 @@ CaseRegistration::GenerateData()
   }
   if (frames.jawsShareFrame && m_Preset == CasePresetEnum::Robust && m_PoseOptions.useJointPose)
   {
-    this->PlaceBesideTheOther();
+    PlaceJawsBesideTheOther(*m_Data, m_Result);
   }
   if (frames.jawsShareFrame)
   {
@@ -623,7 +472,7 @@ CaseRegistration::GenerateData()
   {
     this->RegisterBySimilarity();
   }
-  CheckPicture(*m_Data, m_Result);
+  this->CheckPicture();
   for (auto & entry : m_Result.jaws)
   {
     SortFindings(entry.second.findings);

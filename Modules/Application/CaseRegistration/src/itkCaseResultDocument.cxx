@@ -20,6 +20,7 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDescribePlainly.h"
+#include "itkFirstViewName.h"
 #include "itkTextFile.h"
 
 #include <stdexcept>
@@ -85,8 +86,7 @@ CaseResultDocument::Parse()
 JsonNode
 CaseResultDocument::GetView(const std::string & name) const
 {
-  constexpr char firstView[] = "lateral";
-  if (name.empty() || name == firstView)
+  if (name.empty() || name == FirstViewName)
   {
     return *m_Root;
   }
@@ -95,7 +95,7 @@ CaseResultDocument::GetView(const std::string & name) const
   {
     return *view;
   }
-  std::string names = firstView;
+  std::string names = FirstViewName;
   if (views)
   {
     for (const auto & member : views->GetMembers())

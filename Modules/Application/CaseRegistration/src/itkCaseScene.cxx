@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkCaseScene.h"
 
+#include "itkFirstViewName.h"
 #include "itkProjectionRows.h"
 #include "itkRigidTransformRows.h"
 
@@ -144,7 +145,7 @@ MakeCaseScene(const CaseResult & result)
       scene->SetScan(jaw, result.data->GetJaw(jaw).mesh, found->second.meshToCephalostat, found->second.meshToUMDA);
     }
   }
-  scene->AddView(MakeSceneView(result, result, "lateral"));
+  scene->AddView(MakeSceneView(result, result, FirstViewName));
   for (const CaseViewResult & view : result.views)
   {
     scene->AddView(MakeSceneView(*view.result, result, view.name));

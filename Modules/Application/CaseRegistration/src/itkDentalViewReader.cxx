@@ -20,6 +20,7 @@
 #include "itkASCIICharacter.h"
 #include "itkCaseFileFields.h"
 #include "itkCephalogramFileReader.h"
+#include "itkFirstViewName.h"
 
 #include <algorithm>
 
@@ -70,11 +71,12 @@ ReadName(const JsonNode & node, const DentalCase & dentalCase)
   {
     node.Fail("is no short name", "use letters, digits, - and _, as in \"frontal\"");
   }
-  if (name == "lateral" || std::any_of(dentalCase.views.begin(), dentalCase.views.end(), [&](const DentalView & view) {
-        return view.name == name;
-      }))
+  if (name == FirstViewName || std::any_of(dentalCase.views.begin(),
+                                           dentalCase.views.end(),
+                                           [&](const DentalView & view) { return view.name == name; }))
   {
-    node.Fail("there is a view \"" + name + "\" already", "give each its own name; the case itself is \"lateral\"");
+    node.Fail("there is a view \"" + name + "\" already",
+              std::string("give each its own name; the case itself is \"") + FirstViewName + '"');
   }
   return name;
 }

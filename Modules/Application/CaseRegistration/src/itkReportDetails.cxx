@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkReportDetails.h"
 
+#include "itkFirstViewName.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -181,7 +183,7 @@ ViewToJson(const CaseResult & result, const std::string & name, const std::strin
 std::string
 MakeReportDetails(const CaseResult & result)
 {
-  Json views = Json::array({ ViewToJson(result, "lateral", "cephalogram.image") });
+  Json views = Json::array({ ViewToJson(result, FirstViewName, "cephalogram.image") });
   for (const CaseViewResult & view : result.views)
   {
     views.push_back(ViewToJson(*view.result, view.name, "views." + view.name + ".cephalogram.image"));

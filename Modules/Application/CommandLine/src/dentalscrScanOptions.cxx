@@ -20,6 +20,7 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
+#include "itkFirstViewName.h"
 #include "itkMakeDentalFrameTransform.h"
 #include "itkMillimetresPerUnit.h"
 #include "itkReadPlacedGeometry.h"
@@ -32,9 +33,6 @@ namespace
 {
 using JawEnum = itk::ToothCode::JawEnum;
 using GeometryType = itk::CephalometricGeometry;
-
-/** What the case's own radiograph is called among its views. */
-constexpr char FirstView[] = "lateral";
 } // namespace
 
 void
@@ -174,11 +172,11 @@ FindFrames(const itk::DentalCaseData & data, bool refineMidline)
 const itk::DentalRadiographData &
 FindView(const itk::DentalCaseData & data, const std::string & name)
 {
-  if (name.empty() || name == FirstView)
+  if (name.empty() || name == itk::FirstViewName)
   {
     return data;
   }
-  std::string names = FirstView;
+  std::string names = itk::FirstViewName;
   for (const itk::DentalViewData & view : data.views)
   {
     if (view.description.name == name)
@@ -201,7 +199,7 @@ PlaceJaw(const itk::DentalCaseData &    data,
   const GeometryType & ofCase = *FindView(data, view).geometry;
   if (!resultFile.empty())
   {
-    return itk::ReadPlacedGeometry(resultFile, jaw, view == FirstView ? std::string() : view);
+    return itk::ReadPlacedGeometry(resultFile, jaw, view == itk::FirstViewName ? std::string() : view);
   }
   auto geometry = GeometryType::New();
   geometry->CopyParameters(&ofCase);

@@ -100,11 +100,14 @@ SurfaceParts::SurfaceParts(const TriangleSurface & surface)
       continue;
     }
     areas[t] = area;
-    const auto &        corners = surface.triangles[t];
-    const std::uint32_t root = Find(parent, first[corners[0]]);
+    const auto & corners = surface.triangles[t];
+    // The smaller number becomes the root: chains stay short where neighbours have numbers close to each other.
+    std::uint32_t root = Find(parent, first[corners[0]]);
     for (unsigned int k = 1; k < 3; ++k)
     {
-      parent[Find(parent, first[corners[k]])] = root;
+      const std::uint32_t other = Find(parent, first[corners[k]]);
+      parent[std::max(root, other)] = std::min(root, other);
+      root = std::min(root, other);
     }
   }
   m_PartOfTriangle.assign(triangles, NoPart);

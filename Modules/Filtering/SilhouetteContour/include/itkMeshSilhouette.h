@@ -79,7 +79,7 @@ struct Silhouette
  *
  * The constructor prepares what does not depend on the pose: points at the same position are merged, edges are paired
  * with their faces and sorted into clusters of similar faces. A pose then costs much less than a look at every
- * triangle: clusters whose faces all look one way are skipped as a whole.
+ * triangle: clusters whose faces all look one way are skipped as a whole. Made for one pose, it looks at every edge.
  *
  * Projected points are rounded to a grid of a power of two, at most 2^-12 px for projections of up to 65 536 px
  * (2^-18 px at 1000 px), and everything that follows is decided in integers: which edges separate covered from
@@ -100,12 +100,25 @@ class SilhouetteContour_EXPORT MeshSilhouette
 public:
   using EdgeType = std::pair<std::uint32_t, std::uint32_t>;
 
+  /** How many poses will be asked for. Clusters take some hundred times as long to make as they save in one pose; what
+   * comes out is the same to the last bit, with them and without. */
+  enum class PosesEnum : std::uint8_t
+  {
+    One,
+    Many
+  };
+
   /** Throws std::invalid_argument where a point is not finite or a triangle names a point that is not there. */
-  explicit MeshSilhouette(const TriangleSurface & surface);
+  explicit MeshSilhouette(const TriangleSurface & surface, PosesEnum poses = PosesEnum::Many);
   ~MeshSilhouette();
   MeshSilhouette(MeshSilhouette &&) noexcept;
   MeshSilhouette &
   operator=(MeshSilhouette &&) noexcept;
+
+  /** Makes the clusters of one that was made for one pose, when more are asked for; not const, hence not while others
+   * ask it. Does nothing where they are there. */
+  void
+  ClusterEdges();
 
   /** Empty for a surface without triangles. Throws std::domain_error where a point of a triangle is not in front of the
    * source or the projection is not finite. */
@@ -131,7 +144,7 @@ public:
 
 private:
   class Implementation;
-  std::unique_ptr<const Implementation> m_Implementation;
+  std::unique_ptr<Implementation> m_Implementation;
 };
 
 /** \struct SilhouetteSample

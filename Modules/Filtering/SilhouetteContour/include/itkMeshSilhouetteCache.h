@@ -29,6 +29,8 @@ namespace itk
 /** \class MeshSilhouetteCache
  * \brief What of a mesh's silhouette depends on the mesh alone, made once for each of its states.
  *
+ * Edges are put into clusters when a state is asked for a second time: most scans are looked at from one pose.
+ *
  * A change made through the elements of a container alone needs mesh->Modified().
  *
  * \ingroup SilhouetteContour
@@ -53,9 +55,13 @@ public:
     if (m_Silhouette == nullptr || m_Mesh != mesh || m_Time != time)
     {
       m_Silhouette.reset();
-      m_Silhouette = std::make_unique<MeshSilhouette>(MakeTriangleSurface(mesh));
+      m_Silhouette = std::make_unique<MeshSilhouette>(MakeTriangleSurface(mesh), MeshSilhouette::PosesEnum::One);
       m_Mesh = mesh;
       m_Time = time;
+    }
+    else
+    {
+      m_Silhouette->ClusterEdges();
     }
     return *m_Silhouette;
   }

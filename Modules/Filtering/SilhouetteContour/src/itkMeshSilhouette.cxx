@@ -46,9 +46,20 @@ public:
   using SilhouetteEdges::SilhouetteEdges;
 };
 
-MeshSilhouette::MeshSilhouette(const TriangleSurface & surface)
-  : m_Implementation(std::make_unique<const Implementation>(surface))
-{}
+MeshSilhouette::MeshSilhouette(const TriangleSurface & surface, PosesEnum poses)
+  : m_Implementation(std::make_unique<Implementation>(surface))
+{
+  if (poses == PosesEnum::Many)
+  {
+    this->ClusterEdges();
+  }
+}
+
+void
+MeshSilhouette::ClusterEdges()
+{
+  m_Implementation->ClusterEdges();
+}
 
 MeshSilhouette::~MeshSilhouette() = default;
 MeshSilhouette::MeshSilhouette(MeshSilhouette &&) noexcept = default;

@@ -97,6 +97,27 @@ Quantize(float value)
 }
 } // namespace
 
+std::uint32_t
+SilhouetteEdgeClusters::KeyOf(const SilhouetteRegularEdge &           edge,
+                              const std::vector<SilhouetteHalfEdge> & halves,
+                              const std::vector<SilhouetteFace> &     faces,
+                              double                                  radius)
+{
+  // The source is far away in comparison with the surface, so that normals count more than distances.
+  const float                      perDistance = 1.0f / (32.0f * static_cast<float>(radius));
+  const SilhouetteHalfEdge * const half = &halves[edge.half];
+  const SilhouetteFace &           first = faces[half[0].face / 2];
+  const SilhouetteFace &           second = faces[half[1].face / 2];
+  const float                      sign = TurnOf(half);
+  std::uint32_t                    key = 0;
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    key |= Spread(0.5f + 0.25f * (first.n[k] + sign * second.n[k])) << k;
+  }
+  key |= Spread(0.5f + (first.d + sign * second.d) * perDistance) << 3;
+  return key;
+}
+
 void
 SilhouetteEdgeClusters::Build(const std::vector<SilhouetteRegularEdge> & edges,
                               const std::vector<SilhouetteHalfEdge> &    halves,
@@ -104,23 +125,10 @@ SilhouetteEdgeClusters::Build(const std::vector<SilhouetteRegularEdge> & edges,
                               double                                     radius)
 {
   m_Radius = static_cast<float>(radius);
-  // Sort along a Morton curve through the planes. The source is far away in comparison with the surface, so that
-  // normals count more than distances.
   std::vector<std::uint64_t> order(edges.size());
-  const float                perDistance = 1.0f / (32.0f * m_Radius);
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    const SilhouetteHalfEdge * const half = &halves[edges[i].half];
-    const SilhouetteFace &           first = faces[half[0].face / 2];
-    const SilhouetteFace &           second = faces[half[1].face / 2];
-    const float                      sign = TurnOf(half);
-    std::uint64_t                    key = 0;
-    for (unsigned int k = 0; k < 3; ++k)
-    {
-      key |= Spread(0.5f + 0.25f * (first.n[k] + sign * second.n[k])) << k;
-    }
-    key |= Spread(0.5f + (first.d + sign * second.d) * perDistance) << 3;
-    order[i] = key << 32 | i;
+    order[i] = static_cast<std::uint64_t>(KeyOf(edges[i], halves, faces, radius)) << 32 | i;
   }
   SortByKey(order);
 

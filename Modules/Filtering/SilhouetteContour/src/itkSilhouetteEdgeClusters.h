@@ -77,6 +77,14 @@ public:
     std::array<std::uint32_t, 2> opposites;
   };
 
+  /** Along a Morton curve through the planes of an edge's faces. Clusters have the edges in the order of their keys,
+   * and where these are the same in the order in which they are given. */
+  static std::uint32_t
+  KeyOf(const SilhouetteRegularEdge &           edge,
+        const std::vector<SilhouetteHalfEdge> & halves,
+        const std::vector<SilhouetteFace> &     faces,
+        double                                  radius);
+
   /** Distances are at most radius. */
   void
   Build(const std::vector<SilhouetteRegularEdge> & edges,

@@ -23,6 +23,7 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace itk
 {
@@ -225,15 +226,20 @@ SilhouetteEdges::MeasureBox(const std::vector<TriangleType> & triangles)
 {
   m_Low.fill(std::numeric_limits<double>::max());
   m_High.fill(std::numeric_limits<double>::lowest());
+  std::vector<std::uint8_t> isUsed(m_Points.size(), 0);
   for (const TriangleType & triangle : triangles)
   {
     for (const std::uint32_t corner : triangle)
     {
-      for (unsigned int k = 0; k < 3; ++k)
-      {
-        m_Low[k] = std::min(m_Low[k], m_Points[corner][k]);
-        m_High[k] = std::max(m_High[k], m_Points[corner][k]);
-      }
+      isUsed[corner] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < m_Points.size(); ++i)
+  {
+    for (unsigned int k = 0; k < 3 && isUsed[i] != 0; ++k)
+    {
+      m_Low[k] = std::min(m_Low[k], m_Points[i][k]);
+      m_High[k] = std::max(m_High[k], m_Points[i][k]);
     }
   }
   for (unsigned int k = 0; k < 3; ++k)
@@ -351,7 +357,7 @@ SilhouetteEdges::BuildEdges(const std::vector<TriangleType> & triangles)
                                                static_cast<std::uint32_t>(2 * t) + (a > b ? 1u : 0u) };
     }
   }
-  const std::vector<SilhouetteFace>  faces = this->MakeFaces(triangles);
+  std::vector<SilhouetteFace>        faces = this->MakeFaces(triangles);
   std::vector<SilhouetteRegularEdge> regular;
   regular.reserve(halves.size() / 2);
   m_SpecialStarts.push_back(0);
@@ -394,8 +400,23 @@ SilhouetteEdges::BuildEdges(const std::vector<TriangleType> & triangles)
       group = next;
     }
   }
-  m_NumberOfRegular = regular.size();
-  m_Regular.Build(regular, halves, faces, m_Radius);
+  m_LooseEdges = std::move(regular);
+  m_LooseHalves = std::move(halves);
+  m_LooseFaces = std::move(faces);
+}
+
+void
+SilhouetteEdges::ClusterEdges()
+{
+  if (m_LooseEdges.empty())
+  {
+    return;
+  }
+  m_Regular.Build(m_LooseEdges, m_LooseHalves, m_LooseFaces, m_Radius);
+  m_NumberOfRegular = m_LooseEdges.size();
+  m_LooseEdges = {};
+  m_LooseHalves = {};
+  m_LooseFaces = {};
 }
 
 auto
@@ -470,6 +491,11 @@ SilhouetteEdges::MakeGrid(const PerspectiveProjection & projection) const -> Gri
         includeOrThrow(edge.b);
       }
     }
+    for (const SilhouetteRegularEdge & edge : m_LooseEdges)
+    {
+      includeOrThrow(edge.point);
+      includeOrThrow(m_LooseHalves[edge.half].other);
+    }
     for (std::size_t i = 0; i < m_NumberOfRegular; ++i)
     {
       includeOrThrow(m_Regular.GetEdges()[i].a);
@@ -510,6 +536,47 @@ SilhouetteEdges::IsCandidate(const PerspectiveProjection & projection,
   return !(left && right);
 }
 
+void
+SilhouetteEdges::AppendLooseCandidates(const PerspectiveProjection & projection,
+                                       const GridType &              grid,
+                                       std::vector<EdgeType> &       candidates) const
+{
+  // Each point is in some six edges and as many times the third point of one's face: found once.
+  constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::min();
+  std::vector<GridPoint> places(m_Points.size(), GridPoint{ unknown, unknown });
+  const auto             placeOf = [&](std::uint32_t point) -> const GridPoint & {
+    if (places[point].x == unknown)
+    {
+      places[point] = this->Snap(projection, grid, point);
+    }
+    return places[point];
+  };
+  // By key, then by number: the order of the clusters.
+  std::vector<std::uint64_t> found;
+  for (std::size_t i = 0; i < m_LooseEdges.size(); ++i)
+  {
+    const SilhouetteRegularEdge &    edge = m_LooseEdges[i];
+    const SilhouetteHalfEdge * const half = &m_LooseHalves[edge.half];
+    const GridPoint                  a = placeOf(edge.point);
+    const GridPoint                  b = placeOf(half[0].other);
+    const std::int64_t               first = SilhouetteGrid::Orientation(a, b, placeOf(half[0].opposite));
+    const std::int64_t               second = SilhouetteGrid::Orientation(a, b, placeOf(half[1].opposite));
+    if ((first > 0 && second < 0) || (first < 0 && second > 0))
+    {
+      continue;
+    }
+    const std::uint32_t key = SilhouetteEdgeClusters::KeyOf(edge, m_LooseHalves, m_LooseFaces, m_Radius);
+    found.push_back(static_cast<std::uint64_t>(key) << 32 | i);
+  }
+  std::sort(found.begin(), found.end());
+  candidates.reserve(candidates.size() + found.size());
+  for (const std::uint64_t entry : found)
+  {
+    const SilhouetteRegularEdge & edge = m_LooseEdges[static_cast<std::uint32_t>(entry)];
+    candidates.push_back({ edge.point, m_LooseHalves[edge.half].other });
+  }
+}
+
 auto
 SilhouetteEdges::FindCandidates(const PerspectiveProjection & projection, const GridType & grid) const
   -> std::vector<EdgeType>
@@ -526,6 +593,7 @@ SilhouetteEdges::FindCandidates(const PerspectiveProjection & projection, const 
   }
   if (m_NumberOfRegular == 0)
   {
+    this->AppendLooseCandidates(projection, grid, candidates);
     return candidates;
   }
 

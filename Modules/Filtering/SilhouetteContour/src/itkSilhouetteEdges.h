@@ -55,8 +55,13 @@ public:
     double magnification;
   };
 
-  /** Throws std::invalid_argument where a point is not finite or a triangle names a point that is not there. */
+  /** Without clusters. Throws std::invalid_argument where a point is not finite or a triangle names a point that is not
+   * there. */
   explicit SilhouetteEdges(const TriangleSurface & surface);
+
+  /** Once: from then on a pose looks at few edges, and finds the same ones in the same order. */
+  void
+  ClusterEdges();
 
   /** Throws std::domain_error where a point of a triangle is not in front of the source. */
   GridType
@@ -125,6 +130,11 @@ private:
   MeasureBox(const std::vector<TriangleType> & triangles);
   void
   BuildComponents(const std::vector<TriangleType> & triangles);
+  /** Candidates among the edges of two good faces, where there are no clusters: all are looked at. */
+  void
+  AppendLooseCandidates(const PerspectiveProjection & projection,
+                        const GridType &              grid,
+                        std::vector<EdgeType> &       candidates) const;
   std::vector<SilhouetteFace>
   MakeFaces(const std::vector<TriangleType> & triangles) const;
   void
@@ -148,7 +158,11 @@ private:
   std::vector<EdgeType>      m_Special;
   std::vector<std::uint32_t> m_SpecialStarts;
   std::vector<std::uint32_t> m_SpecialOpposites;
-  /** Edges of two good faces. */
+  /** Edges of two good faces: what clusters are made of, until they are made. */
+  std::vector<SilhouetteRegularEdge> m_LooseEdges;
+  std::vector<SilhouetteHalfEdge>    m_LooseHalves;
+  std::vector<SilhouetteFace>        m_LooseFaces;
+  /** The same in clusters. */
   SilhouetteEdgeClusters m_Regular;
   std::size_t            m_NumberOfRegular{ 0 };
 

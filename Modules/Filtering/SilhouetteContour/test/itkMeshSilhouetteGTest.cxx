@@ -604,6 +604,53 @@ TEST(MeshSilhouette, IsTheSameFromAnyThread)
   }
 }
 
+TEST(MeshSilhouette, MadeForOnePoseIsThatMadeForManyToTheLastBit)
+{
+  using PosesEnum = itk::MeshSilhouette::PosesEnum;
+  itk::ReproducibleRandom random(12);
+  std::vector<Surface>    surfaces{ MakeTube(28, 6, 3.3, 60, 24, 0.15, 10), MakeSphere({ 20, 5, 10 }, 25, 4) };
+  // Doubled and needle-like triangles, edges of three faces, several parts.
+  for (unsigned int soup = 0; soup < 6; ++soup)
+  {
+    surfaces.push_back(MakeSoup(random, 60, 12.0, soup % 2 == 0 ? 0.0 : 2.0));
+  }
+  const auto expectSame = [](const itk::Silhouette & found, const itk::Silhouette & expected) {
+    ASSERT_EQ(found.loops.size(), expected.loops.size());
+    for (std::size_t l = 0; l < found.loops.size(); ++l)
+    {
+      EXPECT_EQ(found.loops[l].points, expected.loops[l].points);
+      EXPECT_EQ(found.loops[l].rimStart, expected.loops[l].rimStart);
+      EXPECT_EQ(found.loops[l].rimEnd, expected.loops[l].rimEnd);
+      EXPECT_EQ(found.loops[l].edges, expected.loops[l].edges);
+    }
+  };
+  for (const Surface & surface : surfaces)
+  {
+    const itk::MeshSilhouette many(surface);
+    itk::MeshSilhouette       one(surface, PosesEnum::One);
+    EXPECT_EQ(one.GetNumberOfEdges(), many.GetNumberOfEdges());
+    for (unsigned int pose = 0; pose < 12; ++pose)
+    {
+      // From the sixth pose on it has clusters, too; asked for them again it keeps those that it has.
+      if (pose >= 6)
+      {
+        one.ClusterEdges();
+      }
+      const Projection projection = MakeProjection(RandomRotation(random), {});
+      EXPECT_EQ(one.ComputeSilhouetteEdges(projection), many.ComputeSilhouetteEdges(projection)) << pose;
+      expectSame(one.ComputeOuterBoundary(projection), many.ComputeOuterBoundary(projection));
+    }
+  }
+  const Surface surface = MakeSphere({ 0, 0, 0 }, 25, 3);
+  for (const PosesEnum poses : { PosesEnum::One, PosesEnum::Many })
+  {
+    Projection behind = MakeProjection(RandomRotation(random), {});
+    behind.matrix[11] = 0.0;
+    EXPECT_THROW(itk::MeshSilhouette(surface, poses).ComputeOuterBoundary(behind), std::domain_error);
+    EXPECT_TRUE(itk::MeshSilhouette(Surface(), poses).ComputeOuterBoundary(behind).loops.empty());
+  }
+}
+
 TEST(MeshSilhouette, DoesNotDependOnWeldingOrOrientation)
 {
   const Surface           welded = MakeTube(28, 6, 3.3, 60, 24, 0.15, 10);

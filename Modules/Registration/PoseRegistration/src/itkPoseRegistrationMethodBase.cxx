@@ -520,6 +520,8 @@ PoseRegistrationMethodBase::Report(const IterationType & iteration)
 void
 PoseRegistrationMethodBase::GenerateData()
 {
+  // Levels are events too: those before the first step must not speak of the last run's last one.
+  m_CurrentIteration = IterationType();
   if (std::none_of(
         std::begin(Jaws), std::end(Jaws), [this](JawEnum jaw) { return this->HasMesh(jaw) && this->HasDrawing(jaw); }))
   {

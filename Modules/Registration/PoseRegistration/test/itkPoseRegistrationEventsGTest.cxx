@@ -275,6 +275,27 @@ TEST(PoseRegistrationEvents, ProgressRunsFromNothingToAll)
   EXPECT_GE(ofHypotheses, 5);
 }
 
+TEST(PoseRegistrationEvents, TheFirstLevelOfARunSaysNothingOfTheRunBefore)
+{
+  const auto method = MakeMethod(WrongFacing());
+  method->Update();
+  EXPECT_TRUE(method->GetCurrentIteration().hypothesis) << "the last step is one of a hypothesis";
+  unsigned int levels = 0;
+  method->AddObserver(itk::MultiResolutionIterationEvent(), [&](const itk::EventObject &) {
+    if (levels++ == 0)
+    {
+      const IterationType & now = method->GetCurrentIteration();
+      EXPECT_FALSE(now.hypothesis);
+      EXPECT_EQ(now.stage, itk::PoseStageEnum::Start);
+      EXPECT_EQ(now.step.evaluations, 0u);
+      EXPECT_EQ(method->GetOptimizerIteration(), 0u);
+    }
+  });
+  method->Modified();
+  method->Update();
+  EXPECT_EQ(levels, 4u);
+}
+
 TEST(PoseRegistrationEvents, TheReadyObserverRecordsThem)
 {
   const auto method = MakeMethod(Typical().geometry);

@@ -19,6 +19,7 @@
 #define itkSceneView_h
 
 #include "itkDentalContour.h"
+#include "itkFirstViewName.h"
 #include "itkToothCode.h"
 
 #include "itkImage.h"
@@ -65,7 +66,7 @@ struct SceneView
   using ImageType = Image<float, 2>;
 
   /** "lateral", "frontal": the first word of the names of its parts. */
-  std::string name{ "lateral" };
+  std::string name{ FirstViewName };
   /** Row-major 3x4: frame of the scene (mm) to homogeneous continuous pixel index, the scale that was found included.
    */
   std::array<double, 12> projection{};

@@ -458,7 +458,7 @@ RegistrationSceneSource::AddViewParts(const SceneView &              view,
       PerspectiveProjection projection;
       projection.matrix = through.GetProjection();
       std::copy(through.GetSource().Begin(), through.GetSource().End(), projection.source.begin());
-      const MeshSilhouette silhouette(MakeTriangleSurface(scan->mesh.GetPointer()));
+      const MeshSilhouette silhouette(MakeTriangleSurface(scan->mesh.GetPointer()), MeshSilhouette::PosesEnum::One);
       MeshBuilder          builder;
       for (const SilhouetteLoop & loop : silhouette.ComputeOuterBoundary(projection).loops)
       {

@@ -33,7 +33,7 @@ constexpr int    DrawingSteps = 2;
 constexpr std::size_t NumberOfPoints = 200;
 /** Where the same drawing is tried beside: farther than hands err, within what looks alike. mm and radians. */
 constexpr std::array<double, 5> Distances{ { 5.0, 9.0, 13.0, 17.0, 21.0 } };
-constexpr int                   Directions = 12;
+constexpr int                   PlaceDirections = 12;
 constexpr std::array<double, 3> Turns{ { -0.2, 0.0, 0.2 } };
 /** A place beside the picture for a tenth of the points counts no longer. */
 constexpr double ShareInside = 0.9;
@@ -252,10 +252,10 @@ Stand(const Picture &             picture,
   unsigned int count = 0;
   for (const double distance : Distances)
   {
-    for (int k = 0; k < Directions; ++k)
+    for (int k = 0; k < PlaceDirections; ++k)
     {
       // No two rings have the same directions.
-      const double direction = 2.0 * Pi * (k + 0.1 * distance) / Directions;
+      const double direction = 2.0 * Pi * (k + 0.1 * distance) / PlaceDirections;
       for (const double turn : Turns)
       {
         const double cosine = std::cos(turn);
