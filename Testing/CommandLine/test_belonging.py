@@ -483,6 +483,87 @@ def test_a_second_run_goes_on_from_the_first(run, sample, plain, tmp_path):
             assert math.dist(jaw["landmarks_px"][mark], place) < 0.05
 
 
+@pytest.mark.parametrize("teeth", ["UR6,LR6", "UR1", "LR3"])
+def test_a_tooth_that_is_given_back_leaves_no_trace(run, sample, plain, tmp_path, teeth):
+    """Minima lie a fraction of a pixel apart: where the jaws are must not tell which way a person came there."""
+    for name, start, excluded in (("without", plain, teeth), ("back", tmp_path / "without", "none")):
+        done = run("register", "--from", start, "--exclude", excluded, "--output", tmp_path / name, "--no-report")
+        assert done.returncode == 0, done.stderr
+    done = run("register", sample / "case.json", "--exclude", teeth, "--output", tmp_path / "nothing", "--no-report")
+    assert done.returncode == 0, done.stderr
+    # The tooth that is left out moves the jaws, and so the test can fail.
+    assert max(moved(load(plain), load(tmp_path / "without"))) > 0.1
+    assert max(moved(load(plain), load(tmp_path / "back"))) < 0.02
+    assert max(moved(load(tmp_path / "nothing"), load(tmp_path / "without"))) < 0.02
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda u, v, size: [v, u], "were its two numbers exchanged?"),
+        (lambda u, v, size: [0.24 * u, 0.24 * v], "and not in mm or of another copy?"),
+        (lambda u, v, size: [0.5 * size[1], 0.5 * size[0]], "with its two numbers exchanged it is the middle of the radiograph"),
+        (lambda u, v, size: [2.0 * u, 2.0 * v], "where no ear rods are"),
+    ],
+    ids=["exchanged", "mm", "middle-exchanged", "copy"],
+)
+def test_a_principal_point_where_no_ear_rods_are_is_told(run, case, plain, tmp_path, change, words):
+    """The pose makes up for it, and the jaws fit as well: what lies before and behind the tracing is pixels off."""
+    content = case.load()
+    size = case.load("contours.json")["image_size"]
+    content["geometry"]["principal_point_px"] = change(*content["geometry"]["principal_point_px"], size)
+    case.save(content)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    for name, jaw in load(tmp_path / "out")["jaws"].items():
+        assert "principal-point" not in codes_of(load(plain), name)
+        assert jaw["status"] == "suspect"
+        finding = next(each for each in jaw["findings"] if each["code"] == "principal-point")
+        assert words in finding["text"] and "jaw" in finding["text"], finding
+
+
+@pytest.mark.parametrize("middle", ["picture", "jaws", "absent"])
+def test_a_principal_point_that_says_nothing_of_ear_rods_is_none_of_them(run, case, tmp_path, middle):
+    content = case.load()
+    if middle == "absent":
+        content["geometry"].pop("principal_point_px")
+    else:
+        points = [p for jaw in case.load("contours.json")["contours"].values() for tooth in jaw for p in tooth["points"]]
+        size = case.load("contours.json")["image_size"]
+        content["geometry"]["principal_point_px"] = (
+            [0.5 * size[0], 0.5 * size[1]] if middle == "picture" else numpy.mean(points, axis=0).tolist()
+        )
+    case.save(content)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    for jaw in load(tmp_path / "out")["jaws"]:
+        assert "principal-point" not in codes_of(load(tmp_path / "out"), jaw)
+
+
+@pytest.mark.parametrize(
+    ("move", "words"),
+    [
+        (lambda name, u, v: [0.5 * u, 0.5 * v], "were they divided by 0.50: were they marked on a copy"),
+        (lambda name, u, v: [0.25 * u, 0.25 * v], "are they in mm? Give pixels"),
+        (lambda name, u, v: [u - 60.0 * (name == "UR6_MB"), v], "landmarks_2d: UR6_MB was marked "),
+    ],
+    ids=["copy", "mm", "one"],
+)
+def test_marks_that_only_measure_are_said_to_be_of_another_picture(run, case, plain, tmp_path, move, words):
+    marks = case.load("landmarks2d.json")
+    case.save({name: move(name, u, v) for name, (u, v) in marks.items()}, "landmarks2d.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    result = load(tmp_path / "out")
+    said = [line for line in result["warnings"] if line.startswith("landmarks_2d: ")]
+    assert len(said) == 1 and words in said[0] and said[0] in done.stderr, result["warnings"]
+    assert not any(line.startswith("landmarks_2d: ") for line in load(plain)["warnings"])
+    for name, jaw in result["jaws"].items():
+        # They measure, and nothing else.
+        assert jaw["status"] == load(plain)["jaws"][name]["status"]
+        assert jaw["landmarks_px"] == load(plain)["jaws"][name]["landmarks_px"]
+
+
 def test_going_on_without_a_principal_point_begins_where_the_first_ended(run, case, tmp_path):
     """A pose means something in its own geometry alone, and without a principal point each tracing has one of its own."""
     content = case.load()
@@ -523,7 +604,9 @@ def test_going_on_without_a_pixel_spacing_begins_with_the_estimate(run, case, tm
     assert again["geometry"]["pixel_spacing_mm"]["value"] == first["geometry"]["pixel_spacing_mm"]["value"]
     assert again["geometry"]["pixel_spacing_mm"]["source"] == "estimated"
     assert any("not searched beside a given start" in line for line in again["not_checkable"])
-    assert 0.01 < max(moved(first, again)) < 4.0
+    # The farthest are molars of the side that was not traced.
+    assert 0.01 < max(moved(first, again)) < 8.0
+    assert numpy.mean(moved(first, again)) < 2.0
     # Held at the start, it stays what it was.
     done = run(
         "register", "--from", tmp_path / "first", "--fix", "scale,rotation,translation", "--output", tmp_path / "held", "--no-report"
