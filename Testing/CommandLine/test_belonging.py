@@ -780,6 +780,47 @@ def test_new_guesses_no_jaw(run, sample, tmp_path):
     assert any("still to be given" in note for note in made["_notes"])
 
 
+def test_new_names_what_it_cannot_use_and_takes_a_label_map(run, sample, tmp_path):
+    for name in ("upper.stl", "ceph.png"):
+        (tmp_path / name).write_bytes((sample / name).read_bytes())
+    (tmp_path / "points.xlsx").write_bytes(b"PK\x03\x04" + bytes(26) + b"xl/workbook.xml")
+    (tmp_path / "F.fcsv").write_text("# Markups fiducial file version = 4.11\n")
+    (tmp_path / "u.dcm").write_text('<?xml version="1.0"?><HPS version="1.1"></HPS>')
+    (tmp_path / "photo.jpg").write_bytes(b"GIF89a")
+    (tmp_path / "points.csv").write_text("UR1,1,2\nUR1,1,zwei\n")
+    height, width = matplotlib.image.imread(sample / "ceph.png").shape[:2]
+    labels = numpy.zeros((height, width), dtype=int)
+    labels[300:340, 400:430] = 16
+    (tmp_path / "segmentation.png").write_bytes(png(labels.tolist()))
+    (tmp_path / "mask.png").write_bytes(png((255 * (labels > 0)).tolist()))
+    assert run("new", tmp_path).returncode == 0
+    made = json.loads((tmp_path / "case.json").read_text())
+    assert made["contours"] == "segmentation.png" and made["cephalogram"]["image"] == "ceph.png"
+    for note in (
+        "points.xlsx: not used: it is an Excel workbook; save the sheet as CSV",
+        "F.fcsv: not used: it is Slicer's old .fcsv table; save the markups as .mrk.json",
+        "u.dcm: not used: it is a 3Shape scan (HPS; no DICOM in spite of its name); export the scan",
+        "photo.jpg: not used: it is a GIF picture; save it as PNG",
+        "mask.png: not used: by its name it was made of a radiograph",
+        "segmentation.png: a tracing: a label map with teeth",
+        "points.csv: not used: neither a tracing nor landmarks can be read from it; as a tracing it has this fault: line 2",
+    ):
+        assert any(line.startswith(note) for line in made["_notes"]), (note, made["_notes"])
+
+
+def test_new_leaves_out_the_spacing_that_a_ruler_tells(run, sample, tmp_path):
+    for name in ("upper.stl", "ceph.png"):
+        (tmp_path / name).write_bytes((sample / name).read_bytes())
+    height, width = matplotlib.image.imread(sample / "ceph.png").shape[:2]
+    (tmp_path / "annotations.xml").write_text(
+        f'<annotations><version>1.1</version><image id="0" name="ceph.png" width="{width}" height="{height}">'
+        '<polyline label="UR1" points="10,10;20,20;30,35"/><polyline label="Calibration_30mm" points="5,5;5,125"/></image></annotations>'
+    )
+    assert run("new", tmp_path).returncode == 0
+    notes = json.loads((tmp_path / "case.json").read_text())["_notes"]
+    assert not any("pixel_spacing_mm" in note for note in notes), notes
+
+
 def test_axis_and_render_warn_as_register_does(run, case, tmp_path):
     landmarks = case.load("landmarks3d.json")
     case.save({**landmarks, "UR1_tip": [0.0, 0.0, 300.0]}, "landmarks3d.json")

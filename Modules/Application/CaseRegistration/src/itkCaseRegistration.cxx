@@ -662,7 +662,11 @@ CaseRegistration::GenerateData()
     this->RegisterBySimilarity();
   }
   CheckPicture(*m_Data, m_Result);
-  JudgePrincipalPoint(*m_Data, m_Result);
+  if (m_Preset == CasePresetEnum::Robust)
+  {
+    // The paper's chain does not place a jaw in space as the cephalostat holds it.
+    JudgePrincipalPoint(*m_Data, m_Result);
+  }
   for (auto & entry : m_Result.jaws)
   {
     SortFindings(entry.second.findings);

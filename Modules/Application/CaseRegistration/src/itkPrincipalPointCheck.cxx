@@ -101,9 +101,9 @@ CheckPrincipalPoint(const CephalometricGeometry *       geometry,
   {
     return std::nullopt;
   }
-  RegistrationFinding finding;
-  finding.severity = RegistrationStatusEnum::Suspect;
-  finding.code = "principal-point";
+  RegistrationFinding finding{
+    RegistrationStatusEnum::Suspect, "principal-point", std::string(), {}, {}, std::string()
+  };
   std::string text = "the principal point " + DescribePlace(point[0], point[1], seen.forward, seen.down);
   if (isExchangedMiddle)
   {
