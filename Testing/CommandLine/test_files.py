@@ -168,6 +168,10 @@ def as_german_table(size, polylines):
     return "\n".join(lines) + "\n"
 
 
+def as_excel_table(size, polylines):
+    return "sep=;\r\n" + as_german_table(size, polylines).replace("\n", "\r\n")
+
+
 def as_coco(size, polylines):
     """As outlines of what each line encloses, with a slip of the mouse among them."""
     categories = [{"id": i, "name": code} for i, (code, _) in enumerate(polylines)]
@@ -191,6 +195,7 @@ FORMS = {
     "label_studio.json": as_label_studio,
     "supervisely.json": as_supervisely,
     "table.csv": as_german_table,
+    "excel.csv": as_excel_table,
 }
 
 

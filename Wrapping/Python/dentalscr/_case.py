@@ -818,7 +818,7 @@ def register_from(
     page: bool = True,
     anonymous: bool = False,
 ) -> CaseResult:
-    """Registers an earlier result's case again, from where that one ended: what ``dentalscr register --from`` does.
+    """Registers an earlier result's case again, in the place where that one ended, as ``dentalscr register --from``.
 
     After a "suspect" correct a tooth's tracing, leave a tooth out, hold or free something. What the first run was told
     holds on unless something else is said here. Other readings of the drawing are not tried beside a start.

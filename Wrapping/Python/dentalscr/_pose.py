@@ -205,7 +205,10 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
         self.SetJointFrame(None if axes is None else axes.jointTransform)
 
     def SetInitialTransform(self, jaw: JawLike, transform: TransformLike, scaleFactor: float = 1.0) -> None:
-        """Begin here instead of with a search.
+        """Which place of the jaw is meant: what the search finds elsewhere is left out.
+
+        The answer is the one without a start, wherever in its place the start is; where the search finds nothing there,
+        or something is held, the registration goes on from the start itself.
 
         Parameters
         ----------

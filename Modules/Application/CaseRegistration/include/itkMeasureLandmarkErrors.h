@@ -24,7 +24,8 @@
 namespace itk
 {
 /** Adds the landmark errors: the only place where 2-D landmarks meet a result. With a bisected tracing the errors are
- * those of the middle between a right and its left landmark.
+ * those of the middle between a right and its left landmark. Marks of a copy of another size, in mm, or far from where
+ * all others of a registered jaw are, are warned of.
  *
  * \ingroup CaseRegistration */
 CaseRegistration_EXPORT void

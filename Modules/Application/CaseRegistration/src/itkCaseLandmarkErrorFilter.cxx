@@ -88,7 +88,13 @@ CaseLandmarkErrorFilter::GenerateData()
                         description.landmarks2DFile,
                         std::filesystem::path(result.data->description.fileName).parent_path().string()));
     result.warnings.insert(result.warnings.end(), reader->GetWarnings().begin(), reader->GetWarnings().end());
+    const auto known = static_cast<std::ptrdiff_t>(own.warnings.size());
     MeasureLandmarkErrors(own, reader->GetOutput());
+    if (&own != &result)
+    {
+      // A view's result is shown as part of the case's, whose warnings are read.
+      result.warnings.insert(result.warnings.end(), own.warnings.begin() + known, own.warnings.end());
+    }
     own.markedLandmarks = reader->GetOutput();
   };
   if (result.data && !result.data->description.landmarks2DFile.empty())

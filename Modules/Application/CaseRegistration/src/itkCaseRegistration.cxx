@@ -25,6 +25,7 @@
 #include "itkDescribePlainly.h"
 #include "itkPictureCheckFilter.h"
 #include "itkPoseRegistrationOptionTable.h"
+#include "itkPrincipalPointCheck.h"
 #include "itkRegistrationVerdict.h"
 #include "itkRigidTransformRows.h"
 #include "itkScanCheckFilter.h"
@@ -52,6 +53,44 @@ DraftedShareOf(const DentalCaseData & data, ToothCode::JawEnum jaw)
 {
   const auto & contour = data.GetJaw(jaw).contour;
   return contour.IsNull() ? 0.0 : contour->GetDraftedShare();
+}
+
+/** Whether the given principal point is where ear rods are, seen from the jaws that were placed. */
+void
+JudgePrincipalPoint(const DentalCaseData & data, CaseResult & result)
+{
+  if (data.sources.principalPoint != ValueSourceEnum::Given)
+  {
+    return;
+  }
+  for (auto & entry : result.jaws)
+  {
+    JawResult & jaw = entry.second;
+    // Of a jaw that lies elsewhere the place tells nothing.
+    if (!jaw.registered || jaw.status == RegistrationStatusEnum::Failed)
+    {
+      continue;
+    }
+    // The jaw's middle is the origin of its UMDA frame, whose x axis is forward along the occlusal plane.
+    const auto toMesh = ToRigidTransform(jaw.meshToUMDA, 1e-3)->GetInverseTransform();
+    const auto toCephalostat = ToRigidTransform(jaw.meshToCephalostat, 1e-3);
+    const auto place = [&](double x) {
+      Point<double, 3> point;
+      point.Fill(0.0);
+      point[0] = x;
+      return toCephalostat->TransformPoint(toMesh->TransformPoint(point));
+    };
+    const auto                middle = place(0.0);
+    const auto                axis = place(1.0) - middle;
+    JawSeenFromPrincipalPoint seen;
+    seen.forward = middle[0];
+    seen.down = -middle[2];
+    seen.occlusalSlope = std::atan2(-axis[2], axis[0]);
+    if (const auto finding = CheckPrincipalPoint(result.geometry, data.imageSize, seen))
+    {
+      jaw.AddFinding(*finding);
+    }
+  }
 }
 } // namespace
 
@@ -473,6 +512,11 @@ CaseRegistration::GenerateData()
     this->RegisterBySimilarity();
   }
   this->CheckPicture();
+  if (m_Preset == CasePresetEnum::Robust)
+  {
+    // The paper's chain does not place a jaw in space as the cephalostat holds it.
+    JudgePrincipalPoint(*m_Data, m_Result);
+  }
   for (auto & entry : m_Result.jaws)
   {
     SortFindings(entry.second.findings);

@@ -117,19 +117,46 @@ EndsLikeITero(const Words & words, const char * letter)
   return n >= 3 && words[n - 3] == "shell" && words[n - 2] == "occlusion" && words[n - 1] == letter;
 }
 
-/** What a reader makes of a file; nothing where it refuses it. */
+/** What a reader makes of a file; nothing where it refuses it. \param problem  gets what it says then. */
 template <typename TRead>
 bool
-Reads(const TRead & read)
+Reads(const TRead & read, std::string * problem = nullptr)
 {
   try
   {
     return read();
   }
+  catch (const DentalInputError & error)
+  {
+    if (problem != nullptr)
+    {
+      *problem = (error.GetField().empty() ? "" : error.GetField() + ": ") + error.GetProblem();
+    }
+    return false;
+  }
   catch (const ExceptionObject &)
   {
     return false;
   }
+}
+
+/** A file that is of no use for any field, named for what it is, with what to do; "" where it may be of use. */
+std::string
+DescribeForeign(const std::string & file)
+{
+  try
+  {
+    RefuseForeignFile(file, FilePurposeEnum::Tracing);
+    RefuseForeignFile(file, FilePurposeEnum::Radiograph);
+    RefuseForeignFile(file, FilePurposeEnum::Scan);
+  }
+  catch (const DentalInputError & error)
+  {
+    // The purpose that it does not serve is none of its own: "is a GIF picture, no tracing".
+    const std::string problem = error.GetProblem();
+    return "it " + problem.substr(0, problem.rfind(", no ")) + "; " + error.GetRemedy();
+  }
+  return std::string();
 }
 
 /** What a DICOM file says of where it was taken from; nothing where it is none, or does not tell. */
@@ -224,7 +251,8 @@ public:
       }
       else
       {
-        this->Note(file, "not used: it is of no kind that is read");
+        const std::string foreign = DescribeForeign(file);
+        this->Note(file, "not used: " + (foreign.empty() ? "it is of no kind that is read" : foreign));
       }
     }
     this->Settle("upper");
@@ -233,6 +261,10 @@ public:
     for (const std::string & file : drawings)
     {
       this->LookAtDrawing(file);
+    }
+    for (const std::string & file : m_Derived)
+    {
+      this->LookAtDerivedPicture(file);
     }
     for (const char * field : { "contours",
                                 "cephalometric_landmarks",
@@ -296,15 +328,15 @@ private:
     {
       RefuseForeignFile(file, FilePurposeEnum::Radiograph);
     }
-    catch (const DentalInputError & error)
+    catch (const DentalInputError &)
     {
-      this->Note(file, "not used: " + error.GetOneLine());
+      this->Note(file, "not used: " + DescribeForeign(file));
       return;
     }
     const Words words = SplitWords(fs::path(file).stem().string());
     if (HasAny(words, DerivedWords))
     {
-      this->Note(file, "not used: by its name it was made of a radiograph and is none");
+      m_Derived.push_back(file);
       return;
     }
     if (const auto direction = DirectionOfDicom(file))
@@ -400,18 +432,22 @@ private:
       HasAny(SplitWords(fs::path(file).stem().string()), FrontalWords) && !m_FrontalRadiographs.empty();
     const std::string view = isFrontal ? "views.frontal." : "";
     bool              sided = false;
-    if (Reads([&]() {
-          auto reader = DentalContourFileReader::New();
-          reader->SetFileName(file);
-          reader->SetImageSize(isFrontal ? m_FrontalSize : m_ImageSize);
-          reader->SetImageFileName(isFrontal ? frontalImage : m_Case.Find("cephalogram.image"));
-          // Whatever a millimetre is: this is about what the file holds.
-          AnnotationFileReaderBase::VectorType spacing;
-          spacing.Fill(1.0);
-          reader->SetMarkupsSpacing(spacing);
-          reader->Update();
-          return reader->GetUpperOutput()->GetNumberOfPoints() + reader->GetLowerOutput()->GetNumberOfPoints() > 0;
-        }))
+    std::string       problem;
+    if (Reads(
+          [&]() {
+            auto reader = DentalContourFileReader::New();
+            reader->SetFileName(file);
+            reader->SetImageSize(isFrontal ? m_FrontalSize : m_ImageSize);
+            reader->SetImageFileName(isFrontal ? frontalImage : m_Case.Find("cephalogram.image"));
+            // Whatever a millimetre is: this is about what the file holds.
+            AnnotationFileReaderBase::VectorType spacing;
+            spacing.Fill(1.0);
+            reader->SetMarkupsSpacing(spacing);
+            reader->Update();
+            m_HasRuler = m_HasRuler || (!isFrontal && !reader->GetCalibrations().empty());
+            return reader->GetUpperOutput()->GetNumberOfPoints() + reader->GetLowerOutput()->GetNumberOfPoints() > 0;
+          },
+          &problem))
     {
       this->Add(view + "contours",
                 file,
@@ -460,7 +496,33 @@ private:
     }
     else
     {
-      this->Note(file, "not used: neither a tracing nor landmarks can be read from it");
+      const std::string foreign = DescribeForeign(file);
+      this->Note(file,
+                 "not used: " + (!foreign.empty()
+                                   ? foreign
+                                   : "neither a tracing nor landmarks can be read from it" +
+                                       (problem.empty() ? problem : "; as a tracing it has this fault: " + problem)));
+    }
+  }
+
+  /** It may be a label map, whose numbers are teeth. */
+  void
+  LookAtDerivedPicture(const std::string & file)
+  {
+    const bool isLabelMap = Reads([&]() {
+      auto reader = DentalContourFileReader::New();
+      reader->SetFileName(file);
+      reader->SetImageSize(m_ImageSize);
+      reader->Update();
+      return reader->GetUpperOutput()->GetNumberOfPoints() + reader->GetLowerOutput()->GetNumberOfPoints() > 0;
+    });
+    if (isLabelMap)
+    {
+      this->Add("contours", file, "a tracing: a label map with teeth");
+    }
+    else
+    {
+      this->Note(file, "not used: by its name it was made of a radiograph and is none");
     }
   }
 
@@ -539,7 +601,7 @@ private:
       m_Case.notes.emplace_back(
         "still to be given: \"contours\" or \"cephalometric_landmarks\", what was drawn on the radiograph");
     }
-    if (!m_HasSpacing)
+    if (!m_HasSpacing && !m_HasRuler)
     {
       m_Case.notes.emplace_back("worth giving: \"pixel_spacing_mm\" of \"cephalogram\", which no file tells; without "
                                 "it the scale is estimated");
@@ -553,6 +615,9 @@ private:
   std::vector<std::string> m_Radiographs;
   std::vector<std::string> m_FrontalRadiographs;
   std::vector<std::string> m_OtherPictures;
+  std::vector<std::string> m_Derived;
+  /** A line of known length in a tracing is the pixel spacing. */
+  bool m_HasRuler{ false };
   /** Pictures whose tags tell from where they were taken. */
   std::set<std::string>                           m_ByDicom;
   std::map<std::string, Candidates>               m_Candidates;

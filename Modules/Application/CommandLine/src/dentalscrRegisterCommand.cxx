@@ -331,7 +331,7 @@ AddRegisterCommand(CLI::App & program, const CommonOptions & common, RunFunction
   command
     ->add_option("--from",
                  options->from,
-                 "An earlier result (result.json or its folder): its case again, from where it ended, with its "
+                 "An earlier result (result.json or its folder): its case again, in the place where it ended, with its "
                  "--exclude, --fix and --option unless they are given here")
     ->type_name("FILE");
   command->add_option("--exclude", options->exclude, "Teeth to leave out of the tracing, e.g. UR3,UR4; none: nobody")

@@ -32,6 +32,10 @@ enum class PlaceEnum : uint8_t
 {
   /** The file's first bytes. */
   Start,
+  /** Behind four bytes, which say how long the first part is. */
+  BehindLength,
+  /** Behind eight bytes: four of RIFF, and the file's length. */
+  InRIFF,
   /** The first bytes behind blanks and a byte order mark, in lower case. */
   Text,
   /** The first element of XML, whatever its prolog, in lower case. */
@@ -113,6 +117,18 @@ const Kind Kinds[] = {
   { PlaceEnum::Start, "II*" + Nul, Scan | Landmarks, "a TIFF picture", nullptr },
   { PlaceEnum::Start, "MM" + Nul + "*", Scan | Landmarks, "a TIFF picture", nullptr },
   { PlaceEnum::Start, "GIF8", Any, "a GIF picture", "save it as PNG" },
+  { PlaceEnum::InRIFF, "WEBP", Any, "a WebP picture", "save it as PNG" },
+  { PlaceEnum::BehindLength, "ftypavif", Any, "an AVIF picture", "save it as PNG" },
+  { PlaceEnum::BehindLength, "ftyphei", Any, "an HEIC picture", "save it as PNG" },
+  { PlaceEnum::BehindLength, "ftypmif1", Any, "an HEIC picture", "save it as PNG" },
+  { PlaceEnum::BehindLength, "jP  ", Any, "a JPEG 2000 picture", "save it as PNG" },
+  { PlaceEnum::Start, "8BPS", Any, "a Photoshop document", "save it as PNG" },
+  { PlaceEnum::Start, "gimp xcf", Any, "a GIMP document", "export it as PNG" },
+  { PlaceEnum::Text,
+    "version https://git-lfs",
+    Any,
+    "a Git LFS pointer: the file itself was not downloaded",
+    "fetch it (git lfs pull)" },
   { PlaceEnum::Start, "NRRD000", Scan | Landmarks, "a NRRD image", nullptr },
   { PlaceEnum::Text, "ply", Radiograph | Drawn, "a PLY mesh", nullptr },
   { PlaceEnum::Text, "solid ", Radiograph | Drawn, "an STL mesh", nullptr },
@@ -212,6 +228,11 @@ RefuseForeignFile(const std::string & fileName, FilePurposeEnum purpose)
     {
       case PlaceEnum::Start:
         return head.compare(0, kind.signature.size(), kind.signature) == 0;
+      case PlaceEnum::BehindLength:
+        return head.size() > 4 && head.compare(4, kind.signature.size(), kind.signature) == 0;
+      case PlaceEnum::InRIFF:
+        return head.size() > 8 && head.compare(0, 4, "RIFF") == 0 &&
+               head.compare(8, kind.signature.size(), kind.signature) == 0;
       case PlaceEnum::Text:
         return text.compare(0, kind.signature.size(), kind.signature) == 0;
       case PlaceEnum::Element:

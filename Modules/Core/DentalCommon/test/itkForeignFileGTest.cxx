@@ -72,6 +72,14 @@ TEST(ForeignFile, IsNamedForWhatItIsWithWhatToExportInstead)
     { "tooth.roi", std::string("Iout\0\xe4", 6), "ImageJ", "CSV" },
     { "points.npy", "\x93NUMPY\x01", "NumPy", "name the" },
     { "points.mat", "MATLAB 5.0 MAT-file, Platform: PCWIN64", "MATLAB", "CSV" },
+    { "ceph.webp", std::string("RIFF\x10\0\0\0WEBPVP8L", 16), "WebP", "PNG" },
+    { "ceph.heic", std::string("\0\0\0\x18", 4) + "ftypheic", "HEIC", "PNG" },
+    { "phone.heic", std::string("\0\0\0\x18", 4) + "ftypmif1", "HEIC", "PNG" },
+    { "ceph.avif", std::string("\0\0\0\x20", 4) + "ftypavif", "AVIF", "PNG" },
+    { "ceph.jp2", std::string("\0\0\0\x0c", 4) + "jP  \r\n", "JPEG 2000", "PNG" },
+    { "ceph.psd", std::string("8BPS\0\1", 6), "Photoshop", "PNG" },
+    { "ceph.xcf", "gimp xcf v011", "GIMP", "PNG" },
+    { "upper.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\n", "not downloaded", "git lfs" },
     { "F.fcsv", "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n", ".fcsv", ".mrk.json" },
   };
   for (const Row & row : rows)
@@ -94,6 +102,8 @@ TEST(ForeignFile, WhatServesThePurposeIsLetThrough)
   EXPECT_EQ(Refusal("cvat.xml", "<?xml version=\"1.0\"?>\n<annotations>", Purpose::Landmarks), "");
   EXPECT_EQ(Refusal("upper.stl", std::string(84, '\0'), Purpose::Scan), "");
   EXPECT_EQ(Refusal("empty", "", Purpose::Scan), "");
+  // No WebP, though it begins as one.
+  EXPECT_EQ(Refusal("sound.wav", std::string("RIFF\x10\0\0\0WAVE", 12), Purpose::Scan), "");
   // What is missing is for the reader to say.
   EXPECT_NO_THROW(itk::RefuseForeignFile(itk::TestFolder() + "/no_such_file", Purpose::Scan));
 }

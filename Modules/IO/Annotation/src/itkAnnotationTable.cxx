@@ -156,6 +156,7 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
   std::vector<AnnotationTableRow> rows;
   TableColumns                    columns;
   char                            separator = 0;
+  char                            givenSeparator = 0;
   std::size_t                     lineNumber = 0;
   for (std::size_t begin = 0; begin < text.size();)
   {
@@ -168,14 +169,20 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
     {
       continue;
     }
+    // Excel's own word for what parts the cells.
+    if (separator == 0 && givenSeparator == 0 && LowerCase(trimmed.substr(0, 4)) == "sep=" && trimmed.size() <= 5)
+    {
+      givenSeparator = trimmed.size() > 4 ? trimmed[4] : '\t';
+      continue;
+    }
     const std::string field = "line " + std::to_string(lineNumber);
     const bool        first = separator == 0;
     if (first)
     {
-      separator = ',';
+      separator = givenSeparator != 0 ? givenSeparator : ',';
       for (const char candidate : { ';', '\t' })
       {
-        if (line.find(candidate) != std::string::npos)
+        if (givenSeparator == 0 && line.find(candidate) != std::string::npos)
         {
           separator = candidate;
         }

@@ -149,8 +149,10 @@ public:
   void
   ClearSpacingSource();
 
-  /** Where a jaw's registration begins instead of with a search: mesh frame to cephalostat frame, and the factor on the
-   * magnification. Of jaws with one pose the upper's speaks first. */
+  /** Which place of a jaw is meant: mesh frame to cephalostat frame, and the factor on the magnification. Of jaws with
+   * one pose the upper's speaks first. What the search finds elsewhere is left out, and what it finds there is the
+   * answer, the same as without a start; where it finds nothing there, or something is held, the registration goes on
+   * from the start itself. */
   void
   SetInitialTransform(JawEnum jaw, const RigidTransformType * transform, double scaleFactor = 1.0);
   void

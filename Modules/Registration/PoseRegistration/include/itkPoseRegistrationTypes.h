@@ -142,7 +142,7 @@ struct PoseRegistrationOptions
   /** Score above which the fit counts as poor for that. */
   double poorScore{ 0.15 };
 
-  /** Manual control. */
+  /** Manual control. The initial pose says which place is meant (PoseRegistrationMethodBase::SetInitialTransform()). */
   bool           fixScale{ false };
   bool           fixRotation{ false };
   bool           fixTranslation{ false };

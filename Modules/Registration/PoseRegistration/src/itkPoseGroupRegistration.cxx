@@ -568,12 +568,17 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     return false;
   }
   const PositionType         origin = m_Metric->GetState().GetValues();
-  std::vector<CandidateType> pool;
+  std::vector<CandidateType> given;
   if (m_Options.useInitialPose)
   {
-    pool.push_back(this->MakeCandidate(WithPose(*m_Metric, origin, m_Options.initialPose)));
+    given.push_back(this->MakeCandidate(WithPose(*m_Metric, origin, m_Options.initialPose)));
   }
-  else
+  // The criterion has many minima within a pixel or two, and which of them a start by itself leads to depends on where
+  // it was. A search finds the ways into its place that it finds without a start, so that the answer does not tell how
+  // one came there. What is held is the start's, of which a search knows nothing.
+  std::vector<CandidateType> pool;
+  const bool                 isHeld = m_Options.fixScale || m_Options.fixRotation || m_Options.fixTranslation;
+  if (given.empty() || !(isHeld || m_Hypothesis))
   {
     std::vector<double> yaws{ 0.0 };
     if (!IsBisected(m_Options.tracedSide) && m_Options.useFullPose && !m_Options.fixRotation &&
@@ -597,12 +602,12 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   {
     return false;
   }
-  if (pool.empty())
+  if (pool.empty() && given.empty())
   {
     return true;
   }
   std::stable_sort(pool.begin(), pool.end(), byScore);
-  const MetricType::Pointer reference = this->CloneAt(pool.front().x);
+  const MetricType::Pointer reference = this->CloneAt(pool.empty() ? given.front().x : pool.front().x);
   reference->Hold(MetricType::HoldEnum::Contours);
   const auto refineThese =
     [&](std::vector<CandidateType> & these, const ScheduleType & schedule, JoinsEnum stage, std::size_t firstIndex) {
@@ -632,9 +637,20 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   coarse.tolerance = m_Options.coarseTolerance;
   coarse.estimateNoise = false;
   coarse.stage = PoseStageEnum::Candidates;
-  if (!refineAll(coarse, JoinsEnum::Candidates))
+  if (!refineAll(coarse, JoinsEnum::Candidates) || !refineThese(given, coarse, JoinsEnum::Candidates, pool.size()))
   {
     return false;
+  }
+  if (!given.empty())
+  {
+    const auto isElsewhere = [&](const CandidateType & candidate) {
+      return this->Distance(*reference, given.front().x, candidate.x) > m_Options.placeDistance;
+    };
+    pool.erase(std::remove_if(pool.begin(), pool.end(), isElsewhere), pool.end());
+    if (pool.empty())
+    {
+      pool = std::move(given);
+    }
   }
   // The best of each of some places, and a second way into the best place: four of one place would hide the others.
   std::vector<CandidateType> kept =

@@ -559,7 +559,7 @@ TEST(PoseRegistrationParts, AStartIsToldWhatIsNotKnownAndWhatIsHeld)
   EXPECT_TRUE(Contains(method->GetOutput()->GetJaw(JawEnum::Upper).failure, "no start was found"));
 }
 
-TEST(PoseRegistrationParts, AGivenTransformReplacesTheSearch)
+TEST(PoseRegistrationParts, WhereTheSearchFindsNothingTheGivenTransformIsWhereItBegins)
 {
   const auto plain = MakeMethod();
   plain->Update();
@@ -569,14 +569,22 @@ TEST(PoseRegistrationParts, AGivenTransformReplacesTheSearch)
   method->SetInitialTransform(
     JawEnum::Upper, plain->GetTransform(JawEnum::Upper), std::exp(Plain().groups[0].parameters[itk::PoseKappa]));
   method->Update();
-  EXPECT_EQ(start->calls, 0u);
+  EXPECT_EQ(start->calls, 3u);
   EXPECT_TRUE(method->GetOutput()->GetOptions().useInitialPose);
   EXPECT_FALSE(method->GetOptions().useInitialPose) << "the method's own options stay";
   EXPECT_LT(Typical().Error(method->GetOutput()->GetResult(), 0, 'R'), 2.5);
   EXPECT_TRUE(method->GetOutput()->GetResult().groups[0].outcomes.empty()) << "no hypotheses beside a given start";
+  itk::PoseRegistrationOptions held;
+  held.fixScale = true;
+  method->SetOptions(held);
+  method->Update();
+  EXPECT_EQ(start->calls, 3u) << "a search knows nothing of what is held";
+  EXPECT_TRUE(method->GetOutput()->IsRegistered(JawEnum::Upper));
+  method->SetOptions(itk::PoseRegistrationOptions());
   method->ClearInitialTransforms();
   method->Update();
-  EXPECT_EQ(start->calls, 3u);
+  EXPECT_EQ(start->calls, 6u);
+  EXPECT_FALSE(method->GetOutput()->IsRegistered(JawEnum::Upper));
   EXPECT_TRUE(Contains(MessageOfCall([&] { method->SetInitialTransform(JawEnum::Upper, nullptr, 0.0); }),
                        "The scale factor 0 of SetInitialTransform() must be positive"));
 }
