@@ -2,6 +2,7 @@
 import json
 import pathlib
 import shutil
+import signal
 import subprocess
 
 import pytest
@@ -12,9 +13,15 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 def pytest_addoption(parser):
     parser.addoption("--build-dir", default=str(ROOT / "build" / "test"), help="build tree with bin/dentalscr")
     parser.addoption("--at-length", action="store_true", help="run what takes minutes, too: Utilities/test-cohort.sh")
-    parser.addoption("--kills", type=int, default=5, help="how often test_interruptions.py kills a batch: 200 before a release")
-    parser.addoption("--full-disks", type=int, default=4, help="how often it has no space: 50 before a release")
+    parser.addoption("--kills", type=int, default=5, help="how often test_interrup*.py kill each verb: Utilities/faults.sh")
+    parser.addoption("--full-disks", type=int, default=4, help="how often each has no space")
     parser.addoption("--refreeze", action="store_true", help="freeze the results anew instead of comparing with them")
+
+
+def pytest_configure(config):
+    # A shell that starts something in the background has it ignore SIGINT, and so would every program that is tested for it.
+    if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(config, items):

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs what building and testing need from Debian's packages. Does nothing where all of it is there.
-#   Utilities/install-dependencies.sh [build] [test] [browser] [slurm]
+#   Utilities/install-dependencies.sh [build] [test] [browser] [slurm] [threads]
 # build: what compiling the program, the libraries and the Python package needs, and nothing else.
 # test: that, and what the tests, the benchmarks and the pages of the site need; this is what is installed without a word.
-# browser: also a browser, for the tests of pages. slurm: also Slurm, for Utilities/test-cohort.sh.
+# browser: also a browser, for the tests of pages. slurm: also Slurm, for Utilities/test-cohort.sh. threads: also valgrind, for
+# Utilities/sanitize.sh threads.
 set -euo pipefail
 
 build=(
@@ -31,7 +32,8 @@ for part in "$@"; do
       command -v chromium chromium-browser google-chrome >/dev/null || packages+=(chromium)
       ;;
     slurm) packages+=("${tests[@]}" slurmctld slurmd slurm-client munge) ;;
-    *) sed -n '2,6s/^# \?//p' "${BASH_SOURCE[0]}"; [ "$part" = --help ] && exit 0; exit 2 ;;
+    threads) packages+=("${tests[@]}" valgrind) ;;
+    *) sed -n '2,7s/^# \?//p' "${BASH_SOURCE[0]}"; [ "$part" = --help ] && exit 0; exit 2 ;;
   esac
 done
 

@@ -2,7 +2,7 @@
 """What a single wrong number does that nobody notices: in each file of a case one number is mistaken as people and
 programs mistake them, the case is registered, and the landmarks are compared with those of the case as it is.
 
-    one_wrong_number.py CASE... [--program build/test/bin/dentalscr] [--mistakes 200] [--seed 1] [--csv FILE]
+    one_wrong_number.py CASE... [--program build/test/bin/dentalscr] [--mistakes 200] [--files NAME...] [--seed 1] [--csv FILE]
 
 CASE: folders with a case.json, as `dentalscr phantom` makes them. Told is, of each field, how many mistakes were
 refused, how many left a jaw other than ok, and how many were ok with landmarks that moved: these are the silent ones.
@@ -16,11 +16,12 @@ import pathlib
 import random
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
 
-FILES = ("case.json", "contours.json", "landmarks3d.json", "cephalometric.json")
+FILES = ("case.json", "contours.json", "landmarks3d.json", "cephalometric.json", "upper.stl", "lower.stl")
 
 
 def digit(text, random):
@@ -91,11 +92,54 @@ def position(point):
     return point["position"] if isinstance(point, dict) else point
 
 
+def mistaken(text, chance):
+    """\\return the name of a mistake, and the number as it is written then; None where that is no other number."""
+    mistake = chance.choice(MISTAKES)
+    after = mistake(text, chance)
+    try:
+        value = float(after)
+    except ValueError:
+        return None
+    return None if value == float(text) else (mistake.__name__, after)
+
+
+def mistaken_json(name, content, chance):
+    """\\return the field, the number before, the mistake, the number after, and the file's bytes with it."""
+    written = json.loads(content)
+    fields = collections.defaultdict(list)
+    for path in numbers(written):
+        fields[field(name, path)].append(path)
+    chosen = chance.choice(sorted(fields))
+    path = chance.choice(fields[chosen])
+    parent = written
+    for key in path[:-1]:
+        parent = parent[key]
+    before = repr(parent[path[-1]])
+    made = mistaken(before, chance)
+    if made is None:
+        return None
+    parent[path[-1]] = float(made[1]) if "." in made[1] or "e" in made[1] else int(made[1])
+    return chosen, before, *made, json.dumps(written).encode()
+
+
+def mistaken_scan(name, content, chance):
+    """The same of a coordinate of one triangle's corner in a binary STL, of which the neighbours keep theirs."""
+    (triangles,) = struct.unpack_from("<I", content, 80)
+    axis = chance.randrange(3)
+    at = 84 + 50 * chance.randrange(triangles) + 12 + 12 * chance.randrange(3) + 4 * axis
+    before = f"{struct.unpack_from('<f', content, at)[0]:.4f}"
+    made = mistaken(before, chance)
+    if made is None:
+        return None
+    return f"scan.{'xyz'[axis]}", before, *made, content[:at] + struct.pack("<f", float(made[1])) + content[at + 4 :]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("cases", nargs="+", type=pathlib.Path)
     parser.add_argument("--program", default="build/test/bin/dentalscr")
     parser.add_argument("--mistakes", type=int, default=200, help="of each case")
+    parser.add_argument("--files", nargs="+", default=FILES, help="in which of the case's files")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--limit", type=float, default=1.0, help="pixels that a landmark may move")
     parser.add_argument("--csv", type=pathlib.Path, help="a row a mistake")
@@ -117,32 +161,17 @@ def main():
                     if file.is_file():
                         os.symlink(file.resolve(), copy / file.name)
                 # Each file and each field of it as often as any other, however many numbers it has.
-                names = [name for name in FILES if (folder / name).exists()]
+                names = [name for name in options.files if (folder / name).exists()]
                 name = names[k % len(names)]
-                text = (folder / name).read_text()
-                # As they are written: a number's digits are what is mistaken.
-                written = json.loads(text, parse_float=lambda word: float(word))
-                fields = collections.defaultdict(list)
-                for path in numbers(written):
-                    fields[field(name, path)].append(path)
-                chosen = chance.choice(sorted(fields))
-                path = chance.choice(fields[chosen])
-                parent = written
-                for key in path[:-1]:
-                    parent = parent[key]
-                before = repr(parent[path[-1]])
-                mistake = chance.choice(MISTAKES)
-                after = mistake(before, chance)
-                try:
-                    parent[path[-1]] = float(after) if "." in after or "e" in after else int(after)
-                except ValueError:
+                make = mistaken_json if name.endswith(".json") else mistaken_scan
+                made = make(name, (folder / name).read_bytes(), chance)
+                if made is None:
                     continue
-                if parent[path[-1]] == float(before):
-                    continue
+                chosen, before, mistake, after, content = made
                 (copy / name).unlink()
-                (copy / name).write_text(json.dumps(written))
+                (copy / name).write_bytes(content)
                 done, result = register(options.program, copy / "case.json", scratch / "out")
-                row = {"case": folder.name, "field": chosen, "mistake": mistake.__name__, "before": before, "after": after, "moved_px": "", "findings": ""}
+                row = {"case": folder.name, "field": chosen, "mistake": mistake, "before": before, "after": after, "moved_px": "", "findings": ""}
                 if result is None:
                     row["outcome"] = "refused" if done.returncode == 2 else f"ended with {done.returncode}"
                 else:

@@ -2,6 +2,8 @@
 # Tests under the sanitizers: of addresses and undefined behaviour, or of threads.
 #
 #     Utilities/sanitize.sh           the whole suite, in build/sanitize; hours on two cores
+#     Utilities/sanitize.sh libraries the whole suite, with the program and all libraries sanitized (build/sanitize-libraries) and the
+#                                     tests' own files as they are in build/test; an hour
 #     Utilities/sanitize.sh readers   the readers' and kernels' tests of build/test, every input that once failed and 30 s of
 #                                     mutants, with sanitized libraries of these (build/sanitize-readers); CI runs it
 #     Utilities/sanitize.sh threads   the tests of what works in threads, and a registration in four, of build/test under
@@ -9,7 +11,7 @@
 #
 # Exit code: 1 where there is a report or a test fails.
 set -euo pipefail
-[ "${1:-}" != --help ] || { sed -n '2,10s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
+[ "${1:-}" != --help ] || { sed -n '2,12s/^# \?//p' "${BASH_SOURCE[0]}"; exit 0; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
@@ -20,7 +22,7 @@ export LSAN_OPTIONS="suppressions=$PWD/Utilities/leak-suppressions.txt:print_sup
 
 status=0
 if [ "${1:-}" = threads ]; then
-  command -v valgrind >/dev/null || { echo "valgrind is missing: apt-get install valgrind" >&2; exit 2; }
+  command -v valgrind >/dev/null || Utilities/install-dependencies.sh threads
   tests=(
     # The first has a limit of processes, which helgrind's own threads take.
     "DentalCommon:ParallelFor.*-*WhereThreadsCannotBeStarted*"
@@ -43,27 +45,42 @@ if [ "${1:-}" = threads ]; then
   build/test/bin/dentalscr phantom --triangles 3000 --seed 1 --output "$folder/case" --quiet
   # 1 is a jaw that is not ok.
   watched build/test/bin/dentalscr register "$folder/case/case.json" --threads 4 --output "$folder/result" --quiet || [ $? -eq 1 ] || status=1
-elif [ "${1:-}" = readers ]; then
-  libraries=(DentalCommon Annotation Cephalogram MeshOpenMesh MeshVTK ContourMetric RegistrationCommon)
-  cmake --preset sanitize-readers >/dev/null
-  cmake --build --preset sanitize-readers --target "${libraries[@]}" dentalscr-decode
-  cmake --build --preset test --target "${libraries[@]/%/GTestDriver}" dentalscr dentalscr-fuzz
+elif [ "${1:-}" = readers ] || [ "${1:-}" = libraries ]; then
+  # Of a name that fuzz.sh, which gets it, has for nothing else.
+  sanitized_build="$PWD/build/sanitize-$1"
+  cmake --preset "sanitize-$1" >/dev/null
+  if [ "$1" = readers ]; then
+    libraries=(DentalCommon Annotation Cephalogram MeshOpenMesh MeshVTK ContourMetric RegistrationCommon)
+    cmake --build --preset sanitize-readers --target "${libraries[@]}" dentalscr-decode
+    cmake --build --preset test --target "${libraries[@]/%/GTestDriver}" dentalscr dentalscr-fuzz
+    drivers=("${libraries[@]/%/GTestDriver}")
+  else
+    cmake --build --preset sanitize-libraries
+    cmake --build --preset test
+    drivers=(build/test/bin/*GTestDriver)
+    drivers=("${drivers[@]##*/}")
+  fi
   # Tests of the release build, with these libraries in the place of its own: they are what is looked at, and tests take longer to compile
   # than they do. The sanitizers' own libraries have to be the first.
   preload="$(c++ -print-file-name=libasan.so):$(c++ -print-file-name=libubsan.so)"
-  sanitized() { env LD_PRELOAD="$preload" LD_LIBRARY_PATH="$PWD/build/sanitize-readers/lib" "$@"; }
-  export preload
+  sanitized() { env LD_PRELOAD="$preload" LD_LIBRARY_PATH="$sanitized_build/lib" "$@"; }
+  export preload sanitized_build
   export -f sanitized
-  loaded="$(LD_LIBRARY_PATH="$PWD/build/sanitize-readers/lib" ldd build/test/bin/AnnotationGTestDriver)"
-  [[ "$loaded" == *build/sanitize-readers/lib/libDentalSCRAnnotation* ]] || { echo "the sanitized libraries are not loaded" >&2; exit 2; }
-  for library in "${libraries[@]}"; do
+  loaded="$(LD_LIBRARY_PATH="$sanitized_build/lib" ldd build/test/bin/AnnotationGTestDriver)"
+  [[ "$loaded" == *"$sanitized_build"/lib/libDentalSCRAnnotation* ]] || { echo "the sanitized libraries are not loaded" >&2; exit 2; }
+  for driver in "${drivers[@]}"; do
     # The sanitizer takes the signal by which a decoder would end, and its memory beside each thread is more than a limit leaves.
-    sanitized "build/test/bin/${library}GTestDriver" --gtest_brief=1 \
+    sanitized "build/test/bin/$driver" --gtest_brief=1 \
       --gtest_filter=-DecoderProcess.DiesAloneAndIsToldByItsSignal:ParallelFor.WhereThreadsCannotBeStarted* || status=1
   done
-  # Three seconds for each reader that is in these libraries; the others are read by the release build alone.
-  FUZZ_RUNNER=sanitized Utilities/fuzz.sh 0.5 build/test \
-    archive cephalometric contours image labelmap landmarks2d landmarks3d mask scan session || status=1
+  if [ "$1" = readers ]; then
+    # Three seconds for each reader that is in these libraries; the others are read by the release build alone.
+    FUZZ_RUNNER=sanitized Utilities/fuzz.sh 0.5 build/test \
+      archive cephalometric contours image labelmap landmarks2d landmarks3d mask scan session || status=1
+  else
+    /usr/bin/python3 -m pytest -q -p no:cacheprovider Testing/CommandLine --build-dir "$sanitized_build" || status=1
+    FUZZ_RUNNER=sanitized Utilities/fuzz.sh 5 build/test || status=1
+  fi
 else
   cmake --preset sanitize >/dev/null
   cmake --build --preset sanitize

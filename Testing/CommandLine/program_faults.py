@@ -65,3 +65,20 @@ def measure(command, timeout=120, **keywords):
             stream.seek(0)
             texts.append(stream.read().decode(errors="replace"))
     return Measured(process.returncode, *texts, usage.ru_utime + usage.ru_stime, usage.ru_maxrss)
+
+
+# By these a user, a terminal or a system asks a program to end.
+ASKING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+def start_as_a_user_does(command):
+    """A program that heeds all signals, also where the tests were started in the background or with nohup, which has theirs
+    ignored. Its own session: what it starts can be told from what other tests have."""
+
+    def heed():
+        for number in ASKING:
+            signal.signal(number, signal.SIG_DFL)
+
+    return subprocess.Popen(
+        [*map(str, command)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True, preexec_fn=heed
+    )

@@ -1,7 +1,5 @@
-"""A batch that is killed at random moments, or meets the end of its disk at random places, and is started again: nothing is
-lost, nothing half written, nothing done twice. A few of each here; before a release
-
-    pytest Testing/CommandLine/test_interruptions.py --kills 200 --full-disks 50 -s
+"""A batch that is killed or asked to end at random moments, or meets the end of its disk at random places, and is started
+again: nothing is lost, nothing half written, nothing done twice. A few of each here; before a release Utilities/faults.sh.
 """
 import json
 import os
@@ -13,7 +11,7 @@ import time
 
 import pytest
 
-from program_faults import processes_of, wait_until
+from program_faults import ASKING, processes_of, start_as_a_user_does, wait_until
 from result_files import poses_of, rows_of
 
 FAST = ("--no-report", "--no-page", "--preset", "bounding-box", "--jobs", "2")
@@ -78,25 +76,33 @@ def check_end(output, whole, done, before):
     assert not list(output.rglob(".dentalscr-*")), list(output.rglob(".dentalscr-*"))
 
 
-def test_killed_at_random_moments(request, program, run, table, whole, tmp_path):
+def test_ended_at_random_moments(request, program, run, table, whole, tmp_path):
     kills = request.config.getoption("--kills")
     seed = int(time.time())
     chance = random.Random(seed)
     print(f"\nseed {seed}, {whole.seconds:.1f} s undisturbed", end="")
-    made = ends = kept = 0
+    made = asked = ends = kept = 0
     output, before = tmp_path / "0", {}
     command = ["batch", table, "--resume", *FAST]
     while made < kills:
-        process = subprocess.Popen(
-            [str(program), *map(str, command), "--output", str(output)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-            start_new_session=True,
-        )
+        process = start_as_a_user_does([program, *command, "--output", output])
+        number = signal.SIGKILL if chance.random() < 0.7 else chance.choice(ASKING)
         try:
             process.communicate(timeout=chance.uniform(0.0, 0.7 * whole.seconds))
             is_killed = False
         except subprocess.TimeoutExpired:
             is_killed = True
-        if is_killed:
+        if is_killed and number != signal.SIGKILL:
+            # It ends what it has started, and says so; before it looks out for signals it ends by them. Or it was done.
+            process.send_signal(number)
+            errors = process.communicate(timeout=120)[1]
+            assert process.returncode in (0, -number) or (process.returncode == 2 and "interrupted" in errors), (number, errors)
+            wait_until(lambda: not processes_of(output), "what it has started ends")
+            after = check(output, whole)
+            assert {name: after.get(name) for name in before} == before, "what was recorded is neither lost nor repeated"
+            asked += 1
+            before = after
+        elif is_killed:
             made += 1
             # What it has started ends by itself, or at once with it.
             started = [number for number in processes_of(output) if number != process.pid] if chance.random() < 0.5 else []
@@ -118,7 +124,7 @@ def test_killed_at_random_moments(request, program, run, table, whole, tmp_path)
             check_end(output, whole, run(*command, "--output", output), before)
             ends += 1
             output, before = tmp_path / str(ends), {}
-    print(f"; {made} kills, {ends} batches that came to their end, {kept} times a recorded case was found as it was", end="")
+    print(f"; {made} kills, {asked} asked to end, {ends} batches that came to their end, {kept} times a recorded case was found as it was", end="")
     assert ends > 0
 
 

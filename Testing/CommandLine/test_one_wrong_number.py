@@ -2,6 +2,7 @@
 import csv
 import json
 import pathlib
+import struct
 import subprocess
 import sys
 
@@ -39,3 +40,30 @@ def test_a_case_that_is_not_ok_as_it_is_ends_it(program, case, tmp_path):
     done = subprocess.run([sys.executable, str(SCRIPT), str(case.folder), "--program", str(program)], capture_output=True, text=True, timeout=600)
     assert done.returncode == 1 and "is not ok as it is" in done.stderr, done.stdout + done.stderr
     assert json.loads((case.folder / "case.json").read_text()) == content
+
+
+def test_a_corner_of_a_scan_that_lost_its_sign_is_told(run, case, tmp_path):
+    """It moved landmarks by 3 px, and both jaws were ok."""
+    scan = case.folder / "upper.stl"
+    content = bytearray(scan.read_bytes())
+    (triangles,) = struct.unpack_from("<I", content, 80)
+    places = [84 + 50 * t + 12 + 4 for t in range(triangles)]
+    at = max(places, key=lambda place: abs(struct.unpack_from("<f", content, place)[0]))
+    struct.pack_into("<f", content, at, -struct.unpack_from("<f", content, at)[0])
+    scan.write_bytes(content)
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    (finding,) = [finding for finding in result["jaws"]["upper"]["findings"] if finding["code"] == "spikes"]
+    assert finding["value"] > 20.0 and result["jaws"]["upper"]["status"] == "suspect", finding
+    assert "a point stands" in done.stdout + done.stderr
+    assert not [finding for finding in result["jaws"]["lower"]["findings"] if finding["code"] == "spikes"]
+
+
+def test_numbers_of_scans_are_mistaken_too(program, case, tmp_path):
+    table = tmp_path / "mistakes.csv"
+    call = [sys.executable, SCRIPT, case.folder, "--program", program, "--mistakes", 6, "--files", "upper.stl", "--csv", table]
+    done = subprocess.run([*map(str, call)], capture_output=True, text=True, timeout=600)
+    assert done.returncode == 0, done.stdout + done.stderr
+    with table.open() as file:
+        rows = list(csv.DictReader(file))
+    assert rows and {row["field"] for row in rows} <= {"scan.x", "scan.y", "scan.z"}

@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import pathlib
+import resource
 import shutil
 import signal
 import stat
@@ -30,6 +31,11 @@ def fails_in_words(done, *words):
     assert len(lines) == 1, done.stderr
     for word in words:
         assert word in lines[0], (word, lines[0])
+
+
+def files_of_at_most(size):
+    """For preexec_fn: as ulimit -f, a quota or a file system sets it."""
+    return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
 
 
 @pytest.fixture(scope="module")
@@ -71,6 +77,50 @@ def test_render_on_a_full_disk(run, sample, small_disk, extension):
     picture.write_text("mine")
     fails_in_words(run(*arguments, picture), picture.name, "No space left")
     assert picture.read_text() == "mine" and len(list(disk.iterdir())) == 1
+
+
+# A limit on the size of files is one on those in memory, into which libraries write that don't survive it: libpng freed twice.
+@pytest.mark.parametrize("extension", ["mha", "nrrd", "tif", "png", "jpg", "bmp"])
+def test_render_where_files_may_not_be_large(program, small_case, tmp_path, extension):
+    picture = tmp_path / f"drr.{extension}"
+    picture.write_text("mine")
+    command = [str(program), "render", "--case", str(small_case), "--output", str(picture)]
+    for size in (0, 1, 100, 5000, 20000):
+        done = subprocess.run(command, capture_output=True, text=True, preexec_fn=files_of_at_most(size))
+        fails_in_words(done, picture.name, "too large", "ulimit -f")
+        assert picture.read_text() == "mine" and len(list(tmp_path.iterdir())) == 1
+
+
+@pytest.mark.parametrize("verb", ["register", "phantom", "experiment", "report"])
+def test_folders_of_pictures_where_files_may_not_be_large(program, run, small_case, tmp_path, verb):
+    words = {
+        "register": (small_case, "--quiet"),
+        "phantom": ("--seed", 3, "--level", "ideal"),
+        "experiment": ("--cases", 1, "--methods", "bounding-box", "--quiet"),
+    }
+    if verb == "report":
+        done = run("register", *words["register"], "--no-report", "--output", tmp_path / "result")
+        assert done.returncode == 0, done.stderr
+        command = [str(program), "report", str(tmp_path / "result"), "--output", str(tmp_path / "page.html")]
+    else:
+        command = [str(program), verb, *map(str, words[verb]), "--output", str(tmp_path / "out")]
+    before = digests(tmp_path)
+    codes = []
+    for size in (10, 1000, 30000, 100000, 300000):
+        done = subprocess.run(command, capture_output=True, text=True, preexec_fn=files_of_at_most(size))
+        codes.append(done.returncode)
+        if done.returncode not in (0, 1):
+            assert done.returncode == 2 and "ulimit -f" in done.stderr, (size, done.returncode, done.stderr)
+            if verb != "experiment":
+                assert digests(tmp_path) == before, size
+    assert codes[:2] == [2, 2], codes
+
+
+def test_a_radiograph_that_is_longer_than_files_may_be_is_told_so(program, sample, tmp_path):
+    command = [str(program), "register", str(sample / "case.json"), "--quiet", "--output", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, preexec_fn=files_of_at_most(20000))
+    fails_in_words(done, "ceph.png", "cannot be read", "ulimit -f")
+    assert "damaged" not in done.stderr
 
 
 @pytest.mark.parametrize("extension", ["mha", "nrrd", "tif", "png", "jpg", "bmp"])

@@ -86,20 +86,15 @@ public:
   std::string
   Clean(std::string text) const
   {
-    std::array<std::pair<std::string, const char *>, 2> names{ { { m_Contours, "contours" },
-                                                                 { m_Landmarks, "landmarks" } } };
-    // One may be the beginning of the other.
-    if (names[0].first.size() < names[1].first.size())
+    const std::string folder = "/proc/self/fd/";
+    for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
     {
-      std::swap(names[0], names[1]);
-    }
-    for (const auto & [file, name] : names)
-    {
-      for (std::size_t at = file.empty() ? std::string::npos : text.find(file); at != std::string::npos;
-           at = text.find(file))
-      {
-        text.replace(at, file.size(), name);
-      }
+      // The whole number: the name of one file may be the beginning of the other one's.
+      const std::size_t end = std::min(text.find_first_not_of("0123456789", at + folder.size()), text.size());
+      const std::string file = text.substr(at, end - at);
+      const std::string name = file == m_Contours ? "contours" : file == m_Landmarks ? "landmarks" : file;
+      text.replace(at, file.size(), name);
+      at += name.size();
     }
     return text;
   }

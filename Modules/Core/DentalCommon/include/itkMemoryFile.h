@@ -20,6 +20,7 @@
 
 #include "DentalCommonExport.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -65,6 +66,10 @@ public:
   /** All that was written. */
   std::string
   GetContent() const;
+
+  /** The longest file in bytes that this process may write (RLIMIT_FSIZE), in memory as on a disk. */
+  static std::uintmax_t
+  GetLargestSize();
 
 private:
   std::string m_Name;

@@ -18,6 +18,7 @@
 #ifndef itkWriteThroughMemory_h
 #define itkWriteThroughMemory_h
 
+#include "itkDentalInputError.h"
 #include "itkMemoryFile.h"
 #include "itkOutputFile.h"
 
@@ -26,7 +27,9 @@
 namespace itk
 {
 /** Has a writer of ITK's write its file to memory, and brings that to the disk whole or not at all (OutputFile). Image
- * libraries don't survive a full disk: libpng ends the process, others leave a file that is cut off.
+ * libraries don't survive a full disk: libpng ends the process, others leave a file that is cut off. In memory alone
+ * the process's own limit on the size of files can stop them, and so the largest file that the image can become has to
+ * be within it; what is packed and would be shorter isn't tried.
  *
  * \param writer    has its input, and its ImageIO unless that is chosen by the name; the name of its file is set here
  * \param extension what the name in memory ends with, ".mha", where the format is told by it
@@ -36,6 +39,19 @@ template <typename TWriter>
 void
 WriteThroughMemory(TWriter * writer, const std::string & fileName, const std::string & extension = {})
 {
+  using ImageType = typename TWriter::InputImageType;
+  auto * const image = const_cast<ImageType *>(writer->GetInput());
+  image->UpdateOutputInformation();
+  const auto           size = image->GetLargestPossibleRegion().GetSize();
+  const std::uintmax_t bytes = static_cast<std::uintmax_t>(size[0]) * size[1] * sizeof(typename ImageType::PixelType);
+  // Noise gets longer by packing, rows have a word of their own, and there is a header.
+  if (bytes + bytes / 4 + 16 * size[1] + 65536 > MemoryFile::GetLargestSize())
+  {
+    itkDentalInputErrorMacro(fileName,
+                             "",
+                             "cannot be written: File too large: an image of " + std::to_string(bytes) + " bytes",
+                             "raise the limit on the size of files (ulimit -f)");
+  }
   const MemoryFile memory(extension);
   writer->SetFileName(memory.GetName());
   writer->Update();

@@ -23,8 +23,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -88,6 +90,14 @@ MemoryFile::SetContent(std::string_view content)
     itkGenericExceptionMacro("There is no memory for a file of " << content.size()
                                                                  << " bytes: " << std::strerror(errno));
   }
+}
+
+std::uintmax_t
+MemoryFile::GetLargestSize()
+{
+  ::rlimit   limit{};
+  const bool isLimited = ::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return isLimited ? limit.rlim_cur : std::numeric_limits<std::uintmax_t>::max();
 }
 
 std::string

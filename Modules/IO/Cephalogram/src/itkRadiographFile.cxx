@@ -164,6 +164,13 @@ RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette
     std::string bytes = ReadRadiographBytes(fileName);
     m_Format = DetectRadiographFileFormat(fileName, bytes);
     VerifyRadiographFileIsComplete(fileName, bytes, m_Format, CephalogramFileReader::MaximumNumberOfPixels);
+    if (bytes.size() > MemoryFile::GetLargestSize())
+    {
+      itkDentalInputErrorMacro(fileName,
+                               "",
+                               "cannot be read: it is longer than a file of this process may be, in memory, too",
+                               "raise the limit on the size of files (ulimit -f)");
+    }
     CallRadiographImageIO(fileName, ToString(m_Format), [&] {
       m_Memory.SetContent(bytes);
       this->ReadInformation(bytes, palette);

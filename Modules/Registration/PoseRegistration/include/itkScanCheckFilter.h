@@ -34,7 +34,8 @@ namespace itk
 {
 /** \class ScanCheckFilter
  * \brief What can be said of the scans before anything is registered: a wrong unit, two jaws in one file, a quadrant,
- * exchanged jaws, a mirrored scan, landmarks that lie elsewhere, a dental axis that is unsure.
+ * exchanged jaws, a mirrored scan, single points that stand out of it, landmarks that lie elsewhere, a dental axis that
+ * is unsure.
  *
  * Inputs: one or two scans (mm), everything that UMidlineDentalAxisFilter found of them (GetFrameOutput()), and, where
  * there are some, landmarks of the scans in the meshes' frames (MillimetresPerUnit says in what unit; 1: mm). Outputs:
@@ -43,7 +44,7 @@ namespace itk
  *
  * Specks in the air and points that no triangle has are not the scan: nothing is measured of them. Landmarks are judged
  * one by one, since a file of which a third is wrong is right in the median. Codes: \c same-scan, \c both-jaws, \c
- * partial-arch, \c arch-width, \c no-arch, \c unsure-axis, \c inward-winding, \c sides-exchanged, \c
+ * spikes, \c partial-arch, \c arch-width, \c no-arch, \c unsure-axis, \c inward-winding, \c sides-exchanged, \c
  * jaws-exchanged, \c landmarks-off-scan, \c landmarks-coincide (Documentation/Findings.md).
  *
  * \ingroup PoseRegistration

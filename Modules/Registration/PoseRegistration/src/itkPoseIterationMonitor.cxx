@@ -46,18 +46,19 @@ PoseIterationMonitor::IsAborted()
 void
 PoseIterationMonitor::Post(const PoseRegistrationIteration & iteration)
 {
+  const bool isOwner = std::this_thread::get_id() == m_Owner;
   if (m_Handler)
   {
     const std::lock_guard<std::mutex> lock(m_Mutex);
     m_Queue.push_back(iteration);
+    if (!isOwner)
+    {
+      m_Arrived.notify_one();
+    }
   }
-  if (std::this_thread::get_id() == m_Owner)
+  if (isOwner)
   {
     this->Drain();
-  }
-  else
-  {
-    m_Arrived.notify_one();
   }
 }
 

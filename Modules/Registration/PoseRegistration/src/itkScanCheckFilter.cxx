@@ -23,6 +23,7 @@
 #include "itkMillimetresPerUnit.h"
 #include "itkRegistrationVerdict.h"
 #include "itkSurfaceParts.h"
+#include "itkSurfaceSpikes.h"
 
 #include "vnl/algo/vnl_symmetric_eigensystem.h"
 
@@ -86,6 +87,10 @@ constexpr double ProbablyExchanged = 0.5;
 /** Confidence in a dental axis below which it is doubted: the middle of its range from 0 to 1 (Documentation/UMDA.md).
  */
 constexpr double UnsureAxis = 0.5;
+
+/** A point that stands by itself this far out of a scan, mm, is none of a jaw: no cusp, bracket or wire ends in a point
+ * that is so far from the next one. At three times this length it shifts landmarks by a pixel. */
+constexpr double LongestSpike = 5.0;
 
 /** Three digits: what a person reads. */
 std::string
@@ -214,6 +219,29 @@ CheckBothJaws(Scan & scan)
              "both-jaws",
              "the scan seems to hold both jaws, two shells that face each other: export each jaw by itself");
   }
+}
+
+/** Points that stand out of the scan, each by itself: the outline runs to their ends, and so do boxes and lengths. */
+void
+CheckSpikes(Scan & scan)
+{
+  const auto spikes = FindSurfaceSpikes(scan.surface, scan.parts->GetWeldedPoints(), LongestSpike);
+  if (spikes.empty())
+  {
+    return;
+  }
+  const auto longest = std::max_element(
+    spikes.begin(), spikes.end(), [](const SurfaceSpike & a, const SurfaceSpike & b) { return a.length < b.length; });
+  const bool isOne = spikes.size() == 1;
+  scan.Add(Suspect,
+           "spikes",
+           (isOne ? "a point stands " : std::to_string(spikes.size()) + " points stand up to ") +
+             Number(longest->length) + " mm out of the scan, " + (isOne ? "by itself" : "each by itself") +
+             ": a wrong number in the file, or what the scanner saw beside the teeth? Delete " +
+             (isOne ? "it" : "them"),
+           longest->length,
+           LongestSpike,
+           "mm");
 }
 
 /** Whether the scan is as large as a whole arch. */
@@ -692,6 +720,7 @@ ScanCheckFilter::GenerateData()
     if (scan.IsThere())
     {
       CheckBothJaws(scan);
+      CheckSpikes(scan);
       CheckSize(scan, m_MillimetresPerUnit);
     }
     if (scan.IsThere() && scan.frame->valid)

@@ -29,6 +29,7 @@ namespace
 const std::array<const char *, 20> Causes{ { "no-arch",
                                              "same-scan",
                                              "both-jaws",
+                                             "spikes",
                                              "partial-arch",
                                              "arch-width",
                                              "jaws-exchanged",

@@ -334,6 +334,22 @@ TEST(ScanCheckFilter, FindsBothJawsInOneScan)
   EXPECT_EQ(std::count(codes.begin(), codes.end(), "both-jaws"), 1);
 }
 
+TEST(ScanCheckFilter, FindsAPointThatStandsOut)
+{
+  Scans scans;
+  // In the file of the lower scan one number lost its sign.
+  const auto last = scans.meshes[1]->GetNumberOfPoints() / 2;
+  scans.meshes[1] = Copy(scans.meshes[1], [&, id = itk::IdentifierType{ 0 }](PointType point) mutable {
+    point[2] += id++ == last ? 30.0F : 0.0F;
+    return point;
+  });
+  const auto check = scans.Check();
+  const auto codes = CodesOf(check, JawEnum::Lower);
+  EXPECT_EQ(std::count(codes.begin(), codes.end(), "spikes"), 1);
+  const auto others = CodesOf(check, JawEnum::Upper);
+  EXPECT_EQ(std::count(others.begin(), others.end(), "spikes"), 0);
+}
+
 TEST(ScanCheckFilter, FindsAQuadrant)
 {
   Scans scans;

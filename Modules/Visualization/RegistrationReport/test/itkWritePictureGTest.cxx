@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkWritePicture.h"
 
+#include "itkDentalInputError.h"
 #include "itkImageFileReader.h"
 #include "itkPNGImageIO.h"
 
@@ -24,6 +25,8 @@
 
 #include <filesystem>
 #include <fstream>
+
+#include <sys/resource.h>
 
 namespace
 {
@@ -141,4 +144,31 @@ TEST(WritePicture, FailureKeepsTheFormerFile)
 TEST(WritePicture, RefusesAnEmptyName)
 {
   EXPECT_THROW(itk::WritePicture(MakePicture(1), ""), itk::ExceptionObject);
+}
+
+TEST(WritePicture, IsRefusedWhereFilesMayNotBeAsLarge)
+{
+  const auto folder = MakeFolder("Limit");
+  const auto file = folder / "overlay.png";
+  itk::WritePicture(MakePicture(9), file.string());
+  // No handler of SIGXFSZ: nobody asks a user of the library for one, and libpng must not come to the limit at all.
+  ::rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  ::rlimit small = before;
+  small.rlim_cur = 100;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  std::string said;
+  try
+  {
+    itk::WritePicture(MakePicture(1), file.string());
+  }
+  catch (const itk::DentalInputError & error)
+  {
+    said = error.GetDescription();
+  }
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_NE(said.find(file.string()), std::string::npos) << said;
+  EXPECT_NE(said.find("ulimit -f"), std::string::npos) << said;
+  EXPECT_EQ(Read(file)->GetPixel({ { 0, 0 } })[0], 9);
+  EXPECT_EQ(CountFiles(folder), 1u);
 }
