@@ -23,6 +23,13 @@ endif()
 find_program(DENTALSCR_CCACHE ccache)
 if(DENTALSCR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${DENTALSCR_CCACHE}")
+  if(SKBUILD AND NOT DEFINED ENV{CCACHE_BASEDIR})
+    # pip builds in a folder of another name each time, FOLDER/NAME/build: by paths relative to it the objects are found again.
+    cmake_path(GET PROJECT_BINARY_DIR PARENT_PATH _dentalscr_temporary)
+    cmake_path(GET _dentalscr_temporary PARENT_PATH _dentalscr_temporary)
+    list(PREPEND CMAKE_CXX_COMPILER_LAUNCHER
+      "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${_dentalscr_temporary}" CCACHE_NOHASHDIR=1)
+  endif()
 endif()
 
 # With CMAKE_UNITY_BUILD a library's sources are compiled a dozen at a time, so that ITK's headers are read once for all of them:

@@ -5,6 +5,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import tomllib
 
@@ -71,6 +72,36 @@ def test_pip_builds_in_a_folder_of_its_own_and_ends_at_no_warning():
     settings = tomllib.loads((HERE.parent.parent / "pyproject.toml").read_text())["tool"]["scikit-build"]
     assert "build-dir" not in settings
     assert settings["cmake"]["define"]["DENTALSCR_WARNINGS_AS_ERRORS"] == "OFF"
+
+
+@pytest.mark.skipif(shutil.which("ccache") is None, reason="without ccache nothing is found again")
+def test_pip_finds_its_objects_again_in_a_folder_of_another_name(tmp_path):
+    """What `pip install .` compiled is taken from the compiler cache, though both its folders have new names each time."""
+    source = tmp_path / "source"
+    source.mkdir()
+    (source / "part.cxx").write_text('#include "generated.h"\nint Part() { return GENERATED; }\n')
+    (source / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(Trial LANGUAGES CXX)\n"
+        f'include("{HERE.parent.parent}/CMake/DentalSCRBuildSettings.cmake")\n'
+        'file(WRITE "${PROJECT_BINARY_DIR}/include/generated.h" "#define GENERATED 1\\n")\n'
+        "add_library(part STATIC part.cxx)\n"
+        'target_include_directories(part PRIVATE "${PROJECT_BINARY_DIR}/include")\ndentalscr_target_settings(part)\n'
+    )
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("CCACHE_")}
+    environment["CCACHE_DIR"] = str(tmp_path / "cache")
+    for name in ("a9x2", "k3f7"):
+        build = tmp_path / name / "build"
+        for command in (
+            ["cmake", "-S", source, "-B", build, "-G", "Ninja", "-DSKBUILD=2", "-DCMAKE_UNITY_BUILD=ON"],
+            ["cmake", "--build", build],
+        ):
+            subprocess.run(command, env=environment, capture_output=True, check=True, timeout=300)
+    said = subprocess.run(
+        ["ccache", "--print-stats"], env=environment, capture_output=True, text=True, check=True
+    ).stdout
+    counts = dict(line.split("\t") for line in said.splitlines())
+    assert int(counts["cache_miss"]) == 1
+    assert int(counts["direct_cache_hit"]) + int(counts["preprocessed_cache_hit"]) == 1
 
 
 def test_config_names_no_path_of_the_build(prefix, build_dir):
