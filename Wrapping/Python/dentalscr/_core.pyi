@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MetricJoins', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'ToothOutlineErrors', 'ToothOutlinePoseMetricv4', 'TracedSide', 'TracedSideFilter', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'ViewPoseMetricv4', 'ViewVerdictThresholds', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MetricJoins', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PictureCheckFilter', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'ToothOutlineErrors', 'ToothOutlinePoseMetricv4', 'TracedSide', 'TracedSideFilter', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'ViewPoseMetricv4', 'ViewVerdictThresholds', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -6442,12 +6442,44 @@ class RegistrationVerdictThresholds:
     def borneOutCost(self, arg0: float) -> None:
         ...
     @property
+    def borneOutInlierShare(self) -> float:
+        """
+        Share of its points within 4 pixels of 0.25 mm from which on it may, 0 to 1.
+        """
+    @borneOutInlierShare.setter
+    def borneOutInlierShare(self, arg0: float) -> None:
+        ...
+    @property
     def borneOutMargin(self) -> float:
         """
         Margin from which on it does.
         """
     @borneOutMargin.setter
     def borneOutMargin(self, arg0: float) -> None:
+        ...
+    @property
+    def borneOutOtherCost(self) -> float:
+        """
+        Cost up to which the other jaw's tracing does.
+        """
+    @borneOutOtherCost.setter
+    def borneOutOtherCost(self, arg0: float) -> None:
+        ...
+    @property
+    def borneOutPoorCost(self) -> float:
+        """
+        Cost up to which a tracing may fit poorly where the other jaw's bears the pose out.
+        """
+    @borneOutPoorCost.setter
+    def borneOutPoorCost(self, arg0: float) -> None:
+        ...
+    @property
+    def borneOutSmoothSigma(self) -> float:
+        """
+        Drift of both up to which it does, pixels of 0.25 mm, 1 sd.
+        """
+    @borneOutSmoothSigma.setter
+    def borneOutSmoothSigma(self, arg0: float) -> None:
         ...
     @property
     def failedCost(self) -> float:
@@ -6642,6 +6674,14 @@ class RegistrationVerdictThresholds:
     def suspectOtherSideDeviance(self, arg0: float) -> None:
         ...
     @property
+    def suspectOutlineRatio(self) -> float:
+        """
+        Root mean square of what the pose leaves free of the outlines' shifts above which they contradict each other, where they alone place it, standard deviations.
+        """
+    @suspectOutlineRatio.setter
+    def suspectOutlineRatio(self, arg0: float) -> None:
+        ...
+    @property
     def suspectP90(self) -> float:
         """
         90 % quantile of the distances above which a jaw is suspect, pixels of 0.25 mm.
@@ -6826,6 +6866,26 @@ class ScanCheckFilter(ProcessObject):
     def _SetLowerMesh(self, mesh: Mesh | None) -> None:
         ...
     def _SetUpperMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def __init__(self) -> None:
+        ...
+class PictureCheckFilter(ProcessObject):
+    """
+    Whether a radiograph is the one that was drawn on, as far as its grey values tell.
+    """
+    def GetNotCheckable(self) -> list[str]:
+        """
+        What the data could not tell, as sentences.
+        """
+    def _GetFindings(self) -> list[typing.Any]:
+        ...
+    def _SetGeometry(self, geometry: CephalometricGeometry | None) -> None:
+        ...
+    def _SetLowerContour(self, contour: Contour | None) -> None:
+        ...
+    def _SetRadiograph(self, radiograph: Image | None) -> None:
+        ...
+    def _SetUpperContour(self, contour: Contour | None) -> None:
         ...
     def __init__(self) -> None:
         ...
@@ -7335,7 +7395,7 @@ class RegistrationOverlayFilter(ProcessObject):
         ...
 class PhantomCohort:
     """
-    How well a simulated case is taken and traced.
+    The level of a simulated case: how well it is taken and traced, and the arches that it is of.
 
     Members:
 
@@ -7344,9 +7404,21 @@ class PhantomCohort:
       Typical
 
       Hard
+
+      Real
+
+      RealHard
+
+      Standard
+
+      Practice
     """
     Hard: typing.ClassVar[PhantomCohort]
     Ideal: typing.ClassVar[PhantomCohort]
+    Practice: typing.ClassVar[PhantomCohort]
+    Real: typing.ClassVar[PhantomCohort]
+    RealHard: typing.ClassVar[PhantomCohort]
+    Standard: typing.ClassVar[PhantomCohort]
     Typical: typing.ClassVar[PhantomCohort]
     __members__: typing.ClassVar[dict[str, PhantomCohort]]
     def __eq__(self, other: typing.Any) -> bool:
@@ -7820,6 +7892,8 @@ class DentalPhantomCaseSource(ProcessObject):
         """
         The same as SetStoneBase(True). It sets whether the scans are closed casts with bases instead of open shells. Off by default.
         """
+    def _GetCephalometricLandmarks(self) -> typing.Any:
+        ...
     def _GetLandmarks2D(self, arg0: Jaw | str) -> dict[str, typing.Any]:
         ...
     def _GetLandmarks3D(self, arg0: Jaw | str) -> dict[str, typing.Any]:

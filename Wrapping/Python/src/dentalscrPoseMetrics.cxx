@@ -25,6 +25,8 @@
 #include "itkPoseStateBlocks.h"
 #include "itkRegistrationIterationCommand.h"
 #include "itkSquaresKernel.h"
+#include "itkToothCode.h"
+#include "itkTracedSide.h"
 
 #include <limits>
 #include <sstream>
