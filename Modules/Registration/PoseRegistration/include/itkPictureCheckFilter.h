@@ -71,15 +71,19 @@ public:
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
 
+  /** The picture, grey values of any range; none leaves the question open. */
   itkSetInputMacro(Radiograph, ImageType);
   itkGetInputMacro(Radiograph, ImageType);
+  /** What was drawn of each jaw, continuous pixel indices of the picture; either may be missing. */
   itkSetInputMacro(UpperContour, DentalContour);
   itkGetInputMacro(UpperContour, DentalContour);
   itkSetInputMacro(LowerContour, DentalContour);
   itkGetInputMacro(LowerContour, DentalContour);
+  /** Its pixel spacing, mm. */
   itkSetInputMacro(Geometry, CephalometricGeometry);
   itkGetInputMacro(Geometry, CephalometricGeometry);
 
+  /** What was found, as a data object downstream; empty where nothing is doubted. */
   DecoratedFindingsType *
   GetFindingsOutput();
   /** Valid after Update(). */
