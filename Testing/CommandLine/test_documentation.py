@@ -104,6 +104,21 @@ def test_every_finding_is_listed():
         assert set(re.findall(r"suspect|failed", severity)) == severities[code], code
 
 
+def test_limits_of_a_principal_point_are_those_of_the_code():
+    source = (ROOT / "Modules/Application/CaseRegistration/src/itkPrincipalPointCheck.cxx").read_text()
+    limits = dict(re.findall(r"constexpr double (\w+) = (-?[0-9.]+);", source))
+    (row,) = re.findall(r"^\| `principal-point` \| .*$", (ROOT / "Documentation/Findings.md").read_text(), re.M)
+    for name, words in (
+        ("FarthestDistance", "more than {:g} mm from"),
+        ("NearDistance", "from {:g} mm on"),
+        ("SteepestDirection", "more than {:g}° below"),
+        ("SteepestToOcclusal", "({:g}° against the occlusal plane)"),
+        ("HighestDirection", "or {:g}° above"),
+        ("HighestToOcclusal", "above it ({:g}°)"),
+    ):
+        assert words.format(abs(float(limits[name]))) in row, name
+
+
 def test_every_option_is_listed_with_its_default():
     module = ROOT / "Modules/Registration/PoseRegistration"
     table = (module / "src/itkPoseRegistrationOptionTable.cxx").read_text()

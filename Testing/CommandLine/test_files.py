@@ -469,6 +469,18 @@ def test_numbers_that_no_radiograph_has_are_warned_of(run, case, tmp_path):
     assert "no squares" in done.stderr and "lies outside the radiograph" in done.stderr, done.stderr
 
 
+def test_a_case_that_was_written_on_windows_parts_folders_by_backslashes(run, case, tmp_path, landmarks):
+    (case.folder / "scans").mkdir()
+    (case.folder / "upper.stl").rename(case.folder / "scans" / "upper.stl")
+    case.change(upper="scans\\upper.stl")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    assert difference(landmarks, json.loads((tmp_path / "out" / "result.json").read_text())) == 0.0
+    case.change(upper="scans\\lower.stl")
+    done = run("register", case.file, "--output", tmp_path / "no", "--no-report")
+    assert done.returncode == 2 and 'there is no file "scans\\lower.stl"' in done.stderr, done.stderr
+
+
 def test_bytes_behind_a_binary_stl_are_left_alone_and_named(run, case, tmp_path, landmarks):
     path = case.folder / "upper.stl"
     path.write_bytes(path.read_bytes() + b"COLOR=\x01\x02")

@@ -374,7 +374,8 @@ def test_a_result_is_gone_on_from_on_disk_and_in_memory(ds, sample, result, tmp_
     for other in again.values():
         assert other.to_dict()["control"] == {"exclude": ["UR6", "LR6"], "init": True}
         assert any("not searched beside a given start" in line for line in other.to_dict()["not_checkable"])
-        assert 0.01 < moved(result, other) < 3.0
+        # The farthest are molars of the side that was not traced.
+        assert 0.01 < moved(result, other) < 8.0
         assert moved(again["disk"], other) == 0.0
     # What it was told holds on; an empty list takes it back, and so it is where it was.
     third = ds.register_from(again["memory"], fix=["scale"], output=tmp_path / "third")
@@ -382,7 +383,8 @@ def test_a_result_is_gone_on_from_on_disk_and_in_memory(ds, sample, result, tmp_
     for first in (third, tmp_path / "third"):
         freed = ds.register_from(first, exclude=[], fix=[])
         assert freed.to_dict()["control"] == {"init": True}
-        assert moved(result, freed) < 0.05
+        # Given back, the teeth leave no trace.
+        assert moved(result, freed) < 0.02
 
 
 def test_a_case_in_memory_is_gone_on_with_and_may_be_corrected(ds, sample, case):
@@ -407,7 +409,7 @@ def test_a_start_without_a_pixel_spacing_is_the_estimate(ds, sample, case):
     again = ds.register_from(first, exclude=["UR6"])
     assert not any("is not used" in line for line in again.warnings)
     assert again.to_dict()["geometry"]["pixel_spacing_mm"] == first.to_dict()["geometry"]["pixel_spacing_mm"]
-    assert 0.001 < moved(first, again) < 4.0
+    assert 0.001 < moved(first, again) < 8.0
 
 
 def test_what_cannot_be_gone_on_from_is_said(ds, sample, result, tmp_path):

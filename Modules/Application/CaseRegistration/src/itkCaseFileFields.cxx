@@ -19,6 +19,7 @@
 
 #include "itkCephalometricLandmarkFileReader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -39,8 +40,16 @@ FindFile(const JsonNode & root, const std::string & key, const fs::path & direct
   {
     node->Fail("empty path", "name the file or leave the field out");
   }
-  const fs::path  path = directory / fs::u8path(text);
+  fs::path        path = directory / fs::u8path(text);
   std::error_code ignored;
+  if (!fs::exists(path, ignored) && text.find('\\') != std::string::npos)
+  {
+    // A case that was written on Windows parts folders so; elsewhere the sign is a letter like any other.
+    std::string slashed = text;
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    const fs::path other = directory / fs::u8path(slashed);
+    path = fs::exists(other, ignored) ? other : path;
+  }
   if (fs::is_directory(path, ignored))
   {
     node->Fail("\"" + text + "\" is a folder", "name a file");
