@@ -55,7 +55,8 @@ endfunction()
 
 # Applied to every target of ours, not to what is found: dentalscr_target_settings(<target>).
 function(dentalscr_target_settings target)
-  if(CMAKE_UNITY_BUILD)
+  get_target_property(unity ${target} UNITY_BUILD)
+  if(unity)
     _dentalscr_keep_apart(${target})
   endif()
   # ITK's macros end in stray semicolons: no -Wpedantic.

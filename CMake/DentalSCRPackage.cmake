@@ -45,7 +45,14 @@ set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "aligns intraoral scans with a cephalometri
 
 # The loader's list of libraries is made anew once, after all packages.
 file(WRITE "${PROJECT_BINARY_DIR}/triggers" "activate-noawait ldconfig\n")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/triggers")
+# Where root runs the modules for 3D Slicer, Python keeps beside them what it has compiled, and no package knows of these files.
+file(WRITE "${PROJECT_BINARY_DIR}/prerm" "#!/bin/sh
+set -e
+rm -rf ${CMAKE_INSTALL_PREFIX}/share/dentalscr/slicer/__pycache__ ${CMAKE_INSTALL_PREFIX}/share/dentalscr/slicer/DentalSCRLib/__pycache__
+")
+file(CHMOD "${PROJECT_BINARY_DIR}/prerm" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+  WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/triggers;${PROJECT_BINARY_DIR}/prerm")
 set(CPACK_DEBIAN_VIEW_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/triggers")
 
 set(CPACK_DEBIAN_VIEW_PACKAGE_NAME dentalscr-view)

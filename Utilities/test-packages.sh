@@ -25,6 +25,7 @@ if [ ! -f $base ]; then
   rm -rf build/roots/base
   debootstrap --variant=minbase --include=python3,python3-venv bookworm build/roots/base > build/roots/debootstrap.log
   # It gets packages from where this machine gets them.
+  rm -rf build/roots/base/etc/apt/sources.list
   for part in sources.list sources.list.d apt.conf.d keyrings trusted.gpg.d; do
     [ ! -e /etc/apt/$part ] || cp -a /etc/apt/$part build/roots/base/etc/apt/
   done

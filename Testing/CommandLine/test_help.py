@@ -75,3 +75,18 @@ def test_options_are_named_alike_in_all_verbs(run):
             assert option["type"] != "TEXT", f"{verb['name']} --{name}"
     assert {name for name in SAME_TYPE if len(types[name]) != 1} == set()
     assert NAMES == set(types)
+
+
+@pytest.mark.parametrize("words, said", [
+    ("", "name a verb, such as register; see dentalscr --help"),
+    ("regster case.json", 'there is no verb "regster"; see dentalscr --help'),
+    ("register case.json --outptu result", 'there is no option "--outptu"; see dentalscr register --help'),
+    ("register case.json", "--output is required; see dentalscr register --help"),
+    ("register case.json --output result --frobnicate", "--frobnicate; see dentalscr register --help"),
+    ("phantom --level weird --output case", "practice}; see dentalscr phantom --help"),
+])
+def test_mistaken_words_are_named_with_the_help_to_read(run, tmp_path, words, said):
+    done = run(*words.split(), cwd=tmp_path)
+    assert done.returncode == 2
+    assert said in done.stderr, done.stderr
+    assert not list(tmp_path.iterdir())

@@ -18,15 +18,10 @@
 #include "dentalscrBinding.h"
 
 #include "dentalscrCommands.h"
+#include "dentalscrRegisterImageFormats.h"
 
-#include "itkBMPImageIOFactory.h"
 #include "itkDentalSCRVersion.h"
-#include "itkJPEGImageIOFactory.h"
-#include "itkMetaImageIOFactory.h"
-#include "itkNrrdImageIOFactory.h"
 #include "itkOpenMeshMeshIOFactory.h"
-#include "itkPNGImageIOFactory.h"
-#include "itkTIFFImageIOFactory.h"
 #include "itkTxtTransformIOFactory.h"
 #include "itkVersion.h"
 
@@ -47,12 +42,7 @@ PYBIND11_MODULE(_core, module)
   module.doc() = "The compiled part of dentalscr.";
   itk::RegisterOpenMeshMeshIOFactories();
   itk::TxtTransformIOFactory::RegisterOneFactory();
-  itk::PNGImageIOFactory::RegisterOneFactory();
-  itk::TIFFImageIOFactory::RegisterOneFactory();
-  itk::MetaImageIOFactory::RegisterOneFactory();
-  itk::NrrdImageIOFactory::RegisterOneFactory();
-  itk::BMPImageIOFactory::RegisterOneFactory();
-  itk::JPEGImageIOFactory::RegisterOneFactory();
+  RegisterImageFormats();
 
   module.attr("__version__") = itk::DentalSCRVersion;
   module.attr("ITK_VERSION") = itk::Version::GetITKVersion();

@@ -18,16 +18,7 @@
 #ifndef dentalscrImageFormats_h
 #define dentalscrImageFormats_h
 
-namespace dentalscr
-{
-/** Lets ITK write PNG, TIFF, MetaImage, NRRD, BMP and JPEG files. Their libraries are loaded by the first call, since
- * the verb render alone writes images by their extension. Throws an itk::ExceptionObject where they cannot be loaded.
- */
-void
-RegisterImageFormats();
-} // namespace dentalscr
-
-/** RegisterImageFormats() of the part that links the formats. */
+/** RegisterImageFormats() of dentalscrRegisterImageFormats.h in the part that links the formats. */
 extern "C" __attribute__((visibility("default"))) void
 DentalSCRRegisterImageFormats();
 

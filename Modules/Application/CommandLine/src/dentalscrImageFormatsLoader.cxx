@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "dentalscrRegisterImageFormats.h"
 #include "dentalscrImageFormats.h"
 
 #ifdef DENTALSCR_FORMATS_LIBRARY

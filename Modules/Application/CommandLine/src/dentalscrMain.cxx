@@ -87,6 +87,31 @@ AddSelfDescription(CLI::App & program)
     ->group(SelfGroup);
 }
 
+/** What is wrong with the words of a call, and whose help to read. */
+std::string
+DescribeMistake(const CLI::App & program, const CLI::ParseError & error)
+{
+  const auto        chosen = program.get_subcommands();
+  const std::string name = chosen.empty() ? program.get_name() : program.get_name() + ' ' + chosen.front()->get_name();
+  const std::string help = "; see " + name + " --help";
+  if (dynamic_cast<const CLI::RequiredError *>(&error) != nullptr)
+  {
+    if (chosen.empty())
+    {
+      return "name a verb, such as register" + help;
+    }
+    // The parser looks for what is missing first: of a misspelt option it would say that it is required.
+    for (const std::string & word : program.remaining(true))
+    {
+      if (word.size() > 1 && word[0] == '-')
+      {
+        return "there is no option \"" + word + '"' + help;
+      }
+    }
+  }
+  return error.what() + help;
+}
+
 int
 Run(int argc, const char * const * argv)
 {
@@ -162,7 +187,7 @@ Run(int argc, const char * const * argv)
     {
       return program.exit(error);
     }
-    return Fail(std::string(error.what()) + "; see dentalscr --help");
+    return Fail(DescribeMistake(program, error));
   }
 
   common.commandLine = arguments;

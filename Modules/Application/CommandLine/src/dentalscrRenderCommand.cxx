@@ -16,7 +16,7 @@
  *
  *=========================================================================*/
 #include "dentalscrCommands.h"
-#include "dentalscrImageFormats.h"
+#include "dentalscrRegisterImageFormats.h"
 #include "dentalscrScanOptions.h"
 
 #include "itkAddImageFilter.h"

@@ -26,6 +26,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -97,23 +98,26 @@ struct ExperimentVariation
 
 /** Draws the phantom case of a seed, with a radiograph only where asked for. Runs on the calling thread alone. What a
  * level gives beside the tracing is in the case: landmarks of an analysis and what is said of their errors. A frontal
- * radiograph is not. */
+ * radiograph is not. The function isAborted is polled meanwhile: where it gives true, ProcessAborted is thrown. */
 Experiment_EXPORT ExperimentCase
-MakePhantomExperimentCase(std::uint64_t               seed,
-                          const DentalPhantomLevel &  level,
-                          bool                        withRadiograph,
-                          const ExperimentVariation & variation = ExperimentVariation());
+MakePhantomExperimentCase(std::uint64_t                 seed,
+                          const DentalPhantomLevel &    level,
+                          bool                          withRadiograph,
+                          const ExperimentVariation &   variation = ExperimentVariation(),
+                          const std::function<bool()> & isAborted = {});
 
 /** The same of a level's table. */
 Experiment_EXPORT ExperimentCase
 MakePhantomExperimentCase(std::uint64_t                       seed,
                           DentalPhantomCaseSource::CohortEnum cohort,
                           bool                                withRadiograph,
-                          const ExperimentVariation &         variation = ExperimentVariation());
+                          const ExperimentVariation &         variation = ExperimentVariation(),
+                          const std::function<bool()> &       isAborted = {});
 
-/** Reads a case file; throws DentalInputError where it is unusable or has no landmarks_2d to measure with. */
+/** Reads a case file; throws DentalInputError where it is unusable or has no landmarks_2d to measure with, and
+ * ProcessAborted where isAborted gives true meanwhile. */
 Experiment_EXPORT ExperimentCase
-LoadExperimentCase(const std::string & fileName, const std::string & id);
+LoadExperimentCase(const std::string & fileName, const std::string & id, const std::function<bool()> & isAborted = {});
 } // namespace itk
 
 #endif

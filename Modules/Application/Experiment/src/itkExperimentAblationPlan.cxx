@@ -99,7 +99,8 @@ public:
     std::size_t done = 0;
     for (const CohortEnum level : AblationLevels)
     {
-      const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, level, false);
+      const ExperimentCase experimentCase =
+        MakePhantomExperimentCase(record.seed, level, false, {}, monitor.GetAbort());
       for (const ExperimentMethod & variant : this->GetMethods())
       {
         monitor.Advance(static_cast<double>(done++) / static_cast<double>(2 * this->GetMethods().size()));

@@ -189,7 +189,7 @@ public:
     json["notes"] = Json::array();
     const std::string failure = Try([&]() {
       const ExperimentCase experimentCase =
-        this->GetCohort().Make(i, withIntensity && NeedsRadiograph(this->GetMethods()));
+        this->GetCohort().Make(i, withIntensity && NeedsRadiograph(this->GetMethods()), monitor.GetAbort());
       ExperimentRunner runner(experimentCase);
       runner.SetAbort(monitor.GetAbort());
       std::vector<ToothCode::JawEnum> jaws;

@@ -18,6 +18,7 @@
 #include "itkExperimentCase.h"
 
 #include "itkExperimentMistakeMaker.h"
+#include "itkExperimentMonitor.h"
 
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
@@ -48,7 +49,7 @@ enum Stream : std::uint64_t
 };
 
 void
-EstimateFrames(ExperimentCase & experimentCase)
+EstimateFrames(ExperimentCase & experimentCase, const std::function<bool()> & isAborted)
 {
   const DentalCaseData & data = *experimentCase.data;
   auto                   axis = UMidlineDentalAxisFilter<MeshType>::New();
@@ -57,6 +58,7 @@ EstimateFrames(ExperimentCase & experimentCase)
   axis->SetJawsShareFrame(ToJawsShareFrame(data.description.occlusion));
   axis->RequireArchesOff();
   axis->TransformMeshesOff();
+  AbortWhere(isAborted, axis);
   axis->Update();
   experimentCase.frames = axis->GetFrame();
 }
@@ -205,17 +207,19 @@ ExperimentCase
 MakePhantomExperimentCase(std::uint64_t                       seed,
                           DentalPhantomCaseSource::CohortEnum cohort,
                           bool                                withRadiograph,
-                          const ExperimentVariation &         variation)
+                          const ExperimentVariation &         variation,
+                          const std::function<bool()> &       isAborted)
 {
   return MakePhantomExperimentCase(
-    seed, DentalPhantomLevel::Named(DentalPhantomAcquisition::GetName(cohort)), withRadiograph, variation);
+    seed, DentalPhantomLevel::Named(DentalPhantomAcquisition::GetName(cohort)), withRadiograph, variation, isAborted);
 }
 
 ExperimentCase
-MakePhantomExperimentCase(std::uint64_t               seed,
-                          const DentalPhantomLevel &  level,
-                          bool                        withRadiograph,
-                          const ExperimentVariation & variation)
+MakePhantomExperimentCase(std::uint64_t                 seed,
+                          const DentalPhantomLevel &    level,
+                          bool                          withRadiograph,
+                          const ExperimentVariation &   variation,
+                          const std::function<bool()> & isAborted)
 {
   using MistakeEnum = ExperimentMistakeEnums::Mistake;
   const MistakeEnum mistake = variation.mistake;
@@ -250,6 +254,7 @@ MakePhantomExperimentCase(std::uint64_t               seed,
     source->SetFrame(DentalPhantomCaseSource::FrameEnum::SeparateScanner);
   }
   source->SetNumberOfWorkUnits(1);
+  AbortWhere(isAborted, source);
   source->Update();
   auto scans = source;
   if (mistake == MistakeEnum::OtherPatient)
@@ -259,6 +264,7 @@ MakePhantomExperimentCase(std::uint64_t               seed,
     scans->SetLevel(level);
     scans->SetMakeRadiograph(false);
     scans->SetNumberOfWorkUnits(1);
+    AbortWhere(isAborted, scans);
     scans->Update();
   }
 
@@ -366,7 +372,7 @@ MakePhantomExperimentCase(std::uint64_t               seed,
   MakeExperimentMistake(mistake, *data);
   experimentCase.data = data;
   experimentCase.marked = marked;
-  EstimateFrames(experimentCase);
+  EstimateFrames(experimentCase, isAborted);
   if (variation.distalTrim > 0.0)
   {
     for (const ToothCode::JawEnum jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
@@ -377,7 +383,7 @@ MakePhantomExperimentCase(std::uint64_t               seed,
         input.mesh = TrimDistally(input.mesh, experimentCase.frames.GetJaw(jaw), variation.distalTrim);
       }
     }
-    EstimateFrames(experimentCase);
+    EstimateFrames(experimentCase, isAborted);
   }
 
   const AxesType tilt = DrawTilt(seed);
@@ -401,7 +407,7 @@ MakePhantomExperimentCase(std::uint64_t               seed,
 }
 
 ExperimentCase
-LoadExperimentCase(const std::string & fileName, const std::string & id)
+LoadExperimentCase(const std::string & fileName, const std::string & id, const std::function<bool()> & isAborted)
 {
   const DentalCase description = ReadDentalCase(fileName);
   if (description.landmarks2DFile.empty())
@@ -436,7 +442,7 @@ LoadExperimentCase(const std::string & fileName, const std::string & id)
                                : "has no name of landmarks_2d: there is nothing to measure the errors with",
                              "mark the same landmarks on the scans and in the radiograph");
   }
-  EstimateFrames(experimentCase);
+  EstimateFrames(experimentCase, isAborted);
   experimentCase.fileAxes[0] = NearestPermutation(experimentCase.frames.upper.axes);
   experimentCase.fileAxes[1] = NearestPermutation(experimentCase.frames.lower.axes);
   return experimentCase;

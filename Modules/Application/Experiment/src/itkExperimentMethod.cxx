@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkExperimentMethod.h"
+#include "itkExperimentMonitor.h"
 
 #include "itkDescribePlainly.h"
 #include "itkCaseRegistration.h"
@@ -253,15 +254,7 @@ ExperimentRunner::Run(const ExperimentMethod & method)
     registration->SetPoseMethodCallback(method.exchange);
     registration->SetNumberOfWorkUnits(1);
     registration->SetData(m_Case.data);
-    if (m_Abort)
-    {
-      registration->AddObserver(ProgressEvent(), [&](const EventObject &) {
-        if (m_Abort())
-        {
-          registration->AbortGenerateDataOn();
-        }
-      });
-    }
+    AbortWhere(m_Abort, registration);
     registration->Update();
     result = registration->GetResult();
   }

@@ -45,7 +45,7 @@ public:
     }
   }
 
-  /** For ExperimentRunner::SetAbort(). */
+  /** For ExperimentRunner::SetAbort() and those that make a case. */
   const std::function<bool()> &
   GetAbort() const
   {
@@ -56,6 +56,22 @@ private:
   std::function<bool()>       m_IsAborted;
   std::function<void(double)> m_Report;
 };
+
+/** Ends an execution of the process at its next word of progress where isAborted gives true. An empty function never
+ * does. */
+inline void
+AbortWhere(const std::function<bool()> & isAborted, ProcessObject * process)
+{
+  if (isAborted)
+  {
+    process->AddObserver(ProgressEvent(), [isAborted, process](const EventObject &) {
+      if (isAborted())
+      {
+        process->AbortGenerateDataOn();
+      }
+    });
+  }
+}
 } // namespace itk
 
 #endif

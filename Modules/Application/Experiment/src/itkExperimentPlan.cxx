@@ -54,10 +54,13 @@ ExperimentCohort::GetInputKey(std::size_t i) const
 }
 
 ExperimentCase
-ExperimentCohort::Make(std::size_t i, bool withRadiograph, const ExperimentVariation & variation) const
+ExperimentCohort::Make(std::size_t                   i,
+                       bool                          withRadiograph,
+                       const std::function<bool()> & isAborted,
+                       const ExperimentVariation &   variation) const
 {
-  return this->IsSimulated() ? MakePhantomExperimentCase(seed + i, level, withRadiograph, variation)
-                             : LoadExperimentCase(files[i].first, files[i].second);
+  return this->IsSimulated() ? MakePhantomExperimentCase(seed + i, level, withRadiograph, variation, isAborted)
+                             : LoadExperimentCase(files[i].first, files[i].second, isAborted);
 }
 
 std::string

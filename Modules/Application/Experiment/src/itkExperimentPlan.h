@@ -57,8 +57,12 @@ struct ExperimentCohort
   /** Another where the files of the case were edited; empty for a simulated one. */
   std::string
   GetInputKey(std::size_t i) const;
+  /** Throws ProcessAborted where isAborted gives true meanwhile. */
   ExperimentCase
-  Make(std::size_t i, bool withRadiograph, const ExperimentVariation & variation = ExperimentVariation()) const;
+  Make(std::size_t                   i,
+       bool                          withRadiograph,
+       const std::function<bool()> & isAborted,
+       const ExperimentVariation &   variation = ExperimentVariation()) const;
   /** In words. */
   std::string
   Describe() const;

@@ -220,7 +220,7 @@ public:
     double part = 0.0;
     for (const CohortEnum level : PracticeLevels)
     {
-      const ExperimentCase full = MakePhantomExperimentCase(record.seed, level, false);
+      const ExperimentCase full = MakePhantomExperimentCase(record.seed, level, false, {}, monitor.GetAbort());
       for (const InputType & input : Inputs)
       {
         monitor.Advance(part);

@@ -109,7 +109,7 @@ public:
     {
       record.failure = Try([&]() {
         const ExperimentCase experimentCase =
-          this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()), m_Conditions[k].variation);
+          this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()), monitor.GetAbort(), m_Conditions[k].variation);
         ExperimentRunner runner(experimentCase);
         runner.SetAbort(monitor.GetAbort());
         for (const ExperimentMethod & method : this->GetMethods())

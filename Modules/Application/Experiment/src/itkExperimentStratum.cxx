@@ -90,8 +90,9 @@ RunStratum(const ExperimentStratum & stratum, ExperimentRecord & record, const E
     monitor.Advance(0.0);
     ExperimentVariation variation = stratum.variation;
     variation.jaws = jaws;
-    const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, stratum.level, false, variation);
-    ExperimentRunner     runner(experimentCase);
+    const ExperimentCase experimentCase =
+      MakePhantomExperimentCase(record.seed, stratum.level, false, variation, monitor.GetAbort());
+    ExperimentRunner runner(experimentCase);
     runner.SetAbort(monitor.GetAbort());
     record.Add(method.name, runner.Run(method));
   }

@@ -38,7 +38,8 @@ public:
   FillRecord(std::size_t i, ExperimentRecord & record, const ExperimentMonitor & monitor) const override
   {
     std::size_t          done = 0;
-    const ExperimentCase experimentCase = this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()));
+    const ExperimentCase experimentCase =
+      this->GetCohort().Make(i, NeedsRadiograph(this->GetMethods()), monitor.GetAbort());
     for (const auto & landmark : experimentCase.marked->GetLandmarks())
     {
       ++record.marked[ToString(landmark.tooth.GetJaw())];
@@ -157,7 +158,7 @@ public:
       {
         throw ProcessAborted(__FILE__, __LINE__);
       }
-      const ExperimentCase experimentCase = this->GetCohort().Make(choice.second, true);
+      const ExperimentCase experimentCase = this->GetCohort().Make(choice.second, true, abort);
       ExperimentRunner     runner(experimentCase);
       for (const ToothCode::JawEnum jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
       {

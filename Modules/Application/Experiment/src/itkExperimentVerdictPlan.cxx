@@ -83,8 +83,9 @@ public:
       monitor.Advance(static_cast<double>(done++) / static_cast<double>(1 + GetExperimentMistakes().size()));
       ExperimentVariation variation;
       variation.mistake = mistake;
-      const ExperimentCase experimentCase = MakePhantomExperimentCase(record.seed, LevelOf(i), false, variation);
-      ExperimentRunner     runner(experimentCase);
+      const ExperimentCase experimentCase =
+        MakePhantomExperimentCase(record.seed, LevelOf(i), false, variation, monitor.GetAbort());
+      ExperimentRunner runner(experimentCase);
       runner.SetAbort(monitor.GetAbort());
       record.Add(Describe(mistake), runner.Run(*FindExperimentMethod(VerdictMethod)));
     }

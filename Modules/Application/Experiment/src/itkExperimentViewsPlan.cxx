@@ -214,8 +214,8 @@ public:
   void
   FillRecord(std::size_t, ExperimentRecord & record, const ExperimentMonitor & monitor) const override
   {
-    const ExperimentCase lateral =
-      MakePhantomExperimentCase(record.seed, DentalPhantomCaseSource::CohortEnum::Typical, false);
+    const ExperimentCase lateral = MakePhantomExperimentCase(
+      record.seed, DentalPhantomCaseSource::CohortEnum::Typical, false, {}, monitor.GetAbort());
     std::map<std::pair<double, bool>, DentalPhantomCaseSource::Pointer> phantoms;
     double                                                              part = 0.0;
     for (const VariantType & variant : Variants)
@@ -236,6 +236,7 @@ public:
         source->SetSeed(record.seed);
         source->MakeRadiographOff();
         source->SetNumberOfWorkUnits(1);
+        AbortWhere(monitor.GetAbort(), source);
         source->Update();
       }
       ExperimentCase own = lateral;

@@ -89,6 +89,27 @@ TEST(ExperimentCase, SaysOfLandmarksAndOutlinesWhatItsLevelGives)
   }
 }
 
+TEST(ExperimentMethod, ACaseThatIsMadeEndsWhereverItIsAborted)
+{
+  const auto   level = itk::DentalPhantomLevel::Named("typical");
+  unsigned int polls = 0;
+  itk::MakePhantomExperimentCase(5, level, true, {}, [&polls]() {
+    ++polls;
+    return false;
+  });
+  // Jaws, tracing and frames: no stage of them is made whole when somebody waits for the end.
+  ASSERT_GT(polls, 20u);
+  for (const unsigned int last : { 1u, polls / 2, polls - polls / 4 })
+  {
+    unsigned int asked = 0;
+    EXPECT_THROW(itk::MakePhantomExperimentCase(5, level, true, {}, [&asked, last]() { return ++asked >= last; }),
+                 itk::ProcessAborted)
+      << last << " of " << polls;
+    // A stage that has begun a word of progress may say it before it looks.
+    EXPECT_LE(asked, last + 1);
+  }
+}
+
 TEST(ExperimentMethod, PresetsGiveWhatTheProgramGives)
 {
   const auto            experimentCase = itk::MakePhantomExperimentCase(3, CohortEnum::Typical, false);

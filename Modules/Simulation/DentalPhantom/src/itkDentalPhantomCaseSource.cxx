@@ -326,11 +326,14 @@ DentalPhantomCaseSource::GenerateData()
     source->SetAbortGenerateData(this->GetAbortGenerateData());
   });
   meshSource->Update();
-  this->UpdateProgress(0.5f);
-  if (this->GetAbortGenerateData())
-  {
-    throw ProcessAborted(__FILE__, __LINE__);
-  }
+  const auto advance = [this](float progress) {
+    this->UpdateProgress(progress);
+    if (this->GetAbortGenerateData())
+    {
+      throw ProcessAborted(__FILE__, __LINE__);
+    }
+  };
+  advance(0.5f);
   TriangleSurface               surfaces[2];
   std::vector<std::uint8_t>     labels[2];
   DentalPhantomModel::PointType middle{};
@@ -601,8 +604,8 @@ DentalPhantomCaseSource::GenerateData()
         projected->AddLandmark(landmark.name, Landmarks2DType::PointType(pixel.GetDataPointer()));
       }
     }
+    advance(jaw == 0 ? 0.6f : 0.7f);
   }
-  this->UpdateProgress(0.7f);
 
   ImageType * image = this->GetRadiograph();
   image->Initialize();
@@ -645,6 +648,7 @@ DentalPhantomCaseSource::GenerateData()
   m_FrontalView = nullptr;
   if (m_Level.frontalView)
   {
+    advance(0.85f);
     const DentalLandmarkSet<3> * landmarks[2] = { this->GetLandmarks3D(0), this->GetLandmarks3D(1) };
     m_FrontalView = DentalPhantomFrontalView::Make(model,
                                                    m_Level,
