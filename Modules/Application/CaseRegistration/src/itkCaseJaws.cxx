@@ -18,9 +18,11 @@
 #include "itkCaseJaws.h"
 
 #include "itkCasePoseRegistration.h"
+#include "itkJoinNames.h"
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace itk
 {
@@ -41,6 +43,33 @@ HasLandmarks(const DentalCaseData & data, const CaseResult & result, JawEnum jaw
   return std::any_of(landmarks.begin(), landmarks.end(), [&](const auto & landmark) {
     return landmark.meaning.jaw == jaw && landmark.meaning.feature != CephalometricLandmarkSet::FeatureEnum::Apex;
   });
+}
+
+/** Why a jaw of which nothing was drawn that registers it is left out. */
+std::string
+DescribeMissingDrawing(const DentalCaseData & data, const CaseResult & result, JawEnum jaw)
+{
+  if (data.cephalometricLandmarks.IsNull())
+  {
+    return "there is a scan, but no tracing of this jaw";
+  }
+  if (result.preset != CasePresetEnum::Robust)
+  {
+    return std::string("landmarks alone were marked of this jaw: preset ") + ToString(result.preset) +
+           " registers contours, use preset robust";
+  }
+  // What else there were, HasLandmarks() found.
+  std::vector<std::string> apices;
+  for (const auto & landmark : data.cephalometricLandmarks->GetLandmarks())
+  {
+    if (landmark.meaning.jaw == jaw)
+    {
+      apices.push_back(landmark.name);
+    }
+  }
+  return apices.empty() ? "there is a scan, but neither tracing nor landmark of this jaw"
+                        : "of this jaw only " + JoinNames(apices) + (apices.size() == 1 ? " is" : " are") +
+                            " marked, the end of a root, which no scan shows: mark incisal edges and molars";
 }
 
 bool
@@ -81,10 +110,7 @@ ChooseJaws(const DentalCaseData & data, CaseResult & result)
       result.skipped[jaw] = excluded ? "all traced teeth of this jaw are excluded"
                             : traced && input.contour->GetNumberOfPoints() > 0
                               ? "every point of this jaw's tracing has weight 0"
-                            : result.preset != CasePresetEnum::Robust && data.cephalometricLandmarks.IsNotNull()
-                              ? std::string("landmarks alone were marked of this jaw: preset ") +
-                                  ToString(result.preset) + " registers contours, use preset robust"
-                              : "there is a scan, but no tracing of this jaw";
+                              : DescribeMissingDrawing(data, result, jaw);
     }
     else
     {

@@ -45,6 +45,31 @@ MoveOutline(LandmarkCase & phantom, JawEnum jaw, unsigned int position, double u
   phantom.data->GetJaw(jaw).contour = moved;
 }
 
+/** Leaves the half of an outline that is away from the other jaw. */
+void
+KeepRoot(itk::DentalContour::PolylineType & polyline, JawEnum jaw)
+{
+  double low = 1e300, high = -1e300;
+  for (const auto & p : polyline.points)
+  {
+    low = std::min(low, p[1]);
+    high = std::max(high, p[1]);
+  }
+  std::vector<itk::DentalContour::PointType> kept;
+  for (const auto & p : polyline.points)
+  {
+    if ((p[1] < 0.5 * (low + high)) == (jaw == JawEnum::Upper))
+    {
+      kept.push_back(p);
+    }
+  }
+  itk::DentalContour::PolylineType root;
+  root.code = polyline.code;
+  root.closed = true;
+  root.points = kept;
+  polyline = root;
+}
+
 std::string
 Join(const std::vector<std::string> & lines)
 {
@@ -175,35 +200,36 @@ TEST(CaseOutlines, AGrossErrorIsNamed)
 
 TEST(CaseOutlines, ARootAloneIsSaidAndNeverGuessed)
 {
-  LandmarkCase phantom(9006, "standard", 1.0, EvidenceEnum::Outlines);
-  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  // Of all teeth, and of one beside three that are whole and the landmarks of all.
+  for (const bool all : { true, false })
   {
-    auto roots = itk::DentalContour::New();
-    for (auto polyline : phantom.data->GetJaw(jaw).contour->GetPolylines())
+    LandmarkCase phantom(9006, "standard", 1.0, all ? EvidenceEnum::Outlines : EvidenceEnum::Both);
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
-      // The half that is away from the other jaw.
-      double low = 1e300, high = -1e300;
-      for (const auto & p : polyline.points)
+      auto roots = itk::DentalContour::New();
+      for (auto polyline : phantom.data->GetJaw(jaw).contour->GetPolylines())
       {
-        low = std::min(low, p[1]);
-        high = std::max(high, p[1]);
-      }
-      std::vector<itk::DentalContour::PointType> kept;
-      for (const auto & p : polyline.points)
-      {
-        if ((p[1] < 0.5 * (low + high)) == (jaw == JawEnum::Upper))
+        if (all || (jaw == JawEnum::Upper && polyline.code.GetPosition() == 1))
         {
-          kept.push_back(p);
+          KeepRoot(polyline, jaw);
         }
+        roots->AddPolyline(polyline);
       }
-      roots->AddPolyline(kept, polyline.code, true);
+      phantom.data->GetJaw(jaw).contour = roots;
     }
-    phantom.data->GetJaw(jaw).contour = roots;
-  }
-  const auto result = phantom.Run();
-  for (const auto & entry : result.jaws)
-  {
-    EXPECT_NE(entry.second.status, itk::RegistrationStatusEnum::Ok) << Join(entry.second.GetReasons());
+    const auto  result = phantom.Run();
+    std::string said = Join(result.warnings);
+    for (const auto & entry : result.jaws)
+    {
+      said += Join(entry.second.GetReasons());
+      EXPECT_TRUE(!all || entry.second.status != itk::RegistrationStatusEnum::Ok) << said;
+      for (const auto & used : entry.second.usedOutlines)
+      {
+        EXPECT_NE(used.name, "U1") << said;
+      }
+    }
+    EXPECT_NE(said.find("U1: it is"), std::string::npos) << said;
+    EXPECT_NE(said.find("is it a root or a crown alone"), std::string::npos) << said;
   }
 }
 

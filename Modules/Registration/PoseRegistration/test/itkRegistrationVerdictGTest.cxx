@@ -890,6 +890,87 @@ TEST(RegistrationVerdict, AsManyLandmarksApartAsTogetherDisagree)
   EXPECT_TRUE(Contains(verdicts.at(0).findings.front().text, "exchanged"));
 }
 
+TEST(RegistrationVerdict, AnOutlineThatLiesOnNothingIsNamedAndBearsNobodyOut)
+{
+  const Thresholds limits;
+  auto             result = MakeResultOfLandmarks();
+  // As of a root without its crown: no point of it has a match, so that no residual speaks against it.
+  itk::PoseOutlineFit root;
+  root.name = "U1";
+  root.distance = 1.0;
+  root.weight = 0.9;
+  root.matchedShare = 0.0;
+  result.jaws[0].outlines = { root };
+  for (const auto & verdict : Verdict::Evaluate(result))
+  {
+    ASSERT_EQ(NamesOf(verdict), (Named{ { "outline-unmatched", Suspect } }));
+    EXPECT_TRUE(Contains(verdict.findings.front().text, "outline U1 lies on nothing"));
+    EXPECT_EQ(verdict.findings.front().value, 0.0);
+  }
+  result.jaws[0].outlines[0].matchedShare = 0.49;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "outline-unmatched", Suspect } }));
+  result.jaws[0].outlines[0].matchedShare = 0.51;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), Named{});
+  // One that stands apart is named for that alone.
+  result.jaws[0].outlines[0].matchedShare = 0.1;
+  result.jaws[0].outlines[0].distance = limits.landmarkApart + 0.01;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "landmark-apart", Suspect } }));
+  // It is no witness for the one mark that is left beside one that stands apart.
+  result.jaws[0].outlines[0].distance = 1.0;
+  result.jaws[1].landmarks.clear();
+  result.jaws[0].landmarks[0].distance = limits.landmarkApart + 0.01;
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)),
+            (Named{ { "outline-unmatched", Suspect }, { "landmarks-disagree", Failed } }));
+}
+
+TEST(RegistrationVerdict, OutlinesThatDisagreeAreNotCalledLandmarks)
+{
+  const Thresholds limits;
+  auto             result = MakeResultOfLandmarks();
+  for (auto & jaw : result.jaws)
+  {
+    jaw.landmarks.clear();
+    itk::PoseOutlineFit outline;
+    outline.name = jaw.jaw == itk::ToothCode::JawEnum::Upper ? "U6" : "L6";
+    outline.distance = 1.0;
+    jaw.outlines = { outline };
+  }
+  result.jaws[0].outlines[0].distance = limits.landmarkApart + 0.01;
+  const auto & finding = Verdict::Evaluate(result).at(0).findings.front();
+  EXPECT_EQ(finding.code, "landmarks-disagree");
+  EXPECT_TRUE(Contains(finding.text,
+                       "the outlines do not fit the scans: outline U6 lies far from where the others "
+                       "put it;"))
+    << finding.text;
+}
+
+TEST(RegistrationVerdict, MarksOfOneJawCannotTellWhichJawTheyAreOf)
+{
+  const std::string line = "whether what was marked is of this jaw: the same teeth of the other jaw fit as well";
+  const itk::PoseRegistrationOptions options;
+  const auto                         isSaid = [&](const itk::PoseRegistrationResult & result) {
+    const auto lines = Verdict::GetNotCheckable(result, options);
+    return std::count(lines.begin(), lines.end(), line) == 1;
+  };
+  auto result = MakeResultOfLandmarks();
+  EXPECT_FALSE(isSaid(result));
+  result.jaws[1].landmarks.clear();
+  EXPECT_TRUE(isSaid(result));
+  result.jaws[0].fit = MakeGoodResult().jaws[0].fit;
+  EXPECT_FALSE(isSaid(result));
+}
+
+TEST(RegistrationVerdict, AnUncertaintyWithoutBoundIsNoNumberOfManyDigits)
+{
+  auto result = MakeResultOfLandmarks();
+  result.jaws[0].middleSigma = 107136.98;
+  result.jaws[0].largestMiddleSigma = 151339.8;
+  const auto finding = Verdict::Evaluate(result).at(0).findings.front();
+  EXPECT_EQ(finding.code, "undetermined");
+  EXPECT_TRUE(Contains(finding.text, "is more than 1000 px an axis and up to more than 1000 px")) << finding.text;
+  EXPECT_EQ(finding.value, 107136.98);
+}
+
 TEST(RegistrationVerdict, LandmarksAloneDoNotVouchForAScaleThatNobodyGave)
 {
   auto result = MakeResultOfLandmarks();
