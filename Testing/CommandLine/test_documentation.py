@@ -52,6 +52,7 @@ def test_verdicts_table_has_the_codes_thresholds():
             f"better by {t['hypothesisGain']:g}",
             f"score ≤ {t['spacingScore']:g}",
             f"{t['spacingDifference']:g} in its logarithm",
+            f"at most {t['spacingShare']:g} of what it is",
         ],
         "arch-width": [f"not {t['minimumArchWidth']:g}–{t['maximumArchWidth']:g} mm"],
         "undetermined": [f"> {t['failedPredictedSigma']:g} "],
@@ -65,7 +66,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         for part in parts:
             assert part in rules[rule], rule
     # None of the thresholds is left out above.
-    assert len(t) == 38
+    assert len(t) == 39
 
 
 def test_views_table_has_the_codes_thresholds():

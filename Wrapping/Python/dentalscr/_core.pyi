@@ -6578,6 +6578,14 @@ class RegistrationVerdictThresholds:
     def spacingScore(self, arg0: float) -> None:
         ...
     @property
+    def spacingShare(self) -> float:
+        """
+        Share of a tracing's score up to which another pixel spacing is suspect, 0 to 1.
+        """
+    @spacingShare.setter
+    def spacingShare(self, arg0: float) -> None:
+        ...
+    @property
     def suspectCodeOffset(self) -> float:
         """
         Offset of tooth codes along the arch above which a jaw is suspect, mm.

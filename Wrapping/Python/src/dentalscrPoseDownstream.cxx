@@ -199,6 +199,9 @@ WrapDownstream(py::module_ & module)
     .def_readwrite("spacingDifference",
                    &ThresholdsType::spacingDifference,
                    "Logarithm of the ratio of two spacings from which on they differ.")
+    .def_readwrite("spacingShare",
+                   &ThresholdsType::spacingShare,
+                   "Share of a tracing's score up to which another pixel spacing is suspect, 0 to 1.")
     .def_readwrite("borneOutCost",
                    &ThresholdsType::borneOutCost,
                    "Cost up to which a fit bears out a dental axis that was unsure, where roll and yaw are determined.")

@@ -380,8 +380,10 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       result.warnings.push_back(std::string(ToString(entry.first)) + ": " + finding.text +
                                 "; the other jaw's tracing bears the pose out: look at where it differs");
     }
-    // An unsure axis is a reason to look at how the drawing fits. Where it fits without doubt, it is none.
+    // An unsure axis is a reason to look at how the drawing fits. Where it fits without doubt, it is none. One that
+    // fits poorly in places is doubted by itself, even where the other jaw's excuses it: it bears out no axis.
     if (jaw.findings.size() == 1 && jaw.HasFinding("unsure-axis") &&
+        verdict->GetVerdict(entry.first).takenBack.empty() &&
         RegistrationVerdict::IsAxisBorneOut(
           solution->GetGroup(entry.first), poseJaw, solution->GetOptions(), verdict->GetThresholds()))
     {

@@ -498,6 +498,7 @@ JudgeReadings(const PoseRegistrationResult &          registration,
   using EntryType = std::pair<const std::string, PoseHypothesisOutcome>;
   const EntryType * best = nullptr;
   const EntryType * bestScale = nullptr;
+  const EntryType * betterScale = nullptr;
   for (const auto & entry : group.outcomes)
   {
     const PoseHypothesisOutcome & outcome = entry.second;
@@ -508,9 +509,14 @@ JudgeReadings(const PoseRegistrationResult &          registration,
       continue;
     }
     // Where the scale is free only a good fit with another one says something.
-    if (isSpacing(code) && (outcome.score > thresholds.spacingScore || !(spacingOf(outcome) > 0.0) ||
-                            std::abs(std::log(spacingOf(outcome) / given)) < difference))
+    if (isSpacing(code) && (!(spacingOf(outcome) > 0.0) || std::abs(std::log(spacingOf(outcome) / given)) < difference))
     {
+      continue;
+    }
+    // Worn or crowded teeth and hard noise fit no spacing well, but the right one by far better.
+    if (isSpacing(code) && outcome.score > thresholds.spacingScore)
+    {
+      betterScale = isTraced && outcome.score <= thresholds.spacingShare * group.score ? &entry : betterScale;
       continue;
     }
     const EntryType *& place = isSpacing(code) ? bestScale : best;
@@ -546,6 +552,17 @@ JudgeReadings(const PoseRegistrationResult &          registration,
   }
   if (best == nullptr)
   {
+    if (betterScale != nullptr && !isExchanged)
+    {
+      const double spacing = spacingOf(betterScale->second);
+      Add(verdict,
+          StatusEnum::Suspect,
+          "pixel-spacing",
+          "what was drawn fits better by far with a pixel spacing of " + FormatNumber(spacing, spacing < 0.1 ? 3 : 2) +
+            " mm than with " + FormatNumber(given, given < 0.1 ? 3 : 2) +
+            " mm: check pixel_spacing_mm, its unit and its plane",
+          { spacing, given, "mm" });
+    }
     return;
   }
   const std::string & code = best->first;
@@ -808,8 +825,8 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
     }
     JudgeReadings(result, group, thresholds, verdict);
   }
-  TakeBackPoorFits(result, thresholds, verdicts);
   AddOfViews(result, thresholds, verdicts);
+  TakeBackPoorFits(result, thresholds, verdicts);
   AddOfOtherJaw(result, verdicts);
   for (JawVerdict & verdict : verdicts)
   {

@@ -367,6 +367,16 @@ MakeLimits()
         r.groups[0].outcomes["pixel-spacing"] = { x, 0.0, { { 0.5, 0.5 } } };
       },
       { { "pixel-spacing", Failed } },
+      { { "pixel-spacing", Suspect } } },
+    { "SpacingShare",
+      &Thresholds::spacingShare,
+      0.7,
+      true,
+      [](Result & r, double x) {
+        r.groups[0].score = 0.3;
+        r.groups[0].outcomes["pixel-spacing"] = { 0.3 * x, 0.0, { { 0.5, 0.5 } } };
+      },
+      { { "pixel-spacing", Suspect } },
       {} },
     { "HypothesisGainOfTheOtherFacing",
       &Thresholds::hypothesisGain,
@@ -481,7 +491,8 @@ TEST(RegistrationVerdict, OneReadingOfTheDrawingIsNamed)
   result.groups[0].outcomes["pixel-spacing"] = { 0.1, 0.0, { { 0.5, 0.5 } } };
   EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "pixel-spacing", Failed } }));
   result.groups[0].outcomes["pixel-spacing"].score = 0.2;
-  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "turned-image", Failed } }));
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "turned-image", Failed } }))
+    << "better by far, and yet not good";
   result.groups[0].outcomes["jaws-exchanged"].score = 0.3;
   EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "jaws-exchanged", Failed } }));
 }
@@ -1047,6 +1058,8 @@ TEST(RegistrationVerdict, APoorFitThatTheOtherJawBearsOutIsTakenBack)
   expectSuspect([&](ResultType & result) { result.jaws[1].fit.codeOffset = limits.suspectCodeOffset + 0.01; });
   expectSuspect([&](ResultType & result) { result.jaws[0].fit.codeOffset = limits.suspectCodeOffset + 0.01; });
   expectSuspect([&](ResultType & result) { result.jaws[1].fit.p90Residual = limits.suspectP90 + 0.01; });
+  // A further view of which nothing can be used.
+  expectSuspect([&](ResultType & result) { result.views.emplace_back(); });
   // A jaw without a tracing bears nothing out.
   auto alone = good;
   alone.jaws[1].fit = itk::PoseFitStatistics();
