@@ -150,8 +150,8 @@ SetNumberOfThreads(unsigned int wanted)
   {
     const std::lock_guard<std::mutex> lock(mutex);
     isOver = true;
+    changed.notify_all();
   }
-  changed.notify_all();
   for (std::thread & thread : threads)
   {
     thread.join();
