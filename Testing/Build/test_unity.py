@@ -41,6 +41,13 @@ def names(text):
             yield f"function {name}({', '.join(types)})"
 
 
+def aliases(text):
+    """What a file calls by a name of its own at the outermost level of its namespaces: name and meaning. What another class calls
+    by that name (PointType = Model::PointType) is left out: it may be the same thing, and here nothing tells."""
+    found = re.findall(r"^using (\w+) = ([^;]+);", text, re.M)
+    return [(name, meaning) for name, meaning in found if not meaning.endswith(f"::{name}")]
+
+
 @pytest.mark.parametrize("folder", LIBRARIES, ids=lambda path: path.parent.name)
 def test_no_two_files_of_a_library_define_one_name(folder):
     defined = collections.defaultdict(list)
@@ -51,6 +58,11 @@ def test_no_two_files_of_a_library_define_one_name(folder):
             continue
         for name in set(names(text)):
             defined[name].append(path.name)
+        for alias, meaning in aliases(text):
+            # Twice the same is one.
+            meant = defined[f"alias {alias}"]
+            if not any(meaning == other for _, other in meant):
+                meant.append((path.name, meaning))
     twice = {name: files for name, files in defined.items() if len(files) > 1}
     # A program of its own beside the library's sources.
     twice = {name: files for name, files in twice.items() if not {"dentalscrMain.cxx", "dentalscrView.cxx"} & set(files)}
@@ -77,3 +89,14 @@ Distance(const std::vector<double> & a, std::size_t count = 3)
     assert set(names(text)) == {
         "variable Reach", "variable Words", "type Part", "function Distance(conststd::vector<double>&, std::size_t)",
     }
+
+
+def test_an_alias_of_two_meanings_is_seen():
+    text = "namespace\n{\nusing PointType = itk::Point<double, 2>;\nusing MeshType = Filter::MeshType;\n} // namespace\n"
+    assert aliases(text) == [("PointType", "itk::Point<double, 2>")]
+
+
+def test_bindings_are_compiled_one_by_one():
+    """Each of them has aliases of its own, so that a dozen of them are none that a compiler takes."""
+    text = (ROOT / "Wrapping/Python/CMakeLists.txt").read_text()
+    assert "set_target_properties(_core PROPERTIES UNITY_BUILD OFF)" in text
