@@ -1105,6 +1105,17 @@ def test_outlines_of_whole_teeth_alone_determine_a_pose(ds):
     assert all(residual.crown.shape[1] == 2 and 0.0 <= residual.weight <= 1.0 for residual in residuals)
 
 
+@pytest.mark.parametrize(
+    "name", ["SilhouettePoseMetricv4", "LandmarkPoseMetricv4", "ToothOutlinePoseMetricv4", "ViewPoseMetricv4",
+             "ParameterPriorMetricv4", "LeastSquaresSumMetricv4"]
+)
+def test_a_metric_that_is_not_prepared_says_what_to_call(ds, name):
+    """Each ended the process or not, as what it read first was there or not."""
+    for call in ("GetValue", "GetValueAndDerivative", "GetResiduals", "Initialize"):
+        with pytest.raises((ds.Error, ValueError), match=r"Initialize\(\)|Set\w+\(\)|AddMetric\(\)"):
+            getattr(getattr(ds, name)(), call)()
+
+
 def test_errors_of_outlines_are_taken_and_given_back(ds):
     metric = ds.ToothOutlinePoseMetricv4()
     errors = metric.GetErrors()

@@ -366,6 +366,10 @@ LandmarkPoseMetricv4::GetNumberOfResiduals() const
 LandmarkPoseMetricv4::TransformType::Pointer
 LandmarkPoseMetricv4::MakeTransformAt(const PositionType & x) const
 {
+  if (this->GetTransform() == nullptr)
+  {
+    itkExceptionMacro("The metric is not prepared: call SetTransform() and Initialize().");
+  }
   TransformType::ParametersType parameters(NumberOfParameters);
   std::copy_n(x.begin(), NumberOfParameters, parameters.begin());
   TransformType::Pointer transform = this->GetTransform()->Clone();

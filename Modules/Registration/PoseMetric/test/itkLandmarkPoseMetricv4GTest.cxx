@@ -29,6 +29,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -492,4 +493,31 @@ TEST(LandmarkPoseMetricv4, KeepsThePromisesOfALeastSquaresMetric)
       LeastSquaresMetricChecker::Check(*metric, settings);
     }
   }
+}
+
+TEST(LandmarkPoseMetricv4, EvaluatedBeforeItIsPreparedSaysWhatToCall)
+{
+  const auto         metric = itk::LandmarkPoseMetricv4::New();
+  vnl_vector<double> residuals;
+  const auto         expectMessage = [](const std::function<void()> & call, const std::string & words) {
+    try
+    {
+      call();
+      ADD_FAILURE() << "no error";
+    }
+    catch (const itk::ExceptionObject & error)
+    {
+      EXPECT_NE(std::string(error.GetDescription()).find(words), std::string::npos) << error.GetDescription();
+    }
+  };
+  expectMessage([&] { metric->GetValue(); }, "Initialize()");
+  expectMessage([&] { metric->GetResiduals(residuals, nullptr); }, "Initialize()");
+  expectMessage([&] { metric->ComputeLandmarkResiduals(metric->GetState().GetValues()); }, "SetTransform()");
+  metric->SetTransform(itk::CephalometricPoseTransform::New());
+  expectMessage([&] { metric->GetValue(); }, "Initialize()");
+  const auto sum = itk::LeastSquaresSumMetricv4::New();
+  sum->AddMetric(metric);
+  expectMessage([&] { sum->GetValue(); }, "Initialize()");
+  metric->SetTransform(nullptr);
+  expectMessage([&] { metric->GetValue(); }, "SetTransform()");
 }

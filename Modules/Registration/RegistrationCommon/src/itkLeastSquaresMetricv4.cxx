@@ -361,6 +361,11 @@ LeastSquaresMetricv4::SetEvaluationCallback(EvaluationCallbackType callback)
 void
 LeastSquaresMetricv4::AnnounceEvaluation() const
 {
+  // Terms read their blocks' values by place: without blocks there is nothing to read.
+  if (m_State.GetNumberOfParameters() == 0)
+  {
+    itkExceptionMacro("The metric reads no parameters yet: set its inputs and call Initialize().");
+  }
   if (m_EvaluationCallback)
   {
     m_EvaluationCallback();

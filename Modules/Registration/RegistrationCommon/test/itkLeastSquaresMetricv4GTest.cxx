@@ -212,7 +212,18 @@ TEST(LeastSquaresMetricv4, ChangesOfValuesAndMasksAreSeenInTheTime)
 TEST(LeastSquaresMetricv4, ErrorsSayWhatIsMissing)
 {
   const auto empty = EmptyMetric::New();
-  EXPECT_TRUE(Contains(MessageOfCall([&] { empty->Initialize(); }), "DeclareBlocks() (blocks() of a metric in Python) must name at least one block"));
+  EXPECT_TRUE(Contains(MessageOfCall([&] { empty->Initialize(); }),
+                       "DeclareBlocks() (blocks() of a metric in Python) must name at least one block"));
+  double                                    value = 0.0;
+  itk::LeastSquaresMetricv4::DerivativeType derivative;
+  vnl_vector<double>                        residuals;
+  for (const std::string & message : { MessageOfCall([&] { empty->GetValue(); }),
+                                       MessageOfCall([&] { empty->GetDerivative(derivative); }),
+                                       MessageOfCall([&] { empty->GetValueAndDerivative(value, derivative); }),
+                                       MessageOfCall([&] { empty->GetResiduals(residuals, nullptr); }) })
+  {
+    EXPECT_TRUE(Contains(message, "call Initialize()")) << message;
+  }
   const auto metric = CurveFitMetric::New();
   metric->SetBlockFree("curve", false);
   const std::string held = MessageOfCall([&] { metric->Initialize(); });
