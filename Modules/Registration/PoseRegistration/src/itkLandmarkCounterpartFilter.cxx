@@ -117,12 +117,12 @@ LandmarkCounterpartFilter::GenerateData()
     const auto & meaning = landmark.meaning;
     if (meaning.feature == FeatureEnum::Apex)
     {
-      m_Unused.push_back({ landmark.name, "it is the end of a root, which no scan shows" });
+      m_Unused.push_back({ landmark.name, "no scan shows the end of a root" });
       continue;
     }
     if ((meaning.jaw == JawEnum::Upper ? this->GetUpperMesh() : this->GetLowerMesh()) == nullptr)
     {
-      m_Unused.push_back({ landmark.name, "there is no scan of its jaw" });
+      m_Unused.push_back({ landmark.name, "there is no scan of the jaw" });
       continue;
     }
     const unsigned int right = meaning.jaw == JawEnum::Upper ? 10 : 40;
@@ -131,7 +131,7 @@ LandmarkCounterpartFilter::GenerateData()
     if (both && m_Direction == DirectionEnum::Frontal && meaning.position > 1)
     {
       m_Unused.push_back(
-        { landmark.name, "its name tells no side, and a frontal radiograph shows both: name it as UR6_MB or UL6_MB" });
+        { landmark.name, "the name tells no side, and a frontal radiograph shows both: name it as UR6_MB or UL6_MB" });
       continue;
     }
     std::vector<ToothCode> teeth;
@@ -152,7 +152,7 @@ LandmarkCounterpartFilter::GenerateData()
                 teeth.end());
     if (teeth.empty())
     {
-      m_Unused.push_back({ landmark.name, "its tooth is excluded" });
+      m_Unused.push_back({ landmark.name, "the tooth is excluded" });
       continue;
     }
     OutputType::CounterpartType counterpart;
@@ -175,7 +175,7 @@ LandmarkCounterpartFilter::GenerateData()
     }
     if (counterpart.points.empty())
     {
-      m_Unused.push_back({ landmark.name, "it was found neither in landmarks_3d nor by labels nor on the arch" });
+      m_Unused.push_back({ landmark.name, "found neither in landmarks_3d nor by labels nor on the arch" });
       continue;
     }
     if (both && counterpart.points.size() == 1 && meaning.position > 1)

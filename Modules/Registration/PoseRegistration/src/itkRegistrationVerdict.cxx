@@ -333,9 +333,41 @@ JudgeOutlines(const PoseRegistrationResult &          result,
   }
 }
 
+/** What to mark besides, by the names of what was marked. */
+std::string
+DescribeMissingMarks(const PoseRegistrationResult & result, const PoseGroupResult & group)
+{
+  bool       isFront = false;
+  bool       isBack = false;
+  const auto note = [&](const std::string & name) {
+    // "U1_tip", "L6": the tooth's position. Milk teeth have a letter.
+    const std::size_t digit = name.find_first_of("12345678");
+    if (digit != std::string::npos)
+    {
+      (name[digit] <= '3' ? isFront : isBack) = true;
+    }
+  };
+  for (const std::size_t j : group.jaws)
+  {
+    for (const PoseLandmarkFit & landmark : result.jaws[j].landmarks)
+    {
+      note(landmark.name);
+    }
+    for (const PoseOutlineFit & outline : result.jaws[j].outlines)
+    {
+      note(outline.name);
+    }
+  }
+  return isFront && !isBack   ? "front teeth alone do not tell how the head is tipped: mark molars as well"
+         : isBack && !isFront ? "posterior teeth alone do not tell how the head is tipped: mark incisors as well"
+                              : "mark incisors and molars of both jaws";
+}
+
 /** What drawings that are of no side determine: the middle of both. */
 void
-JudgeMiddle(const PoseJawResult &                   jaw,
+JudgeMiddle(const PoseRegistrationResult &          result,
+            const PoseGroupResult &                 group,
+            const PoseJawResult &                   jaw,
             const RegistrationVerdict::Thresholds & thresholds,
             RegistrationVerdict::JawVerdict &       verdict)
 {
@@ -344,13 +376,13 @@ JudgeMiddle(const PoseJawResult &                   jaw,
   };
   const std::string figures = "the predicted uncertainty of the middle of both sides is " + toWords(jaw.middleSigma) +
                               " px an axis and up to " + toWords(jaw.largestMiddleSigma) +
-                              " px at incisors or first molars";
+                              " px at incisors or first molars; " + DescribeMissingMarks(result, group);
   if (jaw.middleSigma > thresholds.failedPredictedSigma)
   {
     Add(verdict,
         StatusEnum::Failed,
         "undetermined",
-        "what was drawn does not determine the pose; mark incisors and molars: " + figures,
+        "what was drawn does not determine the pose: " + figures,
         { jaw.middleSigma, thresholds.failedPredictedSigma, "px" });
   }
   else if (jaw.middleSigma > thresholds.suspectMiddleSigma ||
@@ -359,7 +391,7 @@ JudgeMiddle(const PoseJawResult &                   jaw,
     Add(verdict,
         StatusEnum::Suspect,
         "uncertain",
-        "what was drawn determines the pose poorly: " + figures + "; mark incisors and molars of both jaws",
+        "what was drawn determines the pose poorly: " + figures,
         FirstAbove({ { jaw.middleSigma, thresholds.suspectMiddleSigma, "px" },
                      { jaw.largestMiddleSigma, thresholds.suspectLargestMiddleSigma, "px" } }));
   }
@@ -736,7 +768,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
     }
     if (!traced)
     {
-      JudgeMiddle(jaw, thresholds, verdict);
+      JudgeMiddle(result, group, jaw, thresholds, verdict);
     }
     if (!jaw.tracingFailure.empty())
     {

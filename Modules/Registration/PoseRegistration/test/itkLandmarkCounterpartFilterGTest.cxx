@@ -205,7 +205,7 @@ TEST(LandmarkCounterpartFilter, ExcludedTeethHaveNone)
   EXPECT_EQ(molar->points.front(), phantom.landmarks->Find("UL6_MB")->point);
   EXPECT_EQ(phantom.filter->GetOutput()->Find("U1_tip"), nullptr);
   ASSERT_EQ(phantom.filter->GetUnused().size(), 1u);
-  EXPECT_EQ(phantom.filter->GetUnused().front().reason, "its tooth is excluded");
+  EXPECT_EQ(phantom.filter->GetUnused().front().reason, "the tooth is excluded");
 }
 
 TEST(LandmarkCounterpartFilter, SaysWhatItCannotFind)
@@ -215,7 +215,7 @@ TEST(LandmarkCounterpartFilter, SaysWhatItCannotFind)
   phantom.filter->Update();
   EXPECT_EQ(phantom.filter->GetOutput()->GetCounterparts().size(), 2u);
   ASSERT_EQ(phantom.filter->GetUnused().size(), 2u);
-  EXPECT_NE(phantom.filter->GetUnused().front().reason.find("no scan of its jaw"), std::string::npos);
+  EXPECT_NE(phantom.filter->GetUnused().front().reason.find("no scan of the jaw"), std::string::npos);
 }
 
 TEST(LandmarkCounterpartFilter, FindsThemAlongTheArchWithinTheErrorsThatItStates)

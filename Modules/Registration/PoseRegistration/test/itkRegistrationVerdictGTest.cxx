@@ -971,6 +971,26 @@ TEST(RegistrationVerdict, MarksOfOneJawCannotTellWhichJawTheyAreOf)
   EXPECT_FALSE(isSaid(result));
 }
 
+TEST(RegistrationVerdict, WhatIsMissingIsSaidByTheNamesOfWhatWasMarked)
+{
+  const auto textOf = [](std::size_t landmark) {
+    auto result = MakeResultOfLandmarks();
+    for (auto & jaw : result.jaws)
+    {
+      jaw.middleSigma = 12.0;
+      if (landmark < jaw.landmarks.size())
+      {
+        jaw.landmarks = { jaw.landmarks[landmark] };
+      }
+    }
+    return Verdict::Evaluate(result).at(0).findings.front().text;
+  };
+  EXPECT_TRUE(Contains(textOf(0), "front teeth alone do not tell how the head is tipped: mark molars")) << textOf(0);
+  EXPECT_TRUE(Contains(textOf(1), "posterior teeth alone do not tell how the head is tipped: mark incisors"))
+    << textOf(1);
+  EXPECT_TRUE(Contains(textOf(2), "mark incisors and molars of both jaws")) << textOf(2);
+}
+
 TEST(RegistrationVerdict, AnUncertaintyWithoutBoundIsNoNumberOfManyDigits)
 {
   auto result = MakeResultOfLandmarks();
