@@ -131,6 +131,27 @@ def test_a_wrong_spacing_is_told_with_the_right_one(run, case, tmp_path, factor)
         assert finding["limit"] == pytest.approx(right * factor)
 
 
+@pytest.mark.parametrize("seed", [91101, 91105, 91106])
+def test_a_spacing_that_is_a_quarter_too_small_is_told(run, tmp_path, seed):
+    """Worn and crowded teeth: with the molars on the teeth before their own both jaws were ok, 4 to 6 px off."""
+    (tmp_path / "mine.json").write_text(json.dumps({"triangles": 20000, "decimate_to": 0}))
+    made = run("phantom", "--level", "real", "--parameters", tmp_path / "mine.json", "--frame", "shared", "--seed", seed,
+               "--no-radiograph", "--output", tmp_path / "case")
+    assert made.returncode == 0, made.stderr
+    path = tmp_path / "case" / "case.json"
+    content = json.loads(path.read_text())
+    for name in ("landmarks_2d", "landmarks_3d"):
+        content.pop(name)
+    right = content["cephalogram"]["pixel_spacing_mm"]
+    for factor in (1.0, 0.77):
+        content["cephalogram"]["pixel_spacing_mm"] = [factor * s for s in right]
+        path.write_text(json.dumps(content))
+        assert run("register", path, "--output", tmp_path / f"{factor}", "--no-report").returncode in (0, 1)
+    for jaw in ("upper", "lower"):
+        assert codes_of(load(tmp_path / "1.0"), jaw) == set()
+        assert "pixel-spacing" in codes_of(load(tmp_path / "0.77"), jaw)
+
+
 def test_a_spacing_in_centimetres_is_told(run, case, tmp_path):
     content = case.load()
     content["cephalogram"]["pixel_spacing_mm"] = [s / 10.0 for s in content["cephalogram"]["pixel_spacing_mm"]]

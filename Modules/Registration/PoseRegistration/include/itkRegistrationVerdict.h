@@ -127,9 +127,9 @@ public:
      * on it is another: 8 %, beyond what magnification and its default leave open. */
     double spacingScore{ 0.15 };
     double spacingDifference{ 0.08 };
-    /** Share of a tracing's score up to which it is suspect where no spacing fits so well: of arches with the traits of
-     * real ones the right spacing has a score of 0.10 to 0.26 (Documentation/RobustStudies.md). */
-    double spacingShare{ 0.7 };
+    /** Share of a tracing's score up to which another spacing is suspect that is not sure by the two above: a free
+     * scale that is off from the right one fits worse, by 1.07 and more (Documentation/RobustStudies.md). */
+    double spacingShare{ 0.95 };
     /** Where a tracing determines roll and yaw, a dental axis that is unsure is borne out by a fit at most so poor and
      * a margin at least so large (IsAxisBorneOut()). */
     double borneOutCost{ 0.3 };

@@ -35,6 +35,8 @@ namespace
 /** Four marks of two jaws in one frame have eight coordinates, of which a pose and a scale take five: fewer fit at any
  * scale. */
 constexpr std::size_t MinimumNumberOfLandmarks = 4;
+/** Standard deviations of the scale's prior: one case of 20 with a right spacing has more. */
+constexpr double LeaningOnScale = 2.0;
 
 bool
 HasEnoughLandmarks(const PoseProblem & problem)
@@ -55,12 +57,13 @@ HasEnoughLandmarks(const PoseProblem & problem)
 bool
 OtherSpacingHypothesis::IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const
 {
-  // A spacing that is wrong by less than the search bridges fits, and contradicts its prior.
-  return problem.nominal.pixelSpacingKnown && result.score > problem.options.poorScore &&
-         (std::any_of(problem.jaws.begin(),
-                      problem.jaws.end(),
-                      [](const PoseJawInput & jaw) { return jaw.tracing.IsNotNull(); }) ||
-          HasEnoughLandmarks(problem));
+  // A spacing that is wrong by less than the search bridges fits, and contradicts its prior. One that is too small by a
+  // quarter may fit with the teeth beside their own: it leans on the prior all the same.
+  const bool isTraced = std::any_of(
+    problem.jaws.begin(), problem.jaws.end(), [](const PoseJawInput & jaw) { return jaw.tracing.IsNotNull(); });
+  const bool isPoor = result.score > problem.options.poorScore;
+  const bool leans = isTraced && result.priorTension[PoseKappa] > LeaningOnScale;
+  return problem.nominal.pixelSpacingKnown && (isPoor || leans) && (isTraced || HasEnoughLandmarks(problem));
 }
 
 std::string

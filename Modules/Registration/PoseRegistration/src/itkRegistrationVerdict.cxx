@@ -540,15 +540,19 @@ JudgeReadings(const PoseRegistrationResult &          registration,
     {
       continue;
     }
-    // Where the scale is free only a good fit with another one says something.
+    // A scale that is free differs a little by itself.
     if (isSpacing(code) && (!(spacingOf(outcome) > 0.0) || std::abs(std::log(spacingOf(outcome) / given)) < difference))
     {
       continue;
     }
-    // Worn or crowded teeth and hard noise fit no spacing well, but the right one by far better.
+    // Worn or crowded teeth and hard noise fit no spacing well, but the right one better.
+    if (isSpacing(code) && isTraced && outcome.score <= thresholds.spacingShare * group.score)
+    {
+      betterScale = &entry;
+    }
+    // Where the scale is free only a good fit with another one is sure.
     if (isSpacing(code) && outcome.score > thresholds.spacingScore)
     {
-      betterScale = isTraced && outcome.score <= thresholds.spacingShare * group.score ? &entry : betterScale;
       continue;
     }
     const EntryType *& place = isSpacing(code) ? bestScale : best;
@@ -590,7 +594,7 @@ JudgeReadings(const PoseRegistrationResult &          registration,
       Add(verdict,
           StatusEnum::Suspect,
           "pixel-spacing",
-          "what was drawn fits better by far with a pixel spacing of " + FormatNumber(spacing, spacing < 0.1 ? 3 : 2) +
+          "what was drawn fits better with a pixel spacing of " + FormatNumber(spacing, spacing < 0.1 ? 3 : 2) +
             " mm than with " + FormatNumber(given, given < 0.1 ? 3 : 2) +
             " mm: check pixel_spacing_mm, its unit and its plane",
           { spacing, given, "mm" });

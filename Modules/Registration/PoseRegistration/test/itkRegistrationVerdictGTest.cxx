@@ -356,7 +356,7 @@ MakeLimits()
         r.groups[0].score = 0.15;
         r.groups[0].outcomes["pixel-spacing"] = { r.groups[0].score - x, 0.0, { { 0.5, 0.5 } } };
       },
-      {},
+      { { "pixel-spacing", Suspect } },
       { { "pixel-spacing", Failed } } },
     { "SpacingScore",
       &Thresholds::spacingScore,
@@ -370,7 +370,7 @@ MakeLimits()
       { { "pixel-spacing", Suspect } } },
     { "SpacingShare",
       &Thresholds::spacingShare,
-      0.7,
+      0.95,
       true,
       [](Result & r, double x) {
         r.groups[0].score = 0.3;
