@@ -47,9 +47,10 @@ constexpr double ScannedShare = 0.85;
  * them. */
 constexpr double ShortestTooth = 10.0;
 constexpr double LongestTooth = 40.0;
-/** Of a textbook's length, the least of an outline of which the file does not say that it is a whole tooth's. A root
- * alone has 55 to 65 % of it and a crown alone 35 to 45 %, while of 2360 outlines of phantoms the shortest has 85 %. */
-constexpr double SmallestLengthShare = 0.65;
+/** Of a textbook's length, the least of an outline of which the file does not say that it is a whole tooth's. A crown
+ * alone has 35 to 45 % of it. A root alone has 55 to 65 %, as a whole tooth may have that is drawn short: that it lies
+ * on no crown is seen at the solution. */
+constexpr double SmallestLengthShare = 0.5;
 /** A molar with its roots is twice as long as it is wide, an incisor thrice, and half of the difference to a crown
  * alone, which is as wide as it is high, may be lost by roots that are drawn short. */
 constexpr double SmallestElongation = 1.1;
@@ -160,8 +161,8 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     m_Failure = millimetres > LongestTooth ? length + "is: is pixel_spacing_mm wrong?"
                 : millimetres < ShortestTooth
                   ? length + "is: is it a root or a crown alone, or is pixel_spacing_mm wrong?"
-                  : length + "of its kind is, as a rule: is it a root or a crown alone? One that is "
-                             "whole has \"outline\": \"tooth\" in the file";
+                  : length + "of its kind is, as a rule: is it a crown alone? One that is whole "
+                             "has \"outline\": \"tooth\" in the file";
     return;
   }
   // From the root's end around, so that the crown is one run.
