@@ -134,7 +134,7 @@ def test_a_wrong_spacing_is_told_with_the_right_one(run, case, tmp_path, factor)
 @pytest.mark.parametrize("seed", [91101, 91105, 91106])
 def test_a_spacing_that_is_a_quarter_too_small_is_told(run, tmp_path, seed):
     """Worn and crowded teeth: with the molars on the teeth before their own both jaws were ok, 4 to 6 px off."""
-    (tmp_path / "mine.json").write_text(json.dumps({"triangles": 20000, "decimate_to": 0}))
+    (tmp_path / "mine.json").write_text(json.dumps({"scan": {"triangles": 20000, "decimate_to": 0}}))
     made = run("phantom", "--level", "real", "--parameters", tmp_path / "mine.json", "--frame", "shared", "--seed", seed,
                "--no-radiograph", "--output", tmp_path / "case")
     assert made.returncode == 0, made.stderr
