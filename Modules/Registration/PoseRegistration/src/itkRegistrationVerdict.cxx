@@ -885,7 +885,7 @@ RegistrationVerdict::IsAxisBorneOut(const PoseGroupResult &         group,
 {
   if (jaw.fit.numberOfPoints == 0)
   {
-    return !jaw.landmarks.empty() || !jaw.outlines.empty();
+    return jaw.landmarks.size() + jaw.outlines.size() > 1;
   }
   const bool rotates = !group.bisected && options.useFullPose && !options.fixRotation;
   return rotates && jaw.fit.numberOfPoints > 0 && jaw.fit.cost <= thresholds.borneOutCost &&

@@ -1117,6 +1117,8 @@ TEST(RegistrationVerdict, ADentalAxisIsBorneOutByATracingThatDeterminesItOrByWha
   // Without a tracing middles are what is determined; a jaw of which nothing was drawn determines nothing.
   result.jaws[0].fit = itk::PoseFitStatistics();
   EXPECT_FALSE(isBorneOut(options));
+  result.jaws[0].landmarks.resize(1);
+  EXPECT_FALSE(isBorneOut(options));
   result.jaws[0].landmarks.resize(2);
   EXPECT_TRUE(isBorneOut(options));
   result.jaws[0].landmarks.clear();
