@@ -641,16 +641,9 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   {
     return false;
   }
-  if (!given.empty())
+  if (pool.empty())
   {
-    const auto isElsewhere = [&](const CandidateType & candidate) {
-      return this->Distance(*reference, given.front().x, candidate.x) > m_Options.placeDistance;
-    };
-    pool.erase(std::remove_if(pool.begin(), pool.end(), isElsewhere), pool.end());
-    if (pool.empty())
-    {
-      pool = std::move(given);
-    }
+    pool.swap(given);
   }
   // The best of each of some places, and a second way into the best place: four of one place would hide the others.
   std::vector<CandidateType> kept =
@@ -679,48 +672,71 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   fine.widths = { m_Options.fineKernelWidth };
   fine.maximumEvaluations = m_Options.maximumEvaluations;
   fine.tolerance = m_Options.fineTolerance;
-  if (!refineAll(fine, JoinsEnum::Refinement))
-  {
-    return false;
-  }
-  // Where a drawing is precise the whitened criterion has minima a fraction of a pixel beside the answer: a smooth
-  // misfit, which it takes for drift of the hand, costs it little against the outline's own small steps. A second way
-  // leads there by the plain criterion, and ends by the whitened one with the noise as it is there.
-  std::vector<CandidateType> second;
-  std::copy_if(pool.begin(), pool.end(), std::back_inserter(second), [&](const CandidateType & candidate) {
-    return m_Options.estimateNoise && candidate.noise.white < PreciseFactor * m_Options.modelSigma &&
-           candidate.noise.smooth < m_Options.fineKernelWidth;
-  });
-  const bool precise = !second.empty();
-  if (precise)
-  {
-    for (CandidateType & candidate : second)
-    {
-      candidate.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
-    }
-    ScheduleType plain = fine;
-    plain.correlated = false;
-    fine.isNear = true;
-    if (!refineThese(second, plain, JoinsEnum::Refinement, pool.size()) ||
-        !refineThese(second, fine, JoinsEnum::Refinement, pool.size()))
+  const auto finish = [&](std::vector<CandidateType> & these) {
+    ScheduleType schedule = fine;
+    if (!refineThese(these, schedule, JoinsEnum::Refinement, 0))
     {
       return false;
     }
-    pool.insert(pool.end(), second.begin(), second.end());
-  }
-  // Of those that went to the end, each at its own estimate of the noise: hard noise blurs the fixed width's score, and
-  // a wrong place that a wide prior allows explains a tracing with levels that no hand has. Where the noise is little,
-  // the few points that are no part of it are told by a kernel of its width.
-  m_Monitor.ForEach(pool.size(), threads, [&](std::size_t i) {
-    const double fit = PoseSilhouetteKernel::FitWidth;
-    pool[i].deviance = this->ComputePosterior(pool[i], precise ? std::min(fit, this->GetOwnWidth(pool[i].noise)) : fit);
-  });
-  std::stable_sort(
-    pool.begin(), pool.end(), [](const CandidateType & a, const CandidateType & b) { return a.deviance < b.deviance; });
-  if (precise)
+    // Where a drawing is precise the whitened criterion has minima a fraction of a pixel beside the answer: a smooth
+    // misfit, which it takes for drift of the hand, costs it little against the outline's own small steps. A second
+    // way leads there by the plain criterion, and ends by the whitened one with the noise as it is there.
+    std::vector<CandidateType> second;
+    std::copy_if(these.begin(), these.end(), std::back_inserter(second), [&](const CandidateType & candidate) {
+      return m_Options.estimateNoise && candidate.noise.white < PreciseFactor * m_Options.modelSigma &&
+             candidate.noise.smooth < m_Options.fineKernelWidth;
+    });
+    const bool precise = !second.empty();
+    if (precise)
+    {
+      for (CandidateType & candidate : second)
+      {
+        candidate.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
+      }
+      ScheduleType plain = schedule;
+      plain.correlated = false;
+      schedule.isNear = true;
+      if (!refineThese(second, plain, JoinsEnum::Refinement, these.size()) ||
+          !refineThese(second, schedule, JoinsEnum::Refinement, these.size()))
+      {
+        return false;
+      }
+      these.insert(these.end(), second.begin(), second.end());
+    }
+    // Of those that went to the end, each at its own estimate of the noise: hard noise blurs the fixed width's score,
+    // and a wrong place that a wide prior allows explains a tracing with levels that no hand has. Where the noise is
+    // little, the few points that are no part of it are told by a kernel of its width.
+    m_Monitor.ForEach(these.size(), threads, [&](std::size_t i) {
+      const double fit = PoseSilhouetteKernel::FitWidth;
+      these[i].deviance =
+        this->ComputePosterior(these[i], precise ? std::min(fit, this->GetOwnWidth(these[i].noise)) : fit);
+    });
+    std::stable_sort(these.begin(), these.end(), [](const CandidateType & a, const CandidateType & b) {
+      return a.deviance < b.deviance;
+    });
+    if (precise)
+    {
+      // Both ways to one place are one candidate.
+      these = this->SelectDistinct(*reference, these, SameMinimum, these.size());
+    }
+    return true;
+  };
+  if (!finish(pool) || !finish(given))
   {
-    // Both ways to one place are one candidate.
-    pool = this->SelectDistinct(*reference, pool, SameMinimum, pool.size());
+    return false;
+  }
+  if (!given.empty())
+  {
+    // Only now: of two candidates that end in one place one may have begun in another.
+    const PositionType place = given.front().x;
+    const auto         isElsewhere = [&](const CandidateType & candidate) {
+      return this->Distance(*reference, place, candidate.x) > m_Options.placeDistance;
+    };
+    pool.erase(std::remove_if(pool.begin(), pool.end(), isElsewhere), pool.end());
+    if (pool.empty())
+    {
+      pool = std::move(given);
+    }
   }
   m_Stages(PoseStageEnum::Uncertainty);
   if (m_Monitor.IsAborted())
