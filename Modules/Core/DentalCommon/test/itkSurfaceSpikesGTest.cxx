@@ -122,17 +122,20 @@ TEST(SurfaceSpikes, BeginAtTheLengthThatIsGiven)
 
 TEST(SurfaceSpikes, AreNoWallsOfABaseNoFansAndNoCoarseTriangles)
 {
-  // A cone whose apex is connected with a ring as wide as it is high: a hole that was closed.
-  SurfaceType fan;
-  fan.points.push_back({ { 0.0, 0.0, 20.0 } });
-  constexpr std::uint32_t count = 60;
-  for (std::uint32_t i = 0; i < count; ++i)
+  // A cone whose apex is connected with a ring half as wide as it is high, or as wide: a hole that was closed.
+  for (const double radius : { 5.0, 10.0 })
   {
-    const double angle = 2.0 * 3.14159265358979 * i / count;
-    fan.points.push_back({ { 10.0 * std::cos(angle), 10.0 * std::sin(angle), 0.0 } });
-    fan.triangles.push_back({ { 0, 1 + i, 1 + (i + 1) % count } });
+    SurfaceType fan;
+    fan.points.push_back({ { 0.0, 0.0, 20.0 } });
+    constexpr std::uint32_t count = 60;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const double angle = 2.0 * 3.14159265358979 * i / count;
+      fan.points.push_back({ { radius * std::cos(angle), radius * std::sin(angle), 0.0 } });
+      fan.triangles.push_back({ { 0, 1 + i, 1 + (i + 1) % count } });
+    }
+    EXPECT_TRUE(Find(fan).empty()) << radius;
   }
-  EXPECT_TRUE(Find(fan).empty());
   // A wall of 15 mm with corners every 0.3 mm.
   SurfaceType wall;
   for (std::uint32_t i = 0; i < 100; ++i)
