@@ -245,8 +245,11 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
     Add(verdict,
         StatusEnum::Suspect,
         "outline-unmatched",
-        JoinNames(unmatched) + (unmatched.size() == 1 ? " lies" : " lie") +
-          " on nothing of the crown that the scan shows: is it a root without its crown, or of another tooth?",
+        JoinNames(unmatched) +
+          (unmatched.size() == 1 ? " lies on nothing of the crown that the scan shows: is it a root without its crown, "
+                                   "or of another tooth?"
+                                 : " lie on nothing of the crowns that the scans show: are they roots without their "
+                                   "crowns, or of other teeth?"),
         { smallestShare, MatchedShareOfATooth, "" });
   }
   const std::vector<std::string> & apart = tally.GetApart();
