@@ -178,7 +178,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     area += a[0] * b[1] - a[1] * b[0];
   }
   const double sign = area > 0.0 ? 1.0 : -1.0;
-  const double neck = high - std::min(FreeShare * textbook.crown / textbook.tooth * m_Length, ScannedShare * scanned);
+  const double neck = high - std::min(FreeShare * (textbook.crown / textbook.tooth) * m_Length, ScannedShare * scanned);
   for (std::size_t i = 0; i < count; ++i)
   {
     if (along(points[i]) < neck)
