@@ -262,7 +262,9 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
         "landmarks-disagree",
         std::string(hasLandmarks ? "the landmarks do" : "the outlines do") + " not fit the scans: " + JoinNames(apart) +
           (isOne ? " lies" : " lie") + " far from where the others put " + (isOne ? "it" : "them") +
-          "; were names of the two jaws, or of incisor and molar, exchanged?",
+          (hasLandmarks ? "; were names of the two jaws, or of incisor and molar, exchanged?"
+                        : "; were names of the two jaws, or of incisor and molar, exchanged, or are they roots without "
+                          "their crowns?"),
         { tally.GetLargest(), thresholds.landmarkApart, "sd" });
     return;
   }
