@@ -585,6 +585,11 @@ CaseRegistration::RegisterBySimilarity()
     m_Result.warnings.push_back(std::string("\"views\" are not used by preset ") + ToString(m_Preset) +
                                 ", which registers with one radiograph: use preset robust");
   }
+  if (m_Data->cephalometricLandmarks.IsNotNull())
+  {
+    m_Result.warnings.push_back(std::string("\"cephalometric_landmarks\" are not used by preset ") +
+                                ToString(m_Preset) + ", which registers contours: use preset robust");
+  }
   if (m_Data->description.initialPose || !m_Data->description.initialPlacements.empty())
   {
     m_Result.warnings.push_back(std::string("\"init.pose\" is not used by preset ") + ToString(m_Preset) +

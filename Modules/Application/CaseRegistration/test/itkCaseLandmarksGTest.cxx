@@ -173,6 +173,13 @@ TEST(CaseLandmarks, IncisorsAloneAreSaidToDetermineLittle)
   }
 }
 
+TEST(CaseLandmarks, APresetOfContoursSaysThatItDoesNotUseThem)
+{
+  const LandmarkCase phantom(6, "standard", 1.0, LandmarkCase::EvidenceEnum::Both);
+  EXPECT_TRUE(HasLineWith(Register(phantom, itk::CasePresetEnum::BoundingBox).warnings,
+                          "\"cephalometric_landmarks\" are not used by preset bounding-box"));
+}
+
 TEST(CaseLandmarks, AJawWithoutDrawingsIsPlacedByTheOther)
 {
   LandmarkCase phantom(7);

@@ -224,7 +224,8 @@ TEST(CaseOutlines, ARootAloneIsSaidAndNeverGuessed)
       said += Join(entry.second.GetReasons());
       EXPECT_NE(entry.second.status, itk::RegistrationStatusEnum::Ok) << said;
     }
-    EXPECT_NE(said.find("outline U1 lies"), std::string::npos) << said;
+    // Far from its place, or on nothing where the place is allowed for: the one beside whole ones is named.
+    EXPECT_NE(said.find(all ? "outline U1" : "outline U1 lies "), std::string::npos) << said;
   }
 }
 

@@ -27,41 +27,32 @@ namespace itk
 {
 namespace
 {
-/** mm, of a textbook. */
-struct ToothLengths
-{
-  double crown;
-  double tooth;
-};
-/** First to third tooth, and those behind them. */
-constexpr ToothLengths UpperFront{ 10.5, 23.5 };
-constexpr ToothLengths LowerFront{ 9.0, 21.5 };
-constexpr ToothLengths UpperBack{ 7.5, 20.0 };
-constexpr ToothLengths LowerBack{ 7.5, 21.5 };
+/** Share of a tooth's length that is its crown: first to third tooth, and those behind them. */
+constexpr double UpperFrontShare = 10.5 / 23.5;
+constexpr double LowerFrontShare = 9.0 / 21.5;
+constexpr double UpperBackShare = 7.5 / 20.0;
+constexpr double LowerBackShare = 7.5 / 21.5;
 /** Of the crown from its occlusal end: what gingiva leaves free. */
 constexpr double FreeShare = 0.9;
 /** Of what the scan shows of it: where a crown was cut across, its outline ends at different heights all around. */
 constexpr double ScannedShare = 0.85;
-/** Shortest and longest tooth with its root, mm. A lower central incisor of 16 mm and a canine of 33 are known; roots
- * are resorbed by a quarter in orthodontic treatment, are seen at a slant, and hands end them early, where bone hides
- * them. */
+/** Shortest and longest tooth with its root, mm. Of the shared standard tracings lower incisors are 11 to 14.5 mm long,
+ * as roots alone are: those are told by where they lie. A lower central incisor of 16 mm and a canine of 33 are known;
+ * roots are resorbed by a quarter in orthodontic treatment, are seen at a slant, and hands end them early, where bone
+ * hides them. */
 constexpr double ShortestTooth = 10.0;
 constexpr double LongestTooth = 40.0;
-/** Of a textbook's length, the least of an outline of which the file does not say that it is a whole tooth's. A crown
- * alone has 35 to 45 % of it. A root alone has 55 to 65 %, as a whole tooth may have that is drawn short: that it lies
- * on no crown is seen at the solution. */
-constexpr double SmallestLengthShare = 0.5;
 /** A molar with its roots is twice as long as it is wide, an incisor thrice, and half of the difference to a crown
  * alone, which is as wide as it is high, may be lost by roots that are drawn short. */
 constexpr double SmallestElongation = 1.1;
 /** px over which the lingual side begins behind the incisal edge, 1.5 mm. */
 constexpr double EdgeLength = 6.0;
 
-ToothLengths
-LengthsOf(ToothCode::JawEnum jaw, unsigned int position)
+double
+ShareOf(ToothCode::JawEnum jaw, unsigned int position)
 {
   const bool upper = jaw == ToothCode::JawEnum::Upper;
-  return position <= 3 ? (upper ? UpperFront : LowerFront) : (upper ? UpperBack : LowerBack);
+  return position <= 3 ? (upper ? UpperFrontShare : LowerFrontShare) : (upper ? UpperBackShare : LowerBackShare);
 }
 } // namespace
 
@@ -150,19 +141,11 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     m_Failure = "it is about as wide as it is long: is it a crown without its root?";
     return;
   }
-  const ToothLengths textbook = LengthsOf(jaw, m_Position);
-  // Milk teeth are shorter than those that follow them.
-  const bool   isDoubted = polyline.outline != DentalContour::OutlineEnum::Tooth && !polyline.code.IsPrimary();
-  const double shortest = isDoubted ? std::max(ShortestTooth, SmallestLengthShare * textbook.tooth) : ShortestTooth;
   const double millimetres = m_Length * PoseWorkingPixel * geometry.sourceToMidsagittal / geometry.sourceToDetector;
-  if (geometry.pixelSpacingKnown && (millimetres < shortest || millimetres > LongestTooth))
+  if (geometry.pixelSpacingKnown && (millimetres < ShortestTooth || millimetres > LongestTooth))
   {
-    const std::string length = "it is " + std::to_string(std::lround(millimetres)) + " mm long, and no tooth ";
-    m_Failure = millimetres > LongestTooth ? length + "is: is pixel_spacing_mm wrong?"
-                : millimetres < ShortestTooth
-                  ? length + "is: is it a root or a crown alone, or is pixel_spacing_mm wrong?"
-                  : length + "of its kind is, as a rule: is it a crown alone? One that is whole "
-                             "has \"outline\": \"tooth\" in the file";
+    m_Failure = "it is " + std::to_string(std::lround(millimetres)) +
+                " mm long, and no tooth is: is it a root or a crown alone, or is pixel_spacing_mm wrong?";
     return;
   }
   // From the root's end around, so that the crown is one run.
@@ -179,7 +162,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     area += a[0] * b[1] - a[1] * b[0];
   }
   const double sign = area > 0.0 ? 1.0 : -1.0;
-  const double neck = high - std::min(FreeShare * textbook.crown / textbook.tooth * m_Length, ScannedShare * scanned);
+  const double neck = high - std::min(FreeShare * ShareOf(jaw, m_Position) * m_Length, ScannedShare * scanned);
   for (std::size_t i = 0; i < count; ++i)
   {
     if (along(points[i]) < neck)

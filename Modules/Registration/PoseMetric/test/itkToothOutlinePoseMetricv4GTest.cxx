@@ -507,15 +507,6 @@ TEST(ToothOutlinePoseMetricv4, WhatTheFileSaysOfAnOutlineGoesBeforeItsShape)
   }
   EXPECT_NE(use(circle, 16, OutlineEnum::Unspecified).find("about as wide as it is long"), std::string::npos);
   EXPECT_EQ(use(circle, 16, OutlineEnum::Tooth).find("about as wide as it is long"), std::string::npos);
-  // As long as a crown alone is: a short tooth that is whole says so. A root alone is as long as a short tooth.
-  PointsType half = MakeDrawing(false);
-  for (auto & p : half)
-  {
-    p[1] = 0.48 * (p[1] - half[0][1]) + half[0][1];
-  }
-  EXPECT_NE(use(half, 11, OutlineEnum::Unspecified).find("is it a crown alone?"), std::string::npos)
-    << use(half, 11, OutlineEnum::Unspecified);
-  EXPECT_EQ(use(half, 11, OutlineEnum::Tooth), "");
 }
 
 namespace

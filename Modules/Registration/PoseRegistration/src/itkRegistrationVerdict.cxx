@@ -245,8 +245,11 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
     Add(verdict,
         StatusEnum::Suspect,
         "outline-unmatched",
-        JoinNames(unmatched) + (unmatched.size() == 1 ? " lies" : " lie") +
-          " on nothing of the crown that the scan shows: is it a root without its crown, or of another tooth?",
+        JoinNames(unmatched) +
+          (unmatched.size() == 1 ? " lies on nothing of the crown that the scan shows: is it a root without its crown, "
+                                   "or of another tooth?"
+                                 : " lie on nothing of the crowns that the scans show: are they roots without their "
+                                   "crowns, or of other teeth?"),
         { smallestShare, MatchedShareOfATooth, "" });
   }
   const std::vector<std::string> & apart = tally.GetApart();
@@ -259,7 +262,9 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
         "landmarks-disagree",
         std::string(hasLandmarks ? "the landmarks do" : "the outlines do") + " not fit the scans: " + JoinNames(apart) +
           (isOne ? " lies" : " lie") + " far from where the others put " + (isOne ? "it" : "them") +
-          "; were names of the two jaws, or of incisor and molar, exchanged?",
+          (hasLandmarks ? "; were names of the two jaws, or of incisor and molar, exchanged?"
+                        : "; were names of the two jaws, or of incisor and molar, exchanged, or are they roots without "
+                          "their crowns?"),
         { tally.GetLargest(), thresholds.landmarkApart, "sd" });
     return;
   }

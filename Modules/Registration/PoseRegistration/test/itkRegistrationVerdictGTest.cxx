@@ -931,7 +931,7 @@ TEST(RegistrationVerdict, AnOutlineThatLiesOnNothingIsNamedAndBearsNobodyOut)
   result.jaws[1].landmarks.clear();
   result.jaws[0].landmarks[0].distance = limits.landmarkApart + 0.01;
   EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)),
-            (Named{ { "outline-unmatched", Suspect }, { "landmarks-disagree", Failed } }));
+            (Named{ { "landmarks-disagree", Failed }, { "outline-unmatched", Suspect } }));
 }
 
 TEST(RegistrationVerdict, OutlinesThatDisagreeAreNotCalledLandmarks)
@@ -947,7 +947,7 @@ TEST(RegistrationVerdict, OutlinesThatDisagreeAreNotCalledLandmarks)
     jaw.outlines = { outline };
   }
   result.jaws[0].outlines[0].distance = limits.landmarkApart + 0.01;
-  const auto & finding = Verdict::Evaluate(result).at(0).findings.front();
+  const auto finding = Verdict::Evaluate(result).at(0).findings.front();
   EXPECT_EQ(finding.code, "landmarks-disagree");
   EXPECT_TRUE(Contains(finding.text,
                        "the outlines do not fit the scans: outline U6 lies far from where the others "
