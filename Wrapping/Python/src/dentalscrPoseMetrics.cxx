@@ -25,6 +25,7 @@
 #include "itkPoseStateBlocks.h"
 #include "itkRegistrationIterationCommand.h"
 #include "itkSquaresKernel.h"
+#include "itkTracedSide.h"
 
 #include <limits>
 #include <sstream>
@@ -37,7 +38,6 @@ using StateType = itk::RegistrationState;
 using ParameterType = StateType::ParameterType;
 using BlockType = StateType::BlockType;
 using OptimizerType = itk::LevenbergMarquardtOptimizerv4;
-using JawEnum = itk::ToothCode::JawEnum;
 using HoldEnum = MetricBaseType::HoldEnum;
 using ArrayType = py::array_t<double>;
 
