@@ -39,7 +39,6 @@ using StateType = itk::RegistrationState;
 using ParameterType = StateType::ParameterType;
 using BlockType = StateType::BlockType;
 using OptimizerType = itk::LevenbergMarquardtOptimizerv4;
-using JawEnum = itk::ToothCode::JawEnum;
 using HoldEnum = MetricBaseType::HoldEnum;
 using ArrayType = py::array_t<double>;
 
