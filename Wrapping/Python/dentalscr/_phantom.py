@@ -154,6 +154,6 @@ def DentalPhantomCase(
     """
     process = DentalPhantomCaseSource()
     process.SetSeed(seed)
-    process.SetCohort(cast(_core.PhantomCohort, cohort.replace("-", "") if isinstance(cohort, str) else cohort))
+    process.SetCohort(_core.PhantomCohort(cohort.replace("-", "")) if isinstance(cohort, str) else cohort)
     apply_settings(process, settings)
     return process.Execute()

@@ -370,17 +370,12 @@ def test_every_option_can_be_set(ds):
     assert options.rollSigma == 0.25
 
 
-def test_initial_transform_replaces_the_search(ds, phantom, axes, solution):
+def test_initial_transform_says_which_place_is_meant(ds, phantom, axes, solution):
     method = ds.PoseRegistrationMethod()
     method.SetFrames(axes)
-    optimizer = ds.LevenbergMarquardtOptimizerv4()
-    method.SetOptimizer(optimizer)
-    stages = []
-    optimizer.AddCommand(ds.sitkIterationEvent, lambda: stages.append(method.GetCurrentIteration().stage))
     method.SetInitialTransform("upper", solution.GetTransform("upper"), np.exp(solution.GetPose("upper")[6]))
     started = method.Execute(*inputs(phantom))
-    assert stages and ds.PoseStage.Start not in stages
-    assert np.allclose(started.GetPose("upper"), solution.GetPose("upper"), atol=0.05)
+    assert np.allclose(started.GetPose("upper"), solution.GetPose("upper"), atol=1e-9)
     method.ClearInitialTransforms()
     assert method.Execute(*inputs(phantom)).GetPose("upper") == solution.GetPose("upper")
 
@@ -1094,12 +1089,19 @@ def test_outlines_of_whole_teeth_alone_determine_a_pose(ds):
     total.SetBlockValues("pose", np.array(marks.GetBlockValues("pose")) + [0.01, 0.0, 0.0, 1.5, 0.0, -1.5])
     total.Initialize()
     assert terms[0].GetFailure() == "" and terms[0].GetOutlinedTeeth()
-    before = [np.linalg.norm(residual.shift) for term in terms for residual in term.GetOutlineResiduals()]
+
+    def outlines():
+        # The sum owns the state: a term by itself is where it is put.
+        for term in terms:
+            term.SetBlockValues("pose", total.GetBlockValues("pose"))
+        return [residual for term in terms for residual in term.GetOutlineResiduals()]
+
+    before = [np.linalg.norm(residual.shift) for residual in outlines()]
     optimizer.SetMetric(total)
     for _ in range(3):
         total.UpdateNoiseCorrelation()
         optimizer.StartOptimization()
-    residuals = [residual for term in terms for residual in term.GetOutlineResiduals()]
+    residuals = outlines()
     after = [np.linalg.norm(residual.shift) for residual in residuals]
     assert np.mean(after) < 0.5 * np.mean(before)
     assert all(residual.crown.shape[1] == 2 and 0.0 <= residual.weight <= 1.0 for residual in residuals)
@@ -1136,7 +1138,7 @@ def test_a_term_of_another_view_moves_with_the_body_and_by_itself(ds):
         "UL1_tip": (24.5, 4.0, 1.0),
         "UL6_MB": (-17.0, 25.0, 1.5),
     }
-    geometry = ds.CephalometricGeometry(direction="Frontal")
+    geometry = ds.CephalometricGeometry(direction="Frontal", pixelSpacing=0.25, principalPoint=(500.0, 400.0))
     term = ds.LandmarkPoseMetricv4()
     term.SetTransform(ds.CephalometricPoseTransform(geometry))
     view = ds.ViewPoseMetricv4()
@@ -1144,7 +1146,7 @@ def test_a_term_of_another_view_moves_with_the_body_and_by_itself(ds):
         view.Initialize()
     view.SetTerm(term)
     view.SetView("frontal")
-    assert view.GetView() == "frontal" and view.GetTerm().GetNameOfClass() == "LandmarkPoseMetricv4"
+    assert view.GetView() == "frontal" and isinstance(view.GetTerm(), ds.LandmarkPoseMetricv4)
     term.SetMovingLandmarks(places)
     true = (0.05, -0.03, 0.08, 1.0, 2.0, -1.0, 0.01)
     seen = ds.CephalometricPoseTransform(geometry, true)
