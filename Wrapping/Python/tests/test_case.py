@@ -365,17 +365,18 @@ def keywords(sample, case):
     }
 
 
-def test_a_result_is_gone_on_from_on_disk_and_in_memory(ds, sample, result, tmp_path):
+def test_a_result_is_gone_on_from_on_disk_and_in_memory(ds, sample, case, result, tmp_path):
     result.Write(tmp_path / "first", report=False)
     again = {
         name: ds.register_from(first, exclude=["UR6", "LR6"])
         for name, first in (("disk", tmp_path / "first"), ("file", tmp_path / "first" / "result.json"), ("memory", result))
     }
+    nothing = ds.register(ds.Case(**keywords(sample, case), exclude=["UR6", "LR6"]))
     for other in again.values():
         assert other.to_dict()["control"] == {"exclude": ["UR6", "LR6"], "init": True}
         assert any("not searched beside a given start" in line for line in other.to_dict()["not_checkable"])
-        # The farthest are molars of the side that was not traced.
-        assert 0.01 < moved(result, other) < 8.0
+        # A start says which place is meant: the answer there is that of a run from nothing.
+        assert 0.01 < moved(result, other) and moved(nothing, other) < 0.02
         assert moved(again["disk"], other) == 0.0
     # What it was told holds on; an empty list takes it back, and so it is where it was.
     third = ds.register_from(again["memory"], fix=["scale"], output=tmp_path / "third")
@@ -409,7 +410,9 @@ def test_a_start_without_a_pixel_spacing_is_the_estimate(ds, sample, case):
     again = ds.register_from(first, exclude=["UR6"])
     assert not any("is not used" in line for line in again.warnings)
     assert again.to_dict()["geometry"]["pixel_spacing_mm"] == first.to_dict()["geometry"]["pixel_spacing_mm"]
-    assert 0.001 < moved(first, again) < 8.0
+    # What a run from nothing says with this tooth left out and the scale that was estimated.
+    nothing = ds.register({**keywords(sample, case), "geometry": None}, exclude=["UR6"])
+    assert 0.001 < moved(first, again) < 8.0 and moved(nothing, again) < 4.0
 
 
 def test_what_cannot_be_gone_on_from_is_said(ds, sample, result, tmp_path):
