@@ -41,6 +41,7 @@ def test_verdicts_table_has_the_codes_thresholds():
         "landmark-apart": [f"> {t['landmarkApart']:g} sd"],
         "landmarks-rough": [f"> {t['suspectLandmarkRatio']:g} sd"],
         "outlines-contradict": [f"> {t['suspectOutlineRatio']:g} sd"],
+        "bite": [f"> {t['suspectBite']:g} sd", f"{-t['biteMean']:g} mm", f"{t['biteSigma']:g} mm"],
         "ambiguous": [f"margin < {t['suspectMargin']:g}"],
         "prior-tension": [
             f"κ or ty > {t['suspectPriorTension']:g} sd, roll or yaw > {t['suspectRotationTension']:g} sd (17.5°)"

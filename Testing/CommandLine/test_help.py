@@ -54,8 +54,8 @@ NAMES = {
     "markups-spacing", "mesh-unit", "methods", "mode", "no-figures", "no-page", "no-radiograph", "no-report", "normalization",
     "numbering", "occlusion", "option", "output", "page", "parameters", "points", "port", "preset", "preview", "principal-point", "range",
     "refine-midline", "result", "resume", "seed", "show-parameters", "sigma", "silhouette", "size", "snapshot", "source-side", "spacing",
-    "spacing-plane", "starts", "stone-base", "strict", "study", "tooth-bias", "traced-side", "triangles", "upper", "upper-labels", "view",
-    "wait", "whole",
+    "spacing-plane", "starts", "stock-outlines", "stone-base", "strict", "study", "tooth-bias", "traced-side", "triangles", "upper", "upper-labels",
+    "view", "wait", "whole",
 }
 # Values of one kind have one type in all verbs, but where the thing itself is another.
 SAME_TYPE = {"case", "facing", "source-side", "spacing", "distances", "mesh-unit", "occlusion", "preset", "strict", "upper", "lower", "sigma", "traced-side"}

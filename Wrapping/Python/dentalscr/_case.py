@@ -62,6 +62,9 @@ class Case:
     cephalometricLandmarks : dict or path, optional
         Marked in the radiograph, to register with, alone or beside a tracing: ``{"U1_tip": (u, v)}``, or
         ``{"U1_tip": {"position": (u, v), "sigma_px": 2.0}}``, or a file (:func:`ReadCephalometricLandmarks`).
+    stockOutlines : path or contours, optional
+        Outlines of whole teeth that the reader's software offers, as another patient's tracing has them
+        (:func:`ReadContours`): outlines that are one of them, moved, are templates, of which tip and axis count.
     landmarks3D : landmarks-like, optional
         On the scans, in their frame: they are predicted in the radiograph.
     landmarks2D : landmarks-like, optional
@@ -99,7 +102,12 @@ class Case:
         cephalometricLandmarks: Optional[Any] = None,
         views: Sequence[Dict[str, Any]] = (),
         init: Optional[Union[PathLike, CaseResult]] = None,
+        stockOutlines: Optional[Any] = None,
     ) -> None:
+        if is_path(stockOutlines):
+            from ._io import ReadContours
+
+            stockOutlines = ReadContours(cast(PathLike, stockOutlines))[:2]
         if contours is not None:
             if upperContour is not None or lowerContour is not None:
                 raise ArgumentError("give either contours or upperContour and lowerContour")
@@ -126,6 +134,7 @@ class Case:
                 tracedSide,
                 occlusion,
                 None if cephalometricLandmarks is None else as_cephalometric_landmarks(cephalometricLandmarks),
+                [as_contour(outlines) for outlines in stockOutlines or () if outlines is not None],
                 None if landmarks3D is None else as_landmarks(landmarks3D, 3),
                 None if landmarks2D is None else as_landmarks(landmarks2D, 2),
                 list(exclude),

@@ -295,6 +295,7 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
         cephalometricLandmarks: Optional[Any] = None,
         counterparts: Optional[Dict[str, LandmarkCounterpart]] = None,
         toothCrowns: Optional[Dict[str, ToothCrown]] = None,
+        stockOutlines: Optional[ContourLike] = None,
     ) -> _core.PoseSolution:
         """Registers one jaw or both.
 
@@ -312,6 +313,9 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
             Of ``FindLandmarkCounterparts()``.
         toothCrowns : dict, optional
             Of ``FindToothCrowns()``: outlines of whole teeth (traced side "standard") are compared with them.
+        stockOutlines : contour-like, optional
+            Closed outlines that the reader's software offers, of any size: outlines that are one of them, moved, are
+            templates, of which tip and axis count.
         """
         if (cephalometricLandmarks is None) != (counterparts is None):
             raise ArgumentError(
@@ -321,6 +325,7 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
         self._SetCephalometricLandmarks(_read_landmarks(cephalometricLandmarks))
         self._SetLandmarkCounterparts(None if counterparts is None else dict(counterparts))
         self._SetToothCrowns(None if toothCrowns is None else dict(toothCrowns))
+        self._SetStockOutlines(None if stockOutlines is None else as_contour(stockOutlines))
         self._SetGeometry(as_geometry(geometry))
         self._SetUpperMesh(None if upper is None else as_mesh(upper))
         self._SetLowerMesh(None if lower is None else as_mesh(lower))

@@ -233,21 +233,22 @@ AddView(Case &                       self,
 }
 
 std::shared_ptr<Case>
-MakeCase(MeshType *                         upper,
-         MeshType *                         lower,
-         itk::DentalContour *               upperContour,
-         itk::DentalContour *               lowerContour,
-         itk::CephalometricGeometry *       geometry,
-         ImageType *                        image,
-         const itk::Size<2> &               imageSize,
-         bool                               principalPointKnown,
-         const std::optional<std::string> & tracedSide,
-         const std::string &                occlusion,
-         const py::object &                 cephalometricLandmarks,
-         const py::object &                 landmarks3D,
-         const py::object &                 landmarks2D,
-         const std::vector<std::string> &   exclude,
-         const std::vector<std::string> &   fix)
+MakeCase(MeshType *                                upper,
+         MeshType *                                lower,
+         itk::DentalContour *                      upperContour,
+         itk::DentalContour *                      lowerContour,
+         itk::CephalometricGeometry *              geometry,
+         ImageType *                               image,
+         const itk::Size<2> &                      imageSize,
+         bool                                      principalPointKnown,
+         const std::optional<std::string> &        tracedSide,
+         const std::string &                       occlusion,
+         const py::object &                        cephalometricLandmarks,
+         const std::vector<itk::DentalContour *> & stockOutlines,
+         const py::object &                        landmarks3D,
+         const py::object &                        landmarks2D,
+         const std::vector<std::string> &          exclude,
+         const std::vector<std::string> &          fix)
 {
   auto result = std::make_shared<Case>();
   result->data = std::make_shared<DentalCaseData>();
@@ -305,6 +306,17 @@ MakeCase(MeshType *                         upper,
   takeJaw(JawEnum::Lower, lower, lowerContour);
   data.cephalometricLandmarks = ToCephalometricLandmarks(cephalometricLandmarks, data.imageSize, data.warnings);
   itk::SettleTracedSide(data);
+  if (!stockOutlines.empty())
+  {
+    data.stockOutlines = itk::DentalContour::New();
+    for (const itk::DentalContour * outlines : stockOutlines)
+    {
+      for (const auto & polyline : outlines->GetPolylines())
+      {
+        data.stockOutlines->AddPolyline(polyline);
+      }
+    }
+  }
   if (!landmarks3D.is_none())
   {
     data.landmarks3D = FromDict<3>(landmarks3D.cast<py::dict>());
@@ -455,6 +467,7 @@ WrapCase(py::module_ & module)
          py::arg("tracedSide"),
          py::arg("occlusion"),
          py::arg("cephalometricLandmarks"),
+         py::arg("stockOutlines"),
          py::arg("landmarks3D"),
          py::arg("landmarks2D"),
          py::arg("exclude"),

@@ -180,6 +180,14 @@ WrapDownstream(py::module_ & module)
                    &ThresholdsType::suspectOutlineRatio,
                    "Root mean square of what the pose leaves free of the outlines' shifts above which they contradict "
                    "each other, where they alone place it, standard deviations.")
+    .def_readwrite("biteMean",
+                   &ThresholdsType::biteMean,
+                   "Of jaws that marks placed each by itself: how far the cusps of upper and lower first molars stand "
+                   "apart on average, across the occlusal plane, mm.")
+    .def_readwrite("biteSigma", &ThresholdsType::biteSigma, "Its standard deviation beside that of the poses, mm.")
+    .def_readwrite("suspectBite",
+                   &ThresholdsType::suspectBite,
+                   "Distance from that average above which the jaws do not bite, standard deviations.")
     .def_readwrite("shortestFilm", &ThresholdsType::shortestFilm, "Length below which a radiograph is no head's, mm.")
     .def_readwrite("suspectFilmLength",
                    &ThresholdsType::suspectFilmLength,

@@ -148,6 +148,10 @@ WrapPoseMethod(py::module_ & module)
       },
       py::arg("counterparts"))
     .def(
+      "_SetStockOutlines",
+      [](MethodType & self, const itk::DentalContour * outlines) { self.SetStockOutlines(outlines); },
+      py::arg("outlines"))
+    .def(
       "_SetToothCrowns",
       [](MethodType & self, const py::object & crowns) {
         self.SetToothCrowns(crowns.is_none() ? nullptr : ToCrowns(crowns).GetPointer());

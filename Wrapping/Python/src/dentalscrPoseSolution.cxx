@@ -104,6 +104,8 @@ VisitFields(itk::PoseJawResult & jaw, TField && field)
     field(outline.weight);
     field(outline.matchedShare);
     field(outline.isTemplate);
+    field(outline.templateOf);
+    field(outline.templateDistance);
     field(outline.crown);
   }
   field(jaw.unusedOutlines);

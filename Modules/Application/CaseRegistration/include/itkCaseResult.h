@@ -123,6 +123,11 @@ struct UsedOutline
   double matchedShare{ 1.0 };
   /** Its shape is another tooth's, as a stock template's is: only tip and axis counted. */
   bool isTemplate{ false };
+  /** The outline that it is, moved, turned and scaled: "L6", "UR1 of the stock"; "" where it was not found to be one.
+   */
+  std::string templateOf;
+  /** How far it is from that one, root mean square, mm on the detector. */
+  double templateDistance{ 0.0 };
 };
 
 /** One of several alignments that fit: a minimum of the method's criterion. */

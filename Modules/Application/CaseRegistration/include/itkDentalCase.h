@@ -93,6 +93,8 @@ struct DentalCase : public DentalRadiograph
   bool                                    tracedSideIsGiven{ false };
   std::optional<ToothCode::NumberingEnum> numbering;
   std::string                             landmarks3DFile;
+  /** Outlines of whole teeth that the reader's software offers, which tell templates. */
+  std::string stockOutlinesFile;
 
   /** Radiographs beside the lateral one. */
   std::vector<DentalView> views;

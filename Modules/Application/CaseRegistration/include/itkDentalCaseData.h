@@ -60,6 +60,8 @@ struct DentalCaseData : public DentalRadiographData
   JawType    lower;
   /** In the mesh files' unit and frame; null where none were given. */
   DentalLandmarkSet<3>::Pointer landmarks3D;
+  /** Pixels of whatever picture; null where none were given. */
+  DentalContour::Pointer stockOutlines;
   /** Radiographs beside the lateral one. */
   std::vector<DentalViewData> views;
   /** The files that all this was read from, the case file first. */

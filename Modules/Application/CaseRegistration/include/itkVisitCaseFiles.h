@@ -48,6 +48,7 @@ VisitCaseFiles(TCase & dentalCase, TVisit && visit)
   visit(std::string("lower_labels"), dentalCase.lowerLabelsFile);
   visitRadiograph("", dentalCase);
   visit(std::string("landmarks_3d"), dentalCase.landmarks3DFile);
+  visit(std::string("stock_outlines"), dentalCase.stockOutlinesFile);
   for (auto & classFile : dentalCase.contourClassFiles)
   {
     visit("contours." + classFile.first, classFile.second);

@@ -123,7 +123,9 @@ DescribePlacedJaw(const PoseSolution &           solution,
                                     outline.distance,
                                     outline.weight,
                                     outline.matchedShare,
-                                    outline.isTemplate });
+                                    outline.isTemplate,
+                                    outline.templateOf,
+                                    outline.templateDistance });
   }
 }
 

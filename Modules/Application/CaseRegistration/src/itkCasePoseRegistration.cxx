@@ -33,6 +33,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 
 namespace itk
 {
@@ -243,6 +246,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   {
     method->SetToothCrowns(crowns);
   }
+  method->SetStockOutlines(data.stockOutlines);
   for (const auto & entry : jaws)
   {
     const auto &      input = data.GetJaw(entry.first);
@@ -347,6 +351,18 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     for (const std::string & unused : poseJaw.unusedOutlines)
     {
       result.warnings.push_back(unused);
+    }
+    for (const PoseOutlineFit & outline : poseJaw.outlines)
+    {
+      if (!outline.templateOf.empty())
+      {
+        std::ostringstream text;
+        text.imbue(std::locale::classic());
+        text << "outline " << outline.name << ": it is that of " << outline.templateOf << ", moved, turned and scaled ("
+             << std::fixed << std::setprecision(2) << outline.templateDistance
+             << " mm apart, closer than hands draw): of a template tip and axis count, its shape is not the tooth's";
+        result.warnings.push_back(text.str());
+      }
     }
     const auto numberBefore = static_cast<std::ptrdiff_t>(jaw.findings.size());
     // Jaws in one frame have one pose: the scan of either spoils both.

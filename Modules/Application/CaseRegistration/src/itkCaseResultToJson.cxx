@@ -293,12 +293,15 @@ AddOutlines(const JawResult & jaw, Json & json)
 {
   for (const UsedOutline & outline : jaw.usedOutlines)
   {
-    json["outlines_used"][outline.name] = { { "shift_px", outline.shift },
-                                            { "shift_sd", outline.shiftDistance },
-                                            { "residual_sd", outline.distance },
-                                            { "weight", outline.weight },
-                                            { "matched_share", outline.matchedShare },
-                                            { "template", outline.isTemplate } };
+    json["outlines_used"][outline.name] = {
+      { "shift_px", outline.shift }, { "shift_sd", outline.shiftDistance },     { "residual_sd", outline.distance },
+      { "weight", outline.weight },  { "matched_share", outline.matchedShare }, { "template", outline.isTemplate }
+    };
+    if (!outline.templateOf.empty())
+    {
+      json["outlines_used"][outline.name]["template_of"] = outline.templateOf;
+      json["outlines_used"][outline.name]["template_distance_mm"] = outline.templateDistance;
+    }
   }
 }
 

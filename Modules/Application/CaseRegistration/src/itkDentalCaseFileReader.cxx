@@ -447,6 +447,7 @@ InterpretDentalCase(const JsonDocument & document,
                                 "numbering",
                                 "landmarks_3d",
                                 "landmarks_2d",
+                                "stock_outlines",
                                 "init",
                                 "exclude",
                                 "fix" });
@@ -483,6 +484,7 @@ InterpretDentalCase(const JsonDocument & document,
   }
   dentalCase.landmarks3DFile = FindFile(root, "landmarks_3d", directory);
   dentalCase.landmarks2DFile = FindFile(root, "landmarks_2d", directory);
+  dentalCase.stockOutlinesFile = FindFile(root, "stock_outlines", directory);
 
   if (const auto unit = root.Find("mesh_unit"))
   {

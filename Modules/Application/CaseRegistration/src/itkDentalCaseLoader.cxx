@@ -186,6 +186,42 @@ LoadCaseDrawings(DentalCaseData & data)
   LoadDrawings(loader, data);
 }
 
+/** Of both jaws, and of any picture: of a stock only the shapes are compared. */
+static DentalContour::Pointer
+LoadStockOutlines(const DentalCase & description)
+{
+  if (description.stockOutlinesFile.empty())
+  {
+    return nullptr;
+  }
+  auto reader = DentalContourFileReader::New();
+  reader->SetFileName(description.stockOutlinesFile);
+  if (description.numbering)
+  {
+    reader->SetNumbering(*description.numbering);
+  }
+  reader->Update();
+  auto stock = DentalContour::New();
+  for (const auto jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
+  {
+    for (const auto & polyline : reader->GetOutput(jaw)->GetPolylines())
+    {
+      if (polyline.closed)
+      {
+        stock->AddPolyline(polyline);
+      }
+    }
+  }
+  if (stock->GetNumberOfPoints() == 0)
+  {
+    itkDentalInputErrorMacro(description.stockOutlinesFile,
+                             "contours",
+                             "none of its outlines is closed",
+                             "a stock outline is that of a whole tooth, as a standard tracing has it");
+  }
+  return stock;
+}
+
 std::shared_ptr<DentalCaseData>
 LoadDentalCase(const DentalCase & description)
 {
@@ -216,6 +252,7 @@ LoadDentalCase(const DentalCase & description)
     data->landmarks3D = landmarkReader->GetOutput();
     data->landmarks3D->DisconnectPipeline();
   }
+  data->stockOutlines = LoadStockOutlines(description);
   // Both at once; of two errors the upper jaw's is told.
   std::array<std::exception_ptr, 2>       errors;
   std::array<std::vector<std::string>, 2> meshWarnings;

@@ -61,11 +61,11 @@ class ToothOutline;
  * tooth that is drawn and matched without a fault, which no pose changes.
  * The picture's axes stand for those of the occlusal plane, from which heads tip them by some degrees.
  *
- * Teeth are drawn in one of two ways, by one hand all alike, and the likelier one is taken. A hand that follows the
- * tooth moves, turns and scales it a little about its centroid. A stock template is placed by tip and axis: its shape
- * is another tooth's, by a larger turn and size, but about the tooth's reference point
- * (WholeToothOutline::GetReference()), which that leaves where it is. Taken for the tooth's own shape it would pull the
- * tip by millimetres. From the front nobody uses templates.
+ * Teeth are drawn in one of two ways, by one hand all alike, and the likelier one is taken, unless SetDrawing() says
+ * which it is. A hand that follows the tooth moves, turns and scales it a little about its centroid. A stock template
+ * is placed by tip and axis: its shape is another tooth's, by a larger turn and size, but about the tooth's reference
+ * point (WholeToothOutline::GetReference()), which that leaves where it is. Taken for the tooth's own shape it would
+ * pull the tip by millimetres. From the front nobody uses templates.
  *
  * Where an outline's points have sigmas (DentalContour::PolylineType), their root mean square stands for the hand's
  * part of a shift's error, and turn and size change in proportion. An outline that is said to be of a crown or of a
@@ -181,6 +181,20 @@ public:
    * out; without a limit by default. Of a frontal radiograph those of marked teeth. */
   itkSetMacro(MaximumCutSigma, double);
   itkGetConstMacro(MaximumCutSigma, double);
+
+  /** How the outlines were drawn. */
+  enum class DrawingEnum : std::uint8_t
+  {
+    /** The likelier of the two ways. */
+    Unknown,
+    ByHand,
+    ByTemplate
+  };
+  /** Unknown by default. What a tracing of the other jaw, or the comparison of outlines (ToothOutlineComparison), says
+   * of this one. Of a frontal radiograph it is not asked. */
+  void
+  SetDrawing(DrawingEnum drawing);
+  itkGetEnumMacro(Drawing, DrawingEnum);
 
   /** FDI numbers of teeth to leave out: of a polyline's code. */
   void
@@ -381,6 +395,7 @@ private:
   std::vector<ToothCode>    m_MarkedTeeth;
   double                    m_MaximumCutSigma{ std::numeric_limits<double>::infinity() };
   std::vector<std::uint8_t> m_ExcludedTeeth;
+  DrawingEnum               m_Drawing{ DrawingEnum::Unknown };
 
   std::string             m_Failure;
   std::vector<UnusedType> m_Unused;

@@ -171,6 +171,17 @@ ToothOutlinePoseMetricv4::SetMarkedTeeth(const std::vector<ToothCode> & teeth)
 }
 
 void
+ToothOutlinePoseMetricv4::SetDrawing(DrawingEnum drawing)
+{
+  if (m_Drawing != drawing)
+  {
+    m_Drawing = drawing;
+    m_Noise.clear();
+    this->SettingsChanged();
+  }
+}
+
+void
 ToothOutlinePoseMetricv4::SetExcludedTeeth(const std::vector<std::uint8_t> & teeth)
 {
   if (m_ExcludedTeeth != teeth)
@@ -622,13 +633,17 @@ ToothOutlinePoseMetricv4::ComputeMatchedShare(const NoiseType & noise)
 std::vector<ToothOutlinePoseMetricv4::NoiseType>
 ToothOutlinePoseMetricv4::ComputeNoises(const std::vector<EvaluationType> & at, double widest) const
 {
-  std::vector<NoiseType> byHand = this->ComputeNoises(at, 0, widest);
   // From the front nobody uses templates.
-  if (this->IsFrontal() || byHand.empty())
+  if (this->IsFrontal() || at.empty() || m_Drawing == DrawingEnum::ByHand)
   {
-    return byHand;
+    return this->ComputeNoises(at, 0, widest);
   }
   std::vector<NoiseType> byTemplate = this->ComputeNoises(at, 1, widest);
+  if (m_Drawing == DrawingEnum::ByTemplate)
+  {
+    return byTemplate;
+  }
+  std::vector<NoiseType> byHand = this->ComputeNoises(at, 0, widest);
   double                 difference = TemplatePenalty;
   for (std::size_t t = 0; t < at.size(); ++t)
   {
@@ -948,6 +963,7 @@ ToothOutlinePoseMetricv4::InternalClone() const
   clone->m_MarkedTeeth = m_MarkedTeeth;
   clone->m_MaximumCutSigma = m_MaximumCutSigma;
   clone->m_ExcludedTeeth = m_ExcludedTeeth;
+  clone->m_Drawing = m_Drawing;
   clone->m_Failure = m_Failure;
   clone->m_Unused = m_Unused;
   clone->m_Teeth = m_Teeth;
@@ -973,6 +989,7 @@ ToothOutlinePoseMetricv4::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "MarkedTeeth: " << m_MarkedTeeth.size() << std::endl;
   os << indent << "MaximumCutSigma: " << m_MaximumCutSigma << std::endl;
   os << indent << "ExcludedTeeth: " << m_ExcludedTeeth.size() << std::endl;
+  os << indent << "Drawing: " << static_cast<int>(m_Drawing) << std::endl;
   os << indent << "Failure: " << m_Failure << std::endl;
   os << indent << "Unused: " << m_Unused.size() << std::endl;
   os << indent << "Teeth: " << (m_Teeth ? m_Teeth->size() : 0) << std::endl;

@@ -42,17 +42,27 @@ constexpr double ScannedShare = 0.85;
  * hides them. */
 constexpr double ShortestTooth = 10.0;
 constexpr double LongestTooth = 40.0;
-/** A molar with its roots is twice as long as it is wide, an incisor thrice, and half of the difference to a crown
+/** Length over width. A molar with its roots is twice as long as it is wide, and half of the difference to a crown
  * alone, which is as wide as it is high, may be lost by roots that are drawn short. */
 constexpr double SmallestElongation = 1.1;
+/** Of a front tooth: whole ones of phantoms and of the shared tracings have 2.3 or more, with roots that are drawn
+ * short, and their crowns alone 1.5 to 1.8. */
+constexpr double SmallestFrontElongation = 2.05;
+/** Of the long axis of a tooth behind the canine against the film's vertical, degrees: whole ones lean by 23 at most, a
+ * crown alone is wider than it is high, and its long axis lies along the arch. */
+constexpr double LargestBackTilt = 50.0;
+constexpr double DegreesPerRadian = 57.29577951308232;
 /** px over which the lingual side begins behind the incisal edge, 1.5 mm. */
 constexpr double EdgeLength = 6.0;
+/** Position of the canine. */
+constexpr unsigned int LastFrontTooth = 3;
 
 double
 ShareOf(ToothCode::JawEnum jaw, unsigned int position)
 {
   const bool upper = jaw == ToothCode::JawEnum::Upper;
-  return position <= 3 ? (upper ? UpperFrontShare : LowerFrontShare) : (upper ? UpperBackShare : LowerBackShare);
+  return position <= LastFrontTooth ? (upper ? UpperFrontShare : LowerFrontShare)
+                                    : (upper ? UpperBackShare : LowerBackShare);
 }
 } // namespace
 
@@ -136,9 +146,26 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     front = std::max(front, across(p));
   }
   m_Length = high - low;
-  if (polyline.outline != DentalContour::OutlineEnum::Tooth && m_Length < SmallestElongation * (front - back))
+  const bool   isFront = m_Position <= LastFrontTooth;
+  const double elongation = m_Length / (front - back);
+  const double tilt = std::acos(std::min(1.0, std::abs(m_Axis[1]))) * DegreesPerRadian;
+  std::string  doubt;
+  if (elongation < SmallestElongation)
   {
-    m_Failure = "it is about as wide as it is long: is it a crown without its root?";
+    doubt = "it is about as wide as it is long";
+  }
+  else if (isFront && elongation < SmallestFrontElongation)
+  {
+    doubt = "it is too wide for its length";
+  }
+  else if (!isFront && tilt > LargestBackTilt)
+  {
+    doubt = "its long axis lies along the arch";
+  }
+  if (!doubt.empty() && polyline.outline != DentalContour::OutlineEnum::Tooth)
+  {
+    m_Failure =
+      doubt + ": is it a crown without its root? Draw the whole tooth; if it is one say so by \"outline\": \"tooth\"";
     return;
   }
   const double millimetres = m_Length * PoseWorkingPixel * geometry.sourceToMidsagittal / geometry.sourceToDetector;
@@ -172,7 +199,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     PointType normal = ComputeNormal(points, i, true);
     normal = { { sign * normal[0], sign * normal[1] } };
     double lingual = 0.0;
-    if (m_Position <= 3 && normal[0] * anterior[0] + normal[1] * anterior[1] < 0.0)
+    if (m_Position <= LastFrontTooth && normal[0] * anterior[0] + normal[1] * anterior[1] < 0.0)
     {
       lingual = std::min(1.0, (high - along(points[i])) / EdgeLength);
     }
@@ -180,7 +207,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
   }
   m_Reference = *std::max_element(
     m_Points.begin(), m_Points.end(), [&](const PointType & a, const PointType & b) { return along(a) < along(b); });
-  if (m_Position > 3)
+  if (m_Position > LastFrontTooth)
   {
     m_Reference = { { 0.0, 0.0 } };
     for (const PointType & p : m_Points)

@@ -416,6 +416,29 @@ TEST(ToothOutlinePoseMetricv4, AStockTemplateIsToldAndDoesNotPullTheTip)
   EXPECT_LT(std::hypot(residuals[0].shift[0], residuals[0].shift[1]), 3.0);
 }
 
+TEST(ToothOutlinePoseMetricv4, WhatIsKnownOfTheDrawingIsNotAskedOfIt)
+{
+  using DrawingEnum = itk::ToothOutlinePoseMetricv4::DrawingEnum;
+  const auto metric = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true)));
+  metric->Initialize();
+  const auto x = metric->GetState().GetValues();
+  EXPECT_EQ(metric->GetDrawing(), DrawingEnum::Unknown);
+  const double value = metric->ComputeValue(x);
+  // Exact outlines are a hand's.
+  EXPECT_FALSE(metric->ComputeOutlineResiduals(x)[0].isTemplate);
+  metric->SetDrawing(DrawingEnum::ByHand);
+  EXPECT_DOUBLE_EQ(metric->ComputeValue(x), value);
+  metric->SetDrawing(DrawingEnum::ByTemplate);
+  for (const auto & residual : metric->ComputeOutlineResiduals(x))
+  {
+    EXPECT_TRUE(residual.isTemplate) << residual.name;
+  }
+  // What templates may be off by more is charged for.
+  EXPECT_GT(metric->ComputeValue(x), value);
+  const itk::ToothOutlinePoseMetricv4::Pointer clone = metric->Clone();
+  EXPECT_EQ(clone->GetDrawing(), DrawingEnum::ByTemplate);
+}
+
 TEST(ToothOutlinePoseMetricv4, SaysWhichOutlinesAreNotUsedAndWhy)
 {
   const PointsType incisor = MakeDrawing(false);
@@ -695,4 +718,32 @@ TEST(ToothOutlinePoseMetricv4, MissingInputsNameTheCallToMake)
   MetricType::ErrorsType errors;
   errors.turn = 0.0;
   EXPECT_THROW(metric->SetErrors(errors), itk::ExceptionObject);
+}
+
+TEST(ToothOutlinePoseMetricv4, ACrownWithoutItsRootIsNoWholeTooth)
+{
+  // The occlusal part of an outline, closed along the neck.
+  const auto cut = [](const PointsType & outline, double share) {
+    const auto   byHeight = [](const auto & a, const auto & b) { return a[1] < b[1]; };
+    const auto   ends = std::minmax_element(outline.begin(), outline.end(), byHeight);
+    const double neck = (*ends.second)[1] - share * ((*ends.second)[1] - (*ends.first)[1]);
+    PointsType   crown;
+    std::copy_if(
+      outline.begin(), outline.end(), std::back_inserter(crown), [&](const auto & p) { return p[1] > neck; });
+    return crown;
+  };
+  const auto reasons = [](const PointsType & incisor, const PointsType & molar) {
+    const auto metric = MakeMetric(MakeTracing(incisor, molar));
+    metric->Prepare();
+    std::string all;
+    for (const auto & unused : metric->GetUnused())
+    {
+      all += unused.name + ": " + unused.reason + "\n";
+    }
+    return all;
+  };
+  EXPECT_EQ(reasons(MakeDrawing(false), MakeDrawing(true)), "");
+  const std::string crowns = reasons(cut(MakeDrawing(false), 0.42), cut(MakeDrawing(true), 0.38));
+  EXPECT_NE(crowns.find("U1: it is too wide for its length: is it a crown"), std::string::npos) << crowns;
+  EXPECT_NE(crowns.find("U6: its long axis lies along the arch: is it a crown"), std::string::npos) << crowns;
 }

@@ -20,6 +20,7 @@
 
 #include "itkLeastSquaresMetricv4.h"
 #include "itkPoseRegistrationTypes.h"
+#include "itkToothOutlinePoseMetricv4.h"
 
 #include <array>
 #include <optional>
@@ -73,6 +74,11 @@ struct PoseProblem
   /** What a user has added to the jaws' own evidence. A hypothesis under which one of them would mean something else
    * exchanges it or leaves it out, or says that it cannot be asked (PoseHypothesis::GetObstacle()). */
   std::vector<PoseProblemTerm> terms;
+  /** Outlines that a reader's software may have put in place of a drawn one: closed lines of any size, of which the
+   * teeth of a standard tracing are told to be templates (ToothOutlineComparison). Null: none. */
+  DentalContour::ConstPointer stockOutlines;
+  /** How the outlines of a standard tracing were drawn. */
+  ToothOutlinePoseMetricv4::DrawingEnum drawing{ ToothOutlinePoseMetricv4::DrawingEnum::Unknown };
   /** Views beside the first. */
   std::vector<PoseViewInput> views;
 };

@@ -91,6 +91,12 @@ public:
    * option tracedSide is Standard and a contour is set. */
   itkSetInputMacro(ToothCrowns, ToothCrownSet);
   itkGetInputMacro(ToothCrowns, ToothCrownSet);
+
+  /** Outlines that a reader's software offers in place of a drawn one, as another patient's tracing has them: closed
+   * lines of any size. Teeth of a standard tracing that are one of them, moved, are templates, of which tip and axis
+   * count (ToothOutlineComparison). Optional: the outlines of the tracing itself are compared in any case. */
+  itkSetInputMacro(StockOutlines, DentalContour);
+  itkGetInputMacro(StockOutlines, DentalContour);
   itkSetInputMacro(Geometry, GeometryType);
   itkGetInputMacro(Geometry, GeometryType);
 

@@ -233,6 +233,11 @@ struct PoseOutlineFit
   double matchedShare{ 1.0 };
   /** Its shape is another tooth's, as a stock template's is: only tip and axis count. */
   bool isTemplate{ false };
+  /** The outline that it is, moved, turned and scaled, closer than hands draw: "L6", "UR1 of the stock"; "" where it
+   * was not found to be one. */
+  std::string templateOf;
+  /** How far it is from that one, root mean square, mm on the detector. */
+  double templateDistance{ 0.0 };
   /** What it was compared with: the projected outline of the crown at the solution, an open line, pixels. */
   std::vector<std::array<double, 2>> crown;
 };
@@ -277,6 +282,11 @@ struct PoseJawResult
    * first molars, and the larger of the two. */
   double middleSigma{ 0.0 };
   double largestMiddleSigma{ 0.0 };
+  /** Where the cusps of the first molars' region come to lie, the middle of both sides, px of 0.25 mm in the working
+   * plane; not a number where the scan has nothing there. */
+  std::array<double, 2> molarPlace{ { NumericTraits<double>::quiet_NaN(), NumericTraits<double>::quiet_NaN() } };
+  /** Standard deviation an axis, px. */
+  double molarSigma{ 0.0 };
   /** Extent of the surface along y, mm. */
   double archWidth{ 0.0 };
   /** Component along the occlusal direction of the sum of area normals over the area: positive for an open shell with

@@ -111,6 +111,13 @@ public:
      * pose leaves free of them. Of 424 pairs of jaws 8 had more, 6 of them by a gross error
      * (Documentation/Landmarks.md). */
     double suspectOutlineRatio{ 1.6 };
+    /** Of jaws that were placed each by itself, without a tracing: how far the cusps of upper and lower first molars
+     * stand apart across the occlusal plane, mm. In occlusion upper ones reach a little below lower ones; the standard
+     * deviation comes on top of what is predicted for both poses, and beyond so many nobody bites
+     * (Documentation/Landmarks.md). */
+    double biteMean{ -0.7 };
+    double biteSigma{ 1.5 };
+    double suspectBite{ 3.0 };
     /** The longest side of the radiograph, mm, where the fit alone tells the pixel spacing. Films are 18 x 24 to 24 x
      * 30 cm; panels of 43 cm exist, and such a spacing is good to a few per cent. */
     double suspectFilmLength{ 400.0 };

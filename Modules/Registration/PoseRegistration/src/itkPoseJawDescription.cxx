@@ -100,9 +100,10 @@ DescribeFit(const SilhouettePoseMetricv4 &               metric,
   }
 }
 void
-DescribeOutlines(const ToothOutlinePoseMetricv4 &               metric,
-                 const ToothOutlinePoseMetricv4::PositionType & x,
-                 PoseJawResult &                                jaw)
+DescribeOutlines(const ToothOutlinePoseMetricv4 &                          metric,
+                 const std::vector<ToothOutlineComparison::TemplateType> & templates,
+                 const ToothOutlinePoseMetricv4::PositionType &            x,
+                 PoseJawResult &                                           jaw)
 {
   for (const auto & residual : metric.ComputeOutlineResiduals(x))
   {
@@ -113,7 +114,16 @@ DescribeOutlines(const ToothOutlinePoseMetricv4 &               metric,
                              residual.weight,
                              residual.matchedShare,
                              residual.isTemplate,
+                             "",
+                             0.0,
                              residual.crown });
+    const auto found =
+      std::find_if(templates.begin(), templates.end(), [&](const auto & each) { return each.name == residual.name; });
+    if (found != templates.end())
+    {
+      jaw.outlines.back().templateOf = found->of;
+      jaw.outlines.back().templateDistance = found->distance;
+    }
   }
 }
 
@@ -136,8 +146,10 @@ DescribeMiddle(const TriangleSurface &        surface,
                const std::array<double, 49> & covariance,
                PoseJawResult &                jaw)
 {
-  constexpr double    behindIncisors = 35.0;
-  constexpr double    halfWidth = 22.0;
+  constexpr double behindIncisors = 35.0;
+  constexpr double halfWidth = 22.0;
+  // Half a molar to each side of its place, along the arch and across it.
+  constexpr double    halfMolar = 5.0;
   double              front = -1e300;
   std::vector<double> heights;
   for (const auto & p : surface.points)
@@ -169,9 +181,41 @@ DescribeMiddle(const TriangleSurface &        surface,
     }
     const auto   own = PoseModel::PropagateCovariance(jacobian.data(), covariance);
     const double variance = std::max(0.0, 0.5 * (own[0] + own[3])) + jaw.GetBiteVariance(geometry);
+    jaw.molarSigma = std::sqrt(variance);
     sum += variance;
     jaw.largestMiddleSigma = std::max(jaw.largestMiddleSigma, std::sqrt(variance));
   }
   jaw.middleSigma = std::sqrt(0.5 * sum);
+
+  // The cusps of either side: where one is missing the other one stands for both.
+  const double up = jaw.jaw == ToothCode::JawEnum::Upper ? -1.0 : 1.0;
+  double       places = 0.0;
+  double       place[2] = { 0.0, 0.0 };
+  for (const double side : { -1.0, 1.0 })
+  {
+    std::array<double, 3> cusp{ { 0.0, 0.0, -1e300 } };
+    for (const auto & p : surface.points)
+    {
+      if (std::abs(p[0] - (front - behindIncisors)) < halfMolar && std::abs(side * p[1] - halfWidth) < halfMolar &&
+          up * p[2] > cusp[2])
+      {
+        cusp = { { p[0], p[1], up * p[2] } };
+      }
+    }
+    // A scan's gingiva or palate is no tooth: cusps reach to the level of the others, but for a curve of Spee.
+    if (cusp[2] > up * height - 4.0)
+    {
+      const double p[3] = { cusp[0], cusp[1], up * cusp[2] };
+      double       w[2];
+      model.Project(p, w);
+      place[0] += w[0];
+      place[1] += w[1];
+      places += 1.0;
+    }
+  }
+  if (places > 0.0)
+  {
+    jaw.molarPlace = { { place[0] / places, place[1] / places } };
+  }
 }
 } // namespace itk

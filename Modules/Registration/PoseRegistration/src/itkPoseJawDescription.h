@@ -22,9 +22,11 @@
 #include "itkPoseModel.h"
 #include "itkPoseRegistrationTypes.h"
 #include "itkSilhouettePoseMetricv4.h"
+#include "itkToothOutlineComparison.h"
 #include "itkToothOutlinePoseMetricv4.h"
 
 #include <array>
+#include <vector>
 
 namespace itk
 {
@@ -49,11 +51,12 @@ DescribeFit(const SilhouettePoseMetricv4 &               metric,
             const PoseGeometry &                         geometry,
             PoseJawResult &                              jaw);
 
-/** The outlines of whole teeth of a jaw at the solution. */
+/** The outlines of whole teeth of a jaw at the solution, and which of them are templates by comparison. */
 void
-DescribeOutlines(const ToothOutlinePoseMetricv4 &               metric,
-                 const ToothOutlinePoseMetricv4::PositionType & x,
-                 PoseJawResult &                                jaw);
+DescribeOutlines(const ToothOutlinePoseMetricv4 &                          metric,
+                 const std::vector<ToothOutlineComparison::TemplateType> & templates,
+                 const ToothOutlinePoseMetricv4::PositionType &            x,
+                 PoseJawResult &                                           jaw);
 
 /** The landmarks of a jaw at the solution. */
 void
@@ -62,7 +65,7 @@ DescribeLandmarks(const LandmarkPoseMetricv4 &               metric,
                   PoseJawResult &                            jaw);
 
 /** The uncertainty of the middle of both sides at the front of the arch and 35 mm behind it, where first molars stand:
- * what drawings that are of no side determine. */
+ * what drawings that are of no side determine. And the place of the cusps there, for the bite. */
 void
 DescribeMiddle(const TriangleSurface &        surface,
                const PoseGeometry &           geometry,

@@ -18,6 +18,7 @@
 #include "itkPoseRegistrationEngine.h"
 
 #include "itkFindSilhouettes.h"
+#include "itkFindTemplates.h"
 #include "itkLandmarkPoseStart.h"
 #include "itkPoseFrameOperations.h"
 #include "itkPoseGeometryCompletion.h"
@@ -62,6 +63,7 @@ PoseRegistrationEngine::PrepareJaws(const PoseProblem &      problem,
     {
       const auto outlines =
         MakeOutlineTerm(input, jaws[j].crowns, input.tracing, input.landmarks, jaws[j].landmarks, transform, options);
+      outlines->SetDrawing(problem.drawing);
       tracingFailures[j] = outlines->GetFailure();
       result.jaws[j].unusedOutlines = DescribeUnused(*outlines);
       jaws[j].outlines = tracingFailures[j].empty() ? outlines : nullptr;
@@ -138,12 +140,23 @@ PoseRegistrationEngine::MakeMetric(const PoseProblem &              problem,
 }
 
 PoseRegistrationResult
-PoseRegistrationEngine::Run(const PoseProblem & problem, std::vector<GroupType> * answered) const
+PoseRegistrationEngine::Run(const PoseProblem & asked, std::vector<GroupType> * answered) const
 {
+  PoseProblem                     problem = asked;
   const PoseRegistrationOptions & options = problem.options;
   PoseRegistrationResult          result;
   result.geometry = problem.completed ? *problem.completed : CompleteGeometry(problem);
   CheckGeometry(result.geometry);
+  std::vector<ToothOutlineComparison::TemplateType> templates;
+  if (options.tracedSide == TracedSideEnum::Standard)
+  {
+    templates = FindTemplates(problem, result.geometry);
+    if (!templates.empty())
+    {
+      // By one hand all alike.
+      problem.drawing = ToothOutlinePoseMetricv4::DrawingEnum::ByTemplate;
+    }
+  }
   result.jaws.resize(problem.jaws.size());
   const std::vector<JawType> jaws = this->PrepareJaws(problem, result.geometry, result);
 
@@ -281,7 +294,7 @@ PoseRegistrationEngine::Run(const PoseProblem & problem, std::vector<GroupType> 
       const std::vector<double> pose(group.parameters.begin(), group.parameters.end());
       if (prepared.outlines.IsNotNull())
       {
-        DescribeOutlines(*outlines[nextOutlines++], pose, jaw);
+        DescribeOutlines(*outlines[nextOutlines++], templates, pose, jaw);
       }
       if (prepared.landmarks.IsNotNull())
       {

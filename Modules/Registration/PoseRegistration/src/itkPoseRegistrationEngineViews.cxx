@@ -295,7 +295,7 @@ PoseRegistrationEngine::DescribeViews(const PoseProblem &          problem,
         }
         if (own.outlines.IsNotNull())
         {
-          DescribeOutlines(*own.outlines, x, jaw);
+          DescribeOutlines(*own.outlines, {}, x, jaw);
         }
         if (own.landmarks.IsNotNull())
         {

@@ -107,6 +107,7 @@ PoseRegistrationMethodBase::PoseRegistrationMethodBase()
   this->AddOptionalInputName("CephalometricLandmarks", 8);
   this->AddOptionalInputName("LandmarkCounterparts", 9);
   this->AddOptionalInputName("ToothCrowns", 10);
+  this->AddOptionalInputName("StockOutlines", 11);
   this->SetNumberOfRequiredOutputs(1 + 2 * NumberOfJaws);
   for (unsigned int i = 0; i < 1 + 2 * NumberOfJaws; ++i)
   {
@@ -574,6 +575,7 @@ PoseRegistrationMethodBase::GenerateData()
     }
     problem.jaws.push_back(input);
   }
+  problem.stockOutlines = this->GetStockOutlines();
   problem.nominal = ToPoseGeometry(*nominal);
   problem.nominal.principalPointKnown = m_PrincipalPointKnown;
   if (isStarted && m_InitialGeometry.IsNotNull())

@@ -402,6 +402,59 @@ JudgeMiddle(const PoseRegistrationResult &          result,
   }
 }
 
+/** Jaws that were placed each by itself, by a few marks or outlines, against each other: on the film the patient bites.
+ * A gross error of one of two marks, which nothing of its own jaw contradicts, tips the jaw, and parts its molars from
+ * those of the other one, or drives them into them. */
+void
+JudgeBite(const PoseRegistrationResult &                 result,
+          const RegistrationVerdict::Thresholds &        thresholds,
+          std::vector<RegistrationVerdict::JawVerdict> & verdicts)
+{
+  std::array<const PoseJawResult *, 2> jaws{ { nullptr, nullptr } };
+  for (const PoseJawResult & jaw : result.jaws)
+  {
+    const bool byMarks = jaw.fit.numberOfPoints == 0 && (!jaw.landmarks.empty() || !jaw.outlines.empty());
+    if (jaw.registered && byMarks && std::isfinite(jaw.molarPlace[1]))
+    {
+      jaws[jaw.jaw == ToothCode::JawEnum::Upper ? 0 : 1] = &jaw;
+    }
+  }
+  if (jaws[0] == nullptr || jaws[1] == nullptr || result.groupOfJaw.size() < 2 ||
+      result.groupOfJaw[0] == result.groupOfJaw[1])
+  {
+    return;
+  }
+  // Across the occlusal plane, which is tipped as the jaws are on average.
+  const double pitch = 0.5 * (result.groups[result.groupOfJaw[0]].parameters[PosePitch] +
+                              result.groups[result.groupOfJaw[1]].parameters[PosePitch]);
+  const double u = jaws[1]->molarPlace[0] - jaws[0]->molarPlace[0];
+  const double v = jaws[1]->molarPlace[1] - jaws[0]->molarPlace[1];
+  const double perPixel = PoseWorkingPixel * result.geometry.sourceToMidsagittal / result.geometry.sourceToDetector;
+  const double gap = perPixel * (v * std::cos(pitch) - u * std::sin(pitch));
+  const double sigma =
+    std::hypot(thresholds.biteSigma, perPixel * std::hypot(jaws[0]->molarSigma, jaws[1]->molarSigma));
+  const double ratio = std::abs(gap - thresholds.biteMean) / sigma;
+  if (ratio <= thresholds.suspectBite)
+  {
+    return;
+  }
+  for (std::size_t j = 0; j < result.jaws.size(); ++j)
+  {
+    if (result.jaws[j].registered)
+    {
+      Add(verdicts[j],
+          StatusEnum::Suspect,
+          "bite",
+          std::string("the jaws, placed each by itself, ") +
+            (gap > thresholds.biteMean ? "stand " + FormatNumber(gap, 1) + " mm apart at the first molars"
+                                       : "overlap by " + FormatNumber(-gap, 1) + " mm at the first molars") +
+            ", where teeth touch on a radiograph: a mark or outline of one of them may be a gross error; look at both "
+            "jaws on the overlay, or mark more teeth",
+          { ratio, thresholds.suspectBite, "sd" });
+    }
+  }
+}
+
 /** Whether another position may be the answer. A tracing's, of any jaw that shares the pose, are told apart from 4 px
  * on; landmarks and outlines of teeth err by half of that anyway, and a minimum nearer than twice as far is in their
  * sigma. */
@@ -866,6 +919,7 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
     }
     JudgeReadings(result, group, thresholds, verdict);
   }
+  JudgeBite(result, thresholds, verdicts);
   AddOfViews(result, thresholds, verdicts);
   TakeBackPoorFits(result, thresholds, verdicts);
   AddOfOtherJaw(result, verdicts);

@@ -1126,6 +1126,68 @@ TEST(RegistrationVerdict, ADentalAxisIsBorneOutByATracingThatDeterminesItOrByWha
   EXPECT_TRUE(isBorneOut(options));
 }
 
+TEST(RegistrationVerdict, JawsThatMarksPlaceApartBiteOnEachOther)
+{
+  const Thresholds limits;
+  auto             together = MakeResultOfLandmarks();
+  const double     perMillimetre =
+    together.geometry.sourceToDetector / together.geometry.sourceToMidsagittal / itk::PoseWorkingPixel;
+  for (auto & jaw : together.jaws)
+  {
+    jaw.molarPlace = { { -100.0, 0.0 } };
+    jaw.molarSigma = 0.0;
+  }
+  auto apart = together;
+  apart.groups.push_back(apart.groups[0]);
+  apart.groups[0].jaws = { 0 };
+  apart.groups[1].jaws = { 1 };
+  apart.groupOfJaw = { 0, 1 };
+  const auto withGap = [&](itk::PoseRegistrationResult result, double millimetres) {
+    result.jaws[1].molarPlace[1] = perMillimetre * millimetres;
+    return result;
+  };
+  const auto hasBite = [](const itk::PoseRegistrationResult & result) {
+    unsigned int count = 0;
+    for (const auto & verdict : Verdict::Evaluate(result))
+    {
+      for (const auto & finding : verdict.findings)
+      {
+        count += finding.code == "bite" && finding.severity == Suspect ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  const double reach = limits.suspectBite * limits.biteSigma;
+  for (const double side : { -1.0, 1.0 })
+  {
+    EXPECT_EQ(hasBite(withGap(apart, limits.biteMean + side * (reach - 0.01))), 0u);
+    EXPECT_EQ(hasBite(withGap(apart, limits.biteMean + side * (reach + 0.01))), 2u);
+  }
+  // One pose has the bite of the scans.
+  EXPECT_EQ(hasBite(withGap(together, 20.0)), 0u);
+  // What is predicted for both poses counts as well.
+  auto unsure = withGap(apart, limits.biteMean + reach + 0.5);
+  unsure.jaws[0].molarSigma = unsure.jaws[1].molarSigma = 0.5 * limits.biteSigma * perMillimetre;
+  EXPECT_EQ(hasBite(unsure), 0u);
+  // Across the occlusal plane: one that is tipped by 10 degrees has its molars further down where they are further
+  // back.
+  auto tipped = apart;
+  for (auto & group : tipped.groups)
+  {
+    group.parameters[itk::PosePitch] = 10.0 / 57.29577951308232;
+  }
+  tipped.jaws[1].molarPlace = { { -100.0 + 30.0 * perMillimetre * std::cos(0.17453292519943295),
+                                  30.0 * perMillimetre * std::sin(0.17453292519943295) } };
+  EXPECT_EQ(hasBite(tipped), 0u);
+  // A tracing says itself whether it fits, and where a scan has no molars nothing is known.
+  auto traced = withGap(apart, 20.0);
+  traced.jaws[0].fit.numberOfPoints = 50;
+  EXPECT_EQ(hasBite(traced), 0u);
+  auto toothless = withGap(apart, 20.0);
+  toothless.jaws[1].molarPlace[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(hasBite(toothless), 0u);
+}
+
 TEST(RegistrationVerdict, OutlinesThatShareOutAGrossErrorContradictEachOther)
 {
   const Thresholds limits;

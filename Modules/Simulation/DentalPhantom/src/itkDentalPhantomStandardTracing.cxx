@@ -272,7 +272,7 @@ DentalPhantomStandardTracing::DentalPhantomStandardTracing(const DentalPhantomMo
           outline.drawn = outline.exact;
           // The palatal or lingual side, which other structures hide: one bulge between tip and apex.
           ReproducibleRandom palatal(seed, PalatalStream + item);
-          const double       bulge = level.palatalError / spacing * palatal.Normal();
+          const double       bulge = usesTemplates ? 0.0 : level.palatalError / spacing * palatal.Normal();
           if (!molar)
           {
             const PixelType d = { { middle.apex[0] - middle.tip[0], middle.apex[1] - middle.tip[1] } };
@@ -303,6 +303,12 @@ DentalPhantomStandardTracing::DentalPhantomStandardTracing(const DentalPhantomMo
           noise.correlated = level.correlatedNoise;
           noise.white = level.whiteNoise;
           noise.correlationLength = CorrelationLength;
+          if (usesTemplates)
+          {
+            // A stock outline has no hand's drift: it is placed wrongly, and that is all.
+            noise.correlated = 0.0;
+            noise.white = 0.0;
+          }
           DentalPhantomTracer::AddNoise(lines, noise, seed, DriftStream + 2 * jaw + (molar ? 1 : 0));
           outline.drawn = lines[0].points;
           m_Outlines[jaw].push_back(outline);
