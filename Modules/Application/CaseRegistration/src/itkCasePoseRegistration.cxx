@@ -97,7 +97,8 @@ SetInitialTransforms(const DentalCaseData &               data,
     {
       taken += taken.empty() ? "pixel spacing" : " and pixel spacing";
     }
-    if (!taken.empty())
+    // Where nothing is held they are estimated as without a start, which the case's own warnings say.
+    if (!taken.empty() && (description.fixScale || description.fixRotation || description.fixTranslation))
     {
       result.warnings.push_back("\"init\": " + taken + " taken with the start, as the case gives none");
     }
