@@ -152,12 +152,13 @@ def test_a_spacing_that_is_a_quarter_too_small_is_told(run, tmp_path, seed):
         assert "pixel-spacing" in codes_of(load(tmp_path / "0.77"), jaw)
 
 
-def test_a_spacing_in_centimetres_is_told(run, case, tmp_path):
+@pytest.mark.parametrize(("millimetres", "unit"), [(10.0, "cm"), (25.4, "inches")])
+def test_a_spacing_in_another_unit_is_told(run, case, tmp_path, millimetres, unit):
     content = case.load()
-    content["cephalogram"]["pixel_spacing_mm"] = [s / 10.0 for s in content["cephalogram"]["pixel_spacing_mm"]]
+    content["cephalogram"]["pixel_spacing_mm"] = [s / millimetres for s in content["cephalogram"]["pixel_spacing_mm"]]
     case.save(content)
     done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
-    assert done.returncode == 1 and "mm were pixel_spacing_mm in cm" in done.stderr
+    assert done.returncode == 1 and f"mm were pixel_spacing_mm in {unit}" in done.stderr
     assert "expected error" not in done.stdout
     # What explains the others is read first.
     for jaw in load(tmp_path / "out")["jaws"].values():
@@ -248,6 +249,25 @@ def test_a_turned_radiograph_is_told(run, case, tmp_path):
     for jaw in load(tmp_path / "out")["jaws"].values():
         finding = jaw["findings"][0]
         assert finding["code"] == "turned-image" and "turned by 90 degrees" in finding["text"]
+
+
+@pytest.mark.parametrize("mirror", ["height", "middle"])
+@pytest.mark.parametrize("spacing", [True, False], ids=["spacing", "no-spacing"])
+def test_a_drawing_whose_rows_were_counted_from_below_is_told(run, case, tmp_path, mirror, spacing):
+    content = case.load()
+    content["cephalogram"].pop("image")
+    if not spacing:
+        content["cephalogram"].pop("pixel_spacing_mm")
+    case.save(content)
+    contours = case.load("contours.json")
+    places = [v for jaw in contours["contours"].values() for tooth in jaw for _, v in tooth["points"]]
+    foot = contours["image_size"][1] if mirror == "height" else min(places) + max(places)
+    case.save(move_tracing(case, lambda u, v: (u, foot - v)), "contours.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 1
+    for jaw in load(tmp_path / "out")["jaws"].values():
+        finding = jaw["findings"][0]
+        assert finding["code"] == "upward-drawing" and "count v from its top" in finding["text"], jaw["reasons"]
 
 
 @pytest.mark.parametrize(("detector", "midsagittal"), [(1500.0, 1350.0), (1530.0, 1380.0), (1700.0, 1524.0)])

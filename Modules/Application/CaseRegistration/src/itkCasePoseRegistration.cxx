@@ -64,7 +64,7 @@ bool
 IsOtherReading(const std::string & code)
 {
   return code == "turned-image" || code == "pixel-spacing" || code == "facing" || code == "jaws-exchanged" ||
-         code == "other-side";
+         code == "upward-drawing" || code == "other-side";
 }
 
 /** A case file's pose is checked to 1e-4 when it is read. */
