@@ -152,12 +152,13 @@ def test_a_spacing_that_is_a_quarter_too_small_is_told(run, tmp_path, seed):
         assert "pixel-spacing" in codes_of(load(tmp_path / "0.77"), jaw)
 
 
-def test_a_spacing_in_centimetres_is_told(run, case, tmp_path):
+@pytest.mark.parametrize(("millimetres", "unit"), [(10.0, "cm"), (25.4, "inches")])
+def test_a_spacing_in_another_unit_is_told(run, case, tmp_path, millimetres, unit):
     content = case.load()
-    content["cephalogram"]["pixel_spacing_mm"] = [s / 10.0 for s in content["cephalogram"]["pixel_spacing_mm"]]
+    content["cephalogram"]["pixel_spacing_mm"] = [s / millimetres for s in content["cephalogram"]["pixel_spacing_mm"]]
     case.save(content)
     done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
-    assert done.returncode == 1 and "mm were pixel_spacing_mm in cm" in done.stderr
+    assert done.returncode == 1 and f"mm were pixel_spacing_mm in {unit}" in done.stderr
     assert "expected error" not in done.stdout
     # What explains the others is read first.
     for jaw in load(tmp_path / "out")["jaws"].values():
@@ -248,6 +249,25 @@ def test_a_turned_radiograph_is_told(run, case, tmp_path):
     for jaw in load(tmp_path / "out")["jaws"].values():
         finding = jaw["findings"][0]
         assert finding["code"] == "turned-image" and "turned by 90 degrees" in finding["text"]
+
+
+@pytest.mark.parametrize("mirror", ["height", "middle"])
+@pytest.mark.parametrize("spacing", [True, False], ids=["spacing", "no-spacing"])
+def test_a_drawing_whose_rows_were_counted_from_below_is_told(run, case, tmp_path, mirror, spacing):
+    content = case.load()
+    content["cephalogram"].pop("image")
+    if not spacing:
+        content["cephalogram"].pop("pixel_spacing_mm")
+    case.save(content)
+    contours = case.load("contours.json")
+    places = [v for jaw in contours["contours"].values() for tooth in jaw for _, v in tooth["points"]]
+    foot = contours["image_size"][1] if mirror == "height" else min(places) + max(places)
+    case.save(move_tracing(case, lambda u, v: (u, foot - v)), "contours.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 1
+    for jaw in load(tmp_path / "out")["jaws"].values():
+        finding = jaw["findings"][0]
+        assert finding["code"] == "upward-drawing" and "count v from its top" in finding["text"], jaw["reasons"]
 
 
 @pytest.mark.parametrize(("detector", "midsagittal"), [(1500.0, 1350.0), (1530.0, 1380.0), (1700.0, 1524.0)])
@@ -585,7 +605,7 @@ def test_marks_that_only_measure_are_said_to_be_of_another_picture(run, case, pl
         assert jaw["landmarks_px"] == load(plain)["jaws"][name]["landmarks_px"]
 
 
-def test_going_on_without_a_principal_point_begins_where_the_first_ended(run, case, tmp_path):
+def test_going_on_without_a_principal_point_is_a_run_from_nothing_at_that_place(run, case, tmp_path):
     """A pose means something in its own geometry alone, and without a principal point each tracing has one of its own."""
     content = case.load()
     content["geometry"].pop("principal_point_px")
@@ -593,12 +613,13 @@ def test_going_on_without_a_principal_point_begins_where_the_first_ended(run, ca
     assert run("register", case.file, "--output", tmp_path / "first", "--no-report").returncode == 0
     done = run("register", "--from", tmp_path / "first", "--exclude", "UR1", "--output", tmp_path / "again", "--no-report")
     assert done.returncode == 0, done.stderr
-    assert "is not used" not in done.stderr and "taken with the start" in done.stderr, done.stderr
-    first, again = load(tmp_path / "first"), load(tmp_path / "again")
-    assert again["geometry"]["principal_point_px"]["value"] == first["geometry"]["principal_point_px"]["value"]
-    for name, jaw in again["jaws"].items():
-        for mark, place in first["jaws"][name]["landmarks_px"].items():
-            assert math.dist(jaw["landmarks_px"][mark], place) < 4.0
+    assert "is not used" not in done.stderr, done.stderr
+    done = run("register", case.file, "--exclude", "UR1", "--output", tmp_path / "nothing", "--no-report")
+    assert done.returncode == 0, done.stderr
+    first, again, nothing = (load(tmp_path / name) for name in ("first", "again", "nothing"))
+    assert again["geometry"] == nothing["geometry"]
+    assert max(moved(nothing, again)) < 0.02
+    assert max(moved(first, again)) < 4.0
 
 
 def moved(first, second):
@@ -610,30 +631,45 @@ def moved(first, second):
     ]
 
 
-def test_going_on_without_a_pixel_spacing_begins_with_the_estimate(run, case, tmp_path):
-    """The scale of the earlier result is a start: what is estimated anew moves with each tooth that is left out."""
+@pytest.mark.parametrize("tooth", ["UR6", "UR1", "LR6"])
+def test_going_on_without_a_pixel_spacing_is_a_run_from_nothing_at_that_place(run, case, tmp_path, tooth):
+    """An earlier estimate of spacing and principal point is a start and no fact: what is estimated is estimated anew."""
     content = case.load()
     content["cephalogram"].pop("pixel_spacing_mm")
     content["geometry"].pop("principal_point_px")
     case.save(content)
     assert run("register", case.file, "--output", tmp_path / "first", "--no-report").returncode == 0
-    done = run("register", "--from", tmp_path / "first", "--exclude", "UR6", "--output", tmp_path / "again", "--no-report")
+    done = run("register", "--from", tmp_path / "first", "--exclude", tooth, "--output", tmp_path / "again", "--no-report")
     assert done.returncode == 0, done.stderr
-    assert "is not used" not in done.stderr, done.stderr
-    assert "principal point and pixel spacing taken with the start" in done.stderr, done.stderr
-    first, again = load(tmp_path / "first"), load(tmp_path / "again")
-    assert again["geometry"]["pixel_spacing_mm"]["value"] == first["geometry"]["pixel_spacing_mm"]["value"]
+    assert "is not used" not in done.stderr and "taken with the start" not in done.stderr, done.stderr
+    done = run("register", case.file, "--exclude", tooth, "--output", tmp_path / "nothing", "--no-report")
+    assert done.returncode == 0, done.stderr
+    first, again, nothing = (load(tmp_path / name) for name in ("first", "again", "nothing"))
+    assert again["geometry"] == nothing["geometry"]
     assert again["geometry"]["pixel_spacing_mm"]["source"] == "estimated"
     assert any("not searched beside a given start" in line for line in again["not_checkable"])
+    assert max(moved(nothing, again)) < 0.02
     # The farthest are molars of the side that was not traced.
-    assert 0.01 < max(moved(first, again)) < 8.0
+    assert 0.01 < max(moved(first, again)) < 4.0
     assert numpy.mean(moved(first, again)) < 2.0
-    # Held at the start, it stays what it was.
+
+
+def test_what_is_held_without_a_pixel_spacing_is_held_in_the_geometry_of_the_start(run, case, tmp_path):
+    content = case.load()
+    content["cephalogram"].pop("pixel_spacing_mm")
+    content["geometry"].pop("principal_point_px")
+    case.save(content)
+    assert run("register", case.file, "--output", tmp_path / "first", "--no-report").returncode == 0
+    # A tooth that is left out moves every estimate.
     done = run(
-        "register", "--from", tmp_path / "first", "--fix", "scale,rotation,translation", "--output", tmp_path / "held", "--no-report"
+        "register", "--from", tmp_path / "first", "--exclude", "UR1", "--fix", "scale,rotation,translation", "--output",
+        tmp_path / "held", "--no-report",
     )
     assert done.returncode == 0, done.stderr
-    assert max(moved(first, load(tmp_path / "held"))) < 0.01
+    assert "principal point and pixel spacing taken with the start" in done.stderr, done.stderr
+    first, held = load(tmp_path / "first"), load(tmp_path / "held")
+    assert held["geometry"] == first["geometry"]
+    assert max(moved(first, held)) < 0.01
 
 
 @pytest.mark.parametrize(

@@ -183,6 +183,23 @@ def test_what_was_said_wrong_of_a_view_is_named(run, frontal_phantom, tmp_path, 
         assert jaw["error"]["mean_px"] < 2.0
 
 
+@pytest.mark.parametrize("change", ["exchanged", "mm", "copy"])
+def test_a_view_s_principal_point_of_another_picture_is_asked_for(run, frontal_phantom, tmp_path, change):
+    """It contradicts by more than heads stand elsewhere, and is let go."""
+    def move(case):
+        view = case["views"][0]
+        u, v = view["geometry"]["principal_point_px"]
+        factor = {"mm": view["cephalogram"]["pixel_spacing_mm"][0], "copy": 0.5, "exchanged": 1.0}[change]
+        view["geometry"]["principal_point_px"] = [factor * v, factor * u] if change == "exchanged" else [factor * u, factor * v]
+
+    done, result = register(run, changed(frontal_phantom, tmp_path / "case", move), tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    finding = result["views"]["frontal"]["findings"][0]
+    assert finding["severity"] == "suspect" and "principal point" in finding["text"], finding
+    for jaw in result["jaws"].values():
+        assert jaw["status"] == "suspect" and jaw["error"]["mean_px"] < 2.0
+
+
 def test_one_drawing_does_not_count_twice(run, frontal_phantom, tmp_path):
     def twice(case):
         case["views"].append(dict(case["views"][0], name="again"))

@@ -6098,6 +6098,12 @@ class TurnedDrawingHypothesis(PoseHypothesis):
         """
     def __init__(self) -> None:
         ...
+class UpwardDrawingHypothesis(PoseHypothesis):
+    """
+    The rows of the drawing were counted from below: above and below are exchanged, the scale is free.
+    """
+    def __init__(self) -> None:
+        ...
 class PoseStart:
     """
     Finds poses where a registration may begin.

@@ -229,8 +229,8 @@ class PoseRegistrationMethod(ProcessObject, _core.PoseRegistrationMethod):
         Parameters
         ----------
         geometry : CephalometricGeometry, dict or None
-            That of an earlier registration. A pixel spacing that this radiograph does not have begins as this one. None:
-            they are of the radiograph's own.
+            That of an earlier registration. A pixel spacing that this radiograph does not have is estimated as without
+            a start, or is this one's where a part of the pose is held. None: they are of the radiograph's own.
         """
         self._SetInitialGeometry(None if geometry is None else as_geometry(geometry))
 

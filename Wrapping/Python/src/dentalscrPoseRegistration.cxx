@@ -29,6 +29,7 @@
 #include "itkPoseRegistrationMethod.h"
 #include "itkPoseStartSearch.h"
 #include "itkTurnedDrawingHypothesis.h"
+#include "itkUpwardDrawingHypothesis.h"
 
 #include <sstream>
 
@@ -79,6 +80,10 @@ WrapParts(py::module_ & module)
     .def("GetQuarterTurns",
          &TurnedType::GetQuarterTurns,
          "By how many quarter turns, clockwise as it is seen, the drawing is turned back.");
+
+  wrapHypothesis(itk::UpwardDrawingHypothesis::Pointer(),
+                 "UpwardDrawingHypothesis",
+                 "The rows of the drawing were counted from below: above and below are exchanged, the scale is free.");
 
   using StartType = itk::PoseStart;
   using SearchType = itk::PoseStartSearch;

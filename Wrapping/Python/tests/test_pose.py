@@ -411,6 +411,7 @@ def test_hypotheses_are_what_was_added(ds, phantom, axes):
     assert ds.ExchangedLandmarksHypothesis().GetCode() == "landmarks-exchanged"
     assert ds.MillimetreLandmarksHypothesis().GetCode() == "landmarks-mm"
     assert ds.OtherSpacingHypothesis().GetCode() == "pixel-spacing"
+    assert ds.UpwardDrawingHypothesis().GetCode() == "upward-drawing"
     turned = ds.TurnedDrawingHypothesis()
     turned.SetQuarterTurns(3)
     assert (turned.GetQuarterTurns(), turned.GetCode()) == (3, "turned-270")
@@ -424,7 +425,7 @@ def test_hypothesis_that_a_term_of_ones_own_forbids_says_so(ds, phantom, axes, H
     method.SetFrames(axes)
     method.AddMetric(HeightOfPoint((0.0, 0.0, 0.0), 1.0, 50.0))
     solution = method.Execute(turned, *rest)
-    others = {"pixel-spacing", "turned-90", "turned-180", "turned-270"}
+    others = {"pixel-spacing", "turned-90", "turned-180", "turned-270", "upward-drawing"}
     assert set(solution.GetOutcomes("upper")) == {"other-side", "facing"} | others
     assert "dental frame, which turns over" in solution.GetUntried("upper")["jaws-exchanged"]
     assert pickle.loads(pickle.dumps(solution)).GetUntried("upper") == solution.GetUntried("upper")

@@ -67,7 +67,7 @@ bool
 IsOtherReading(const std::string & code)
 {
   return code == "turned-image" || code == "pixel-spacing" || code == "facing" || code == "jaws-exchanged" ||
-         code == "other-side";
+         code == "upward-drawing" || code == "other-side";
 }
 
 /** A case file's pose is checked to 1e-4 when it is read. */
@@ -100,7 +100,8 @@ SetInitialTransforms(const DentalCaseData &               data,
     {
       taken += taken.empty() ? "pixel spacing" : " and pixel spacing";
     }
-    if (!taken.empty())
+    // Where nothing is held they are estimated as without a start, which the case's own warnings say.
+    if (!taken.empty() && (description.fixScale || description.fixRotation || description.fixTranslation))
     {
       result.warnings.push_back("\"init\": " + taken + " taken with the start, as the case gives none");
     }

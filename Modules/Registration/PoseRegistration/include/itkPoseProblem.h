@@ -68,7 +68,7 @@ struct PoseProblem
   /** With what was not known filled in: made from the jaws where absent. */
   std::optional<PoseGeometry> completed;
   /** The geometry that the jaws' starts are of, where it is another than the nominal one. What the nominal one does not
-   * know begins with what this one has. */
+   * know is as this one has it where something is held, and estimated anew where nothing is. */
   std::optional<PoseGeometry> initialGeometry;
   PoseRegistrationOptions     options;
   /** What a user has added to the jaws' own evidence. A hypothesis under which one of them would mean something else

@@ -165,9 +165,9 @@ public:
   ClearInitialTransforms();
 
   /** The geometry that the initial transforms and their factors are of: that of an earlier registration. Null, the
-   * default: that of this one. Where they differ each start is converted (PoseModel::ConvertPose()); a pixel spacing or
-   * principal point that is not known begins as this geometry has it, and is estimated as ever. Throws in Update()
-   * where the two face another way. */
+   * default: that of this one. Where they differ each start is converted (PoseModel::ConvertPose()). A pixel spacing or
+   * principal point that is not known is estimated as without a start; where a part of the pose is held, it is as this
+   * geometry has it. Throws in Update() where the two face another way. */
   itkSetConstObjectMacro(InitialGeometry, GeometryType);
   itkGetConstObjectMacro(InitialGeometry, GeometryType);
 
@@ -217,8 +217,8 @@ public:
   }
 
   /** By default OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis, ExchangedLandmarksHypothesis,
-   * MillimetreLandmarksHypothesis, OtherSpacingHypothesis and, of one, two and three quarter turns,
-   * TurnedDrawingHypothesis. What came of one stands in the solution's PoseGroupResult::outcomes under its code; codes
+   * MillimetreLandmarksHypothesis, OtherSpacingHypothesis, TurnedDrawingHypothesis of one, two and three quarter turns
+   * and UpwardDrawingHypothesis. What came of one stands in the solution's PoseGroupResult::outcomes under its code; codes
    * therefore differ. */
   void
   AddHypothesis(const PoseHypothesis * hypothesis);

@@ -169,28 +169,42 @@ MeasureOutlines(const PoseProblem & problem, double & depth)
   return extent;
 }
 
+/** What the nominal geometry does not know, as the start has it. */
+PoseGeometry
+TakeFromStart(const PoseProblem & problem)
+{
+  PoseGeometry geometry = problem.nominal;
+  if (!problem.initialGeometry)
+  {
+    return geometry;
+  }
+  if (!geometry.principalPointKnown)
+  {
+    geometry.principalPoint = problem.initialGeometry->principalPoint;
+  }
+  if (!geometry.pixelSpacingKnown)
+  {
+    geometry.pixelSpacing = problem.initialGeometry->pixelSpacing;
+  }
+  return geometry;
+}
 } // namespace
 
 PoseGeometry
 CompleteGeometry(const PoseProblem & problem)
 {
-  PoseGeometry geometry = problem.nominal;
-  if (problem.initialGeometry)
+  const PoseRegistrationOptions & options = problem.options;
+  if (problem.initialGeometry && (options.fixScale || options.fixRotation || options.fixTranslation))
   {
-    // Estimated anew they would move with each tooth that is left out, and the start would mean another place.
-    if (!geometry.principalPointKnown)
-    {
-      geometry.principalPoint = problem.initialGeometry->principalPoint;
-    }
-    if (!geometry.pixelSpacingKnown)
-    {
-      geometry.pixelSpacing = problem.initialGeometry->pixelSpacing;
-    }
-    return geometry;
+    // What is held at a start is held in the geometry that it is of.
+    return TakeFromStart(problem);
   }
+  // An earlier estimate is a start and no fact: what is estimated is estimated from what this run uses, so that the
+  // answer at the start's place is that of a run from nothing.
+  PoseGeometry  geometry = problem.nominal;
   double        depth = 0.0;
   DrawingExtent extent;
-  if (problem.options.tracedSide != TracedSideEnum::Standard)
+  if (options.tracedSide != TracedSideEnum::Standard)
   {
     extent = MeasureTracings(problem);
   }
@@ -205,7 +219,7 @@ CompleteGeometry(const PoseProblem & problem)
   }
   if (extent.IsEmpty())
   {
-    return geometry;
+    return TakeFromStart(problem);
   }
   if (!geometry.principalPointKnown)
   {

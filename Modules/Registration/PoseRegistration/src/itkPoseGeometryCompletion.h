@@ -33,7 +33,8 @@ public:
 };
 
 /** Not installed. The geometry of a problem, with what is not known filled in: the principal point by the drawing's
- * centroid, the spacing from the arch's length. */
+ * centroid, the spacing from the arch's length. Where something is held at a start of another geometry, or nothing was
+ * drawn that they could be estimated from, both are as that geometry has them. */
 PoseGeometry
 CompleteGeometry(const PoseProblem & problem);
 

@@ -31,6 +31,7 @@
 #include "itkOtherViewHypothesis.h"
 #include "itkRigidTransformRows.h"
 #include "itkTurnedDrawingHypothesis.h"
+#include "itkUpwardDrawingHypothesis.h"
 #include "itkPoseFrameOperations.h"
 #include "itkPoseGeometryCompletion.h"
 #include "itkPoseRegistrationEngine.h"
@@ -96,6 +97,7 @@ PoseRegistrationMethodBase::PoseRegistrationMethodBase()
     turned->SetQuarterTurns(turns);
     m_Hypotheses.emplace_back(turned.GetPointer());
   }
+  m_Hypotheses.emplace_back(UpwardDrawingHypothesis::New().GetPointer());
   this->AddRequiredInputName("Geometry", 0);
   this->AddOptionalInputName("UpperMesh", 1);
   this->AddOptionalInputName("LowerMesh", 2);

@@ -27,6 +27,7 @@
 #include "itkOtherSpacingHypothesis.h"
 #include "itkSortFindings.h"
 #include "itkTurnedDrawingHypothesis.h"
+#include "itkUpwardDrawingHypothesis.h"
 #include "itkVerdictText.h"
 
 #include <algorithm>
@@ -55,6 +56,10 @@ constexpr double SpacingDifferenceOfLandmarks = 0.4;
 /** Share of an outline of a tooth that has to lie on the crown of the scan. Of 3558 outlines of phantoms none had less
  * than 0.6, while roots without their crowns have 0 to 0.5. */
 constexpr double MatchedShareOfATooth = 0.5;
+/** The score with the rows counted from below, as a share of the best one with rows as they are. */
+constexpr double UpwardShare = 0.75;
+/** mm: 8 x 10 inches is the format of cephalometric films, and about that of the detectors that came after them. */
+constexpr double UsualFilmLength = 254.0;
 /** px of 0.25 mm above which a standard deviation is no longer a length on a film. */
 constexpr double LargestSigmaInWords = 1000.0;
 constexpr double DegreesPerRadian = 180.0 / 3.14159265358979323846;
@@ -489,6 +494,32 @@ JudgeMargin(const PoseRegistrationResult &          result,
   }
 }
 
+/** How long the film would be were its spacing in a unit in which films have that length, the more usual length first:
+ * "229 mm were pixel_spacing_mm in inches, 90 mm in cm"; empty where no unit explains it. */
+std::string
+DescribeFilmInOtherUnits(double length, const RegistrationVerdict::Thresholds & thresholds)
+{
+  std::vector<std::pair<double, std::string>> lengths;
+  for (const auto & [factor, unit] : { std::make_pair(10.0, "cm"), std::make_pair(25.4, "inches") })
+  {
+    if (factor * length >= thresholds.shortestFilm && factor * length <= thresholds.suspectFilmLength)
+    {
+      lengths.emplace_back(factor * length, unit);
+    }
+  }
+  const auto offUsual = [](double millimetres) { return std::abs(std::log(millimetres / UsualFilmLength)); };
+  std::stable_sort(lengths.begin(), lengths.end(), [&](const auto & left, const auto & right) {
+    return offUsual(left.first) < offUsual(right.first);
+  });
+  std::string text;
+  for (const auto & [inUnit, unit] : lengths)
+  {
+    text += text.empty() ? FormatNumber(inUnit, 0) + " mm were pixel_spacing_mm in " + unit
+                         : ", " + FormatNumber(inUnit, 0) + " mm in " + unit;
+  }
+  return text;
+}
+
 /** A spacing that only the drawing tells makes a film of some size. */
 void
 JudgeFilm(const PoseGeometry &                       geometry,
@@ -503,16 +534,13 @@ JudgeFilm(const PoseGeometry &                       geometry,
     const bool isShort = length < thresholds.shortestFilm;
     if (length > 0.0 && (isShort || length > thresholds.failedFilmLength))
     {
-      const double inCentimetres = 10.0 * length;
-      const bool   fitsInCentimetres =
-        inCentimetres >= thresholds.shortestFilm && inCentimetres <= thresholds.suspectFilmLength;
+      const std::string inOtherUnits = DescribeFilmInOtherUnits(length, thresholds);
       Add(verdict,
           StatusEnum::Suspect,
           "film-size",
-          "by its pixel spacing the radiograph would be " + FormatNumber(length, 0) +
-            (fitsInCentimetres
-               ? " mm long, and " + FormatNumber(inCentimetres, 0) + " mm were pixel_spacing_mm in cm: give mm a pixel"
-               : " mm long: is pixel_spacing_mm of another resolution?"),
+          "by its pixel spacing the radiograph would be " + FormatNumber(length, 0) + " mm long" +
+            (inOtherUnits.empty() ? ": is pixel_spacing_mm of another resolution?"
+                                  : ", and " + inOtherUnits + ": give mm a pixel"),
           { length, isShort ? thresholds.shortestFilm : thresholds.failedFilmLength, "mm" });
     }
     return;
@@ -585,6 +613,8 @@ JudgeReadings(const PoseRegistrationResult &          registration,
   const double given = 0.5 * (geometry.pixelSpacing[0] + geometry.pixelSpacing[1]);
   const auto   isSpacing = [](const std::string & code) { return code == OtherSpacingHypothesis::Code; };
   const auto   isTurned = [](const std::string & code) { return code.rfind(TurnedDrawingHypothesis::Code, 0) == 0; };
+  const PoseHypothesisOutcome * otherSpacing = group.FindOutcome(OtherSpacingHypothesis::Code);
+  const double scoreAsItIs = otherSpacing != nullptr ? std::min(otherSpacing->score, group.score) : group.score;
   using EntryType = std::pair<const std::string, PoseHypothesisOutcome>;
   const EntryType * best = nullptr;
   const EntryType * bestScale = nullptr;
@@ -594,7 +624,13 @@ JudgeReadings(const PoseRegistrationResult &          registration,
     const PoseHypothesisOutcome & outcome = entry.second;
     const std::string &           code = entry.first;
     if (code != OtherFacingHypothesis::Code && code != ExchangedLandmarksHypothesis::Code &&
-        code != MillimetreLandmarksHypothesis::Code && !isSpacing(code) && !isTurned(code))
+        code != MillimetreLandmarksHypothesis::Code && code != UpwardDrawingHypothesis::Code && !isSpacing(code) &&
+        !isTurned(code))
+    {
+      continue;
+    }
+    // It frees the scale as well, and has to be better than that alone.
+    if (code == UpwardDrawingHypothesis::Code && outcome.score > UpwardShare * scoreAsItIs)
     {
       continue;
     }
@@ -659,6 +695,8 @@ JudgeReadings(const PoseRegistrationResult &          registration,
     }
     return;
   }
+  // A drawing in mm has a spacing of 1; that of an estimated scale is as sure as a patient's size.
+  constexpr double    sureness = 0.05;
   const std::string & code = best->first;
   const Measure       gain{ group.score - best->second.score, thresholds.hypothesisGain, "" };
   if (code == ExchangedLandmarksHypothesis::Code)
@@ -680,10 +718,8 @@ JudgeReadings(const PoseRegistrationResult &          registration,
   }
   else if (isSpacing(code))
   {
-    // A drawing in mm has a spacing of 1; that of an estimated scale is as sure as a patient's size.
-    constexpr double sureness = 0.05;
-    const double     spacing = spacingOf(best->second);
-    const bool       inMillimetres = std::abs(std::log(spacing)) < sureness && std::abs(std::log(given)) > sureness;
+    const double spacing = spacingOf(best->second);
+    const bool   inMillimetres = std::abs(std::log(spacing)) < sureness && std::abs(std::log(given)) > sureness;
     Add(verdict,
         StatusEnum::Failed,
         "pixel-spacing",
@@ -693,6 +729,20 @@ JudgeReadings(const PoseRegistrationResult &          registration,
           (inMillimetres ? std::string("in mm instead of pixels")
                          : "on a copy of the radiograph " + FormatNumber(given / spacing, 2) + " times as large"),
         { spacing, given, "mm" });
+  }
+  else if (code == UpwardDrawingHypothesis::Code)
+  {
+    const double spacing = spacingOf(best->second);
+    const bool   isOtherScale = geometry.pixelSpacingKnown && std::abs(std::log(spacing / given)) > difference;
+    const bool   isInMillimetres = isOtherScale && std::abs(std::log(spacing)) < sureness;
+    Add(verdict,
+        StatusEnum::Failed,
+        "upward-drawing",
+        "the drawing fits with above and below exchanged" +
+          (isOtherScale ? " and a pixel spacing of " + FormatNumber(spacing, spacing < 0.1 ? 3 : 2) + " mm" : "") +
+          ": were its rows counted from below, as programs that plot do" + (isInMillimetres ? ", and in mm" : "") +
+          "? Give pixels of the radiograph and count v from its top: its height less what was written",
+        gain);
   }
   else if (isTurned(code))
   {

@@ -26,7 +26,7 @@ namespace
 {
 /** The heaviest first: of the scans, of what was drawn, the readings of the drawing that fit where the given one does
  * not, and what is wrong with landmarks that only measure. */
-const std::array<const char *, 21> Causes{ { "no-arch",
+const std::array<const char *, 22> Causes{ { "no-arch",
                                              "same-scan",
                                              "both-jaws",
                                              "spikes",
@@ -40,6 +40,7 @@ const std::array<const char *, 21> Causes{ { "no-arch",
                                              "landmarks-mm",
                                              "pixel-spacing",
                                              "turned-image",
+                                             "upward-drawing",
                                              "facing",
                                              "upside-down",
                                              "film-size",

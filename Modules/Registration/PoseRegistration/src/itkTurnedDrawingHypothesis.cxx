@@ -18,6 +18,7 @@
 #include "itkTurnedDrawingHypothesis.h"
 
 #include "itkAddedRadiograph.h"
+#include "itkMoveDrawing.h"
 
 
 #include <algorithm>
@@ -29,9 +30,8 @@ namespace
 {
 /** Quarter turns clockwise, as it is seen (u to the right, v down), about the first pixel: where to is the start's to
  * find. */
-template <typename TPoint>
-TPoint
-Turn(TPoint point, unsigned int quarterTurns)
+Point<double, 2>
+Turn(Point<double, 2> point, unsigned int quarterTurns)
 {
   for (unsigned int i = 0; i < quarterTurns; ++i)
   {
@@ -86,38 +86,11 @@ TurnedDrawingHypothesis::Apply(const PoseProblem & problem) const
   constexpr unsigned int evaluations = 6;
   PoseProblem            other = problem;
   other.options = MakeQuickOptions(problem.options, evaluations);
-  other.completed.reset();
-  other.nominal.principalPointKnown = false;
   if (m_QuarterTurns != 2)
   {
     std::swap(other.nominal.pixelSpacing[0], other.nominal.pixelSpacing[1]);
   }
-  for (PoseJawInput & jaw : other.jaws)
-  {
-    jaw.initialPose.reset();
-    if (jaw.tracing.IsNotNull())
-    {
-      auto turned = DentalContour::New();
-      for (DentalContour::PolylineType polyline : jaw.tracing->GetPolylines())
-      {
-        for (auto & point : polyline.points)
-        {
-          point = Turn(point, m_QuarterTurns);
-        }
-        turned->AddPolyline(polyline);
-      }
-      jaw.tracing = turned;
-    }
-    if (jaw.landmarks.IsNotNull())
-    {
-      auto turned = CephalometricLandmarkSet::New();
-      for (const auto & landmark : jaw.landmarks->GetLandmarks())
-      {
-        turned->AddLandmark(landmark.name, Turn(landmark.point, m_QuarterTurns), landmark.sigma, landmark.confidence);
-      }
-      jaw.landmarks = turned;
-    }
-  }
+  MoveDrawing(other, [this](const Point<double, 2> & point) { return Turn(point, m_QuarterTurns); });
   return other;
 }
 

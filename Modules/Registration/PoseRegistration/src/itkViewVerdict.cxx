@@ -159,14 +159,16 @@ ViewVerdict::Evaluate(const PoseRegistrationResult & result, std::size_t index, 
   const double      ratio = tally.GetRatio();
   if (isContrary)
   {
-    add(Suspect,
-        "view-disagrees",
-        "it contradicts the first radiograph: " + std::to_string(apart.size()) + " of " +
-          std::to_string(apart.size() + fitting) + " " + drawings + " do not fit (" + JoinNames(apart) +
-          "); is it of the same patient, marked in pixels of this very picture, and its geometry right?",
-        tally.GetLargest(),
-        thresholds.landmarkApart,
-        "sd");
+    add(
+      Suspect,
+      "view-disagrees",
+      "it contradicts the first radiograph: " + std::to_string(apart.size()) + " of " +
+        std::to_string(apart.size() + fitting) + " " + drawings + " do not fit (" + JoinNames(apart) +
+        "); is it of the same patient, marked in pixels of this very picture, and are its geometry and principal point "
+        "right?",
+      tally.GetLargest(),
+      thresholds.landmarkApart,
+      "sd");
   }
   else if (!apart.empty())
   {

@@ -369,6 +369,41 @@ TEST(PoseRegistration, ATurnedRadiographIsNamedWithItsTurn)
   }
 }
 
+/** By a program that plots: rows from below, in pixels and in mm, with the spacing and without. */
+TEST(PoseRegistration, ADrawingWhoseRowsWereCountedFromBelowIsNamed)
+{
+  for (const bool spacingKnown : { true, false })
+  {
+    for (const double unit : { 1.0, Typical().geometry.pixelSpacing[0] })
+    {
+      auto jaws = Typical().jaws;
+      for (auto & jaw : jaws)
+      {
+        for (auto & polyline : jaw.tracing)
+        {
+          for (auto & point : polyline.points)
+          {
+            point[0] *= unit;
+            point[1] = unit * (938.0 - point[1]);
+          }
+        }
+      }
+      auto geometry = Typical().geometry;
+      geometry.pixelSpacingKnown = spacingKnown;
+      const auto result = PoseRegistrationTestCase::Run(jaws, geometry, itk::PoseRegistrationOptions());
+      for (const auto & verdict : itk::RegistrationVerdict::Evaluate(result))
+      {
+        EXPECT_EQ(verdict.status, StatusEnum::Failed) << spacingKnown << ' ' << unit;
+        EXPECT_TRUE(HasReason(verdict, "upward-drawing")) << spacingKnown << ' ' << unit;
+        for (const char * other : { "facing", "turned-image", "pixel-spacing" })
+        {
+          EXPECT_FALSE(HasReason(verdict, other)) << other;
+        }
+      }
+    }
+  }
+}
+
 TEST(PoseRegistration, WrongFacingAndWrongUnitAreNotOk)
 {
   auto geometry = Typical().geometry;

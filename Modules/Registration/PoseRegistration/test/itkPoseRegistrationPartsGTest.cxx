@@ -28,6 +28,7 @@
 #include "itkMillimetreLandmarksHypothesis.h"
 #include "itkOtherSpacingHypothesis.h"
 #include "itkTurnedDrawingHypothesis.h"
+#include "itkUpwardDrawingHypothesis.h"
 #include "itkOtherFacingHypothesis.h"
 #include "itkOtherSideHypothesis.h"
 #include "itkParameterPriorMetricv4.h"
@@ -270,6 +271,8 @@ ExerciseBasicObjectMethods()
   ITK_EXERCISE_BASIC_OBJECT_METHODS(spacing, OtherSpacingHypothesis, PoseHypothesis);
   const auto turned = itk::TurnedDrawingHypothesis::New();
   ITK_EXERCISE_BASIC_OBJECT_METHODS(turned, TurnedDrawingHypothesis, PoseHypothesis);
+  const auto upward = itk::UpwardDrawingHypothesis::New();
+  ITK_EXERCISE_BASIC_OBJECT_METHODS(upward, UpwardDrawingHypothesis, PoseHypothesis);
   const auto landmarks = itk::ExchangedLandmarksHypothesis::New();
   ITK_EXERCISE_BASIC_OBJECT_METHODS(landmarks, ExchangedLandmarksHypothesis, PoseHypothesis);
   return EXIT_SUCCESS;
@@ -296,7 +299,7 @@ TEST(PoseRegistrationParts, DefaultsAreThoseOfThePreset)
   method->Print(text);
   EXPECT_TRUE(Contains(text.str(),
                        "Hypotheses: other-side facing jaws-exchanged landmarks-exchanged landmarks-mm "
-                       "pixel-spacing turned-90 turned-180 turned-270"));
+                       "pixel-spacing turned-90 turned-180 turned-270 upward-drawing"));
   const auto search = itk::PoseStartSearch::New();
   EXPECT_NEAR(search->GetRotationRange(), 32.0 * 0.017453292519943295, 1e-15);
   EXPECT_NEAR(search->GetRotationStep(), 4.0 * 0.017453292519943295, 1e-15);
@@ -742,6 +745,38 @@ TEST(PoseRegistrationParts, ATurnedDrawingIsTurnedBackPointByPoint)
   EXPECT_THROW(turned->SetQuarterTurns(4), itk::ExceptionObject);
 }
 
+TEST(PoseRegistrationParts, ADrawingThatCountedItsRowsFromBelowIsMirroredPointByPoint)
+{
+  itk::PoseProblem problem;
+  problem.nominal.pixelSpacing = { { 0.2, 0.3 } };
+  itk::DentalContour::PointType point;
+  point[0] = 10.0;
+  point[1] = 3.0;
+  auto tracing = itk::DentalContour::New();
+  tracing->AddPolyline({ point, point }, itk::ToothCode(11));
+  auto marks = itk::CephalometricLandmarkSet::New();
+  marks->AddLandmark("U1_tip", point, 2.5, 0.5);
+  itk::PoseJawInput jaw;
+  jaw.tracing = tracing;
+  jaw.landmarks = marks;
+  jaw.initialPose = itk::PoseParameters();
+  problem.jaws = { jaw };
+  const auto other = itk::UpwardDrawingHypothesis::New()->Apply(problem);
+  const auto polyline = other.jaws[0].tracing->GetPolylines().at(0);
+  EXPECT_EQ(polyline.code, itk::ToothCode(11));
+  EXPECT_EQ(polyline.points[1][0], 10.0);
+  EXPECT_EQ(polyline.points[1][1], -3.0);
+  const auto * mark = other.jaws[0].landmarks->Find("U1_tip");
+  EXPECT_EQ(mark->point[0], 10.0);
+  EXPECT_EQ(mark->point[1], -3.0);
+  EXPECT_EQ(mark->sigma, 2.5);
+  EXPECT_EQ(mark->confidence, 0.5);
+  EXPECT_FALSE(other.jaws[0].initialPose.has_value());
+  EXPECT_FALSE(other.nominal.principalPointKnown);
+  EXPECT_FALSE(other.nominal.pixelSpacingKnown) << "it may be in mm";
+  EXPECT_EQ(problem.jaws[0].tracing->GetPolylines().at(0).points[0][1], 3.0) << "the problem's own stays";
+}
+
 TEST(PoseRegistrationParts, AHypothesisRunsAloneAndGivesWhatItGivesBesideTheResult)
 {
   const auto method = MakeMethod();
@@ -818,9 +853,15 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
   };
   method->Update();
   itk::PoseGroupResult group = method->GetOutput()->GetResult().groups[0];
-  EXPECT_EQ(
-    codesOf(group.outcomes),
-    (Codes{ "facing", "jaws-exchanged", "other-side", "pixel-spacing", "turned-180", "turned-270", "turned-90" }));
+  EXPECT_EQ(codesOf(group.outcomes),
+            (Codes{ "facing",
+                    "jaws-exchanged",
+                    "other-side",
+                    "pixel-spacing",
+                    "turned-180",
+                    "turned-270",
+                    "turned-90",
+                    "upward-drawing" }));
   EXPECT_TRUE(group.untried.empty());
   EXPECT_EQ(notTried(), 0);
 
@@ -831,8 +872,9 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
     method->AddMetric(MakePosePrior(itk::PoseTz, 0.0, 100.0), jaw);
     method->Update();
     group = method->GetOutput()->GetResult().groups[0];
-    EXPECT_EQ(codesOf(group.outcomes),
-              (Codes{ "facing", "other-side", "pixel-spacing", "turned-180", "turned-270", "turned-90" }));
+    EXPECT_EQ(
+      codesOf(group.outcomes),
+      (Codes{ "facing", "other-side", "pixel-spacing", "turned-180", "turned-270", "turned-90", "upward-drawing" }));
     ASSERT_EQ(codesOf(group.untried), (Codes{ "jaws-exchanged" }));
     EXPECT_EQ(group.untried.begin()->second,
               "the added ParameterPriorMetricv4 is about the jaws' dental frame, which turns over with them");
@@ -852,9 +894,10 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
   method->Update();
   group = method->GetOutput()->GetResult().groups[0];
   EXPECT_EQ(codesOf(group.outcomes), (Codes{ "other-side" }));
-  EXPECT_EQ(codesOf(group.untried),
-            (Codes{ "facing", "jaws-exchanged", "pixel-spacing", "turned-180", "turned-270", "turned-90" }));
-  EXPECT_EQ(notTried(), 6);
+  EXPECT_EQ(
+    codesOf(group.untried),
+    (Codes{ "facing", "jaws-exchanged", "pixel-spacing", "turned-180", "turned-270", "turned-90", "upward-drawing" }));
+  EXPECT_EQ(notTried(), 7);
 
   // A block that is no pose is nothing that turns.
   method->ClearMetrics();

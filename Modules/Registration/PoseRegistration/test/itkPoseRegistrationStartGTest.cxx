@@ -167,7 +167,7 @@ TEST(PoseRegistrationStart, AStartOfAnotherGeometryKeepsItsPlaceOnTheRadiograph)
   EXPECT_GT(std::hypot(unconverted[0] - before[0], unconverted[1] - before[1]), 20.0);
 }
 
-TEST(PoseRegistrationStart, WhatIsNotKnownBeginsAsTheStartsGeometryHasIt)
+TEST(PoseRegistrationStart, WhatIsNotKnownIsAsTheStartsGeometryHasItWhereSomethingIsHeld)
 {
   const itk::PoseGeometry then = AnotherGeometry();
   itk::PoseGeometry       unknown = Typical().geometry;
@@ -185,6 +185,33 @@ TEST(PoseRegistrationStart, WhatIsNotKnownBeginsAsTheStartsGeometryHasIt)
   }
   EXPECT_FALSE(used.principalPointKnown);
   EXPECT_FALSE(used.pixelSpacingKnown);
+}
+
+TEST(PoseRegistrationStart, WhatIsNotKnownIsEstimatedAsWithoutAStartWhereNothingIsHeld)
+{
+  itk::PoseGeometry unknown = Typical().geometry;
+  unknown.principalPointKnown = false;
+  unknown.pixelSpacingKnown = false;
+  const auto nothing = MakeMethod(unknown);
+  nothing->Update();
+  // Another estimate than this drawing gives, as that of a drawing with a tooth more.
+  const auto method = MakeMethod(unknown);
+  BeginAtPlain(method);
+  method->SetInitialGeometry(PoseRegistrationTestCase::MakeGeometry(Typical().geometry));
+  method->Update();
+  const auto & expected = nothing->GetOutput()->GetResult();
+  const auto & found = method->GetOutput()->GetResult();
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    EXPECT_NE(expected.geometry.pixelSpacing[d], Typical().geometry.pixelSpacing[d]) << d;
+    EXPECT_EQ(found.geometry.pixelSpacing[d], expected.geometry.pixelSpacing[d]) << d;
+    EXPECT_EQ(found.geometry.principalPoint[d], expected.geometry.principalPoint[d]) << d;
+  }
+  EXPECT_FALSE(found.geometry.pixelSpacingKnown);
+  for (unsigned int k = 0; k < 7; ++k)
+  {
+    EXPECT_NEAR(found.groups[0].parameters[k], expected.groups[0].parameters[k], 1e-12) << k;
+  }
 }
 
 TEST(PoseRegistrationStart, TheInitialGeometryIsASettingThatRunsItAgainAndMayFaceNoOtherWay)

@@ -497,6 +497,58 @@ TEST(RegistrationVerdict, OneReadingOfTheDrawingIsNamed)
   EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "jaws-exchanged", Failed } }));
 }
 
+/** It frees the scale, as another spacing does: it has to be far better than both. */
+TEST(RegistrationVerdict, RowsThatWereCountedFromBelowAreNamedWhereTheyExplainMuchMoreThanAnyScale)
+{
+  Result result = MakeGoodResult();
+  result.geometry.pixelSpacing = { { 0.25, 0.25 } };
+  result.geometry.pixelSpacingKnown = true;
+  result.groups[0].score = 0.4;
+  auto & upward = result.groups[0].outcomes["upward-drawing"];
+  upward = { 0.31, 0.0, { { 0.25, 0.25 } } };
+  EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)), Named());
+  upward.score = 0.29;
+  const auto verdict = Verdict::Evaluate(result).at(0);
+  EXPECT_EQ(NamesOf(verdict), (Named{ { "upward-drawing", Failed } }));
+  EXPECT_NEAR(*verdict.findings[0].value, 0.11, 1e-12);
+  EXPECT_EQ(verdict.findings[0].text.find("pixel spacing of"), std::string::npos) << verdict.findings[0].text;
+  EXPECT_EQ(verdict.findings[0].text.find("in mm"), std::string::npos) << verdict.findings[0].text;
+  // A drawing in mm.
+  upward.pixelSpacing = { { 1.01, 1.01 } };
+  const auto text = Verdict::Evaluate(result).at(0).findings[0].text;
+  EXPECT_NE(text.find("and a pixel spacing of 1.01 mm"), std::string::npos) << text;
+  EXPECT_NE(text.find("and in mm?"), std::string::npos) << text;
+  // With the scale alone it would be almost as good.
+  result.groups[0].outcomes["pixel-spacing"] = { 0.3, 0.0, { { 0.5, 0.5 } } };
+  EXPECT_NE(NamesOf(Verdict::Evaluate(result).at(0)), (Named{ { "upward-drawing", Failed } }));
+}
+
+/** The unit in which a film has the usual length comes first. */
+TEST(RegistrationVerdict, AFilmThatIsTooShortNamesTheUnitsThatWouldExplainIt)
+{
+  Result result = MakeGoodResult();
+  result.geometry.pixelSpacingKnown = true;
+  const auto textAt = [&](double spacing) {
+    result.geometry.pixelSpacing = { { spacing, spacing } };
+    for (const auto & finding : Verdict::Evaluate(result, Thresholds(), { { 800, 1000 } }).at(0).findings)
+    {
+      if (finding.code == "film-size")
+      {
+        return finding.text.substr(std::string("by its pixel spacing the radiograph would be ").size());
+      }
+    }
+    return std::string();
+  };
+  EXPECT_EQ(textAt(0.25), "");
+  EXPECT_EQ(textAt(0.025), "25 mm long, and 250 mm were pixel_spacing_mm in cm: give mm a pixel");
+  EXPECT_EQ(textAt(0.25 / 25.4),
+            "10 mm long, and 250 mm were pixel_spacing_mm in inches, 98 mm in cm: give mm a pixel");
+  EXPECT_EQ(textAt(0.0075), "8 mm long, and 191 mm were pixel_spacing_mm in inches: give mm a pixel");
+  EXPECT_EQ(textAt(0.015), "15 mm long, and 381 mm were pixel_spacing_mm in inches, 150 mm in cm: give mm a pixel");
+  EXPECT_EQ(textAt(0.001), "1 mm long: is pixel_spacing_mm of another resolution?");
+  EXPECT_EQ(textAt(0.06), "60 mm long: is pixel_spacing_mm of another resolution?");
+}
+
 /** Where the fit alone tells the spacing the film is judged by its longer side; where it was given it is not. */
 TEST(RegistrationVerdict, AFilmIsNoLongerThanFilmsAre)
 {
