@@ -15,8 +15,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # The parts of the Python reference in the order in which they are read: title, introduction, modules whose names it lists.
 PARTS = (
-    ("Cases and results", "A case file in, a registered case out; many cases at once.", ("_case", "_batch")),
-    ("Pose registration", "What preset `robust` runs: the registration, its optimizer, terms and solution.", ("_pose",)),
+    ("Cases and results", "A case file in, a registered case out; many cases at once.", ("_case", "_case_result", "_batch")),
+    ("Pose registration", "What preset `robust` runs: the registration, its optimizer, terms and solution.",
+     ("_pose", "_pose_metrics", "_pose_inputs", "_pose_downstream")),
     ("Registration of contours", "The paper's method and what it is compared with: similarities between two contours.",
      ("_registration", "_similarity")),
     ("Filters", "The steps before and after a registration.", ("_filters",)),

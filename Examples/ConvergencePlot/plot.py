@@ -2,7 +2,7 @@
 """Draws what RegistrationIterationCommand::WriteTable() writes: plot.py TITLE=table.csv ... picture.png
 
 Needs matplotlib. A column a level, a colour a candidate; above the metric's value, below the length of each step. Levels
-in which no candidate has a second step are left out, and so are the hypotheses of preset robust, each of which begins
+in which no candidate has a second step are left out, and so is the uncertainty of preset robust, whose hypotheses begin
 with starts of its own.
 """
 import csv
@@ -14,7 +14,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 # What PoseRegistrationMethod's levels are, group after group of jaws with a pose of their own.
-STAGES = ("starts", "candidates", "refinement", "hypotheses")
+STAGES = ("starts", "candidates", "refinement", "uncertainty")
 
 
 def read(path):

@@ -172,10 +172,10 @@ def test_fixed_constants_of_robust_are_those_of_the_code():
         "longest step": [("PoseMetric/src/itkPoseStateBlocks.cxx", rf'"{name}", 0.0, \S+, (.*?), true', 1)
                          for name in ("pitch", "roll", "yaw", "tx", "ty", "tz", "kappa")],
         "width at which fits are judged": [("PoseMetric/include/itkPoseSilhouetteKernel.h", r"FitWidth = (.*?);", 1)],
-        "shares of E and P": [("PoseRegistration/src/itkPoseGroupRegistration.cxx", rf"{name}Share = (.*?);", 1)
+        "shares of E and P": [("PoseRegistration/src/itkCandidatePosterior.cxx", rf"{name}Share = (.*?);", 1)
                               for name in ("Evidence", "Known")],
-        "smallest share, same minimum": [("PoseRegistration/src/itkPoseGroupRegistration.cxx", rf"{name} = (.*?);", 1)
-                                         for name in ("smallestShare", "SameMinimum")],
+        "smallest share, same minimum": [("PoseRegistration/src/itkCandidatePosterior.cxx", r"smallestShare = (.*?);", 1),
+                                         ("PoseRegistration/src/itkCandidatePosterior.h", r"SameMinimum = (.*?);", 1)],
         "precise drawing": [("PoseRegistration/src/itkPoseGroupRegistration.cxx", r"PreciseFactor = (.*?);", 1)],
     }
     for row, sources in written.items():
@@ -186,7 +186,7 @@ def test_fixed_constants_of_robust_are_those_of_the_code():
             value = factor * float(found.group(1))
             assert any(number == pytest.approx(value, rel=1e-6) for number in numbers), (row, value)
     weights = [(ROOT / "Modules/Registration" / file).read_text() for file in
-               ("PoseMetric/src/itkSilhouettePoseMetricv4.cxx", "PoseRegistration/src/itkPoseGroupRegistration.cxx")]
+               ("PoseMetric/src/itkSilhouettePoseMetricv4.cxx", "PoseRegistration/src/itkCandidatePosterior.cxx")]
     assert [re.search(r"SmallestWeight = (.*?);", text).group(1) for text in weights] == ["1e-6", "1e-3"]
     assert rows["smallest weight"].startswith("10⁻⁶; 10⁻³")
     # No row is left out above.

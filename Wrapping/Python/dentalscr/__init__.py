@@ -91,19 +91,17 @@ from ._batch import BatchItem, batch
 from ._case import (
     Case,
     CaseRegistration,
-    CaseResult,
     CaseLandmarkErrorFilter,
     CaseResultFolderWriter,
     MeasureCaseLandmarkErrors,
     DentalCaseReader,
-    JawResult,
     ReadCase,
     WriteCaseResult,
     WriteReportPage,
     register,
     register_from,
-    ViewResult,
 )
+from ._case_result import CaseResult, JawResult, ViewResult
 from ._convert import (
     GetArrayFromImage,
     GetArrayViewFromImage,
@@ -202,27 +200,17 @@ from ._phantom import (
     PhantomCaseJaw,
     PhantomJaw,
 )
-from ._pose import (
-    FindLandmarkCounterparts,
-    FindToothCrowns,
-    FindTracedSide,
+from ._pose import PoseRegistration, PoseRegistrationMethod
+from ._pose_downstream import (
     JawVerdict,
-    LandmarkCounterpart,
-    LandmarkCounterpartFilter,
-    LandmarkPoseMetricv4,
     LandmarkProjection,
     LandmarkProjectionFilter,
     LandmarkProjections,
-    LeastSquaresMetric,
-    LevenbergMarquardtOptimizerv4,
     MatchedContour,
     MatchedContourFilter,
-    OutlineResidual,
     PictureCheck,
     PictureCheckFilter,
     PictureFindings,
-    PoseRegistration,
-    PoseRegistrationMethod,
     ProjectedSimilarity,
     ProjectionSimilarity,
     ProjectionSimilarityFilter,
@@ -233,12 +221,25 @@ from ._pose import (
     ScanCheck,
     ScanCheckFilter,
     ScanFindings,
-    SilhouettePoseMetricv4,
+)
+from ._pose_inputs import (
+    FindLandmarkCounterparts,
+    FindToothCrowns,
+    FindTracedSide,
+    LandmarkCounterpart,
+    LandmarkCounterpartFilter,
     ToothCrown,
     ToothCrownFilter,
-    ToothOutlinePoseMetricv4,
     TracedSideFilter,
     TracedSides,
+)
+from ._pose_metrics import (
+    LandmarkPoseMetricv4,
+    LeastSquaresMetric,
+    LevenbergMarquardtOptimizerv4,
+    OutlineResidual,
+    SilhouettePoseMetricv4,
+    ToothOutlinePoseMetricv4,
 )
 from ._process import ProcessObject
 from ._registration import (

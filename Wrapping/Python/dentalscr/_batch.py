@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Dict, NamedTuple, Optional, Union, cast
 
 from . import _core
-from ._case import Case, CaseResult, register
+from ._case import Case, register
+from ._case_result import CaseResult
 from ._errors import AbortedError, ArgumentError
 from ._inputs import PathLike, as_path, is_path
 

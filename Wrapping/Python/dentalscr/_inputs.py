@@ -25,6 +25,8 @@ ImageLike = Any
 TransformLike = Any
 #: {"UR1_tip": (u, v)} or file.
 LandmarksLike = Any
+#: A jaw or its name.
+JawLike = Union[str, _core.Jaw]
 
 
 def as_path(value: PathLike) -> str:

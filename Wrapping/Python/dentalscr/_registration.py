@@ -109,21 +109,26 @@ def SilhouetteToContourRegistration(
     return process.Execute(fixed, moving)
 
 
-class IterativeClosestPointContourRegistrationMethod(
-    ProcessObject, _core.IterativeClosestPointContourRegistrationMethod
-):
-    """Iterative closest points between two contours, rigid or similarity, plain or trimmed."""
+class _ContourMethod(ProcessObject):
+    """What the methods beside the paper's have in common: two contours and a start go in, a similarity comes out."""
 
-    def SetInitialTransform(self, transform: Optional[TransformLike]) -> None:
+    def SetInitialTransform(self: Any, transform: Optional[TransformLike]) -> None:
         """Start from this similarity (moving to fixed); None for the method's own start."""
         self._SetInitialTransform(as_similarity(transform))
 
-    def Execute(self, fixed: ContourLike, moving: ContourLike) -> _core.Similarity2DTransform:
+    def Execute(self: Any, fixed: ContourLike, moving: ContourLike) -> _core.Similarity2DTransform:
         """Registers: the similarity that maps moving to fixed."""
         self._SetFixedContour(as_contour(fixed))
         self._SetMovingContour(as_contour(moving))
         self._Update()
-        return self._GetTransform()
+        similarity: _core.Similarity2DTransform = self._GetTransform()
+        return similarity
+
+
+class IterativeClosestPointContourRegistrationMethod(
+    _ContourMethod, _core.IterativeClosestPointContourRegistrationMethod
+):
+    """Iterative closest points between two contours, rigid or similarity, plain or trimmed."""
 
 
 def IterativeClosestPointContourRegistration(
@@ -139,19 +144,8 @@ def IterativeClosestPointContourRegistration(
     return process.Execute(fixed, moving)
 
 
-class CoherentPointDriftContourRegistrationMethod(ProcessObject, _core.CoherentPointDriftContourRegistrationMethod):
+class CoherentPointDriftContourRegistrationMethod(_ContourMethod, _core.CoherentPointDriftContourRegistrationMethod):
     """Coherent point drift between two contours, rigid or similarity."""
-
-    def SetInitialTransform(self, transform: Optional[TransformLike]) -> None:
-        """Start from this similarity (moving to fixed); None for the method's own start."""
-        self._SetInitialTransform(as_similarity(transform))
-
-    def Execute(self, fixed: ContourLike, moving: ContourLike) -> _core.Similarity2DTransform:
-        """Registers: the similarity that maps moving to fixed."""
-        self._SetFixedContour(as_contour(fixed))
-        self._SetMovingContour(as_contour(moving))
-        self._Update()
-        return self._GetTransform()
 
 
 def CoherentPointDriftContourRegistration(

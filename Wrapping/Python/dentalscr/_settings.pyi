@@ -3,7 +3,7 @@ Further keywords of the procedural twins; made by Wrapping/Python/settings_stub.
 """
 import typing
 from typing import Any, Mapping, Optional, TypedDict, Union
-from ._case import CaseResult
+from ._case_result import CaseResult
 from ._inputs import ContourLike, ImageLike, LandmarksLike, MeshLike, PathLike, TransformLike
 from collections.abc import Sequence
 from . import _core

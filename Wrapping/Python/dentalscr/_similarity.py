@@ -9,6 +9,7 @@ from ._filters import as_rigid, as_similarity
 from ._inputs import (
     Array,
     ContourLike,
+    JawLike,
     LandmarksLike,
     MeshLike,
     TransformLike,
@@ -17,7 +18,6 @@ from ._inputs import (
     as_landmarks,
     as_mesh,
 )
-from ._pose import JawLike
 from ._process import ProcessObject
 
 

@@ -15,16 +15,11 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "dentalscrContourMethod.h"
 #include "dentalscrOptimizers.h"
 #include "dentalscrPythonContourMetric.h"
 
-#include "itkCoherentPointDriftContourRegistrationMethod.h"
 #include "itkContourChamferMetricv4.h"
-#include "itkContourDistanceFilter.h"
-#include "itkContourOverlapFilter.h"
-#include "itkIntensityRegistrationMethod.h"
-#include "itkIterativeClosestPointContourRegistrationMethod.h"
-#include "itkScalePrior.h"
 #include "itkSilhouetteToContourRegistrationMethod.h"
 
 #include "itkAmoebaOptimizerv4.h"
@@ -45,8 +40,7 @@ namespace
 using MethodType = itk::SilhouetteToContourRegistrationMethod;
 using TransformType = itk::Similarity2DTransform<double>;
 using itk::DentalContour;
-using DistanceFilterType = itk::ContourDistanceFilter;
-using OverlapFilterType = itk::ContourOverlapFilter;
+using MetricType = itk::ContourToContourMetricv4;
 using DirectionEnum = itk::ContourMetricEnums::Direction;
 using DistanceEnum = itk::ContourMetricEnums::Distance;
 
@@ -56,246 +50,6 @@ using LineSearchType = itk::GradientDescentLineSearchOptimizerv4Template<double>
 using PowellType = itk::PowellOptimizerv4<double>;
 using OnePlusOneType = itk::OnePlusOneEvolutionaryOptimizerv4<double>;
 using ExhaustiveType = itk::ExhaustiveOptimizerv4<double>;
-
-TransformType::Pointer
-Copy(const TransformType * transform)
-{
-  auto copy = TransformType::New();
-  copy->SetFixedParameters(transform->GetFixedParameters());
-  copy->SetParameters(transform->GetParameters());
-  return copy;
-}
-
-py::tuple
-ToTuple(const itk::OptimizerParameters<double> & parameters)
-{
-  return py::tuple(py::cast(std::vector<double>(parameters.begin(), parameters.end())));
-}
-
-/** What the registration of contours has in common, whatever the method. */
-template <typename TMethod>
-void
-DefineContourMethod(ProcessClass<TMethod> & type)
-{
-  type.def("_SetFixedContour", &TMethod::SetFixedContour, py::arg("contour"))
-    .def("_SetMovingContour", &TMethod::SetMovingContour, py::arg("contour"))
-    .def(
-      "_SetInitialTransform",
-      [](TMethod & self, const TransformType * transform) {
-        if (transform == nullptr)
-        {
-          self.SetInitialTransformInput(nullptr);
-        }
-        else
-        {
-          self.SetInitialTransform(transform);
-        }
-      },
-      py::arg("transform"))
-    .def("_GetTransform", [](const TMethod & self) { return Copy(self.GetTransform()); })
-    .def(
-      "GetInitialParameters",
-      [](const TMethod & self) { return ToTuple(self.GetInitialParameters()); },
-      "The start (scale, rad, px, px).")
-    .def(
-      "GetCurrentLevel", [](const TMethod & self) { return self.GetCurrentLevel(); }, "0 is the coarsest.")
-    .def(
-      "GetOptimizerIteration",
-      [](const TMethod & self) { return self.GetOptimizerIteration(); },
-      "Number of the current iteration, from 0.")
-    .def(
-      "GetMetricValue",
-      [](const TMethod & self) { return self.GetMetricValue(); },
-      "Value of the metric at the current iteration, pixels for the chamfer metrics.")
-    .def(
-      "GetOptimizerPosition",
-      [](const TMethod & self) { return ToTuple(self.GetOptimizerPosition()); },
-      "Parameters of the transform: (scale, rad, px, px).")
-    .def(
-      "GetOptimizerStopConditionDescription",
-      [](const TMethod & self) { return self.GetOptimizerStopConditionDescription(); },
-      "Why the optimizer ended, in words.");
-}
-
-void
-WrapMetrics(py::module_ & module)
-{
-  BindEnum<DirectionEnum>(module,
-                          "ContourDirection",
-                          { { "Symmetric", DirectionEnum::Symmetric },
-                            { "MovingToFixed", DirectionEnum::MovingToFixed },
-                            { "FixedToMoving", DirectionEnum::FixedToMoving } },
-                          "Which way distances between two contours are taken.");
-  BindEnum<DistanceEnum>(
-    module,
-    "ContourPointDistance",
-    { { "PointToPoint", DistanceEnum::PointToPoint }, { "PointToSegment", DistanceEnum::PointToSegment } },
-    "To what distances are taken: the nearest point, or the nearest place on a line.");
-  ProcessClass<DistanceFilterType>(module, "ContourDistanceFilter", "Distances between two contours.")
-    .def(New<DistanceFilterType>())
-    .def("_SetFixedContour", &DistanceFilterType::SetFixedContour, py::arg("contour"))
-    .def("_SetMovingContour", &DistanceFilterType::SetMovingContour, py::arg("contour"))
-    .def(
-      "_SetTransform",
-      [](DistanceFilterType & self, const TransformType * transform) {
-        if (transform == nullptr)
-        {
-          self.SetTransformInput(nullptr);
-        }
-        else
-        {
-          self.SetTransform(transform);
-        }
-      },
-      py::arg("transform"))
-    .def("SetDistance",
-         &DistanceFilterType::SetDistance,
-         py::arg("distance"),
-         "Sets how the distance of a point, in pixels, is measured: PointToPoint (the default, the paper's) or "
-         "PointToSegment.")
-    .def("GetDistance",
-         &DistanceFilterType::GetDistance,
-         "Returns how the distance of a point is measured: PointToPoint (the default, the paper's) or "
-         "PointToSegment.")
-    .def(
-      "GetMovingToFixedMean", [](const DistanceFilterType & self) { return self.GetMovingToFixedMean(); }, "px.")
-    .def(
-      "GetFixedToMovingMean", [](const DistanceFilterType & self) { return self.GetFixedToMovingMean(); }, "px.")
-    .def(
-      "GetChamfer", [](const DistanceFilterType & self) { return self.GetChamfer(); }, "Average of the two means, px.")
-    .def(
-      "GetMovingToFixedHausdorff",
-      [](const DistanceFilterType & self) { return self.GetMovingToFixedHausdorff(); },
-      "px.")
-    .def(
-      "GetFixedToMovingHausdorff",
-      [](const DistanceFilterType & self) { return self.GetFixedToMovingHausdorff(); },
-      "px.")
-    .def(
-      "GetHausdorff", [](const DistanceFilterType & self) { return self.GetHausdorff(); }, "px.")
-    .def(
-      "GetMovingToFixedDistances",
-      [](const DistanceFilterType & self) { return MakeArray(self.GetMovingToFixedDistances()); },
-      "One a point, px; NaN for points of weight 0.")
-    .def(
-      "GetFixedToMovingDistances",
-      [](const DistanceFilterType & self) { return MakeArray(self.GetFixedToMovingDistances()); },
-      "One a point, px; NaN for points of weight 0.")
-    .def(
-      "GetFixedToMovingDistancesByTooth",
-      [](const DistanceFilterType & self) {
-        py::dict teeth;
-        for (const auto & tooth : self.GetFixedToMovingDistancesByTooth())
-        {
-          py::dict figures;
-          figures["count"] = tooth.numberOfPoints;
-          figures["mean"] = tooth.mean;
-          figures["rms"] = tooth.rms;
-          figures["maximum"] = tooth.maximum;
-          teeth[py::str(tooth.tooth.GetName())] = figures;
-        }
-        return teeth;
-      },
-      "{\"UR1\": {\"count\", \"mean\", \"rms\", \"maximum\"}}, px: how far the fixed contour's drawing of each tooth "
-      "lies "
-      "from the moving contour, over its points that count; \"\" for those without a code.");
-  ProcessClass<OverlapFilterType>(
-    module, "ContourOverlapFilter", "How much of an open tracing and of a contour lies together.")
-    .def(New<OverlapFilterType>())
-    .def("_SetFixedContour", &OverlapFilterType::SetFixedContour, py::arg("contour"))
-    .def("_SetMovingContour", &OverlapFilterType::SetMovingContour, py::arg("contour"))
-    .def(
-      "_SetTransform",
-      [](OverlapFilterType & self, const TransformType * transform) {
-        if (transform == nullptr)
-        {
-          self.SetTransformInput(nullptr);
-        }
-        else
-        {
-          self.SetTransform(transform);
-        }
-      },
-      py::arg("transform"))
-    .dentalscrProperty(OverlapFilterType,
-                       MaximumDistance,
-                       "the distance beyond which contours do not lie together, pixels; 5 by default.")
-    .dentalscrProperty(OverlapFilterType,
-                       GapLength,
-                       "the length of a gap in the tracing below which it has no ends there, pixels; 8 by default.")
-    .def(
-      "GetFixedShare", [](const OverlapFilterType & self) { return self.GetFixedShare(); }, "Of the tracing, 0 to 1.")
-    .def(
-      "GetMovingShare", [](const OverlapFilterType & self) { return self.GetMovingShare(); }, "Of the outline, 0 to 1.")
-    .def(
-      "GetRootMeanSquare", [](const OverlapFilterType & self) { return self.GetRootMeanSquare(); }, "px.")
-    .def(
-      "GetLargestDistance", [](const OverlapFilterType & self) { return self.GetLargestDistance(); }, "px.")
-    .def(
-      "GetFixedDistances",
-      [](const OverlapFilterType & self) { return MakeArray(self.GetFixedDistances()); },
-      "One a point, px; NaN for points that are ignored.")
-    .def(
-      "GetMovingDistances",
-      [](const OverlapFilterType & self) { return MakeArray(self.GetMovingDistances()); },
-      "One a point, px; NaN for points without tracing beside them.");
-}
-
-using MetricType = itk::ContourToContourMetricv4;
-using ChamferType = itk::ContourChamferMetricv4;
-
-/** Metrics as objects: what SetMetric() takes. */
-void
-WrapMetricObjects(py::module_ & module)
-{
-  using SpacingSourceEnum = itk::ScalePrior::SpacingSource;
-  BindEnum<SpacingSourceEnum>(module,
-                              "SpacingSource",
-                              { { "Given", SpacingSourceEnum::Given },
-                                { "Dicom", SpacingSourceEnum::Dicom },
-                                { "Default", SpacingSourceEnum::Default },
-                                { "Estimated", SpacingSourceEnum::Estimated } },
-                              "Where a pixel spacing comes from, for the scale's prior.");
-  py::class_<MetricType, itk::SmartPointer<MetricType>>(
-    module, "ContourToContourMetricv4", "A figure of merit between two contours, for SetMetric().")
-    .def(
-      "GetName",
-      [](const MetricType & self) { return std::string(self.GetNameOfClass()); },
-      "Name of the class in C++.")
-    .def(
-      "GetPivot",
-      [](const MetricType & self) { return std::make_pair(self.GetPivot()[0], self.GetPivot()[1]); },
-      "Of scale and rotation, in the moving frame, px.")
-    .def("GetReferenceLength", &MetricType::GetReferenceLength, "What makes the four parameters alike, px.")
-    .def("__str__", [](const MetricType & self) {
-      std::ostringstream text;
-      self.Print(text);
-      return text.str();
-    });
-  py::class_<ChamferType, MetricType, itk::SmartPointer<ChamferType>>(
-    module, "ContourChamferMetricv4", "Symmetric or one-sided Chamfer distance: the sum of the directed means, px.")
-    .def(New<ChamferType>())
-    .def("SetDirection",
-         &ChamferType::SetDirection,
-         py::arg("direction"),
-         "Sets which contour's points are measured: Symmetric (both, the default), MovingToFixed or "
-         "FixedToMoving.")
-    .def("GetDirection",
-         &ChamferType::GetDirection,
-         "Returns which contour's points are measured: Symmetric (both, the default), MovingToFixed "
-         "or FixedToMoving.")
-    .def("SetDistance",
-         &ChamferType::SetDistance,
-         py::arg("distance"),
-         "Sets how the distance of a point, in pixels, is measured: PointToPoint (the default, the paper's) or "
-         "PointToSegment.")
-    .def("GetDistance",
-         &ChamferType::GetDistance,
-         "Returns how the distance of a point is measured: PointToPoint (the default, the paper's) or "
-         "PointToSegment.")
-    .dentalscrProperty(
-      ChamferType, Truncation, "the distance that all larger ones count as, pixels; infinity by default.");
-}
 
 void
 WrapLevels(py::module_ & module)
@@ -747,100 +501,12 @@ function : callable
       py::arg("moving"),
       py::arg("transform"));
 }
-
-void
-WrapBaselines(py::module_ & module)
-{
-  using MotionEnum = itk::ContourBaselineEnums::Motion;
-  BindEnum<MotionEnum>(module,
-                       "Motion",
-                       { { "Rigid", MotionEnum::Rigid }, { "Similarity", MotionEnum::Similarity } },
-                       "What a baseline may estimate; Rigid keeps the start's scale.");
-  const auto defineBaseline = [](auto & type) {
-    using MethodClass = typename std::decay_t<decltype(type)>::type;
-    type.def(New<MethodClass>());
-    DefineContourMethod(type);
-    type
-      .def(
-        "SetMotion",
-        [](MethodClass & self, MotionEnum motion) { self.SetMotion(motion); },
-        py::arg("motion"),
-        "Sets what may move: Rigid (shift and angle) or Similarity (the default, and scale).")
-      .def(
-        "GetMotion",
-        [](const MethodClass & self) { return self.GetMotion(); },
-        "Returns what may move: Rigid (shift and angle) or Similarity (the default, and scale).")
-      .def("SetMaximumNumberOfIterations",
-           &MethodClass::SetMaximumNumberOfIterations,
-           py::arg("value"),
-           "Sets the most iterations of a run.")
-      .def("GetMaximumNumberOfIterations",
-           &MethodClass::GetMaximumNumberOfIterations,
-           "Returns the most iterations of a run.");
-  };
-
-  using ICPType = itk::IterativeClosestPointContourRegistrationMethod;
-  ProcessClass<ICPType> icp(
-    module, "IterativeClosestPointContourRegistrationMethod", "Iterative closest points between two contours.");
-  defineBaseline(icp);
-  icp
-    .def("SetDirection",
-         &ICPType::SetDirection,
-         py::arg("direction"),
-         "Sets whose points look for their nearest: FixedToMoving (the default), MovingToFixed or "
-         "Symmetric.")
-    .def("GetDirection",
-         &ICPType::GetDirection,
-         "Returns whose points look for their nearest: FixedToMoving (the default), MovingToFixed or "
-         "Symmetric.")
-    .dentalscrProperty(ICPType,
-                       TrimmedFraction,
-                       "the share of the pairs that is left out, in [0, 0.9]; 0 by default, which is plain ICP.")
-    .dentalscrProperty(
-      ICPType, Tolerance, "the move below which it ends, pixels of the fixed contour; 1e-4 by default.");
-
-  using CPDType = itk::CoherentPointDriftContourRegistrationMethod;
-  ProcessClass<CPDType> cpd(
-    module, "CoherentPointDriftContourRegistrationMethod", "Coherent point drift between two contours.");
-  defineBaseline(cpd);
-  cpd
-    .dentalscrProperty(
-      CPDType, OutlierWeight, "the share of points that belong to nothing, in [0, 0.99]; 0 by default.")
-    .dentalscrProperty(
-      CPDType, Tolerance, "the move below which it ends, pixels of the fixed contour; 1e-3 by default.");
-
-  using IntensityType = itk::IntensityRegistrationMethod;
-  using MeasureEnum = itk::IntensityRegistrationEnums::Measure;
-  BindEnum<MeasureEnum>(module,
-                        "IntensityMeasure",
-                        { { "MutualInformation", MeasureEnum::MutualInformation },
-                          { "NormalizedCorrelation", MeasureEnum::NormalizedCorrelation },
-                          { "GradientCorrelation", MeasureEnum::GradientCorrelation } },
-                        "How two radiographs are compared.");
-  ProcessClass<IntensityType> intensity(
-    module, "IntensityRegistrationMethod", "Aligns a DRR with the radiograph by their grey values.");
-  defineBaseline(intensity);
-  intensity.def("_SetFixedImage", &IntensityType::SetFixedImage, py::arg("image"))
-    .def("_SetMovingImage", &IntensityType::SetMovingImage, py::arg("image"))
-    .def("SetMeasure",
-         &IntensityType::SetMeasure,
-         py::arg("measure"),
-         "Sets the measure of likeness of the two images; MutualInformation by default.")
-    .def("GetMeasure",
-         &IntensityType::GetMeasure,
-         "Returns the measure of likeness of the two images; MutualInformation by default.")
-    .dentalscrProperty(IntensityType,
-                       Margin,
-                       "the free border of the region of interest, as a part of the tracing's larger extent; 0.15 "
-                       "by default.");
-}
 } // namespace
 
 void
 WrapRegistration(py::module_ & module)
 {
-  WrapMetrics(module);
-  WrapMetricObjects(module);
+  WrapContourMetrics(module);
   WrapLevels(module);
   WrapMethod(module);
   WrapBaselines(module);

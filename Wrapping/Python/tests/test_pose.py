@@ -947,6 +947,16 @@ def test_metrics_that_are_not_ready_say_what_to_call(ds):
         ds.LevenbergMarquardtOptimizerv4().StartOptimization()
 
 
+def test_what_has_no_residuals_is_told_where_it_goes(ds):
+    between_contours = ds.ContourChamferMetricv4()
+    for call in (ds.LevenbergMarquardtOptimizerv4().SetMetric, ds.PoseRegistrationMethod().AddMetric):
+        with pytest.raises(TypeError, match=r"a LeastSquaresMetric of your own.* ContourChamferMetricv4 has none.*"
+                                            r"SilhouetteToContourRegistrationMethod\.SetMetric\(\)"):
+            call(between_contours)
+    with pytest.raises(TypeError, match=r"ContourChamferMetricv4 is no optimizer.*SetOptimizerAsLBFGSB\(\)"):
+        ds.PoseRegistrationMethod().SetOptimizer(between_contours)
+
+
 @pytest.fixture
 def silhouettes(ds, phantom, axes):
     """The terms of both jaws, in their common frame."""

@@ -20,6 +20,7 @@
 #include "itkCaseResultFolderWriter.h"
 #include "itkDentalCaseReader.h"
 #include "itkDentalPhantomCaseWriter.h"
+#include "itkMessageOfCall.h"
 #include "itkTestFile.h"
 
 #include "itkCommand.h"
@@ -119,15 +120,7 @@ TEST(CasePipeline, OneUpdateOfTheWriterRunsAllAndAChangeRunsWhatLiesBelow)
 TEST(CasePipeline, SaysWhatToCallWhereAnInputIsMissing)
 {
   const auto messageOf = [](itk::ProcessObject * process) -> std::string {
-    try
-    {
-      process->Update();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return error.GetDescription();
-    }
-    return "";
+    return itk::MessageOfCall([&] { process->Update(); });
   };
   EXPECT_NE(messageOf(itk::DentalCaseReader::New()).find("SetFileName()"), std::string::npos);
   EXPECT_NE(messageOf(itk::CaseRegistration::New()).find("SetInput()"), std::string::npos);

@@ -18,6 +18,7 @@
 #include "itkCephalometricPoseTransform.h"
 
 #include "itkMath.h"
+#include "itkMessageOfCall.h"
 #include "itkTestingMacros.h"
 #include "itkTransformFactory.h"
 #include "itkTransformFileReader.h"
@@ -35,6 +36,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 using TransformType = itk::CephalometricPoseTransform;
 using ParametersType = TransformType::ParametersType;
 using FixedParametersType = TransformType::FixedParametersType;
@@ -126,24 +128,10 @@ ForAllGeometries(const std::function<void(double, double)> & check)
   }
 }
 
-std::string
-MessageOf(const std::function<void()> & function)
-{
-  try
-  {
-    function();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "no exception";
-}
-
 void
 ExpectMessage(const std::function<void()> & function, const std::vector<std::string> & parts)
 {
-  const std::string message = MessageOf(function);
+  const std::string message = MessageOfCall(function);
   for (const std::string & part : parts)
   {
     EXPECT_NE(message.find(part), std::string::npos) << "\"" << part << "\" is not in: " << message;

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkGeometryPlacementFilter.h"
+#include "itkMessageOfCall.h"
 
 #include <gtest/gtest.h>
 
@@ -116,18 +117,8 @@ TEST(GeometryPlacementFilter, FollowsItsInputsAndRunsNotTwice)
 
 TEST(GeometryPlacementFilter, SaysWhatIsMissing)
 {
-  const auto message = [](FilterType * filter) {
-    try
-    {
-      filter->Update();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return std::string(error.GetDescription());
-    }
-    return std::string();
-  };
-  auto filter = FilterType::New();
+  const auto message = [](FilterType * filter) { return itk::MessageOfCall([&] { filter->Update(); }); };
+  auto       filter = FilterType::New();
   EXPECT_NE(message(filter).find("SetGeometry()"), std::string::npos);
   filter->SetGeometry(MakeGeometry());
   EXPECT_NE(message(filter).find("SetFrame()"), std::string::npos);

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkSurfaceParts.h"
 
+#include "itkDisjointSets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -24,20 +26,6 @@
 
 namespace itk
 {
-namespace
-{
-std::uint32_t
-Find(std::vector<std::uint32_t> & parent, std::uint32_t i)
-{
-  while (parent[i] != i)
-  {
-    parent[i] = parent[parent[i]];
-    i = parent[i];
-  }
-  return i;
-}
-} // namespace
-
 std::vector<std::uint32_t>
 SurfaceParts::Weld(const TriangleSurface & surface)
 {
@@ -83,13 +71,9 @@ SurfaceParts::SurfaceParts(const TriangleSurface & surface)
 {
   const std::size_t                  triangles = surface.triangles.size();
   const std::vector<std::uint32_t> & first = m_WeldedPoints;
-  std::vector<std::uint32_t>         parent(surface.points.size());
-  for (std::uint32_t i = 0; i < parent.size(); ++i)
-  {
-    parent[i] = i;
-  }
-  std::vector<PointType> normals(triangles);
-  std::vector<double>    areas(triangles, 0.0);
+  DisjointSets                       sets(surface.points.size());
+  std::vector<PointType>             normals(triangles);
+  std::vector<double>                areas(triangles, 0.0);
   for (std::size_t t = 0; t < triangles; ++t)
   {
     normals[t] = surface.AreaNormal(t);
@@ -100,14 +84,11 @@ SurfaceParts::SurfaceParts(const TriangleSurface & surface)
       continue;
     }
     areas[t] = area;
-    const auto & corners = surface.triangles[t];
-    // The smaller number becomes the root: chains stay short where neighbours have numbers close to each other.
-    std::uint32_t root = Find(parent, first[corners[0]]);
+    const auto &  corners = surface.triangles[t];
+    std::uint32_t root = first[corners[0]];
     for (unsigned int k = 1; k < 3; ++k)
     {
-      const std::uint32_t other = Find(parent, first[corners[k]]);
-      parent[std::max(root, other)] = std::min(root, other);
-      root = std::min(root, other);
+      root = sets.Join(root, first[corners[k]]);
     }
   }
   m_PartOfTriangle.assign(triangles, NoPart);
@@ -118,7 +99,7 @@ SurfaceParts::SurfaceParts(const TriangleSurface & surface)
     {
       continue;
     }
-    std::uint32_t & part = partOfRoot[Find(parent, first[surface.triangles[t][0]])];
+    std::uint32_t & part = partOfRoot[sets.Find(first[surface.triangles[t][0]])];
     if (part == NoPart)
     {
       part = static_cast<std::uint32_t>(m_Parts.size());

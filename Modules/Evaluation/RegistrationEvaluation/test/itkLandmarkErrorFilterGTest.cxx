@@ -17,16 +17,17 @@
  *=========================================================================*/
 #include "itkLandmarkErrorFilter.h"
 
+#include "itkMessageOfCall.h"
 #include "itkTestingMacros.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace
 {
+using itk::MessageOfCall;
 using FilterType = itk::LandmarkErrorFilter;
 using SetType = FilterType::LandmarkSetType;
 using GroupEnum = itk::ToothCode::GroupEnum;
@@ -60,20 +61,6 @@ MakeFilter(const std::vector<NamedPoint> & predicted, const std::vector<NamedPoi
   filter->SetPredictedLandmarks(MakeSet(predicted));
   filter->SetReferenceLandmarks(MakeSet(reference));
   return filter;
-}
-
-std::string
-MessageOf(const std::function<void()> & function)
-{
-  try
-  {
-    function();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "nothing thrown";
 }
 
 int
@@ -150,7 +137,7 @@ TEST(LandmarkErrorFilter, MillimetresUseTheSpacingOfEachAxis)
   EXPECT_DOUBLE_EQ(filter->GetStatistics().GetSuccessDetectionRate(4.0), 0.0);
   spacing[0] = 0.0;
   filter->SetPixelSpacing(spacing);
-  EXPECT_NE(MessageOf([&]() { filter->Update(); }).find("SetPixelSpacing"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&]() { filter->Update(); }).find("SetPixelSpacing"), std::string::npos);
 }
 
 TEST(LandmarkErrorFilter, LandmarksOfOneSetAreListedAndNotCounted)
@@ -177,7 +164,7 @@ TEST(LandmarkErrorFilter, NamesOfAnotherNumberingAreTheSameLandmark)
   filter->Update();
   EXPECT_DOUBLE_EQ(filter->GetStatistics().GetMean(), 5.0);
   const auto twice = MakeFilter({ { "16_MB", 3, 4 }, { "UR6_MB", 3, 4 } }, { { "UR6_MB", 0, 0 } });
-  EXPECT_NE(MessageOf([&]() { twice->Update(); }).find("16_MB and UR6_MB are the same one"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&]() { twice->Update(); }).find("16_MB and UR6_MB are the same one"), std::string::npos);
 }
 
 TEST(LandmarkErrorFilter, BisectedSidesMeasureTheMiddle)
@@ -225,9 +212,9 @@ TEST(LandmarkErrorFilter, RerunsOnlyWhenSomethingChanged)
 TEST(LandmarkErrorFilter, SaysWhatIsMissingOrNotFinite)
 {
   const auto filter = FilterType::New();
-  EXPECT_NE(MessageOf([&]() { filter->Update(); }).find("SetPredictedLandmarks()"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&]() { filter->Update(); }).find("SetPredictedLandmarks()"), std::string::npos);
   filter->SetPredictedLandmarks(MakeSet(Predicted));
-  EXPECT_NE(MessageOf([&]() { filter->Update(); }).find("SetReferenceLandmarks()"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&]() { filter->Update(); }).find("SetReferenceLandmarks()"), std::string::npos);
   filter->SetReferenceLandmarks(MakeSet({ { "UR4_B", std::numeric_limits<double>::quiet_NaN(), 0 } }));
-  EXPECT_NE(MessageOf([&]() { filter->Update(); }).find("reference landmark UR4_B"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&]() { filter->Update(); }).find("reference landmark UR4_B"), std::string::npos);
 }

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkLandmarkErrorStatistics.h"
+#include "itkMessageOfCall.h"
 
 #include "itkMacro.h"
 #include "itkReproducibleRandom.h"
@@ -31,21 +32,9 @@
 namespace
 {
 using itk::LandmarkErrorStatistics;
+using itk::MessageOfCall;
 using GroupEnum = LandmarkErrorStatistics::GroupEnum;
 
-std::string
-MessageOf(const std::function<void()> & function)
-{
-  try
-  {
-    function();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "nothing thrown";
-}
 } // namespace
 
 TEST(LandmarkErrorStatistics, AgreesWithHandComputedFigures)
@@ -154,7 +143,7 @@ TEST(LandmarkErrorStatistics, SuccessRateCountsTheThresholdItself)
   EXPECT_DOUBLE_EQ(statistics.GetSuccessDetectionRate(2.5), 4.0 / 8.0);
   EXPECT_DOUBLE_EQ(statistics.GetSuccessDetectionRate(3.0), 5.0 / 8.0);
   EXPECT_DOUBLE_EQ(statistics.GetSuccessDetectionRate(4.0), 7.0 / 8.0);
-  EXPECT_NE(MessageOf([&]() { statistics.GetSuccessDetectionRate(1.0); }).find("not at 1 mm"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&]() { statistics.GetSuccessDetectionRate(1.0); }).find("not at 1 mm"), std::string::npos);
 }
 
 TEST(LandmarkErrorStatistics, MillimetresAreOnlyThoseGiven)
@@ -162,8 +151,9 @@ TEST(LandmarkErrorStatistics, MillimetresAreOnlyThoseGiven)
   LandmarkErrorStatistics statistics;
   statistics.Add(GroupEnum::Molars, 10.0);
   EXPECT_EQ(statistics.GetCountInMillimetres(), 0u);
-  EXPECT_NE(MessageOf([&]() { statistics.GetSuccessDetectionRate(2.0); }).find("no pixel spacing"), std::string::npos);
-  EXPECT_NE(MessageOf([&]() { statistics.GetMeanInMillimetres(); }).find("no pixel spacing"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&]() { statistics.GetSuccessDetectionRate(2.0); }).find("no pixel spacing"),
+            std::string::npos);
+  EXPECT_NE(MessageOfCall([&]() { statistics.GetMeanInMillimetres(); }).find("no pixel spacing"), std::string::npos);
   statistics.Add(GroupEnum::Molars, 8.0, 1.0);
   statistics.Add(GroupEnum::Molars, 8.0, 3.0);
   EXPECT_EQ(statistics.GetCount(), 3u);
@@ -186,7 +176,7 @@ TEST(LandmarkErrorStatistics, WhatIsAbsentIsAnErrorNotZero)
   }
   statistics.Add(GroupEnum::Molars, 1.0);
   EXPECT_EQ(statistics.GetCount(GroupEnum::Premolars), 0u);
-  EXPECT_NE(MessageOf([&]() { statistics.GetMean(GroupEnum::Premolars); }).find("Ask for the count first"),
+  EXPECT_NE(MessageOfCall([&]() { statistics.GetMean(GroupEnum::Premolars); }).find("Ask for the count first"),
             std::string::npos);
   EXPECT_THROW(statistics.GetRMSE(GroupEnum::Premolars), itk::ExceptionObject);
   EXPECT_THROW(statistics.GetStandardDeviation(GroupEnum::Premolars), itk::ExceptionObject);

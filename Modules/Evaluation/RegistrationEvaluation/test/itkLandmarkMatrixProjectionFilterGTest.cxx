@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkLandmarkMatrixProjectionFilter.h"
+#include "itkMessageOfCall.h"
 
 #include <gtest/gtest.h>
 
@@ -79,18 +80,8 @@ TEST(LandmarkMatrixProjectionFilter, ProjectsThoseOfTheJawInTheirOrder)
 
 TEST(LandmarkMatrixProjectionFilter, SaysWhatIsMissing)
 {
-  const auto message = [](FilterType * filter) {
-    try
-    {
-      filter->Update();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return std::string(error.GetDescription());
-    }
-    return std::string();
-  };
-  auto filter = FilterType::New();
+  const auto message = [](FilterType * filter) { return itk::MessageOfCall([&] { filter->Update(); }); };
+  auto       filter = FilterType::New();
   EXPECT_NE(message(filter).find("SetLandmarks()"), std::string::npos);
   filter->SetLandmarks(MakeLandmarks());
   EXPECT_NE(message(filter).find("SetProjectionMatrix()"), std::string::npos);

@@ -17,30 +17,16 @@
  *=========================================================================*/
 #include "itkCrownPieces.h"
 
+#include "itkDisjointSets.h"
 #include "itkSharedEdges.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace itk
 {
 namespace CrownRegionParts
 {
-namespace
-{
-std::uint32_t
-Root(std::vector<std::uint32_t> & parent, std::uint32_t i)
-{
-  while (parent[i] != i)
-  {
-    parent[i] = parent[parent[i]];
-    i = parent[i];
-  }
-  return i;
-}
-} // namespace
-
 double
 TriangleArea(const TriangleSurface & surface, std::size_t triangle)
 {
@@ -54,17 +40,14 @@ MergeSmallPieces(const TriangleSurface &            surface,
                  double                             minimumArea,
                  std::vector<std::uint8_t> &        marks)
 {
-  std::vector<std::uint32_t> parent(surface.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0u);
+  DisjointSets                    sets(surface.triangles.size());
   std::vector<std::uint8_t>       bordering(surface.triangles.size(), 0);
   const std::vector<std::uint8_t> all(surface.triangles.size(), 1);
   ForEachSharedEdge(
     surface.triangles, ids, all, [&](std::uint32_t first, std::uint32_t second, std::uint32_t, std::uint32_t) {
       if (marks[first] == marks[second])
       {
-        const std::uint32_t a = Root(parent, first);
-        const std::uint32_t b = Root(parent, second);
-        parent[std::max(a, b)] = std::min(a, b);
+        sets.Join(first, second);
       }
       else
       {
@@ -75,7 +58,7 @@ MergeSmallPieces(const TriangleSurface &            surface,
   std::vector<double> pieces(surface.triangles.size(), 0.0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
   {
-    const std::uint32_t root = Root(parent, t);
+    const std::uint32_t root = sets.Find(t);
     pieces[root] += TriangleArea(surface, t);
     if (bordering[t] != 0)
     {
@@ -85,7 +68,7 @@ MergeSmallPieces(const TriangleSurface &            surface,
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
   {
     // A loose speck surrounds nothing and is surrounded by nothing: no crown.
-    const std::uint32_t root = Root(parent, t);
+    const std::uint32_t root = sets.Find(t);
     if (pieces[root] < minimumArea)
     {
       marks[t] = marks[t] == 0 && bordering[root] != 0 ? 1 : 0;

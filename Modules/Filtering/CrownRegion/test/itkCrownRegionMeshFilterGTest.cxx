@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkCrownRegionMeshFilter.h"
+#include "itkMessageOfCall.h"
 #include "itkCrownRegionTestSupport.h"
 #include "itkDentalPhantomMeshSource.h"
 #include "itkMakeTriangleSurface.h"
@@ -60,15 +61,7 @@ template <typename TFilter>
 std::string
 ErrorOf(TFilter * filter)
 {
-  try
-  {
-    filter->Update();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return {};
+  return itk::MessageOfCall([&] { filter->Update(); });
 }
 
 TEST(CrownRegionMeshFilter, TakesTheLabelsWhereTheMeshHasThem)

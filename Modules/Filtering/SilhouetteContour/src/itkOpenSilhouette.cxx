@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkOpenSilhouette.h"
 
+#include "itkForEachKeptSample.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,25 +69,10 @@ ComputeOpenSilhouette(const MeshSilhouette &        silhouette,
                                                    options.jaw,
                                                    options.direction);
     }
-    // Begin behind a gap, so that no run is split at the loop's first point.
-    std::size_t begin = 0;
-    while (begin < n && keep[begin])
-    {
-      ++begin;
-    }
-    bool open = false;
-    for (std::size_t k = 0; k < n; ++k)
-    {
-      const std::size_t i = (begin + k) % n;
-      if (!keep[i])
-      {
-        open = false;
-        continue;
-      }
-      if (!open)
+    ForEachKeptSample(keep, [&](std::size_t i, bool begins) {
+      if (begins)
       {
         contour.runs.push_back(contour.u.size());
-        open = true;
       }
       contour.u.push_back(samples[i].u);
       contour.v.push_back(samples[i].v);
@@ -96,7 +83,7 @@ ComputeOpenSilhouette(const MeshSilhouette &        silhouette,
       {
         contour.edges.push_back(loop.edges[samples[i].segment]);
       }
-    }
+    });
   }
   return contour;
 }

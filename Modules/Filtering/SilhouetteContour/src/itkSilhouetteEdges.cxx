@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkSilhouetteEdges.h"
 
+#include "itkDisjointSets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -252,38 +254,23 @@ SilhouetteEdges::MeasureBox(const std::vector<TriangleType> & triangles)
 void
 SilhouetteEdges::BuildComponents(const std::vector<TriangleType> & triangles)
 {
-  std::vector<std::uint32_t> parent(m_Points.size(), NoPoint);
-  const auto                 find = [&parent](std::uint32_t i) {
-    while (parent[i] != i)
-    {
-      parent[i] = parent[parent[i]];
-      i = parent[i];
-    }
-    return i;
-  };
+  DisjointSets              sets(m_Points.size());
+  std::vector<std::uint8_t> isCorner(m_Points.size(), 0);
   for (const TriangleType & triangle : triangles)
   {
     for (const std::uint32_t corner : triangle)
     {
-      if (parent[corner] == NoPoint)
-      {
-        parent[corner] = corner;
-      }
-    }
-    for (unsigned int k = 1; k < 3; ++k)
-    {
-      const std::uint32_t a = find(triangle[0]);
-      const std::uint32_t b = find(triangle[k]);
-      parent[std::max(a, b)] = std::min(a, b);
+      isCorner[corner] = 1;
+      sets.Join(triangle[0], corner);
     }
   }
   std::vector<std::uint32_t> number(m_Points.size(), NoPoint);
   m_ComponentOfPoint.assign(m_Points.size(), 0);
   for (std::uint32_t i = 0; i < m_Points.size(); ++i)
   {
-    if (parent[i] != NoPoint)
+    if (isCorner[i] != 0)
     {
-      const std::uint32_t root = find(i);
+      const std::uint32_t root = sets.Find(i);
       if (number[root] == NoPoint)
       {
         number[root] = static_cast<std::uint32_t>(m_NumberOfComponents++);
@@ -297,7 +284,6 @@ SilhouetteEdges::BuildComponents(const std::vector<TriangleType> & triangles)
     m_ComponentOfPoint.shrink_to_fit();
   }
 }
-
 
 std::vector<SilhouetteFace>
 SilhouetteEdges::MakeFaces(const std::vector<TriangleType> & triangles) const

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkSilhouetteTestSurfaces.h"
+#include "itkMessageOfCall.h"
 #include "itkTestingMacros.h"
 
 #include "itkTriangleCell.h"
@@ -241,17 +242,7 @@ TEST(MeshSilhouetteContourSource, IsClosedForAPlateSeenEdgeOn)
 TEST(MeshSilhouetteContourSource, SaysWhatIsMissing)
 {
   const auto source = SourceType::New();
-  const auto messageOf = [&source]() -> std::string {
-    try
-    {
-      source->Update();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return error.GetDescription();
-    }
-    return "";
-  };
+  const auto messageOf = [&source]() -> std::string { return itk::MessageOfCall([&] { source->Update(); }); };
   EXPECT_NE(messageOf().find("SetInput()"), std::string::npos);
   const auto mesh = ToMesh<MeshType>(SilhouetteTest::MakeBox({ -5, -5, -5 }, { 5, 5, 5 }));
   source->SetInput(mesh);

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkOpenSilhouetteContourSource.h"
 #include "itkSilhouetteTestSurfaces.h"
+#include "itkMessageOfCall.h"
 #include "itkTestingMacros.h"
 
 #include "itkTriangleCell.h"
@@ -124,15 +125,7 @@ Directions(SourceType * source, double facing, double spacingU, double spacingV)
 std::string
 ErrorOf(SourceType * source)
 {
-  try
-  {
-    source->Update();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return {};
+  return itk::MessageOfCall([&] { source->Update(); });
 }
 
 int

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkSurfaceSplatWidthCalculator.h"
+#include "itkMessageOfCall.h"
 
 #include "itkTriangleCell.h"
 
@@ -101,18 +102,8 @@ TEST(SurfaceSplatWidthCalculator, IsNeverFinerThanAPixel)
 
 TEST(SurfaceSplatWidthCalculator, SaysWhatIsMissing)
 {
-  const auto message = [](CalculatorType * calculator) {
-    try
-    {
-      calculator->Update();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return std::string(error.GetDescription());
-    }
-    return std::string();
-  };
-  auto calculator = CalculatorType::New();
+  const auto message = [](CalculatorType * calculator) { return itk::MessageOfCall([&] { calculator->Update(); }); };
+  auto       calculator = CalculatorType::New();
   EXPECT_NE(message(calculator).find("SetMesh()"), std::string::npos);
   calculator->SetMesh(MeshType::New());
   EXPECT_NE(message(calculator).find("SetGeometry()"), std::string::npos);

@@ -21,6 +21,7 @@
 
 #include "itkCommand.h"
 #include "itkDentalPhantomMeshSource.h"
+#include "itkMessageOfCall.h"
 #include "itkTestingMacros.h"
 #include "itkTriangleCell.h"
 
@@ -350,17 +351,7 @@ TEST(UMidlineDentalAxisFilter, SameBitsForAnyNumberOfWorkUnitsAndOnARerun)
 TEST(UMidlineDentalAxisFilter, ErrorsNameWhatToDo)
 {
   auto       filter = FilterType::New();
-  const auto message = [&]() {
-    try
-    {
-      filter->Update();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return std::string(error.GetDescription());
-    }
-    return std::string();
-  };
+  const auto message = [&]() { return itk::MessageOfCall([&] { filter->Update(); }); };
   EXPECT_NE(message().find("SetUpperMesh() or SetLowerMesh()"), std::string::npos);
   filter->SetUpperMesh(MeshType::New());
   EXPECT_NE(message().find("no triangles"), std::string::npos);

@@ -18,6 +18,7 @@
 #include "itkPosePlanarContourModel.h"
 
 #include "itkContourResampling.h"
+#include "itkForEachKeptSample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,7 +130,6 @@ PosePlanarContourModel::PosePlanarContourModel(const PoseGeometry &             
     const std::vector<Point2> normals = MakeNormals(samples, closed, jaw);
     const std::size_t         n = samples.size();
     std::vector<char>         keep(n, 1);
-    std::size_t               begin = 0;
     if (closed && useFacingFilter)
     {
       for (std::size_t i = 0; i < n; ++i)
@@ -138,25 +138,11 @@ PosePlanarContourModel::PosePlanarContourModel(const PoseGeometry &             
         keep[i] = FacesOcclusallyOrAnteriorly(
           c * normals[i][0] + s * normals[i][1], -s * normals[i][0] + c * normals[i][1], jaw);
       }
-      // Begin behind a gap, so that no run is split at the first point.
-      while (begin < n && keep[begin])
-      {
-        ++begin;
-      }
     }
-    bool open = false;
-    for (std::size_t k = 0; k < n; ++k)
-    {
-      const std::size_t i = (begin + k) % n;
-      if (!keep[i])
-      {
-        open = false;
-        continue;
-      }
-      if (!open)
+    ForEachKeptSample(keep, [&](std::size_t i, bool begins) {
+      if (begins)
       {
         m_Contour.runs.push_back(m_Contour.u.size());
-        open = true;
       }
       m_Contour.u.push_back(samples[i][0]);
       m_Contour.v.push_back(samples[i][1]);
@@ -164,7 +150,7 @@ PosePlanarContourModel::PosePlanarContourModel(const PoseGeometry &             
       m_Contour.nv.push_back(normals[i][1]);
       m_Contour.rim.push_back(Lift(projection, samples[i]));
       m_Contour.position.push_back(static_cast<std::uint8_t>(polyline.code.GetPosition()));
-    }
+    });
   }
 }
 

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkLandmarkPoseMetricv4.h"
 
+#include "itkMessageOfCall.h"
 #include "itkLeastSquaresMetricChecker.h"
 
 #include "itkCorrelatedNoiseModel.h"
@@ -113,15 +114,7 @@ MakeMetric(const double * start, double error)
 std::string
 MessageOfInitialize(MetricType * metric)
 {
-  try
-  {
-    metric->Initialize();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "";
+  return itk::MessageOfCall([&] { metric->Initialize(); });
 }
 } // namespace
 

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkPoseMeshContourModel.h"
+#include "itkMessageOfCall.h"
 
 #include "itkMacro.h"
 
@@ -58,15 +59,7 @@ MessageAt(unsigned int parameter, double value)
   const itk::PoseMeshContourModel model(MakeRoof(), itk::ToothCode::JawEnum::Upper, false);
   itk::PoseParameters             pose{ {} };
   pose[parameter] = value;
-  try
-  {
-    EXPECT_GT(model.Compute(itk::PoseModel(MakeGeometry(), pose)).Size(), 10u);
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return std::string();
+  return itk::MessageOfCall([&] { EXPECT_GT(model.Compute(itk::PoseModel(MakeGeometry(), pose)).Size(), 10u); });
 }
 
 bool

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkSilhouettePoseMetricv4.h"
 
+#include "itkMessageOfCall.h"
 #include "itkLeastSquaresMetricChecker.h"
 #include "itkSilhouettePoseTestCase.h"
 
@@ -39,6 +40,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 using MetricType = itk::SilhouettePoseMetricv4;
 using SideEnum = itk::TracedSideEnum;
 using Source = SilhouettePoseTestCase::Source;
@@ -118,20 +120,6 @@ Contains(const std::string & text, const std::string & part)
   return text.find(part) != std::string::npos;
 }
 
-template <typename TCall>
-std::string
-MessageOfCall(TCall && call)
-{
-  try
-  {
-    call();
-  }
-  catch (const itk::ExceptionObject & exception)
-  {
-    return exception.GetDescription();
-  }
-  return "no exception";
-}
 } // namespace
 
 TEST(SilhouettePoseMetricv4, BasicObjectMethodsAndDefaults)
@@ -534,7 +522,7 @@ TEST(SilhouettePoseMetricv4, ErrorsSayWhatToCall)
   metric->SetBlockFree("scale", false);
   EXPECT_TRUE(Contains(initialize(), "All parameters are held"));
   metric->SetBlockFree("pose", true);
-  EXPECT_EQ(initialize(), "no exception");
+  EXPECT_EQ(initialize(), "");
   EXPECT_TRUE(Contains(MessageOfCall([&] { metric->SetKernelWidth(0.0); }), "The kernel width 0 px must be positive"));
   EXPECT_TRUE(Contains(MessageOfCall([&] { metric->SetRobustKernel(nullptr); }), "SquaresKernel is least squares"));
   EXPECT_TRUE(Contains(MessageOfCall([&] { metric->SetNoiseModel(nullptr); }), "length 0 is independent noise"));

@@ -19,6 +19,7 @@
 // of a scan.
 #include "itkSilhouettePoseMetricv4.h"
 
+#include "itkMessageOfCall.h"
 #include "itkLeastSquaresMetricChecker.h"
 #include "itkSilhouettePoseTestCase.h"
 
@@ -32,7 +33,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -41,6 +41,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 using MetricType = itk::SilhouettePoseMetricv4;
 using Kernel = itk::PoseSilhouetteKernel;
 using JawEnum = itk::ToothCode::JawEnum;
@@ -141,19 +142,6 @@ Place(const PointType & p, double scale, double angle, double tx, double ty)
                    300.0 + scale * (std::sin(angle) * x + std::cos(angle) * y) + ty);
 }
 
-std::string
-MessageOf(const std::function<void()> & call)
-{
-  try
-  {
-    call();
-  }
-  catch (const itk::ExceptionObject & exception)
-  {
-    return exception.GetDescription();
-  }
-  return "no exception";
-}
 } // namespace
 
 /** Side, jaw, whether robust. */
@@ -566,17 +554,17 @@ TEST(SilhouettePoseOptions, ErrorsSayWhatToDo)
   const auto outline = ContourType::New();
   outline->AddPolyline(MakeLine(350, 450, 310.0));
   const auto metric = MakePlanarMetric(outline, outline);
-  EXPECT_NE(MessageOf([&] { metric->SetReverseWeight(-0.1); }).find("-0.1"), std::string::npos);
-  EXPECT_NE(MessageOf([&] { metric->SetReverseWeight(std::numeric_limits<double>::quiet_NaN()); }).find("nan"),
+  EXPECT_NE(MessageOfCall([&] { metric->SetReverseWeight(-0.1); }).find("-0.1"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { metric->SetReverseWeight(std::numeric_limits<double>::quiet_NaN()); }).find("nan"),
             std::string::npos);
   metric->SetMovingSurface(
     std::make_shared<const itk::TriangleSurface>(Case(Source::TracedSideEnum::Right).surfaces[0]));
-  EXPECT_NE(MessageOf([&] { metric->Initialize(); }).find("SetMovingContour(nullptr)"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { metric->Initialize(); }).find("SetMovingContour(nullptr)"), std::string::npos);
   metric->SetMovingSurface(nullptr);
   metric->SetMovingContour(nullptr);
-  EXPECT_NE(MessageOf([&] { metric->Initialize(); }).find("SetMovingMesh()"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { metric->Initialize(); }).find("SetMovingMesh()"), std::string::npos);
   const auto point = ContourType::New();
   point->AddPolyline(MakeLine(350, 350, 310.0));
   metric->SetMovingContour(point);
-  EXPECT_NE(MessageOf([&] { metric->Initialize(); }).find("fewer than 2"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { metric->Initialize(); }).find("fewer than 2"), std::string::npos);
 }

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkViewPoseMetricv4.h"
 
+#include "itkMessageOfCall.h"
 #include "itkLeastSquaresMetricChecker.h"
 
 #include "itkCorrelatedNoiseModel.h"
@@ -127,15 +128,7 @@ MakeMetric(double error)
 std::string
 MessageOfInitialize(MetricType * metric)
 {
-  try
-  {
-    metric->Initialize();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "";
+  return itk::MessageOfCall([&] { metric->Initialize(); });
 }
 } // namespace
 

@@ -20,137 +20,29 @@
 #include "itkFindSilhouettes.h"
 #include "itkLandmarkPoseStart.h"
 #include "itkPoseCovariance.h"
-#include "itkPoseStateBlocks.h"
+#include "itkPosePlace.h"
 
-#include "itkCommand.h"
 #include "itkCorrelatedNoiseModel.h"
 #include "itkGemanMcClureKernel.h"
-#include "itkLBFGS2Optimizerv4.h"
-#include "itkLBFGSBOptimizerv4.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkSquaresKernel.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <typeinfo>
 #include <utility>
 
 namespace itk
 {
 namespace
 {
-/** How far from the solution a refinement is taken to be at first (LeastSquaresMetricv4::SetReach()), standard
- * deviations, and what is left of it after each step that is tried: by the sixth it is within what kernels allow
- * anyway, and a drawing that contradicts all else, as one of another patient or scale does, is let go. */
-constexpr double FirstReach = 10.0;
-constexpr double ReachNarrowsBy = 0.85;
-
-PoseParameters
-ToPose(const LeastSquaresMetricv4 & metric, const std::vector<double> & x)
-{
-  PoseParameters    pose{ {} };
-  const std::size_t offset = metric.GetState().GetOffset("pose");
-  for (unsigned int k = 0; k < PoseKappa; ++k)
-  {
-    pose[k] = x[offset + k];
-  }
-  pose[PoseKappa] = x[metric.GetState().GetOffset("scale")];
-  return pose;
-}
-
-std::vector<double>
-WithPose(const LeastSquaresMetricv4 & metric, std::vector<double> x, const PoseParameters & pose)
-{
-  const std::size_t offset = metric.GetState().GetOffset("pose");
-  for (unsigned int k = 0; k < PoseKappa; ++k)
-  {
-    x[offset + k] = pose[k];
-  }
-  x[metric.GetState().GetOffset("scale")] = pose[PoseKappa];
-  return x;
-}
-
-/** What optimizers keep of a run before, whose parameters may have been fewer: scales, of which millimetres need none,
- * and the bounds and the start of LBFGSB. Its bounds are a radian, a factor e and 64 mm away: its line search tries far
- * places, and an outline that is magnified without a limit has samples without a limit. */
-void
-PrepareToRun(ObjectToObjectOptimizerBaseTemplate<double> & optimizer, const LeastSquaresMetricv4 & metric)
-{
-  const auto count = metric.GetNumberOfParameters();
-  // LBFGS2 has no scales, and warns on the standard output where it is given some.
-  if (dynamic_cast<LBFGS2Optimizerv4 *>(&optimizer) == nullptr)
-  {
-    ObjectToObjectOptimizerBaseTemplate<double>::ScalesType scales(count);
-    scales.Fill(1.0);
-    optimizer.SetScales(scales);
-  }
-  if (auto * lbfgsb = dynamic_cast<LBFGSBOptimizerv4 *>(&optimizer))
-  {
-    const LeastSquaresMetricv4::ParametersType start = metric.GetParameters();
-    LBFGSBOptimizerv4::BoundSelectionType      selection(count);
-    selection.Fill(LBFGSBOptimizerv4::BOTHBOUNDED);
-    LBFGSBOptimizerv4::BoundValueType lower(count);
-    LBFGSBOptimizerv4::BoundValueType upper(count);
-    for (unsigned int i = 0; i < count; ++i)
-    {
-      lower[i] = start[i] - PoseStateBlocks::Arm;
-      upper[i] = start[i] + PoseStateBlocks::Arm;
-    }
-    lbfgsb->SetBoundSelection(selection);
-    lbfgsb->SetLowerBound(lower);
-    lbfgsb->SetUpperBound(upper);
-    lbfgsb->SetInitialPosition(start);
-  }
-}
-
-/** Takes a metric's callback away again: the optimizer that is the user's keeps the metric. */
-struct EvaluationGuard
-{
-  ITK_DISALLOW_COPY_AND_MOVE(EvaluationGuard);
-  EvaluationGuard(LeastSquaresMetricv4 & guarded, LeastSquaresMetricv4::EvaluationCallbackType callback)
-    : metric(guarded)
-  {
-    metric.SetEvaluationCallback(std::move(callback));
-  }
-  ~EvaluationGuard() { metric.SetEvaluationCallback(nullptr); }
-
-  LeastSquaresMetricv4 & metric;
-};
-
-/** Takes an observer away again. */
-struct ObserverGuard
-{
-  ITK_DISALLOW_COPY_AND_MOVE(ObserverGuard);
-  ObserverGuard(Object * observed, unsigned long tagOfObserver)
-    : object(observed)
-    , tag(tagOfObserver)
-  {}
-  ~ObserverGuard() { object->RemoveObserver(tag); }
-
-  Object *      object;
-  unsigned long tag;
-};
-
-/** How much of the evidence's logarithm counts among minima. Points of a tracing are matched with the nearest point of
- * the outline, and where the pose is wrong with that of another cusp: the likelihood is too sure of itself. Where it
- * told two minima of 198 phantom jaws apart by 4 to 8, the other one was nearer to the truth in 42 %, by 8 to 16 in
- * 29 %, by 16 to 32 in 6 %: odds of a fifth. The priors and the known landmarks count by so much more that, with their
- * part of the evidence, it is what the same jaws had them count, three fifths (Documentation/RobustStudies.md). */
-constexpr double EvidenceShare = 0.2;
-constexpr double KnownShare = 0.4;
-
-/** Two ways that ended less than this apart ended in one minimum, px: it counts once. */
-constexpr double SameMinimum = 0.5;
+using PosePlace::ToPose;
+using PosePlace::WithPose;
 
 /** A drawing is precise where its jitter is estimated below so many times the error of the outline itself: 0.3 px,
  * where hands have 0.4 and more, and contours that a program made next to none. Drift that the last kernel does not
  * span is no drift. */
 constexpr double PreciseFactor = 2.0;
-
-/** Of a point, in comparisons of models: so small that a point which fits somewhat counts as before, so large that one
- * which fits nowhere costs 3 log 10. */
-constexpr double SmallestWeight = 1e-3;
 
 ResidualNoiseModel::ConstPointer
 MakeNoiseModel(double correlationLength)
@@ -187,7 +79,8 @@ PoseGroupRegistration::PoseGroupRegistration(const PoseRegistrationOptions &    
   , m_CorrelatedNoise(parts.noiseModel.IsNotNull()
                         ? parts.noiseModel
                         : MakeNoiseModel(options.useCorrelatedNoise ? options.correlationLength : 0.0))
-  , m_WhiteNoise(MakeNoiseModel(0.0))
+  , m_Refinement(options, m_Priors, m_CorrelatedNoise, optimizer, monitor, group, hypothesis)
+  , m_Posterior(options, m_Priors, metric, m_Refinement, m_CovarianceNoise, monitor)
 {
   if (parts.robustKernel.IsNotNull())
   {
@@ -238,15 +131,6 @@ PoseGroupRegistration::MakeCandidate(const PositionType & x) const
   return candidate;
 }
 
-double
-PoseGroupRegistration::Distance(const MetricType & metric, const PositionType & from, const PositionType & to) const
-{
-  double sum = 0.0;
-  double count = 0.0;
-  metric.AddSquaredMotion(from, to, sum, count);
-  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
-}
-
 std::vector<PoseGroupRegistration::CandidateType>
 PoseGroupRegistration::SelectDistinct(const MetricType &                 metric,
                                       const std::vector<CandidateType> & sorted,
@@ -257,7 +141,7 @@ PoseGroupRegistration::SelectDistinct(const MetricType &                 metric,
   for (const CandidateType & candidate : sorted)
   {
     const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const CandidateType & other) {
-      return this->Distance(metric, candidate.x, other.x) < distance;
+      return PosePlace::Distance(metric, candidate.x, other.x) < distance;
     });
     if (!near && distinct.size() < maximum)
     {
@@ -265,196 +149,6 @@ PoseGroupRegistration::SelectDistinct(const MetricType &                 metric,
     }
   }
   return distinct;
-}
-
-void
-PoseGroupRegistration::Score(const MetricType & metric, CandidateType & candidate) const
-{
-  RegistrationFit fit;
-  metric.AddFit(candidate.x, fit);
-  candidate.cost = fit.GetMeanCost();
-  candidate.codeTerm = fit.GetMeanCodeOffset();
-  candidate.score = candidate.cost + m_Options.codeWeight * candidate.codeTerm;
-}
-
-void
-PoseGroupRegistration::Refine(MetricType &         metric,
-                              const ScheduleType & schedule,
-                              unsigned int         index,
-                              CandidateType &      candidate) const
-{
-  const auto * prototype = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer());
-  metric.SetValues(candidate.x);
-  // One that is not ours has the same parameters in every run: what a user sets of it is of so many.
-  PosePriors::SetFree(metric, m_Priors.GetFitSigmas(schedule.similarityOnly && prototype != nullptr));
-  metric.SetNoiseModel(schedule.correlated ? m_CorrelatedNoise : m_WhiteNoise);
-  metric.SetNoiseLevels(candidate.noise);
-  candidate.evaluations = 1;
-  candidate.converged = false;
-  if (metric.GetState().GetNumberOfFreeParameters() == 0)
-  {
-    this->Score(metric, candidate);
-    return;
-  }
-  metric.Initialize();
-
-  // A clone has no observers: this one's steps go to the monitor, which knows what thread observers are called in.
-  LevenbergMarquardtOptimizerv4::Pointer own;
-  if (prototype != nullptr)
-  {
-    own = prototype->Clone();
-  }
-  OptimizerType * optimizer =
-    own.IsNotNull() ? static_cast<OptimizerType *>(own.GetPointer()) : m_Optimizer.GetPointer();
-  optimizer->SetMetric(&metric);
-  PoseRegistrationIteration report;
-  report.group = m_Group;
-  report.stage = schedule.stage;
-  report.candidate = index;
-  report.hypothesis = m_Hypothesis;
-  // The optimizer runs once a step, kernel and noise following between: steps are counted over all of its runs.
-  unsigned int stepsAccepted = 0;
-  unsigned int stepsTried = 0;
-  // Of the run of another's optimizer: the best that it has evaluated, and how often it has evaluated.
-  MetricType::ParametersType best;
-  double                     bestValue = NumericTraits<double>::max();
-  unsigned int               evaluations = 0;
-  const auto                 post = [&](const EventObject & event) {
-    report.step = own.IsNotNull() ? own->GetLastIteration() : LeastSquaresIteration();
-    if (own.IsNotNull())
-    {
-      ++stepsTried;
-      stepsAccepted += report.step.accepted ? 1 : 0;
-      report.step.iteration = stepsAccepted;
-      report.step.evaluations = stepsTried;
-    }
-    if (own.IsNull())
-    {
-      // Optimizers send subclasses of IterationEvent for mere evaluations: these are no steps that were taken.
-      report.step.accepted = typeid(event) == typeid(IterationEvent);
-      const double value = report.step.accepted ? optimizer->GetCurrentMetricValue() : metric.GetCurrentValue();
-      if (report.step.accepted || value < bestValue)
-      {
-        bestValue = value;
-        best = metric.GetParameters();
-      }
-      report.step.position = best;
-      report.step.value = bestValue;
-      report.step.trialValue = value;
-      report.step.iteration = optimizer->GetCurrentIteration();
-      report.step.evaluations = evaluations;
-    }
-    report.pose = ToPose(metric, metric.GetState().Expand(report.step.position));
-    metric.GetNoiseLevels(report.noise);
-    m_Monitor.Post(report);
-    if (own.IsNotNull() && m_Monitor.IsAborted())
-    {
-      own->StopOptimization();
-    }
-  };
-  auto command = FunctionCommand::New();
-  command->SetCallback(post);
-  // Also where an observer throws: an optimizer that is the user's lives on.
-  const ObserverGuard observer{ optimizer, optimizer->AddObserver(IterationEvent(), command) };
-
-  const bool   estimate = schedule.estimateNoise && m_Options.estimateNoise;
-  const auto   widths = static_cast<unsigned int>(schedule.isNear ? 0 : schedule.widths.size());
-  double       damping = 0.0;
-  double       reach = FirstReach;
-  unsigned int accepted = 0;
-  while (!m_Monitor.IsAborted())
-  {
-    const bool annealed = accepted >= widths;
-    double     width = annealed ? schedule.widths.back() : schedule.widths[accepted];
-    if (annealed && estimate)
-    {
-      ContourNoiseLevels levels = candidate.noise;
-      metric.GetNoiseLevels(levels);
-      width = this->GetOwnWidth(levels);
-    }
-    metric.SetKernelWidth(width);
-    metric.SetReach(reach);
-    reach *= ReachNarrowsBy;
-    metric.UpdateNoiseCorrelation(metric.GetState().GetValues());
-    report.kernelWidth = width;
-    // Every second step once the kernel is narrow: the levels settle much faster than the pose.
-    if (estimate && annealed && (accepted - widths) % 2 == 0)
-    {
-      metric.EstimateNoise();
-    }
-    bool moved = false;
-    if (own.IsNull())
-    {
-      // An optimizer that knows neither our damping nor our step length: it ends by its own rules, once a width.
-      PrepareToRun(*optimizer, metric);
-      best = metric.GetParameters();
-      bestValue = NumericTraits<double>::max();
-      const EvaluationGuard guard{ metric, [&]() {
-                                    ++evaluations;
-                                    if (m_Monitor.IsAborted())
-                                    {
-                                      throw ProcessAborted(__FILE__, __LINE__);
-                                    }
-                                  } };
-      try
-      {
-        optimizer->StartOptimization();
-      }
-      catch (const ExceptionObject &)
-      {
-        // Some optimizers rethrow what they catch as its base class: whether it was the abort, the monitor knows.
-        if (m_Monitor.IsAborted())
-        {
-          break;
-        }
-        throw;
-      }
-      candidate.evaluations = evaluations;
-      // The metric stands where it was evaluated last.
-      OptimizerType::ParametersType end = optimizer->GetCurrentPosition();
-      metric.SetParameters(end);
-      ++accepted;
-      candidate.converged = accepted > widths;
-      if (candidate.converged)
-      {
-        break;
-      }
-      continue;
-    }
-    own->SetInitialDamping(damping);
-    own->SetNumberOfIterations(1);
-    own->SetValueTolerance(0.0);
-    own->SetStepTolerance(schedule.tolerance);
-    own->SetMaximumNumberOfEvaluations(schedule.maximumEvaluations - candidate.evaluations);
-    own->StartOptimization();
-    damping = own->GetDamping();
-    candidate.evaluations += static_cast<unsigned int>(own->GetNumberOfEvaluations());
-    moved = own->GetCurrentIteration() > 0;
-    if (moved || own->HasConverged())
-    {
-      candidate.converged = own->HasConverged();
-    }
-    accepted += moved ? 1 : 0;
-    if (!moved && !(candidate.converged && !annealed))
-    {
-      break;
-    }
-    if (!moved)
-    {
-      // Nothing to gain at this width: go on to the narrower one.
-      ++accepted;
-      candidate.converged = false;
-    }
-    if ((candidate.converged && accepted > widths) || candidate.evaluations >= schedule.maximumEvaluations)
-    {
-      break;
-    }
-  }
-  metric.SetReach(0.0);
-  candidate.stopCondition = optimizer->GetStopConditionDescription();
-  candidate.x = metric.GetState().GetValues();
-  metric.GetNoiseLevels(candidate.noise);
-  this->Score(metric, candidate);
 }
 
 std::vector<PoseGroupRegistration::CandidateType>
@@ -547,7 +241,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
     }
     candidates.push_back(this->MakeCandidate(WithPose(*metric, metric->GetState().GetValues(), start.parameters)));
     const auto number = static_cast<unsigned int>(candidates.size() - 1);
-    this->Refine(*metric, schedule, index * maximumNumberOfCandidates + number, candidates.back());
+    m_Refinement.Run(*metric, schedule, index * maximumNumberOfCandidates + number, candidates.back());
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const CandidateType & a, const CandidateType & b) {
     return a.score < b.score;
@@ -791,111 +485,4 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   return true;
 }
 
-void
-PoseGroupRegistration::Settle(MetricType & metric, const CandidateType & candidate) const
-{
-  metric.SetValues(candidate.x);
-  PosePriors::SetFree(metric, m_Priors.GetFitSigmas(false));
-  metric.SetNoiseModel(m_CorrelatedNoise);
-  metric.SetNoiseLevels(candidate.noise);
-}
-
-vnl_matrix<double>
-PoseGroupRegistration::ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const
-{
-  // Minima of a share below this change no standard deviation of a landmark that the verdict would let pass.
-  constexpr double smallestShare = 0.01;
-
-  const CandidateType &              best = pool.front();
-  std::vector<const CandidateType *> minima;
-  std::vector<double>                shares;
-  double                             sum = 0.0;
-  for (const CandidateType & candidate : pool)
-  {
-    const double share = std::exp(-0.5 * (candidate.deviance - best.deviance));
-    const bool   same = std::any_of(minima.begin(), minima.end(), [&](const CandidateType * other) {
-      return this->Distance(reference, candidate.x, other->x) < SameMinimum;
-    });
-    if (minima.empty() || (share > smallestShare && !same))
-    {
-      minima.push_back(&candidate);
-      shares.push_back(share);
-      sum += share;
-    }
-  }
-  // A mixture of the minima, about the best one, which is what is reported.
-  const auto                      all = static_cast<unsigned int>(best.x.size());
-  vnl_matrix<double>              covariance(all, all, 0.0);
-  std::vector<vnl_matrix<double>> own(minima.size());
-  m_Monitor.ForEach(minima.size(), m_Options.numberOfThreads, [&](std::size_t i) {
-    const MetricType::Pointer metric = this->CloneAt(minima[i]->x);
-    this->Settle(*metric, *minima[i]);
-    own[i] = ComputeStateCovariance(*metric, m_Options, m_Priors, m_CovarianceNoise);
-  });
-  for (std::size_t i = 0; i < minima.size(); ++i)
-  {
-    const PositionType & place = minima[i]->x;
-    for (unsigned int a = 0; a < all; ++a)
-    {
-      for (unsigned int b = 0; b < all; ++b)
-      {
-        covariance(a, b) += shares[i] / sum * (own[i](a, b) + (place[a] - best.x[a]) * (place[b] - best.x[b]));
-      }
-    }
-  }
-  return covariance;
-}
-
-double
-PoseGroupRegistration::ComputeDeviance(const MetricType & metric, const PositionType & solution)
-{
-  const MetricType::Pointer clone = metric.Clone();
-  clone->SetValues(solution);
-  clone->Hold(MetricType::HoldEnum::Nothing);
-  clone->SetKernelWidth(PoseSilhouetteKernel::FitWidth);
-  return clone->EstimateNoise(SmallestWeight);
-}
-
-double
-PoseGroupRegistration::ComputeCriterion(const MetricType &   metric,
-                                        const PositionType & solution,
-                                        const MetricType &   noise)
-{
-  const MetricType::Pointer clone = metric.Clone();
-  clone->SetValues(solution);
-  clone->Hold(MetricType::HoldEnum::Nothing);
-  clone->SetKernelWidth(PoseSilhouetteKernel::FitWidth);
-  ContourNoiseLevels levels;
-  if (noise.GetNoiseLevels(levels))
-  {
-    clone->SetNoiseLevels(levels);
-  }
-  return clone->ComputeValue(solution);
-}
-
-double
-PoseGroupRegistration::GetOwnWidth(const ContourNoiseLevels & noise) const
-{
-  return m_Options.adaptiveKernelFactor * std::hypot(noise.smooth, noise.white);
-}
-
-double
-PoseGroupRegistration::ComputePosterior(const CandidateType & candidate, double width) const
-{
-  const MetricType::Pointer metric = this->CloneAt(candidate.x);
-  metric->Hold(MetricType::HoldEnum::Nothing);
-  this->Settle(*metric, candidate);
-  metric->SetKernelWidth(width);
-  // Marginal over the pose, by Laplace: the data at the minimum, and how much room there is about it.
-  const double evidence = metric->EstimateNoise(SmallestWeight);
-  // What has no noise to estimate, the priors and landmarks, by its own criterion: the evidence has its squares, and
-  // neither the tails of a prior nor what a landmark is charged that was let go.
-  const double known = metric->ComputeKnownDeviance(candidate.x, true);
-  // Without a tracing the evidence has nothing whose noise is to be estimated, and is 0. What is known is then what
-  // landmarks say, and outlines as so many landmarks: a likelihood that is not too sure.
-  const double       places = m_Options.codeWeight > 0.0 ? candidate.codeTerm / m_Options.codeSigma : 0.0;
-  ContourNoiseLevels levels;
-  const double       share = metric->GetNoiseLevels(levels) ? KnownShare : 1.0;
-  return EvidenceShare * evidence + share * known + places * places;
-}
 } // namespace itk

@@ -18,7 +18,10 @@
 #ifndef itkPoseGroupRegistration_h
 #define itkPoseGroupRegistration_h
 
+#include "itkCandidatePosterior.h"
+#include "itkCandidateRefinement.h"
 #include "itkPoseIterationMonitor.h"
+#include "itkPosePlace.h"
 #include "itkPosePriors.h"
 #include "itkPoseRegistrationTypes.h"
 #include "itkPoseStart.h"
@@ -27,8 +30,6 @@
 #include "itkObjectToObjectOptimizerBase.h"
 #include "itkResidualNoiseModel.h"
 #include "itkRobustKernel.h"
-
-#include "vnl/vnl_matrix.h"
 
 #include <functional>
 #include <string>
@@ -41,6 +42,8 @@ namespace itk
 class PoseGroupRegistration
 {
 public:
+  ITK_DISALLOW_COPY_AND_MOVE(PoseGroupRegistration);
+
   using MetricType = LeastSquaresSumMetricv4;
   using OptimizerType = ObjectToObjectOptimizerBaseTemplate<double>;
   using PositionType = MetricType::PositionType;
@@ -82,71 +85,18 @@ public:
     return m_Solution;
   }
 
-  /** Minus twice the log likelihood of the evidence at a solution of the metric that found it, for the comparison of
-   * models: a point that fits nowhere counts against a model, it does not drop out. */
-  static double
-  ComputeDeviance(const MetricType & metric, const PositionType & solution);
-
-  /** The robust criterion at a solution with the noise of another metric, so that two that are about the same drawings
-   * can be compared: what fits nowhere costs what the kernel charges. */
-  static double
-  ComputeCriterion(const MetricType & metric, const PositionType & solution, const MetricType & noise);
-
 private:
-  /** A pose on its way. */
-  struct CandidateType
-  {
-    PositionType       x;
-    ContourNoiseLevels noise;
-    unsigned int       evaluations{ 0 };
-    bool               converged{ false };
-    std::string        stopCondition;
-    double             cost{ 1.0 };
-    double             codeTerm{ 0.0 };
-    double             score{ 1.0 };
-    double             deviance{ 0.0 };
-  };
-  /** How a candidate is refined. */
-  struct ScheduleType
-  {
-    std::vector<double> widths;
-    unsigned int        maximumEvaluations{ 14 };
-    double              tolerance{ 0.005 };
-    bool                similarityOnly{ false };
-    bool                correlated{ true };
-    bool                estimateNoise{ true };
-    /** Near the end already: the noise is estimated before the first step, and no width comes before its own. */
-    bool          isNear{ false };
-    PoseStageEnum stage{ PoseStageEnum::Refinement };
-  };
+  using CandidateType = RefinedCandidate;
+  using ScheduleType = RefinementSchedule;
 
   std::vector<CandidateType>
   StartsAt(double yaw, unsigned int index, unsigned int & evaluations) const;
-  void
-  Refine(MetricType & metric, const ScheduleType & schedule, unsigned int index, CandidateType & candidate) const;
-  void
-  Score(const MetricType & metric, CandidateType & candidate) const;
   /** The best ones that lie further than a distance from each other. */
   std::vector<CandidateType>
   SelectDistinct(const MetricType &                 metric,
                  const std::vector<CandidateType> & sorted,
                  double                             distance,
                  std::size_t                        maximum) const;
-  double
-  Distance(const MetricType & metric, const PositionType & from, const PositionType & to) const;
-  /** Puts a metric where a candidate ended, with its noise. */
-  void
-  Settle(MetricType & metric, const CandidateType & candidate) const;
-  /** The kernel's width that is of the noise. */
-  double
-  GetOwnWidth(const ContourNoiseLevels & noise) const;
-  /** Minus twice the logarithm of what a minimum weighs: its posterior, with the mass about it.
-   * \param width  of the kernel that tells which points are no part of the evidence. */
-  double
-  ComputePosterior(const CandidateType & candidate, double width) const;
-  /** Of the minima together, each by its weight. */
-  vnl_matrix<double>
-  ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const;
   using JoinsEnum = LeastSquaresMetricv4::JoinsEnum;
   /** Without the terms that join later. */
   MetricType::Pointer
@@ -155,6 +105,40 @@ private:
   CloneAt(const PositionType & x, JoinsEnum stage = JoinsEnum::Refinement) const;
   CandidateType
   MakeCandidate(const PositionType & x) const;
+
+  // @@forward
+  static constexpr double SameMinimum = CandidatePosterior::SameMinimum;
+  void
+  Refine(MetricType & metric, const ScheduleType & schedule, unsigned int index, CandidateType & candidate) const
+  {
+    m_Refinement.Run(metric, schedule, index, candidate);
+  }
+  double
+  Distance(const MetricType & metric, const PositionType & from, const PositionType & to) const
+  {
+    return PosePlace::Distance(metric, from, to);
+  }
+  void
+  Settle(MetricType & metric, const CandidateType & candidate) const
+  {
+    m_Refinement.Settle(metric, candidate);
+  }
+  double
+  GetOwnWidth(const ContourNoiseLevels & noise) const
+  {
+    return m_Refinement.GetOwnWidth(noise);
+  }
+  double
+  ComputePosterior(const CandidateType & candidate, double width) const
+  {
+    return m_Posterior.ComputeDeviance(candidate, width);
+  }
+  vnl_matrix<double>
+  ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const
+  {
+    return m_Posterior.ComputeCovariance(reference, pool);
+  }
+  // @@end
 
   PoseRegistrationOptions            m_Options;
   bool                               m_PixelSpacingKnown;
@@ -168,7 +152,8 @@ private:
   PosePriors                         m_Priors;
   ResidualNoiseModel::ConstPointer   m_CovarianceNoise;
   ResidualNoiseModel::ConstPointer   m_CorrelatedNoise;
-  ResidualNoiseModel::ConstPointer   m_WhiteNoise;
+  CandidateRefinement                m_Refinement;
+  CandidatePosterior                 m_Posterior;
   PositionType                       m_Solution;
 };
 } // namespace itk

@@ -417,16 +417,15 @@ PoseRegistrationEngine::TryHypothesis(const GroupType & group, const PoseHypothe
     }
     if (hypothesis.GetComparesDeviance() && hypothesis.GetBeginsAtSolution())
     {
-      outcome.deviance =
-        PoseGroupRegistration::ComputeCriterion(*other.GetMetric(), other.GetSolution(), *group.metric) -
-        PoseGroupRegistration::ComputeCriterion(*group.metric, group.solution, *group.metric);
+      outcome.deviance = CandidatePosterior::ComputeCriterion(*other.GetMetric(), other.GetSolution(), *group.metric) -
+                         CandidatePosterior::ComputeCriterion(*group.metric, group.solution, *group.metric);
     }
     else if (hypothesis.GetComparesDeviance())
     {
       std::array<double, 2> deviance{};
       monitor->ForEach(2, group.problem.options.numberOfThreads, [&](std::size_t k) {
-        deviance[k] = k == 0 ? PoseGroupRegistration::ComputeDeviance(*group.metric, group.solution)
-                             : PoseGroupRegistration::ComputeDeviance(*other.GetMetric(), other.GetSolution());
+        deviance[k] = k == 0 ? CandidatePosterior::ComputeEvidence(*group.metric, group.solution)
+                             : CandidatePosterior::ComputeEvidence(*other.GetMetric(), other.GetSolution());
       });
       outcome.deviance = deviance[1] - deviance[0];
     }

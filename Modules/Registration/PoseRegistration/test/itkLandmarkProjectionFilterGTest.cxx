@@ -18,6 +18,7 @@
 #include "itkLandmarkProjectionFilter.h"
 
 #include "itkPoseCovarianceReference.h"
+#include "itkMessageOfCall.h"
 #include "itkPoseSolutionTestCase.h"
 
 #include "itkTestingMacros.h"
@@ -31,6 +32,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 using namespace PoseSolutionTestCase;
 namespace Reference = PoseCovarianceReference;
 using FilterType = itk::LandmarkProjectionFilter;

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkPoseRegistrationTestCase.h"
+#include "itkMessageOfCall.h"
 #include "itkPoseSolutionTestCase.h"
 
 #include "itkAmoebaOptimizerv4.h"
@@ -261,7 +262,7 @@ TEST(PoseRegistrationOptimizers, ALearningRateThatIsFarTooLargeIsAnErrorThatSays
   // ITK's default, on a criterion whose slope is some thousand a millimetre.
   const auto method = MakeMethod();
   method->SetOptimizer(MakeGradientDescent(1.0));
-  const auto message = PoseSolutionTestCase::MessageOfCall([&] { method->Update(); });
+  const auto message = itk::MessageOfCall([&] { method->Update(); });
   EXPECT_TRUE(Contains(message, "none that a scan may have")) << message;
   EXPECT_TRUE(Contains(message, "smaller step, learning rate or bounds")) << message;
 }

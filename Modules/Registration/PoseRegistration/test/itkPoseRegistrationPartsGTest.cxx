@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkPoseRegistrationTestCase.h"
+#include "itkMessageOfCall.h"
 #include "itkPoseSolutionTestCase.h"
 
 #include "itkCorrelatedNoiseModel.h"
@@ -56,8 +57,8 @@
 // The parts of a registration that a user may exchange or add.
 namespace
 {
+using itk::MessageOfCall;
 using PoseSolutionTestCase::Contains;
-using PoseSolutionTestCase::MessageOfCall;
 using Source = itk::DentalPhantomCaseSource;
 using MethodType = PoseRegistrationTestCase::MethodType;
 using JawEnum = MethodType::JawEnum;

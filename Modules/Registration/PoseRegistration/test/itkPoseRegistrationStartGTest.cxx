@@ -18,6 +18,7 @@
 #include "itkPoseRegistrationMethod.h"
 
 #include "itkPoseRegistrationTestCase.h"
+#include "itkMessageOfCall.h"
 #include "itkPoseSolutionTestCase.h"
 
 #include <gtest/gtest.h>
@@ -30,8 +31,8 @@
 // Where a registration is told to begin, and the geometry that this is of.
 namespace
 {
+using itk::MessageOfCall;
 using PoseSolutionTestCase::Contains;
-using PoseSolutionTestCase::MessageOfCall;
 using Source = itk::DentalPhantomCaseSource;
 using MethodType = PoseRegistrationTestCase::MethodType;
 using JawEnum = MethodType::JawEnum;

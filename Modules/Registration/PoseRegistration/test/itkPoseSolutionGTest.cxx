@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "itkMessageOfCall.h"
 #include "itkPoseSolutionTestCase.h"
 
 #include "itkTestingMacros.h"
@@ -26,6 +27,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 using namespace PoseSolutionTestCase;
 
 SolutionType::PointType

@@ -121,22 +121,6 @@ MakeSolution(const itk::PoseRegistrationResult & result)
   return solution;
 }
 
-/** The description of what a call throws. */
-template <typename TCall>
-std::string
-MessageOfCall(TCall && call)
-{
-  try
-  {
-    call();
-  }
-  catch (const itk::ExceptionObject & exception)
-  {
-    return exception.GetDescription();
-  }
-  return "no exception";
-}
-
 inline bool
 Contains(const std::string & text, const std::string & part)
 {

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkPoseRegistrationMethod.h"
+#include "itkMessageOfCall.h"
 
 #include "itkDentalPhantomCaseSource.h"
 #include "itkDentalPhantomFrontalView.h"
@@ -35,6 +36,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 using Source = itk::DentalPhantomCaseSource;
 using MethodType = itk::PoseRegistrationMethod<>;
 using JawEnum = MethodType::JawEnum;
@@ -216,20 +218,6 @@ Has(const std::vector<std::string> & codes, const std::string & code)
   return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
 
-template <typename TFunction>
-std::string
-MessageOf(TFunction && function)
-{
-  try
-  {
-    function();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "";
-}
 } // namespace
 
 TEST(PoseViews, AFrontalViewTellsRollYawAndLateralShift)
@@ -388,7 +376,7 @@ TEST(PoseViews, EachToothOfATracingIsComparedWithItsOwnCrown)
   view->SetUpperContour(drawn);
   method->AddView(view);
   // Without crowns nothing can be compared.
-  EXPECT_NE(MessageOf([&] { method->Update(); }).find("SetToothCrowns()"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { method->Update(); }).find("SetToothCrowns()"), std::string::npos);
   method->SetToothCrowns(FindCrowns(Case(), true));
   method->Update();
   std::size_t seen = 0;
@@ -475,13 +463,15 @@ TEST(PoseViews, SaysWhatIsMissing)
   auto method = MakeMethod(Case());
   auto view = itk::CephalogramView::New();
   method->AddView(view);
-  EXPECT_NE(MessageOf([&] { method->Update(); }).find("SetGeometry()"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { method->Update(); }).find("SetGeometry()"), std::string::npos);
   view->SetGeometry(GeometryType::New());
-  EXPECT_NE(MessageOf([&] { method->Update(); }).find("SetPixelSpacing()"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { method->Update(); }).find("SetPixelSpacing()"), std::string::npos);
   view->SetGeometry(MakeFrontalGeometry(Case()));
-  EXPECT_NE(MessageOf([&] { method->Update(); }).find("SetUpperContour()"), std::string::npos);
-  EXPECT_NE(MessageOf([&] { method->AddView(itk::CephalogramView::New()); }).find("another name"), std::string::npos);
-  EXPECT_NE(MessageOf([&] { method->AddView(nullptr); }).find("no view"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { method->Update(); }).find("SetUpperContour()"), std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { method->AddView(itk::CephalogramView::New()); }).find("another name"),
+            std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { method->AddView(nullptr); }).find("no view"), std::string::npos);
   auto solution = itk::PoseSolution::New();
-  EXPECT_NE(MessageOf([&] { solution->MakeViewSolution("frontal"); }).find("no view \"frontal\""), std::string::npos);
+  EXPECT_NE(MessageOfCall([&] { solution->MakeViewSolution("frontal"); }).find("no view \"frontal\""),
+            std::string::npos);
 }

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkProjectionSimilarityFilter.h"
 
+#include "itkMessageOfCall.h"
 #include "itkPoseSolutionTestCase.h"
 
 #include "itkTestingMacros.h"
@@ -27,6 +28,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 using namespace PoseSolutionTestCase;
 using FilterType = itk::ProjectionSimilarityFilter;
 using MeshType = FilterType::MeshType;

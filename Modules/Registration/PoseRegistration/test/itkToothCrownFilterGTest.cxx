@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkToothCrownFilter.h"
+#include "itkMessageOfCall.h"
 
 #include "itkDentalPhantomCaseSource.h"
 #include "itkUMidlineDentalAxisFilter.h"
@@ -226,18 +227,8 @@ TEST(ToothCrownFilter, AnIncisorThatWasCutHasItsMiddleForAProfile)
 
 TEST(ToothCrownFilter, MissingInputsNameTheCallToMake)
 {
-  const auto message = [](FilterType * filter) -> std::string {
-    try
-    {
-      filter->Update();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return error.GetDescription();
-    }
-    return "";
-  };
-  auto filter = FilterType::New();
+  const auto message = [](FilterType * filter) -> std::string { return itk::MessageOfCall([&] { filter->Update(); }); };
+  auto       filter = FilterType::New();
   EXPECT_NE(message(filter).find("SetUpperMesh()"), std::string::npos);
   filter->SetUpperContour(Phantom::MakeTracing(11, 16));
   filter->SetUpperMesh(FilterType::MeshType::New());

@@ -83,20 +83,4 @@ protected:
   }
 };
 
-/** The description of what a call throws. */
-template <typename TCall>
-std::string
-MessageOfCall(TCall && call)
-{
-  try
-  {
-    call();
-  }
-  catch (const itk::ExceptionObject & exception)
-  {
-    return exception.GetDescription();
-  }
-  return "no exception";
-}
-
 #endif

@@ -18,6 +18,7 @@
 // First include the header file to be tested.
 #include "itkLeastSquaresFunctionMetricv4.h"
 
+#include "itkMessageOfCall.h"
 #include "itkCurveFitMetric.h"
 #include "itkLeastSquaresMetricChecker.h"
 #include "itkLeastSquaresSumMetricv4.h"
@@ -67,16 +68,10 @@ ExerciseBasicObjectMethods()
 std::string
 MessageOf(MetricType * metric)
 {
-  try
-  {
+  return itk::MessageOfCall([&] {
     metric->Initialize();
     metric->GetValue();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "";
+  });
 }
 
 bool

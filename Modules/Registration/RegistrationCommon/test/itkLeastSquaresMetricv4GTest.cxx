@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkLeastSquaresMetricv4.h"
 
+#include "itkMessageOfCall.h"
 #include "itkCurveFitMetric.h"
 #include "itkLeastSquaresMetricChecker.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
@@ -30,6 +31,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 int
 ExerciseBasicObjectMethods()
 {

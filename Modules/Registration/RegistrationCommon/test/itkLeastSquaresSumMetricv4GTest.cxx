@@ -18,6 +18,7 @@
 #include "itkLeastSquaresSumMetricv4.h"
 
 #include "itkCorrelatedNoiseModel.h"
+#include "itkMessageOfCall.h"
 #include "itkCurveFitMetric.h"
 #include "itkLeastSquaresMetricChecker.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
@@ -32,6 +33,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 using SumType = itk::LeastSquaresSumMetricv4;
 using PriorMetricType = itk::ParameterPriorMetricv4;
 using PositionType = SumType::PositionType;

@@ -23,6 +23,7 @@
 #include "itkLevenbergMarquardtOptimizer.h"
 
 #include "itkGTest.h"
+#include "itkMessageOfCall.h"
 #include "itkTestingMacros.h"
 
 #include "vnl/algo/vnl_svd.h"
@@ -67,15 +68,7 @@ Record(OptimizerType * optimizer)
 std::string
 MessageOf(OptimizerType * optimizer)
 {
-  try
-  {
-    optimizer->StartOptimization();
-  }
-  catch (const itk::ExceptionObject & exception)
-  {
-    return exception.GetDescription();
-  }
-  return "no exception";
+  return itk::MessageOfCall([&] { optimizer->StartOptimization(); });
 }
 
 bool

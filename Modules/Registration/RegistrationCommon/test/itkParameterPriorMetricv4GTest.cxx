@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkParameterPriorMetricv4.h"
 
+#include "itkMessageOfCall.h"
 #include "itkCurveFitMetric.h"
 #include "itkLeastSquaresMetricChecker.h"
 #include "itkLevenbergMarquardtOptimizerv4.h"
@@ -31,6 +32,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 using MetricType = itk::ParameterPriorMetricv4;
 using PriorType = MetricType::PriorType;
 

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkRegistrationState.h"
 
+#include "itkMessageOfCall.h"
 #include "itkCurveFitMetric.h"
 
 #include <gtest/gtest.h>
@@ -26,6 +27,7 @@
 
 namespace
 {
+using itk::MessageOfCall;
 using StateType = itk::RegistrationState;
 using Values = std::vector<double>;
 

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkContourTransformFilter.h"
+#include "itkMessageOfCall.h"
 
 #include "itkSimilarity2DTransform.h"
 
@@ -114,18 +115,8 @@ TEST(ContourTransformFilter, RunsOnceAndAgainWhenTheTransformChanges)
 
 TEST(ContourTransformFilter, SaysWhatIsMissing)
 {
-  const auto message = [](FilterType * filter) {
-    try
-    {
-      filter->Update();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return std::string(error.GetDescription());
-    }
-    return std::string();
-  };
-  auto filter = FilterType::New();
+  const auto message = [](FilterType * filter) { return itk::MessageOfCall([&] { filter->Update(); }); };
+  auto       filter = FilterType::New();
   EXPECT_NE(message(filter).find("SetInput()"), std::string::npos);
   filter->SetInput(MakeContour());
   EXPECT_NE(message(filter).find("SetTransform()"), std::string::npos);

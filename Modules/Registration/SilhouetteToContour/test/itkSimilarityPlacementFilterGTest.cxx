@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkSimilarityPlacementFilter.h"
+#include "itkMessageOfCall.h"
 
 #include <gtest/gtest.h>
 
@@ -178,18 +179,8 @@ TEST(SimilarityPlacementFilter, RunsOnceAndAgainWhenTheGeometryChanges)
 
 TEST(SimilarityPlacementFilter, SaysWhatIsMissing)
 {
-  const auto message = [](FilterType * filter) {
-    try
-    {
-      filter->Update();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return std::string(error.GetDescription());
-    }
-    return std::string();
-  };
-  auto filter = FilterType::New();
+  const auto message = [](FilterType * filter) { return itk::MessageOfCall([&] { filter->Update(); }); };
+  auto       filter = FilterType::New();
   EXPECT_NE(message(filter).find("SetSimilarity()"), std::string::npos);
   filter->SetSimilarity(MakeSimilarity(-1.0));
   EXPECT_NE(message(filter).find("SetFrame()"), std::string::npos);

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkDentalPhantomLevel.h"
+#include "itkMessageOfCall.h"
 
 #include "itkDentalInputError.h"
 
@@ -31,15 +32,7 @@ std::string
 ErrorOf(const std::string & json)
 {
   LevelType level;
-  try
-  {
-    level.ParseJson(json, "mine.json");
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "no error";
+  return itk::MessageOfCall([&] { level.ParseJson(json, "mine.json"); });
 }
 
 bool

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkMeshToVTKPolyDataFilter.h"
+#include "itkMessageOfCall.h"
 
 #include "itkVTKPolyDataToMeshFilter.h"
 
@@ -282,17 +283,7 @@ TEST(MeshToVTKPolyDataFilter, NamesACellThatIsNoneOfASurface)
   AddCell(*missing, new itk::TriangleCell<CellType>, { 0, 1, 99 });
   auto flat = MakeMixed<MeshType>();
   AddCell(*flat, new itk::PolygonCell<CellType>, { 0, 1 });
-  const auto message = [](const MeshType * mesh) {
-    try
-    {
-      Convert(mesh);
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return std::string(error.GetDescription());
-    }
-    return std::string();
-  };
+  const auto message = [](const MeshType * mesh) { return itk::MessageOfCall([&] { Convert(mesh); }); };
   EXPECT_NE(message(solid).find("Cell 5 of the mesh is a TetrahedronCell"), std::string::npos) << message(solid);
   EXPECT_NE(message(missing).find("names point 99"), std::string::npos) << message(missing);
   EXPECT_NE(message(flat).find("a polygon of 2 points"), std::string::npos) << message(flat);

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkRegistrationSceneSource.h"
+#include "itkMessageOfCall.h"
 
 #include "itkSceneTestCase.h"
 
@@ -257,15 +258,7 @@ TEST(RegistrationSceneSource, RunsOnceAndAgainWhenSomethingChanges)
 TEST(RegistrationSceneSource, NamesWhatIsMissingOrWrong)
 {
   const auto message = [](itk::RegistrationSceneSource * source) {
-    try
-    {
-      source->Update();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return std::string(error.GetDescription());
-    }
-    return std::string();
+    return itk::MessageOfCall([&] { source->Update(); });
   };
   EXPECT_NE(message(itk::RegistrationSceneSource::New()).find("SetScan()"), std::string::npos);
   auto two = itk::RegistrationSceneSource::New();

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkRegistrationSceneWindow.h"
+#include "itkMessageOfCall.h"
 
 #include "itkSceneTestCase.h"
 #include "itkSceneToVTK.h"
@@ -215,15 +216,7 @@ TEST_F(RegistrationSceneWindowTest, ExportsGLTFWithEverythingInOneFile)
 TEST_F(RegistrationSceneWindowTest, RefusesNamesOfOtherFormatsAndFoldersThatAreNotThere)
 {
   const auto message = [&](const std::string & name) {
-    try
-    {
-      m_Window->WriteExport(name);
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      return std::string(error.GetDescription());
-    }
-    return std::string();
+    return itk::MessageOfCall([&] { m_Window->WriteExport(name); });
   };
   EXPECT_NE(message(NameOf("scene.glb")).find("Name it .gltf"), std::string::npos);
   EXPECT_NE(message(NameOf("scene.obj")).find("\".obj\""), std::string::npos);

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "itkVTKPolyDataToMeshFilter.h"
+#include "itkMessageOfCall.h"
 
 #include "itkMesh.h"
 
@@ -63,15 +64,7 @@ MakeCells(const std::vector<std::vector<vtkIdType>> & list)
 std::string
 GetMessage(FilterType * filter)
 {
-  try
-  {
-    filter->Update();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "";
+  return itk::MessageOfCall([&] { filter->Update(); });
 }
 
 std::vector<itk::IdentifierType>
