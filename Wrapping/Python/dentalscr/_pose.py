@@ -214,6 +214,7 @@ def PoseRegistration(
     cephalometricLandmarks: Optional[Any] = None,
     counterparts: Optional[Dict[str, LandmarkCounterpart]] = None,
     toothCrowns: Optional[Dict[str, ToothCrown]] = None,
+    stockOutlines: Optional[ContourLike] = None,
     **settings: Unpack[_settings.PoseRegistrationSettings],
 ) -> _core.PoseSolution:
     """The robust registration; see :class:`PoseRegistrationMethod`.
@@ -226,7 +227,7 @@ def PoseRegistration(
     frames : DentalAxes, optional
         Of ``UMidlineDentalAxis(upper, lower, refineMidline=True)``; estimated without it.
     options : PoseRegistrationOptions, optional
-    cephalometricLandmarks, counterparts, toothCrowns
+    cephalometricLandmarks, counterparts, toothCrowns, stockOutlines
         As those of :meth:`PoseRegistrationMethod.Execute`.
     **settings
         ``tracedSide``, ``principalPointKnown``, ...
@@ -237,5 +238,13 @@ def PoseRegistration(
         process.SetOptions(options)
     apply_settings(process, settings)
     return process.Execute(
-        geometry, upper, upperContour, lower, lowerContour, cephalometricLandmarks, counterparts, toothCrowns
+        geometry,
+        upper,
+        upperContour,
+        lower,
+        lowerContour,
+        cephalometricLandmarks,
+        counterparts,
+        toothCrowns,
+        stockOutlines,
     )

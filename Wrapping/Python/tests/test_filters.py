@@ -244,6 +244,26 @@ def test_standard_phantom_registers_by_what_its_analysis_drew(ds):
         assert np.mean(errors) < 8.0, (name, errors)
 
 
+def test_outlines_of_another_patient_tell_templates(ds):
+    phantom = ds.DentalPhantomCase(9101, "standard", makeRadiograph=False, numberOfTriangles=12000)
+    case = phantom.to_case()
+    drawn = case.upperContour
+    # A larger picture of it, as another patient's tracing by the same stock would be.
+    stock = ds.Contour()
+    for polyline in drawn.polylines:
+        stock.AddPolyline(2.5 * np.asarray(polyline.points) + 40.0, polyline.code, closed=True)
+    assert len(stock) == 2
+    parts = {
+        "upper": case.upper, "upperContour": drawn, "geometry": case.geometry, "imageSize": case.imageSize,
+        "landmarks3D": case.landmarks3D, "tracedSide": "standard",
+    }
+    told = [ds.register(ds.Case(**parts, **more)).to_dict() for more in ({}, {"stockOutlines": [stock]})]
+    used = [result["jaws"]["upper"]["outlines_used"] for result in told]
+    assert set(used[0]) == {"U1", "U6"} and not any("template_of" in outline for outline in used[0].values())
+    assert {outline["template_of"] for outline in used[1].values()} <= {"UR1 of the stock", "UL1 of the stock", "UR6 of the stock", "UL6 of the stock"}
+    assert all(outline["template"] and outline["template_distance_mm"] < 0.01 for outline in used[1].values())
+
+
 def test_experiment_runs_and_resumes(ds, tmp_path):
     settings = {"numberOfCases": 2, "methods": ["bounding-box"], "drawFigures": False}
     if "bounding-box" not in dict(ds.experiment_methods()):
