@@ -117,7 +117,7 @@ public:
      * (Documentation/Landmarks.md). */
     double biteMean{ -0.7 };
     double biteSigma{ 1.5 };
-    double suspectBite{ 3.0 };
+    double suspectBite{ 3.5 };
     /** The longest side of the radiograph, mm, where the fit alone tells the pixel spacing. Films are 18 x 24 to 24 x
      * 30 cm; panels of 43 cm exist, and such a spacing is good to a few per cent. */
     double suspectFilmLength{ 400.0 };
