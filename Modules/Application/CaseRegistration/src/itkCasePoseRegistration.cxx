@@ -397,12 +397,13 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       result.warnings.push_back(std::string(ToString(entry.first)) + ": " + finding.text +
                                 "; the other jaw's tracing bears the pose out: look at where it differs");
     }
-    // An unsure axis is a reason to look at how the drawing fits. Where it fits without doubt, it is none. One that
-    // fits poorly in places is doubted by itself, even where the other jaw's excuses it: it bears out no axis.
+    // An unsure axis is a reason to look at how the drawing fits. Where it fits without doubt, it is none.
     if (jaw.findings.size() == 1 && jaw.HasFinding("unsure-axis") &&
-        verdict->GetVerdict(entry.first).takenBack.empty() &&
-        RegistrationVerdict::IsAxisBorneOut(
-          solution->GetGroup(entry.first), poseJaw, solution->GetOptions(), verdict->GetThresholds()))
+        RegistrationVerdict::IsAxisBorneOut(solution->GetGroup(entry.first),
+                                            poseJaw,
+                                            verdict->GetVerdict(entry.first),
+                                            solution->GetOptions(),
+                                            verdict->GetThresholds()))
     {
       result.warnings.push_back(std::string(ToString(entry.first)) + ": " + jaw.findings.front().text +
                                 (poseJaw.fit.numberOfPoints > 0 ? "; the tracing bears it out"

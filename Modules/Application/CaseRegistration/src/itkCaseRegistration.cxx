@@ -474,6 +474,13 @@ CaseRegistration::GenerateData()
   if (frames.occlusionFinding != DentalFrameEnums::OcclusionFinding::NotTested)
   {
     m_Result.occlusionFound = DescribeOcclusion(frames);
+    if (description.occlusion == OcclusionEnum::Yes && !frames.occlusionPlausible)
+    {
+      // They get one pose as the case says, and the verdict finds what that leads to: this is what it comes from.
+      m_Result.warnings.push_back(
+        "\"occlusion\" is true, but the scans do not lie in occlusion: " + m_Result.occlusionFound +
+        "; leave \"occlusion\" out, so that it is found out, or say false");
+    }
   }
   if (frames.jawsShareFrame && m_Preset == CasePresetEnum::Robust && m_PoseOptions.useJointPose)
   {

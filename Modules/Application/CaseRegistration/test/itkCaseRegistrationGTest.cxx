@@ -567,6 +567,42 @@ TEST(CaseRegistration, WithoutAJointFrameNoJointPoseIsAskedFor)
   EXPECT_NE(apart[0], apart[1]);
 }
 
+TEST(CaseRegistration, OcclusionThatIsSaidOfJawsApartIsContradicted)
+{
+  const auto warningsOf = [](itk::DentalPhantomCaseSource::FrameEnum frame, itk::OcclusionEnum occlusion) {
+    auto source = itk::DentalPhantomCaseSource::New();
+    source->SetSeed(5);
+    source->SetNumberOfTriangles(8000);
+    source->SetFrame(frame);
+    source->SetMakeRadiograph(false);
+    source->Update();
+    const PhantomCase phantom(source);
+    phantom.data->description.occlusion = occlusion;
+    auto registration = itk::CaseRegistration::New();
+    registration->SetData(phantom.data);
+    registration->Update();
+    const auto &             result = registration->GetResult();
+    std::vector<std::string> found;
+    for (const std::string & warning : result.warnings)
+    {
+      if (warning.find("\"occlusion\" is true") != std::string::npos)
+      {
+        found.push_back(warning);
+      }
+    }
+    EXPECT_EQ(found.empty() || found.front().find(result.occlusionFound) != std::string::npos, true);
+    return found;
+  };
+  using FrameEnum = itk::DentalPhantomCaseSource::FrameEnum;
+  const auto contradicted = warningsOf(FrameEnum::CentredScanner, itk::OcclusionEnum::Yes);
+  ASSERT_EQ(contradicted.size(), 1u);
+  EXPECT_NE(contradicted.front().find("leave \"occlusion\" out"), std::string::npos) << contradicted.front();
+  // Not where it is so, nor where nothing or the right thing is said.
+  EXPECT_TRUE(warningsOf(FrameEnum::SharedScanner, itk::OcclusionEnum::Yes).empty());
+  EXPECT_TRUE(warningsOf(FrameEnum::CentredScanner, itk::OcclusionEnum::Check).empty());
+  EXPECT_TRUE(warningsOf(FrameEnum::CentredScanner, itk::OcclusionEnum::No).empty());
+}
+
 TEST(CaseRegistration, AnExchangedPartIsTheOptionThatStandsForIt)
 {
   const PhantomCase phantom(5, PhantomCase::SideEnum::Right, 8000);

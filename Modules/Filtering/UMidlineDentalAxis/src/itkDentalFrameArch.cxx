@@ -63,52 +63,6 @@ FitCircle(const std::vector<std::array<double, 2>> & points)
   return { mean[0] + cu, mean[1] + cv, std::sqrt(cu * cu + cv * cv + q / static_cast<double>(points.size())) };
 }
 
-/** Solves the symmetric positive system in place by Cholesky's method; false where it is singular. */
-bool
-SolveSymmetric(std::array<std::array<double, ArchTerms>, ArchTerms> a, std::array<double, ArchTerms> & b)
-{
-  for (std::size_t i = 0; i < ArchTerms; ++i)
-  {
-    for (std::size_t j = 0; j <= i; ++j)
-    {
-      double sum = a[i][j];
-      for (std::size_t k = 0; k < j; ++k)
-      {
-        sum -= a[i][k] * a[j][k];
-      }
-      if (i == j)
-      {
-        if (!(sum > 0.0))
-        {
-          return false;
-        }
-        a[i][i] = std::sqrt(sum);
-      }
-      else
-      {
-        a[i][j] = sum / a[j][j];
-      }
-    }
-  }
-  for (std::size_t i = 0; i < ArchTerms; ++i)
-  {
-    for (std::size_t k = 0; k < i; ++k)
-    {
-      b[i] -= a[i][k] * b[k];
-    }
-    b[i] /= a[i][i];
-  }
-  for (std::size_t i = ArchTerms; i-- > 0;)
-  {
-    for (std::size_t k = i + 1; k < ArchTerms; ++k)
-    {
-      b[i] -= a[k][i] * b[k];
-    }
-    b[i] /= a[i][i];
-  }
-  return true;
-}
-
 /** Fits r(phi) = sum a_k cos(k phi) to points about the U's centre, first coordinate along its axis; far points count
  * less and less. */
 std::array<double, ArchTerms>

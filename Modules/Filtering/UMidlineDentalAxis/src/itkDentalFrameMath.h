@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 // Three-vectors of the frame kernels; private to this module.
 namespace itk
@@ -157,6 +158,54 @@ SymmetricEigen(Matrix3 a, Vector3 & values, Matrix3 & vectors)
     values[i] = a[order[i]][order[i]];
     vectors[i] = { v[0][order[i]], v[1][order[i]], v[2][order[i]] };
   }
+}
+
+/** Solves the symmetric positive system in place by Cholesky's method; false where it is singular. Only the lower
+ * triangle is read. */
+template <std::size_t N>
+bool
+SolveSymmetric(std::array<std::array<double, N>, N> a, std::array<double, N> & b)
+{
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    for (std::size_t j = 0; j <= i; ++j)
+    {
+      double sum = a[i][j];
+      for (std::size_t k = 0; k < j; ++k)
+      {
+        sum -= a[i][k] * a[j][k];
+      }
+      if (i == j)
+      {
+        if (!(sum > 0.0))
+        {
+          return false;
+        }
+        a[i][i] = std::sqrt(sum);
+      }
+      else
+      {
+        a[i][j] = sum / a[j][j];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    for (std::size_t k = 0; k < i; ++k)
+    {
+      b[i] -= a[i][k] * b[k];
+    }
+    b[i] /= a[i][i];
+  }
+  for (std::size_t i = N; i-- > 0;)
+  {
+    for (std::size_t k = i + 1; k < N; ++k)
+    {
+      b[i] -= a[k][i] * b[k];
+    }
+    b[i] /= a[i][i];
+  }
+  return true;
 }
 } // namespace DentalFrameMath
 } // namespace itk

@@ -18,6 +18,7 @@
 #include "itkJawExchangeEvidence.h"
 
 #include "itkDentalFrameEstimator.h"
+#include "itkDentalFrameIncisors.h"
 
 #include <cmath>
 
@@ -28,8 +29,10 @@ namespace
 /** Of a hundred cases one has its scans exchanged: a judgement, as nobody counted. */
 constexpr double PriorProbability = 0.01;
 
-/** A measure in people: a normal one, and a share of others around a mean of their own. Mean and standard deviation in
- * mm. */
+/** Cosine between net normal and occlusal direction below which a shell is wound inward, as the verdict has it. */
+constexpr double InwardWindingAgreement = -0.1;
+
+/** A measure in people: a normal one, and a share of others around a mean of their own, in the unit of the measure. */
 struct Distribution
 {
   double mean;
@@ -62,9 +65,37 @@ struct Distribution
 constexpr Distribution MolarWidth{ 3.0, 2.5, 0.15, -2.0, 4.0 };
 /** Edge to edge, the others are class III and arches whose incisors were not found: 5 % or so of people. */
 constexpr Distribution Overjet{ 2.5, 1.5, 0.10, 0.0, 4.0 };
+/** Lower less upper incisor contrast, a difference of correlations, of pairs of phantom level real, seeds 3000 to 3199,
+ * whose fit has 1.00, 0.14, 0.48, 0.40, 0.47. The others have crowded, worn or missing incisors. Both are wider here
+ * and the others nearer to 0, since teeth of people differ more: so this measure, too, stays below 30 to 1. */
+constexpr Distribution IncisorContrast{ 0.95, 0.2, 0.5, 0.1, 0.55 };
 } // namespace
 
-JawExchangeEvidence::JawExchangeEvidence(const DentalFrameResult & frames)
+std::optional<double>
+JawExchangeEvidence::MeasureIncisorContrast(const TriangleSurface & surface,
+                                            const DentalJawFrame &  frame,
+                                            ToothCode::JawEnum      jaw)
+{
+  using namespace DentalFrameMath;
+  if (!frame.valid)
+  {
+    return std::nullopt;
+  }
+  // A closed body's winding has no say: its net normal is nothing.
+  const bool turned =
+    frame.openness > DentalJawFrame::OpennessOfClosedCast && frame.windingAgreement < InwardWindingAgreement;
+  const double offMidline = Dot(frame.incisalEdge - frame.centroid, frame.axes[1]) - frame.midlineOffset;
+  return DentalFrameKernel::IncisorContrast(surface,
+                                            { frame.axes[0],
+                                              frame.axes[1],
+                                              (jaw == ToothCode::JawEnum::Upper ? -1.0 : 1.0) * frame.axes[2],
+                                              frame.incisalEdge - offMidline * frame.axes[1],
+                                              turned });
+}
+
+JawExchangeEvidence::JawExchangeEvidence(const DentalFrameResult & frames,
+                                         const TriangleSurface *   upper,
+                                         const TriangleSurface *   lower)
 {
   if (frames.upper.valid && frames.lower.valid)
   {
@@ -76,13 +107,31 @@ JawExchangeEvidence::JawExchangeEvidence(const DentalFrameResult & frames)
     {
       m_Overjet = frames.overjet;
     }
+    if (upper != nullptr && lower != nullptr)
+    {
+      const auto ofUpper = MeasureIncisorContrast(*upper, frames.upper, ToothCode::JawEnum::Upper);
+      const auto ofLower = MeasureIncisorContrast(*lower, frames.lower, ToothCode::JawEnum::Lower);
+      if (ofUpper && ofLower)
+      {
+        m_IncisorContrastDifference = *ofLower - *ofUpper;
+      }
+    }
   }
 }
 
-JawExchangeEvidence::JawExchangeEvidence(std::optional<double> molarWidthDifference, std::optional<double> overjet)
+JawExchangeEvidence::JawExchangeEvidence(std::optional<double> molarWidthDifference,
+                                         std::optional<double> overjet,
+                                         std::optional<double> incisorContrastDifference)
   : m_MolarWidthDifference(molarWidthDifference)
   , m_Overjet(overjet)
+  , m_IncisorContrastDifference(incisorContrastDifference)
 {}
+
+unsigned int
+JawExchangeEvidence::GetNumberOfMeasures() const
+{
+  return (m_MolarWidthDifference ? 1 : 0) + (m_Overjet ? 1 : 0) + (m_IncisorContrastDifference ? 1 : 0);
+}
 
 double
 JawExchangeEvidence::GetLogLikelihoodRatio() const
@@ -95,6 +144,10 @@ JawExchangeEvidence::GetLogLikelihoodRatio() const
   if (m_Overjet)
   {
     ratio += Overjet.LogRatio(*m_Overjet);
+  }
+  if (m_IncisorContrastDifference)
+  {
+    ratio += IncisorContrast.LogRatio(*m_IncisorContrastDifference);
   }
   return ratio;
 }

@@ -16,13 +16,14 @@
  *
  *=========================================================================*/
 #include "itkDentalFrameCohort.h"
+#include "itkJawExchangeEvidence.h"
 
 #include <cstdlib>
 #include <iostream>
 #include <string>
 
-// Makes the tables of Documentation/UMDA.md: DentalFrameStudy occlusion|axes LEVEL FIRST_SEED COUNT. One line a pair
-// and arrangement (occlusion) or a jaw (axes), then the summary.
+// Makes the tables of Documentation/UMDA.md: DentalFrameStudy occlusion|axes|exchange LEVEL FIRST_SEED COUNT. One line
+// a pair and arrangement (occlusion) or a jaw (axes), then the summary.
 namespace
 {
 using namespace DentalFrameTest;
@@ -150,13 +151,69 @@ StudyAxes(const std::string & level, std::uint64_t first, std::uint64_t count, c
       line << (jaw == 0 ? "upper " : "lower ") << first + k << " x " << errors[0] << " yaw "
            << std::atan2(frame.axes[0][1], frame.axes[0][0]) * degree << " pitch "
            << std::atan2(frame.axes[0][2], frame.axes[0][0]) * degree << " confidence " << frame.confidence << " width "
-           << frame.archWidth << " molars " << frame.molarWidth << ' ' << pair.traits << '\n';
+           << frame.archWidth << " molars " << frame.molarWidth << " incisors "
+           << itk::JawExchangeEvidence::MeasureIncisorContrast(
+                pair.jaws[jaw], frame, jaw == 0 ? itk::ToothCode::JawEnum::Upper : itk::ToothCode::JawEnum::Lower)
+                .value_or(std::nan(""))
+           << ' ' << pair.traits << '\n';
     }
     lines[k] = line.str();
   });
   for (const std::string & line : lines)
   {
     std::cout << line;
+  }
+}
+
+/** Whether scans are exchanged: what each measure says of the pair as named and with the scans exchanged, in one frame
+ * and apart; then how often the alarm was raised with and without the incisors. */
+void
+StudyExchange(const std::string & level, std::uint64_t first, std::uint64_t count, const std::string & folder)
+{
+  using JawsShareFrame = itk::DentalFrameEnums::JawsShareFrame;
+  std::vector<std::string> lines(count);
+  // Alarms by: apart or in one frame, named or exchanged, without or with the incisors.
+  std::vector<std::array<unsigned int, 8>> alarms(count);
+  itk::ParallelFor(count, 0, [&](std::size_t k) {
+    const ScannedPair  pair = LoadOrMake(first + k, level, folder);
+    std::ostringstream text;
+    for (unsigned int variant = 0; variant < 4; ++variant)
+    {
+      const bool              together = variant >= 2;
+      const unsigned int      upper = variant % 2;
+      itk::DentalFrameOptions options;
+      options.refineMidline = true;
+      options.jawsShareFrame = together ? JawsShareFrame::On : JawsShareFrame::Off;
+      const auto result = itk::EstimateDentalFrame(&pair.jaws[upper], &pair.jaws[1 - upper], options);
+      const itk::JawExchangeEvidence evidence(result, &pair.jaws[upper], &pair.jaws[1 - upper]);
+      const auto &                   width = evidence.GetMolarWidthDifference();
+      const auto &                   overjet = evidence.GetOverjet();
+      const auto &                   incisors = evidence.GetIncisorContrastDifference();
+      const double                   without = itk::JawExchangeEvidence(width, overjet).GetProbability();
+      alarms[k][2 * variant] = without > 0.5 ? 1 : 0;
+      alarms[k][2 * variant + 1] = evidence.GetProbability() > 0.5 ? 1 : 0;
+      text << first + k << (together ? " together" : " apart") << (upper == 0 ? " named" : " exchanged") << " width "
+           << width.value_or(std::nan("")) << " overjet " << overjet.value_or(std::nan("")) << " incisors "
+           << incisors.value_or(std::nan("")) << " ratio of incisors "
+           << itk::JawExchangeEvidence(std::nullopt, std::nullopt, incisors).GetLogLikelihoodRatio() << " without "
+           << without << " with " << evidence.GetProbability() << ' ' << pair.traits << '\n';
+    }
+    lines[k] = text.str();
+  });
+  std::array<unsigned int, 8> sums{};
+  for (std::uint64_t k = 0; k < count; ++k)
+  {
+    std::cout << lines[k];
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+      sums[i] += alarms[k][i];
+    }
+  }
+  for (unsigned int variant = 0; variant < 4; ++variant)
+  {
+    std::cout << "# alarms of " << count << (variant < 2 ? " pairs apart, " : " pairs in one frame, ")
+              << (variant % 2 == 0 ? "as named" : "exchanged") << ": without incisors " << sums[2 * variant]
+              << ", with them " << sums[2 * variant + 1] << std::endl;
   }
 }
 } // namespace
@@ -166,7 +223,7 @@ main(int argc, char * argv[])
 {
   if (argc != 5 && argc != 6)
   {
-    std::cerr << "usage: DentalFrameStudy occlusion|axes LEVEL FIRST_SEED COUNT [FOLDER]" << std::endl;
+    std::cerr << "usage: DentalFrameStudy occlusion|axes|exchange LEVEL FIRST_SEED COUNT [FOLDER]" << std::endl;
     return 2;
   }
   const std::string   what = argv[1];
@@ -175,6 +232,10 @@ main(int argc, char * argv[])
   if (what == "occlusion")
   {
     StudyOcclusion(argv[2], first, count, argc == 6 ? argv[5] : "");
+  }
+  else if (what == "exchange")
+  {
+    StudyExchange(argv[2], first, count, argc == 6 ? argv[5] : "");
   }
   else if (what == "axes")
   {

@@ -172,11 +172,13 @@ public:
   /** Whether a fit leaves no doubt of the scan's dental axis, however unsure it was before: the tracing determined roll
    * and yaw, which an axis that is off makes up for, and lies well on the outline at a place that has no rival. Of a
    * jaw without a tracing landmarks or outlines of teeth determine the middles of both sides, which an axis that is off
-   * by some degrees hardly moves. For callers that found nothing else to doubt: an unsure axis by itself is no reason
-   * then (Documentation/RobustStudies.md has what it cost and found). */
+   * by some degrees hardly moves. A tracing that fits poorly in places bears out nothing, even where the other jaw's
+   * excuses it (JawVerdict::takenBack). For callers that found nothing else to doubt: an unsure axis by itself is no
+   * reason then (Documentation/RobustStudies.md has what it cost and found). */
   static bool
   IsAxisBorneOut(const PoseGroupResult &         group,
                  const PoseJawResult &           jaw,
+                 const JawVerdict &              verdict,
                  const PoseRegistrationOptions & options,
                  const Thresholds &              thresholds);
 

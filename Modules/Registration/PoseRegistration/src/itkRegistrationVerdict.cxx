@@ -989,9 +989,14 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result)
 bool
 RegistrationVerdict::IsAxisBorneOut(const PoseGroupResult &         group,
                                     const PoseJawResult &           jaw,
+                                    const JawVerdict &              verdict,
                                     const PoseRegistrationOptions & options,
                                     const Thresholds &              thresholds)
 {
+  if (!verdict.takenBack.empty())
+  {
+    return false;
+  }
   if (jaw.fit.numberOfPoints == 0)
   {
     return jaw.landmarks.size() + jaw.outlines.size() > 1;

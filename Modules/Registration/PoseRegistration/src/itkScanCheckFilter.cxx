@@ -37,7 +37,9 @@
 #include <locale>
 #include <memory>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace itk
 {
@@ -565,27 +567,62 @@ AreSame(const MeshType & a, const MeshType & b)
   return true;
 }
 
-/** By shape alone. \return whether the shapes could tell. */
-bool
-CheckShapesForExchange(const DentalFrameResult & frames, std::array<Scan, 2> & scans)
+/** What of two jaws' shapes is as if they were exchanged, for a person. */
+std::string
+SayWhatIsReversed(const JawExchangeEvidence & evidence)
 {
-  const JawExchangeEvidence evidence(frames);
-  // One measure alone never tells.
-  const bool told = evidence.GetMolarWidthDifference().has_value() && evidence.GetOverjet().has_value();
-  if (told && evidence.GetProbability() > ProbablyExchanged)
-  {
+  std::vector<std::string> parts;
+  const auto               millimetres = [](double value) {
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text << "upper and lower scan may be exchanged (probability " << std::setprecision(2) << evidence.GetProbability()
-         << "): the upper arch is " << -*evidence.GetMolarWidthDifference()
-         << " mm narrower than the lower at the first molars and lies " << -*evidence.GetOverjet()
-         << " mm behind it in front";
-    for (Scan & scan : scans)
-    {
-      scan.Add(Suspect, "jaws-exchanged", text.str(), evidence.GetProbability(), ProbablyExchanged, "");
-    }
+    text << std::setprecision(2) << value << " mm ";
+    return text.str();
+  };
+  if (evidence.GetMolarWidthDifference() && *evidence.GetMolarWidthDifference() < 0.0)
+  {
+    parts.push_back("is " + millimetres(-*evidence.GetMolarWidthDifference()) +
+                    "narrower than the lower at the first molars");
   }
-  return told;
+  if (evidence.GetOverjet() && *evidence.GetOverjet() < 0.0)
+  {
+    parts.push_back("lies " + millimetres(-*evidence.GetOverjet()) + "behind it in front");
+  }
+  if (evidence.GetIncisorContrastDifference() && *evidence.GetIncisorContrastDifference() < 0.0)
+  {
+    parts.emplace_back("has the narrower incisors");
+  }
+  std::string text = "the upper arch";
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    text += (i == 0 ? " " : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  }
+  return text;
+}
+
+/** By shape alone. \return what of it could not be told; empty where the shapes said that the scans are exchanged, or
+ * spoke for the names. */
+std::string
+CheckShapesForExchange(const DentalFrameResult & frames, std::array<Scan, 2> & scans)
+{
+  const JawExchangeEvidence evidence(frames, &scans[0].surface, &scans[1].surface);
+  // One measure alone never tells.
+  if (evidence.GetNumberOfMeasures() < 2)
+  {
+    return "no two jaws whose shapes could be compared";
+  }
+  if (evidence.GetProbability() <= ProbablyExchanged)
+  {
+    return evidence.GetLogLikelihoodRatio() < 0.0 ? "" : "the shapes of the jaws leave it open";
+  }
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "upper and lower scan may be exchanged (probability " << std::setprecision(2) << evidence.GetProbability()
+       << "): " << SayWhatIsReversed(evidence);
+  for (Scan & scan : scans)
+  {
+    scan.Add(Suspect, "jaws-exchanged", text.str(), evidence.GetProbability(), ProbablyExchanged, "");
+  }
+  return "";
 }
 } // namespace
 
@@ -709,11 +746,10 @@ ScanCheckFilter::GenerateData()
   }
   const NamesEnum names = CheckNamesAgainstScans(scans);
   // Names that say so need no shapes beside them.
-  const bool shapesTold = names != NamesEnum::Exchanged && CheckShapesForExchange(frames, scans);
-  if (names == NamesEnum::Nothing && !shapesTold)
+  const std::string open = names != NamesEnum::Exchanged ? CheckShapesForExchange(frames, scans) : "";
+  if (names == NamesEnum::Nothing && !open.empty())
   {
-    m_NotCheckable.emplace_back(
-      "whether upper and lower scan were exchanged: there are no 3-D landmarks, and no two jaws in one frame");
+    m_NotCheckable.push_back("whether upper and lower scan were exchanged: there are no 3-D landmarks, and " + open);
   }
   for (Scan & scan : scans)
   {

@@ -1144,8 +1144,9 @@ TEST(RegistrationVerdict, ADentalAxisIsBorneOutByATracingThatDeterminesItOrByWha
   const Thresholds                   limits;
   const itk::PoseRegistrationOptions options;
   auto                               result = MakeGoodResult(1);
+  Verdict::JawVerdict                verdict;
   const auto                         isBorneOut = [&](const itk::PoseRegistrationOptions & used) {
-    return Verdict::IsAxisBorneOut(result.groups[0], result.jaws[0], used, limits);
+    return Verdict::IsAxisBorneOut(result.groups[0], result.jaws[0], verdict, used, limits);
   };
   result.jaws[0].fit.cost = limits.borneOutCost;
   result.groups[0].margin = limits.borneOutMargin;
@@ -1156,6 +1157,12 @@ TEST(RegistrationVerdict, ADentalAxisIsBorneOutByATracingThatDeterminesItOrByWha
   result.groups[0].margin = limits.borneOutMargin - 0.01;
   EXPECT_FALSE(isBorneOut(options));
   result.groups[0].margin = limits.borneOutMargin;
+  // A poor fit that the other jaw's tracing excuses (of a cost within the limit, poor at single places) leaves this
+  // jaw's no witness of its axis.
+  verdict.takenBack.push_back({ Suspect, "poor-fit", "the tracing fits the projected outline poorly" });
+  EXPECT_FALSE(isBorneOut(options));
+  verdict.takenBack.clear();
+  EXPECT_TRUE(isBorneOut(options));
   // Held rotations make up for no axis, and a bisected tracing determines none.
   auto held = options;
   held.fixRotation = true;

@@ -413,6 +413,29 @@ TEST(ScanCheckFilter, WithoutLandmarksAndWithOneJawExchangeCannotBeTold)
   EXPECT_TRUE(filter->GetFindings(JawEnum::Lower).empty());
 }
 
+/** Apart there is no overjet: the widths at the molars and of the incisors are left, and what they say is said. */
+TEST(ScanCheckFilter, JawsApartAreToldByMolarsAndIncisorsTogether)
+{
+  Scans scans;
+  scans.landmarks = itk::DentalLandmarkSet<3>::New();
+  scans.meshes[1] = Copy(scans.meshes[1], [](PointType point) {
+    point[0] += 300.0F;
+    return point;
+  });
+  EXPECT_EQ(CodesOf(scans.Check(), JawEnum::Upper), Codes());
+  EXPECT_TRUE(scans.Check()->GetNotCheckable().empty());
+  std::swap(scans.meshes[0], scans.meshes[1]);
+  const auto filter = scans.Check();
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    ASSERT_EQ(CodesOf(filter, jaw), Codes{ "jaws-exchanged" });
+    const std::string text = filter->GetFindings(jaw).front().text;
+    EXPECT_NE(text.find("narrower than the lower at the first molars and has the narrower incisors"), std::string::npos)
+      << text;
+    EXPECT_EQ(text.find("behind it"), std::string::npos) << text;
+  }
+}
+
 /** One Update() on the checks runs the axis filter; a second runs nothing. */
 TEST(ScanCheckFilter, PullsTheFramesItself)
 {
