@@ -68,7 +68,7 @@ struct LandmarkFigures
 /** A predicted landmark. */
 struct LandmarkPrediction
 {
-  std::string           name;                     /**< Such as "UR6_MB"; "6_MB" of a middle of two sides. */
+  std::string           name;                     /**< Such as "UR6_MB"; "U6_MB" of a middle of two sides. */
   std::array<double, 2> position{ { 0.0, 0.0 } }; /**< Continuous pixel index, (u, v). */
   /** Row-major 2x2, square pixels; absent where the method has none. */
   std::optional<std::array<double, 4>> covariance;
