@@ -28,18 +28,18 @@ namespace dentalscr
 {
 namespace
 {
-using TransformType = itk::Similarity2DTransform<double>;
+using SimilarityType = itk::Similarity2DTransform<double>;
 using DistanceFilterType = itk::ContourDistanceFilter;
 using OverlapFilterType = itk::ContourOverlapFilter;
-using DirectionEnum = itk::ContourMetricEnums::Direction;
+using MetricDirectionEnum = itk::ContourMetricEnums::Direction;
 using DistanceEnum = itk::ContourMetricEnums::Distance;
-using MetricType = itk::ContourToContourMetricv4;
+using ContourMetricType = itk::ContourToContourMetricv4;
 using ChamferType = itk::ContourChamferMetricv4;
 
 /** Where a contour is moved to before it is compared; None is where it lies. */
 template <typename TFilter>
 void
-SetTransformOrNone(TFilter & filter, const TransformType * transform)
+SetTransformOrNone(TFilter & filter, const SimilarityType * transform)
 {
   if (transform == nullptr)
   {
@@ -54,12 +54,12 @@ SetTransformOrNone(TFilter & filter, const TransformType * transform)
 void
 WrapComparisons(py::module_ & module)
 {
-  BindEnum<DirectionEnum>(module,
-                          "ContourDirection",
-                          { { "Symmetric", DirectionEnum::Symmetric },
-                            { "MovingToFixed", DirectionEnum::MovingToFixed },
-                            { "FixedToMoving", DirectionEnum::FixedToMoving } },
-                          "Which way distances between two contours are taken.");
+  BindEnum<MetricDirectionEnum>(module,
+                                "ContourDirection",
+                                { { "Symmetric", MetricDirectionEnum::Symmetric },
+                                  { "MovingToFixed", MetricDirectionEnum::MovingToFixed },
+                                  { "FixedToMoving", MetricDirectionEnum::FixedToMoving } },
+                                "Which way distances between two contours are taken.");
   BindEnum<DistanceEnum>(
     module,
     "ContourPointDistance",
@@ -163,23 +163,23 @@ WrapMetrics(py::module_ & module)
                                 { "Default", SpacingSourceEnum::Default },
                                 { "Estimated", SpacingSourceEnum::Estimated } },
                               "Where a pixel spacing comes from, for the scale's prior.");
-  py::class_<MetricType, itk::SmartPointer<MetricType>>(
+  py::class_<ContourMetricType, itk::SmartPointer<ContourMetricType>>(
     module, "ContourToContourMetricv4", "A figure of merit between two contours, for SetMetric().")
     .def(
       "GetName",
-      [](const MetricType & self) { return std::string(self.GetNameOfClass()); },
+      [](const ContourMetricType & self) { return std::string(self.GetNameOfClass()); },
       "Name of the class in C++.")
     .def(
       "GetPivot",
-      [](const MetricType & self) { return std::make_pair(self.GetPivot()[0], self.GetPivot()[1]); },
+      [](const ContourMetricType & self) { return std::make_pair(self.GetPivot()[0], self.GetPivot()[1]); },
       "Of scale and rotation, in the moving frame, px.")
-    .def("GetReferenceLength", &MetricType::GetReferenceLength, "What makes the four parameters alike, px.")
-    .def("__str__", [](const MetricType & self) {
+    .def("GetReferenceLength", &ContourMetricType::GetReferenceLength, "What makes the four parameters alike, px.")
+    .def("__str__", [](const ContourMetricType & self) {
       std::ostringstream text;
       self.Print(text);
       return text.str();
     });
-  py::class_<ChamferType, MetricType, itk::SmartPointer<ChamferType>>(
+  py::class_<ChamferType, ContourMetricType, itk::SmartPointer<ChamferType>>(
     module, "ContourChamferMetricv4", "Symmetric or one-sided Chamfer distance: the sum of the directed means, px.")
     .def(New<ChamferType>())
     .def("SetDirection",

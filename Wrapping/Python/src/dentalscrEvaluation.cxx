@@ -31,7 +31,7 @@ using JawEnum = itk::ToothCode::JawEnum;
 using OverlayType = itk::RegistrationOverlayFilter;
 
 py::dict
-ToDict(const StatisticsType & statistics)
+StatisticsToDict(const StatisticsType & statistics)
 {
   py::dict result;
   result["count"] = statistics.GetCount();
@@ -94,7 +94,7 @@ WrapEvaluation(py::module_ & module)
       [](const ErrorType & self) { return self.GetPixelSpacing(); },
       "The pixel spacing (u, v) by which errors are told in mm; 0, the default, is unknown.")
     .def("GetUnpairedLandmarks", &ErrorType::GetUnpairedLandmarks, "Names whose partner is missing.")
-    .def("_GetStatistics", [](const ErrorType & self) { return ToDict(self.GetStatistics()); })
+    .def("_GetStatistics", [](const ErrorType & self) { return StatisticsToDict(self.GetStatistics()); })
     .def("_GetErrors", [](const ErrorType & self) {
       py::dict result;
       for (const auto & error : self.GetErrors())

@@ -15,7 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "dentalscrBinding.h"
+#include "dentalscrConversions.h"
 
 #include "itkContourMaskFilter.h"
 #include "itkContourResampleFilter.h"
@@ -43,15 +43,6 @@ using SideType = itk::MidlineSideMeshFilter<MeshType>;
 using RigidType = itk::VersorRigid3DTransform<double>;
 using JawEnum = itk::ToothCode::JawEnum;
 
-template <typename TOutput>
-itk::SmartPointer<TOutput>
-Detach(TOutput * output)
-{
-  itk::SmartPointer<TOutput> result = output;
-  result->DisconnectPipeline();
-  return result;
-}
-
 py::array_t<double>
 ToArray(const std::array<double, 3> & values)
 {
@@ -59,7 +50,7 @@ ToArray(const std::array<double, 3> & values)
 }
 
 py::dict
-ToDict(const itk::MidsagittalPlaneResult & plane)
+PlaneToDict(const itk::MidsagittalPlaneResult & plane)
 {
   py::dict result;
   result["valid"] = plane.valid;
@@ -182,7 +173,7 @@ WrapAxis(py::module_ & module)
     .def(New<PlaneFilterType>())
     .def("_SetUpperMesh", &PlaneFilterType::SetUpperMesh, py::arg("mesh"))
     .def("_SetLowerMesh", &PlaneFilterType::SetLowerMesh, py::arg("mesh"))
-    .def("_GetPlane", [](const PlaneFilterType & self) { return ToDict(self.GetPlaneOutput()->Get()); })
+    .def("_GetPlane", [](const PlaneFilterType & self) { return PlaneToDict(self.GetPlaneOutput()->Get()); })
     .def(
       "GetNormal", &PlaneFilterType::GetNormal, "Unit normal of the plane that was found, in the frame of the meshes.")
     .def("GetOffset", &PlaneFilterType::GetOffset, "Distance of the plane from the origin along its normal, mm.")

@@ -15,7 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "dentalscrBinding.h"
+#include "dentalscrConversions.h"
 
 #include "itkCephalometricGeometry.h"
 #include "itkRigidTransformRows.h"
@@ -123,18 +123,6 @@ MakeGeometry(double             sourceToMidsagittal,
   geometry->SetFrontalSource(frontalSource);
   geometry->SetPatientLeft(patientLeft);
   return geometry;
-}
-
-template <unsigned int VRows, unsigned int VColumns>
-py::array_t<double>
-ToArray(const itk::Matrix<double, VRows, VColumns> & matrix)
-{
-  std::vector<double> values;
-  for (unsigned int i = 0; i < VRows * VColumns; ++i)
-  {
-    values.push_back(matrix(i / VColumns, i % VColumns));
-  }
-  return MakeArray<double>(values, { VRows, VColumns });
 }
 } // namespace
 
@@ -311,14 +299,14 @@ patientLeft : PatientLeft or str, optional
     .def(
       "ComputePointJacobian",
       [](const GeometryType & self, const GeometryType::PointType & point) {
-        return ToArray(self.ComputePointJacobian(point));
+        return MatrixToArray(self.ComputePointJacobian(point));
       },
       py::arg("point"),
       "(2, 3): d(u, v) / d(point).")
     .def(
       "ComputePoseJacobian",
       [](const GeometryType & self, const GeometryType::PointType & point) {
-        return ToArray(self.ComputePoseJacobian(point));
+        return MatrixToArray(self.ComputePoseJacobian(point));
       },
       py::arg("point"),
       "(2, 6): three rotations (rad) about the cephalostat's axes, three translations (mm).")
@@ -333,7 +321,7 @@ patientLeft : PatientLeft or str, optional
     .def("GetSourcePosition", &GeometryType::GetSourcePosition, "The X-ray source in the object frame, mm.")
     .def(
       "GetProjectionMatrix",
-      [](const GeometryType & self) { return ToArray(self.GetProjectionMatrix()); },
+      [](const GeometryType & self) { return MatrixToArray(self.GetProjectionMatrix()); },
       "(3, 4): object frame (mm) to homogeneous pixel index, pose included.")
     .def("VerifyComplete",
          &GeometryType::VerifyComplete,

@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "dentalscrConversions.h"
 #include "dentalscrLandmarks.h"
 
 #include "itkCephalogramFileReader.h"
@@ -38,15 +39,6 @@ using ContourReaderType = itk::DentalContourFileReader;
 using ContourWriterType = itk::DentalContourFileWriter;
 using CephalogramReaderType = itk::CephalogramFileReader;
 using LabelReaderType = itk::ToothLabelFileReader;
-
-template <typename TOutput>
-itk::SmartPointer<TOutput>
-Detach(TOutput * output)
-{
-  itk::SmartPointer<TOutput> result = output;
-  result->DisconnectPipeline();
-  return result;
-}
 
 /** What readers of landmarks share. */
 template <typename ReaderType>

@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "dentalscrConversions.h"
 #include "dentalscrLandmarks.h"
 
 #include "itkDentalPhantomCaseSource.h"
@@ -37,15 +38,6 @@ using FrameEnum = SourceType::FrameEnum;
 using FamilyEnum = ParametersType::ArchFamilyEnum;
 using GeometryType = itk::CephalometricGeometry;
 using JawEnum = itk::ToothCode::JawEnum;
-
-template <typename TOutput>
-itk::SmartPointer<TOutput>
-Detach(TOutput * output)
-{
-  itk::SmartPointer<TOutput> result = output;
-  result->DisconnectPipeline();
-  return result;
-}
 
 unsigned int
 ToNumber(JawEnum jaw)

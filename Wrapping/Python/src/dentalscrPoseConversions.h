@@ -18,7 +18,7 @@
 #ifndef dentalscrPoseConversions_h
 #define dentalscrPoseConversions_h
 
-#include "dentalscrBinding.h"
+#include "dentalscrConversions.h"
 
 #include "itkCephalometricLandmarkSet.h"
 #include "itkLandmarkCounterpartSet.h"
@@ -50,18 +50,6 @@ ToText(itk::RegistrationStatusEnum status)
   return status == itk::RegistrationStatusEnum::Ok        ? "ok"
          : status == itk::RegistrationStatusEnum::Suspect ? "suspect"
                                                           : "failed";
-}
-
-template <unsigned int VRows, unsigned int VColumns>
-py::array_t<double>
-ToArray(const itk::Matrix<double, VRows, VColumns> & matrix)
-{
-  std::vector<double> values;
-  for (unsigned int i = 0; i < VRows * VColumns; ++i)
-  {
-    values.push_back(matrix(i / VColumns, i % VColumns));
-  }
-  return MakeArray<double>(values, { VRows, VColumns });
 }
 
 /** A frame as the input of a filter: the transform is shared, so that it maps with the same bits. */

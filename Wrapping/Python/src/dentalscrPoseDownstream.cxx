@@ -293,7 +293,7 @@ WrapDownstream(py::module_ & module)
     .def("_GetOutput", [](ProjectionType & self) { return ToDict<2>(self.GetOutput()); })
     .def(
       "GetCovariance",
-      [](const ProjectionType & self, const std::string & name) { return ToArray(self.GetCovariance(name)); },
+      [](const ProjectionType & self, const std::string & name) { return MatrixToArray(self.GetCovariance(name)); },
       py::arg("name"),
       "(2, 2) square pixels.")
     .def("GetSigma", &ProjectionType::GetSigma, py::arg("name"), "Standard deviation an axis, pixels.")
@@ -309,14 +309,16 @@ WrapDownstream(py::module_ & module)
         for (const auto & middle : self.GetMiddles())
         {
           middles[py::str(middle.name)] =
-            py::make_tuple(py::make_tuple(middle.point[0], middle.point[1]), ToArray(middle.covariance));
+            py::make_tuple(py::make_tuple(middle.point[0], middle.point[1]), MatrixToArray(middle.covariance));
         }
         return middles;
       },
       "{\"U6_MB\": ((u, v), (2, 2) square pixels)} between each right landmark's image and its left one's.")
     .def(
       "GetMiddleCovariance",
-      [](const ProjectionType & self, const std::string & name) { return ToArray(self.GetMiddleCovariance(name)); },
+      [](const ProjectionType & self, const std::string & name) {
+        return MatrixToArray(self.GetMiddleCovariance(name));
+      },
       py::arg("name"),
       "(2, 2) square pixels: of the middle between a right landmark and its left one.");
 
@@ -654,7 +656,7 @@ WrapSimilarityChain(py::module_ & module)
                        "the length of the unit of the points that the projection matrix acts on, mm; 1 by default.")
     .def(
       "GetProjectionMatrix",
-      [](SimilarityType & self) { return ToArray(self.GetProjectionMatrix()); },
+      [](SimilarityType & self) { return MatrixToArray(self.GetProjectionMatrix()); },
       "(3, 4): mesh, in the unit of its file, to homogeneous pixel index.")
     .def("_GetTransform",
          [](SimilarityType & self) { return RigidType::Pointer(self.GetTransformOutput()->GetModifiable()); });

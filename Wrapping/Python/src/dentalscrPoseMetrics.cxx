@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "dentalscrConversions.h"
 #include "dentalscrPythonLeastSquaresMetric.h"
 
 #include "itkCorrelatedNoiseModel.h"
@@ -47,13 +48,6 @@ ArrayType
 ToArray(const TParameters & parameters)
 {
   return MakeArray(std::vector<double>(parameters.begin(), parameters.end()));
-}
-
-ArrayType
-ToArray(const vnl_matrix<double> & matrix)
-{
-  return MakeArray(std::vector<double>(matrix.begin(), matrix.end()),
-                   { static_cast<py::ssize_t>(matrix.rows()), static_cast<py::ssize_t>(matrix.cols()) });
 }
 
 void
@@ -325,7 +319,7 @@ GetDerivative() are an optimizer's: the free ones alone, each multiplied by its 
           const py::gil_scoped_release released;
           Ready(self).GetResiduals(residuals, &jacobian);
         }
-        return py::make_tuple(ToArray(residuals), ToArray(jacobian));
+        return py::make_tuple(ToArray(residuals), MatrixToArray(jacobian));
       },
       "(N,) and (N, M): by the optimizer's parameters, plus sign.")
     .def(

@@ -37,7 +37,7 @@ namespace dentalscr
 {
 namespace
 {
-using MethodType = itk::PoseRegistrationMethod<MeshType>;
+using PoseMethodType = itk::PoseRegistrationMethod<MeshType>;
 using OptionsType = itk::PoseRegistrationOptions;
 using SolutionType = itk::PoseSolution;
 using JawEnum = itk::ToothCode::JawEnum;
@@ -118,37 +118,37 @@ WrapParts(py::module_ & module)
 void
 WrapPoseMethod(py::module_ & module)
 {
-  ProcessClass<MethodType> type(module, "PoseRegistrationMethod", "The robust registration.");
+  ProcessClass<PoseMethodType> type(module, "PoseRegistrationMethod", "The robust registration.");
   DefineQuasiNewton(type);
   using SourceEnum = itk::ScalePrior::SpacingSource;
-  type.def(New<MethodType>())
-    .def("_SetUpperMesh", &MethodType::SetUpperMesh, py::arg("mesh"))
-    .def("_SetLowerMesh", &MethodType::SetLowerMesh, py::arg("mesh"))
-    .def("_SetUpperContour", &MethodType::SetUpperContour, py::arg("contour"))
-    .def("_SetLowerContour", &MethodType::SetLowerContour, py::arg("contour"))
-    .def("_SetGeometry", &MethodType::SetGeometry, py::arg("geometry"))
+  type.def(New<PoseMethodType>())
+    .def("_SetUpperMesh", &PoseMethodType::SetUpperMesh, py::arg("mesh"))
+    .def("_SetLowerMesh", &PoseMethodType::SetLowerMesh, py::arg("mesh"))
+    .def("_SetUpperContour", &PoseMethodType::SetUpperContour, py::arg("contour"))
+    .def("_SetLowerContour", &PoseMethodType::SetLowerContour, py::arg("contour"))
+    .def("_SetGeometry", &PoseMethodType::SetGeometry, py::arg("geometry"))
     .def(
       "_SetUpperFrame",
-      [](MethodType & self, const RigidType * transform) { self.SetUpperFrame(ToFrame(transform)); },
+      [](PoseMethodType & self, const RigidType * transform) { self.SetUpperFrame(ToFrame(transform)); },
       py::arg("transform"))
     .def(
       "_SetLowerFrame",
-      [](MethodType & self, const RigidType * transform) { self.SetLowerFrame(ToFrame(transform)); },
+      [](PoseMethodType & self, const RigidType * transform) { self.SetLowerFrame(ToFrame(transform)); },
       py::arg("transform"))
     .def(
       "_SetJointFrame",
-      [](MethodType & self, const RigidType * transform) { self.SetJointFrame(ToFrame(transform)); },
+      [](PoseMethodType & self, const RigidType * transform) { self.SetJointFrame(ToFrame(transform)); },
       py::arg("transform"))
     .def(
       "_SetCephalometricLandmarks",
-      [](MethodType & self, const py::object & landmarks) {
+      [](PoseMethodType & self, const py::object & landmarks) {
         self.SetCephalometricLandmarks(
           landmarks.is_none() ? nullptr : FromCephalometricDict(landmarks.cast<py::dict>()).GetPointer());
       },
       py::arg("landmarks"))
     .def(
       "_SetLandmarkCounterparts",
-      [](MethodType & self, const py::object & counterparts) {
+      [](PoseMethodType & self, const py::object & counterparts) {
         self.SetLandmarkCounterparts(counterparts.is_none() ? nullptr : ToCounterparts(counterparts).GetPointer());
       },
       py::arg("counterparts"))
@@ -158,13 +158,13 @@ WrapPoseMethod(py::module_ & module)
       py::arg("outlines"))
     .def(
       "_SetToothCrowns",
-      [](MethodType & self, const py::object & crowns) {
+      [](PoseMethodType & self, const py::object & crowns) {
         self.SetToothCrowns(crowns.is_none() ? nullptr : ToCrowns(crowns).GetPointer());
       },
       py::arg("crowns"))
     .def(
       "_AddView",
-      [](MethodType &                       self,
+      [](PoseMethodType &                   self,
          const std::string &                name,
          const itk::CephalometricGeometry * geometry,
          const itk::DentalContour *         upper,
@@ -198,30 +198,33 @@ WrapPoseMethod(py::module_ & module)
       py::arg("counterparts"),
       py::arg("sameHeadPosition"),
       py::arg("principalPointSigma"))
-    .def("ClearViews", &MethodType::ClearViews, "Removes all views: the lateral radiograph stands alone again.")
-    .def("SetOptions", &MethodType::SetOptions, py::arg("options"), "Sets all options at once.")
+    .def("ClearViews", &PoseMethodType::ClearViews, "Removes all views: the lateral radiograph stands alone again.")
+    .def("SetOptions", &PoseMethodType::SetOptions, py::arg("options"), "Sets all options at once.")
     .def(
-      "GetOptions", [](const MethodType & self) { return self.GetOptions(); }, "A copy.")
-    .def(
-      "SetTracedSide", &MethodType::SetTracedSide, py::arg("side"), "Sets the patient's side whose outline was traced.")
-    .def("GetTracedSide", &MethodType::GetTracedSide, "Returns the patient's side whose outline was traced.")
-    .dentalscrBoolean(MethodType, PrincipalPointKnown, "whether the geometry's principal point is known, not a guess.")
+      "GetOptions", [](const PoseMethodType & self) { return self.GetOptions(); }, "A copy.")
+    .def("SetTracedSide",
+         &PoseMethodType::SetTracedSide,
+         py::arg("side"),
+         "Sets the patient's side whose outline was traced.")
+    .def("GetTracedSide", &PoseMethodType::GetTracedSide, "Returns the patient's side whose outline was traced.")
+    .dentalscrBoolean(
+      PoseMethodType, PrincipalPointKnown, "whether the geometry's principal point is known, not a guess.")
     .def(
       "_SetInitialTransform",
-      [](MethodType & self, JawEnum jaw, const RigidType & transform, double scaleFactor) {
+      [](PoseMethodType & self, JawEnum jaw, const RigidType & transform, double scaleFactor) {
         self.SetInitialTransform(Checked(jaw), &transform, scaleFactor);
       },
       py::arg("jaw"),
       py::arg("transform"),
       py::arg("scaleFactor"))
-    .def("ClearInitialTransforms", &MethodType::ClearInitialTransforms, "Back to a search.")
+    .def("ClearInitialTransforms", &PoseMethodType::ClearInitialTransforms, "Back to a search.")
     .def(
       "_SetInitialGeometry",
-      [](MethodType & self, const itk::CephalometricGeometry * geometry) { self.SetInitialGeometry(geometry); },
+      [](PoseMethodType & self, const itk::CephalometricGeometry * geometry) { self.SetInitialGeometry(geometry); },
       py::arg("geometry"))
     .def(
       "SetOptimizer",
-      [](MethodType & self, OptimizerBaseType * optimizer) { self.SetOptimizer(optimizer); },
+      [](PoseMethodType & self, OptimizerBaseType * optimizer) { self.SetOptimizer(optimizer); },
       py::arg("optimizer"),
       R"(A LevenbergMarquardtOptimizerv4, of which candidates take clones, also in other threads.
 
@@ -229,24 +232,25 @@ Its own tolerances and numbers of iterations are set by the options; its events 
 Execute(), and StopOptimization() in a command of it ends the registration.)")
     .def(
       "GetOptimizer",
-      [](MethodType & self) { return OptimizerBaseType::Pointer(self.GetModifiableOptimizer()); },
+      [](PoseMethodType & self) { return OptimizerBaseType::Pointer(self.GetModifiableOptimizer()); },
       "The optimizer.")
-    .def("SetStart", &MethodType::SetStart, py::arg("start"), "Sets where the registration starts from.")
+    .def("SetStart", &PoseMethodType::SetStart, py::arg("start"), "Sets where the registration starts from.")
     .def(
       "SetSpacingSource",
-      [](MethodType & self, SourceEnum source) { self.SetSpacingSource(source); },
+      [](PoseMethodType & self, SourceEnum source) { self.SetSpacingSource(source); },
       py::arg("source"),
       "Where the pixel spacing comes from: its prior of the scale takes the place of the option kappaSigma.")
-    .def("ClearSpacingSource", &MethodType::ClearSpacingSource, "Back to the option.")
-    .def("SetRobustKernel", &MethodType::SetRobustKernel, py::arg("kernel"), "Of the silhouettes; None: the options'.")
-    .def("SetNoiseModel", &MethodType::SetNoiseModel, py::arg("model"), "Of the silhouettes; None: the options'.")
+    .def("ClearSpacingSource", &PoseMethodType::ClearSpacingSource, "Back to the option.")
+    .def(
+      "SetRobustKernel", &PoseMethodType::SetRobustKernel, py::arg("kernel"), "Of the silhouettes; None: the options'.")
+    .def("SetNoiseModel", &PoseMethodType::SetNoiseModel, py::arg("model"), "Of the silhouettes; None: the options'.")
     .def("SetCovarianceNoiseModel",
-         &MethodType::SetCovarianceNoiseModel,
+         &PoseMethodType::SetCovarianceNoiseModel,
          py::arg("model"),
          "Of the silhouettes in the covariance; None: the options'.")
     .def(
       "AddMetric",
-      [](MethodType & self, MetricBaseType * metric, JawEnum jaw) { self.AddMetric(metric, jaw); },
+      [](PoseMethodType & self, MetricBaseType * metric, JawEnum jaw) { self.AddMetric(metric, jaw); },
       py::arg("metric"),
       py::arg_v("jaw", JawEnum::Unknown, "Jaw.Unknown"),
       R"(A further term of the sum that is minimized: a LeastSquaresMetric of your own, a prior, another sum.
@@ -254,22 +258,22 @@ Execute(), and StopOptimization() in a command of it ends the registration.)")
 It may read the blocks "pose" and "scale", which are those of the dental frame, or have blocks of its own. Jaws that
 stand apart have a sum each: with a jaw it is a term of that jaw's alone. Its robust kernel and noise stay its own. The
 registration works on clones of it.)")
-    .def("ClearMetrics", &MethodType::ClearMetrics, "Takes all terms of one's own out.")
+    .def("ClearMetrics", &PoseMethodType::ClearMetrics, "Takes all terms of one's own out.")
     .def(
-      "GetMetrics", [](const MethodType & self) { return self.GetMetrics(); }, "What was added.")
+      "GetMetrics", [](const PoseMethodType & self) { return self.GetMetrics(); }, "What was added.")
     .def(
       "GetMetric",
-      [](MethodType & self) { return itk::SmartPointer<MetricBaseType>(self.GetModifiableMetric()); },
+      [](PoseMethodType & self) { return itk::SmartPointer<MetricBaseType>(self.GetModifiableMetric()); },
       "The sum of the group that runs, at the position of the last IterationEvent; None before the first group.")
     .def(
       "AddHypothesis",
-      [](MethodType & self, const itk::PoseHypothesis * hypothesis) { self.AddHypothesis(hypothesis); },
+      [](PoseMethodType & self, const itk::PoseHypothesis * hypothesis) { self.AddHypothesis(hypothesis); },
       py::arg("hypothesis"),
       "Adds another hypothesis of what the drawing may be, which is fitted too.")
-    .def("ClearHypotheses", &MethodType::ClearHypotheses, "Takes all hypotheses out.")
+    .def("ClearHypotheses", &PoseMethodType::ClearHypotheses, "Takes all hypotheses out.")
     .def(
       "_TryHypothesis",
-      [](MethodType & self, const itk::PoseHypothesis & hypothesis, JawEnum jaw) {
+      [](PoseMethodType & self, const itk::PoseHypothesis & hypothesis, JawEnum jaw) {
         itk::PoseHypothesisOutcome outcome;
         Run(&self, [&]() { outcome = self.TryHypothesis(&hypothesis, Checked(jaw)); });
         return outcome;
@@ -277,38 +281,38 @@ registration works on clones of it.)")
       py::arg("hypothesis"),
       py::arg("jaw"))
     .def("GetCurrentLevel",
-         &MethodType::GetCurrentLevel,
+         &PoseMethodType::GetCurrentLevel,
          "4 group + stage: 0 starts, 1 candidates, 2 refinement, 3 uncertainty.")
-    .def("GetNumberOfLevels", &MethodType::GetNumberOfLevels, "How many levels a refinement has.")
+    .def("GetNumberOfLevels", &PoseMethodType::GetNumberOfLevels, "How many levels a refinement has.")
     .def(
       "GetCurrentIteration",
-      [](const MethodType & self) { return self.GetCurrentIteration(); },
+      [](const PoseMethodType & self) { return self.GetCurrentIteration(); },
       "The step that the last IterationEvent was about; a copy.")
     .def("GetCurrentCandidate",
-         &MethodType::GetCurrentCandidate,
+         &PoseMethodType::GetCurrentCandidate,
          "Of the stage; candidates are refined at the same time and their steps may alternate.")
     .def("GetOptimizerIteration",
-         &MethodType::GetOptimizerIteration,
+         &PoseMethodType::GetOptimizerIteration,
          "Steps that were accepted in this stage, of this candidate.")
     .def("GetMetricValue",
-         &MethodType::GetMetricValue,
+         &PoseMethodType::GetMetricValue,
          "With the kernel width and the noise of GetCurrentIteration(): comparable as long as these stay.")
-    .def("GetStepLength", &MethodType::GetStepLength, "Root mean square, px of 0.25 mm.")
+    .def("GetStepLength", &PoseMethodType::GetStepLength, "Root mean square, px of 0.25 mm.")
     .def("GetStepAccepted",
-         &MethodType::GetStepAccepted,
+         &PoseMethodType::GetStepAccepted,
          "Whether the last step tried lowered the value, within an iteration event.")
     .def(
       "GetOptimizerPosition",
-      [](const MethodType & self) {
+      [](const PoseMethodType & self) {
         const auto position = self.GetOptimizerPosition();
         return py::tuple(py::cast(std::vector<double>(position.begin(), position.end())));
       },
       "pitch, roll, yaw (rad), tx, ty, tz (mm), kappa.")
     .def("GetOptimizerStopConditionDescription",
-         &MethodType::GetOptimizerStopConditionDescription,
+         &PoseMethodType::GetOptimizerStopConditionDescription,
          "Why the optimizer ended, in words.")
-    .def("GetJawsShareFrame", &MethodType::GetJawsShareFrame, "Whether one frame was used for both jaws.")
-    .def("_GetSolution", [](const MethodType & self) {
+    .def("GetJawsShareFrame", &PoseMethodType::GetJawsShareFrame, "Whether one frame was used for both jaws.")
+    .def("_GetSolution", [](const PoseMethodType & self) {
       // A copy: the next Execute() does not change it.
       auto solution = SolutionType::New();
       solution->SetResult(self.GetOutput()->GetResult(), self.GetOutput()->GetOptions());

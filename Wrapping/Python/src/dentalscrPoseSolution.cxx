@@ -466,7 +466,7 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
       "Whether one pose was fitted to both jaws.")
     .def(
       "GetProjectionMatrix",
-      [](const SolutionType & self, JawEnum jaw) { return ToArray(self.GetProjectionMatrix(Checked(jaw))); },
+      [](const SolutionType & self, JawEnum jaw) { return MatrixToArray(self.GetProjectionMatrix(Checked(jaw))); },
       py::arg("jaw"),
       "(3, 4): mesh frame (mm) to homogeneous pixel index.")
     .def(
@@ -502,7 +502,7 @@ jaw that had no input or was not registered is an error: ask IsRegistered() firs
     .def(
       "ComputeCovariance",
       [](const SolutionType & self, JawEnum jaw, const SolutionType::PointType & point) {
-        return ToArray(self.ComputeCovariance(Checked(jaw), point));
+        return MatrixToArray(self.ComputeCovariance(Checked(jaw), point));
       },
       py::arg("jaw"),
       py::arg("point"),

@@ -15,7 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "dentalscrBinding.h"
+#include "dentalscrConversions.h"
 
 #include "itkCephalometricPoseTransform.h"
 #include "itkTransformFactory.h"
@@ -26,36 +26,27 @@ namespace dentalscr
 {
 namespace
 {
-using TransformType = itk::CephalometricPoseTransform;
+using PoseTransformType = itk::CephalometricPoseTransform;
 using BaseType = itk::TransformBaseTemplate<double>;
-using PointType = TransformType::InputPointType;
 
-TransformType::ParametersType
+PoseTransformType::ParametersType
 ToParameters(const std::vector<double> & values)
 {
-  TransformType::ParametersType parameters(static_cast<unsigned int>(values.size()));
+  PoseTransformType::ParametersType parameters(static_cast<unsigned int>(values.size()));
   std::copy(values.begin(), values.end(), parameters.begin());
   return parameters;
 }
 
-TransformType::Pointer
-Copy(const TransformType & transform)
+PoseTransformType::Pointer
+Copy(const PoseTransformType & transform)
 {
   return transform.Clone();
 }
 
-template <typename TMatrix>
-py::array_t<double>
-ToArray(const TMatrix & matrix)
-{
-  return MakeArray(std::vector<double>(matrix.begin(), matrix.end()),
-                   { static_cast<py::ssize_t>(matrix.rows()), static_cast<py::ssize_t>(matrix.cols()) });
-}
-
-PointType
+PoseTransformType::InputPointType
 ToPoint(const DoubleArray & points, py::ssize_t row)
 {
-  PointType point;
+  PoseTransformType::InputPointType point;
   for (unsigned int d = 0; d < 3; ++d)
   {
     point[d] = points.at(row, d);
@@ -67,8 +58,8 @@ ToPoint(const DoubleArray & points, py::ssize_t row)
 void
 WrapPoseTransform(py::module_ & module)
 {
-  itk::TransformFactory<TransformType>::RegisterTransform();
-  py::class_<TransformType, BaseType, itk::SmartPointer<TransformType>>(
+  itk::TransformFactory<PoseTransformType>::RegisterTransform();
+  py::class_<PoseTransformType, BaseType, itk::SmartPointer<PoseTransformType>>(
     module,
     "CephalometricPoseTransform",
     R"(Maps a point of the dental frame (mm) to the radiograph (continuous pixel index) under the seven parameters of a pose.
@@ -83,7 +74,7 @@ geometry : CephalometricGeometry, optional
     With a pixel spacing; its pose is not taken.
 parameters : seven numbers, optional)")
     .def(py::init([](const itk::CephalometricGeometry * geometry, const std::vector<double> & parameters) {
-           auto transform = TransformType::New();
+           auto transform = PoseTransformType::New();
            if (geometry != nullptr)
            {
              transform->SetGeometry(geometry);
@@ -98,30 +89,35 @@ parameters : seven numbers, optional)")
          py::arg("parameters") = std::vector<double>())
     .def(
       "SetParameters",
-      [](TransformType & self, const std::vector<double> & values) { self.SetParameters(ToParameters(values)); },
+      [](PoseTransformType & self, const std::vector<double> & values) { self.SetParameters(ToParameters(values)); },
       py::arg("parameters"),
       "Sets the seven parameters: rotation (rad), translation (mm), kappa (the logarithm of the "
       "scale).")
     .def(
       "SetFixedParameters",
-      [](TransformType & self, const std::vector<double> & values) { self.SetFixedParameters(ToParameters(values)); },
+      [](PoseTransformType & self, const std::vector<double> & values) {
+        self.SetFixedParameters(ToParameters(values));
+      },
       py::arg("parameters"),
       "Sets the nine fixed parameters, the geometry; eight, as in older files, are those of a "
       "lateral radiograph.")
-    .def("SetIdentity", &TransformType::SetIdentity, "All seven parameters 0; the geometry stays.")
-    .def("SetGeometry", &TransformType::SetGeometry, py::arg("geometry"), "Copies it; its pose is not taken.")
+    .def("SetIdentity", &PoseTransformType::SetIdentity, "All seven parameters 0; the geometry stays.")
+    .def("SetGeometry", &PoseTransformType::SetGeometry, py::arg("geometry"), "Copies it; its pose is not taken.")
     .def("CopyToGeometry",
-         &TransformType::CopyToGeometry,
+         &PoseTransformType::CopyToGeometry,
          py::arg("geometry"),
          "Gives a geometry all of this transform; ProjectPoint(p) is TransformPoint(p) then.")
     .def(
       "SetParametersFromRotation",
-      [](TransformType & self, const DoubleArray & rotation, const itk::Vector<double, 3> & translation, double kappa) {
+      [](PoseTransformType &            self,
+         const DoubleArray &            rotation,
+         const itk::Vector<double, 3> & translation,
+         double                         kappa) {
         if (rotation.ndim() != 2 || rotation.shape(0) != 3 || rotation.shape(1) != 3)
         {
           throw std::invalid_argument("a rotation is a 3 x 3 matrix");
         }
-        TransformType::RotationType matrix;
+        PoseTransformType::RotationType matrix;
         for (unsigned int i = 0; i < 9; ++i)
         {
           matrix(i / 3, i % 3) = rotation.at(i / 3, i % 3);
@@ -132,10 +128,10 @@ parameters : seven numbers, optional)")
       py::arg("translation"),
       py::arg("kappa") = 0.0,
       "c = rotation p + translation (mm), and kappa.")
-    .def("GetRigidTransform", &TransformType::GetRigidTransform, "Dental frame to cephalostat frame, mm.")
+    .def("GetRigidTransform", &PoseTransformType::GetRigidTransform, "Dental frame to cephalostat frame, mm.")
     .def_property_readonly(
       "matrix",
-      [](const TransformType & self) {
+      [](const PoseTransformType & self) {
         std::vector<double> values(16, 0.0);
         const auto          rigid = self.GetRigidTransform();
         for (unsigned int row = 0; row < 3; ++row)
@@ -151,20 +147,22 @@ parameters : seven numbers, optional)")
       },
       "(4, 4), of the rigid part: dental frame to cephalostat frame, mm; a copy. The projection follows it, and so "
       "does the scale exp(kappa).")
-    .def("GetScaleFactor", &TransformType::GetScaleFactor, "exp(kappa).")
+    .def("GetScaleFactor", &PoseTransformType::GetScaleFactor, "exp(kappa).")
     .def(
       "TransformPoint",
-      [](const TransformType & self, const PointType & point) { return self.TransformPoint(point); },
+      [](const PoseTransformType & self, const PoseTransformType::InputPointType & point) {
+        return self.TransformPoint(point);
+      },
       py::arg("point"),
       "Point of the dental frame (mm) to the continuous pixel index (u, v).")
     .def(
       "TransformPoints",
-      [](const TransformType & self, const DoubleArray & points) {
+      [](const PoseTransformType & self, const DoubleArray & points) {
         if (points.ndim() != 2 || points.shape(1) != 3)
         {
           throw std::invalid_argument("points have the wrong shape; (N, 3) is needed");
         }
-        std::vector<TransformType::OutputPointType> result(static_cast<std::size_t>(points.shape(0)));
+        std::vector<PoseTransformType::OutputPointType> result(static_cast<std::size_t>(points.shape(0)));
         for (std::size_t i = 0; i < result.size(); ++i)
         {
           result[i] = self.TransformPoint(ToPoint(points, static_cast<py::ssize_t>(i)));
@@ -175,31 +173,31 @@ parameters : seven numbers, optional)")
       "All rows of an (N, 3) array: (N, 2).")
     .def(
       "ComputeJacobianWithRespectToParameters",
-      [](const TransformType & self, const PointType & point) {
-        TransformType::JacobianType jacobian;
+      [](const PoseTransformType & self, const PoseTransformType::InputPointType & point) {
+        PoseTransformType::JacobianType jacobian;
         self.ComputeJacobianWithRespectToParameters(point, jacobian);
-        return ToArray(jacobian);
+        return MatrixToArray(jacobian);
       },
       py::arg("point"),
       "(2, 7): pixels a rad, a mm and a unit of kappa.")
     .def(
       "ComputeJacobianWithRespectToPosition",
-      [](const TransformType & self, const PointType & point) {
-        TransformType::JacobianPositionType jacobian;
+      [](const PoseTransformType & self, const PoseTransformType::InputPointType & point) {
+        PoseTransformType::JacobianPositionType jacobian;
         self.ComputeJacobianWithRespectToPosition(point, jacobian);
-        return ToArray(jacobian);
+        return MatrixToArray(jacobian);
       },
       py::arg("point"),
       "(2, 3): pixels a mm.")
     .def("__copy__", &Copy)
     .def(
-      "__deepcopy__", [](const TransformType & self, const py::dict &) { return Copy(self); }, py::arg("memo"))
+      "__deepcopy__", [](const PoseTransformType & self, const py::dict &) { return Copy(self); }, py::arg("memo"))
     .def("__repr__",
-         [](const TransformType & self) {
+         [](const PoseTransformType & self) {
            std::ostringstream text;
            text.precision(9);
            text << "<dentalscr.CephalometricPoseTransform parameters (";
-           for (unsigned int i = 0; i < TransformType::NumberOfParameters; ++i)
+           for (unsigned int i = 0; i < PoseTransformType::NumberOfParameters; ++i)
            {
              text << (i > 0 ? ", " : "") << self.GetParameters()[i];
            }
@@ -207,17 +205,17 @@ parameters : seven numbers, optional)")
            return text.str();
          })
     .def(py::pickle(
-      [](const TransformType & self) {
+      [](const PoseTransformType & self) {
         const auto & parameters = self.GetParameters();
         const auto & fixed = self.GetFixedParameters();
         return py::make_tuple(std::vector<double>(parameters.begin(), parameters.end()),
                               std::vector<double>(fixed.begin(), fixed.end()));
       },
       [](const py::tuple & state) {
-        auto transform = TransformType::New();
+        auto transform = PoseTransformType::New();
         // A spacing of 0 is a geometry that was not set yet.
         const auto fixed = state[1].cast<std::vector<double>>();
-        if (fixed[TransformType::PixelSpacingU] > 0.0)
+        if (fixed[PoseTransformType::PixelSpacingU] > 0.0)
         {
           transform->SetFixedParameters(ToParameters(fixed));
         }

@@ -37,11 +37,11 @@ namespace dentalscr
 {
 namespace
 {
-using MethodType = itk::SilhouetteToContourRegistrationMethod;
-using TransformType = itk::Similarity2DTransform<double>;
+using ContourMethodType = itk::SilhouetteToContourRegistrationMethod;
+using SimilarityType = itk::Similarity2DTransform<double>;
 using itk::DentalContour;
-using MetricType = itk::ContourToContourMetricv4;
-using DirectionEnum = itk::ContourMetricEnums::Direction;
+using ContourMetricType = itk::ContourToContourMetricv4;
+using MetricDirectionEnum = itk::ContourMetricEnums::Direction;
 using DistanceEnum = itk::ContourMetricEnums::Distance;
 
 using GradientDescentType = itk::GradientDescentOptimizerv4Template<double>;
@@ -167,17 +167,17 @@ numberOfIterations : int
 }
 
 void
-WrapOptimizers(ProcessClass<MethodType> & type)
+WrapOptimizers(ProcessClass<ContourMethodType> & type)
 {
   DefineQuasiNewton(type);
   type
     .def(
       "SetOptimizerAsGradientDescent",
-      [](MethodType & self,
-         double       learningRate,
-         unsigned int numberOfIterations,
-         double       convergenceMinimumValue,
-         unsigned int convergenceWindowSize) {
+      [](ContourMethodType & self,
+         double              learningRate,
+         unsigned int        numberOfIterations,
+         double              convergenceMinimumValue,
+         unsigned int        convergenceWindowSize) {
         auto optimizer = GradientDescentType::New();
         optimizer->SetLearningRate(learningRate);
         optimizer->SetNumberOfIterations(numberOfIterations);
@@ -193,12 +193,12 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       "Optimizes with ITK's GradientDescentOptimizerv4. The parameters are ITK's.")
     .def(
       "SetOptimizerAsRegularStepGradientDescent",
-      [](MethodType & self,
-         double       learningRate,
-         double       minStep,
-         unsigned int numberOfIterations,
-         double       relaxationFactor,
-         double       gradientMagnitudeTolerance) {
+      [](ContourMethodType & self,
+         double              learningRate,
+         double              minStep,
+         unsigned int        numberOfIterations,
+         double              relaxationFactor,
+         double              gradientMagnitudeTolerance) {
         auto optimizer = RegularStepType::New();
         optimizer->SetLearningRate(learningRate);
         optimizer->SetMinimumStepLength(minStep);
@@ -215,15 +215,15 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       "Optimizes with ITK's RegularStepGradientDescentOptimizerv4. The parameters are ITK's.")
     .def(
       "SetOptimizerAsGradientDescentLineSearch",
-      [](MethodType & self,
-         double       learningRate,
-         unsigned int numberOfIterations,
-         double       convergenceMinimumValue,
-         unsigned int convergenceWindowSize,
-         double       lineSearchLowerLimit,
-         double       lineSearchUpperLimit,
-         double       lineSearchEpsilon,
-         unsigned int lineSearchMaximumIterations) {
+      [](ContourMethodType & self,
+         double              learningRate,
+         unsigned int        numberOfIterations,
+         double              convergenceMinimumValue,
+         unsigned int        convergenceWindowSize,
+         double              lineSearchLowerLimit,
+         double              lineSearchUpperLimit,
+         double              lineSearchEpsilon,
+         unsigned int        lineSearchMaximumIterations) {
         auto optimizer = LineSearchType::New();
         optimizer->SetLearningRate(learningRate);
         optimizer->SetNumberOfIterations(numberOfIterations);
@@ -247,12 +247,12 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       "Optimizes with ITK's GradientDescentLineSearchOptimizerv4. The parameters are ITK's.")
     .def(
       "SetOptimizerAsAmoeba",
-      [](MethodType & self,
-         double       simplexDelta,
-         unsigned int numberOfIterations,
-         double       parametersConvergenceTolerance,
-         double       functionConvergenceTolerance,
-         bool         withRestarts) {
+      [](ContourMethodType & self,
+         double              simplexDelta,
+         unsigned int        numberOfIterations,
+         double              parametersConvergenceTolerance,
+         double              functionConvergenceTolerance,
+         bool                withRestarts) {
         auto optimizer = itk::AmoebaOptimizerv4::New();
         if (simplexDelta > 0.0)
         {
@@ -274,12 +274,12 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       "simplexDelta 0: a quarter of the level's bounds.")
     .def(
       "SetOptimizerAsPowell",
-      [](MethodType & self,
-         unsigned int numberOfIterations,
-         unsigned int maximumLineIterations,
-         double       stepLength,
-         double       stepTolerance,
-         double       valueTolerance) {
+      [](ContourMethodType & self,
+         unsigned int        numberOfIterations,
+         unsigned int        maximumLineIterations,
+         double              stepLength,
+         double              stepTolerance,
+         double              valueTolerance) {
         auto optimizer = PowellType::New();
         optimizer->SetMaximumIteration(numberOfIterations);
         optimizer->SetMaximumLineIteration(maximumLineIterations);
@@ -297,13 +297,13 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       "ITK's.")
     .def(
       "SetOptimizerAsOnePlusOneEvolutionary",
-      [](MethodType &  self,
-         unsigned int  numberOfIterations,
-         double        epsilon,
-         double        initialRadius,
-         double        growthFactor,
-         double        shrinkFactor,
-         std::uint64_t seed) {
+      [](ContourMethodType & self,
+         unsigned int        numberOfIterations,
+         double              epsilon,
+         double              initialRadius,
+         double              growthFactor,
+         double              shrinkFactor,
+         std::uint64_t       seed) {
         auto optimizer = OnePlusOneType::New();
         optimizer->SetMaximumIteration(numberOfIterations);
         optimizer->SetEpsilon(epsilon);
@@ -329,7 +329,7 @@ WrapOptimizers(ProcessClass<MethodType> & type)
       "The seed is recorded: the same seed, the same result.")
     .def(
       "SetOptimizerAsExhaustive",
-      [](MethodType & self, const std::array<unsigned int, 4> & numberOfSteps, double stepLength) {
+      [](ContourMethodType & self, const std::array<unsigned int, 4> & numberOfSteps, double stepLength) {
         auto                      optimizer = ExhaustiveType::New();
         ExhaustiveType::StepsType steps(4);
         std::copy(numberOfSteps.begin(), numberOfSteps.end(), steps.begin());
@@ -345,28 +345,28 @@ WrapOptimizers(ProcessClass<MethodType> & type)
 void
 WrapMethod(py::module_ & module)
 {
-  ProcessClass<MethodType> type(
+  ProcessClass<ContourMethodType> type(
     module, "SilhouetteToContourRegistrationMethod", "Aligns a silhouette with a tracing by a 2-D similarity.");
-  type.def(New<MethodType>());
+  type.def(New<ContourMethodType>());
   DefineContourMethod(type);
   WrapOptimizers(type);
   type
     .def(
       "SetMetricAsChamfer",
-      [](MethodType & self, DirectionEnum direction, DistanceEnum distance, double truncation) {
+      [](ContourMethodType & self, MetricDirectionEnum direction, DistanceEnum distance, double truncation) {
         auto metric = itk::ContourChamferMetricv4::New();
         metric->SetDirection(direction);
         metric->SetDistance(distance);
         metric->SetTruncation(truncation);
         self.SetMetric(metric);
       },
-      py::arg_v("direction", DirectionEnum::Symmetric, "ContourDirection.Symmetric"),
+      py::arg_v("direction", MetricDirectionEnum::Symmetric, "ContourDirection.Symmetric"),
       py::arg_v("distance", DistanceEnum::PointToPoint, "ContourPointDistance.PointToPoint"),
       py::arg_v("truncation", std::numeric_limits<double>::infinity(), "float('inf')"),
       "The paper's: symmetric, point to point, no truncation (px).")
     .def(
       "SetMetricAsSymmetricChamfer",
-      [](MethodType & self, double truncation) {
+      [](ContourMethodType & self, double truncation) {
         auto metric = itk::ContourChamferMetricv4::New();
         metric->SetTruncation(truncation);
         self.SetMetric(metric);
@@ -375,12 +375,12 @@ WrapMethod(py::module_ & module)
       "Measures the mean distance of each contour's points from the other contour, pixels.")
     .def(
       "SetMetric",
-      [](MethodType & self, MetricType * metric) { self.SetMetric(metric); },
+      [](ContourMethodType & self, ContourMetricType * metric) { self.SetMetric(metric); },
       py::arg("metric"),
       "A metric object; None: the paper's.")
     .def(
       "SetMetricAsFunction",
-      [](MethodType & self, const py::function & function) {
+      [](ContourMethodType & self, const py::function & function) {
         auto metric = PythonContourMetric::New();
         metric->SetFunction(function);
         self.SetMetric(metric);
@@ -395,17 +395,17 @@ function : callable
     tried; returns the value, or the value and its derivatives by ``moved``. Without derivatives they are found by
     central differences.)")
     .def("_GetMetricName",
-         [](MethodType & self) {
+         [](ContourMethodType & self) {
            return self.GetModifiableMetric() == nullptr ? std::string() : self.GetModifiableMetric()->GetNameOfClass();
          })
     .def("_GetOptimizerName",
-         [](MethodType & self) {
+         [](ContourMethodType & self) {
            return self.GetModifiableOptimizer() == nullptr ? std::string()
                                                            : self.GetModifiableOptimizer()->GetNameOfClass();
          })
     .def(
       "StopRegistration",
-      [](MethodType & self) {
+      [](ContourMethodType & self) {
         auto * optimizer = self.GetModifiableOptimizer();
         if (auto * descent = dynamic_cast<itk::GradientDescentOptimizerBasev4Template<double> *>(optimizer))
         {
@@ -426,61 +426,65 @@ function : callable
       },
       "Ends the optimizer's present run at the present iteration, keeping the result; False where it can't.")
     .def("SetNumberOfLevels",
-         &MethodType::SetNumberOfLevels,
+         &ContourMethodType::SetNumberOfLevels,
          py::arg("number"),
          "Sets the number of levels; 3 by default, and 0 gives the start itself. A level that is "
          "added has half the bounds of the one before.")
     .def("GetNumberOfLevels",
-         &MethodType::GetNumberOfLevels,
+         &ContourMethodType::GetNumberOfLevels,
          "Returns the number of levels; 3 by default, and 0 gives the start itself. A level that is "
          "added has half the bounds of the one before.")
     .def("SetLevel",
-         &MethodType::SetLevel,
+         &ContourMethodType::SetLevel,
          py::arg("index"),
          py::arg("level"),
          "Sets bounds and effort of a level by its number, from 0.")
     .def(
       "GetLevel",
-      [](const MethodType & self, unsigned int index) { return self.GetLevel(index); },
+      [](const ContourMethodType & self, unsigned int index) { return self.GetLevel(index); },
       py::arg("index"),
       "Bounds and effort of a level by its number, from 0.")
-    .def("GetLevelResults", &MethodType::GetLevelResults, "How the levels went, after Execute().")
-    .def("SetPixelSpacing", &MethodType::SetPixelSpacing, py::arg("spacing"), "mm, mean of u and v.")
+    .def("GetLevelResults", &ContourMethodType::GetLevelResults, "How the levels went, after Execute().")
+    .def("SetPixelSpacing", &ContourMethodType::SetPixelSpacing, py::arg("spacing"), "mm, mean of u and v.")
     .def("GetPixelSpacing",
-         &MethodType::GetPixelSpacing,
+         &ContourMethodType::GetPixelSpacing,
          "Pixel spacing of the fixed contour (mean of u and v), mm; 0.25 by default. It turns the "
          "bounds on the shift into pixels.")
-    .dentalscrBoolean(MethodType, FixScale, "whether the scale of the start is held. Off by default.")
-    .dentalscrBoolean(MethodType, FixRotation, "whether the angle of the start is held. Off by default.")
-    .dentalscrBoolean(MethodType, FixTranslation, "whether the translation of the start is held. Off by default.")
-    .dentalscrProperty(
-      MethodType, RandomSeed, "the seed that the evolutionary optimizer gets at each run; the others draw nothing.")
+    .dentalscrBoolean(ContourMethodType, FixScale, "whether the scale of the start is held. Off by default.")
+    .dentalscrBoolean(ContourMethodType, FixRotation, "whether the angle of the start is held. Off by default.")
+    .dentalscrBoolean(
+      ContourMethodType, FixTranslation, "whether the translation of the start is held. Off by default.")
+    .dentalscrProperty(ContourMethodType,
+                       RandomSeed,
+                       "the seed that the evolutionary optimizer gets at each run; the others draw nothing.")
     .def("SetPresetToPaper",
-         &MethodType::SetPresetToPaper,
+         &ContourMethodType::SetPresetToPaper,
          "Sets the paper's three levels, the default: scale 35, 10 and 3 %, rotation 20, 6 and 2 "
          "degrees, shift 15, 3.75 and 1 mm.")
     .def("SetPresetToGlobal",
-         &MethodType::SetPresetToGlobal,
+         &ContourMethodType::SetPresetToGlobal,
          "Sets two levels for a start that is far off: scale 50 %, rotation 45 degrees, shift 15 mm, "
          "of which the first explores all.")
     .def("SetPresetToBoundingBox",
-         &MethodType::SetPresetToBoundingBox,
+         &ContourMethodType::SetPresetToBoundingBox,
          "Takes all levels away: the start from bounding box and centroid is the result.")
     .def("SetPresetToSingleStage",
-         &MethodType::SetPresetToSingleStage,
+         &ContourMethodType::SetPresetToSingleStage,
          "Sets one level with the broad bounds and 80 iterations that does not explore: the paper's "
          "\"w/o coarse-to-fine\".")
     .def_static(
       "_ComputeBoundingBoxTransform",
       [](const DentalContour & fixed, const DentalContour & moving) {
-        return MethodType::ComputeBoundingBoxTransform(&fixed, &moving);
+        return ContourMethodType::ComputeBoundingBoxTransform(&fixed, &moving);
       },
       py::arg("fixed"),
       py::arg("moving"))
     .def(
       "_MetricEvaluate",
-      [](
-        MethodType & self, const DentalContour * fixed, const DentalContour * moving, const TransformType & transform) {
+      [](ContourMethodType &    self,
+         const DentalContour *  fixed,
+         const DentalContour *  moving,
+         const SimilarityType & transform) {
         itk::SmartPointer<itk::ContourToContourMetricv4> metric = self.GetModifiableMetric();
         if (metric.IsNull())
         {

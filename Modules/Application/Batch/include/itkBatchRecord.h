@@ -45,7 +45,7 @@ struct Batch_EXPORT BatchRecord
     std::optional<double>    expectedError;
     std::string              message;
   };
-
+  /** The case that this came of. */
   BatchCase one;
   /** Of its result, as seen from the tables; empty: named as the case, beside them. */
   std::string folder;

@@ -79,7 +79,7 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-
+  /** The case, as DentalCaseReader gives it. */
   using Superclass::SetInput;
   void
   SetInput(const InputType * input);
@@ -91,12 +91,12 @@ public:
   /** Of the input; null where it has none. */
   const DentalCaseData *
   GetData() const;
-
+  /** The result; it has a jaw each that the case has, also those that could not be registered. */
   OutputType *
   GetOutput();
   const OutputType *
   GetOutput() const;
-
+  /** Which chain is run: the paper's, or the robust one (default). */
   itkSetEnumMacro(Preset, CasePresetEnum);
   itkGetEnumMacro(Preset, CasePresetEnum);
 
@@ -126,7 +126,7 @@ public:
   /** An ingredient of preset Robust. */
   struct OptionType
   {
-    std::string name;
+    std::string name; /**< As the options of the program and of Python name it. */
     /** In a few words, with the unit. */
     std::string description;
     std::string defaultValue;

@@ -44,20 +44,20 @@ enum class CasePresetEnum : uint8_t
 /** Point-to-point distances between tracing and moving contour, pixels, by the paper's definitions. */
 struct ContourFigures
 {
-  double chamfer{ 0.0 };
-  double hausdorff{ 0.0 };
-  double movingToFixed{ 0.0 };
-  double fixedToMoving{ 0.0 };
+  double chamfer{ 0.0 };       /**< Mean of the two directed means. */
+  double hausdorff{ 0.0 };     /**< The largest distance of a point of either to the other. */
+  double movingToFixed{ 0.0 }; /**< Mean from the silhouette's points to the tracing. */
+  double fixedToMoving{ 0.0 }; /**< Mean from the tracing's points to the silhouette. */
 };
 
 /** Errors of the predicted against the marked landmarks, pixels; a group without landmarks is absent. */
 struct LandmarkFigures
 {
-  std::size_t                   count{ 0 };
-  double                        mean{ 0.0 };
-  double                        rmse{ 0.0 };
-  double                        standardDeviation{ 0.0 };
-  std::map<std::string, double> groups;
+  std::size_t                   count{ 0 };               /**< Landmarks that are both marked and predicted. */
+  double                        mean{ 0.0 };              /**< Mean distance. */
+  double                        rmse{ 0.0 };              /**< Root of the mean squared distance. */
+  double                        standardDeviation{ 0.0 }; /**< Of the distances about their mean. */
+  std::map<std::string, double> groups; /**< Mean distance a tooth group, by its name in the result file. */
   /** One a landmark (of the middle of two sides where the tracing was bisected). */
   std::vector<std::pair<std::string, double>> landmarks;
   /** Where each of them was marked and predicted, pixels, in the same order. */
@@ -68,8 +68,8 @@ struct LandmarkFigures
 /** A predicted landmark. */
 struct LandmarkPrediction
 {
-  std::string           name;
-  std::array<double, 2> position{ { 0.0, 0.0 } };
+  std::string           name;                     /**< Such as "UR6_MB"; "U6_MB" of a middle of two sides. */
+  std::array<double, 2> position{ { 0.0, 0.0 } }; /**< Continuous pixel index, (u, v). */
   /** Row-major 2x2, square pixels; absent where the method has none. */
   std::optional<std::array<double, 4>> covariance;
   /** The same of the middle between this and the other side's landmark, where a tracing was bisected. */
@@ -181,7 +181,7 @@ struct JawResult
 {
   using RowsType = std::array<double, 12>;
 
-  RegistrationStatusEnum status{ RegistrationStatusEnum::Ok };
+  RegistrationStatusEnum status{ RegistrationStatusEnum::Ok }; /**< The verdict: ok, suspect or failed. */
   /** Why it is not ok: of the scan, of the tracing, of the fit. */
   std::vector<RegistrationFinding> findings;
   /** The numbers below mean something only where registered. */
@@ -234,9 +234,9 @@ struct JawResult
    */
   std::optional<double> expectedError;
 
-  double archWidth{ 0.0 };
-  double archDepth{ 0.0 };
-  double frameConfidence{ 0.0 };
+  double archWidth{ 0.0 };       /**< mm, from one end of the arch to the other. */
+  double archDepth{ 0.0 };       /**< mm, from the front of the arch to its ends. */
+  double frameConfidence{ 0.0 }; /**< 0 to 1: how sure the dental frame of the scan is. */
 
   /** Further numbers of the method, in the order of the result file. */
   std::vector<std::pair<std::string, double>> details;
@@ -272,10 +272,10 @@ struct CaseResult;
 /** What a further view shows of a registered case. */
 struct CaseViewResult
 {
-  std::string                      name;
-  RegistrationStatusEnum           status{ RegistrationStatusEnum::Ok };
-  std::vector<RegistrationFinding> findings;
-  bool                             sameHeadPosition{ true };
+  std::string                      name;                                 /**< As the case file calls the view. */
+  RegistrationStatusEnum           status{ RegistrationStatusEnum::Ok }; /**< The verdict on the view alone. */
+  std::vector<RegistrationFinding> findings;                             /**< Why it is not ok. */
+  bool sameHeadPosition{ true }; /**< Whether the head was held as for the lateral radiograph. */
   /** How the head was moved for it, by jaw: pitch, roll, yaw (rad), shifts x, y, z (mm), and standard deviations. */
   std::map<ToothCode::JawEnum, std::array<double, 6>> moves;
   std::map<ToothCode::JawEnum, std::array<double, 6>> moveSigmas;
@@ -291,7 +291,7 @@ struct CaseResult
 {
   using JawEnum = ToothCode::JawEnum;
 
-  CasePresetEnum preset{ CasePresetEnum::Paper };
+  CasePresetEnum preset{ CasePresetEnum::Paper }; /**< The preset that the result was computed with. */
   /** Of the result of a further view (CaseViewResult); "" of a case. */
   std::string viewName;
   /** NAME=VALUE of what differs from the preset's defaults. */

@@ -71,7 +71,7 @@ public:
    * (default) or "lateral": the first one. */
   itkSetStringMacro(ViewName);
   itkGetStringMacro(ViewName);
-
+  /** What the registration had found. */
   PoseSolution *
   GetOutput();
 

@@ -68,7 +68,7 @@ public:
   /** The case file, where it is no longer where the result says. Default "": as the result says. */
   itkSetStringMacro(CaseFileName);
   itkGetStringMacro(CaseFileName);
-
+  /** The scene: scans, frames, radiographs. */
   RegistrationScene *
   GetOutput();
 

@@ -34,9 +34,9 @@ namespace itk
  * \brief What the paper's chain needs beside the data. */
 struct CaseSimilaritySettings
 {
-  CasePresetEnum preset{ CasePresetEnum::Paper };
-  unsigned int   numberOfContourPoints{ 441 };
-  bool           useSurfaceDRR{ true };
+  CasePresetEnum preset{ CasePresetEnum::Paper }; /**< Named in the result. */
+  unsigned int   numberOfContourPoints{ 441 };    /**< Points that the silhouette is resampled to. */
+  bool           useSurfaceDRR{ true };           /**< Silhouette of the DRR as in the paper, or of the mesh. */
   /** Updates the registration, with the caller's events and abort; where it is not set the registration runs alone. */
   std::function<void(ProcessObject *)> run;
 };

@@ -55,9 +55,9 @@ enum class CrownsEnum : uint8_t
 /** A similarity in pixels on the geometry's own projection: p = scale R(rotation) q + translation. */
 struct SimilarityParameters
 {
-  double                scale{ 1.0 };
-  double                rotation{ 0.0 };
-  std::array<double, 2> translation{ { 0.0, 0.0 } };
+  double                scale{ 1.0 };                /**< Factor. */
+  double                rotation{ 0.0 };             /**< Radians, from u towards v. */
+  std::array<double, 2> translation{ { 0.0, 0.0 } }; /**< Pixels, (u, v). */
 };
 
 /** \struct DentalCase
@@ -75,9 +75,9 @@ struct DentalCase : public DentalRadiograph
   /** SHA-256 of its bytes as they were read, 64 hexadecimal digits; "" for a case of no file. */
   std::string fileSHA256;
 
-  std::string upperFile;
-  std::string lowerFile;
-  std::string meshUnit{ "mm" };
+  std::string upperFile;        /**< Scan of the upper jaw; "" where there is none. */
+  std::string lowerFile;        /**< Scan of the lower jaw; "" where there is none. */
+  std::string meshUnit{ "mm" }; /**< Unit of both scans: mm, cm, m, um or inch. */
   /** mm in one unit of the mesh files. */
   double        millimetresPerUnit{ 1.0 };
   OcclusionEnum occlusion{ OcclusionEnum::Check };

@@ -55,9 +55,9 @@ struct DentalCaseData : public DentalRadiographData
     DentalContour::Pointer contour;
   };
 
-  DentalCase description;
-  JawType    upper;
-  JawType    lower;
+  DentalCase description; /**< What the case file said, or the program that made the case. */
+  JawType    upper;       /**< Upper jaw; without a mesh where the case has none. */
+  JawType    lower;       /**< Lower jaw; without a mesh where the case has none. */
   /** In the mesh files' unit and frame; null where none were given. */
   DentalLandmarkSet<3>::Pointer landmarks3D;
   /** Pixels of whatever picture; null where none were given. */

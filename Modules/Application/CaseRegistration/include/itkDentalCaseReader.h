@@ -62,7 +62,7 @@ public:
   SetDescription(const DentalCase & description);
   void
   ClearDescription();
-
+  /** The case with everything that it names. */
   OutputType *
   GetOutput();
 

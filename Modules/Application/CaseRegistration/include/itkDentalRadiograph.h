@@ -38,7 +38,7 @@ namespace itk
  */
 struct DentalRadiograph
 {
-  std::string imageFile;
+  std::string imageFile; /**< The picture; "" where the case has none. */
   /** Width and height, where the file states them. */
   std::optional<std::array<unsigned int, 2>> imageSize;
   std::optional<std::array<double, 2>>       pixelSpacing;
@@ -53,7 +53,7 @@ struct DentalRadiograph
   std::optional<CephalometricGeometry::SourceSideEnum> sourceSide;
   std::optional<std::array<double, 2>>                 principalPoint;
 
-  std::string contoursFile;
+  std::string contoursFile; /**< The tracing; "" where there is none. */
   /** mm a pixel that the radiograph had where markups were made on it, whose positions are in mm. */
   std::optional<std::array<double, 2>> markupsSpacing;
   /** A file of landmarks to register with; "" where none is named. */

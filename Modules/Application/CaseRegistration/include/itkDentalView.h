@@ -32,8 +32,8 @@ namespace itk
  */
 struct DentalView : public DentalRadiograph
 {
-  std::string                          name;
-  CephalometricGeometry::DirectionEnum direction{ CephalometricGeometry::DirectionEnum::Frontal };
+  std::string                          name; /**< Names the view. */
+  CephalometricGeometry::DirectionEnum direction{ CephalometricGeometry::DirectionEnum::Frontal }; /**< From where. */
 
   /** Frontal: where the patient's left and the source are. */
   std::optional<CephalometricGeometry::PatientLeftEnum>   patientLeft;

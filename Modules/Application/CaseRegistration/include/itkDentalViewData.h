@@ -34,7 +34,7 @@ namespace itk
  */
 struct DentalViewData : public DentalRadiographData
 {
-  DentalView description;
+  DentalView description; /**< What the case file says of the view. */
   /** px. */
   double principalPointSigma{ 4.0 };
   /** Upper, lower; null where nothing was drawn. */

@@ -80,7 +80,7 @@ struct RegistrationStageCourse
  */
 struct RegistrationStagePlacement
 {
-  std::string name;
+  std::string name; /**< What the step is called in the report. */
   /** As JawResult::projection. */
   std::optional<std::array<double, 12>> projection;
   /** Scale, rotation (rad), translation (px): as JawResult::similarity. */

@@ -38,8 +38,8 @@ class CommandLine_EXPORT CaseOptions
 {
 public:
   void
-  AddTo(CLI::App * command);
-
+  AddTo(CLI::App * command); /**< Adds the options to a verb. */
+  /** How many of these options the caller has given. */
   std::size_t
   CountGiven() const;
   /** The first of the options that was given, for a message; "" where none was. */

@@ -39,8 +39,8 @@ enum ExitCode : int
 /** Options that every verb has. */
 struct CommonOptions
 {
-  unsigned int threads{ 0 };
-  bool         quiet{ false };
+  unsigned int threads{ 0 };   /**< Threads to compute with; 0: as many as the machine has. */
+  bool         quiet{ false }; /**< No progress is shown. */
   /** The words that the program was called with, its own name first. */
   std::vector<std::string> commandLine;
 };
@@ -79,7 +79,7 @@ private:
 class CommandLine_EXPORT InterruptGuard
 {
 public:
-  explicit InterruptGuard(itk::ProcessObject * process);
+  explicit InterruptGuard(itk::ProcessObject * process); /**< Asks the process to end at Ctrl-C. */
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard &) = delete;
   InterruptGuard &

@@ -34,7 +34,7 @@ namespace dentalscr
 class PrintableBuffer : public std::streambuf
 {
 public:
-  explicit PrintableBuffer(std::ostream & stream);
+  explicit PrintableBuffer(std::ostream & stream); /**< Until it is destroyed. */
   ~PrintableBuffer() override;
   PrintableBuffer(const PrintableBuffer &) = delete;
   PrintableBuffer &

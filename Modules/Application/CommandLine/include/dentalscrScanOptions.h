@@ -38,7 +38,7 @@ class CommandLine_EXPORT ScanOptions
 {
 public:
   void
-  AddTo(CLI::App * command, bool withGeometry);
+  AddTo(CLI::App * command, bool withGeometry); /**< To a verb; those of the geometry where it is asked for. */
 
   /** Reads the scans (mm) and settles the geometry; without a spacing it has none. Throws DentalInputError. */
   std::shared_ptr<itk::DentalCaseData>
@@ -62,8 +62,8 @@ struct ScanFrames
 {
   using AxisType = itk::UMidlineDentalAxisFilter<itk::DentalCaseData::MeshType>;
 
-  AxisType::Pointer             axis;
-  itk::ScanCheckFilter::Pointer checks;
+  AxisType::Pointer             axis;   /**< Finds the frame of each scan. */
+  itk::ScanCheckFilter::Pointer checks; /**< Judges the scans before they are used. */
 };
 
 /** Finds the frames and checks the scans; warnings and findings go to stderr, in the words of `register`. Throws

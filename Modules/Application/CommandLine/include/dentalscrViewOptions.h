@@ -34,12 +34,12 @@ namespace dentalscr
 class CommandLine_EXPORT ViewOptions
 {
 public:
-  std::string                 result;
-  std::string                 caseFile;
-  std::string                 snapshot;
-  std::string                 exportFile;
-  std::string                 camera{ "overview" };
-  std::array<unsigned int, 2> size{ { 1200, 900 } };
+  std::string                 result;                /**< Folder or file of the result to show. */
+  std::string                 caseFile;              /**< Case of that result; "": as the result names it. */
+  std::string                 snapshot;              /**< Picture to write instead of a window; "": none. */
+  std::string                 exportFile;            /**< File for another program to write; "": none. */
+  std::string                 camera{ "overview" };  /**< From where the scene is seen first. */
+  std::array<unsigned int, 2> size{ { 1200, 900 } }; /**< Window or picture, width and height in pixels. */
 
   /** Adds each to a command that lives as long as this. */
   void

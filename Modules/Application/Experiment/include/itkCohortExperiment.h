@@ -127,7 +127,7 @@ public:
   /** Where everything goes; made where it is missing. */
   itkSetStringMacro(OutputDirectory);
   itkGetStringMacro(OutputDirectory);
-
+  /** What is asked; the methods and the tables follow from it. */
   itkSetEnumMacro(Study, StudyEnum);
   itkGetEnumMacro(Study, StudyEnum);
 
@@ -165,7 +165,7 @@ public:
     return m_WrittenFiles;
   }
   itkGetConstMacro(NumberOfResumedCases, unsigned int);
-
+  /** Runs the cases and writes the tables. */
   void
   Update() override;
 

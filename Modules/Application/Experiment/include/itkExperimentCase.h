@@ -44,8 +44,8 @@ struct ExperimentCase
   std::string   id;
   std::uint64_t seed{ 0 };
 
-  std::shared_ptr<const DentalCaseData> data;
-  DentalLandmarkSet<2>::ConstPointer    marked;
+  std::shared_ptr<const DentalCaseData> data;   /**< What methods may see: the case without its marked landmarks. */
+  DentalLandmarkSet<2>::ConstPointer    marked; /**< What they are measured by, continuous pixel indices. */
 
   /** Without the toolkit's midline: the paper's frames. */
   DentalFrameResult frames;

@@ -60,7 +60,7 @@ public:
   /** All zero for an input that was not added. */
   CountsType
   GetCounts(const std::string & input) const;
-
+  /** The table as Markdown and as CSV. */
   std::string
   ToMarkdown() const;
   std::string

@@ -44,13 +44,13 @@ public:
   /** Every landmark with a sigma that the method predicted in a case; the cohort has a stratum where it is named. */
   void
   Add(const ExperimentRecord & record, const std::string & method, const std::string & cohort = std::string());
-
+  /** Whether no landmark with an uncertainty was added. */
   bool
   IsEmpty() const
   {
     return m_Strata.front().ratios.empty();
   }
-
+  /** The table as Markdown and as CSV. */
   std::string
   ToMarkdown() const;
   std::string

@@ -60,10 +60,10 @@ struct ExperimentMethod
     ParallelProjection
   };
 
-  std::string name;
-  std::string title;
-  KindEnum    kind{ KindEnum::Contour };
-  ChainEnum   chain{ ChainEnum::Paper };
+  std::string name;                      /**< Short and stable, for tables and programs. */
+  std::string title;                     /**< In words, for a reader of the report. */
+  KindEnum    kind{ KindEnum::Contour }; /**< What the method computes. */
+  ChainEnum   chain{ ChainEnum::Paper }; /**< What stands before and after its registration. */
 
   /** Of kinds Contour and Intensity: makes the registration of this row, all but its inputs, for a pixel spacing in mm;
    * of kind Intensity an IntensityRegistrationMethod. */
@@ -107,7 +107,7 @@ public:
   using JawEnum = ToothCode::JawEnum;
   using TransformType = Similarity2DTransform<double>;
   using ImageType = DentalCaseData::ImageType;
-
+  /** Prepares what all methods of a case share: frames, silhouettes, tracings. */
   explicit ExperimentRunner(const ExperimentCase & experimentCase);
 
   /** Polled while a method runs; true ends it with ProcessAborted. */

@@ -35,12 +35,12 @@ class Experiment_EXPORT ExperimentTable
 public:
   explicit ExperimentTable(std::vector<std::string> header)
     : m_Header(std::move(header))
-  {}
+  {} /**< A cell each column. */
 
   /** Throws std::logic_error for a row of another length than the header. */
   void
   AddRow(const std::vector<std::string> & row);
-
+  /** The rows as CSV and as Markdown. */
   std::string
   ToCSV() const;
   std::string

@@ -38,7 +38,7 @@ class Tracing_EXPORT DrawingFile
 public:
   /** "": none, to which nothing is saved. */
   explicit DrawingFile(std::string fileName);
-
+  /** The file that is saved to. */
   const std::string &
   GetFileName() const
   {
@@ -50,7 +50,7 @@ public:
   {
     return m_WasThere;
   }
-
+  /** Throws a DentalInputError where another program has written to the file since it was read. */
   void
   Verify() const;
 

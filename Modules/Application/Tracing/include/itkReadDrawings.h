@@ -31,8 +31,8 @@ namespace itk
  */
 struct DrawingTexts
 {
-  std::string contours;
-  std::string landmarks;
+  std::string contours;  /**< Text of the file of contours. */
+  std::string landmarks; /**< Text of the file of landmarks. */
   /** Written by another program: not to be saved over, since the text has not all that is in the file. */
   bool contoursAreForeign{ false };
   bool landmarksAreForeign{ false };

@@ -109,8 +109,8 @@ public:
   /** The back-projected ray of a pixel: from the source, unit direction toward the detector. */
   struct RayType
   {
-    PointType  origin;
-    VectorType direction;
+    PointType  origin;    /**< The source, mm, cephalostat frame. */
+    VectorType direction; /**< Of length 1, toward the pixel. */
   };
 
   /** Lateral by default. What is said of sides holds in its own direction and is kept, unused, in the other. */

@@ -76,7 +76,7 @@ public:
 
   itkNewMacro(Self);
   itkTypeMacro(CephalometricPoseTransform, Transform);
-
+  /** Three angles, three shifts and kappa, the logarithm of the scale; fixed ones are the radiograph's geometry. */
   static constexpr unsigned int NumberOfParameters = 7;
   static constexpr unsigned int NumberOfFixedParameters = 9;
   /** Those of files from before there were frontal radiographs: all but the direction, which is lateral. They are taken

@@ -63,7 +63,7 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-
+  /** The radiograph's geometry, and the object's frame: mesh (mm) to dental frame. Both must be set. */
   itkSetInputMacro(Geometry, GeometryType);
   itkGetInputMacro(Geometry, GeometryType);
   itkSetInputMacro(Frame, FrameType);
@@ -73,7 +73,7 @@ public:
   itkSetMacro(CentralRayThroughOrigin, bool);
   itkGetConstMacro(CentralRayThroughOrigin, bool);
   itkBooleanMacro(CentralRayThroughOrigin);
-
+  /** A copy of the geometry with the object where the pose puts it. */
   GeometryType *
   GetOutput();
 

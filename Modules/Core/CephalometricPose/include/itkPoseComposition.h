@@ -40,9 +40,9 @@ class CephalometricPose_EXPORT PoseComposition
 {
 public:
   using SixType = std::array<double, 6>;
-
+  /** Both as three angles (rad) and three shifts (mm). */
   PoseComposition(const SixType & pose, const SixType & move);
-
+  /** The body's pose, as it was given. */
   const SixType &
   GetPose() const
   {

@@ -37,7 +37,7 @@ namespace itk
 class CephalometricPose_EXPORT PoseModel
 {
 public:
-  PoseModel(const PoseGeometry & geometry, const PoseParameters & parameters);
+  PoseModel(const PoseGeometry & geometry, const PoseParameters & parameters); /**< Constants once. */
 
   /** Dental frame to working plane; false where the point is not in front of the source. */
   bool

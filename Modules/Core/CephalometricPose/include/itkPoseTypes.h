@@ -46,8 +46,8 @@ constexpr double PoseWorkingPixel = 0.25;
  * z. */
 struct PoseFrame
 {
-  std::array<double, 9> rotation{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } };
-  std::array<double, 3> origin{ { 0, 0, 0 } };
+  std::array<double, 9> rotation{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; /**< Row-major. */
+  std::array<double, 3> origin{ { 0, 0, 0 } };                     /**< mm, mesh coordinates. */
 };
 
 /** Nominal imaging geometry. Of a frontal radiograph the plane through the ear rods is the midcoronal one. */

@@ -49,7 +49,7 @@ public:
   ~DentalInputError() override;
 
   itkTypeMacro(DentalInputError, ExceptionObject);
-
+  /** File, field, what is wrong with it and what to do about it, in words; "" where there is none. */
   const std::string &
   GetInputFile() const
   {

@@ -32,8 +32,8 @@ namespace itk
  */
 struct DentalCommon_EXPORT GreyWindow
 {
-  double black{ 0.0 };
-  double white{ 1.0 };
+  double black{ 0.0 }; /**< Grey value that is shown as black, and all below it. */
+  double white{ 1.0 }; /**< Grey value that is shown as white, and all above it. */
 
   /** Between the quantiles of `share` and 1 - `share` of the pixels that are finite: a few that are very bright, as a
    * marker of lead is, don't darken all others. Where these are one value the window is from the least to the greatest

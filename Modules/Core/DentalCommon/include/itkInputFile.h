@@ -37,9 +37,9 @@ namespace itk
 class DentalCommon_EXPORT InputFileError : public std::runtime_error
 {
 public:
-  InputFileError(const std::string & problem, const std::string & remedy);
+  InputFileError(const std::string & problem, const std::string & remedy); /**< In words. */
   ~InputFileError() override;
-
+  /** What to do about it. */
   const std::string &
   GetRemedy() const
   {
@@ -72,13 +72,13 @@ public:
     Empty,
     Unopenable
   };
-
+  /** Opens the file; where it can't be, GetProblem() says why, and nothing is thrown. */
   explicit InputFile(const std::string & fileName);
   ~InputFile();
   InputFile(const InputFile &) = delete;
   InputFile &
   operator=(const InputFile &) = delete;
-
+  /** None where it was opened. */
   ProblemEnum
   GetProblem() const
   {

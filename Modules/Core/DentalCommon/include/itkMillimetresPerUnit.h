@@ -28,8 +28,8 @@ namespace itk
 /** A unit of a scan. \ingroup DentalCommon */
 struct MeshUnit
 {
-  const char * name;
-  double       millimetres;
+  const char * name;        /**< As case files and options write it. */
+  double       millimetres; /**< mm in one unit. */
 };
 
 /** All units that a scan may be in: the one table of them. \ingroup DentalCommon */

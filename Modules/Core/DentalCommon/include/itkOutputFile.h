@@ -43,12 +43,12 @@ namespace itk
 class DentalCommon_EXPORT OutputFile
 {
 public:
-  explicit OutputFile(const std::string & fileName);
+  explicit OutputFile(const std::string & fileName); /**< Under another name until Commit(). */
   ~OutputFile();
   OutputFile(const OutputFile &) = delete;
   OutputFile &
   operator=(const OutputFile &) = delete;
-
+  /** Appends bytes. Throws a DentalInputError that names file and reason where they can't be written. */
   void
   Write(const void * data, std::size_t size);
 

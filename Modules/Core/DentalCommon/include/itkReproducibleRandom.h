@@ -36,15 +36,15 @@ namespace itk
 class DentalCommon_EXPORT ReproducibleRandom
 {
 public:
-  explicit ReproducibleRandom(std::uint64_t seed, std::uint64_t stream = 0);
-
+  explicit ReproducibleRandom(std::uint64_t seed, std::uint64_t stream = 0); /**< Streams are independent. */
+  /** Sixty-four random bits. */
   std::uint64_t
   NextBits();
 
   /** Uniform in [0, 1). */
   double
   Uniform();
-
+  /** From low (included) to high (not included), or about a mean with a standard deviation. */
   double
   Uniform(double low, double high)
   {
@@ -58,7 +58,7 @@ public:
   /** Standard normal by the polar method (Marsaglia, Bray 1964). */
   double
   Normal();
-
+  /** About a mean, with a standard deviation. */
   double
   Normal(double mean, double sigma)
   {

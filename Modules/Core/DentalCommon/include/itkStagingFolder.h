@@ -44,7 +44,7 @@ public:
   StagingFolder(const StagingFolder &) = delete;
   StagingFolder &
   operator=(const StagingFolder &) = delete;
-
+  /** Path of the folder. */
   const std::string &
   GetPath() const
   {

@@ -54,7 +54,7 @@ public:
     /** Sum of the area-weighted normals: 0 for a closed body, as long as the area for a plane. */
     PointType normal{ { 0.0, 0.0, 0.0 } };
   };
-
+  /** Finds the parts; the surface is not kept. */
   explicit SurfaceParts(const TriangleSurface & surface);
 
   /** In the order of their first triangles. */

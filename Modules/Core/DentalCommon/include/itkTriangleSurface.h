@@ -39,8 +39,8 @@ struct DentalCommon_EXPORT TriangleSurface
   using PointType = std::array<double, 3>;
   using TriangleType = std::array<std::uint32_t, 3>;
 
-  std::vector<PointType>    points;
-  std::vector<TriangleType> triangles;
+  std::vector<PointType>    points;    /**< In the unit and the frame of whoever made the surface. */
+  std::vector<TriangleType> triangles; /**< Indices of three points each, outward by the right hand. */
 
   /** \return the triangle's area-weighted normal: its length is the area. */
   PointType
@@ -58,7 +58,7 @@ struct DentalCommon_EXPORT TriangleSurface
    */
   PointType
   AreaCentroid() const;
-
+  /** Sum over the triangles, in the square of the points' unit. */
   double
   Area() const;
 };

@@ -82,7 +82,7 @@ public:
   /** What a name means. */
   struct MeaningType
   {
-    ToothCode::JawEnum jaw{ ToothCode::JawEnum::Unknown };
+    ToothCode::JawEnum jaw{ ToothCode::JawEnum::Unknown }; /**< Unknown where the name tells none. */
     /** 1 central incisor .. 8 third molar. */
     unsigned int position{ 0 };
     /** The tooth where the name says its side; else unknown: the analysis's own convention. */
@@ -119,7 +119,7 @@ public:
   /** The landmark of that meaning (name of MakeName()), or null. */
   const LandmarkType *
   Find(const std::string & name) const;
-
+  /** All of them, in the order in which they were added, and how many. */
   const std::vector<LandmarkType> &
   GetLandmarks() const
   {
@@ -130,7 +130,7 @@ public:
   {
     return m_Landmarks.size();
   }
-
+  /** Takes everything out. */
   void
   Initialize() override;
 

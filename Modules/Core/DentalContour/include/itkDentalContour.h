@@ -82,9 +82,9 @@ public:
   /** One stretch of contour. A closed one does not repeat its first point. */
   struct PolylineType
   {
-    ToothCode              code;
-    bool                   closed{ false };
-    std::vector<PointType> points;
+    ToothCode              code;            /**< The tooth whose border it is; unknown: the contour of a jaw. */
+    bool                   closed{ false }; /**< Whether the last point is joined to the first. */
+    std::vector<PointType> points;          /**< Continuous pixel indices, in order. */
     /** Weights of the points, 1 = full, 0 = ignored (uncertain tracing); empty means all 1. */
     std::vector<double> weights;
     /** Drawing errors of the points, standard deviations an axis in pixels, 0 where nobody said one; empty means all
@@ -172,7 +172,7 @@ public:
   /** "crown", "tooth" or "labial", as in a tracing's file. Throws std::invalid_argument otherwise. */
   static OutlineEnum
   OutlineFromString(const std::string & text);
-
+  /** Takes all points, lines and codes out. */
   void
   Initialize() override;
 

@@ -54,9 +54,9 @@ public:
   /** One named point and the tooth that its name tells. */
   struct LandmarkType
   {
-    std::string name;
-    ToothCode   tooth;
-    PointType   point;
+    std::string name;  /**< As its file names it. */
+    ToothCode   tooth; /**< Unknown where the name tells none. */
+    PointType   point; /**< mm in the mesh's frame, or a continuous pixel index. */
   };
 
   /** The tooth of a landmark's name. Throws std::invalid_argument that says what a name looks like. */
@@ -70,7 +70,7 @@ public:
   /** The landmark of that name, or null. */
   const LandmarkType *
   Find(const std::string & name) const;
-
+  /** All of them, in the order in which they were added, and how many. */
   const std::vector<LandmarkType> &
   GetLandmarks() const
   {
@@ -81,7 +81,7 @@ public:
   {
     return m_Landmarks.size();
   }
-
+  /** Takes everything out. */
   void
   Initialize() override;
 

@@ -80,7 +80,7 @@ public:
     /** Only with a pixel spacing. */
     std::optional<double> millimetres;
   };
-
+  /** Predicted and marked landmarks, continuous pixel indices of the same radiograph. Both must be set. */
   itkSetInputMacro(PredictedLandmarks, LandmarkSetType);
   itkGetInputMacro(PredictedLandmarks, LandmarkSetType);
   itkSetInputMacro(ReferenceLandmarks, LandmarkSetType);

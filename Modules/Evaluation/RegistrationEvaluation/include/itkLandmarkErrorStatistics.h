@@ -58,7 +58,7 @@ public:
   /** Pools the landmarks of both. */
   void
   Add(const LandmarkErrorStatistics & other);
-
+  /** How many errors there are: all, or those of a tooth group. */
   std::size_t
   GetCount() const;
   std::size_t

@@ -60,7 +60,7 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-
+  /** Landmarks of the scan in the matrix's unit and frame, and the 3x4 matrix to pixels. Both must be set. */
   itkSetInputMacro(Landmarks, LandmarksType);
   itkGetInputMacro(Landmarks, LandmarksType);
   itkSetGetDecoratedInputMacro(ProjectionMatrix, ProjectionMatrixType);
@@ -68,7 +68,7 @@ public:
   /** The jaw whose landmarks are projected; Unknown, the default, is both. */
   itkSetEnumMacro(Jaw, JawEnum);
   itkGetEnumMacro(Jaw, JawEnum);
-
+  /** The landmarks as continuous pixel indices, under the same names. */
   OutputType *
   GetOutput();
 

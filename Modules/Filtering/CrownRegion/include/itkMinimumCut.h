@@ -37,12 +37,12 @@ namespace CrownRegionParts
 class CrownRegion_EXPORT MinimumCut
 {
 public:
-  explicit MinimumCut(std::size_t nodes);
+  explicit MinimumCut(std::size_t nodes); /**< None is tied. */
 
   /** Both are added to what is there. */
   void
   AddTies(std::uint32_t node, std::int64_t toFirst, std::int64_t toSecond);
-
+  /** Cutting the two apart costs the capacity, whichever of them is on which side. */
   void
   AddEdge(std::uint32_t a, std::uint32_t b, std::int64_t capacity);
 

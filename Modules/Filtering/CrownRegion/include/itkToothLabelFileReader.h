@@ -67,7 +67,7 @@ public:
   using JawEnum = ToothCode::JawEnum;
   using LabelContainerType = std::vector<std::uint8_t>;
   using LabelObjectType = SimpleDataObjectDecorator<LabelContainerType>;
-
+  /** The file to read. Must be set. */
   itkSetStringMacro(FileName);
   itkGetStringMacro(FileName);
 
@@ -78,7 +78,7 @@ public:
   /** Of the mesh that is labelled; 0 (default) checks nothing. */
   itkSetMacro(NumberOfPoints, SizeValueType);
   itkGetConstMacro(NumberOfPoints, SizeValueType);
-
+  /** FDI numbers, one a point of the mesh, 0 where there is no tooth. */
   LabelObjectType *
   GetOutput();
   const LabelObjectType *

@@ -29,8 +29,8 @@ namespace itk
 /** A place on a polyline: on the segment that begins at a point, at a share of its length. */
 struct ContourPosition
 {
-  std::size_t segment;
-  double      share;
+  std::size_t segment; /**< Index of the point at which the segment begins. */
+  double      share;   /**< 0 at its begin, 1 at its end. */
 };
 
 /** Length of a polyline, or of a polygon where closed. */

@@ -42,7 +42,7 @@ namespace itk
  */
 struct SilhouetteLoop
 {
-  std::vector<std::array<double, 2>> points;
+  std::vector<std::array<double, 2>> points; /**< Pixels, in order; the first is not repeated. */
   /** Of segment i: the points on its mesh edge, in the object's frame (mm), that project to its start and its end. */
   std::vector<std::array<double, 3>> rimStart;
   std::vector<std::array<double, 3>> rimEnd;
@@ -70,7 +70,7 @@ struct SilhouetteLoop
  */
 struct Silhouette
 {
-  std::vector<SilhouetteLoop> loops;
+  std::vector<SilhouetteLoop> loops; /**< Outer boundaries, each closed; holes are left out. */
 };
 
 /** \class MeshSilhouette

@@ -64,7 +64,7 @@ public:
 
   using InputMeshType = TInputMesh;
   using GeometryType = CephalometricGeometry;
-
+  /** The mesh, in the unit of the geometry, mm. Must be set. */
   using Superclass::SetInput;
   void
   SetInput(const InputMeshType * mesh);

@@ -38,7 +38,7 @@ namespace itk
  */
 struct SilhouetteContour_EXPORT OpenSilhouetteOptions
 {
-  ToothCode::JawEnum jaw{ ToothCode::JawEnum::Upper };
+  ToothCode::JawEnum jaw{ ToothCode::JawEnum::Upper }; /**< Whose outline it is: what may be traced differs. */
   /** From where the picture was taken: what may be traced differs. */
   CephalometricDirectionEnum direction{ CephalometricDirectionEnum::Lateral };
   /** Angle (rad) about the lateral axis from the dental frame to the picture: facing is judged in the dental frame, so
@@ -62,17 +62,17 @@ struct SilhouetteContour_EXPORT OpenSilhouetteOptions
  */
 struct OpenSilhouette
 {
-  std::vector<double> u;
-  std::vector<double> v;
-  std::vector<double> nu;
-  std::vector<double> nv;
+  std::vector<double> u;  /**< First coordinate of each sample, units of the picture. */
+  std::vector<double> v;  /**< Second coordinate. */
+  std::vector<double> nu; /**< Outward normal in the plane, of length 1 with nv. */
+  std::vector<double> nv; /**< Its second component. */
   /** Object frame, mm. */
   std::vector<std::array<double, 3>> rim;
   /** The mesh edge on which rim lies, as indices into the surface's points; empty unless it was asked for. */
   std::vector<std::array<std::uint32_t, 2>> edges;
   /** Starts of the connected runs in the arrays above. */
   std::vector<std::size_t> runs;
-
+  /** Number of samples. */
   std::size_t
   Size() const
   {

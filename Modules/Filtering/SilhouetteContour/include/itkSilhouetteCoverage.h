@@ -33,9 +33,9 @@ namespace itk
  */
 struct SilhouetteCoverage
 {
-  std::size_t        width{ 0 };
-  std::size_t        height{ 0 };
-  std::vector<float> values;
+  std::size_t        width{ 0 };  /**< Pixels a row. */
+  std::size_t        height{ 0 }; /**< Rows. */
+  std::vector<float> values;      /**< 0 to 1, row by row; width times height of them. */
 
   /** Covered area, square pixels. */
   double

@@ -39,8 +39,8 @@ namespace itk
  */
 struct SurfaceSplatLayer
 {
-  std::vector<double> u;
-  std::vector<double> v;
+  std::vector<double> u; /**< First continuous index of each splat's centre. */
+  std::vector<double> v; /**< Second continuous index, as many. */
   /** Value at the splat's centre. */
   std::vector<float> weight;
   /** Width of every splat, unless there is one a splat below. */
@@ -54,10 +54,10 @@ struct SurfaceSplatLayer
 /** A rectangle of pixels: first index and size. */
 struct SurfaceSplatRegion
 {
-  std::int64_t startU{ 0 };
-  std::int64_t startV{ 0 };
-  std::int64_t sizeU{ 0 };
-  std::int64_t sizeV{ 0 };
+  std::int64_t startU{ 0 }; /**< First column. */
+  std::int64_t startV{ 0 }; /**< First row. */
+  std::int64_t sizeU{ 0 };  /**< Number of columns. */
+  std::int64_t sizeV{ 0 };  /**< Number of rows. */
 };
 
 /** \struct SurfaceSplatProjector
@@ -67,7 +67,7 @@ struct SurfaceSplatRegion
  */
 struct SurfaceDRR_EXPORT SurfaceSplatProjector
 {
-  PerspectiveProjection projection;
+  PerspectiveProjection projection; /**< From the points' frame to pixels. */
   /** mm. */
   double sourceToMidsagittal{ 0.0 };
   double sourceToDetector{ 0.0 };
@@ -143,7 +143,7 @@ public:
           double                     tolerance,
           MethodEnum                 method = MethodEnum::Automatic,
           unsigned int               threads = 1);
-
+  /** What the tolerance and the cost model chose. */
   MethodEnum
   GetMethod() const
   {
@@ -178,7 +178,7 @@ public:
   public:
     Rendering(const SurfaceSplatKernel & kernel, const SurfaceSplatRegion & region, float * buffer, std::size_t stride);
     ~Rendering();
-
+    /** Phases follow each other; the jobs of one may run at once. Run() does one job. */
     std::size_t
     GetNumberOfPhases() const
     {

@@ -64,7 +64,7 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-
+  /** The scan, mm, and the geometry of the picture, with the object in place. Both must be set. */
   itkSetInputMacro(Mesh, MeshType);
   itkGetInputMacro(Mesh, MeshType);
   itkSetInputMacro(Geometry, GeometryType);

@@ -72,7 +72,7 @@ public:
  */
 struct UMidlineDentalAxis_EXPORT DentalFrameOptions
 {
-  DentalFrameEnums::JawsShareFrame jawsShareFrame{ DentalFrameEnums::JawsShareFrame::Check };
+  DentalFrameEnums::JawsShareFrame jawsShareFrame{ DentalFrameEnums::JawsShareFrame::Check }; /**< Whether they do. */
   /** The paper's p: share of the surface, best aligned with the occlusal direction, that are crown candidates. */
   double crownFraction{ 0.15 };
   /** Crown candidates lie within this distance (mm) below the local occlusal envelope. */
@@ -102,7 +102,7 @@ struct UMidlineDentalAxis_EXPORT DentalJawFrame
 
   /** Openness up to which a scan counts as a closed body, whose winding says nothing. */
   static constexpr double OpennessOfClosedCast = 0.2;
-
+  /** Whether a frame was found; where not, nothing of the rest is to be read. */
   bool valid{ false };
   /** Rows x anterior, y patient's left, z superior: q = axes (p - origin). Right-handed. */
   std::array<VectorType, 3> axes{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } } };
@@ -142,8 +142,8 @@ struct UMidlineDentalAxis_EXPORT DentalJawFrame
  */
 struct UMidlineDentalAxis_EXPORT DentalFrameResult
 {
-  DentalJawFrame upper;
-  DentalJawFrame lower;
+  DentalJawFrame upper; /**< Not valid where there is no upper scan. */
+  DentalJawFrame lower; /**< Not valid where there is no lower scan. */
   /** Upper or lower. Throws std::invalid_argument of an unknown jaw, which has no frame. */
   const DentalJawFrame &
   GetJaw(ToothCode::JawEnum jaw) const;

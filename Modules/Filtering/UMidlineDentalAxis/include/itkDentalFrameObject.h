@@ -45,7 +45,7 @@ public:
 
   itkNewMacro(Self);
   itkTypeMacro(DentalFrameObject, DataObject);
-
+  /** What EstimateDentalFrames() found. */
   void
   Set(const DentalFrameResult & frames);
   const DentalFrameResult &

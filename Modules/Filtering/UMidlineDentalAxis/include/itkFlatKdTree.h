@@ -41,8 +41,8 @@ class FlatKdTree
 {
 public:
   using PointType = std::array<double, VDimension>;
-  static constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
-
+  static constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max(); /**< No point. */
+  /** Builds the tree; points are copied. Their indices are those of the given order. */
   FlatKdTree() = default;
   explicit FlatKdTree(const std::vector<PointType> & points)
   {
@@ -67,7 +67,7 @@ public:
       m_Position[m_Index[k]] = k;
     }
   }
-
+  /** Number of points. */
   std::size_t
   Size() const
   {

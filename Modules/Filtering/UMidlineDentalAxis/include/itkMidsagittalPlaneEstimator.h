@@ -33,8 +33,8 @@ struct UMidlineDentalAxis_EXPORT OrientedPointSet
 {
   using VectorType = std::array<double, 3>;
 
-  std::vector<VectorType> points;
-  std::vector<VectorType> normals;
+  std::vector<VectorType> points;  /**< mm. */
+  std::vector<VectorType> normals; /**< Of length 1, as many as points. */
 };
 
 /** \struct MidsagittalPlaneOptions

@@ -65,7 +65,7 @@ public:
   using ProcessObject::MakeOutput;
   using DataObjectPointer = ProcessObject::DataObjectPointer;
   using DataObjectPointerArraySizeType = ProcessObject::DataObjectPointerArraySizeType;
-
+  /** Scans in one frame, in occlusion, mm; one of them may be missing. */
   itkSetInputMacro(UpperMesh, MeshType);
   itkGetInputMacro(UpperMesh, MeshType);
   itkSetInputMacro(LowerMesh, MeshType);
@@ -83,7 +83,7 @@ public:
   {
     return m_Options;
   }
-
+  /** The plane, with how sure it is. */
   PlaneObjectType *
   GetPlaneOutput();
   const PlaneObjectType *

@@ -109,10 +109,10 @@ public:
   /** A plane through a point; the normal is one of the frame's axes. In the mesh's frame. */
   struct PlaneType
   {
-    PointType  point;
-    VectorType normal;
+    PointType  point;  /**< mm, in the plane. */
+    VectorType normal; /**< Of length 1. */
   };
-
+  /** Scans, mm; one of them may be missing. */
   itkSetInputMacro(UpperMesh, MeshType);
   itkGetInputMacro(UpperMesh, MeshType);
   itkSetInputMacro(LowerMesh, MeshType);
@@ -154,7 +154,7 @@ public:
   itkSetMacro(RequireArches, bool);
   itkGetConstMacro(RequireArches, bool);
   itkBooleanMacro(RequireArches);
-
+  /** The scans in their dental frames, mm; empty where TransformMeshes is off. */
   MeshType *
   GetUpperOutput();
   MeshType *

@@ -52,7 +52,7 @@ public:
   using PixelOriginEnum = AnnotationPixelOriginEnum;
   using NumberingEnum = ToothCode::NumberingEnum;
   using VectorType = FixedArray<double, 2>;
-
+  /** The file to read. Must be set. */
   itkSetStringMacro(FileName);
   itkGetStringMacro(FileName);
 
@@ -104,7 +104,7 @@ protected:
   /** Takes over what the file turned out to be and what was odd so far. */
   void
   StartReading(FileFormatEnum readFormat, std::vector<std::string> warnings);
-
+  /** For GetWarnings(): the field and what is odd about it. */
   void
   Warn(const std::string & field, const std::string & text);
 

@@ -57,7 +57,7 @@ public:
    * document's; the document's own warnings are not among GetWarnings(). */
   void
   SetJsonNode(const JsonNode & node);
-
+  /** The landmarks, as continuous pixel indices. */
   CephalometricLandmarkSet *
   GetOutput();
   const CephalometricLandmarkSet *

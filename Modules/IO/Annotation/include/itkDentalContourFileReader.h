@@ -75,8 +75,8 @@ public:
   /** A line along a ruler. */
   struct CalibrationType
   {
-    std::string label;
-    double      millimetres{ 0.0 };
+    std::string label;              /**< As the file calls the line. */
+    double      millimetres{ 0.0 }; /**< Length that was marked. */
     /** Between its ends. */
     double pixels{ 0.0 };
   };

@@ -52,7 +52,7 @@ public:
 
   using ImageSizeType = Size<2>;
   using NumberingEnum = ToothCode::NumberingEnum;
-
+  /** The file to write. Must be set. */
   itkSetStringMacro(FileName);
   itkGetStringMacro(FileName);
 

@@ -54,7 +54,7 @@ public:
   itkTypeMacro(DentalLandmarkFileReader, AnnotationFileReaderBase);
 
   using LandmarkSetType = DentalLandmarkSet<VDimension>;
-
+  /** The landmarks, in the file's order. */
   LandmarkSetType *
   GetOutput();
   const LandmarkSetType *

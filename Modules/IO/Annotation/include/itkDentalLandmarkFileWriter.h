@@ -49,10 +49,10 @@ public:
 
   itkNewMacro(Self);
   itkTypeMacro(DentalLandmarkFileWriter, ProcessObject);
-
+  /** The file to write. Must be set. */
   itkSetStringMacro(FileName);
   itkGetStringMacro(FileName);
-
+  /** What is written. Must be set. */
   using Superclass::SetInput;
   void
   SetInput(const LandmarkSetType * landmarks);

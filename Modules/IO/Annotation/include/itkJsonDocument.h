@@ -53,7 +53,7 @@ public:
     Array,
     Object
   };
-
+  /** What the value is. */
   KindEnum
   GetKind() const;
   bool
@@ -111,9 +111,9 @@ public:
   /** \name Arrays
    * @{ */
   std::size_t
-  GetSize() const;
+  GetSize() const; /**< Number of elements; throws where the value is no array. */
   JsonNode
-  At(std::size_t index) const;
+  At(std::size_t index) const; /**< Throws where there is no such element. */
   /** @} */
 
   /** \name Values
@@ -169,7 +169,7 @@ class Annotation_EXPORT JsonDocument
 {
 public:
   static JsonDocument
-  ReadFile(const std::string & fileName);
+  ReadFile(const std::string & fileName); /**< Throws where it is no JSON. */
 
   /** `fileName` is for the messages. */
   static JsonDocument
@@ -179,7 +179,7 @@ public:
    * nested values by recursion, and a file of two million brackets ends the process. */
   static void
   Verify(const std::string & text, const std::string & fileName);
-
+  /** The value that the document is. */
   JsonNode
   GetRoot() const;
 

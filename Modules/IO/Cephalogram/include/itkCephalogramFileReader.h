@@ -94,7 +94,7 @@ public:
   static constexpr SizeValueType MaximumNumberOfBytes = SizeValueType{ 6 } << 27;
   static constexpr const char *  VerdictKey = "DentalSCR_PixelSpacingVerdict";
   static constexpr const char *  PlaneKey = "DentalSCR_PixelSpacingPlane";
-
+  /** The picture to read: any format of FileFormats.md. Must be set. */
   itkSetStringMacro(FileName);
   itkGetStringMacro(FileName);
 
@@ -197,7 +197,7 @@ public:
   }
   DirectionEnum
   GetRadiographDirection() const;
-
+  /** From which values of the file each part of the geometry came. */
   const ProvenanceType &
   GetProvenance() const
   {

@@ -78,8 +78,8 @@ struct RadiographSpacingTags
  * \ingroup Cephalogram */
 struct PixelSpacingDecision
 {
-  PixelSpacingVerdictEnum verdict{ PixelSpacingVerdictEnum::Unknown };
-  SpacingPlaneEnum        plane{ SpacingPlaneEnum::Unknown };
+  PixelSpacingVerdictEnum verdict{ PixelSpacingVerdictEnum::Unknown }; /**< What the spacing is worth. */
+  SpacingPlaneEnum        plane{ SpacingPlaneEnum::Unknown };          /**< The plane in which the spacing is true. */
   /** mm, (u, v); nothing where the verdict is Unknown. */
   std::optional<std::array<double, 2>> spacing;
   /** Which values of the file led to it. */

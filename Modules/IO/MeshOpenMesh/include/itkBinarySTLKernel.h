@@ -33,10 +33,10 @@ namespace itk
  */
 struct MeshOpenMesh_EXPORT WeldedTriangles
 {
-  std::vector<std::array<float, 3>>         points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::size_t                               numberOfFacets{ 0 };
-  std::size_t                               numberOfDegenerateFacets{ 0 };
+  std::vector<std::array<float, 3>>         points;              /**< Each place once, in the order of first use. */
+  std::vector<std::array<std::uint32_t, 3>> triangles;           /**< Indices of points. */
+  std::size_t                               numberOfFacets{ 0 }; /**< As the file counts them. */
+  std::size_t numberOfDegenerateFacets{ 0 };                     /**< Left out: two corners of them are one point. */
   /** Bytes behind the facets that were not looked at. */
   std::size_t numberOfTrailingBytes{ 0 };
 };

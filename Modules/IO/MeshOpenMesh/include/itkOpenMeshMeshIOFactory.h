@@ -41,7 +41,7 @@ public:
 
   itkFactorylessNewMacro(Self);
   itkTypeMacro(OpenMeshMeshIOFactory, ObjectFactoryBase);
-
+  /** ITK's version that it was built with, and what it makes, for the list of factories. */
   const char *
   GetITKSourceVersion() const override;
   const char *

@@ -41,9 +41,9 @@ public:
   SurfaceMeshFileError(const std::string & field, const std::string & problem, const std::string & remedy);
   ~SurfaceMeshFileError() override;
 
-  std::string field;
-  std::string problem;
-  std::string remedy;
+  std::string field;   /**< What in the file, such as "element vertex". */
+  std::string problem; /**< What is wrong with it. */
+  std::string remedy;  /**< What to do about it. */
 };
 
 /** \struct SurfaceMeshFile
@@ -61,10 +61,10 @@ struct MeshOpenMesh_EXPORT SurfaceMeshFile
 {
   using TriangleType = std::array<std::uint32_t, 3>;
 
-  MeshFileFormatEnum                 format{ MeshFileFormatEnum::Unknown };
-  std::vector<std::array<float, 3>>  floatPoints;
-  std::vector<std::array<double, 3>> doublePoints;
-  std::vector<TriangleType>          triangles;
+  MeshFileFormatEnum format{ MeshFileFormatEnum::Unknown }; /**< As the bytes tell it, whatever the file's name says. */
+  std::vector<std::array<float, 3>>  floatPoints;           /**< Of a file of single precision; empty of another. */
+  std::vector<std::array<double, 3>> doublePoints;          /**< Of a file of double precision; empty of another. */
+  std::vector<TriangleType>          triangles;             /**< Indices of points; polygons are cut into triangles. */
   /** Faces as the file counts them. */
   std::size_t numberOfFacesInFile{ 0 };
   /** Triangles (after splitting and welding) left out because they name a point twice. */
@@ -75,7 +75,7 @@ struct MeshOpenMesh_EXPORT SurfaceMeshFile
   std::string         vertexLabelName;
   /** What is odd about the file, in words; "" where nothing is. */
   std::string warning;
-
+  /** Of either precision. */
   std::size_t
   GetNumberOfPoints() const
   {

@@ -38,10 +38,10 @@ namespace itk
  */
 struct MeshVTK_EXPORT VTKSurfaceFile
 {
-  std::vector<std::array<double, 3>>        points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::size_t                               numberOfFacesInFile{ 0 };
-  std::size_t                               numberOfDegenerateFaces{ 0 };
+  std::vector<std::array<double, 3>>        points;    /**< In the file's unit and frame. */
+  std::vector<std::array<std::uint32_t, 3>> triangles; /**< Indices of points; polygons are cut into triangles. */
+  std::size_t                               numberOfFacesInFile{ 0 }; /**< Polygons, before they were cut. */
+  std::size_t numberOfDegenerateFaces{ 0 }; /**< Left out: two corners of them are one point. */
   /** The first of the point arrays `Universal_ID`, `UniversalID`, `PredictedID` that is there, else empty. */
   std::string labelName;
   /** Its values as they are, one a point; empty without. */

@@ -78,10 +78,10 @@ protected:
   /** The points that count, x0 y0 x1 y1 ..., and their weights. */
   struct PointsType
   {
-    std::vector<double> points;
-    std::vector<double> weights;
-    double              sumOfWeights{ 0.0 };
-
+    std::vector<double> points;              /**< Pixels. */
+    std::vector<double> weights;             /**< One a point, more than 0. */
+    double              sumOfWeights{ 0.0 }; /**< What means are divided by. */
+    /** Number of points. */
     std::size_t
     size() const
     {
@@ -98,7 +98,7 @@ protected:
   FindStart() const override;
   void
   GenerateData() override;
-
+  /** Points of a weight above 0. */
   static PointsType
   MakePoints(const ContourType & contour);
 

@@ -33,10 +33,10 @@ namespace itk
  * Points of weight 0 are ignored, and so are the segments that end in them. */
 struct ContourArrays
 {
-  std::vector<double>        points;
-  std::vector<std::uint32_t> segments;
-  std::vector<double>        weights;
-
+  std::vector<double>        points;   /**< x0 y0 x1 y1 ..., pixels. */
+  std::vector<std::uint32_t> segments; /**< Indices of two points each. */
+  std::vector<double>        weights;  /**< One a point; empty: all 1. */
+  /** Number of points, half that of the numbers. */
   std::size_t
   GetNumberOfPoints() const
   {
@@ -47,10 +47,10 @@ struct ContourArrays
 /** p = scale * R(angle) * q + (tx, ty), angle in radians from the first axis towards the second. */
 struct ContourSimilarity
 {
-  double scale{ 1.0 };
-  double angle{ 0.0 };
-  double tx{ 0.0 };
-  double ty{ 0.0 };
+  double scale{ 1.0 }; /**< Factor, positive. */
+  double angle{ 0.0 }; /**< Radians. */
+  double tx{ 0.0 };    /**< Shift along the first axis, pixels. */
+  double ty{ 0.0 };    /**< Shift along the second axis, pixels. */
 };
 
 /** \class ContourChamferKernel

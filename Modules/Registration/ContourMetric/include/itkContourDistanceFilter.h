@@ -65,7 +65,7 @@ public:
   using TransformType = Similarity2DTransform<double>;
   using DistanceEnum = ContourMetricEnums::Distance;
   using RealObjectType = SimpleDataObjectDecorator<double>;
-
+  /** The tracing and the silhouette, continuous pixel indices. Both must be set. */
   itkSetInputMacro(FixedContour, ContourType);
   itkGetInputMacro(FixedContour, ContourType);
   itkSetInputMacro(MovingContour, ContourType);
@@ -78,7 +78,7 @@ public:
   /** PointToPoint (default, the paper) or PointToSegment. */
   itkSetEnumMacro(Distance, DistanceEnum);
   itkGetEnumMacro(Distance, DistanceEnum);
-
+  /** The figures, pixels: directed means, their mean, directed largest distances, the larger of the two. */
   itkGetDecoratedOutputMacro(MovingToFixedMean, double);
   itkGetDecoratedOutputMacro(FixedToMovingMean, double);
   itkGetDecoratedOutputMacro(Chamfer, double);
@@ -130,7 +130,7 @@ protected:
   VerifyPreconditions() ITKv5_CONST override;
   void
   GenerateData() override;
-
+  /** What GenerateData() found. */
   itkSetDecoratedOutputMacro(MovingToFixedMean, double);
   itkSetDecoratedOutputMacro(FixedToMovingMean, double);
   itkSetDecoratedOutputMacro(Chamfer, double);

@@ -54,10 +54,10 @@ public:
    * after the segments). Of equally near targets any one. */
   struct NearestType
   {
-    double        squaredDistance;
-    double        x;
-    double        y;
-    std::uint32_t target;
+    double        squaredDistance; /**< Square pixels. */
+    double        x;               /**< The nearest place, first axis. */
+    double        y;               /**< The nearest place, second axis. */
+    std::uint32_t target;          /**< The segment or lone point that it lies on. */
   };
 
   /** Targets are the points x0 y0 x1 y1 ... of count points. No count limits; count = 0 leaves nothing to find. */
@@ -74,7 +74,7 @@ public:
   {
     m_Search = search;
   }
-
+  /** Segments and lone points. */
   std::size_t
   GetNumberOfTargets() const
   {

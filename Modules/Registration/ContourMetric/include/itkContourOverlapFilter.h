@@ -65,7 +65,7 @@ public:
   using ContourType = DentalContour;
   using TransformType = Similarity2DTransform<double>;
   using RealObjectType = SimpleDataObjectDecorator<double>;
-
+  /** The open tracing and the contour, continuous pixel indices. Both must be set. */
   itkSetInputMacro(FixedContour, ContourType);
   itkGetInputMacro(FixedContour, ContourType);
   itkSetInputMacro(MovingContour, ContourType);
@@ -81,12 +81,12 @@ public:
   /** Ends of two polylines of the tracing that are closer than this are no ends, px; 8 by default. */
   itkSetMacro(GapLength, double);
   itkGetConstMacro(GapLength, double);
-
+  /** Shares of the length that lie together, 0 to 1; of these the distances, pixels. */
   itkGetDecoratedOutputMacro(FixedShare, double);
   itkGetDecoratedOutputMacro(MovingShare, double);
   itkGetDecoratedOutputMacro(RootMeanSquare, double);
   itkGetDecoratedOutputMacro(LargestDistance, double);
-
+  /** One a point of the fixed contour, and one a point of the moving one, pixels. */
   const std::vector<double> &
   GetFixedDistances() const
   {
@@ -112,7 +112,7 @@ protected:
   VerifyPreconditions() ITKv5_CONST override;
   void
   GenerateData() override;
-
+  /** What GenerateData() found. */
   itkSetDecoratedOutputMacro(FixedShare, double);
   itkSetDecoratedOutputMacro(MovingShare, double);
   itkSetDecoratedOutputMacro(RootMeanSquare, double);

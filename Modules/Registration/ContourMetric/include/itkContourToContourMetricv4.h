@@ -71,7 +71,7 @@ public:
   using TransformType = Similarity2DTransform<double>;
   using PointType = Point<double, 2>;
 
-  static constexpr unsigned int NumberOfParameters = 4;
+  static constexpr unsigned int NumberOfParameters = 4; /**< Scale, angle and two shifts. */
 
   /** The contour in the radiograph (tracing), pixels. Same as SetFixedObject(). */
   void

@@ -84,7 +84,7 @@ public:
   /** Null where there is none. */
   const CounterpartType *
   Find(const std::string & name) const;
-
+  /** All of them, in the order in which they were added. */
   const std::vector<CounterpartType> &
   GetCounterparts() const
   {

@@ -173,7 +173,7 @@ public:
   /** How a landmark is explained. */
   struct ResidualType
   {
-    std::string name;
+    std::string name; /**< As the landmarks of the radiograph name it. */
     /** Marked minus projected, pixels. */
     double difference[2];
     /** In standard deviations: sqrt(d' C^-1 d). */
@@ -188,11 +188,11 @@ public:
   /** A matched landmark with its counterpart as one point: the middle of two. */
   struct CorrespondenceType
   {
-    TransformType::InputPointType  moving;
-    TransformType::OutputPointType fixed;
+    TransformType::InputPointType  moving; /**< On the scan: dental frame, mm. */
+    TransformType::OutputPointType fixed;  /**< On the radiograph: continuous pixel index. */
   };
   std::vector<CorrespondenceType>
-  GetCorrespondences() const;
+  GetCorrespondences() const; /**< Those that the term is made of, one a landmark. Valid after Initialize(). */
 
   SizeValueType
   GetNumberOfResiduals() const override;

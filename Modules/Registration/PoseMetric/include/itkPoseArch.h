@@ -41,8 +41,8 @@ class PoseMetric_EXPORT PoseArch
 {
 public:
   PoseArch() = default;
-  PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw);
-
+  PoseArch(const TriangleSurface & surface, ToothCode::JawEnum jaw); /**< In the dental frame, mm. */
+  /** Whether the surface has enough of an arch; where not, it tells nothing. */
   bool
   IsValid() const
   {

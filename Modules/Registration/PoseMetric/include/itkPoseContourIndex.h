@@ -66,7 +66,7 @@ public:
       const std::uint32_t position = contour.position.empty() ? 1u : 1u << contour.position[i];
       m_Sample[k] = { contour.u[i], contour.v[i], m_Direction[i][0], m_Direction[i][1], i, position };
     }
-  }
+  } /**< The contour is not kept. */
 
   /** Smoothed unit normals: of tangents between the means of the samples behind and before, by running sums; the ends
    * of a run have what is there. */
@@ -115,7 +115,7 @@ public:
   {
     return m_Direction[sample];
   }
-
+  /** Whether there is nothing to find. */
   bool
   Empty() const
   {
@@ -135,7 +135,7 @@ public:
   {
     return this->Search<true>(u, v, nu, nv, normalWeight2, allowed);
   }
-
+  /** Index of no sample: none is near enough, or none may be matched. */
   static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
 
 private:

@@ -26,7 +26,7 @@ namespace itk
 /** How well a jaw's tracing is explained at the solution, with a fixed kernel width of 4 px; lengths in px. */
 struct PoseFitStatistics
 {
-  std::size_t numberOfPoints{ 0 };
+  std::size_t numberOfPoints{ 0 }; /**< Points of the tracing that were compared. */
   /** mean(1 - sqrt(w)), w the Geman-McClure weight: 0 perfect, 1 nothing fits. */
   double cost{ 1.0 };
   double medianResidual{ 0.0 };

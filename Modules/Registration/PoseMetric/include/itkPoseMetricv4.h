@@ -48,7 +48,7 @@ public:
   itkTypeMacro(PoseMetricv4, LeastSquaresMetricv4);
 
   using TransformType = CephalometricPoseTransform;
-  static constexpr unsigned int NumberOfPoseParameters = TransformType::NumberOfParameters;
+  static constexpr unsigned int NumberOfPoseParameters = TransformType::NumberOfParameters; /**< The transform's. */
 
   /** Geometry of the radiograph and where the pose begins. */
   virtual void
@@ -81,7 +81,7 @@ protected:
   /** Copies transform, blocks and state, for InternalClone(). */
   void
   CopyPose(const Self & other);
-
+  /** The pose and the scale of a position, from their blocks. */
   static PoseParameters
   ToPoseParameters(const PositionType & x);
 

@@ -61,7 +61,7 @@ public:
   /** One value a sample, or 7 where derivatives by the pose are. */
   struct Linearization
   {
-    std::vector<double> residual;
+    std::vector<double> residual; /**< Along the normal of the matched segment, px. */
     /** What the robust kernel sees, as in PoseSilhouetteKernel::Linearization. */
     std::vector<double> squaredDistance;
     /** 1 where contour and tracing face the same way, 0 where they do not. */
@@ -73,7 +73,7 @@ public:
     std::vector<double>      distanceJacobian;
     std::vector<double>      taperJacobian;
   };
-  static constexpr std::size_t NoMatch = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t NoMatch = std::numeric_limits<std::size_t>::max(); /**< No segment may be. */
 
   /** No direction at all. */
   PoseReverseDirection() = default;

@@ -98,9 +98,9 @@ public:
   /** A strand of tracing and the contour models that it may lie on. */
   struct Strand
   {
-    PoseTracing                           tracing;
-    PoseToothPlaces                       places;
-    std::vector<const PoseContourModel *> models;
+    PoseTracing                           tracing; /**< What was drawn. */
+    PoseToothPlaces                       places;  /**< Where along the arch its teeth are to be expected. */
+    std::vector<const PoseContourModel *> models;  /**< The jaw's contours that may explain it; not owned. */
     /** Counts nothing unless it is asked for. */
     PoseReverseDirection reverse;
   };
@@ -108,7 +108,7 @@ public:
   /** Residuals of one strand, their derivatives and what weights are made of. */
   struct Linearization
   {
-    std::vector<double> residual;
+    std::vector<double> residual; /**< One a point of the strand, along the normal, px. */
     /** Squared distance that the robust kernel sees: of the residual and, past the end of the contour, of the distance
      * along it. */
     std::vector<double> squaredDistance;
@@ -124,7 +124,7 @@ public:
     /** Index of the matched sample in the strand's contour; NoMatch where there is none. */
     std::vector<std::size_t> match;
   };
-  static constexpr std::size_t NoMatch = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t NoMatch = std::numeric_limits<std::size_t>::max(); /**< No sample is near. */
 
   /** \param surface  all triangles of the jaw, dental frame, mm. Not kept.
    *  \param polylines  the tracing, continuous pixel indices. */
@@ -148,7 +148,7 @@ public:
   {
     return m_Failure;
   }
-
+  /** What it was made with. */
   const PoseSilhouetteSettings &
   GetSettings() const
   {

@@ -39,7 +39,7 @@ class PoseMetric_EXPORT PoseToothPlaces
 {
 public:
   PoseToothPlaces() = default;
-  explicit PoseToothPlaces(const PoseTracing & tracing);
+  explicit PoseToothPlaces(const PoseTracing & tracing); /**< By its teeth. */
 
   /** Arc length of PoseArch from the midline to the middle of the tooth with this position in its quadrant, mm; 0 where
    * it was not drawn, or has no place. */

@@ -41,18 +41,18 @@ public:
   PoseTracing(const PoseGeometry &                 geometry,
               const DentalContour::PolylinesType & polylines,
               ToothCode::JawEnum                   jaw,
-              unsigned int                         maximumPoints = 200);
-
+              unsigned int                         maximumPoints = 200); /**< More points are thinned out. */
+  /** Number of points. */
   std::size_t
   Size() const
   {
     return u.size();
   }
 
-  std::vector<double> u;
-  std::vector<double> v;
-  std::vector<double> nu;
-  std::vector<double> nv;
+  std::vector<double> u;  /**< Working plane, px of 0.25 mm. */
+  std::vector<double> v;  /**< The same, downward. */
+  std::vector<double> nu; /**< Outward normal, of length 1 with nv. */
+  std::vector<double> nv; /**< Its second component. */
   /** Arc length from the front, px. */
   std::vector<double>       arc;
   std::vector<double>       weight;

@@ -54,7 +54,7 @@ public:
   /** A tooth's crown. */
   struct CrownType
   {
-    ToothCode tooth;
+    ToothCode tooth; /**< Whose crown it is. */
     /** Not null, and not without a triangle. */
     std::shared_ptr<const TriangleSurface> surface;
     /** How far what was cut out of the scan may be from the crown along the arch, standard deviation, mm: next to
@@ -76,7 +76,7 @@ public:
   /** Null where there is none. */
   const CrownType *
   Find(const ToothCode & tooth) const;
-
+  /** All of them, in the order in which they were added. */
   const std::vector<CrownType> &
   GetCrowns() const
   {

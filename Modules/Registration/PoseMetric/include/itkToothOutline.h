@@ -68,7 +68,7 @@ public:
     return m_Reference;
   }
 
-  // The crown's points, one an element.
+  /** The crown's points, px of 0.25 mm, and their outward normals, one an element. */
   const std::vector<PointType> &
   GetPoints() const
   {
@@ -115,14 +115,14 @@ protected:
   void
   AddPoint(const PointType & point, const PointType & normal, double lingual);
 
-  std::string            m_Failure;
-  unsigned int           m_Position{ 0 };
-  PointType              m_Centroid{};
-  PointType              m_Reference{};
-  std::vector<PointType> m_Points;
-  std::vector<PointType> m_Normals;
-  std::vector<double>    m_Arc;
-  std::vector<double>    m_Lingual;
+  std::string            m_Failure;       /**< Why it cannot be used; empty where it can. */
+  unsigned int           m_Position{ 0 }; /**< 1 central incisor .. 8 third molar. */
+  PointType              m_Centroid{};    /**< Of all of the outline, px of 0.25 mm. */
+  PointType              m_Reference{};   /**< Where an analysis puts the tooth, px of 0.25 mm. */
+  std::vector<PointType> m_Points;        /**< The crown's part, px of 0.25 mm. */
+  std::vector<PointType> m_Normals;       /**< Outward, of length 1; one a point. */
+  std::vector<double>    m_Arc;           /**< Length of the line up to each point, px. */
+  std::vector<double>    m_Lingual;       /**< 0 to 1, one a point: GetLingual(). */
 };
 } // namespace itk
 

@@ -129,7 +129,7 @@ public:
      * hand alone each such jump would count as evidence, and steps toward the solution as steps away from it. */
     double frontalJitter{ 1.5 };
   };
-  static constexpr double DriftLength = 15.0;
+  static constexpr double DriftLength = 15.0; /**< Length over which a hand's drift keeps its sign, px of 0.25 mm. */
 
   /** The scan's crowns, dental frame, mm. Same as SetMovingObject(). */
   void
@@ -158,7 +158,7 @@ public:
   /** Upper (default) or Lower. */
   itkSetEnumMacro(Jaw, JawEnum);
   itkGetEnumMacro(Jaw, JawEnum);
-
+  /** How much a hand errs; the defaults are what drawings of analyses showed. */
   void
   SetErrors(const ErrorsType & errors);
   const ErrorsType &
@@ -213,14 +213,14 @@ public:
    * Initialize(). */
   struct UnusedType
   {
-    std::string name;
-    std::string reason;
+    std::string name;   /**< The tooth, as the tracing names it. */
+    std::string reason; /**< In words for the person who drew it. */
   };
   const std::vector<UnusedType> &
   GetUnused() const
   {
     return m_Unused;
-  }
+  } /**< What is not used, and why. Valid after Initialize(). */
 
   /** The codes of the outlines that are used. */
   std::vector<ToothCode>
@@ -247,7 +247,7 @@ public:
     std::vector<std::array<double, 2>> crown;
   };
   std::vector<ResidualType>
-  ComputeOutlineResiduals(const PositionType & x) const;
+  ComputeOutlineResiduals(const PositionType & x) const; /**< One an outline. */
 
   /** Minus twice the logarithm of what the outlines say for a position among others, each as one measurement, as a
    * landmark is: the sum of 16 (1 - m 16 / (16 + d^2)) with a tooth's distance d and matched share m (ResidualType). It

@@ -62,7 +62,7 @@ public:
   itkTypeMacro(ViewPoseMetricv4, LeastSquaresMetricv4);
 
   using TermType = PoseMetricv4;
-  static constexpr unsigned int NumberOfViewParameters = 13;
+  static constexpr unsigned int NumberOfViewParameters = 13; /**< Seven of the pose, six of the head's move. */
 
   /** The term with the view's radiograph and geometry. */
   void

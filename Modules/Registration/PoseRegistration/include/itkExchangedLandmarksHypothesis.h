@@ -43,7 +43,7 @@ public:
 
   itkNewMacro(Self);
   itkTypeMacro(ExchangedLandmarksHypothesis, PoseHypothesis);
-
+  /** Of the finding where it is likelier than what was said. */
   static constexpr const char * Code = "landmarks-exchanged";
 
   /** Score of landmarks from which on it is worth trying. Of readers' marks the score is 0.05 on average; a clear gain

@@ -29,8 +29,8 @@ namespace itk
 /** A silhouette among the terms of a metric, and the part of the metric's position that it reads. */
 struct FoundSilhouette
 {
-  const SilhouettePoseMetricv4 *       metric{ nullptr };
-  SilhouettePoseMetricv4::PositionType position;
+  const SilhouettePoseMetricv4 *       metric{ nullptr }; /**< The term; not owned. */
+  SilhouettePoseMetricv4::PositionType position;          /**< That part, in the term's own order. */
 };
 
 /** The silhouettes of a metric, of a sum and of sums within it, in order, at the metric's current position. */

@@ -75,7 +75,7 @@ public:
   using FrameType = DataObjectDecorator<VersorRigid3DTransform<double>>;
   using OutputType = LandmarkCounterpartSet;
   using LabelsType = std::vector<std::uint8_t>;
-
+  /** Landmarks of the radiograph must be set. Scans (mm), their landmarks and frames: what is known of them. */
   itkSetInputMacro(CephalometricLandmarks, LandmarksType);
   itkGetInputMacro(CephalometricLandmarks, LandmarksType);
   itkSetInputMacro(ScanLandmarks, ScanLandmarksType);
@@ -117,7 +117,7 @@ public:
   using DirectionEnum = CephalometricGeometry::DirectionEnum;
   itkSetEnumMacro(Direction, DirectionEnum);
   itkGetEnumMacro(Direction, DirectionEnum);
-
+  /** Where the landmarks are on the scans. */
   OutputType *
   GetOutput();
   const OutputType *
@@ -126,14 +126,14 @@ public:
   /** A landmark that is not used, as its file calls it, and why. Valid after Update(). */
   struct UnusedType
   {
-    std::string name;
-    std::string reason;
+    std::string name;   /**< As its file calls it. */
+    std::string reason; /**< In words for the person who marked it. */
   };
   const std::vector<UnusedType> &
   GetUnused() const
   {
     return m_Unused;
-  }
+  } /**< What has no counterpart, and why. Valid after Update(). */
 
   using Superclass::MakeOutput;
   DataObject::Pointer

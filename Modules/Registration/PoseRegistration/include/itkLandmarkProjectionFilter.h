@@ -61,15 +61,15 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-
+  /** What a registration found, and landmarks of the scans in their own unit and frame. Both must be set. */
   itkSetInputMacro(Solution, PoseSolution);
   itkGetInputMacro(Solution, PoseSolution);
   itkSetInputMacro(Landmarks, LandmarksType);
   itkGetInputMacro(Landmarks, LandmarksType);
-
+  /** Unit of the landmarks, mm; 1 by default. */
   itkSetMacro(MillimetresPerUnit, double);
   itkGetConstMacro(MillimetresPerUnit, double);
-
+  /** The landmarks of the jaws that were registered, continuous pixel indices. */
   OutputType *
   GetOutput();
 

@@ -51,7 +51,7 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-
+  /** The tracing and the contour, continuous pixel indices. Both must be set. */
   itkSetInputMacro(FixedContour, ContourType);
   itkGetInputMacro(FixedContour, ContourType);
   itkSetInputMacro(MovingContour, ContourType);
@@ -63,7 +63,7 @@ public:
   /** 12 px by default. */
   itkSetMacro(MaximumGap, double);
   itkGetConstMacro(MaximumGap, double);
-
+  /** The pieces, continuous pixel indices. */
   ContourType *
   GetOutput();
 

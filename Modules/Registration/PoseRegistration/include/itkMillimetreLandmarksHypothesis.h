@@ -43,7 +43,7 @@ public:
 
   itkNewMacro(Self);
   itkTypeMacro(MillimetreLandmarksHypothesis, PoseHypothesis);
-
+  /** Of the finding where it is likelier than what was said. */
   static constexpr const char * Code = "landmarks-mm";
 
   /** "landmarks-mm" */

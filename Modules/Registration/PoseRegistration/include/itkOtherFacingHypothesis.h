@@ -39,7 +39,7 @@ public:
 
   itkNewMacro(Self);
   itkTypeMacro(OtherFacingHypothesis, PoseHypothesis);
-
+  /** Of the finding where it is likelier than what was said. */
   static constexpr const char * Code = "facing";
 
   /** "facing" */

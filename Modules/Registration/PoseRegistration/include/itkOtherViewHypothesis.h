@@ -44,7 +44,7 @@ public:
 
   itkNewMacro(Self);
   itkTypeMacro(OtherViewHypothesis, PoseHypothesis);
-
+  /** What may have been otherwise. */
   enum class QuestionEnum : std::uint8_t
   {
     /** The picture is mirrored against what was said: right and left exchanged, or the face the other way. */

@@ -38,7 +38,7 @@ class PoseRegistration_EXPORT PosePriors
 {
 public:
   using SigmasType = std::array<double, 7>;
-
+  /** Of the options, for a radiograph whose pixel spacing is known or not. */
   PosePriors(const PoseRegistrationOptions & options, bool pixelSpacingKnown);
 
   /** Of the fit; similarityOnly: pitch, tx, tz and kappa alone. */

@@ -35,8 +35,8 @@ namespace itk
  */
 struct PoseProblemTerm
 {
-  LeastSquaresMetricv4::Pointer metric;
-  ToothCode::JawEnum            jaw{ ToothCode::JawEnum::Unknown };
+  LeastSquaresMetricv4::Pointer metric; /**< Its residuals are divided by their standard deviations. */
+  ToothCode::JawEnum            jaw{ ToothCode::JawEnum::Unknown }; /**< Unknown: every jaw's sum has it. */
 };
 
 /** \struct PoseViewInput
@@ -45,12 +45,12 @@ struct PoseProblemTerm
  */
 struct PoseViewInput
 {
-  std::string                                name;
-  PoseGeometry                               geometry;
-  std::array<DentalContour::ConstPointer, 2> tracings;
-  CephalometricLandmarkSet::ConstPointer     landmarks;
-  LandmarkCounterpartSet::ConstPointer       counterparts;
-  bool                                       sameHeadPosition{ true };
+  std::string                                name;      /**< Names the view in results and findings. */
+  PoseGeometry                               geometry;  /**< Of the view's own radiograph. */
+  std::array<DentalContour::ConstPointer, 2> tracings;  /**< Upper and lower, continuous pixel indices; null: none. */
+  CephalometricLandmarkSet::ConstPointer     landmarks; /**< Marked on the view; null where none were. */
+  LandmarkCounterpartSet::ConstPointer       counterparts; /**< Where these are on the scans; null where none were. */
+  bool sameHeadPosition{ true }; /**< Whether the head was held as for the lateral radiograph. */
   /** px, 1 sd an axis. */
   double principalPointSigma{ 4.0 };
   double kappaSigma{ 0.016 };
@@ -62,7 +62,7 @@ struct PoseViewInput
  */
 struct PoseProblem
 {
-  std::vector<PoseJawInput> jaws;
+  std::vector<PoseJawInput> jaws; /**< One or two, upper first. */
   /** As it is known. */
   PoseGeometry nominal;
   /** With what was not known filled in: made from the jaws where absent. */

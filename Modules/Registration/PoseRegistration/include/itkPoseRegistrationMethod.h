@@ -71,7 +71,7 @@ public:
 
   using MeshType = TMesh;
   using typename Superclass::JawEnum;
-
+  /** Scans in their own frames, mm; one of them may be missing. */
   itkSetInputMacro(UpperMesh, MeshType);
   itkGetInputMacro(UpperMesh, MeshType);
   itkSetInputMacro(LowerMesh, MeshType);
@@ -80,7 +80,7 @@ public:
 protected:
   PoseRegistrationMethod() = default;
   ~PoseRegistrationMethod() override = default;
-
+  /** Whether a jaw has a scan, and the scan as flat arrays. */
   bool
   HasMesh(JawEnum jaw) const override;
   TriangleSurface

@@ -75,7 +75,7 @@ public:
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
 
   // Inputs ------------------------------------------------------------------------------------------------------
-
+  /** Tracings of the radiograph, continuous pixel indices; either may be missing. */
   itkSetInputMacro(UpperContour, ContourType);
   itkGetInputMacro(UpperContour, ContourType);
   itkSetInputMacro(LowerContour, ContourType);
@@ -317,7 +317,7 @@ protected:
   GenerateData() override;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
-
+  /** Whether a jaw has a scan, and the scan as flat arrays. */
   virtual bool
   HasMesh(JawEnum jaw) const = 0;
   virtual TriangleSurface

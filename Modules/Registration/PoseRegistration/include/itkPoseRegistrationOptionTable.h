@@ -47,7 +47,7 @@ public:
   /** An option and its words. */
   struct EntryType
   {
-    std::string name;
+    std::string name; /**< As the options of the program and of Python name it. */
     /** In a few words, with the unit. */
     std::string description;
     /** For those who make properties of another language from the table. */

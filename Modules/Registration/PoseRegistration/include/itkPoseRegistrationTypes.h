@@ -68,7 +68,7 @@ struct PoseJawInput
 /** Every ingredient of the method; the defaults are preset "robust". */
 struct PoseRegistrationOptions
 {
-  TracedSideEnum tracedSide{ TracedSideEnum::Right };
+  TracedSideEnum tracedSide{ TracedSideEnum::Right }; /**< The side whose outline was drawn, or the middle of both. */
 
   /** Cut at the midline plane, or take the whole mesh's outline. */
   bool useSideSelection{ true };
@@ -189,7 +189,7 @@ struct PoseRegistrationOptions
 /** One minimum of the criterion. */
 struct PoseCandidate
 {
-  PoseParameters parameters{ {} };
+  PoseParameters parameters{ {} }; /**< Of the minimum. */
   /** Minus twice the logarithm of the minimum's posterior weight but for a constant: what minima are ranked by. The
    * evidence with the noise estimated there, marginal over the pose about the minimum, its priors and the teeth's
    * places.
@@ -245,8 +245,8 @@ struct PoseOutlineFit
 /** Result for one jaw. */
 struct PoseJawResult
 {
-  ToothCode::JawEnum jaw{ ToothCode::JawEnum::Upper };
-  bool               registered{ false };
+  ToothCode::JawEnum jaw{ ToothCode::JawEnum::Upper }; /**< Whose result it is. */
+  bool               registered{ false };              /**< Whether there is a pose. */
   /** The dental frame that the pose is of. */
   PoseFrame frame;
   /** Why not, where not. */
@@ -328,8 +328,8 @@ struct PoseGroupResult
   std::vector<double>                stateCovariance;
   std::map<std::string, std::size_t> blocks;
 
-  std::vector<std::size_t> jaws;
-  PoseParameters           parameters{ {} };
+  std::vector<std::size_t> jaws;             /**< Indices into the problem's jaws. */
+  PoseParameters           parameters{ {} }; /**< The pose that the group's jaws share. */
   /** 7x7, row-major; inflation included. */
   std::array<double, 49> covariance{ {} };
   double                 smoothSigma{ 0.0 };
@@ -368,8 +368,8 @@ struct PoseViewResult;
 /** Everything that a pose registration found. */
 struct PoseRegistrationResult
 {
-  std::vector<PoseJawResult>   jaws;
-  std::vector<PoseGroupResult> groups;
+  std::vector<PoseJawResult>   jaws;   /**< One a jaw of the problem, in its order. */
+  std::vector<PoseGroupResult> groups; /**< Jaws that were placed together, or one alone. */
   /** Index into groups, a jaw; the number of groups where the jaw was not registered. */
   std::vector<std::size_t> groupOfJaw;
   /** What the working plane was made with: the given values or the estimates. */
@@ -382,7 +382,7 @@ struct PoseRegistrationResult
 /** What a further view shows at the solution. */
 struct PoseViewResult
 {
-  std::string name;
+  std::string name; /**< As the case names it. */
   /** The same jaws and groups, with the pose that they have in this view, at its scale, and its geometry. What of them
    * was not drawn on this view is empty. */
   PoseRegistrationResult result;

@@ -128,7 +128,7 @@ public:
    * working plane (0.25 mm) of the solution is the same place, reached twice, and is left out. */
   std::vector<AlternativeType>
   GetAlternatives(JawEnum jaw, double millimetresPerUnit = 1.0) const;
-
+  /** Continuous pixel index of a point of the jaw's mesh, mm. */
   PixelIndexType
   ProjectPoint(JawEnum jaw, const PointType & point) const;
   /** Covariance, square pixels, of the projection of a point. */

@@ -61,8 +61,8 @@ public:
   /** A pose and its cost, lower is better. */
   struct StartType
   {
-    PoseParameters parameters{ {} };
-    double         cost{ 0.0 };
+    PoseParameters parameters{ {} }; /**< Where to begin. */
+    double         cost{ 0.0 };      /**< Mean over the points of the tracing; for comparing starts of one run alone. */
   };
 
   /** \param metric  a metric or a sum, its contours held (HoldEnum::Contours) at the request's pose.

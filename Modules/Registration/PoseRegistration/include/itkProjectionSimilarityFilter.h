@@ -64,7 +64,7 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-
+  /** What a registration found, the jaw's scan (mm), and its frame: mesh to dental frame. All must be set. */
   itkSetInputMacro(Solution, PoseSolution);
   itkGetInputMacro(Solution, PoseSolution);
   itkSetInputMacro(Mesh, MeshType);
@@ -75,7 +75,7 @@ public:
   /** Upper (default) or Lower. */
   itkSetEnumMacro(Jaw, JawEnum);
   itkGetEnumMacro(Jaw, JawEnum);
-
+  /** The similarity of the projected scan, pixels, and the root mean square of what it leaves, pixels. */
   DecoratedTransformType *
   GetTransformOutput();
   const TransformType *

@@ -49,7 +49,7 @@ ToString(RegistrationStatusEnum status);
  */
 struct RegistrationFinding
 {
-  RegistrationStatusEnum severity{ RegistrationStatusEnum::Suspect };
+  RegistrationStatusEnum severity{ RegistrationStatusEnum::Suspect }; /**< How much it weighs: suspect or failed. */
   /** Short and stable, for programs: "poor-fit". */
   std::string code;
   /** For a person. */
@@ -59,7 +59,7 @@ struct RegistrationFinding
   std::optional<double> value;
   std::optional<double> limit;
   std::string           unit;
-
+  /** The same in every field. */
   bool
   operator==(const RegistrationFinding & other) const
   {

@@ -48,11 +48,11 @@ public:
   /** The verdict on one jaw; no findings where it is ok. */
   struct JawVerdict
   {
-    StatusEnum                       status{ StatusEnum::Ok };
-    std::vector<RegistrationFinding> findings;
+    StatusEnum                       status{ StatusEnum::Ok }; /**< The worst that a finding says. */
+    std::vector<RegistrationFinding> findings;                 /**< Why it is not ok. */
     /** What was seen and is no reason to doubt the pose, as everything else bears it out: to be said, not judged by. */
     std::vector<RegistrationFinding> takenBack;
-
+    /** The same status for the same reasons. */
     bool
     operator==(const JawVerdict & other) const
     {
@@ -68,12 +68,12 @@ public:
   /** px of 0.25 mm and mm. */
   struct Thresholds
   {
-    double suspectCost{ 0.36 };
-    double failedCost{ 0.50 };
-    double suspectP90{ 6.0 };
-    double suspectMedian{ 2.7 };
-    double suspectInlierShare{ 0.70 };
-    double failedInlierShare{ 0.50 };
+    double suspectCost{ 0.36 };        /**< Cost (PoseFitStatistics) from which a fit is poor. */
+    double failedCost{ 0.50 };         /**< Cost from which nothing fits. */
+    double suspectP90{ 6.0 };          /**< 90th percentile of the distances to the tracing, px. */
+    double suspectMedian{ 2.7 };       /**< Median of these distances, px. */
+    double suspectInlierShare{ 0.70 }; /**< Least share of the tracing that is explained. */
+    double failedInlierShare{ 0.50 };  /**< Share below which nothing fits. */
     /** Estimated drift of the tracing: nobody draws worse. */
     double suspectSmoothSigma{ 3.0 };
     /** At the tracing, and anywhere on the outline. Not judged on bisected tracings. With a standard deviation of 2.4

@@ -57,10 +57,10 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-
+  /** What a registration found. Must be set. */
   itkSetInputMacro(Solution, PoseSolution);
   itkGetInputMacro(Solution, PoseSolution);
-
+  /** Limits; the defaults are what the studies of Robust.md chose. */
   void
   SetThresholds(const ThresholdsType & thresholds);
   const ThresholdsType &
@@ -73,7 +73,7 @@ public:
    * size of it, and no radiograph of a head is longer than RegistrationVerdict::Thresholds::failedFilmLength. */
   itkSetMacro(ImageSize, Size<2>);
   itkGetConstReferenceMacro(ImageSize, Size<2>);
-
+  /** The verdict on a jaw. */
   DecoratedVerdictType *
   GetVerdictOutput(JawEnum jaw);
   /** Valid after Update(). */

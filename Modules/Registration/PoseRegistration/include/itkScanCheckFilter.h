@@ -82,7 +82,7 @@ public:
    * to lie on the scan. */
   static bool
   IsAlone(const LandmarksType & landmarks, const LandmarksType::LandmarkType & landmark);
-
+  /** Scans (mm), what UMidlineDentalAxisFilter found of them, and landmarks of the scans where there are some. */
   itkSetInputMacro(UpperMesh, MeshType);
   itkGetInputMacro(UpperMesh, MeshType);
   itkSetInputMacro(LowerMesh, MeshType);
@@ -95,7 +95,7 @@ public:
   /** Of the landmarks, and of the files that the meshes were read from: the unit that would fit is named by it. */
   itkSetMacro(MillimetresPerUnit, double);
   itkGetConstMacro(MillimetresPerUnit, double);
-
+  /** What is odd about a jaw's scan; empty where nothing is. */
   DecoratedFindingsType *
   GetFindingsOutput(JawEnum jaw);
   /** Valid after Update(). */

@@ -71,7 +71,7 @@ public:
   using FrameType = DataObjectDecorator<VersorRigid3DTransform<double>>;
   using OutputType = ToothCrownSet;
   using LabelsType = std::vector<std::uint8_t>;
-
+  /** Outlines of teeth (continuous pixel indices) and scans (mm); frames and landmarks where they are known. */
   itkSetInputMacro(UpperContour, ContourType);
   itkGetInputMacro(UpperContour, ContourType);
   itkSetInputMacro(LowerContour, ContourType);
@@ -105,7 +105,7 @@ public:
   /** Of the scan landmarks; 1 by default. */
   itkSetMacro(MillimetresPerUnit, double);
   itkGetConstMacro(MillimetresPerUnit, double);
-
+  /** A crown for each tooth that was outlined and is on a scan. */
   OutputType *
   GetOutput();
   const OutputType *

@@ -85,7 +85,7 @@ public:
     /** Teeth of both sides are traced. */
     TeethOfBothSides
   };
-
+  /** The drawing, continuous pixel indices; each may be missing. */
   itkSetInputMacro(UpperContour, ContourType);
   itkGetInputMacro(UpperContour, ContourType);
   itkSetInputMacro(LowerContour, ContourType);
@@ -106,7 +106,7 @@ public:
   itkSetMacro(CodesHaveSides, bool);
   itkGetConstMacro(CodesHaveSides, bool);
   itkBooleanMacro(CodesHaveSides);
-
+  /** The drawing of a jaw, without the outlines of the side that is not registered to. */
   ContourType *
   GetOutput(JawEnum jaw);
   ContourType *

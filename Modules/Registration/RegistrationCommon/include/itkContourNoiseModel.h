@@ -28,8 +28,8 @@ namespace itk
 /** Standard deviations of a tracing's smooth drift and of its white part, px. */
 struct ContourNoiseLevels
 {
-  double smooth{ 1.3 };
-  double white{ 0.6 };
+  double smooth{ 1.3 }; /**< Of the drift along the line. */
+  double white{ 0.6 };  /**< Of each point's own error. */
 };
 
 /** \class ContourNoiseModel
@@ -52,7 +52,7 @@ public:
   /** Count residuals of one strand, linear in the parameters near the estimate; nothing is owned. */
   struct BlockType
   {
-    std::size_t count{ 0 };
+    std::size_t count{ 0 }; /**< Residuals of the strand. */
     /** G, count x count. */
     const double * correlation{ nullptr };
     const double * weights{ nullptr };

@@ -49,18 +49,18 @@ public:
   itkTypeMacro(LeastSquaresMetricCostFunction, MultipleValuedCostFunction);
 
   using MetricType = ObjectToObjectMetricBaseTemplate<double>;
-
+  /** A metric that is a LeastSquaresMetric, initialised; any other is refused with an exception. Must be set. */
   virtual void
   SetMetric(MetricType * metric);
   itkGetModifiableObjectMacro(Metric, MetricType);
-
+  /** The residuals. */
   MeasureType
   GetValue(const ParametersType & parameters) const override;
 
   /** A row a parameter, a column a residual, as ITK's optimizers take it. */
   void
   GetDerivative(const ParametersType & parameters, DerivativeType & derivative) const override;
-
+  /** Number of residuals, and of the parameters that are free. */
   unsigned int
   GetNumberOfValues() const override;
   unsigned int

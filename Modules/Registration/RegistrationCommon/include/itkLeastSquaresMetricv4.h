@@ -201,7 +201,7 @@ public:
     Matches
   };
   virtual void
-  Hold(HoldEnum what);
+  Hold(HoldEnum what); /**< Until it is called again; Nothing lets all follow. */
 
   // In a registration ------------------------------------------------------------------------------------------------
 

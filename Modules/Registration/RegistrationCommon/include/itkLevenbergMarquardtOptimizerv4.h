@@ -151,7 +151,7 @@ public:
   /** The last step tried, for ReportIteration() of another optimizer. */
   IterationType
   GetLastIteration() const;
-
+  /** Runs from the metric's parameters to a stop; with true it only prepares the run. */
   void
   StartOptimization(bool doOnlyInitialization = false) override;
 
@@ -164,7 +164,7 @@ public:
    * \return false where an observer called StopOptimization() since the last report: the owner should end its runs. */
   virtual bool
   ReportIteration(const IterationType & iteration);
-
+  /** Why the last run ended. */
   itkGetEnumMacro(StopCondition, StopConditionEnum);
 
   /** Whether the last run ended by StepTolerance or ValueTolerance. */

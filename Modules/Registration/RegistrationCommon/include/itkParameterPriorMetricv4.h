@@ -55,9 +55,9 @@ public:
   /** Prior of one parameter, natural units. */
   struct PriorType
   {
-    double mean{ 0.0 };
-    double sigma{ 1.0 };
-    double degreesOfFreedom{ 0.0 };
+    double mean{ 0.0 };             /**< Where the parameter is expected. */
+    double sigma{ 1.0 };            /**< Its standard deviation, or the scale of Student's t. */
+    double degreesOfFreedom{ 0.0 }; /**< Of Student's t; 0: Gaussian. */
   };
 
   /** The block that this is about, with its parameters; must be set. */
@@ -76,7 +76,7 @@ public:
   {
     return m_Priors;
   }
-
+  /** Whether Student's t counts with the precision of its variance instead of that of its peak. Off by default. */
   itkSetMacro(UseVariancePrecision, bool);
   itkGetConstMacro(UseVariancePrecision, bool);
   itkBooleanMacro(UseVariancePrecision);

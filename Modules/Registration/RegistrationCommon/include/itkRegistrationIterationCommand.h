@@ -62,7 +62,7 @@ public:
 
   itkNewMacro(Self);
   itkTypeMacro(RegistrationIterationCommand, Command);
-
+  /** What happened: a run or a level began, an iteration went by, the run was stopped or came to its end. */
   enum class KindEnum : std::uint8_t
   {
     Start,
@@ -74,12 +74,12 @@ public:
   /** One event. */
   struct RecordType
   {
-    KindEnum                    kind{ KindEnum::Start };
-    unsigned int                level{ 0 };
-    unsigned int                candidate{ 0 };
-    std::size_t                 iteration{ 0 };
-    double                      value{ 0.0 };
-    OptimizerParameters<double> parameters;
+    KindEnum                    kind{ KindEnum::Start }; /**< What happened. */
+    unsigned int                level{ 0 };              /**< Level of the run, from 0. */
+    unsigned int                candidate{ 0 };          /**< Start among several, from 0. */
+    std::size_t                 iteration{ 0 };          /**< Iteration of the level, from 0. */
+    double                      value{ 0.0 };            /**< Of the metric, in its unit. */
+    OptimizerParameters<double> parameters;              /**< Of the optimizer, in its units. */
     /** Of iterations. A step that was tried and not taken is a record of its own where the observed object reports it;
      * value and parameters are then those of the best position as before. */
     double stepLength{ 0.0 };
@@ -107,7 +107,7 @@ public:
   {
     return m_WriteEvery;
   }
-
+  /** All events since the last start. */
   const std::vector<RecordType> &
   GetRecords() const
   {
@@ -118,7 +118,7 @@ public:
    * accepted (1 or 0), p0, p1 ... the parameters. */
   void
   WriteTable(std::ostream & stream) const;
-
+  /** Called by the observed object. */
   void
   Execute(Object * caller, const EventObject & event) override;
   void

@@ -51,8 +51,8 @@ public:
   /** One unknown. */
   struct ParameterType
   {
-    std::string name;
-    double      value{ 0.0 };
+    std::string name;         /**< Unique in its block. */
+    double      value{ 0.0 }; /**< Natural unit. */
     /** Optimizer's units in one natural unit, positive. */
     double scale{ 1.0 };
     /** The longest step an optimizer should take, natural units; 0: any. */
@@ -62,8 +62,8 @@ public:
   /** Unknowns that belong together. */
   struct BlockType
   {
-    std::string                name;
-    std::vector<ParameterType> parameters;
+    std::string                name;       /**< Unique in the state. */
+    std::vector<ParameterType> parameters; /**< In the order of the state's vector. */
   };
   using BlocksType = std::vector<BlockType>;
   using OptimizerParametersType = OptimizerParameters<double>;
@@ -71,7 +71,7 @@ public:
   /** Appends a block. A block of that name and size stays as it is; one of another size is an error that names both. */
   void
   AddBlock(const BlockType & block);
-
+  /** All blocks, in the order in which they were added; whether there is one of a name. */
   const BlocksType &
   GetBlocks() const
   {
@@ -105,7 +105,7 @@ public:
   }
   void
   SetValues(const std::vector<double> & values);
-
+  /** Free parameters and those that are held. */
   std::size_t
   GetNumberOfParameters() const
   {
@@ -139,7 +139,7 @@ public:
   /** Longest step of the free parameters in the optimizer's units; 0: any. */
   OptimizerParametersType
   GetMaximumSteps() const;
-
+  /** Writes a line for each parameter. */
   void
   Print(std::ostream & os, const std::string & indent) const;
 

@@ -146,7 +146,7 @@ protected:
   /** Where the run is, for observers: of the level, the iteration in it, the metric there, the similarity. */
   void
   SetIteration(unsigned int level, std::size_t iteration, double value, const ContourSimilarity & similarity);
-
+  /** What GetStopConditionDescription() will say. */
   void
   SetStopConditionDescription(const std::string & text)
   {

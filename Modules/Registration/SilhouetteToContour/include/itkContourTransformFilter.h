@@ -53,7 +53,7 @@ public:
   itkTypeMacro(ContourTransformFilter, MeshToMeshFilter);
 
   using TransformType = Transform<double, 2, 2>;
-
+  /** From the contour's picture to the output's, pixels. Must be set. */
   itkSetGetDecoratedObjectInputMacro(Transform, TransformType);
 
 protected:

@@ -68,7 +68,7 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-
+  /** Geometry, and a scan (mm), its frame and its tracing (continuous pixel indices) of one jaw at least. */
   itkSetInputMacro(Geometry, GeometryType);
   itkGetInputMacro(Geometry, GeometryType);
   itkSetInputMacro(UpperMesh, MeshType);
@@ -91,7 +91,7 @@ public:
   /** mm a pixel in the detector plane where nothing can be measured. 0.25 by default, a scanned film at 100 dpi. */
   itkSetMacro(DefaultPixelSpacing, double);
   itkGetConstMacro(DefaultPixelSpacing, double);
-
+  /** A copy of the geometry with the spacing. */
   GeometryType *
   GetOutput();
 

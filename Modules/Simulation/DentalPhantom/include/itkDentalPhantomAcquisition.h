@@ -67,19 +67,19 @@ struct DentalPhantom_EXPORT DentalPhantomAcquisition
   double anterior{ 0.0 };
   double down{ 0.0 };
 
-  double trueSourceToMidsagittal{ 1524.0 };
-  double trueSourceToDetector{ 1674.0 };
-  double givenSourceToMidsagittal{ 1524.0 };
-  double givenSourceToDetector{ 1674.0 };
+  double trueSourceToMidsagittal{ 1524.0 };  /**< mm, of the machine as it is. */
+  double trueSourceToDetector{ 1674.0 };     /**< mm, of the machine as it is. */
+  double givenSourceToMidsagittal{ 1524.0 }; /**< mm, as the case file says it. */
+  double givenSourceToDetector{ 1674.0 };    /**< mm, as the case file says it. */
   /** In the detector plane, u and v alike; known. */
   double pixelSpacing{ 0.25 };
   /** Principal point as fractions of the image's width and height, facing right. */
   double principalU{ 0.25 };
   double principalV{ 0.45 };
 
-  double correlatedNoise{ 0.0 };
-  double whiteNoise{ 0.0 };
-  double correlationLength{ 15.0 };
+  double correlatedNoise{ 0.0 };    /**< 1 sd of the drift along a border, px. */
+  double whiteNoise{ 0.0 };         /**< 1 sd of each point's own error, px. */
+  double correlationLength{ 15.0 }; /**< Of the drift, px. */
   /** Of the tooth rotations, degrees, 1 sd. */
   double toothRotationDegrees{ 5.0 };
 

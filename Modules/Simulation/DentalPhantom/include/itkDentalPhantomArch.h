@@ -37,7 +37,7 @@ namespace itk
 class DentalPhantom_EXPORT DentalPhantomArch
 {
 public:
-  explicit DentalPhantomArch(const DentalPhantomParameters & parameters);
+  explicit DentalPhantomArch(const DentalPhantomParameters & parameters); /**< Of both jaws. */
 
   /** The point and the outward unit normal at arc length s from the midline, mm; s is negative on the right. */
   void

@@ -93,7 +93,7 @@ public:
   using CohortEnum = AcquisitionType::CohortEnum;
 
   using TracedSideEnum = itk::TracedSideEnum;
-
+  /** What the case is drawn from; 1 by default. */
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 

@@ -52,7 +52,7 @@ public:
 
   itkNewMacro(Self);
   itkTypeMacro(DentalPhantomCaseWriter, Object);
-
+  /** The case to write. Must be set. */
   itkSetObjectMacro(CaseSource, DentalPhantomCaseSource);
   itkGetModifiableObjectMacro(CaseSource, DentalPhantomCaseSource);
 

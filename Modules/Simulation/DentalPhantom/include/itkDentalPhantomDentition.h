@@ -40,10 +40,10 @@ class DentalPhantom_EXPORT DentalPhantomDentition
 public:
   using PointType = std::array<double, 3>;
 
-  static constexpr unsigned int NumberOfTeeth = DentalPhantomJaw::NumberOfTeeth;
-
+  static constexpr unsigned int NumberOfTeeth = DentalPhantomJaw::NumberOfTeeth; /**< A jaw. */
+  /** Stands the teeth of the parameters on their arches. */
   explicit DentalPhantomDentition(const DentalPhantomParameters & parameters);
-
+  /** What it was made of: the parameters, and the arches. */
   const DentalPhantomParameters &
   GetParameters() const
   {

@@ -47,7 +47,7 @@ public:
     Lateral,
     Frontal
   };
-
+  /** From where the picture is taken; the bone and soft tissue around the teeth are of that view. */
   ViewEnum view{ ViewEnum::Lateral };
   /** From the model's anatomical frame to pixels, with the source. */
   PerspectiveProjection projection;

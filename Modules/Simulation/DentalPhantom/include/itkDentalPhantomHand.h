@@ -75,7 +75,7 @@ public:
   /** Moves points about their centroid. */
   static void
   Apply(const Slip & slip, std::vector<PixelType> & points);
-
+  /** Shift of everything that it draws on this film, px. */
   const PixelType &
   GetBias() const
   {

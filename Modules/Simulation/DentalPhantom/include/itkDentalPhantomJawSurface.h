@@ -37,10 +37,10 @@ struct DentalPhantomJawSurface
   /** A named point, mm in the frame of the surface. */
   struct Landmark
   {
-    std::string           name;
-    std::array<double, 3> point;
+    std::string           name;  /**< Such as "UR6_MB". */
+    std::array<double, 3> point; /**< mm. */
   };
-
+  /** The mesh of the jaw, mm. */
   TriangleSurface surface;
   /** FDI number at each point, 0 = gingiva. */
   std::vector<std::uint8_t> labels;

@@ -58,8 +58,8 @@ struct DentalPhantom_EXPORT DentalPhantomLevel
   /** A parameter and its words. */
   struct EntryType
   {
-    const char * section;
-    const char * key;
+    const char * section; /**< The table of the level's file that it stands in. */
+    const char * key;     /**< Its name there. */
     /** In a few words, with the unit. */
     const char * description;
     FieldType    field;

@@ -62,7 +62,7 @@ public:
   /** The jaw itself: neither brackets nor noise nor anything of the scan, at a resolution of its own. */
   JawSurface
   MakeCleanJaw(unsigned int jaw, std::uint32_t numberOfTriangles, unsigned int threads = 0) const;
-
+  /** What it was made of. */
   const DentalPhantomParameters &
   GetParameters() const
   {

@@ -35,9 +35,9 @@ namespace itk
  */
 struct DentalPhantomTooth
 {
-  bool   missing{ false };
-  double mesiodistal{ 8.0 };
-  double buccolingual{ 8.0 };
+  bool   missing{ false };    /**< The tooth is not there. */
+  double mesiodistal{ 8.0 };  /**< Crown width along the arch. */
+  double buccolingual{ 8.0 }; /**< Crown depth across the arch. */
   /** From the cervical line to the incisal edge or the highest cusp. */
   double height{ 8.0 };
   /** About the tooth's long axis. */
@@ -74,7 +74,7 @@ struct DentalPhantom_EXPORT DentalPhantomJaw
   static constexpr unsigned int NumberOfTeeth = 16;
 
   DentalPhantomJaw();
-
+  /** Of an index among all teeth. */
   static bool
   IsLeft(unsigned int index)
   {
@@ -178,14 +178,14 @@ struct DentalPhantom_EXPORT DentalPhantomParameters
   /** How irregular Draw() makes a dentition; all are one standard deviation or a probability. */
   struct Variation
   {
-    double rotationDegrees{ 5.0 };
-    double tipDegrees{ 2.0 };
-    double torqueDegrees{ 3.0 };
-    double buccalOffset{ 0.3 };
-    double occlusalOffset{ 0.15 };
-    double spacedArchProbability{ 0.15 };
-    double palateProbability{ 0.5 };
-    double stoneBaseProbability{ 0.0 };
+    double rotationDegrees{ 5.0 };        /**< Of a tooth about its axis, degrees. */
+    double tipDegrees{ 2.0 };             /**< Of a crown along the arch, degrees. */
+    double torqueDegrees{ 3.0 };          /**< Of a crown across the arch, degrees. */
+    double buccalOffset{ 0.3 };           /**< Of a tooth off the arch line, mm. */
+    double occlusalOffset{ 0.15 };        /**< Of a tooth out of the occlusal plane, mm. */
+    double spacedArchProbability{ 0.15 }; /**< That there are gaps between all teeth. */
+    double palateProbability{ 0.5 };      /**< That the upper scan has the palate. */
+    double stoneBaseProbability{ 0.0 };   /**< That scans are those of plaster casts with a base. */
   };
 
   DentalPhantomParameters();
@@ -199,9 +199,9 @@ struct DentalPhantom_EXPORT DentalPhantomParameters
   /** A rigid motion p -> rotation p + translation; rotation row-major. */
   struct RigidMotion
   {
-    std::array<double, 9> rotation{ { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } };
-    std::array<double, 3> translation{};
-
+    std::array<double, 9> rotation{ { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } }; /**< Row-major. */
+    std::array<double, 3> translation{};                                               /**< mm. */
+    /** Of a point, mm; and back. */
     std::array<double, 3>
     Apply(const std::array<double, 3> & point) const;
     std::array<double, 3>
@@ -229,7 +229,7 @@ struct DentalPhantom_EXPORT DentalPhantomParameters
 
   /** Upper, lower. */
   std::array<DentalPhantomJaw, 2> jaws;
-
+  /** Form of both arches. Draw() draws it; the exponent and the coverage below are what the meshes are made by. */
   ArchFamilyEnum archFamily{ ArchFamilyEnum::Ovoid };
   /** Exponent of the arch |y/w|^p + |x/d|^p = 1: 2 is an ellipse, more is squarer. */
   double archExponent{ 2.15 };
@@ -238,8 +238,8 @@ struct DentalPhantom_EXPORT DentalPhantomParameters
   /** Half the upper arch's width between the crown lines at the distal ends of the second molars. */
   double archHalfWidth{ 29.0 };
 
-  double overjet{ 2.5 };
-  double overbite{ 2.0 };
+  double overjet{ 2.5 };  /**< Upper before lower incisors, mm. */
+  double overbite{ 2.0 }; /**< Upper over lower incisors, mm. */
   /** Depth of the curve of Spee. */
   double speeDepth{ 1.2 };
   /** Curve of Wilson: factor on the molars' transverse inclination. */
@@ -253,12 +253,12 @@ struct DentalPhantom_EXPORT DentalPhantomParameters
   double        scannerNoise{ 0.0 };
   std::uint64_t noiseSeed{ 1 };
 
-  FrameEnum     frame{ FrameEnum::Anatomical };
-  std::uint64_t frameSeed{ 1 };
+  FrameEnum     frame{ FrameEnum::Anatomical }; /**< Of the meshes and the landmarks. */
+  std::uint64_t frameSeed{ 1 };                 /**< What a random motion is drawn from. */
   /** What becomes the origin of a centred frame, in the anatomical frame; DentalPhantomMeshSource sets the centroid of
    * each scan's points. */
   std::array<std::array<double, 3>, 2> frameCentres{};
-
+  /** What a scanner and its software add to both jaws or take from them. */
   DentalPhantomScan scan;
 
   /** Approximate, each jaw (reached within 10 %). */

@@ -37,7 +37,7 @@ public:
   DentalPhantomProfile() = default;
   /** Knots in ascending order of x, one y each. */
   DentalPhantomProfile(std::vector<double> xs, std::vector<double> ys);
-
+  /** The value at t; beyond the knots that of the nearest one. */
   double
   operator()(double t) const;
 

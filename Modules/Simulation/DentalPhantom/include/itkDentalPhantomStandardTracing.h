@@ -52,7 +52,7 @@ public:
   /** One tooth, px; closed, without a repeated end. */
   struct Outline
   {
-    std::uint8_t fdi{ 0 };
+    std::uint8_t fdi{ 0 }; /**< The tooth, 11 to 48. */
     /** Before the hand's error; of the template where one is used, placed exactly. */
     std::vector<PixelType>  exact;
     std::vector<PixelType>  drawn;

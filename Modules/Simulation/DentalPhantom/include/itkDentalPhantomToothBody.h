@@ -42,14 +42,14 @@ struct DentalPhantom_EXPORT DentalPhantomToothBody
   /** A cusp: where its tip stands on the crown, how high, and how steep its sides are; the name of its landmark. */
   struct Cusp
   {
-    double       x;
-    double       y;
-    double       height;
-    double       slopeX;
-    double       slopeY;
-    const char * name;
+    double       x;      /**< Mesial, mm. */
+    double       y;      /**< Buccal, mm. */
+    double       height; /**< Of the tip above the cervix, mm. */
+    double       slopeX; /**< How much the sides fall per mm along the arch. */
+    double       slopeY; /**< How much they fall per mm across the arch. */
+    const char * name;   /**< Of its landmark, such as "MB"; null: none. */
   };
-  bool present{ false };
+  bool present{ false }; /**< Whether the tooth is there. */
   /** Whether the arch has a place for it: a lost tooth leaves one, one that never was does not. */
   bool space{ false };
   /** 0 incisor, 1 canine, 2 premolar, 3 molar. */
@@ -78,15 +78,15 @@ struct DentalPhantom_EXPORT DentalPhantomToothBody
   /** From the cervix (z 0) down: a bent cone of elliptic sections. */
   struct Root
   {
-    double baseX;
-    double baseY;
-    double apexX;
-    double apexY;
-    double length;
-    double radiusX;
-    double radiusY;
+    double baseX;   /**< Mesial place at the cervix. */
+    double baseY;   /**< Buccal place at the cervix. */
+    double apexX;   /**< Mesial place of the apex. */
+    double apexY;   /**< Buccal place of the apex. */
+    double length;  /**< From cervix to apex. */
+    double radiusX; /**< Mesial half width at the cervix. */
+    double radiusY; /**< Buccal half width at the cervix. */
   };
-  std::vector<Root> roots;
+  std::vector<Root> roots; /**< One to three. */
   /** Where several roots part, below the cervix. */
   double trunk{ 0.0 };
   /** Columns mesial, buccal, occlusal in (x, y, o) of the jaw, o pointing occlusally. */
@@ -108,7 +108,7 @@ struct DentalPhantom_EXPORT DentalPhantomToothBody
   ShapePrimaryMolar(unsigned int jaw, unsigned int position);
   void
   ShapeRoots(unsigned int jaw, unsigned int position, bool isPrimary);
-
+  /** From the jaw's frame to the tooth's, and back, mm. */
   PointType
   ToLocal(const PointType & p) const;
   PointType

@@ -45,8 +45,8 @@ public:
   /** The border of one tooth, px. */
   struct Polyline
   {
-    std::uint8_t           fdi{ 0 };
-    std::vector<PixelType> points;
+    std::uint8_t           fdi{ 0 }; /**< The tooth, 11 to 48. */
+    std::vector<PixelType> points;   /**< In order along the border, px. */
     /** Where the labial border ends and the incisal begins. */
     std::size_t corner{ 0 };
   };

@@ -31,11 +31,11 @@ namespace itk
 /** Colours of an overlay (Okabe, Ito 2008: told apart with any colour vision), red, green, blue. */
 namespace OverlayColour
 {
-constexpr std::array<std::uint8_t, 3> Tracing{ 86, 180, 233 };
-constexpr std::array<std::uint8_t, 3> Silhouette{ 230, 159, 0 };
-constexpr std::array<std::uint8_t, 3> Secondary{ 204, 190, 170 };
-constexpr std::array<std::uint8_t, 3> Error{ 240, 228, 66 };
-constexpr std::array<std::uint8_t, 3> Background{ 24, 26, 30 };
+constexpr std::array<std::uint8_t, 3> Tracing{ 86, 180, 233 };    /**< Sky blue: what was drawn. */
+constexpr std::array<std::uint8_t, 3> Silhouette{ 230, 159, 0 };  /**< Orange: the scan's. */
+constexpr std::array<std::uint8_t, 3> Secondary{ 204, 190, 170 }; /**< Grey: other roles. */
+constexpr std::array<std::uint8_t, 3> Error{ 240, 228, 66 };      /**< Yellow: an error. */
+constexpr std::array<std::uint8_t, 3> Background{ 24, 26, 30 };   /**< Where no picture is. */
 } // namespace OverlayColour
 
 /** Paints the scene: title and badge on top, the radiograph with the overlay left, on the right text, legend, table of

@@ -40,8 +40,8 @@ struct OverlayScene
   /** One polyline. */
   struct StrokeType
   {
-    std::vector<PointType> points;
-    bool                   closed{ false };
+    std::vector<PointType> points;          /**< Continuous pixel indices. */
+    bool                   closed{ false }; /**< Whether the last point is joined to the first. */
   };
   enum class RoleEnum : std::uint8_t
   {
@@ -55,18 +55,18 @@ struct OverlayScene
   /** Polylines of one role, with their name in the legend. */
   struct ContourType
   {
-    RoleEnum                role{ RoleEnum::Fixed };
-    std::string             label;
-    std::vector<StrokeType> strokes;
+    RoleEnum                role{ RoleEnum::Fixed }; /**< What the colour follows. */
+    std::string             label;                   /**< In the legend. */
+    std::vector<StrokeType> strokes;                 /**< In the order in which they are drawn. */
   };
   /** Where a landmark is predicted and where it was marked; either may be unknown. */
   struct LandmarkType
   {
-    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); /**< Not a number. */
 
-    std::string name;
-    PointType   predicted{ unknown, unknown };
-    PointType   reference{ unknown, unknown };
+    std::string name;                          /**< As its file names it. */
+    PointType   predicted{ unknown, unknown }; /**< Continuous pixel index; unknown: not predicted. */
+    PointType   reference{ unknown, unknown }; /**< Continuous pixel index; unknown: not marked. */
     /** Standard deviation an axis, pixels; 0: not known. */
     double sigma{ 0.0 };
   };
@@ -78,9 +78,9 @@ struct OverlayScene
   /** mm a pixel in the detector plane; 0: unknown, no millimetre is then printed. */
   std::array<double, 2> pixelSpacing{ 0.0, 0.0 };
 
-  std::vector<ContourType>  contours;
-  std::vector<LandmarkType> landmarks;
-
+  std::vector<ContourType>  contours;  /**< Drawn over the radiograph. */
+  std::vector<LandmarkType> landmarks; /**< Drawn over the contours. */
+  /** In the first line of the picture's words. */
   std::string title;
   /** "ok", "suspect" or "failed" are coloured; empty: no badge. */
   std::string              status;

@@ -132,7 +132,7 @@ public:
   void
   SetPictureSize(unsigned int width, unsigned int height);
   itkGetConstReferenceMacro(PictureSize, PictureSizeType);
-
+  /** First line of the picture's words; "" by default. */
   itkSetStringMacro(Title);
   itkGetStringMacro(Title);
 

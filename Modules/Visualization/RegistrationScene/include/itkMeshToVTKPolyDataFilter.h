@@ -72,7 +72,7 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-
+  /** The mesh. Must be set. */
   using Superclass::SetInput;
   void
   SetInput(const InputMeshType * mesh);

@@ -55,10 +55,10 @@ public:
   using PartsType = std::vector<ScenePart>;
   /** Name and detector of each radiograph. */
   using DetectorsType = std::vector<std::pair<std::string, SceneDetector>>;
-
+  /** Everything that is shown, and from where: a detector each view, by its name. */
   void
   Set(PartsType parts, DetectorsType detectors);
-
+  /** All parts, in the order in which they are drawn. */
   const PartsType &
   GetParts() const
   {
@@ -67,7 +67,7 @@ public:
   /** Null where there is no part of that name. */
   const ScenePart *
   FindPart(const std::string & name) const;
-
+  /** Where the source and the pixels of each radiograph are. */
   const DetectorsType &
   GetDetectors() const
   {

@@ -99,7 +99,7 @@ public:
   /** Largest width and height of a radiograph's picture, pixels. Default 2048. */
   itkSetClampMacro(MaximumPictureSize, unsigned int, 16, 16384);
   itkGetConstMacro(MaximumPictureSize, unsigned int);
-
+  /** The scene. */
   OutputType *
   GetOutput();
   const OutputType *

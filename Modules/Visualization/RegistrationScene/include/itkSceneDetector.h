@@ -63,7 +63,7 @@ public:
   {
     return m_Distance;
   }
-
+  /** Where the rays come from, mm, frame of the scene. */
   const PointType &
   GetSource() const
   {

@@ -73,7 +73,7 @@ struct ScenePart
    * picture, from (0, 0) at its upper left corner to (1, 1) at its lower right. */
   PictureType::Pointer              picture;
   std::vector<std::array<float, 2>> pictureCoordinates;
-
+  /** Whether its points have tooth labels. */
   bool
   HasTeeth() const
   {

@@ -36,7 +36,7 @@ namespace itk
 /** A place on a scan and where it is seen. */
 struct SceneLandmark
 {
-  std::string name;
+  std::string name; /**< As its file names it. */
   /** Frame of the scene, mm. */
   Point<double, 3> point;
   /** Continuous pixel index. */

@@ -64,7 +64,7 @@ public:
   itkTypeMacro(VTKPolyDataToMeshFilter, MeshSource);
 
   using OutputMeshType = TOutputMesh;
-
+  /** What is copied. Must be set. */
   using Superclass::SetInput;
   void
   SetInput(vtkPolyData * polyData);
@@ -81,7 +81,7 @@ public:
   /** Default "": the active scalars. */
   itkSetStringMacro(CellDataName);
   itkGetStringMacro(CellDataName);
-
+  /** Looks whether the input has changed, as VTK says it. */
   void
   UpdateOutputInformation() override;
 

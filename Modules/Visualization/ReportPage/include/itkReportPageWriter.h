@@ -64,7 +64,7 @@ public:
 
   using RadiographType = Image<float, 2>;
   using MeshType = Mesh<float, 3>;
-
+  /** The lateral radiograph, where there is one. */
   itkSetInputMacro(Radiograph, RadiographType);
   itkGetInputMacro(Radiograph, RadiographType);
 
@@ -89,7 +89,7 @@ public:
   /** What the page is of, e.g. the name of the case's folder. */
   itkSetStringMacro(Title);
   itkGetStringMacro(Title);
-
+  /** The page to write. Must be set. */
   itkSetStringMacro(FileName);
   itkGetStringMacro(FileName);
 
