@@ -14,7 +14,7 @@ import time
 import pytest
 
 from program_faults import wait_until
-from result_files import poses_in
+from result_files import poses_in, poses_of
 
 
 def digests(folder):
@@ -67,6 +67,47 @@ def test_register_on_a_disk_that_is_full_but_for_an_earlier_result(run, sample, 
     done = run("register", sample / "case.json", "--output", disk / "out", "--quiet", "--option", "useRobustKernel=off")
     fails_in_words(done, "No space left")
     assert digests(disk / "out") == before
+
+
+def test_a_disk_that_is_read_only_is_told_and_keeps_what_it_has(run, sample, small_disk, result):
+    disk = small_disk(20000)
+    shutil.copytree(result, disk / "out")
+    before = digests(disk)
+    subprocess.run(["mount", "-o", "remount,ro", str(disk)], check=True)
+    for output in (disk / "out", disk / "new"):
+        fails_in_words(run("register", sample / "case.json", "--output", output, "--quiet"), str(disk), "Read-only file system")
+    fails_in_words(run("render", "--case", sample / "case.json", "--output", disk / "a.png", "--quiet"), "a.png", "Read-only file system")
+    fails_in_words(run("batch", sample / "case.json", "--output", disk / "batch", "--quiet"), str(disk), "Read-only file system")
+    assert digests(disk) == before
+
+
+# Of the memory that a run needs, from what loads the program and no more to nearly all.
+@pytest.mark.parametrize("verb", ["register", "render"])
+def test_where_memory_is_short_a_run_ends_in_words_or_is_whole(program, sample, result, tmp_path, verb):
+    output = tmp_path / ("out" if verb == "register" else "out.png")
+    arguments = [sample / "case.json"] if verb == "register" else ["--case", sample / "case.json"]
+    outcomes = []
+    for megabytes in (60, 90, 120, 160, 400):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, resource.RLIM_INFINITY))  # noqa: E731
+        done = subprocess.run(
+            [str(program), verb, *map(str, arguments), "--output", str(output), "--quiet"],
+            capture_output=True, text=True, timeout=300, preexec_fn=limit,
+        )
+        # What the loader of the system says of a program that it can't load is not ours.
+        if done.returncode == 127 and "loading shared libraries" in done.stderr:
+            continue
+        outcomes.append(done.returncode)
+        assert done.returncode in (0, 2), (megabytes, done.returncode, done.stderr)
+        if done.returncode == 2:
+            assert done.stderr.splitlines()[-1].startswith("dentalscr: "), done.stderr
+            assert not list(tmp_path.iterdir()), (megabytes, done.stderr)
+        elif verb == "register":
+            assert poses_of(output) == poses_of(result), megabytes
+            shutil.rmtree(output)
+        else:
+            assert output.read_bytes().startswith(b"\x89PNG")
+            output.unlink()
+    assert set(outcomes) == {0, 2}, "limits that try nothing"
 
 
 @pytest.mark.parametrize("extension", ["mha", "nrrd", "tif", "png", "jpg", "bmp"])
