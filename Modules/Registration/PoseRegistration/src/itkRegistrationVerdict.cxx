@@ -755,7 +755,13 @@ JudgeReadings(const PoseRegistrationResult &          registration,
   }
   else
   {
-    Add(verdict, StatusEnum::Failed, "facing", "the patient seems to face the other way: check `facing`", gain);
+    // Of a few landmarks, or outlines of four teeth, rows from below look like it.
+    Add(verdict,
+        StatusEnum::Failed,
+        "facing",
+        std::string("the patient seems to face the other way: check `facing`") +
+          (isTraced ? "" : ", and that v is counted from the top of the radiograph"),
+        gain);
   }
 }
 
