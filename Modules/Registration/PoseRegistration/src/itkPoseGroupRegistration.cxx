@@ -70,7 +70,6 @@ PoseGroupRegistration::PoseGroupRegistration(const PoseRegistrationOptions &    
   , m_Start(start)
   , m_Monitor(monitor)
   , m_Stages(stages)
-  , m_Group(group)
   , m_Hypothesis(hypothesis)
   , m_Priors(options, pixelSpacingKnown)
   , m_CovarianceNoise(parts.covarianceNoiseModel.IsNotNull()
@@ -122,25 +121,25 @@ PoseGroupRegistration::CloneForStage(JoinsEnum stage) const
   return clone;
 }
 
-PoseGroupRegistration::CandidateType
+RefinedCandidate
 PoseGroupRegistration::MakeCandidate(const PositionType & x) const
 {
-  CandidateType candidate;
+  RefinedCandidate candidate;
   candidate.x = x;
   candidate.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
   return candidate;
 }
 
-std::vector<PoseGroupRegistration::CandidateType>
-PoseGroupRegistration::SelectDistinct(const MetricType &                 metric,
-                                      const std::vector<CandidateType> & sorted,
-                                      double                             distance,
-                                      std::size_t                        maximum) const
+std::vector<RefinedCandidate>
+PoseGroupRegistration::SelectDistinct(const MetricType &                    metric,
+                                      const std::vector<RefinedCandidate> & sorted,
+                                      double                                distance,
+                                      std::size_t                           maximum) const
 {
-  std::vector<CandidateType> distinct;
-  for (const CandidateType & candidate : sorted)
+  std::vector<RefinedCandidate> distinct;
+  for (const RefinedCandidate & candidate : sorted)
   {
-    const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const CandidateType & other) {
+    const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const RefinedCandidate & other) {
       return PosePlace::Distance(metric, candidate.x, other.x) < distance;
     });
     if (!near && distinct.size() < maximum)
@@ -151,7 +150,7 @@ PoseGroupRegistration::SelectDistinct(const MetricType &                 metric,
   return distinct;
 }
 
-std::vector<PoseGroupRegistration::CandidateType>
+std::vector<RefinedCandidate>
 PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & evaluations) const
 {
   // The view direction is that of the tracing: two rounds settle the perspective.
@@ -220,7 +219,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
     // One place may be found at two scales.
     request.maximumNumberOfStarts *= 2;
   }
-  ScheduleType schedule;
+  RefinementSchedule schedule;
   schedule.widths = m_Options.startKernelWidths;
   schedule.maximumEvaluations = m_Options.startEvaluations;
   schedule.tolerance = m_Options.startTolerance;
@@ -232,7 +231,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
   const auto                        byLandmarks = LandmarkPoseStart::New()->Search(*metric, request);
   starts.insert(starts.end(), byLandmarks.begin(), byLandmarks.end());
   const auto maximumNumberOfCandidates = request.maximumNumberOfStarts + static_cast<unsigned int>(byLandmarks.size());
-  std::vector<CandidateType> candidates;
+  std::vector<RefinedCandidate> candidates;
   for (const auto & start : starts)
   {
     if (m_Monitor.IsAborted())
@@ -243,7 +242,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
     const auto number = static_cast<unsigned int>(candidates.size() - 1);
     m_Refinement.Run(*metric, schedule, index * maximumNumberOfCandidates + number, candidates.back());
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const CandidateType & a, const CandidateType & b) {
+  std::stable_sort(candidates.begin(), candidates.end(), [](const RefinedCandidate & a, const RefinedCandidate & b) {
     return a.score < b.score;
   });
   return this->SelectDistinct(*metric, candidates, m_Options.startDistance, m_Options.startsPerYaw);
@@ -252,7 +251,7 @@ PoseGroupRegistration::StartsAt(double yaw, unsigned int index, unsigned int & e
 bool
 PoseGroupRegistration::Run(PoseGroupResult & group)
 {
-  const auto byScore = [](const CandidateType & a, const CandidateType & b) { return a.score < b.score; };
+  const auto byScore = [](const RefinedCandidate & a, const RefinedCandidate & b) { return a.score < b.score; };
   // One that is not ours runs on the one object that it is.
   const bool cloneable = dynamic_cast<const LevenbergMarquardtOptimizerv4 *>(m_Optimizer.GetPointer()) != nullptr;
   const unsigned int threads = cloneable ? m_Options.numberOfThreads : 1;
@@ -261,8 +260,8 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   {
     return false;
   }
-  const PositionType         origin = m_Metric->GetState().GetValues();
-  std::vector<CandidateType> given;
+  const PositionType            origin = m_Metric->GetState().GetValues();
+  std::vector<RefinedCandidate> given;
   if (m_Options.useInitialPose)
   {
     given.push_back(this->MakeCandidate(WithPose(*m_Metric, origin, m_Options.initialPose)));
@@ -270,8 +269,8 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   // The criterion has many minima within a pixel or two, and which of them a start by itself leads to depends on where
   // it was. A search finds the ways into its place that it finds without a start, so that the answer does not tell how
   // one came there. What is held is the start's, of which a search knows nothing.
-  std::vector<CandidateType> pool;
-  const bool                 isHeld = m_Options.fixScale || m_Options.fixRotation || m_Options.fixTranslation;
+  std::vector<RefinedCandidate> pool;
+  const bool                    isHeld = m_Options.fixScale || m_Options.fixRotation || m_Options.fixTranslation;
   if (given.empty() || !(isHeld || m_Hypothesis))
   {
     std::vector<double> yaws{ 0.0 };
@@ -280,8 +279,8 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     {
       yaws = m_Options.yawStarts;
     }
-    std::vector<std::vector<CandidateType>> found(yaws.size());
-    std::vector<unsigned int>               evaluations(yaws.size(), 0);
+    std::vector<std::vector<RefinedCandidate>> found(yaws.size());
+    std::vector<unsigned int>                  evaluations(yaws.size(), 0);
     m_Monitor.ForEach(yaws.size(), threads, [&](std::size_t y) {
       found[y] = this->StartsAt(yaws[y], static_cast<unsigned int>(y), evaluations[y]);
     });
@@ -303,29 +302,31 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   std::stable_sort(pool.begin(), pool.end(), byScore);
   const MetricType::Pointer reference = this->CloneAt(pool.empty() ? given.front().x : pool.front().x);
   reference->Hold(MetricType::HoldEnum::Contours);
-  const auto refineThese =
-    [&](std::vector<CandidateType> & these, const ScheduleType & schedule, JoinsEnum stage, std::size_t firstIndex) {
-      m_Monitor.ForEach(these.size(), threads, [&](std::size_t i) {
-        const MetricType::Pointer metric = this->CloneAt(these[i].x, stage);
-        if (!m_Options.regenerateOutline)
-        {
-          metric->Hold(MetricType::HoldEnum::Contours);
-        }
-        this->Refine(*metric, schedule, static_cast<unsigned int>(firstIndex + i), these[i]);
-      });
-      for (const CandidateType & candidate : these)
+  const auto refineThese = [&](std::vector<RefinedCandidate> & these,
+                               const RefinementSchedule &      schedule,
+                               JoinsEnum                       stage,
+                               std::size_t                     firstIndex) {
+    m_Monitor.ForEach(these.size(), threads, [&](std::size_t i) {
+      const MetricType::Pointer metric = this->CloneAt(these[i].x, stage);
+      if (!m_Options.regenerateOutline)
       {
-        group.evaluations += candidate.evaluations;
+        metric->Hold(MetricType::HoldEnum::Contours);
       }
-      std::stable_sort(these.begin(), these.end(), byScore);
-      return !m_Monitor.IsAborted();
-    };
-  const auto refineAll = [&](const ScheduleType & schedule, JoinsEnum stage) {
+      m_Refinement.Run(*metric, schedule, static_cast<unsigned int>(firstIndex + i), these[i]);
+    });
+    for (const RefinedCandidate & candidate : these)
+    {
+      group.evaluations += candidate.evaluations;
+    }
+    std::stable_sort(these.begin(), these.end(), byScore);
+    return !m_Monitor.IsAborted();
+  };
+  const auto refineAll = [&](const RefinementSchedule & schedule, JoinsEnum stage) {
     return refineThese(pool, schedule, stage, 0);
   };
 
   // A few steps of each, then the best ones to the end.
-  ScheduleType coarse;
+  RefinementSchedule coarse;
   coarse.widths = m_Options.coarseKernelWidths;
   coarse.maximumEvaluations = m_Options.coarseEvaluations;
   coarse.tolerance = m_Options.coarseTolerance;
@@ -340,12 +341,12 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     pool.swap(given);
   }
   // The best of each of some places, and a second way into the best place: four of one place would hide the others.
-  std::vector<CandidateType> kept =
+  std::vector<RefinedCandidate> kept =
     this->SelectDistinct(*reference, pool, m_Options.placeDistance, m_Options.maximumPlaces);
-  for (const CandidateType & candidate : this->SelectDistinct(*reference, pool, m_Options.secondWayDistance, 2))
+  for (const RefinedCandidate & candidate : this->SelectDistinct(*reference, pool, m_Options.secondWayDistance, 2))
   {
     const bool there =
-      std::any_of(kept.begin(), kept.end(), [&](const CandidateType & other) { return other.x == candidate.x; });
+      std::any_of(kept.begin(), kept.end(), [&](const RefinedCandidate & other) { return other.x == candidate.x; });
     if (!there)
     {
       kept.push_back(candidate);
@@ -354,20 +355,20 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   pool = std::move(kept);
   std::stable_sort(pool.begin(), pool.end(), byScore);
   const double limit = pool.front().score + m_Options.scoreMargin;
-  pool.erase(
-    std::remove_if(pool.begin(), pool.end(), [&](const CandidateType & candidate) { return candidate.score > limit; }),
-    pool.end());
+  pool.erase(std::remove_if(
+               pool.begin(), pool.end(), [&](const RefinedCandidate & candidate) { return candidate.score > limit; }),
+             pool.end());
   m_Stages(PoseStageEnum::Refinement);
   if (m_Monitor.IsAborted())
   {
     return false;
   }
-  ScheduleType fine;
+  RefinementSchedule fine;
   fine.widths = { m_Options.fineKernelWidth };
   fine.maximumEvaluations = m_Options.maximumEvaluations;
   fine.tolerance = m_Options.fineTolerance;
-  const auto finish = [&](std::vector<CandidateType> & these) {
-    ScheduleType schedule = fine;
+  const auto finish = [&](std::vector<RefinedCandidate> & these) {
+    RefinementSchedule schedule = fine;
     if (!refineThese(these, schedule, JoinsEnum::Refinement, 0))
     {
       return false;
@@ -375,19 +376,19 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     // Where a drawing is precise the whitened criterion has minima a fraction of a pixel beside the answer: a smooth
     // misfit, which it takes for drift of the hand, costs it little against the outline's own small steps. A second
     // way leads there by the plain criterion, and ends by the whitened one with the noise as it is there.
-    std::vector<CandidateType> second;
-    std::copy_if(these.begin(), these.end(), std::back_inserter(second), [&](const CandidateType & candidate) {
+    std::vector<RefinedCandidate> second;
+    std::copy_if(these.begin(), these.end(), std::back_inserter(second), [&](const RefinedCandidate & candidate) {
       return m_Options.estimateNoise && candidate.noise.white < PreciseFactor * m_Options.modelSigma &&
              candidate.noise.smooth < m_Options.fineKernelWidth;
     });
     const bool precise = !second.empty();
     if (precise)
     {
-      for (CandidateType & candidate : second)
+      for (RefinedCandidate & candidate : second)
       {
         candidate.noise = { m_Options.initialSmoothSigma, m_Options.initialWhiteSigma };
       }
-      ScheduleType plain = schedule;
+      RefinementSchedule plain = schedule;
       plain.correlated = false;
       schedule.isNear = true;
       if (!refineThese(second, plain, JoinsEnum::Refinement, these.size()) ||
@@ -403,15 +404,15 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     m_Monitor.ForEach(these.size(), threads, [&](std::size_t i) {
       const double fit = PoseSilhouetteKernel::FitWidth;
       these[i].deviance =
-        this->ComputePosterior(these[i], precise ? std::min(fit, this->GetOwnWidth(these[i].noise)) : fit);
+        m_Posterior.ComputeDeviance(these[i], precise ? std::min(fit, m_Refinement.GetOwnWidth(these[i].noise)) : fit);
     });
-    std::stable_sort(these.begin(), these.end(), [](const CandidateType & a, const CandidateType & b) {
+    std::stable_sort(these.begin(), these.end(), [](const RefinedCandidate & a, const RefinedCandidate & b) {
       return a.deviance < b.deviance;
     });
     if (precise)
     {
       // Both ways to one place are one candidate.
-      these = this->SelectDistinct(*reference, these, SameMinimum, these.size());
+      these = this->SelectDistinct(*reference, these, CandidatePosterior::SameMinimum, these.size());
     }
     return true;
   };
@@ -423,8 +424,8 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   {
     // Only now: of two candidates that end in one place one may have begun in another.
     const PositionType place = given.front().x;
-    const auto         isElsewhere = [&](const CandidateType & candidate) {
-      return this->Distance(*reference, place, candidate.x) > m_Options.placeDistance;
+    const auto         isElsewhere = [&](const RefinedCandidate & candidate) {
+      return PosePlace::Distance(*reference, place, candidate.x) > m_Options.placeDistance;
     };
     pool.erase(std::remove_if(pool.begin(), pool.end(), isElsewhere), pool.end());
     if (pool.empty())
@@ -438,7 +439,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     return false;
   }
 
-  const CandidateType & best = pool.front();
+  const RefinedCandidate & best = pool.front();
   m_Solution = best.x;
   group.parameters = ToPose(*m_Metric, best.x);
   group.state = best.x;
@@ -451,7 +452,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   group.stopCondition = best.stopCondition;
   group.smoothSigma = best.noise.smooth;
   group.whiteSigma = best.noise.white;
-  for (const CandidateType & other : pool)
+  for (const RefinedCandidate & other : pool)
   {
     PoseCandidate candidate;
     candidate.parameters = ToPose(*m_Metric, other.x);
@@ -459,7 +460,7 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
     candidate.cost = other.cost;
     candidate.codeTerm = other.codeTerm;
     candidate.deviance = other.deviance;
-    candidate.distance = this->Distance(*reference, best.x, other.x);
+    candidate.distance = PosePlace::Distance(*reference, best.x, other.x);
     group.candidates.push_back(candidate);
     if (candidate.distance > m_Options.placeDistance)
     {
@@ -469,11 +470,11 @@ PoseGroupRegistration::Run(PoseGroupResult & group)
   // Of a question that is asked of a wrong input nobody asks how sure it is.
   if (!m_Hypothesis)
   {
-    const vnl_matrix<double> covariance = this->ComputeCovariance(*reference, pool);
+    const vnl_matrix<double> covariance = m_Posterior.ComputeCovariance(*reference, pool);
     group.stateCovariance.assign(covariance.begin(), covariance.end());
     group.covariance = PickPoseCovariance(covariance, m_Metric->GetState());
   }
-  this->Settle(*m_Metric, best);
+  m_Refinement.Settle(*m_Metric, best);
   const auto sigmas = m_Priors.GetFitSigmas(false);
   for (unsigned int k = 0; k < 7; ++k)
   {

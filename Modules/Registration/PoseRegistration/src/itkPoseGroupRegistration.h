@@ -21,7 +21,6 @@
 #include "itkCandidatePosterior.h"
 #include "itkCandidateRefinement.h"
 #include "itkPoseIterationMonitor.h"
-#include "itkPosePlace.h"
 #include "itkPosePriors.h"
 #include "itkPoseRegistrationTypes.h"
 #include "itkPoseStart.h"
@@ -86,59 +85,22 @@ public:
   }
 
 private:
-  using CandidateType = RefinedCandidate;
-  using ScheduleType = RefinementSchedule;
-
-  std::vector<CandidateType>
+  std::vector<RefinedCandidate>
   StartsAt(double yaw, unsigned int index, unsigned int & evaluations) const;
   /** The best ones that lie further than a distance from each other. */
-  std::vector<CandidateType>
-  SelectDistinct(const MetricType &                 metric,
-                 const std::vector<CandidateType> & sorted,
-                 double                             distance,
-                 std::size_t                        maximum) const;
+  std::vector<RefinedCandidate>
+  SelectDistinct(const MetricType &                    metric,
+                 const std::vector<RefinedCandidate> & sorted,
+                 double                                distance,
+                 std::size_t                           maximum) const;
   using JoinsEnum = LeastSquaresMetricv4::JoinsEnum;
   /** Without the terms that join later. */
   MetricType::Pointer
   CloneForStage(JoinsEnum stage) const;
   MetricType::Pointer
   CloneAt(const PositionType & x, JoinsEnum stage = JoinsEnum::Refinement) const;
-  CandidateType
+  RefinedCandidate
   MakeCandidate(const PositionType & x) const;
-
-  // @@forward
-  static constexpr double SameMinimum = CandidatePosterior::SameMinimum;
-  void
-  Refine(MetricType & metric, const ScheduleType & schedule, unsigned int index, CandidateType & candidate) const
-  {
-    m_Refinement.Run(metric, schedule, index, candidate);
-  }
-  double
-  Distance(const MetricType & metric, const PositionType & from, const PositionType & to) const
-  {
-    return PosePlace::Distance(metric, from, to);
-  }
-  void
-  Settle(MetricType & metric, const CandidateType & candidate) const
-  {
-    m_Refinement.Settle(metric, candidate);
-  }
-  double
-  GetOwnWidth(const ContourNoiseLevels & noise) const
-  {
-    return m_Refinement.GetOwnWidth(noise);
-  }
-  double
-  ComputePosterior(const CandidateType & candidate, double width) const
-  {
-    return m_Posterior.ComputeDeviance(candidate, width);
-  }
-  vnl_matrix<double>
-  ComputeCovariance(const MetricType & reference, const std::vector<CandidateType> & pool) const
-  {
-    return m_Posterior.ComputeCovariance(reference, pool);
-  }
-  // @@end
 
   PoseRegistrationOptions            m_Options;
   bool                               m_PixelSpacingKnown;
@@ -147,7 +109,6 @@ private:
   PoseStart::ConstPointer            m_Start;
   PoseIterationMonitor &             m_Monitor;
   std::function<void(PoseStageEnum)> m_Stages;
-  unsigned int                       m_Group;
   bool                               m_Hypothesis;
   PosePriors                         m_Priors;
   ResidualNoiseModel::ConstPointer   m_CovarianceNoise;
