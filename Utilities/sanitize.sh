@@ -78,12 +78,16 @@ elif [ "${1:-}" = readers ] || [ "${1:-}" = libraries ]; then
     FUZZ_RUNNER=sanitized Utilities/fuzz.sh 0.5 build/test \
       archive cephalometric contours image labelmap landmarks2d landmarks3d mask scan session || status=1
   else
-    /usr/bin/python3 -m pytest -q -p no:cacheprovider Testing/CommandLine --build-dir "$sanitized_build" || status=1
+    # With a path of libraries: the sanitizer's dlopen() knows nothing of the run path of who has called it.
+    LD_LIBRARY_PATH="$sanitized_build/lib" /usr/bin/python3 -m pytest -q -p no:cacheprovider Testing/CommandLine \
+      --build-dir "$sanitized_build" || status=1
     FUZZ_RUNNER=sanitized Utilities/fuzz.sh 5 build/test || status=1
   fi
 else
   cmake --preset sanitize >/dev/null
   cmake --build --preset sanitize
+  # The sanitizer's dlopen() knows nothing of the run path of who has called it.
+  export LD_LIBRARY_PATH="$PWD/build/sanitize/lib"
   ctest --preset sanitize || status=1
   /usr/bin/python3 -m pytest -q -p no:cacheprovider Testing/CommandLine --build-dir build/sanitize || status=1
   Utilities/fuzz.sh 5 build/sanitize || status=1

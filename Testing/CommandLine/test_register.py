@@ -353,6 +353,33 @@ def test_all_held_without_a_start_says_what_to_give(run, case, tmp_path, preset)
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize(
+    "preset, control, words",
+    [
+        ("bounding-box", ("--fix", "scale"), '"fix" changes nothing with preset bounding-box'),
+        ("robust", ("--silhouette", "mesh"), "not used by preset robust"),
+        ("paper", ("--init", "pose.json"), '"init.pose" is not used by preset paper'),
+        ("single-stage", {"crowns": "shape"}, '"crowns": "shape" is not used by preset single-stage'),
+    ],
+)
+def test_a_control_that_changes_nothing_is_said(run, case, registered, tmp_path, preset, control, words):
+    case.save({"pose": [[1, 0, 0, 40], [0, 1, 0, 0], [0, 0, 1, -50]]}, "pose.json")
+    if isinstance(control, dict):
+        case.change(**control)
+        control = ()
+    control = [case.folder / word if word.endswith(".json") else word for word in control]
+    done = run("register", case.file, "--output", tmp_path / "out", "--preset", preset, "--quiet", *control)
+    assert done.returncode == 0, done.stderr
+    said = [line for line in done.stderr.splitlines() if words in line]
+    assert len(said) == 1 and said[0].startswith("dentalscr: warning: "), done.stderr
+    result = load(tmp_path / "out")
+    assert [warning for warning in result["warnings"] if words in warning]
+    before = load(registered[preset])
+    for name, jaw in result["jaws"].items():
+        assert jaw["projection_3x4"] == before["jaws"][name]["projection_3x4"]
+    assert not [warning for warning in before["warnings"] if words in warning]
+
+
 def test_excluded_teeth_do_not_count(run, case, registered, tmp_path):
     done = run("register", case.file, "--output", tmp_path / "out", "--preset", "bounding-box", "--exclude", "UR7,LR7")
     assert done.returncode == 0, done.stderr

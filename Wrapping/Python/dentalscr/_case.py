@@ -472,7 +472,7 @@ def register(
         Where to start instead of searching: an alignment's file, or an earlier result. For a case file or keywords;
         :func:`register_from` goes on from a result with what it was registered with.
     silhouette : "drr" or "mesh"
-        Where the paper's silhouette comes from.
+        Where the paper's silhouette comes from. What a preset has no use for is among the result's ``warnings``.
     options : dict, optional
         Ingredients of preset robust by name (Documentation/Robust.md), e.g. ``{"useRobustKernel": False}``.
     threads : int, optional

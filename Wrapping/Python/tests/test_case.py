@@ -100,6 +100,18 @@ def test_options_of_the_robust_preset(ds, case):
         ds.register(case, preset="paper", options={"useRobustKernel": False})
 
 
+def test_a_control_that_changes_nothing_is_said(ds, sample, case):
+    held = ds.register(sample / "case.json", preset="bounding-box", fix=["scale"])
+    assert any('"fix" changes nothing with preset bounding-box' in warning for warning in held.warnings)
+    assert any("not used by preset robust" in warning for warning in ds.register(case, silhouette="mesh").warnings)
+    registration = ds.CaseRegistration()
+    registration.SetPreset(ds.Preset.Paper)
+    registration.SetOption("useRobustKernel=off")
+    assert any("useRobustKernel=off: options of preset robust" in warning for warning in registration.Execute(case).warnings)
+    for preset in ("bounding-box", "robust"):
+        assert not ds.register(case, preset=preset).warnings
+
+
 def test_unusable_case_names_file_field_and_remedy(ds, sample, tmp_path):
     content = json.loads((sample / "case.json").read_text())
     content["contours"] = "nowhere.json"

@@ -114,7 +114,7 @@ public:
   /** Every ingredient of preset Robust; PoseRegistrationOptionTable sets them by name. What the case says of itself
    * (traced side, manual control, whether the jaws share a frame), threads and callbacks are set over it. So is
    * kappaSigma where it is the default and the pixel spacing is a DICOM file's, but not the detector's: 5 %.
-   * SetOption("kappaSigma=...") holds in any case. Other presets ignore all of it. */
+   * SetOption("kappaSigma=...") holds in any case. Other presets ignore all of it, with a warning. */
   void
   SetPoseOptions(const PoseRegistrationOptions & options);
   const PoseRegistrationOptions &

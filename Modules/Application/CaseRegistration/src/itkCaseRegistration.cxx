@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkCaseRegistration.h"
 
+#include "itkAppendTexts.h"
 #include "itkCaseJaws.h"
 #include "itkCasePoseRegistration.h"
 #include "itkCaseSimilarityRegistration.h"
@@ -34,6 +35,7 @@
 #include "itkTimeProbe.h"
 #include "itkTracingPixelSpacingFilter.h"
 #include "itkUMidlineDentalAxisFilter.h"
+#include "itkUnusedCaseControls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +49,18 @@ namespace
 {
 /** The one option that is not in PoseRegistrationOptions. */
 constexpr char RefineMidlineName[] = "refineMidline";
+
+/** "NAME=VALUE" of what is not the default. */
+std::vector<std::string>
+DescribeOptions(const PoseRegistrationOptions & options, bool refineMidline)
+{
+  std::vector<std::string> changes = PoseRegistrationOptionTable::GetChanges(options);
+  if (!refineMidline)
+  {
+    changes.push_back(std::string(RefineMidlineName) + "=off");
+  }
+  return changes;
+}
 
 double
 DraftedShareOf(const DentalCaseData & data, ToothCode::JawEnum jaw)
@@ -510,6 +524,12 @@ CaseRegistration::GenerateData()
     m_Result.warnings.push_back(
       "the pixel spacing is unknown and was estimated from the arch's size; lengths in mm are rough");
   }
+  AppendTexts(
+    m_Result.warnings,
+    DescribeUnusedControls(
+      *m_Data,
+      m_Preset,
+      { m_UseSurfaceDRR, DescribeOptions(m_PoseOptions, m_RefineMidline), static_cast<bool>(m_PoseMethodCallback) }));
   if (m_Preset == CasePresetEnum::Robust)
   {
     this->RegisterByPose();
@@ -542,11 +562,7 @@ CaseRegistration::RegisterByPose()
   settings.options = m_PoseOptions;
   settings.configure = m_PoseMethodCallback;
   settings.kappaSigmaIsGiven = m_KappaSigmaIsGiven;
-  m_Result.options = PoseRegistrationOptionTable::GetChanges(m_PoseOptions);
-  if (!m_RefineMidline)
-  {
-    m_Result.options.push_back(std::string(RefineMidlineName) + "=off");
-  }
+  m_Result.options = DescribeOptions(m_PoseOptions, m_RefineMidline);
   settings.numberOfThreads = this->GetNumberOfWorkUnits();
   settings.numberOfContourPoints = { { m_NumberOfUpperContourPoints, m_NumberOfLowerContourPoints } };
   settings.run = [this](ProcessObject * process) { this->Run(process, 0.35F, 0.95F); };
@@ -587,21 +603,6 @@ CaseRegistration::RegisterBySimilarity()
   const auto frameOf = [this](JawEnum jaw) {
     return jaw == JawEnum::Upper ? m_Axis->GetUpperTransformOutput() : m_Axis->GetLowerTransformOutput();
   };
-  if (!m_Data->views.empty())
-  {
-    m_Result.warnings.push_back(std::string("\"views\" are not used by preset ") + ToString(m_Preset) +
-                                ", which registers with one radiograph: use preset robust");
-  }
-  if (m_Data->cephalometricLandmarks.IsNotNull())
-  {
-    m_Result.warnings.push_back(std::string("\"cephalometric_landmarks\" are not used by preset ") +
-                                ToString(m_Preset) + ", which registers contours: use preset robust");
-  }
-  if (m_Data->description.initialPose || !m_Data->description.initialPlacements.empty())
-  {
-    m_Result.warnings.push_back(std::string("\"init.pose\" is not used by preset ") + ToString(m_Preset) +
-                                ": it starts from a similarity");
-  }
   // A spacing that nobody knows is estimated once for both jaws: they lie in one image.
   if (!m_Data->HasPixelSpacing())
   {
