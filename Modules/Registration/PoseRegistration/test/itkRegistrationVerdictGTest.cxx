@@ -1159,7 +1159,10 @@ TEST(RegistrationVerdict, ADentalAxisIsBorneOutByATracingThatDeterminesItOrByWha
   result.groups[0].margin = limits.borneOutMargin;
   // A poor fit that the other jaw's tracing excuses (of a cost within the limit, poor at single places) leaves this
   // jaw's no witness of its axis.
-  verdict.takenBack.push_back({ Suspect, "poor-fit", "the tracing fits the projected outline poorly" });
+  itk::RegistrationFinding poor;
+  poor.code = "poor-fit";
+  poor.text = "the tracing fits the projected outline poorly";
+  verdict.takenBack.push_back(poor);
   EXPECT_FALSE(isBorneOut(options));
   verdict.takenBack.clear();
   EXPECT_TRUE(isBorneOut(options));
