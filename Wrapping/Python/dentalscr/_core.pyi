@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MetricJoins', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PictureCheckFilter', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'ToothOutlineErrors', 'ToothOutlinePoseMetricv4', 'TracedSide', 'TracedSideFilter', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'VersorRigid3DTransform', 'ViewPoseMetricv4', 'ViewVerdictThresholds', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
+__all__: list[str] = ['AnnotationFileFormat', 'AnnotationPixelOrigin', 'CaseLandmarkErrorFilter', 'CaseRegistration', 'CaseResultFolderWriter', 'CephalogramFileReader', 'CephalometricGeometry', 'CephalometricLandmarkFileReader', 'CephalometricPoseTransform', 'CoherentPointDriftContourRegistrationMethod', 'CohortExperiment', 'Contour', 'ContourChamferMetricv4', 'ContourDirection', 'ContourDistanceFilter', 'ContourMaskFilter', 'ContourOverlapFilter', 'ContourPointDistance', 'ContourResampleFilter', 'ContourToContourMetricv4', 'ContourTransformFilter', 'CorrelatedNoiseModel', 'CrownRegionMeshFilter', 'DataObject', 'DentalCaseReader', 'DentalContourFileReader', 'DentalContourFileWriter', 'DentalFrames', 'DentalLandmarkFileReader2D', 'DentalLandmarkFileReader3D', 'DentalLandmarkFileWriter2D', 'DentalLandmarkFileWriter3D', 'DentalPhantomCaseSource', 'DentalPhantomMeshSource', 'DentalPhantomParameters', 'ExchangedJawsHypothesis', 'ExchangedLandmarksHypothesis', 'ExperimentStudy', 'GemanMcClureKernel', 'GeometryPlacementFilter', 'ITK_VERSION', 'Image', 'IntensityMeasure', 'IntensityRegistrationMethod', 'IterativeClosestPointContourRegistrationMethod', 'Jaw', 'JawsShareFrame', 'LandmarkCounterpartFilter', 'LandmarkErrorFilter', 'LandmarkMatrixProjectionFilter', 'LandmarkPoseMetricv4', 'LandmarkProjectionFilter', 'LeastSquaresMetricv4', 'LeastSquaresSumMetricv4', 'LevenbergMarquardtOptimizerv4', 'MatchedContourFilter', 'Mesh', 'MeshSilhouetteContourSource', 'MetricHold', 'MetricJoins', 'MidlineSideMeshFilter', 'MidsagittalPlaneFilter', 'MillimetreLandmarksHypothesis', 'Motion', 'Numbering', 'ObjectToObjectOptimizerBase', 'OpenSilhouetteContourSource', 'OtherFacingHypothesis', 'OtherSideHypothesis', 'OtherSpacingHypothesis', 'ParameterPrior', 'ParameterPriorMetricv4', 'PhantomArchFamily', 'PhantomCohort', 'PhantomFrame', 'Picture', 'PictureCheckFilter', 'PixelSpacingVerdict', 'Polyline', 'PoseCandidate', 'PoseHypothesis', 'PoseHypothesisOutcome', 'PoseIteration', 'PoseMetricv4', 'PoseRegistrationMethod', 'PoseRegistrationOptions', 'PoseSolution', 'PoseStage', 'PoseStart', 'PoseStartSearch', 'PoseStateBlocks', 'Preset', 'ProcessObject', 'ProjectionSimilarityFilter', 'ReadTransform', 'RegistrationEventKind', 'RegistrationIterationCommand', 'RegistrationIterationRecord', 'RegistrationLevel', 'RegistrationLevelResult', 'RegistrationOverlayFilter', 'RegistrationVerdictFilter', 'RegistrationVerdictThresholds', 'ResidualNoiseModel', 'RobustKernel', 'ScanCheckFilter', 'Side', 'SilhouetteContent', 'SilhouetteContourFilter', 'SilhouetteCoordinates', 'SilhouetteLevel', 'SilhouettePoseMetricv4', 'SilhouetteToContourRegistrationMethod', 'Similarity2DTransform', 'SimilarityPlacementFilter', 'SpacingPlane', 'SpacingSource', 'SquaresKernel', 'StateBlock', 'StateParameter', 'StopCondition', 'SurfaceDRRImageSource', 'SurfaceDRRNormalization', 'SurfaceDRROutput', 'SurfaceSplatWidthCalculator', 'ToothCrownFilter', 'ToothLabelFileReader', 'ToothOutlineErrors', 'ToothOutlinePoseMetricv4', 'TracedSide', 'TracedSideFilter', 'TracingPixelSpacingFilter', 'Transform', 'TurnedDrawingHypothesis', 'UMidlineDentalAxisFilter', 'UpwardDrawingHypothesis', 'VersorRigid3DTransform', 'ViewPoseMetricv4', 'ViewVerdictThresholds', 'WriteTransform', 'experiment_methods', 'tooth_fdi', 'tooth_name']
 class DataObject:
     """
     What process objects exchange.
@@ -6343,6 +6343,8 @@ class PoseRegistrationMethod(ProcessObject):
         ...
     def _SetLowerMesh(self, mesh: Mesh | None) -> None:
         ...
+    def _SetStockOutlines(self, outlines: Contour | None) -> None:
+        ...
     def _SetToothCrowns(self, crowns: typing.Any) -> None:
         ...
     def _SetUpperContour(self, contour: Contour | None) -> None:
@@ -6438,6 +6440,22 @@ class RegistrationVerdictThresholds:
     What is suspect and what has failed; px of 0.25 mm and mm.
     """
     def __init__(self) -> None:
+        ...
+    @property
+    def biteMean(self) -> float:
+        """
+        Of jaws that marks placed each by itself: how far the cusps of upper and lower first molars stand apart on average, across the occlusal plane, mm.
+        """
+    @biteMean.setter
+    def biteMean(self, arg0: float) -> None:
+        ...
+    @property
+    def biteSigma(self) -> float:
+        """
+        Its standard deviation beside that of the poses, mm.
+        """
+    @biteSigma.setter
+    def biteSigma(self, arg0: float) -> None:
         ...
     @property
     def borneOutCost(self) -> float:
@@ -6590,6 +6608,14 @@ class RegistrationVerdictThresholds:
         """
     @spacingShare.setter
     def spacingShare(self, arg0: float) -> None:
+        ...
+    @property
+    def suspectBite(self) -> float:
+        """
+        Distance from that average above which the jaws do not bite, standard deviations.
+        """
+    @suspectBite.setter
+    def suspectBite(self, arg0: float) -> None:
         ...
     @property
     def suspectCodeOffset(self) -> float:
@@ -8169,7 +8195,7 @@ class _Case:
         ...
     def _StartFrom(self, init: str, initText: str) -> None:
         ...
-    def __init__(self, upper: Mesh | None, lower: Mesh | None, upperContour: Contour | None, lowerContour: Contour | None, geometry: CephalometricGeometry | None, image: Image | None, imageSize: typing.Sequence[int], principalPointKnown: bool, tracedSide: str | None, occlusion: str, cephalometricLandmarks: typing.Any, landmarks3D: typing.Any, landmarks2D: typing.Any, exclude: typing.Sequence[str], fix: typing.Sequence[str]) -> None:
+    def __init__(self, upper: Mesh | None, lower: Mesh | None, upperContour: Contour | None, lowerContour: Contour | None, geometry: CephalometricGeometry | None, image: Image | None, imageSize: typing.Sequence[int], principalPointKnown: bool, tracedSide: str | None, occlusion: str, cephalometricLandmarks: typing.Any, stockOutlines: typing.Sequence[Contour], landmarks3D: typing.Any, landmarks2D: typing.Any, exclude: typing.Sequence[str], fix: typing.Sequence[str]) -> None:
         ...
 class _CaseResult:
     def _GetGeometry(self) -> CephalometricGeometry:

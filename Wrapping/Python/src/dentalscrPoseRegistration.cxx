@@ -154,7 +154,7 @@ WrapPoseMethod(py::module_ & module)
       py::arg("counterparts"))
     .def(
       "_SetStockOutlines",
-      [](MethodType & self, const itk::DentalContour * outlines) { self.SetStockOutlines(outlines); },
+      [](PoseMethodType & self, const itk::DentalContour * outlines) { self.SetStockOutlines(outlines); },
       py::arg("outlines"))
     .def(
       "_SetToothCrowns",
