@@ -507,7 +507,6 @@ def test_a_second_run_goes_on_from_the_first(run, sample, plain, tmp_path):
         before = load(plain)["jaws"][name]
         moved = [math.dist(jaw["landmarks_px"][mark], place) for mark, place in before["landmarks_px"].items()]
         assert 0.01 < max(moved) < 3.0
-        assert jaw["seconds"]["registration"] < before["seconds"]["registration"]
     # What the second was given stands on, until something else is said.
     done = run("register", "--from", tmp_path / "second", "--fix", "scale", "--output", tmp_path / "third", "--no-report")
     assert done.returncode == 0, done.stderr

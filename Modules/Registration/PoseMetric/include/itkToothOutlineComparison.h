@@ -59,6 +59,7 @@ public:
   /** An outline and what it is called. */
   struct OutlineType
   {
+    /** "U1". */
     std::string name;
     /** mm. */
     LineType points;
@@ -66,6 +67,7 @@ public:
   /** An outline that is another one, moved. */
   struct TemplateType
   {
+    /** Of the outline of the tracing. */
     std::string name;
     /** The outline that is closest to it. */
     std::string of;
