@@ -908,7 +908,7 @@ TEST(PoseRegistrationParts, ATermOfOnesOwnIsNotTriedAgainstUnderAnotherMeaning)
   method->Update();
   group = method->GetOutput()->GetResult().groups[0];
   EXPECT_TRUE(group.untried.empty());
-  EXPECT_EQ(group.outcomes.size(), 7u);
+  EXPECT_EQ(group.outcomes.size(), 8u);
 }
 
 TEST(PoseRegistrationParts, JawsWithPosesOfTheirOwnAreGroupsOfTheirOwn)
