@@ -515,7 +515,7 @@ TEST(RegistrationVerdict, RowsThatWereCountedFromBelowAreNamedWhereTheyExplainMu
   EXPECT_EQ(verdict.findings[0].text.find("in mm"), std::string::npos) << verdict.findings[0].text;
   // A drawing in mm.
   upward.pixelSpacing = { { 1.01, 1.01 } };
-  const auto text = Verdict::Evaluate(result).at(0).findings[0].text;
+  const std::string text = Verdict::Evaluate(result).at(0).findings[0].text;
   EXPECT_NE(text.find("and a pixel spacing of 1.01 mm"), std::string::npos) << text;
   EXPECT_NE(text.find("and in mm?"), std::string::npos) << text;
   // With the scale alone it would be almost as good.
@@ -530,7 +530,8 @@ TEST(RegistrationVerdict, AFilmThatIsTooShortNamesTheUnitsThatWouldExplainIt)
   result.geometry.pixelSpacingKnown = true;
   const auto textAt = [&](double spacing) {
     result.geometry.pixelSpacing = { { spacing, spacing } };
-    for (const auto & finding : Verdict::Evaluate(result, Thresholds(), { { 800, 1000 } }).at(0).findings)
+    const auto verdicts = Verdict::Evaluate(result, Thresholds(), { { 800, 1000 } });
+    for (const auto & finding : verdicts.at(0).findings)
     {
       if (finding.code == "film-size")
       {
