@@ -72,7 +72,7 @@ test_wheel() {
   "${get[@]}" "numpy<2" && "${get[@]}" "numpy>=2" SimpleITK itk vtk pytest pillow
   mkdir -p "$root/trial/index"
   cp build/roots/index/*.whl "$wheel" "$root/trial/index/"
-  cp -r Examples Wrapping Documentation README.md CMakeLists.txt "$root/trial/"
+  cp -r Examples Wrapping Documentation Modules README.md CMakeLists.txt "$root/trial/"
   mkdir "$root/trial/Testing" && cp -r Testing/conftest.py Testing/Examples "$root/trial/Testing/"
   # What the page of the wheel says that it needs: the C and C++ libraries alone.
   refuse "the root is not a bare one" "$root"/usr/lib/*/libITK* "$root"/usr/lib/libITK* "$root"/usr/lib/*/libcairo* \
