@@ -139,7 +139,7 @@ def test_a_file_that_is_replaced_after_it_was_read_is_the_one_that_was_read(prog
 
 
 @pytest.mark.parametrize("name", ["upper.stl", "upper.ply", "upper.vtk"])
-def test_a_scan_larger_than_a_bound_is_not_read(program, case, tmp_path, name):
+def test_a_scan_larger_than_a_bound_is_not_read(program, is_sanitized, case, tmp_path, name):
     """The bound can be moved; without one a file of holes takes the memory of the machine."""
     path = case.folder / name
     path.write_bytes(b"\0")
@@ -147,7 +147,8 @@ def test_a_scan_larger_than_a_bound_is_not_read(program, case, tmp_path, name):
     case.change(upper=name)
     command = [program, "register", case.file, "--output", tmp_path / "out"]
     done = measure(command)
-    assert done.returncode == 2 and done.kibibytes < 1 << 18, (done.returncode, done.kibibytes)
+    # What a sanitizer keeps of the memory is not the program's.
+    assert done.returncode == 2 and (is_sanitized or done.kibibytes < 1 << 18), (done.returncode, done.kibibytes)
     assert name in done.stderr and "has 1073741825 bytes, more than the 1024 MiB" in done.stderr and "DENTALSCR_LARGEST_SCAN_MIB" in done.stderr, done.stderr
     os.truncate(path, 1 << 20)
     for bound, words in (("0", "has 1048576 bytes, more than the 0 MiB"), ("1", ""), ("many", 'is "many", no whole number of MiB')):
