@@ -544,7 +544,7 @@ TEST(RegistrationVerdict, AFilmThatIsTooShortNamesTheUnitsThatWouldExplainIt)
   EXPECT_EQ(textAt(0.025), "25 mm long, and 250 mm were pixel_spacing_mm in cm: give mm a pixel");
   EXPECT_EQ(textAt(0.25 / 25.4),
             "10 mm long, and 250 mm were pixel_spacing_mm in inches, 98 mm in cm: give mm a pixel");
-  EXPECT_EQ(textAt(0.0075), "8 mm long, and 191 mm were pixel_spacing_mm in inches: give mm a pixel");
+  EXPECT_EQ(textAt(0.0076), "8 mm long, and 193 mm were pixel_spacing_mm in inches: give mm a pixel");
   EXPECT_EQ(textAt(0.015), "15 mm long, and 381 mm were pixel_spacing_mm in inches, 150 mm in cm: give mm a pixel");
   EXPECT_EQ(textAt(0.001), "1 mm long: is pixel_spacing_mm of another resolution?");
   EXPECT_EQ(textAt(0.06), "60 mm long: is pixel_spacing_mm of another resolution?");
