@@ -413,27 +413,47 @@ TEST(ScanCheckFilter, WithoutLandmarksAndWithOneJawExchangeCannotBeTold)
   EXPECT_TRUE(filter->GetFindings(JawEnum::Lower).empty());
 }
 
-/** Apart there is no overjet: the widths at the molars and of the incisors are left, and what they say is said. */
-TEST(ScanCheckFilter, JawsApartAreToldByMolarsAndIncisorsTogether)
+/** Apart there is no overjet: the widths at the molars and of the incisors are left. They tell some exchanged pairs, a
+ * third of arches with the traits of real ones; of the others it is said that they leave it open. */
+TEST(ScanCheckFilter, JawsApartAreToldByMolarsAndIncisorsTogetherOrLeftOpen)
 {
-  Scans scans;
-  scans.landmarks = itk::DentalLandmarkSet<3>::New();
-  scans.meshes[1] = Copy(scans.meshes[1], [](PointType point) {
-    point[0] += 300.0F;
-    return point;
-  });
-  EXPECT_EQ(CodesOf(scans.Check(), JawEnum::Upper), Codes());
-  EXPECT_TRUE(scans.Check()->GetNotCheckable().empty());
-  std::swap(scans.meshes[0], scans.meshes[1]);
-  const auto filter = scans.Check();
-  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  constexpr unsigned int count = 5;
+  unsigned int           told = 0;
+  unsigned int           open = 0;
+  for (std::uint64_t seed = 3; seed < 3 + count; ++seed)
   {
-    ASSERT_EQ(CodesOf(filter, jaw), Codes{ "jaws-exchanged" });
-    const std::string text = filter->GetFindings(jaw).front().text;
-    EXPECT_NE(text.find("narrower than the lower at the first molars and has the narrower incisors"), std::string::npos)
-      << text;
-    EXPECT_EQ(text.find("behind it"), std::string::npos) << text;
+    Scans scans(seed);
+    scans.landmarks = itk::DentalLandmarkSet<3>::New();
+    scans.meshes[1] = Copy(scans.meshes[1], [](PointType point) {
+      point[0] += 300.0F;
+      return point;
+    });
+    const auto named = CodesOf(scans.Check(), JawEnum::Upper);
+    EXPECT_EQ(std::count(named.begin(), named.end(), "jaws-exchanged"), 0) << seed;
+    std::swap(scans.meshes[0], scans.meshes[1]);
+    const auto filter = scans.Check();
+    const auto codes = CodesOf(filter, JawEnum::Upper);
+    const bool isTold = std::count(codes.begin(), codes.end(), "jaws-exchanged") == 1;
+    EXPECT_EQ(codes, CodesOf(filter, JawEnum::Lower)) << seed;
+    const auto & lines = filter->GetNotCheckable();
+    const bool   isOpen = std::any_of(lines.begin(), lines.end(), [](const std::string & line) {
+      return line.find("the shapes of the jaws leave it open") != std::string::npos;
+    });
+    EXPECT_FALSE(isTold && isOpen) << seed;
+    told += isTold ? 1 : 0;
+    open += isOpen ? 1 : 0;
+    if (isTold)
+    {
+      const std::string text = filter->GetFindings(JawEnum::Upper).front().text;
+      EXPECT_NE(text.find("narrower than the lower at the first molars and has the narrower incisors"),
+                std::string::npos)
+        << text;
+      EXPECT_EQ(text.find("behind it"), std::string::npos) << text;
+    }
   }
+  EXPECT_GE(told, 1u);
+  EXPECT_GE(open, 1u);
+  EXPECT_GE(told + open, count - 1);
 }
 
 /** One Update() on the checks runs the axis filter; a second runs nothing. */
