@@ -28,7 +28,7 @@
 namespace dentalscr
 {
 inline itk::Similarity2DTransform<double>::Pointer
-Copy(const itk::Similarity2DTransform<double> * transform)
+CopySimilarity(const itk::Similarity2DTransform<double> * transform)
 {
   auto copy = itk::Similarity2DTransform<double>::New();
   copy->SetFixedParameters(transform->GetFixedParameters());
@@ -37,7 +37,7 @@ Copy(const itk::Similarity2DTransform<double> * transform)
 }
 
 inline py::tuple
-ToTuple(const itk::OptimizerParameters<double> & parameters)
+ParametersToTuple(const itk::OptimizerParameters<double> & parameters)
 {
   return py::tuple(py::cast(std::vector<double>(parameters.begin(), parameters.end())));
 }
@@ -62,10 +62,10 @@ DefineContourMethod(ProcessClass<TMethod> & type)
         }
       },
       py::arg("transform"))
-    .def("_GetTransform", [](const TMethod & self) { return Copy(self.GetTransform()); })
+    .def("_GetTransform", [](const TMethod & self) { return CopySimilarity(self.GetTransform()); })
     .def(
       "GetInitialParameters",
-      [](const TMethod & self) { return ToTuple(self.GetInitialParameters()); },
+      [](const TMethod & self) { return ParametersToTuple(self.GetInitialParameters()); },
       "The start (scale, rad, px, px).")
     .def(
       "GetCurrentLevel", [](const TMethod & self) { return self.GetCurrentLevel(); }, "0 is the coarsest.")
@@ -79,7 +79,7 @@ DefineContourMethod(ProcessClass<TMethod> & type)
       "Value of the metric at the current iteration, pixels for the chamfer metrics.")
     .def(
       "GetOptimizerPosition",
-      [](const TMethod & self) { return ToTuple(self.GetOptimizerPosition()); },
+      [](const TMethod & self) { return ParametersToTuple(self.GetOptimizerPosition()); },
       "Parameters of the transform: (scale, rad, px, px).")
     .def(
       "GetOptimizerStopConditionDescription",

@@ -494,7 +494,7 @@ function : callable
         metric->SetFixedContour(fixed);
         metric->SetMovingContour(moving);
         metric->RemoveBounds();
-        metric->SetMovingTransform(Copy(&transform));
+        metric->SetMovingTransform(CopySimilarity(&transform));
         metric->Initialize();
         // The reference of Initialize() is the transform as it stands: the origin.
         itk::ContourToContourMetricv4::ParametersType origin(4);

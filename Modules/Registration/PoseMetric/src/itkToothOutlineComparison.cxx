@@ -35,8 +35,9 @@ using ComplexLine = std::vector<std::complex<double>>;
 constexpr std::size_t FewestPoints = 8;
 /** Points at equal distances along each line: of a tooth of 70 mm circumference half a millimetre. */
 constexpr std::size_t NumberOfPoints = 128;
-/** Rounds in which each point finds the other line anew: they move the similarity by less than a micrometre then. */
-constexpr int Rounds = 20;
+/** ClosestRounds in which each point finds the other line anew: they move the similarity by less than a micrometre
+ * then. */
+constexpr int ClosestRounds = 20;
 /** mm: lines that are further apart where their points are paired by the length along each are not looked at closely.
  * Of one line the pairs are half a step, a quarter of a millimetre, apart at most. */
 constexpr double GlanceDistance = 1.0;
@@ -198,7 +199,7 @@ Compare(ComplexLine first, const ComplexLine & second, double glance)
   {
     return std::sqrt(squares);
   }
-  for (int round = 0; round < Rounds; ++round)
+  for (int round = 0; round < ClosestRounds; ++round)
   {
     std::transform(
       first.begin(), first.end(), partner.begin(), [&](const auto & point) { return FindClosest(point, second); });

@@ -55,14 +55,14 @@ constexpr double DegreesPerRadian = 57.29577951308232;
 /** px over which the lingual side begins behind the incisal edge, 1.5 mm. */
 constexpr double EdgeLength = 6.0;
 /** Position of the canine. */
-constexpr unsigned int LastFrontTooth = 3;
+constexpr unsigned int LastFrontPosition = 3;
 
 double
 ShareOf(ToothCode::JawEnum jaw, unsigned int position)
 {
   const bool upper = jaw == ToothCode::JawEnum::Upper;
-  return position <= LastFrontTooth ? (upper ? UpperFrontShare : LowerFrontShare)
-                                    : (upper ? UpperBackShare : LowerBackShare);
+  return position <= LastFrontPosition ? (upper ? UpperFrontShare : LowerFrontShare)
+                                       : (upper ? UpperBackShare : LowerBackShare);
 }
 } // namespace
 
@@ -146,7 +146,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     front = std::max(front, across(p));
   }
   m_Length = high - low;
-  const bool   isFront = m_Position <= LastFrontTooth;
+  const bool   isFront = m_Position <= LastFrontPosition;
   const double elongation = m_Length / (front - back);
   const double tilt = std::acos(std::min(1.0, std::abs(m_Axis[1]))) * DegreesPerRadian;
   std::string  doubt;
@@ -199,7 +199,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     PointType normal = ComputeNormal(points, i, true);
     normal = { { sign * normal[0], sign * normal[1] } };
     double lingual = 0.0;
-    if (m_Position <= LastFrontTooth && normal[0] * anterior[0] + normal[1] * anterior[1] < 0.0)
+    if (m_Position <= LastFrontPosition && normal[0] * anterior[0] + normal[1] * anterior[1] < 0.0)
     {
       lingual = std::min(1.0, (high - along(points[i])) / EdgeLength);
     }
@@ -207,7 +207,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
   }
   m_Reference = *std::max_element(
     m_Points.begin(), m_Points.end(), [&](const PointType & a, const PointType & b) { return along(a) < along(b); });
-  if (m_Position > LastFrontTooth)
+  if (m_Position > LastFrontPosition)
   {
     m_Reference = { { 0.0, 0.0 } };
     for (const PointType & p : m_Points)
