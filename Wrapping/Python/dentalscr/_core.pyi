@@ -1745,7 +1745,7 @@ class CephalogramFileReader(ProcessObject):
         """
     def GetDetectorPixelSpacing(self, sourceToDetector: float, sourceToMidsagittal: float) -> tuple[float, float]:
         """
-        The spacing (u, v) in the detector plane, mm. One that holds in the midsagittal plane is multiplied by the ratio of the two distances from the source (mm). It raises an error where the verdict is Unknown.
+        The spacing (u, v) in the detector plane, mm. One that holds in the midsagittal plane is multiplied by the ratio of the two distances from the source (mm); of EstimatedMagnification it is the file's imager pixel spacing, whatever the distances. It raises an error where the verdict is Unknown.
         """
     def GetFacing(self) -> CephalometricGeometry.Facing:
         """

@@ -389,8 +389,9 @@ WrapInputOutput(py::module_ & module)
          py::arg("sourceToDetector"),
          py::arg("sourceToMidsagittal"),
          "The spacing (u, v) in the detector plane, mm. One that holds in the midsagittal plane is "
-         "multiplied by the ratio of the two distances from the source (mm). It raises an error where "
-         "the verdict is Unknown.")
+         "multiplied by the ratio of the two distances from the source (mm); of EstimatedMagnification it "
+         "is the file's imager pixel spacing, whatever the distances. It raises an error where the "
+         "verdict is Unknown.")
     .def("HasSourceToDetectorDistance",
          &CephalogramReaderType::HasSourceToDetectorDistance,
          "Whether the file says the distance from source to detector.")

@@ -80,18 +80,20 @@ DentalRadiographLoader::Warn(const std::string & field, const std::string & text
   m_Warnings.push_back(m_Case.fileName + ": " + this->Field(field) + ": " + text);
 }
 
-void
+bool
 DentalRadiographLoader::Compare(const std::string & field, double given, double fromDicom)
 {
   // Rounded figures of one machine agree better.
   constexpr double tolerance = 0.02;
-  if (std::abs(given - fromDicom) > tolerance * fromDicom)
+  const bool       contradicts = std::abs(given - fromDicom) > tolerance * fromDicom;
+  if (contradicts)
   {
     std::ostringstream warning;
     warning << this->Field(field) << ": the case says " << given << ", the DICOM file " << fromDicom
             << "; the case's is used";
     m_Warnings.push_back(warning.str());
   }
+  return contradicts;
 }
 
 void
@@ -149,10 +151,9 @@ DentalRadiographLoader::SettleDistances()
   {
     this->Compare("source_to_detector_mm", *m_Description.sourceToDetector, *dicomDetector);
   }
-  if (m_Description.sourceToMidsagittal && dicomMidsagittal)
-  {
-    this->Compare(head, *m_Description.sourceToMidsagittal, *dicomMidsagittal);
-  }
+  // The file's distance of the head is made with its factor, and says the same.
+  const bool factorIsCompared = m_Description.sourceToMidsagittal && dicomMidsagittal &&
+                                this->Compare(head, *m_Description.sourceToMidsagittal, *dicomMidsagittal);
   Settle(m_Description.sourceToDetector, dicomDetector, m_Data.sources.sourceToDetector, [&](double distance) {
     geometry.SetSourceToDetectorDistance(distance);
   });
@@ -181,6 +182,36 @@ DentalRadiographLoader::SettleDistances()
             << this->Plane() << " distance " << geometry.GetSourceToMidsagittalDistance() << " mm";
     itkDentalInputErrorMacro(m_Case.fileName, this->Field("geometry"), problem.str(), "give both distances");
   }
+  if (!factorIsCompared)
+  {
+    this->CompareMagnification();
+  }
+}
+
+void
+DentalRadiographLoader::CompareMagnification()
+{
+  if (m_Image == nullptr || !m_Image->HasMagnificationFactor())
+  {
+    return;
+  }
+  constexpr double tolerance = 0.02;
+  const double     detector = m_Data.geometry->GetSourceToDetectorDistance();
+  const double     head = m_Data.geometry->GetSourceToMidsagittalDistance();
+  const double     factor = m_Image->GetMagnificationFactor();
+  const auto &     sources = m_Data.sources;
+  const bool       isDefault =
+    sources.sourceToDetector == ValueSourceEnum::Default || sources.sourceToMidsagittal == ValueSourceEnum::Default;
+  std::ostringstream text;
+  text << "distances of " << detector << " and " << head << " mm" << (isDefault ? " (by default)" : "")
+       << " magnify by " << detector / head
+       << ", and the DICOM file's EstimatedRadiographicMagnificationFactor (0018,1114) is " << factor
+       << "; the distances are used"
+       << (isDefault ? ": give source_to_detector_mm and source_to_" + this->Plane() + "_mm" : "");
+  if (std::abs(detector / head - factor) > tolerance * factor)
+  {
+    this->Warn("geometry", text.str());
+  }
 }
 
 void
@@ -201,11 +232,16 @@ DentalRadiographLoader::SettlePixelSpacing()
     m_Data.sources.pixelSpacing = ValueSourceEnum::Given;
     if (isDicom && m_Image->HasPixelSpacing())
     {
-      const auto own = m_Image->GetDetectorPixelSpacing(detector, head);
+      // In the plane of which the case speaks: what the file says of it, else of the detector.
+      const auto & given = *m_Description.pixelSpacing;
+      const bool   inSamePlane =
+        m_Description.spacingAtMidsagittalPlane && m_Image->GetSpacingPlane() == SpacingPlaneEnum::Midsagittal;
+      const auto own =
+        inSamePlane ? m_Image->GetPixelSpacing() : m_Image->GetDetectorPixelSpacing(detector, head) / factor;
       // One warning, of the direction in which they differ more.
-      const auto         ratio = [&](unsigned int i) { return std::abs(std::log(spacing[i] / own[i])); };
+      const auto         ratio = [&](unsigned int i) { return std::abs(std::log(given[i] / own[i])); };
       const unsigned int d = ratio(0) >= ratio(1) ? 0 : 1;
-      this->Compare(d == 0 ? "pixel_spacing_mm[0]" : "pixel_spacing_mm[1]", spacing[d], own[d]);
+      this->Compare(d == 0 ? "pixel_spacing_mm[0]" : "pixel_spacing_mm[1]", given[d], own[d]);
     }
     m_Data.spacingProvenance = m_Description.spacingAtMidsagittalPlane
                                  ? "case file, " + this->Plane() + " plane, converted to the detector's"
@@ -218,6 +254,10 @@ DentalRadiographLoader::SettlePixelSpacing()
     m_Data.sources.pixelSpacing = isDicom ? ValueSourceEnum::DICOM : ValueSourceEnum::Given;
     m_Data.spacingVerdict = m_Image->GetPixelSpacingVerdict();
     m_Data.spacingProvenance = m_Image->GetProvenance().at("pixel_spacing");
+    if (m_Data.spacingVerdict == PixelSpacingVerdictEnum::EstimatedMagnification)
+    {
+      m_Data.spacingProvenance += " at the " + this->Plane() + " plane; on the detector the ImagerPixelSpacing itself";
+    }
   }
   else
   {

@@ -83,10 +83,13 @@ private:
   /** What the plane through the ear rods is called: midsagittal, or frontal, midcoronal. */
   std::string
   Plane() const;
-  void
+  bool
   Compare(const std::string & field, double given, double fromDicom);
   void
   SettleDistances();
+  /** Warns where the distances magnify otherwise than a DICOM file says. */
+  void
+  CompareMagnification();
   void
   SettlePixelSpacing();
   /** Pixels that are no squares are most often a slip. */

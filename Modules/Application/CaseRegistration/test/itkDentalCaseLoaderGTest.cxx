@@ -24,6 +24,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -190,4 +191,48 @@ TEST(DentalCaseLoader, ASpacingThatContradictsDICOMIsToldOnceInEitherDirection)
   EXPECT_EQ(warnings("[0.3, 0.2]"), "pixel_spacing_mm[0]: the case says 0.3, the DICOM file 0.1; the case's is used\n");
   EXPECT_EQ(warnings("[0.1, 0.3]"), "pixel_spacing_mm[1]: the case says 0.3, the DICOM file 0.2; the case's is used\n");
   EXPECT_EQ(warnings("[0.3, 0.3]"), "pixel_spacing_mm[0]: the case says 0.3, the DICOM file 0.1; the case's is used\n");
+}
+
+/** The detector's pixels are what the file says, whatever is known of the distances; that these magnify otherwise than
+ * the file's factor is said, and nothing else. */
+TEST(DentalCaseLoader, TheDetectorsPixelsDoNotChangeWithTheDistances)
+{
+  itk::WriteTestFile("ceph.dcm",
+                     itk::DicomTestFile()
+                       .SetImagerPixelSpacing("0.2484\\0.2484")
+                       .SetMagnificationFactor("1.2")
+                       .SetSourceToDetector("1800")
+                       .GetBytes());
+  const auto load = [](const std::string & spacing, const std::string & geometry) {
+    return Load(R"("cephalogram": {"image": "ceph.dcm")" + spacing + R"(}, "geometry": {)" + geometry +
+                R"(}, "traced_side": "standard", "cephalometric_landmarks": {"U1_tip": [3, 4]})");
+  };
+  const auto told = [](const auto & data, const std::string & text) {
+    return std::any_of(data->warnings.begin(), data->warnings.end(), [&text](const std::string & warning) {
+      return Contains(warning, text);
+    });
+  };
+  const std::string own = R"("source_to_midsagittal_mm": 1524, "source_to_detector_mm": 1674)";
+  const auto        other = load("", own);
+  EXPECT_EQ(other->geometry->GetPixelSpacing()[0], 0.2484);
+  EXPECT_EQ(other->sources.pixelSpacing, itk::ValueSourceEnum::DICOM);
+  EXPECT_TRUE(told(other, "magnify by 1.09843, and the DICOM file's EstimatedRadiographicMagnificationFactor"));
+  EXPECT_TRUE(told(other, "source_to_detector_mm: the case says 1674, the DICOM file 1800"));
+  EXPECT_TRUE(Contains(other->spacingProvenance, "on the detector the ImagerPixelSpacing itself"));
+  // The case's spacing is the file's, in either plane: no word about it.
+  EXPECT_FALSE(
+    told(load(R"(, "pixel_spacing_mm": [0.2484, 0.2484], "spacing_plane": "detector")", own), "pixel_spacing_mm"));
+  EXPECT_FALSE(
+    told(load(R"(, "pixel_spacing_mm": [0.207, 0.207], "spacing_plane": "midsagittal")", own), "pixel_spacing_mm"));
+  EXPECT_TRUE(told(load(R"(, "pixel_spacing_mm": [0.2274, 0.2274], "spacing_plane": "detector")", own),
+                   "pixel_spacing_mm[0]: the case says 0.2274, the DICOM file 0.2484"));
+  // Said once, of the distance or of the factor.
+  const auto head = load("", R"("source_to_midsagittal_mm": 1400, "source_to_detector_mm": 1800)");
+  EXPECT_TRUE(told(head, "source_to_midsagittal_mm: the case says 1400, the DICOM file 1500"));
+  EXPECT_FALSE(told(head, "magnify"));
+  // The file's own distances go with its factor.
+  const auto same = load("", "");
+  EXPECT_EQ(same->geometry->GetPixelSpacing()[1], 0.2484);
+  EXPECT_EQ(same->geometry->GetSourceToMidsagittalDistance(), 1500.0);
+  EXPECT_FALSE(told(same, "magnify"));
 }

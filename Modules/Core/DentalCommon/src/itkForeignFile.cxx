@@ -41,7 +41,13 @@ enum class PlaceEnum : uint8_t
   /** The first element of XML, whatever its prolog, in lower case. */
   Element,
   /** Anywhere in the first bytes of a ZIP archive, or in its directory, which is at its end. */
-  Archive
+  Archive,
+  /** At the end of the name of a file that is compressed by gzip, with ".gz" or without it as gzip notes it inside. */
+  Compressed,
+  /** Anywhere in the first bytes of a text of JSON objects, one a line. */
+  JsonLines,
+  /** Where NIfTI has its signature, by the length that its header begins with. */
+  NIfTI
 };
 
 /** Bits of purposes that a kind cannot serve. */
@@ -64,6 +70,13 @@ struct Kind
 
 const std::string Nul(1, '\0');
 
+/** What to do about meshes of other kinds. */
+constexpr const char * ExportMesh = "export STL, PLY or OBJ";
+/** And about images that only scientific programs write. */
+constexpr const char * SaveImage =
+  "save a label map or radiograph as NRRD or PNG, in the radiograph's pixel grid (3D Slicer, ITK-SNAP and SimpleITK "
+  "do), a scan as STL, PLY or OBJ";
+
 /** In the order in which they are tried. */
 const Kind Kinds[] = {
   { PlaceEnum::Element,
@@ -83,6 +96,8 @@ const Kind Kinds[] = {
   { PlaceEnum::Start, "PK\x03\x04", Any, "a ZIP archive", "unpack it and name the file in it" },
   { PlaceEnum::Start, "Rar!", Any, "a RAR archive", "unpack it and name the file in it" },
   { PlaceEnum::Start, "7z\xbc\xaf\x27\x1c", Any, "a 7-Zip archive", "unpack it and name the file in it" },
+  { PlaceEnum::Compressed, ".nii", Any, "a NIfTI image (.nii.gz), which is not read", SaveImage },
+  { PlaceEnum::NIfTI, "", Any, "a NIfTI image, which is not read", SaveImage },
   { PlaceEnum::Start, "\x1f\x8b", Any, "a gzip archive", "unpack it and name the file in it" },
   { PlaceEnum::Start, "\xd0\xcf\x11\xe0", Any, "an old Excel or Office document", "save the table as CSV (label,x,y)" },
   { PlaceEnum::Start, "%PDF", Any, "a PDF document", nullptr },
@@ -112,6 +127,16 @@ const Kind Kinds[] = {
   { PlaceEnum::Start, "\xfe\xff", Drawn, "text in UTF-16", "save it as UTF-8" },
   { PlaceEnum::Start, "\x89HDF", Any, "an HDF5 file", nullptr },
   { PlaceEnum::Start, "glTF", Any, "a glTF model", "export STL or PLY" },
+  { PlaceEnum::Start, "OCTM", Any, "an OpenCTM mesh (.ctm)", ExportMesh },
+  { PlaceEnum::Text, "iso-10303-21", Any, "a STEP model of CAD", ExportMesh },
+  { PlaceEnum::Start, "Kaydara FBX", Any, "an FBX model", ExportMesh },
+  { PlaceEnum::Text, "; fbx ", Any, "an FBX model", ExportMesh },
+  { PlaceEnum::Element, "collada", Any, "a Collada model (.dae)", ExportMesh },
+  { PlaceEnum::Element, "x3d", Any, "an X3D model", ExportMesh },
+  { PlaceEnum::Element, "amf", Any, "an AMF model", ExportMesh },
+  { PlaceEnum::Text, "#vrml", Any, "a VRML model", ExportMesh },
+  { PlaceEnum::Text, "#x3d", Any, "an X3D model", ExportMesh },
+  { PlaceEnum::Start, "BLENDER", Any, "a Blender scene", ExportMesh },
   { PlaceEnum::Start, "\x89PNG", Scan | Landmarks, "a PNG picture", nullptr },
   { PlaceEnum::Start, "\xff\xd8\xff", Scan | Landmarks, "a JPEG picture", nullptr },
   { PlaceEnum::Start, "II*" + Nul, Scan | Landmarks, "a TIFF picture", nullptr },
@@ -135,6 +160,22 @@ const Kind Kinds[] = {
   { PlaceEnum::Text, "# vtk datafile", Radiograph | Drawn, "a VTK file", nullptr },
   { PlaceEnum::Element, "annotations", Scan | Radiograph, "a tracing (CVAT)", nullptr },
   { PlaceEnum::Element, "vtkfile", Radiograph | Drawn, "a VTK mesh", nullptr },
+  { PlaceEnum::Text,
+    "{\"data_row\"",
+    Any,
+    "a Labelbox export (NDJSON, one JSON object a line)",
+    "convert it to COCO, or write a table .csv with label,x,y" },
+  { PlaceEnum::JsonLines,
+    "\"data_row\"",
+    Any,
+    "a Labelbox export (NDJSON, one JSON object a line)",
+    "convert it to COCO, or write a table .csv with label,x,y" },
+  { PlaceEnum::JsonLines,
+    "",
+    Any,
+    "NDJSON, one JSON object a line",
+    "export one JSON document (labelme, COCO, VIA, Label Studio, Supervisely, 3D Slicer), or a table .csv with "
+    "label,x,y" },
   { PlaceEnum::Text, "{", Scan | Radiograph, "a JSON file", nullptr },
   { PlaceEnum::Text, "[{", Scan | Radiograph, "a JSON file", nullptr },
 };
@@ -210,6 +251,53 @@ FindElement(const std::string & text)
   }
   return std::string();
 }
+
+/** Whether a text begins with a JSON object in one line and another one below it. */
+bool
+IsJsonLines(const std::string & text)
+{
+  const std::size_t end = text.find('\n');
+  if (text.empty() || text[0] != '{' || end == std::string::npos)
+  {
+    return false;
+  }
+  const std::size_t last = text.find_last_not_of(" \t\r\n", end);
+  const std::size_t next = text.find_first_not_of(" \t\r\n", end);
+  return last > 0 && text[last] == '}' && next != std::string::npos && text[next] == '{';
+}
+
+/** Both versions, in one file or with its pixels in another, in either byte order. */
+bool
+IsNIfTI(const std::string & head)
+{
+  const auto hasLength = [&head](const std::string & length) {
+    return head.compare(0, 4, length) == 0 || head.compare(0, 4, std::string(length.rbegin(), length.rend())) == 0;
+  };
+  const auto hasMagic = [&head](std::size_t place, const char * one, const char * two) {
+    return head.size() > place + 3 && (head.compare(place, 3, one) == 0 || head.compare(place, 3, two) == 0);
+  };
+  return (hasLength("\x5c\x01" + Nul + Nul) && hasMagic(344, "n+1", "ni1")) ||
+         (hasLength("\x1c\x02" + Nul + Nul) && hasMagic(4, "n+2", "ni2"));
+}
+
+bool
+EndsWith(const std::string & text, const std::string & end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/** Whether a file that is compressed by gzip had a name with that end. */
+bool
+IsCompressed(const std::string & fileName, const std::string & head, const std::string & end)
+{
+  if (head.compare(0, 2, "\x1f\x8b") != 0)
+  {
+    return false;
+  }
+  // Behind a header of ten bytes and no further field, as programs write it, stands the name.
+  const bool hasName = head.size() > 10 && (static_cast<unsigned char>(head[3]) & 0x0c) == 0x08;
+  return EndsWith(LowerCase(fileName), end + ".gz") || (hasName && EndsWith(LowerCase(head.c_str() + 10), end));
+}
 } // namespace
 
 void
@@ -223,6 +311,7 @@ RefuseForeignFile(const std::string & fileName, FilePurposeEnum purpose)
   const std::string element = !text.empty() && text[0] == '<' ? FindElement(text) : std::string();
   const bool        archive = head.compare(0, 4, "PK\x03\x04") == 0;
   const std::string names = archive ? text + LowerCase(ReadFileTail(fileName, 65536)) : std::string();
+  const bool        jsonLines = IsJsonLines(text);
   const auto        fits = [&](const Kind & kind) {
     switch (kind.place)
     {
@@ -237,6 +326,12 @@ RefuseForeignFile(const std::string & fileName, FilePurposeEnum purpose)
         return text.compare(0, kind.signature.size(), kind.signature) == 0;
       case PlaceEnum::Element:
         return element == kind.signature;
+      case PlaceEnum::Compressed:
+        return IsCompressed(fileName, head, kind.signature);
+      case PlaceEnum::JsonLines:
+        return jsonLines && text.find(kind.signature) != std::string::npos;
+      case PlaceEnum::NIfTI:
+        return IsNIfTI(head);
       default:
         return archive && names.find(kind.signature) != std::string::npos;
     }

@@ -46,6 +46,16 @@ const std::string Hps =
   "<Schema>CE</Schema></Packed_geometry></HPS>";
 const std::string Workbook =
   std::string("PK\x03\x04\x14\0\x06\0", 8) + "[Content_Types].xml" + std::string(20, '\0') + "xl/workbook.xml";
+
+/** A header that begins with its length. */
+std::string
+NIfTI(unsigned int length, std::size_t place, const char * magic, bool bigEndian)
+{
+  std::string header(length, '\0');
+  header[bigEndian ? 3 : 0] = static_cast<char>(length & 0xffu);
+  header[bigEndian ? 2 : 1] = static_cast<char>(length >> 8);
+  return header.replace(place, 3, magic);
+}
 } // namespace
 
 TEST(ForeignFile, IsNamedForWhatItIsWithWhatToExportInstead)
@@ -81,6 +91,24 @@ TEST(ForeignFile, IsNamedForWhatItIsWithWhatToExportInstead)
     { "ceph.xcf", "gimp xcf v011", "GIMP", "PNG" },
     { "upper.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\n", "not downloaded", "git lfs" },
     { "F.fcsv", "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n", ".fcsv", ".mrk.json" },
+    { "upper.ctm", std::string("OCTM\5\0\0\0MG2\0", 12), "OpenCTM", "STL, PLY or OBJ" },
+    { "upper.stp", "ISO-10303-21;\nHEADER;\n", "STEP", "STL, PLY or OBJ" },
+    { "upper.fbx", std::string("Kaydara FBX Binary  \0\x1a\0", 23), "FBX", "STL, PLY or OBJ" },
+    { "ascii.fbx", "; FBX 7.4.0 project file\n", "FBX", "STL, PLY or OBJ" },
+    { "upper.dae", "<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"x\" version=\"1.4.1\">", "Collada", "STL, PLY or OBJ" },
+    { "upper.x3d", "<?xml version=\"1.0\"?><X3D version='3.3'>", "X3D", "STL, PLY or OBJ" },
+    { "upper.amf", "<?xml version=\"1.0\"?><amf unit=\"millimeter\">", "AMF", "STL, PLY or OBJ" },
+    { "upper.wrl", "#VRML V2.0 utf8\n", "VRML", "STL, PLY or OBJ" },
+    { "scene.blend", "BLENDER-v300", "Blender", "STL, PLY or OBJ" },
+    { "export.ndjson", "{\"data_row\":{\"id\":\"c\"},\"projects\":{}}", "Labelbox", "COCO" },
+    { "more.ndjson", "{\"id\":1,\"data_row\":{}}\n{\"id\":2,\"data_row\":{}}\n", "Labelbox", "COCO" },
+    { "lines.jsonl", "{\"a\": 1}\r\n\r\n{\"a\": 2}\r\n", "NDJSON", "COCO" },
+    { "labels.nii", NIfTI(348, 344, "n+1", false), "NIfTI", "NRRD or PNG" },
+    { "big.nii", NIfTI(348, 344, "ni1", true), "NIfTI", "NRRD or PNG" },
+    { "two.nii", NIfTI(540, 4, "n+2", false), "NIfTI", "NRRD or PNG" },
+    { "Labels.NII.gz", std::string("\x1f\x8b\x08\0\0\0\0\0\2\xff\xab", 11), "NIfTI", "NRRD or PNG" },
+    { "renamed.gz", std::string("\x1f\x8b\x08\x08\0\0\0\0\2\xfflabels.nii\0\xab", 22), "NIfTI", "NRRD or PNG" },
+    { "scan.stl.gz", std::string("\x1f\x8b\x08\x08\0\0\0\0\2\xffscan.stl\0\xab", 20), "gzip", "unpack" },
   };
   for (const Row & row : rows)
   {
@@ -102,6 +130,12 @@ TEST(ForeignFile, WhatServesThePurposeIsLetThrough)
   EXPECT_EQ(Refusal("cvat.xml", "<?xml version=\"1.0\"?>\n<annotations>", Purpose::Landmarks), "");
   EXPECT_EQ(Refusal("upper.stl", std::string(84, '\0'), Purpose::Scan), "");
   EXPECT_EQ(Refusal("empty", "", Purpose::Scan), "");
+  // JSON in many lines, and a document in one.
+  EXPECT_EQ(Refusal("pretty.json", "{\n  \"contours\": {}\n}\n", Purpose::Tracing), "");
+  EXPECT_EQ(Refusal("one.json", "{\"contours\": {}}\n", Purpose::Tracing), "");
+  EXPECT_EQ(Refusal("inner.json", "{\"contours\": {},\n{", Purpose::Tracing), "");
+  // A length alone makes no NIfTI.
+  EXPECT_EQ(Refusal("few.stl", NIfTI(348, 344, "abc", false), Purpose::Scan), "");
   // No WebP, though it begins as one.
   EXPECT_EQ(Refusal("sound.wav", std::string("RIFF\x10\0\0\0WAVE", 12), Purpose::Scan), "");
   // What is missing is for the reader to say.

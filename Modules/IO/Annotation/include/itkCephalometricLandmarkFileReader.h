@@ -78,7 +78,7 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  /** A name of a tooth's number to one of its code; others stay as they are. */
+  /** A name of a tooth's number, or of another spelling of a tooth, to one of its code; others stay as they are. */
   std::string
   NameFromNumber(const std::string & name) const;
 

@@ -17,10 +17,12 @@
  *=========================================================================*/
 #include "itkAnnotationTable.h"
 
+#include "itkASCIICharacter.h"
 #include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkLowerCase.h"
 #include "itkTextFile.h"
+#include "itkTrimText.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -125,6 +127,44 @@ ReadHeader(const std::string &              fileName,
   return true;
 }
 
+/** What parts the cells of a line where no line before has said it. */
+char
+FindSeparator(const std::string & line)
+{
+  char separator = ',';
+  for (const char candidate : { ';', '\t' })
+  {
+    separator = line.find(candidate) != std::string::npos ? candidate : separator;
+  }
+  return separator;
+}
+
+/** Whether a line begins with '#', in quotes or not: a comment, or a tooth as dentists write it, "#11". */
+bool
+BeginsWithNumberSign(const std::string & line)
+{
+  const std::string text = TrimText(line);
+  return text.compare(0, 1, "#") == 0 || text.compare(0, 2, "\"#") == 0;
+}
+
+/** Whether the cells are a tooth, a jaw or a point of a tooth with its coordinates, where these belong. */
+bool
+IsRowOfTooth(const std::vector<std::string> & cells, const TableColumns & columns, unsigned int dimension)
+{
+  const auto isNumber = [&cells](std::size_t column) {
+    double value = 0.0;
+    return column < cells.size() && ParseTableNumber(cells[column], value);
+  };
+  if (columns.label >= cells.size() || !std::all_of(columns.first, columns.first + dimension, isNumber))
+  {
+    return false;
+  }
+  const std::string & label = cells[columns.label];
+  // No tooth has three digits: a year or a number of something else.
+  return std::count_if(label.begin(), label.end(), IsASCIIDigit) <= 2 &&
+         (NamesToothOrJaw(label) || NamesPointOfTooth(label));
+}
+
 /** A class number and shares of a picture's size, all parted by blanks. */
 bool
 IsYolo(const std::string & line)
@@ -158,6 +198,8 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
   char                            separator = 0;
   char                            givenSeparator = 0;
   std::size_t                     lineNumber = 0;
+  std::string                     firstWithNumberSign;
+  bool                            allWithNumberSign = true;
   for (std::size_t begin = 0; begin < text.size();)
   {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -165,7 +207,13 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
     begin = end + 1;
     ++lineNumber;
     const std::string trimmed = Trim(line);
-    if (trimmed.empty() || trimmed[0] == '#')
+    if (trimmed.empty())
+    {
+      continue;
+    }
+    const char mark = separator != 0 ? separator : givenSeparator != 0 ? givenSeparator : FindSeparator(line);
+    const bool hasNumberSign = BeginsWithNumberSign(line);
+    if (hasNumberSign && !IsRowOfTooth(Split(line, mark), columns, dimension))
     {
       continue;
     }
@@ -179,14 +227,7 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
     const bool        first = separator == 0;
     if (first)
     {
-      separator = givenSeparator != 0 ? givenSeparator : ',';
-      for (const char candidate : { ';', '\t' })
-      {
-        if (givenSeparator == 0 && line.find(candidate) != std::string::npos)
-        {
-          separator = candidate;
-        }
-      }
+      separator = mark;
     }
     const std::vector<std::string> cells = Split(line, separator);
     if (first && ReadHeader(fileName, field, cells, dimension, columns))
@@ -251,7 +292,19 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
                                  "convert the coordinates");
       }
     }
+    if (hasNumberSign && firstWithNumberSign.empty())
+    {
+      firstWithNumberSign = field + ": \"" + row.label.substr(0, 40) + '"';
+    }
+    allWithNumberSign = allWithNumberSign && hasNumberSign;
     rows.push_back(std::move(row));
+  }
+  if (!allWithNumberSign && !firstWithNumberSign.empty())
+  {
+    // Of a table that writes some teeth so and others not, such a line may be one that somebody has switched off.
+    warnings.push_back(fileName + ": " + firstWithNumberSign +
+                       " is read as a tooth, as its coordinates follow, though other lines have no #; delete a line "
+                       "that is not meant");
   }
   return rows;
 }

@@ -17,14 +17,16 @@
  *=========================================================================*/
 #include "itkAnnotationText.h"
 
+#include "itkCephalometricLandmarkSet.h"
 #include "itkDentalInputError.h"
+#include "itkDentalLandmarkSet.h"
 #include "itkInputFile.h"
-#include "itkToothCode.h"
 #include "itkTrimText.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 
 namespace itk
 {
@@ -139,6 +141,57 @@ NamesToothOrJaw(const std::string & label)
 {
   return ToothCode::IsWrittenAsCode(label) || ToothCode::FromSidelessString(label).IsKnown() ||
          ToothCode::JawFromString(label) != ToothCode::JawEnum::Unknown;
+}
+
+bool
+IsDentalLandmarkName(const std::string & name)
+{
+  try
+  {
+    return DentalLandmarkSet<2>::ParseName(name).IsKnown();
+  }
+  catch (const std::invalid_argument &)
+  {
+    return false;
+  }
+}
+
+std::string
+SpellPointOfTooth(const std::string & name, ToothCode::NumberingEnum numbering)
+{
+  constexpr const char * separators = " \t_-";
+  const std::string      text = TrimText(name);
+  // From behind: a tooth may be written with a separator itself, "tooth 16".
+  for (std::size_t end = text.find_last_of(separators); end != std::string::npos && end > 0;
+       end = text.find_last_of(separators, end - 1))
+  {
+    const std::string point = TrimText(text.substr(end), separators);
+    try
+    {
+      const ToothCode code = ToothCode::FromString(TrimText(text.substr(0, end), separators), numbering);
+      if (code.IsKnown() && !point.empty())
+      {
+        return code.GetName() + '_' + point;
+      }
+    }
+    catch (const std::invalid_argument &)
+    {
+      // No tooth so far: the next separator may be the one before the point.
+      continue;
+    }
+  }
+  return name;
+}
+
+bool
+NamesPointOfTooth(const std::string & name)
+{
+  // The numbers of both numberings are tried: which one is the file's is not known here.
+  const auto isPoint = [&name](ToothCode::NumberingEnum numbering) {
+    const std::string spelled = SpellPointOfTooth(name, numbering);
+    return IsDentalLandmarkName(spelled) || CephalometricLandmarkSet::ParseName(spelled).position > 0;
+  };
+  return isPoint(ToothCode::NumberingEnum::Quadrant) || isPoint(ToothCode::NumberingEnum::Universal);
 }
 
 std::string

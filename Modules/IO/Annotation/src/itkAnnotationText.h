@@ -18,6 +18,8 @@
 #ifndef itkAnnotationText_h
 #define itkAnnotationText_h
 
+#include "itkToothCode.h"
+
 #include <string>
 #include <vector>
 
@@ -55,6 +57,19 @@ ListNames(const std::vector<std::string> & names);
 /** Whether a label names a tooth or a jaw, in whatever numbering and spelling. */
 bool
 NamesToothOrJaw(const std::string & label);
+
+/** A name of a point of a tooth, in whatever spelling of the tooth and with a blank, "-" or "_" before the point, as
+ * programs write it: "UR6_MB" of "1.6_MB", "tooth 16_MB", "#16-MB" or "16 MB". Any other text comes back as it is. */
+std::string
+SpellPointOfTooth(const std::string & name, ToothCode::NumberingEnum numbering);
+
+/** Whether DentalLandmarkSet takes a name. */
+bool
+IsDentalLandmarkName(const std::string & name);
+
+/** Whether a name is one of these whose point is one that landmarks have. */
+bool
+NamesPointOfTooth(const std::string & name);
 
 /** Of several labels of one thing the first that names a tooth or a jaw, else the first; "" where there is none. */
 std::string

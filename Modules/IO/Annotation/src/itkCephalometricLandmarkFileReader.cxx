@@ -17,12 +17,10 @@
  *=========================================================================*/
 #include "itkCephalometricLandmarkFileReader.h"
 
-#include "itkASCIICharacter.h"
 #include "itkAnnotationText.h"
 #include "itkCephalometricLandmarkRecords.h"
 #include "itkDentalInputError.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -63,20 +61,8 @@ CephalometricLandmarkFileReader::SetJsonNode(const JsonNode & node)
 std::string
 CephalometricLandmarkFileReader::NameFromNumber(const std::string & name) const
 {
-  const std::size_t end = name.find('_');
-  if (end == std::string::npos || end == 0 || !std::all_of(name.begin(), name.begin() + end, IsASCIIDigit))
-  {
-    return name;
-  }
-  try
-  {
-    return ToothCode::FromString(name.substr(0, end), this->GetNumbering()).GetName() + name.substr(end);
-  }
-  catch (const std::invalid_argument &)
-  {
-    // No tooth of that numbering: it will be listed with what is no dental landmark.
-    return name;
-  }
+  // A name that is known already is no other spelling of something else.
+  return CephalometricLandmarkSet::ParseName(name).position > 0 ? name : SpellPointOfTooth(name, this->GetNumbering());
 }
 
 void

@@ -17,9 +17,13 @@
  *=========================================================================*/
 #include "itkDentalLandmarkFileReader.h"
 
+#include "itkASCIICharacter.h"
 #include "itkAnnotationRecords.h"
+#include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
+#include "itkLowerCase.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -27,24 +31,27 @@ namespace itk
 {
 namespace
 {
-/** "3_MB" of the universal numbering to "UR6_MB"; a name that is none stays as it is. */
+/** The name as it is written where it is one. Else, and in universal numbers, the tooth is told by all spellings that
+ * tracings have, and the point without regard to case: "3_mb" of the universal numbering is "UR6_MB". */
 std::string
-NameFromUniversal(const std::string & name)
+NameLandmark(const std::string & name, ToothCode::NumberingEnum numbering)
 {
-  const std::size_t underscore = name.find('_');
-  if (underscore == std::string::npos)
+  if (numbering != ToothCode::NumberingEnum::Universal && IsDentalLandmarkName(name))
   {
     return name;
   }
-  try
+  const std::string spelled = SpellPointOfTooth(name, numbering);
+  const std::size_t point = spelled.find('_') + 1;
+  std::string       upper = spelled.substr(point);
+  std::transform(upper.begin(), upper.end(), upper.begin(), ToASCIIUpperCase);
+  for (const std::string & candidate : { spelled.substr(point), LowerCase(upper), upper })
   {
-    const auto code = ToothCode::FromString(name.substr(0, underscore), ToothCode::NumberingEnum::Universal);
-    return code.IsKnown() ? code.GetName() + name.substr(underscore) : name;
+    if (point > 0 && IsDentalLandmarkName(spelled.substr(0, point) + candidate))
+    {
+      return spelled.substr(0, point) + candidate;
+    }
   }
-  catch (const std::invalid_argument &)
-  {
-    return name;
-  }
+  return name;
 }
 } // namespace
 
@@ -89,8 +96,7 @@ DentalLandmarkFileReader<VDimension>::GenerateData()
   const auto landmarks = LandmarkSetType::New();
   for (const AnnotationLandmark & record : records.landmarks)
   {
-    const std::string name =
-      this->GetNumbering() == NumberingEnum::Universal ? NameFromUniversal(record.name) : record.name;
+    const std::string name = NameLandmark(record.name, this->GetNumbering());
     try
     {
       LandmarkSetType::ParseName(name);

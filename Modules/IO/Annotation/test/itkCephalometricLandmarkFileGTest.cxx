@@ -231,6 +231,15 @@ TEST(CephalometricLandmarkFileReader, ReadsWhatLandmarkFilesAreReadAs)
   ExpectAt(csv, "U1_tip", 569.5, 643.0);
   ExpectAt(csv, "UR6_MB", 464.0, 613.0);
 
+  const auto spelled =
+    Read("spelled.csv", "label,x,y\n1.6_MB,464,613\ntooth 11_tip,1,2\n46 MB,3,4\n31 incisal edge,5,6\nU6 MB,7,8\n");
+  EXPECT_TRUE(spelled->GetWarnings().empty());
+  ExpectAt(spelled, "UR6_MB", 464.0, 613.0);
+  ExpectAt(spelled, "UR1_tip", 1.0, 2.0);
+  ExpectAt(spelled, "LR6_MB", 3.0, 4.0);
+  ExpectAt(spelled, "LL1_tip", 5.0, 6.0);
+  ExpectAt(spelled, "U6_MB", 7.0, 8.0);
+
   // labelme counts from the pixel's corner.
   const auto labelme = Read("labelme.json", R"({"imageWidth": 703, "imageHeight": 938, "shapes": [
     {"label": "U1_tip", "shape_type": "point", "points": [[570, 643.5]]},

@@ -178,6 +178,78 @@ TEST(AnnotationCSV, LandmarksOfBothDimensions)
   EXPECT_EQ(itk::ExpectInputError([&] { twoD->Update(); }).GetField(), "line 2");
 }
 
+TEST(AnnotationCSV, ANumberSignBeforeAToothBeginsNoComment)
+{
+  const std::string rows = "#11,1,2\n#11,3,4\n#46,5,6\n#46,7,8\n";
+  for (const std::string & text : { "label,x,y\n" + rows,
+                                    rows,
+                                    "# by me, 1.5, 2\n# 2024,1,2\n#\n" + rows,
+                                    std::string("\"#11\",1,2\n\"#11\",\"3\",\"4\"\n\"#46\",5,6\n #46 ,7,8\n"),
+                                    std::string("\"#11\",\"1\",\"2\"\n#11,3,4\n#46,5,6\r\n#46,7,8"),
+                                    std::string("sep=;\n#11;1,0;2,0\n#11;3,0;4,0\n#46;5,0;6,0\n#46;7,0;8,0\n"),
+                                    std::string("#11\t1\t2\n#11\t3\t4\n#46\t5\t6\n#46\t7\t8\n"),
+                                    std::string("#11;1;2\n#11;3;4\n#46;5;6\n#46;7;8\n") })
+  {
+    const auto reader = ContourReader("hash.csv", text);
+    reader->Update();
+    const auto & upper = reader->GetUpperOutput()->GetPolylines();
+    const auto & lower = reader->GetLowerOutput()->GetPolylines();
+    ASSERT_TRUE(upper.size() == 1u && lower.size() == 1u) << text;
+    EXPECT_EQ(upper[0].code.GetName(), "UR1") << text;
+    ASSERT_TRUE(upper[0].points.size() == 2u && lower[0].points.size() == 2u) << text;
+    EXPECT_EQ(upper[0].points[1][1], 4.0) << text;
+    EXPECT_EQ(lower[0].code.GetName(), "LR6") << text;
+    // Only that a jaw has few points is to be said.
+    EXPECT_EQ(reader->GetWarnings().size(), 2u) << text;
+  }
+  // Beside teeth without the sign it may be a line that was switched off: that is said, with the line.
+  const auto mixed = ContourReader("mixed.csv", "11,1,2\n11,3,4\n#12,5,6\n#12,7,8\n");
+  mixed->Update();
+  EXPECT_EQ(mixed->GetUpperOutput()->GetPolylines().size(), 2u);
+  EXPECT_TRUE(itk::Contains(mixed->GetWarnings().front(), "line 3: \"#12\" is read as a tooth"))
+    << mixed->GetWarnings().front();
+  // A slip is an error, not a comment.
+  const auto slip = ContourReader("slip.csv", "#11,1,2\n#19,3,4\n");
+  EXPECT_EQ(itk::ExpectInputError([&] { slip->Update(); }).GetField(), "line 2");
+}
+
+TEST(AnnotationCSV, PointsOfTeethInTheSpellingsOfTeeth)
+{
+  const auto reader = Landmarks2D::New();
+  reader->SetFileName(
+    itk::WriteTestFile("spelled.csv",
+                       "name,x,y\n#11_tip,1,2\n1.6_MB,3,4\n46 MB,5,6\ntooth 36-mb,7,8\n\"#21 Tip\",9,10\nSella,1,1\n"
+                       "16 fossa,2,2\n# 21 is worn,3,4\n"));
+  reader->Update();
+  const auto expect = [&reader](const char * tooth, double u) {
+    for (const auto & landmark : reader->GetOutput()->GetLandmarks())
+    {
+      if (landmark.tooth.GetName() == tooth)
+      {
+        EXPECT_EQ(landmark.point[0], u) << tooth;
+        return landmark.name;
+      }
+    }
+    return std::string("none");
+  };
+  expect("UR1", 1.0);
+  expect("UR6", 3.0);
+  EXPECT_EQ(expect("LR6", 5.0), "LR6_MB");
+  EXPECT_EQ(expect("LL6", 7.0), "LL6_MB");
+  EXPECT_EQ(expect("UL1", 9.0), "UL1_tip");
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfLandmarks(), 5u);
+  // Of the sign beside teeth without it, and of two names.
+  ASSERT_EQ(reader->GetWarnings().size(), 3u);
+  EXPECT_TRUE(itk::Contains(reader->GetWarnings()[0], "#11_tip"));
+  EXPECT_TRUE(itk::Contains(reader->GetWarnings()[2], "16 fossa"));
+  const auto universal = Landmarks2D::New();
+  universal->SetFileName(itk::WriteTestFile("universal.csv", "#3 MB,1,2\n#8_tip,3,4\n"));
+  universal->SetNumbering(itk::ToothCode::NumberingEnum::Universal);
+  universal->Update();
+  ASSERT_NE(universal->GetOutput()->Find("UR6_MB"), nullptr);
+  EXPECT_EQ(universal->GetOutput()->Find("UR1_tip")->point[0], 3.0);
+}
+
 TEST(AnnotationCSV, WrongLinesAreNamed)
 {
   for (const char * line :

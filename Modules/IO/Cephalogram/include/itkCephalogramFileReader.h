@@ -118,8 +118,10 @@ public:
   PixelSpacingType
   GetPixelSpacing() const;
   /** The spacing in the detector plane, as CephalometricGeometry wants it: one that holds in the midsagittal plane is
-   * multiplied by sourceToDetector / sourceToMidsagittal (mm, the geometry's). Throws where the verdict is Unknown, or
-   * where that is needed and is not above 1. */
+   * multiplied by sourceToDetector / sourceToMidsagittal (mm, the geometry's). Of EstimatedMagnification it is the
+   * file's imager pixel spacing, whatever the geometry is: undoing the file's factor by another one would make a
+   * spacing that no detector has. Throws where the verdict is Unknown, or where it holds in the midsagittal plane and
+   * the geometry does not magnify. */
   PixelSpacingType
   GetDetectorPixelSpacing(double sourceToDetector, double sourceToMidsagittal) const;
 
@@ -258,17 +260,19 @@ private:
   PixelSpacingVerdictEnum               m_PixelSpacingVerdict{ PixelSpacingVerdictEnum::Unknown };
   SpacingPlaneEnum                      m_SpacingPlane{ SpacingPlaneEnum::Unknown };
   std::optional<PixelSpacingType>       m_PixelSpacing;
-  std::optional<PixelSpacingType>       m_HeaderSpacing;
-  PixelSpacingType                      m_HeaderOrigin;
-  std::optional<double>                 m_SourceToDetectorDistance;
-  std::optional<double>                 m_SourceToMidsagittalDistance;
-  std::optional<double>                 m_MagnificationFactor;
-  std::optional<FacingEnum>             m_Facing;
-  std::optional<PatientLeftEnum>        m_PatientLeft;
-  std::optional<FrontalSourceEnum>      m_FrontalSource;
-  std::optional<DirectionEnum>          m_RadiographDirection;
-  ProvenanceType                        m_Provenance;
-  std::vector<std::string>              m_Warnings;
+  /** Where it is known beside m_PixelSpacing. */
+  std::optional<PixelSpacingType>  m_ImagerPixelSpacing;
+  std::optional<PixelSpacingType>  m_HeaderSpacing;
+  PixelSpacingType                 m_HeaderOrigin;
+  std::optional<double>            m_SourceToDetectorDistance;
+  std::optional<double>            m_SourceToMidsagittalDistance;
+  std::optional<double>            m_MagnificationFactor;
+  std::optional<FacingEnum>        m_Facing;
+  std::optional<PatientLeftEnum>   m_PatientLeft;
+  std::optional<FrontalSourceEnum> m_FrontalSource;
+  std::optional<DirectionEnum>     m_RadiographDirection;
+  ProvenanceType                   m_Provenance;
+  std::vector<std::string>         m_Warnings;
 };
 } // namespace itk
 

@@ -114,6 +114,11 @@ CephalogramFileReader::ReadDicomTags()
   if (decision.spacing)
   {
     m_PixelSpacing = PixelSpacingType(decision.spacing->data());
+    PixelSpacingType imager;
+    // The file has that between rows first.
+    imager[0] = (*tags.imagerPixelSpacing)[1];
+    imager[1] = (*tags.imagerPixelSpacing)[0];
+    m_ImagerPixelSpacing = imager;
     for (const double value : *decision.spacing)
     {
       if (value < 0.01 || value > 1.0)

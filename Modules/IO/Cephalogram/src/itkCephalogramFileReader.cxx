@@ -154,7 +154,8 @@ CephalogramFileReader::GetDetectorPixelSpacing(double sourceToDetector, double s
                       << sourceToDetector << " mm does not lie beyond a source-to-midsagittal distance of "
                       << sourceToMidsagittal << " mm; give both, in mm.");
   }
-  return spacing * magnification;
+  return m_PixelSpacingVerdict == PixelSpacingVerdictEnum::EstimatedMagnification ? m_ImagerPixelSpacing.value()
+                                                                                  : spacing * magnification;
 }
 
 double
@@ -303,6 +304,7 @@ CephalogramFileReader::GenerateOutputInformation()
   m_PixelSpacingVerdict = PixelSpacingVerdictEnum::Unknown;
   m_SpacingPlane = SpacingPlaneEnum::Unknown;
   m_PixelSpacing.reset();
+  m_ImagerPixelSpacing.reset();
   m_HeaderSpacing.reset();
   m_SourceToDetectorDistance.reset();
   m_SourceToMidsagittalDistance.reset();
@@ -448,6 +450,7 @@ CephalogramFileReader::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "PixelSpacingVerdict: " << m_PixelSpacingVerdict << std::endl;
   os << indent << "SpacingPlane: " << m_SpacingPlane << std::endl;
   print("PixelSpacing", m_PixelSpacing);
+  print("ImagerPixelSpacing", m_ImagerPixelSpacing);
   print("HeaderSpacing", m_HeaderSpacing);
   os << indent << "HeaderOrigin: " << m_HeaderOrigin << std::endl;
   print("SourceToDetectorDistance", m_SourceToDetectorDistance);

@@ -164,6 +164,10 @@ RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette
     std::string bytes = ReadRadiographBytes(fileName);
     m_Format = DetectRadiographFileFormat(fileName, bytes);
     VerifyRadiographFileIsComplete(fileName, bytes, m_Format, CephalogramFileReader::MaximumNumberOfPixels);
+    if (m_Format == Format::PNG && palette == PaletteEnum::Numbers)
+    {
+      DropPaletteTransparency(bytes);
+    }
     if (bytes.size() > MemoryFile::GetLargestSize())
     {
       itkDentalInputErrorMacro(fileName,

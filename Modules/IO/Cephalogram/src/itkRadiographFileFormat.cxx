@@ -604,6 +604,29 @@ DetectRadiographFileFormat(const std::string & fileName, std::string_view bytes)
 }
 
 void
+DropPaletteTransparency(std::string & bytes)
+{
+  // The header, whose chunk is the first, has the kind of colours in its tenth byte.
+  constexpr std::size_t kind = 8 + 8 + 9;
+  if (bytes.size() <= kind || bytes[kind] != 3)
+  {
+    return;
+  }
+  for (std::size_t position = 8; position + 12 <= bytes.size();)
+  {
+    const std::size_t length = std::size_t{ BigEndian32(Bytes(bytes), position) } + 12;
+    if (bytes.compare(position + 4, 4, "tRNS") == 0)
+    {
+      bytes.erase(position, length);
+    }
+    else
+    {
+      position += length;
+    }
+  }
+}
+
+void
 VerifyRadiographFileIsComplete(const std::string &      fileName,
                                std::string &            bytes,
                                RadiographFileFormatEnum format,

@@ -137,6 +137,9 @@ TEST(CephalogramDicom, MagnificationFactorDividesTheImagers)
     reader->GetDetectorPixelSpacing(reader->GetSourceToDetectorDistance(), reader->GetSourceToMidsagittalDistance());
   EXPECT_DOUBLE_EQ(spacing[0], 0.22);
   EXPECT_DOUBLE_EQ(spacing[1], 0.11);
+  // The detector's pixels do not change with what is known of the distances.
+  EXPECT_EQ(reader->GetDetectorPixelSpacing(1674.0, 1524.0)[0], 0.22);
+  EXPECT_EQ(reader->GetDetectorPixelSpacing(1800.0, 1500.0)[1], 0.11);
   EXPECT_THROW(reader->GetDetectorPixelSpacing(1500.0, 1650.0), itk::ExceptionObject);
   EXPECT_THROW(reader->GetDetectorPixelSpacing(0.0, 0.0), itk::ExceptionObject);
 }

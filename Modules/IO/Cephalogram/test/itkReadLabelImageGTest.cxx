@@ -27,6 +27,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 
 using itk::Contains;
@@ -43,6 +44,75 @@ IntegerTIFF(unsigned int bits, bool isSigned, bool negative = false)
   return file.Make([negative](unsigned int u, unsigned int v) {
     return std::int64_t{ 10 } * (3 * v + u) - (negative && u == 0 && v == 0 ? 1 : 0);
   });
+}
+
+std::string
+BigEndian32(std::uint32_t value)
+{
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8)
+  {
+    bytes += static_cast<char>((value >> shift) & 0xffu);
+  }
+  return bytes;
+}
+
+std::string
+PNGChunk(const std::string & content)
+{
+  std::uint32_t check = 0xffffffffu;
+  for (const char byte : content)
+  {
+    check ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit)
+    {
+      check = (check & 1u) != 0 ? 0xedb88320u ^ (check >> 1) : check >> 1;
+    }
+  }
+  return BigEndian32(static_cast<std::uint32_t>(content.size() - 4)) + content + BigEndian32(~check);
+}
+
+/** A PNG of 8 x 2 pixels with a palette, whose numbers are 0 .. 7 and then `first` and on, as far as the bits go. Red
+ * is the number times two, green 10, blue 0.
+ *
+ * \param transparency Opacities of the palette's first entries. */
+std::string
+PalettePNG(unsigned int bits, unsigned int first, const std::string & transparency)
+{
+  std::string palette;
+  for (unsigned int i = 0; i < (1u << bits); ++i)
+  {
+    palette += std::string{ static_cast<char>(std::min(2 * i, 255u)), '\x0a', '\0' };
+  }
+  std::string rows;
+  for (const unsigned int begin : { 0u, first })
+  {
+    rows += '\0';
+    unsigned int byte = 0;
+    for (unsigned int u = 0; u < 8; ++u)
+    {
+      byte = (byte << bits) | ((begin + u) % (1u << bits));
+      if ((u + 1) * bits % 8 == 0)
+      {
+        rows += static_cast<char>(byte & 0xffu);
+      }
+    }
+  }
+  // Deflate's form of bytes that are not compressed, and Adler's sum.
+  std::uint32_t low = 1;
+  std::uint32_t high = 0;
+  for (const char byte : rows)
+  {
+    low = (low + static_cast<unsigned char>(byte)) % 65521u;
+    high = (high + low) % 65521u;
+  }
+  const auto        size = static_cast<char>(rows.size());
+  const std::string stored = std::string("\x78\x01\x01") + size + '\0' + static_cast<char>(~size) + '\xff' + rows +
+                             BigEndian32((high << 16) | low);
+  return "\x89PNG\r\n\x1a\n" +
+         PNGChunk("IHDR" + BigEndian32(8) + BigEndian32(2) + static_cast<char>(bits) + std::string("\x03\0\0\0", 4)) +
+         PNGChunk("PLTE" + palette) + (transparency.empty() ? std::string() : PNGChunk("tRNS" + transparency)) +
+         PNGChunk("IDAT" + stored) + PNGChunk("IEND");
 }
 } // namespace
 
@@ -127,6 +197,34 @@ TEST(ReadLabelImage, APalettesNumbersAreLabelsAndItsColoursARadiograph)
                   0.2126 * label + 0.7152 * ((256 + label) % 200) + 0.0722 * ((512 + label) % 200),
                   1.0)
         << i;
+    }
+  }
+}
+
+/** Programs of labels write the background of a palette as transparent. */
+TEST(ReadLabelImage, APalettesNumbersAreLabelsWhereEntriesAreTransparent)
+{
+  for (const unsigned int bits : { 8u, 4u, 2u, 1u })
+  {
+    for (const std::string & transparency : { std::string(), std::string(1, '\0'), std::string("\x80\0", 2) })
+    {
+      SCOPED_TRACE(std::to_string(bits) + " bits, transparent " + std::to_string(transparency.size()));
+      const std::string path = itk::WriteTestFile("palette.png", PalettePNG(bits, 41, transparency));
+      const auto        labels = itk::ReadLabelImage(path);
+      ASSERT_EQ(labels->GetLargestPossibleRegion().GetSize(), (itk::Size<2>{ { 8, 2 } }));
+      for (unsigned int i = 0; i < 16; ++i)
+      {
+        EXPECT_EQ(labels->GetBufferPointer()[i], (i < 8 ? i : 41 + i - 8) % (1u << bits)) << i;
+      }
+      const auto mask = itk::ReadMaskImage(path);
+      EXPECT_EQ(mask->GetLargestPossibleRegion().GetSize(), (itk::Size<2>{ { 8, 2 } }));
+      // A radiograph shows its colours, and black where it is transparent.
+      const auto reader = itk::CephalogramFileReader::New();
+      reader->SetFileName(path);
+      reader->Update();
+      const float * const grey = reader->GetOutput()->GetBufferPointer();
+      EXPECT_NEAR(grey[0], transparency.empty() ? 7.2 : transparency.size() == 1 ? 0.0 : 3.6, 0.1);
+      EXPECT_NEAR(grey[1], transparency.size() == 2 ? 0.0 : 7.6, 0.1);
     }
   }
 }
