@@ -76,6 +76,37 @@ def test_a_third_of_the_landmarks_at_the_origin_is_said(run, case, tmp_path):
         assert result["jaws"][jaw]["error"]["mean_px"] < 5.0
 
 
+def test_two_landmarks_of_the_scan_exchanged_are_said_and_not_used(run, case, tmp_path):
+    """On the scan and on their side, each at the other's tooth."""
+    landmarks = case.load("landmarks3d.json")
+    landmarks["UR6_MB"], landmarks["UR4_B"] = landmarks["UR4_B"], landmarks["UR6_MB"]
+    case.save(landmarks, "landmarks3d.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    result = load(tmp_path / "out")
+    assert codes_of(result, "upper") == {"landmarks-order"} and codes_of(result, "lower") == set()
+    (finding,) = result["jaws"]["upper"]["findings"]
+    assert "UR4_B, UR6_MB do not stand along the arch" in finding["text"] and finding["text"] in done.stderr
+    assert not set(result["jaws"]["upper"]["error"]["landmarks"]) & {"UR6_MB", "UR4_B"}
+    assert "UR5_B" in result["jaws"]["upper"]["error"]["landmarks"]
+    assert result["jaws"]["upper"]["error"]["mean_px"] < 5.0
+
+
+def test_a_tooth_marked_as_the_one_before_it_is_told_by_the_tracing(run, case, plain, tmp_path):
+    """In order along the arch, and without the other side there is no step to compare: the tracing has the tooth elsewhere."""
+    landmarks = {name: place for name, place in case.load("landmarks3d.json").items() if name[1] == "R"}
+    shift = [b - a for a, b in zip(landmarks["UR6_MB"], landmarks["UR7_MB"], strict=True)]
+    for name in ("UR6_MB", "UR6_DB"):
+        landmarks[name] = [a + b for a, b in zip(landmarks[name], shift, strict=True)]
+    case.save({name: place for name, place in landmarks.items() if not name.startswith("UR7")}, "landmarks3d.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    said = [line for line in load(tmp_path / "out")["warnings"] if line.startswith("landmarks_3d: ")]
+    assert len(said) == 1 and said[0] in done.stderr, said
+    assert "the result puts UR6_MB" in said[0] and "UR5" not in said[0] and "LR" not in said[0]
+    assert not any(line.startswith("landmarks_3d: ") for line in load(plain)["warnings"])
+
+
 def test_inches(run, case, plain, tmp_path):
     for name in ("upper", "lower"):
         triangles = read_stl(case.folder / f"{name}.stl")

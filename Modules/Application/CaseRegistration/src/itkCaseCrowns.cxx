@@ -82,7 +82,9 @@ SelectCaseCrowns(const DentalCaseData & data, ToothCode::JawEnum jaw, const Vers
 }
 
 ToothCrownSet::Pointer
-FindCaseToothCrowns(const DentalCaseData & data, CaseAxisType * axis)
+FindCaseToothCrowns(const DentalCaseData &           data,
+                    CaseAxisType *                   axis,
+                    const std::vector<std::string> & unusableLandmarks)
 {
   using JawEnum = ToothCode::JawEnum;
   auto filter = ToothCrownFilter::New();
@@ -138,6 +140,7 @@ FindCaseToothCrowns(const DentalCaseData & data, CaseAxisType * axis)
   if (data.landmarks3D.IsNotNull())
   {
     filter->SetScanLandmarks(data.landmarks3D);
+    filter->SetUnusableLandmarks(unusableLandmarks);
     filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
   }
   filter->SetExcludedTeeth(data.description.excludedTeeth);

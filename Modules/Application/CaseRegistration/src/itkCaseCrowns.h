@@ -24,6 +24,9 @@
 #include "itkToothCrownSet.h"
 #include "itkVersorRigid3DTransform.h"
 
+#include <string>
+#include <vector>
+
 namespace itk
 {
 /** The crowns of a jaw as the case wants them found, by CrownRegionMeshFilter; throws a DentalInputError where there
@@ -32,9 +35,11 @@ DentalCaseData::MeshType::Pointer
 SelectCaseCrowns(const DentalCaseData & data, ToothCode::JawEnum jaw, const VersorRigid3DTransform<double> * frame);
 
 /** The crowns of the teeth that were drawn one by one, in a standard tracing or on a frontal radiograph, cut out of the
- * scans; null where no tooth was. */
+ * scans; null where no tooth was. Landmarks of the scans with these names are used for none. */
 ToothCrownSet::Pointer
-FindCaseToothCrowns(const DentalCaseData & data, CaseAxisType * axis);
+FindCaseToothCrowns(const DentalCaseData &           data,
+                    CaseAxisType *                   axis,
+                    const std::vector<std::string> & unusableLandmarks);
 } // namespace itk
 
 #endif

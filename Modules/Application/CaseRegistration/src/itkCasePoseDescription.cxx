@@ -305,6 +305,7 @@ FindCaseCounterparts(const DentalCaseData &               data,
   if (data.landmarks3D.IsNotNull())
   {
     filter->SetScanLandmarks(data.landmarks3D);
+    filter->SetUnusableLandmarks(result.unusableLandmarks);
     filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
   }
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })

@@ -243,7 +243,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
   {
     return;
   }
-  if (const auto crowns = FindCaseToothCrowns(data, axis); crowns.IsNotNull())
+  if (const auto crowns = FindCaseToothCrowns(data, axis, result.unusableLandmarks); crowns.IsNotNull())
   {
     method->SetToothCrowns(crowns);
   }

@@ -24,6 +24,7 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDescribePlainly.h"
+#include "itkLandmarksOffTeeth.h"
 #include "itkPictureCheckFilter.h"
 #include "itkPoseRegistrationOptionTable.h"
 #include "itkPrincipalPointCheck.h"
@@ -538,6 +539,7 @@ CaseRegistration::GenerateData()
   {
     this->RegisterBySimilarity();
   }
+  AppendTexts(m_Result.warnings, DescribeLandmarksOffTeeth(*m_Data, m_Result));
   this->CheckPicture();
   if (m_Preset == CasePresetEnum::Robust)
   {

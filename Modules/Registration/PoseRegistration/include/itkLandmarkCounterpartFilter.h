@@ -107,6 +107,15 @@ public:
   /** Of the scan landmarks; 1 by default. */
   itkSetMacro(MillimetresPerUnit, double);
   itkGetConstMacro(MillimetresPerUnit, double);
+  /** Names of scan landmarks that are used for no tooth, since they lie elsewhere than their names say
+   * (ScanCheckFilter::GetUnusableLandmarks()). */
+  void
+  SetUnusableLandmarks(const std::vector<std::string> & names);
+  const std::vector<std::string> &
+  GetUnusableLandmarks() const
+  {
+    return m_UnusableLandmarks;
+  }
 
   /** The side in a name is ignored, as a standard tracing's is: "UR6_MB" is the middle as well. Off by default. */
   itkSetMacro(IgnoreSides, bool);
@@ -152,6 +161,7 @@ protected:
 
 private:
   double                    m_MillimetresPerUnit{ 1.0 };
+  std::vector<std::string>  m_UnusableLandmarks;
   bool                      m_IgnoreSides{ false };
   DirectionEnum             m_Direction{ DirectionEnum::Lateral };
   std::array<LabelsType, 2> m_Labels;

@@ -45,7 +45,7 @@ namespace itk
  * Specks in the air and points that no triangle has are not the scan: nothing is measured of them. Landmarks are judged
  * one by one, since a file of which a third is wrong is right in the median. Codes: \c same-scan, \c both-jaws, \c
  * spikes, \c partial-arch, \c arch-width, \c no-arch, \c unsure-axis, \c inward-winding, \c sides-exchanged, \c
- * jaws-exchanged, \c landmarks-off-scan, \c landmarks-coincide (Documentation/Findings.md).
+ * jaws-exchanged, \c landmarks-off-scan, \c landmarks-coincide, \c landmarks-order (Documentation/Findings.md).
  *
  * \ingroup PoseRegistration
  */
@@ -109,9 +109,8 @@ public:
     return m_NotCheckable;
   }
 
-  /** Names of landmarks that lie off their scan or at another one's place, and are used by nothing; valid after
-   * Update().
-   */
+  /** Names of landmarks that lie off their scan, at another one's place or at another tooth's, and are used by
+   * nothing; valid after Update(). */
   const std::vector<std::string> &
   GetUnusableLandmarks() const
   {

@@ -105,6 +105,15 @@ public:
   /** Of the scan landmarks; 1 by default. */
   itkSetMacro(MillimetresPerUnit, double);
   itkGetConstMacro(MillimetresPerUnit, double);
+  /** Names of scan landmarks that are used for no tooth, since they lie elsewhere than their names say
+   * (ScanCheckFilter::GetUnusableLandmarks()). */
+  void
+  SetUnusableLandmarks(const std::vector<std::string> & names);
+  const std::vector<std::string> &
+  GetUnusableLandmarks() const
+  {
+    return m_UnusableLandmarks;
+  }
   /** A crown for each tooth that was outlined and is on a scan. */
   OutputType *
   GetOutput();
@@ -137,6 +146,7 @@ protected:
 
 private:
   double                    m_MillimetresPerUnit{ 1.0 };
+  std::vector<std::string>  m_UnusableLandmarks;
   std::array<LabelsType, 2> m_Labels;
   std::vector<ToothCode>    m_ExcludedTeeth;
   std::vector<ToothCode>    m_Missing;

@@ -94,6 +94,16 @@ LandmarkCounterpartFilter::GetOutput() const
 }
 
 void
+LandmarkCounterpartFilter::SetUnusableLandmarks(const std::vector<std::string> & names)
+{
+  if (names != m_UnusableLandmarks)
+  {
+    m_UnusableLandmarks = names;
+    this->Modified();
+  }
+}
+
+void
 LandmarkCounterpartFilter::GenerateData()
 {
   OutputType * output = this->GetOutput();
@@ -112,6 +122,10 @@ LandmarkCounterpartFilter::GenerateData()
                                        this->GetScanLandmarks(),
                                        m_MillimetresPerUnit,
                                        JawEnum::Lower) };
+  for (ToothFinder & scan : scans)
+  {
+    scan.SetUnusableLandmarks(m_UnusableLandmarks);
+  }
   for (const auto & landmark : this->GetCephalometricLandmarks()->GetLandmarks())
   {
     const auto & meaning = landmark.meaning;
@@ -192,6 +206,7 @@ LandmarkCounterpartFilter::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
+  os << indent << "UnusableLandmarks: " << m_UnusableLandmarks.size() << std::endl;
   os << indent << "IgnoreSides: " << (m_IgnoreSides ? "On" : "Off") << std::endl;
   os << indent << "Direction: " << m_Direction << std::endl;
   os << indent << "UpperLabels: " << m_Labels[0].size() << std::endl;

@@ -19,6 +19,7 @@
 
 #include "itkJawIndex.h"
 #include "itkJawExchangeEvidence.h"
+#include "itkLandmarkOrder.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkMillimetresPerUnit.h"
 #include "itkRegistrationVerdict.h"
@@ -509,6 +510,45 @@ CheckSidesOneByOne(Scan & scan)
   }
 }
 
+/** What lies on the scan and on its side, but at another tooth's place. */
+void
+CheckOrder(Scan & scan)
+{
+  if (scan.frame->confidence < UnsureAxis)
+  {
+    return;
+  }
+  LandmarkOrder::LandmarksType landmarks;
+  for (const auto & landmark : scan.landmarks)
+  {
+    landmarks.emplace_back(landmark.first, landmark.second);
+  }
+  const LandmarkOrder order(*scan.frame, landmarks);
+  const auto &        misplaced = order.GetMisplaced();
+  if (misplaced.empty())
+  {
+    return;
+  }
+  std::string names;
+  for (std::size_t i = 0; i < misplaced.size(); ++i)
+  {
+    names += i < NamesSaid ? (i == 0 ? "" : ", ") + landmarks[misplaced[i]].first : "";
+    scan.unusable.push_back(landmarks[misplaced[i]].first);
+  }
+  names += misplaced.size() > NamesSaid ? " and " + std::to_string(misplaced.size() - NamesSaid) + " more" : "";
+  for (std::size_t i = misplaced.size(); i-- > 0;)
+  {
+    scan.landmarks.erase(scan.landmarks.begin() + static_cast<std::ptrdiff_t>(misplaced[i]));
+  }
+  scan.Add(Suspect,
+           "landmarks-order",
+           "of the 3-D landmarks " + names + (misplaced.size() == 1 ? " does" : " do") +
+             " not stand along the arch as the teeth do and cannot be used: of another tooth, or names exchanged?",
+           order.GetLargest(),
+           LandmarkOrder::MaximumOverlap,
+           "mm");
+}
+
 void
 CheckMirroring(Scan & scan)
 {
@@ -547,6 +587,7 @@ CheckMirroring(Scan & scan)
     return;
   }
   CheckSidesOneByOne(scan);
+  CheckOrder(scan);
 }
 
 /** One file named twice. */

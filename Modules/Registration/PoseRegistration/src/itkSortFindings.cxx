@@ -26,7 +26,7 @@ namespace
 {
 /** The heaviest first: of the scans, of what was drawn, the readings of the drawing that fit where the given one does
  * not, and what is wrong with landmarks that only measure. */
-const std::array<const char *, 22> Causes{ { "no-arch",
+const std::array<const char *, 23> Causes{ { "no-arch",
                                              "same-scan",
                                              "both-jaws",
                                              "spikes",
@@ -47,7 +47,8 @@ const std::array<const char *, 22> Causes{ { "no-arch",
                                              "picture",
                                              "principal-point",
                                              "landmarks-coincide",
-                                             "landmarks-off-scan" } };
+                                             "landmarks-off-scan",
+                                             "landmarks-order" } };
 
 /** They may be why it does not fit, or be wrong because it does not. */
 const std::array<const char *, 5> Perhaps{

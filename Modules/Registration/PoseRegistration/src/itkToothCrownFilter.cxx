@@ -104,6 +104,16 @@ ToothCrownFilter::VerifyPreconditions() ITKv5_CONST
 }
 
 void
+ToothCrownFilter::SetUnusableLandmarks(const std::vector<std::string> & names)
+{
+  if (names != m_UnusableLandmarks)
+  {
+    m_UnusableLandmarks = names;
+    this->Modified();
+  }
+}
+
+void
 ToothCrownFilter::GenerateData()
 {
   OutputType * output = this->GetOutput();
@@ -129,6 +139,7 @@ ToothCrownFilter::GenerateData()
       }
     }
     ToothFinder finder(mesh, frame->Get(), m_Labels[ToIndex(jaw)], this->GetScanLandmarks(), m_MillimetresPerUnit, jaw);
+    finder.SetUnusableLandmarks(m_UnusableLandmarks);
     for (const std::uint8_t fdi : teeth)
     {
       const ToothCode tooth(fdi);
@@ -153,6 +164,7 @@ ToothCrownFilter::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
+  os << indent << "UnusableLandmarks: " << m_UnusableLandmarks.size() << std::endl;
   os << indent << "UpperLabels: " << m_Labels[0].size() << std::endl;
   os << indent << "LowerLabels: " << m_Labels[1].size() << std::endl;
   os << indent << "ExcludedTeeth: " << m_ExcludedTeeth.size() << std::endl;

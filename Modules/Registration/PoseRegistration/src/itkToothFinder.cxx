@@ -197,7 +197,8 @@ ToothFinder::FindClicked(const ToothCode & tooth, FeatureEnum feature) const
     return {};
   }
   const auto * landmark = m_Landmarks->Find(tooth.GetName() + '_' + SuffixOf(feature, tooth.GetPosition()));
-  if (landmark == nullptr || !ScanCheckFilter::IsAlone(*m_Landmarks, *landmark))
+  if (landmark == nullptr || !ScanCheckFilter::IsAlone(*m_Landmarks, *landmark) ||
+      std::find(m_UnusableLandmarks.begin(), m_UnusableLandmarks.end(), landmark->name) != m_UnusableLandmarks.end())
   {
     return {};
   }

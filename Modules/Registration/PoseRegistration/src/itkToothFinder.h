@@ -32,6 +32,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace itk
@@ -66,6 +67,14 @@ public:
               const ScanLandmarksType * landmarks,
               double                    millimetresPerUnit,
               JawEnum                   jaw);
+
+  /** Names of landmarks that are at another tooth's place, or nowhere: they are used for none, and their teeth are there
+   * all the same. */
+  void
+  SetUnusableLandmarks(const std::vector<std::string> & names)
+  {
+    m_UnusableLandmarks = names;
+  }
 
   /** A point of a tooth, mesh frame, mm. */
   std::optional<PlaceType>
@@ -124,6 +133,7 @@ private:
   const ScanLandmarksType *        m_Landmarks;
   double                           m_MillimetresPerUnit;
   JawEnum                          m_Jaw;
+  std::vector<std::string>         m_UnusableLandmarks;
   std::unique_ptr<TriangleSurface> m_Surface;
   PoseArch                         m_Arch;
 };

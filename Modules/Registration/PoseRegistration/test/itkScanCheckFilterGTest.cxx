@@ -282,6 +282,86 @@ TEST(ScanCheckFilter, TellsALandmarkOfTheOtherSidesTooth)
   EXPECT_EQ(filter->GetUnusableLandmarks(), std::vector<std::string>{ "UR6_MB" });
 }
 
+/** Two names exchanged within a side, adjacent or not: each is said, none of the others, and none of them is used. */
+TEST(ScanCheckFilter, TellsExchangedNamesOfOneSide)
+{
+  using PairType = std::pair<std::string, std::string>;
+  for (const PairType & pair : { PairType{ "UR6_MB", "UR4_B" },
+                                 PairType{ "UR6_MB", "UR1_tip" },
+                                 PairType{ "UL4_B", "UL5_B" },
+                                 PairType{ "UL1_tip", "UL2_tip" } })
+  {
+    Scans        scans;
+    auto         landmarks = itk::DentalLandmarkSet<3>::New();
+    const auto * first = scans.landmarks->Find(pair.first);
+    const auto * second = scans.landmarks->Find(pair.second);
+    ASSERT_TRUE(first != nullptr && second != nullptr);
+    for (const auto & landmark : scans.landmarks->GetLandmarks())
+    {
+      landmarks->AddLandmark(landmark.name,
+                             landmark.name == pair.first    ? second->point
+                             : landmark.name == pair.second ? first->point
+                                                            : landmark.point);
+    }
+    scans.landmarks = landmarks;
+    const auto filter = scans.Check();
+    ASSERT_EQ(CodesOf(filter, JawEnum::Upper), Codes{ "landmarks-order" }) << pair.first;
+    const std::string text = filter->GetFindings(JawEnum::Upper).front().text;
+    EXPECT_NE(text.find(pair.first), std::string::npos) << text;
+    EXPECT_NE(text.find(pair.second), std::string::npos) << text;
+    auto unusable = filter->GetUnusableLandmarks();
+    std::sort(unusable.begin(), unusable.end());
+    EXPECT_EQ(unusable, (Codes{ std::min(pair.first, pair.second), std::max(pair.first, pair.second) }));
+    EXPECT_EQ(CodesOf(filter, JawEnum::Lower), Codes());
+  }
+}
+
+/** A molar's mark on the molar behind it, whose own is not there: where the tooth's other cusps are marked they are
+ * passed, and where they are not the step from the premolar is that of two teeth, unlike the other side's. */
+TEST(ScanCheckFilter, TellsAMolarMarkedAToothBack)
+{
+  for (const bool hasOtherCusps : { true, false })
+  {
+    Scans        scans;
+    auto         landmarks = itk::DentalLandmarkSet<3>::New();
+    const auto * behind = scans.landmarks->Find("LR7_MB");
+    ASSERT_NE(behind, nullptr);
+    for (const auto & landmark : scans.landmarks->GetLandmarks())
+    {
+      const bool isOther = landmark.name != "LR6_MB" && landmark.name.rfind("LR6_", 0) == 0;
+      if (landmark.name.rfind("LR7_", 0) != 0 && (hasOtherCusps || !isOther))
+      {
+        landmarks->AddLandmark(landmark.name, landmark.name == "LR6_MB" ? behind->point : landmark.point);
+      }
+    }
+    scans.landmarks = landmarks;
+    const auto filter = scans.Check();
+    ASSERT_EQ(CodesOf(filter, JawEnum::Lower), Codes{ "landmarks-order" }) << hasOtherCusps;
+    EXPECT_EQ(filter->GetUnusableLandmarks(), Codes{ "LR6_MB" }) << hasOtherCusps;
+    EXPECT_EQ(CodesOf(filter, JawEnum::Upper), Codes());
+  }
+}
+
+/** A tooth that was lost on one side, and its neighbours closed up or not, are no marks of other teeth. */
+TEST(ScanCheckFilter, ALostToothIsNoMarkOfAnother)
+{
+  for (const char * lost : { "UR4", "UR6", "LL5", "LL1" })
+  {
+    Scans scans;
+    auto  landmarks = itk::DentalLandmarkSet<3>::New();
+    for (const auto & landmark : scans.landmarks->GetLandmarks())
+    {
+      if (landmark.name.rfind(lost, 0) != 0)
+      {
+        landmarks->AddLandmark(landmark.name, landmark.point);
+      }
+    }
+    scans.landmarks = landmarks;
+    const auto filter = scans.Check();
+    EXPECT_TRUE(filter->GetUnusableLandmarks().empty()) << lost;
+  }
+}
+
 /** What was left where all begin may happen to lie on the scan; two teeth have no place in common. */
 TEST(ScanCheckFilter, LandmarksAtOneAndTheSamePlaceAreNone)
 {

@@ -1,0 +1,201 @@
+/*=========================================================================
+ *
+ *  Copyright The DentalSCR authors
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkLandmarksOffTeeth.h"
+
+#include "itkDentalLandmarkSet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <limits>
+#include <locale>
+#include <map>
+#include <sstream>
+
+namespace itk
+{
+namespace
+{
+/** From its place on the line of its tooth a landmark may lie by this share of the line's extent, and by this many mm
+ * at the detector where the line shows a part of the tooth alone: more than half a tooth. */
+constexpr double ShareOff = 0.6;
+constexpr double LeastOff = 4.0;
+/** Cusps before and behind a molar's middle, by a share of its extent. */
+constexpr double CuspShare = 0.24;
+/** As many names as a sentence bears. */
+constexpr std::size_t NamesSaid = 4;
+
+using DirectionType = std::array<double, 2>;
+
+/** The extent of a tooth along the row of teeth, pixels. */
+struct SpanType
+{
+  double low{ std::numeric_limits<double>::max() };
+  double high{ std::numeric_limits<double>::lowest() };
+
+  double
+  GetMiddle() const
+  {
+    return 0.5 * (low + high);
+  }
+};
+using SpansType = std::map<std::uint8_t, SpanType>;
+
+/** +1 where the teeth at the back lie at the higher end of the row, -1 where at the lower, 0 where no two tell. */
+int
+FindBackward(const SpansType & spans)
+{
+  double sum = 0.0;
+  for (const auto & front : spans)
+  {
+    for (const auto & back : spans)
+    {
+      const ToothCode first(front.first);
+      const ToothCode second(back.first);
+      if (first.GetQuadrant() == second.GetQuadrant() && first.GetPosition() < second.GetPosition())
+      {
+        sum += back.second.GetMiddle() - front.second.GetMiddle();
+      }
+    }
+  }
+  return sum > 0.0 ? 1 : sum < 0.0 ? -1 : 0;
+}
+
+/** Where along its tooth a landmark is, by its name: a share of the extent, from the middle toward the back. */
+double
+ShareOf(const std::string & name)
+{
+  const std::string suffix = name.substr(name.rfind('_') + 1);
+  return suffix == "MB" || suffix == "ML" ? -CuspShare : suffix == "DB" || suffix == "DL" ? CuspShare : 0.0;
+}
+
+/** The row of teeth runs in the direction in which the points are spread most. */
+DirectionType
+FindRow(const DentalContour::PolylinesType & polylines)
+{
+  double sums[2] = { 0.0, 0.0 };
+  double count = 0.0;
+  for (const auto & polyline : polylines)
+  {
+    for (const auto & point : polyline.points)
+    {
+      sums[0] += point[0];
+      sums[1] += point[1];
+      count += 1.0;
+    }
+  }
+  double along = 0.0;
+  double across = 0.0;
+  double mixed = 0.0;
+  for (const auto & polyline : polylines)
+  {
+    for (const auto & point : polyline.points)
+    {
+      const double u = point[0] - sums[0] / count;
+      const double v = point[1] - sums[1] / count;
+      along += u * u;
+      across += v * v;
+      mixed += u * v;
+    }
+  }
+  const double angle = 0.5 * std::atan2(2.0 * mixed, along - across);
+  return { { std::cos(angle), std::sin(angle) } };
+}
+} // namespace
+
+std::vector<std::string>
+DescribeLandmarksOffTeeth(const DentalCaseData & data, const CaseResult & result)
+{
+  std::vector<std::string> texts;
+  // The middle between both sides has each side's landmark beside it.
+  if (IsBisected(data.description.tracedSide) || data.description.tracedSide == TracedSideEnum::Standard ||
+      result.geometry.IsNull())
+  {
+    return texts;
+  }
+  const auto   spacing = result.geometry->GetPixelSpacing();
+  const double pixel = std::sqrt(spacing[0] * spacing[1]);
+  for (const auto & entry : result.jaws)
+  {
+    const JawResult & jaw = entry.second;
+    const auto &      contour = data.GetJaw(entry.first).contour;
+    // A jaw that has failed is elsewhere, and no name is wrong for that.
+    if (!jaw.registered || jaw.status == RegistrationStatusEnum::Failed || contour.IsNull())
+    {
+      continue;
+    }
+    const auto          polylines = contour->GetPolylines();
+    const DirectionType row = FindRow(polylines);
+    SpansType           spans;
+    for (const auto & polyline : polylines)
+    {
+      for (std::size_t i = 0; i < polyline.points.size(); ++i)
+      {
+        if (polyline.GetTooth(i).IsKnown())
+        {
+          SpanType &   span = spans[polyline.GetTooth(i).GetFDI()];
+          const double place = row[0] * polyline.points[i][0] + row[1] * polyline.points[i][1];
+          span.low = std::min(span.low, place);
+          span.high = std::max(span.high, place);
+        }
+      }
+    }
+    const int   backward = FindBackward(spans);
+    std::string names;
+    std::size_t count = 0;
+    double      largest = 0.0;
+    for (const LandmarkPrediction & landmark : jaw.landmarks)
+    {
+      const auto & unusable = result.unusableLandmarks;
+      const auto   found = spans.find(DentalLandmarkSet<3>::ParseName(landmark.name).GetFDI());
+      if (found == spans.end() || std::find(unusable.begin(), unusable.end(), landmark.name) != unusable.end())
+      {
+        continue;
+      }
+      const SpanType & span = found->second;
+      const double     place = row[0] * landmark.position[0] + row[1] * landmark.position[1];
+      const double     extent = span.high - span.low;
+      const double     off = std::abs(place - span.GetMiddle() - backward * ShareOf(landmark.name) * extent);
+      if (off > std::max(ShareOff * extent, LeastOff / pixel))
+      {
+        names += count < NamesSaid ? (count == 0 ? "" : ", ") + landmark.name : "";
+        ++count;
+        largest = std::max(largest, off);
+      }
+    }
+    if (count > 0)
+    {
+      std::ostringstream text;
+      text.imbue(std::locale::classic());
+      text << "landmarks_3d: the result puts " << names;
+      if (count > NamesSaid)
+      {
+        text << " and " << count - NamesSaid << " more";
+      }
+      text
+        << (count > 1 ? " up to " : " ") << std::fixed << std::setprecision(0) << largest << " px from where "
+        << (count > 1 ? "they are" : "it is")
+        << " on the traced tooth of that code: on the right tooth of the scan, and is the code of the tracing right?";
+      texts.push_back(text.str());
+    }
+  }
+  return texts;
+}
+} // namespace itk
