@@ -481,28 +481,6 @@ TEST(RegistrationVerdict, AnotherSpacingDiffersByEightPerCent)
   }
 }
 
-/** What was drawn in mm fits at a spacing of 1 mm; four marks tell the scale to a tenth, a tracing to a twentieth. */
-TEST(RegistrationVerdict, ASpacingNearOneMillimetreIsAskedForMillimetres)
-{
-  const auto textAt = [](Result result, double spacing) {
-    result.groups[0].score = 0.9;
-    result.groups[0].outcomes["pixel-spacing"] = { 0.1, 0.0, { { spacing, spacing } } };
-    for (const auto & finding : Verdict::Evaluate(result).at(0).findings)
-    {
-      if (finding.code == "pixel-spacing")
-      {
-        return finding.text;
-      }
-    }
-    return std::string();
-  };
-  const std::string inMillimetres = "drawn in mm instead of pixels";
-  EXPECT_TRUE(Contains(textAt(MakeGoodResult(), std::exp(-0.049)), inMillimetres));
-  EXPECT_TRUE(Contains(textAt(MakeGoodResult(), std::exp(-0.051)), "on a copy of the radiograph"));
-  EXPECT_TRUE(Contains(textAt(MakeResultOfLandmarks(), std::exp(-0.099)), inMillimetres));
-  EXPECT_TRUE(Contains(textAt(MakeResultOfLandmarks(), std::exp(0.101)), "on a copy of the radiograph"));
-}
-
 /** Of several readings the one that fits best is named; where the jaws were exchanged that alone is. */
 TEST(RegistrationVerdict, OneReadingOfTheDrawingIsNamed)
 {
@@ -926,6 +904,28 @@ MakeResultOfLandmarks()
   return result;
 }
 } // namespace
+
+/** What was drawn in mm fits at a spacing of 1 mm; four marks tell the scale to a tenth, a tracing to a twentieth. */
+TEST(RegistrationVerdict, ASpacingNearOneMillimetreIsAskedForMillimetres)
+{
+  const auto textAt = [](Result result, double spacing) {
+    result.groups[0].score = 0.9;
+    result.groups[0].outcomes["pixel-spacing"] = { 0.1, 0.0, { { spacing, spacing } } };
+    for (const auto & finding : Verdict::Evaluate(result).at(0).findings)
+    {
+      if (finding.code == "pixel-spacing")
+      {
+        return finding.text;
+      }
+    }
+    return std::string();
+  };
+  const std::string inMillimetres = "drawn in mm instead of pixels";
+  EXPECT_TRUE(Contains(textAt(MakeGoodResult(), std::exp(-0.049)), inMillimetres));
+  EXPECT_TRUE(Contains(textAt(MakeGoodResult(), std::exp(-0.051)), "on a copy of the radiograph"));
+  EXPECT_TRUE(Contains(textAt(MakeResultOfLandmarks(), std::exp(-0.099)), inMillimetres));
+  EXPECT_TRUE(Contains(textAt(MakeResultOfLandmarks(), std::exp(0.101)), "on a copy of the radiograph"));
+}
 
 TEST(RegistrationVerdict, LandmarksAloneAreJudgedByTheMiddlesThatTheyDetermine)
 {
