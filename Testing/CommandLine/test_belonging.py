@@ -107,6 +107,22 @@ def test_a_tooth_marked_as_the_one_before_it_is_told_by_the_tracing(run, case, p
     assert not any(line.startswith("landmarks_3d: ") for line in load(plain)["warnings"])
 
 
+@pytest.mark.parametrize("name", ["upper", "lower"])
+@pytest.mark.parametrize(("factor", "words"), [(None, "is it in mm? Give pixels"), (0.5, "on a copy of the radiograph")])
+def test_one_jaw_drawn_on_another_copy_is_named(run, case, plain, tmp_path, name, factor, words):
+    """Both jaws fail, and what the fit says of it is of the wrong place."""
+    contours = case.load("contours.json")
+    factor = factor or case.load()["cephalogram"]["pixel_spacing_mm"][0]
+    for tooth in contours["contours"][name]:
+        tooth["points"] = [[factor * u, factor * v] for u, v in tooth["points"]]
+    case.save(contours, "contours.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    said = [line for line in load(tmp_path / "out")["warnings"] if line.startswith("contours: what was drawn of")]
+    assert len(said) == 1 and said[0] in done.stderr, done.stderr
+    assert f"of the {name} jaw is 0." in said[0] and words in said[0], said
+    assert not any(line.startswith("contours: what was drawn of") for line in load(plain)["warnings"])
+
+
 def test_inches(run, case, plain, tmp_path):
     for name in ("upper", "lower"):
         triangles = read_stl(case.folder / f"{name}.stl")

@@ -21,6 +21,7 @@
 #include "itkCaseJaws.h"
 #include "itkCasePoseRegistration.h"
 #include "itkCaseSimilarityRegistration.h"
+#include "itkCompareJawDrawings.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkDescribePlainly.h"
@@ -517,6 +518,10 @@ CaseRegistration::GenerateData()
   }
   this->CheckScans();
   this->WarnOfDrafts();
+  if (const std::string text = CompareJawDrawings(*m_Data); !text.empty())
+  {
+    m_Result.warnings.push_back(text);
+  }
 
   m_Result.geometry = CephalometricGeometry::New();
   m_Result.geometry->CopyParameters(m_Data->geometry);

@@ -125,8 +125,7 @@ DescribeLandmarksOffTeeth(const DentalCaseData & data, const CaseResult & result
 {
   std::vector<std::string> texts;
   // The middle between both sides has each side's landmark beside it.
-  if (IsBisected(data.description.tracedSide) || data.description.tracedSide == TracedSideEnum::Standard ||
-      result.geometry.IsNull())
+  if (IsBisected(data.description.tracedSide) || result.geometry.IsNull())
   {
     return texts;
   }

@@ -156,6 +156,58 @@ TEST_P(CaseMistakes, IsNamedInTheReasons)
   EXPECT_TRUE(named) << "no \"" << GetParam().word << "\" in" << all;
 }
 
+/** A molar's marks all on the molar behind it, of one side alone, are in order along the arch: the tracing has the
+ * tooth elsewhere. */
+TEST(CaseWarnings, NameALandmarkThatLiesOnAnotherTracedTooth)
+{
+  const PhantomCase phantom(6, PhantomCase::SideEnum::Right, 16000);
+  const std::string words = "the result puts UR6_MB";
+  EXPECT_FALSE(HasLineWith(Register(phantom).warnings, "the result puts "));
+  const auto * tooth = phantom.data->landmarks3D->Find("UR6_MB");
+  const auto * behind = phantom.data->landmarks3D->Find("UR7_MB");
+  ASSERT_TRUE(tooth != nullptr && behind != nullptr);
+  const auto shift = behind->point - tooth->point;
+  auto       slipped = itk::DentalLandmarkSet<3>::New();
+  for (const auto & landmark : phantom.data->landmarks3D->GetLandmarks())
+  {
+    if (landmark.tooth.IsRight() && landmark.name.rfind("UR7", 0) != 0)
+    {
+      const bool isSlipped = landmark.name.rfind("UR6", 0) == 0;
+      slipped->AddLandmark(landmark.name, isSlipped ? landmark.point + shift : landmark.point);
+    }
+  }
+  phantom.data->landmarks3D = slipped;
+  EXPECT_TRUE(HasLineWith(Register(phantom).warnings, words));
+  // The middle of both sides is no place of either.
+  phantom.data->description.tracedSide = itk::TracedSideEnum::Mean;
+  EXPECT_FALSE(HasLineWith(Register(phantom).warnings, words));
+}
+
+/** As far from the corner and as large as it would be in mm, or on a copy of half the size. */
+TEST(CaseWarnings, NameTheJawThatWasDrawnOnAnotherCopy)
+{
+  const std::string words = "what was drawn of the lower jaw is 0.";
+  for (const bool inMillimetres : { true, false })
+  {
+    const PhantomCase phantom(6, PhantomCase::SideEnum::Right, 16000);
+    const double      factor = inMillimetres ? phantom.data->geometry->GetPixelSpacing()[0] : 0.5;
+    auto              smaller = itk::DentalContour::New();
+    for (auto polyline : phantom.data->lower.contour->GetPolylines())
+    {
+      for (auto & point : polyline.points)
+      {
+        point[0] *= factor;
+        point[1] *= factor;
+      }
+      smaller->AddPolyline(polyline);
+    }
+    phantom.data->lower.contour = smaller;
+    const auto result = Register(phantom);
+    EXPECT_TRUE(HasLineWith(result.warnings, words));
+    EXPECT_EQ(HasLineWith(result.warnings, "is it in mm? Give pixels"), inMillimetres);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All,
                          CaseMistakes,
                          ::testing::Values(Mistake{ "JawsExchanged", ExchangeJaws, "exchanged" },

@@ -269,7 +269,8 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
           (isOne ? " lies" : " lie") + " far from where the others put " + (isOne ? "it" : "them") +
           (hasLandmarks ? "; were names of the two jaws, or of incisor and molar, exchanged?"
                         : "; were names of the two jaws, or of incisor and molar, exchanged, or are they roots without "
-                          "their crowns?"),
+                          "their crowns?") +
+          (result.geometry.pixelSpacingKnown ? " Or is pixel_spacing_mm of another copy of the radiograph?" : ""),
         { tally.GetLargest(), thresholds.landmarkApart, "sd" });
     return;
   }
@@ -594,6 +595,26 @@ JudgePriors(const PoseGroupResult &                 group,
     Add(verdict, StatusEnum::Suspect, "prior-tension", text, { group.priorTension[k], limit, "sd" });
   }
 }
+/** Of standard drawings, few points of each jaw, a scale that is a little off looks like exchanged jaws or names:
+ * beside them it is named as what may be so as well, with the spacing that fits better where there is one. Empty where
+ * the spacing was estimated. */
+std::string
+AskForSpacing(const PoseRegistrationResult & registration, const PoseGroupResult & group, double gain)
+{
+  if (!registration.geometry.pixelSpacingKnown)
+  {
+    return std::string();
+  }
+  std::string                   text = "; or is pixel_spacing_mm of another copy of the radiograph";
+  const PoseHypothesisOutcome * other = group.FindOutcome(OtherSpacingHypothesis::Code);
+  const double spacing = other != nullptr ? 0.5 * (other->pixelSpacing[0] + other->pixelSpacing[1]) : 0.0;
+  if (spacing > 0.0 && other->score < group.score - gain)
+  {
+    text += " (with " + FormatNumber(spacing, spacing < 0.1 ? 3 : 2) + " mm what was drawn fits better as well)";
+  }
+  return text + "?";
+}
+
 /** The other readings of the drawing that are told by their score. Names that are exchanged fit the other facing a
  * little better as well, and a scale that is free fits everything a little better: one is named, the best. */
 void
@@ -673,7 +694,8 @@ JudgeReadings(const PoseRegistrationResult &          registration,
     Add(verdict,
         StatusEnum::Failed,
         "jaws-exchanged",
-        "upper and lower scan seem to be exchanged",
+        "upper and lower scan seem to be exchanged" +
+          (isTraced ? std::string() : AskForSpacing(registration, group, thresholds.hypothesisGain)),
         { group.score - exchangedJaws->score, thresholds.hypothesisGain, "" });
     if (best != nullptr && exchangedJaws->score < best->second.score)
     {
@@ -706,7 +728,8 @@ JudgeReadings(const PoseRegistrationResult &          registration,
         StatusEnum::Failed,
         "landmarks-exchanged",
         "the names of upper and lower landmarks seem to be exchanged: each fits better as the same point of the other "
-        "jaw; write U for L and L for U in their names",
+        "jaw; write U for L and L for U in their names" +
+          AskForSpacing(registration, group, thresholds.hypothesisGain),
         gain);
   }
   else if (code == MillimetreLandmarksHypothesis::Code)

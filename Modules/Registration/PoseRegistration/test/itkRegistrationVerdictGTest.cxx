@@ -976,6 +976,38 @@ TEST(RegistrationVerdict, AsManyLandmarksApartAsTogetherDisagree)
   EXPECT_TRUE(Contains(verdicts.at(0).findings.front().text, "exchanged"));
 }
 
+/** Of few points a scale that is a little off looks like exchanged jaws or names; a tracing is not asked of it. */
+TEST(RegistrationVerdict, ExchangesOfLandmarksAskForThePixelSpacing)
+{
+  const std::string question = "or is pixel_spacing_mm of another copy of the radiograph";
+  for (const std::string code : { "jaws-exchanged", "landmarks-exchanged" })
+  {
+    auto result = MakeResultOfLandmarks();
+    result.geometry.pixelSpacingKnown = true;
+    result.groups[0].score = 2.0;
+    result.groups[0].outcomes[code].score = 0.5;
+    auto text = Verdict::Evaluate(result).at(0).findings.front().text;
+    EXPECT_TRUE(Contains(text, question + "?")) << text;
+    // No better than the exchange, and better than as it is.
+    auto & spacing = result.groups[0].outcomes["pixel-spacing"];
+    spacing.score = 0.6;
+    spacing.pixelSpacing = { { 0.31, 0.31 } };
+    text = Verdict::Evaluate(result).at(0).findings.front().text;
+    EXPECT_TRUE(Contains(text, question + " (with 0.31 mm what was drawn fits better as well)?")) << text;
+    result.geometry.pixelSpacingKnown = false;
+    const auto verdicts = Verdict::Evaluate(result);
+    for (const auto & finding : verdicts.at(0).findings)
+    {
+      EXPECT_FALSE(Contains(finding.text, question)) << finding.text;
+    }
+  }
+  auto traced = MakeGoodResult();
+  traced.geometry.pixelSpacingKnown = true;
+  traced.groups[0].score = 2.0;
+  traced.groups[0].outcomes["jaws-exchanged"].score = 0.5;
+  EXPECT_FALSE(Contains(Verdict::Evaluate(traced).at(0).findings.front().text, question));
+}
+
 TEST(RegistrationVerdict, AnOutlineThatLiesOnNothingIsNamedAndBearsNobodyOut)
 {
   const Thresholds limits;
