@@ -147,8 +147,8 @@ def test_a_scan_larger_than_a_bound_is_not_read(program, is_sanitized, case, tmp
     case.change(upper=name)
     command = [program, "register", case.file, "--output", tmp_path / "out"]
     done = measure(command)
-    # What a sanitizer keeps of the memory is not the program's.
-    assert done.returncode == 2 and (is_sanitized or done.kibibytes < 1 << 18), (done.returncode, done.kibibytes)
+    # A sanitizer keeps some 50 MiB of its own; the file would be 1024.
+    assert done.returncode == 2 and done.kibibytes < (1 << 19 if is_sanitized else 1 << 18), (done.returncode, done.kibibytes)
     assert name in done.stderr and "has 1073741825 bytes, more than the 1024 MiB" in done.stderr and "DENTALSCR_LARGEST_SCAN_MIB" in done.stderr, done.stderr
     os.truncate(path, 1 << 20)
     for bound, words in (("0", "has 1048576 bytes, more than the 0 MiB"), ("1", ""), ("many", 'is "many", no whole number of MiB')):
