@@ -539,12 +539,13 @@ CaseRegistration::GenerateData()
   if (m_Preset == CasePresetEnum::Robust)
   {
     this->RegisterByPose();
+    // The other presets may be millimetres beside the tracing themselves.
+    AppendTexts(m_Result.warnings, DescribeLandmarksOffTeeth(*m_Data, m_Result));
   }
   else
   {
     this->RegisterBySimilarity();
   }
-  AppendTexts(m_Result.warnings, DescribeLandmarksOffTeeth(*m_Data, m_Result));
   this->CheckPicture();
   if (m_Preset == CasePresetEnum::Robust)
   {
