@@ -911,7 +911,8 @@ TEST(RegistrationVerdict, ASpacingNearOneMillimetreIsAskedForMillimetres)
   const auto textAt = [](Result result, double spacing) {
     result.groups[0].score = 0.9;
     result.groups[0].outcomes["pixel-spacing"] = { 0.1, 0.0, { { spacing, spacing } } };
-    for (const auto & finding : Verdict::Evaluate(result).at(0).findings)
+    const auto verdicts = Verdict::Evaluate(result);
+    for (const auto & finding : verdicts.at(0).findings)
     {
       if (finding.code == "pixel-spacing")
       {
