@@ -37,6 +37,8 @@ namespace
  * at the detector where the line shows a part of the tooth alone: more than half a tooth. */
 constexpr double ShareOff = 0.6;
 constexpr double LeastOff = 4.0;
+/** Of a line that shows how far its tooth reaches. */
+constexpr std::size_t FewestPoints = 10;
 /** Cusps before and behind a molar's middle, by a share of its extent. */
 constexpr double CuspShare = 0.24;
 /** As many names as a sentence bears. */
@@ -49,6 +51,8 @@ struct SpanType
 {
   double low{ std::numeric_limits<double>::max() };
   double high{ std::numeric_limits<double>::lowest() };
+  /** Of the line. */
+  std::size_t points{ 0 };
 
   double
   GetMiddle() const
@@ -135,8 +139,8 @@ DescribeLandmarksOffTeeth(const DentalCaseData & data, const CaseResult & result
   {
     const JawResult & jaw = entry.second;
     const auto &      contour = data.GetJaw(entry.first).contour;
-    // A jaw that has failed is elsewhere, and no name is wrong for that.
-    if (!jaw.registered || jaw.status == RegistrationStatusEnum::Failed || contour.IsNull())
+    // A jaw that is in doubt may be elsewhere, and no name is wrong for that.
+    if (!jaw.registered || jaw.status != RegistrationStatusEnum::Ok || contour.IsNull())
     {
       continue;
     }
@@ -153,6 +157,7 @@ DescribeLandmarksOffTeeth(const DentalCaseData & data, const CaseResult & result
           const double place = row[0] * polyline.points[i][0] + row[1] * polyline.points[i][1];
           span.low = std::min(span.low, place);
           span.high = std::max(span.high, place);
+          ++span.points;
         }
       }
     }
@@ -169,9 +174,14 @@ DescribeLandmarksOffTeeth(const DentalCaseData & data, const CaseResult & result
         continue;
       }
       const SpanType & span = found->second;
-      const double     place = row[0] * landmark.position[0] + row[1] * landmark.position[1];
-      const double     extent = span.high - span.low;
-      const double     off = std::abs(place - span.GetMiddle() - backward * ShareOf(landmark.name) * extent);
+      // A few points say where a tooth is, and not how far it reaches.
+      if (span.points < FewestPoints)
+      {
+        continue;
+      }
+      const double place = row[0] * landmark.position[0] + row[1] * landmark.position[1];
+      const double extent = span.high - span.low;
+      const double off = std::abs(place - span.GetMiddle() - backward * ShareOf(landmark.name) * extent);
       if (off > std::max(ShareOff * extent, LeastOff / pixel))
       {
         names += count < NamesSaid ? (count == 0 ? "" : ", ") + landmark.name : "";
