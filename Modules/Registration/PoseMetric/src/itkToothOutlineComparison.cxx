@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkToothOutlineComparison.h"
 
+#include "itkContourResampling.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -43,18 +45,14 @@ constexpr int ClosestRounds = 20;
 constexpr double GlanceDistance = 1.0;
 
 double
-CrossOf(const std::complex<double> & a, const std::complex<double> & b)
-{
-  return a.real() * b.imag() - a.imag() * b.real();
-}
-
-double
-ComputeArea(const ComplexLine & line)
+ComputeArea(const LineType & line)
 {
   double area = 0.0;
   for (std::size_t i = 0; i < line.size(); ++i)
   {
-    area += 0.5 * CrossOf(line[i], line[(i + 1) % line.size()]);
+    const PointType & a = line[i];
+    const PointType & b = line[(i + 1) % line.size()];
+    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
   }
   return area;
 }
@@ -63,14 +61,14 @@ ComputeArea(const ComplexLine & line)
 std::optional<ComplexLine>
 MakeComparable(const LineType & drawn, bool reflected)
 {
-  ComplexLine line;
+  LineType line;
   for (const PointType & p : drawn)
   {
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
     {
       return std::nullopt;
     }
-    line.emplace_back(reflected ? -p[0] : p[0], p[1]);
+    line.push_back({ { reflected ? -p[0] : p[0], p[1] } });
   }
   const double area = ComputeArea(line);
   if (line.size() < FewestPoints || !(std::abs(area) > 0.0))
@@ -81,27 +79,13 @@ MakeComparable(const LineType & drawn, bool reflected)
   {
     std::reverse(line.begin(), line.end());
   }
-  double length = 0.0;
-  for (std::size_t i = 0; i < line.size(); ++i)
-  {
-    length += std::abs(line[(i + 1) % line.size()] - line[i]);
-  }
   ComplexLine          even;
   std::complex<double> middle;
-  double               passed = 0.0;
-  std::size_t          i = 0;
-  double               step = std::abs(line[1] - line[0]);
-  for (std::size_t k = 0; k < NumberOfPoints; ++k)
+  for (const ContourPosition & position : ResamplePolyline(line, true, NumberOfPoints))
   {
-    const double at = length * static_cast<double>(k) / static_cast<double>(NumberOfPoints);
-    while (passed + step < at && i + 1 < line.size())
-    {
-      passed += step;
-      ++i;
-      step = std::abs(line[(i + 1) % line.size()] - line[i]);
-    }
-    const double share = step > 0.0 ? std::min(1.0, (at - passed) / step) : 0.0;
-    even.push_back(line[i] + share * (line[(i + 1) % line.size()] - line[i]));
+    const PointType & from = line[position.segment];
+    const PointType & to = line[(position.segment + 1) % line.size()];
+    even.emplace_back(from[0] + position.share * (to[0] - from[0]), from[1] + position.share * (to[1] - from[1]));
     middle += even.back() / static_cast<double>(NumberOfPoints);
   }
   for (auto & p : even)
