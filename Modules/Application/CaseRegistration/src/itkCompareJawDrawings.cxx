@@ -25,8 +25,10 @@
 #include <locale>
 #include <sstream>
 
-namespace itk {
-namespace {
+namespace itk
+{
+namespace
+{
 /** Factor between the distances of both drawings from the picture's corner from
  * which on they are of two copies: jaws lie over each other, and on the
  * smallest cuts of a radiograph an open mouth makes less of it. */
@@ -39,26 +41,31 @@ constexpr double Agreement = 1.35;
 constexpr double Sameness = 1.15;
 
 /** Middle and half diagonal of what was drawn, pixels. */
-struct ExtentType {
-  std::array<double, 2> middle{{0.0, 0.0}};
-  double radius{0.0};
+struct ExtentType
+{
+  std::array<double, 2> middle{ { 0.0, 0.0 } };
+  double                radius{ 0.0 };
 };
 
-ExtentType Measure(const DentalContour &contour) {
-  std::array<double, 2> low{
-      {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()}};
-  std::array<double, 2> high{{std::numeric_limits<double>::lowest(),
-                              std::numeric_limits<double>::lowest()}};
-  for (const auto &polyline : contour.GetPolylines()) {
-    for (const auto &point : polyline.points) {
-      for (unsigned int d = 0; d < 2; ++d) {
+ExtentType
+Measure(const DentalContour & contour)
+{
+  std::array<double, 2> low{ { std::numeric_limits<double>::max(), std::numeric_limits<double>::max() } };
+  std::array<double, 2> high{ { std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest() } };
+  for (const auto & polyline : contour.GetPolylines())
+  {
+    for (const auto & point : polyline.points)
+    {
+      for (unsigned int d = 0; d < 2; ++d)
+      {
         low[d] = std::min(low[d], point[d]);
         high[d] = std::max(high[d], point[d]);
       }
     }
   }
   ExtentType extent;
-  for (unsigned int d = 0; d < 2; ++d) {
+  for (unsigned int d = 0; d < 2; ++d)
+  {
     extent.middle[d] = 0.5 * (low[d] + high[d]);
   }
   extent.radius = 0.5 * std::hypot(high[0] - low[0], high[1] - low[1]);
@@ -66,41 +73,44 @@ ExtentType Measure(const DentalContour &contour) {
 }
 } // namespace
 
-std::string CompareJawDrawings(const DentalCaseData &data) {
-  const DentalContour *contours[2] = {data.upper.contour.GetPointer(),
-                                      data.lower.contour.GetPointer()};
-  ExtentType extents[2];
-  for (unsigned int jaw = 0; jaw < 2; ++jaw) {
-    if (contours[jaw] == nullptr || contours[jaw]->GetNumberOfPoints() < 2) {
+std::string
+CompareJawDrawings(const DentalCaseData & data)
+{
+  const DentalContour * contours[2] = { data.upper.contour.GetPointer(), data.lower.contour.GetPointer() };
+  ExtentType            extents[2];
+  for (unsigned int jaw = 0; jaw < 2; ++jaw)
+  {
+    if (contours[jaw] == nullptr || contours[jaw]->GetNumberOfPoints() < 2)
+    {
       return std::string();
     }
     extents[jaw] = Measure(*contours[jaw]);
-    if (!(extents[jaw].radius > 0.0)) {
+    if (!(extents[jaw].radius > 0.0))
+    {
       return std::string();
     }
   }
-  const double distances[2] = {
-      std::hypot(extents[0].middle[0], extents[0].middle[1]),
-      std::hypot(extents[1].middle[0], extents[1].middle[1])};
+  const double       distances[2] = { std::hypot(extents[0].middle[0], extents[0].middle[1]),
+                                      std::hypot(extents[1].middle[0], extents[1].middle[1]) };
   const unsigned int small = distances[0] < distances[1] ? 0 : 1;
-  const double factor = distances[1 - small] / distances[small];
-  const double sizes = extents[1 - small].radius / extents[small].radius;
-  const double apart = std::hypot(extents[0].middle[0] - extents[1].middle[0],
-                                  extents[0].middle[1] - extents[1].middle[1]);
-  if (factor < SmallestFactor || sizes < factor / Agreement ||
-      sizes > factor * Agreement || apart < 2.0 * extents[1 - small].radius) {
+  const double       factor = distances[1 - small] / distances[small];
+  const double       sizes = extents[1 - small].radius / extents[small].radius;
+  const double       apart =
+    std::hypot(extents[0].middle[0] - extents[1].middle[0], extents[0].middle[1] - extents[1].middle[1]);
+  if (factor < SmallestFactor || sizes < factor / Agreement || sizes > factor * Agreement ||
+      apart < 2.0 * extents[1 - small].radius)
+  {
     return std::string();
   }
-  const auto spacing = data.geometry->GetPixelSpacing();
+  const auto   spacing = data.geometry->GetPixelSpacing();
   const double perPixel = std::sqrt(spacing[0] * spacing[1]);
-  const bool isMillimetres = data.HasPixelSpacing() &&
-                             factor * perPixel < Sameness &&
-                             factor * perPixel > 1.0 / Sameness;
+  const bool   isMillimetres =
+    data.HasPixelSpacing() && factor * perPixel < Sameness && factor * perPixel > 1.0 / Sameness;
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  const char *const names[2] = {"upper", "lower"};
-  text << "contours: what was drawn of the " << names[small] << " jaw is "
-       << std::fixed << std::setprecision(2) << 1.0 / factor
+  const char * const names[2] = { "upper", "lower" };
+  text << "contours: what was drawn of the " << names[small] << " jaw is " << std::fixed << std::setprecision(2)
+       << 1.0 / factor
        << " times as far from the picture's corner, and about as much smaller, "
           "as what was drawn of the "
        << names[1 - small] << " jaw: "

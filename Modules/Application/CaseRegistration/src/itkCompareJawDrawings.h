@@ -22,14 +22,16 @@
 
 #include <string>
 
-namespace itk {
+namespace itk
+{
 /** Whether one jaw's tracing was drawn on another copy of the radiograph than
  * the other one's, or is in mm, before anything is registered: both then fail
  * under some other cause. On a copy of another size a drawing is as much
  * smaller as it is nearer to the picture's corner. A sentence that names the
  * jaw, empty where nothing is odd; where the pixel spacing, mm, is known it
  * tells mm from pixels. */
-std::string CompareJawDrawings(const DentalCaseData &data);
+std::string
+CompareJawDrawings(const DentalCaseData & data);
 } // namespace itk
 
 #endif

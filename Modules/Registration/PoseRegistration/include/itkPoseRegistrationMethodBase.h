@@ -218,8 +218,8 @@ public:
 
   /** By default OtherSideHypothesis, OtherFacingHypothesis, ExchangedJawsHypothesis, ExchangedLandmarksHypothesis,
    * MillimetreLandmarksHypothesis, OtherSpacingHypothesis, TurnedDrawingHypothesis of one, two and three quarter turns
-   * and UpwardDrawingHypothesis. What came of one stands in the solution's PoseGroupResult::outcomes under its code; codes
-   * therefore differ. */
+   * and UpwardDrawingHypothesis. What came of one stands in the solution's PoseGroupResult::outcomes under its code;
+   * codes therefore differ. */
   void
   AddHypothesis(const PoseHypothesis * hypothesis);
   void

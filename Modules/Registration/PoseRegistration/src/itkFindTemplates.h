@@ -25,8 +25,8 @@
 
 namespace itk
 {
-/** Not installed. The outlines of whole teeth of a problem's jaws that are one stock outline, moved: of another tooth of the tracing,
- * or of the problem's stock. Named "U1", "L6". Lengths are taken with the geometry's pixel spacing. */
+/** Not installed. The outlines of whole teeth of a problem's jaws that are one stock outline, moved: of another tooth
+ * of the tracing, or of the problem's stock. Named "U1", "L6". Lengths are taken with the geometry's pixel spacing. */
 std::vector<ToothOutlineComparison::TemplateType>
 FindTemplates(const PoseProblem & problem, const PoseGeometry & geometry);
 } // namespace itk

@@ -68,8 +68,8 @@ public:
               double                    millimetresPerUnit,
               JawEnum                   jaw);
 
-  /** Names of landmarks that are at another tooth's place, or nowhere: they are used for none, and their teeth are there
-   * all the same. */
+  /** Names of landmarks that are at another tooth's place, or nowhere: they are used for none, and their teeth are
+   * there all the same. */
   void
   SetUnusableLandmarks(const std::vector<std::string> & names)
   {
