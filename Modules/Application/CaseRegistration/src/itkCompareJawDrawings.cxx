@@ -32,7 +32,7 @@ namespace
 /** Factor between the distances of both drawings from the picture's corner from
  * which on they are of two copies: jaws lie over each other, and on the
  * smallest cuts of a radiograph an open mouth makes less of it. */
-constexpr double SmallestFactor = 1.5;
+constexpr double SmallestCopyFactor = 1.5;
 /** By which the factor between their sizes may differ from it: not all teeth
  * are drawn in both jaws. */
 constexpr double Agreement = 1.35;
@@ -97,7 +97,7 @@ CompareJawDrawings(const DentalCaseData & data)
   const double       sizes = extents[1 - small].radius / extents[small].radius;
   const double       apart =
     std::hypot(extents[0].middle[0] - extents[1].middle[0], extents[0].middle[1] - extents[1].middle[1]);
-  if (factor < SmallestFactor || sizes < factor / Agreement || sizes > factor * Agreement ||
+  if (factor < SmallestCopyFactor || sizes < factor / Agreement || sizes > factor * Agreement ||
       apart < 2.0 * extents[1 - small].radius)
   {
     return std::string();
