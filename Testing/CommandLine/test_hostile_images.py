@@ -1,5 +1,6 @@
 """Images made to break their decoders: an error in words, within seconds and 1 GB, whatever the decoder does. Those that
 need one run it in a process of its own (dentalscr-decode, Documentation/Robustness.md)."""
+import gzip
 import io
 import os
 import random
@@ -12,6 +13,7 @@ import zlib
 import pytest
 
 from dicom_file import dicom
+from nifti_file import nifti
 from program_faults import measure
 
 
@@ -41,6 +43,11 @@ def jpeg2000(width, height):
     stream = io.BytesIO()
     image.new("L", (width, height), 77).save(stream, "JPEG2000", no_jp2=True)
     return stream.getvalue()
+
+
+def put_size(content, *size):
+    """A NIfTI with another size in its header."""
+    return content[:42] + struct.pack("<3h", *size) + content[48:]
 
 
 J2K = b"1.2.840.10008.1.2.4.90"
@@ -86,6 +93,10 @@ HOSTILE = {
         "a.nhdr",
         lambda: b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 8 8\nencoding: raw\ndata file: /etc/passwd\n\n",
     ),
+    "NIfTI bomb": ("a.nii.gz", lambda: gzip.compress(nifti([[0] * 8] * 8) + bytes(1 << 29), 9)),
+    "NIfTI of many slices": ("a.nii.gz", lambda: gzip.compress(put_size(nifti([[0] * 8] * 8), 32767, 32767, 32767), 9)),
+    "NIfTI of a gigabyte": ("a.nii", lambda: put_size(nifti([[0] * 8] * 8), 32767, 32767, 1)),
+    "NIfTI of more than is read": ("a.nii.gz", lambda: gzip.compress(put_size(nifti([[0] * 8] * 8, "d"), 10000, 10000, 1), 9)),
     "NRRD that lists files": (
         "a.nhdr",
         lambda: b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 8 8\nencoding: raw\ndata file: LIST\n/etc/passwd\n\n",
@@ -161,6 +172,8 @@ def seeds():
         "a.mha": mha,
         "a.dcm": dicom(32, 32, bytes(range(256)) * 4),
         "a.bmp": bitmap(compression=1, width=32, height=32, data=(b"\x20\x07\x00\x00" * 32) + b"\x00\x01"),
+        "a.nii": nifti([range(32 * row % 256, 32 * row % 256 + 32) for row in range(32)]),
+        "a.nii.gz": nifti([range(32 * row % 256, 32 * row % 256 + 32) for row in range(32)], "h", packed=True),
         "b.bmp": bitmap(compression=0, width=32, height=32, data=bytes(range(256)) * 4),
     }
     return found

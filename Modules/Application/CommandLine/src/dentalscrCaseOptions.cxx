@@ -84,7 +84,7 @@ CaseOptions::MakeFields()
       false,
       "{right,left,mean,both,standard}" },
     { "--numbering", "numbering", "Of the teeth: UR, FDI or universal", {}, 0, false, "{UR,FDI,universal}" },
-    { "--image", "cephalogram.image", "The radiograph (PNG, JPEG, TIFF, BMP, NRRD, MetaImage, DICOM)", {}, 0, true },
+    { "--image", "cephalogram.image", "The radiograph (PNG, JPEG, TIFF, BMP, NRRD, MetaImage, NIfTI, DICOM)", {}, 0, true },
     { "--image-size", "cephalogram.image_size", "Its width and height where there is no image, pixels", {}, 2, false },
     { "--spacing", "cephalogram.pixel_spacing_mm", "Pixel spacing, mm: u v", {}, 2, false },
     { "--spacing-plane",

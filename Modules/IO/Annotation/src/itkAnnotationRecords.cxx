@@ -426,7 +426,9 @@ AnnotationFormatFromFile(const std::string & fileName)
   {
     return Format::Automatic;
   }
-  return first == '<' ? Format::CVAT : IsImageFile(fileName) ? Format::LabelImage : Format::Automatic;
+  // Of what gzip has compressed only a NIfTI image comes so far, and what is wrong with it is said by its reader.
+  const bool isCompressed = first == '\x1f';
+  return first == '<' ? Format::CVAT : isCompressed || IsImageFile(fileName) ? Format::LabelImage : Format::Automatic;
 }
 
 AnnotationFileFormatEnum

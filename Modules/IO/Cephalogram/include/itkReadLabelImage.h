@@ -28,8 +28,8 @@
 namespace itk
 {
 /** A label map in the pixel grid of a radiograph: PNG (grey or palette, whose index is the label), TIFF (whole numbers
- * of up to 32 bits), BMP, NRRD, MetaImage or DICOM. What an image viewer needs colours for is a number here: a colour
- * picture is an error unless its colours are grey.
+ * of up to 32 bits), BMP, NRRD, MetaImage, NIfTI or DICOM. What an image viewer needs colours for is a number here: a
+ * colour picture is an error unless its colours are grey.
  *
  * Spacing and origin are those of pixels, whatever the file says. Throws DentalInputError for what
  * CephalogramFileReader refuses, and for pixels that are no whole number from 0 to 65535.

@@ -20,6 +20,7 @@
 #include "itkCephalogramFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkExifOrientation.h"
+#include "itkPictureSizeCheck.h"
 #include "itkRadiographImageIO.h"
 
 #include <algorithm>
@@ -180,7 +181,7 @@ RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette
       this->ReadInformation(bytes, palette);
     });
   }
-  this->VerifySize();
+  VerifyPictureSize(m_FileName, m_StoredSize, m_Frames, SizeValueType{ m_Components } * this->GetDepth() / 8);
   const bool mayHaveAlphaAlone = m_Format == Format::PNG || m_Format == Format::TIFF;
   if (m_Components != 1 && m_Components != 3 && m_Components != 4 && !(m_Components == 2 && mayHaveAlphaAlone))
   {
@@ -244,38 +245,6 @@ RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
   }
   m_Components = m_ImageIO->GetNumberOfComponents();
   m_ComponentType = m_ImageIO->GetComponentType();
-}
-
-void
-RadiographFile::VerifySize() const
-{
-  if (m_Frames > 1)
-  {
-    itkDentalInputErrorMacro(m_FileName,
-                             "",
-                             "has " + std::to_string(m_Frames) + " frames, pages or slices",
-                             "export that of the one radiograph");
-  }
-  const std::string size = std::to_string(m_StoredSize[0]) + " x " + std::to_string(m_StoredSize[1]) + " pixels";
-  if (m_StoredSize[0] == 0 || m_StoredSize[1] == 0)
-  {
-    itkDentalInputErrorMacro(m_FileName, "", "is an image of " + size, "export it again");
-  }
-  constexpr auto maximum = CephalogramFileReader::MaximumWidthAndHeight;
-  if (m_StoredSize[0] > CephalogramFileReader::MaximumNumberOfPixels / m_StoredSize[1] || m_StoredSize[0] > maximum ||
-      m_StoredSize[1] > maximum)
-  {
-    itkDentalInputErrorMacro(
-      m_FileName, "", "claims to have " + size + ", which no cephalogram has", "export it again");
-  }
-  const SizeValueType bytes = m_Components * GetTraits(m_ComponentType).bits / 8;
-  if (m_StoredSize[0] * m_StoredSize[1] > CephalogramFileReader::MaximumNumberOfBytes / (bytes + sizeof(float)))
-  {
-    itkDentalInputErrorMacro(m_FileName,
-                             "",
-                             "claims to have " + size + " of " + std::to_string(bytes) + " bytes, too many to be read",
-                             "export it in grey of 8 or 16 bits, or shrink it");
-  }
 }
 
 double

@@ -24,6 +24,7 @@
 #include "itkInputFile.h"
 #include "itkJPEGFileCheck.h"
 #include "itkLowerCase.h"
+#include "itkNiftiPictureIO.h"
 #include "itkTrimText.h"
 
 #include <algorithm>
@@ -528,6 +529,8 @@ ToString(RadiographFileFormatEnum format)
       return "NRRD";
     case Format::MetaImage:
       return "MetaImage";
+    case Format::NIfTI:
+      return "NIfTI";
     default:
       return "DICOM";
   }
@@ -598,9 +601,22 @@ DetectRadiographFileFormat(const std::string & fileName, std::string_view bytes)
   {
     return Format::BMP;
   }
+  if (NiftiPictureIO::IsNifti(head))
+  {
+    return Format::NIfTI;
+  }
   RefuseForeignFile(fileName, FilePurposeEnum::Radiograph);
+  if (StartsWith(head, "\x1f\x8b"))
+  {
+    itkDentalInputErrorMacro(
+      fileName,
+      "",
+      "is damaged, or not the NIfTI image that its name says: unpacked it doesn't begin as NIfTI-1 "
+      "in one file",
+      "copy or export it again, as NIfTI-1 (.nii, .nii.gz), NRRD or PNG");
+  }
   itkDentalInputErrorMacro(
-    fileName, "", "is no image of a known format", "use PNG, JPEG, TIFF, BMP, NRRD, MetaImage or DICOM");
+    fileName, "", "is no image of a known format", "use PNG, JPEG, TIFF, BMP, NRRD, MetaImage, NIfTI or DICOM");
 }
 
 void
@@ -635,6 +651,11 @@ VerifyRadiographFileIsComplete(const std::string &      fileName,
   if (format == Format::MetaImage)
   {
     VerifyMetaImage(fileName, bytes);
+    return;
+  }
+  if (format == Format::NIfTI)
+  {
+    NiftiPictureIO::Verify(fileName, bytes);
     return;
   }
   if (format == Format::DICOM)

@@ -34,6 +34,7 @@ enum class RadiographFileFormatEnum : uint8_t
   BMP,
   NRRD,
   MetaImage,
+  NIfTI,
   DICOM
 };
 
@@ -57,7 +58,8 @@ ReadRadiographBytes(const std::string & fileName);
  * pixels than given is not decoded.
  *
  * Whoever decodes gives these bytes to the decoder and not the file's name, by which another file may be opened
- * meanwhile. The pixels that a header of NRRD or MetaImage names in a file beside it are moved into the bytes. */
+ * meanwhile. The pixels that a header of NRRD or MetaImage names in a file beside it are moved into the bytes, and
+ * those of a NIfTI that is compressed are unpacked. */
 void
 VerifyRadiographFileIsComplete(const std::string &      fileName,
                                std::string &            bytes,
