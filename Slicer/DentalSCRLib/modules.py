@@ -61,6 +61,11 @@ def case_of(options, folder):
     return path, grid
 
 
+def places_of(jaw):
+    """Predicted landmarks, pixels; of a scan without any the tips and cusps that were found on it."""
+    return jaw.get("landmarks_px") or {name: middle["position"] for name, middle in jaw.get("middles", {}).items()}
+
+
 def register(options):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -100,7 +105,7 @@ def register(options):
             points = [
                 (name, grid.from_pixels(place)[0])
                 for jaw in result["jaws"].values()
-                for name, place in sorted(jaw.get("landmarks_px", {}).items())
+                for name, place in sorted(places_of(jaw).items())
             ]
             lib.write_markups(options.predicted, "Fiducial", points)
     return returned

@@ -1,4 +1,5 @@
 """Outlines of whole teeth: what is no whole tooth, and what nobody drew."""
+import csv
 import json
 import math
 import pathlib
@@ -126,3 +127,94 @@ def test_crowns_without_roots_are_no_whole_teeth(run, outline_case, tmp_path):
     assert "U1: it is too wide for its length: is it a crown without its root?" in said
     for name in ("U6", "L6"):
         assert f"{name}: its long axis lies along the arch: is it a crown without its root?" in said
+
+
+def without_scan_landmarks(case):
+    content = case.load()
+    content.pop("landmarks_3d")
+    case.save(content)
+    return case
+
+
+def errors_of(run, result, folder):
+    table = folder / "errors.csv"
+    done = run("evaluate", result, "--csv", table)
+    assert done.returncode == 0, done.stderr
+    return {row["jaw"]: row for row in csv.DictReader(table.read_text().splitlines()) if row["case"] != "all"}
+
+
+def test_middles_and_errors_without_landmarks_of_the_scan(run, outline_case, tmp_path):
+    """The points are found by the scan's shape: said, with the sigma of that, and measured by both sides' marks."""
+    result, said = register(run, without_scan_landmarks(outline_case), tmp_path / "out")
+    marked = outline_case.load("landmarks2d.json")
+    assert "landmarks_px" not in result["jaws"]["upper"] or result["jaws"]["upper"]["landmarks_px"] == {}
+    for jaw, letter in (("upper", "U"), ("lower", "L")):
+        middles = result["jaws"][jaw]["middles"]
+        assert list(middles) == [f"{letter}1_tip", f"{letter}6_MB"]
+        error = result["jaws"][jaw]["error"]
+        for name, middle in middles.items():
+            assert middle["found_by"] == "its place along the arch"
+            right, left = (marked[f"{letter}{side}{name[1:]}"] for side in "RL")
+            distance = math.dist(middle["position"], [0.5 * (a + b) for a, b in zip(right, left)])
+            assert distance < 2.448 * middle["sigma_px"], name
+            pair = f"{letter}R{name[1:]}+{letter}L{name[1:]}"
+            assert error["landmarks"][pair] == pytest.approx(distance)
+            assert error["found_by"][pair] == "its place along the arch"
+        # A textbook's place of a molar is less sure than an incisal edge.
+        assert middles[f"{letter}6_MB"]["sigma_px"] > middles[f"{letter}1_tip"]["sigma_px"]
+    rows = errors_of(run, tmp_path / "out", tmp_path)
+    for jaw in ("upper", "lower"):
+        assert float(rows[jaw]["mean_px"]) == pytest.approx(result["jaws"][jaw]["error"]["mean_px"], abs=1e-5)
+        assert rows[jaw]["landmarks"] == "2"
+
+
+def test_evaluate_leaves_out_what_was_registered_with(run, standard_case, tmp_path):
+    """A landmark that was registered with never scores, here nor in the result."""
+    result, _ = register(run, standard_case, tmp_path / "out")
+    assert set(result["jaws"]["upper"]["landmarks_used"]) == {"U1_tip", "U6_MB"}
+    rows = errors_of(run, tmp_path / "out", tmp_path)
+    for jaw in ("upper", "lower"):
+        error = result["jaws"][jaw]["error"]
+        assert not any("1_tip" in name or "6_MB" in name for name in error["landmarks"])
+        assert int(rows[jaw]["landmarks"]) == len(error["landmarks"])
+        assert float(rows[jaw]["mean_px"]) == pytest.approx(error["mean_px"], abs=1e-5)
+        assert "found_by" not in error
+
+
+@pytest.mark.parametrize("preset", ["paper", "single-stage", "bounding-box"])
+def test_presets_of_contours_refuse_to_vouch_for_roots(run, outline_case, tmp_path, preset):
+    result, said = register(run, outline_case, tmp_path / "out", "--preset", preset)
+    for jaw in ("upper", "lower"):
+        finding = result["jaws"][jaw]["findings"][0]
+        assert (finding["code"], finding["severity"]) == ("whole-teeth", "failed")
+        assert "use preset robust" in finding["text"]
+        assert f"{jaw}: failed: the outlines" in said
+
+
+def test_landmarks_alone_have_nothing_to_say_of_sides(run, standard_case, tmp_path):
+    """Names without sides mean one thing, whatever was traced; names with sides beside them are what is ignored."""
+    content = standard_case.load()
+    for field in ("contours", "traced_side"):
+        content.pop(field, None)
+    standard_case.save(content)
+    result, _ = register(run, standard_case, tmp_path / "plain")
+    assert result["traced_side"] == "standard" and not any("traced_side" in line for line in result["warnings"])
+    marks = standard_case.load("cephalometric.json")
+    marks["UR6_MB"] = marks.pop("U6_MB")
+    standard_case.save(marks, "cephalometric.json")
+    result, _ = register(run, standard_case, tmp_path / "mixed")
+    assert any("traced_side: is not given" in line for line in result["warnings"])
+
+
+def test_one_landmark_has_no_expected_error(run, standard_case, tmp_path):
+    content = standard_case.load()
+    for field in ("contours", "traced_side"):
+        content.pop(field, None)
+    content["cephalometric_landmarks"] = {"U1_tip": standard_case.load("cephalometric.json")["U1_tip"]}
+    standard_case.save(content)
+    result, said = register(run, standard_case, tmp_path / "out")
+    for jaw in ("upper", "lower"):
+        assert result["jaws"][jaw]["status"] == "failed"
+        assert "undetermined" in [finding["code"] for finding in result["jaws"][jaw]["findings"]]
+        assert "expected_error_px" not in result["jaws"][jaw]
+    assert "expected error" not in said

@@ -101,7 +101,7 @@ from ._case import (
     register,
     register_from,
 )
-from ._case_result import CaseResult, JawResult, ViewResult
+from ._case_result import CaseResult, JawResult, Middle, ViewResult
 from ._convert import (
     GetArrayFromImage,
     GetArrayViewFromImage,
@@ -371,6 +371,7 @@ __all__ = [
     "MeshSilhouetteContourSource",
     "MetricHold",
     "MetricJoins",
+    "Middle",
     "MidlineSideMesh",
     "MidlineSideMeshFilter",
     "MidsagittalPlane",

@@ -20,6 +20,18 @@ if TYPE_CHECKING:
     from ._case import Case
 
 
+@dataclass(frozen=True)
+class Middle:
+    """The middle of a right and a left point's images, which is what a cephalometric analysis marks."""
+
+    #: (u, v), pixels.
+    position: Array
+    #: Standard deviation an axis, pixels: of the jaw's place, and of the point's on the scan where nobody marked it there.
+    sigma: float
+    #: How the points were found on the scan: "landmarks_3d", "tooth labels", "its place along the arch".
+    found_by: str
+
+
 @dataclass(frozen=True, repr=False)
 class JawResult:
     """One registered jaw. Names say the direction: ``T_b_from_a`` maps points of a to b."""
@@ -44,6 +56,8 @@ class JawResult:
     landmark_sigma: Dict[str, float]
     #: (2, 2), square pixels, where the method has one.
     landmark_covariance: Dict[str, Array]
+    #: Middles of both sides by name ("U6_MB"), where these are what was drawn or the scan has no landmarks; preset robust.
+    middles: Dict[str, Middle]
     #: Distance of the tracing from the contour that it lies on, pixels; None where the method does not know it.
     fit: Optional[float]
     #: Distance that a landmark is expected to be off by, pixels; None where the method has no covariance.
@@ -135,6 +149,10 @@ class CaseResult:
             landmarks={key: np.array(point) for key, point in entry.get("landmarks_px", {}).items()},
             landmark_sigma=dict(entry.get("landmark_sigma_px", {})),
             landmark_covariance=dict(values["covariances"]),
+            middles={
+                key: Middle(np.array(each["position"]), float(each["sigma_px"]), str(each["found_by"]))
+                for key, each in entry.get("middles", {}).items()
+            },
             fit=entry.get("metrics_matched", {}).get("chamfer_px"),
             expected_error=entry.get("expected_error_px"),
             error=entry.get("error"),
@@ -175,6 +193,11 @@ class CaseResult:
     def warnings(self) -> list[str]:
         """What a person should know of the input, a sentence each."""
         return list(self._dict["warnings"])
+
+    @property
+    def middles(self) -> Dict[str, Middle]:
+        """Middles of both sides of the jaws' teeth, by name: "U1_tip", "L6_MB"."""
+        return {name: middle for jaw in self.jaws.values() for name, middle in jaw.middles.items()}
 
     @property
     def upper(self) -> JawResult:

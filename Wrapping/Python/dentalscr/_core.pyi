@@ -6845,9 +6845,13 @@ class LandmarkProjectionFilter(ProcessObject):
         """
         (2, 2) square pixels: of the middle between a right landmark and its left one.
         """
+    def GetMiddleSources(self) -> dict[str, typing.Any]:
+        """
+        {"U6_MB": "landmarks_3d"}: how the points of each middle were found on the scan.
+        """
     def GetMiddles(self) -> dict[str, typing.Any]:
         """
-        {"U6_MB": ((u, v), (2, 2) square pixels)} between each right landmark's image and its left one's.
+        {"U6_MB": ((u, v), (2, 2) square pixels)} between each right landmark's image and its left one's; of counterparts, too, where the landmarks have none of that name.
         """
     def GetMillimetresPerUnit(self) -> float:
         """
@@ -6874,6 +6878,8 @@ class LandmarkProjectionFilter(ProcessObject):
         Sets the length of the scan landmarks' unit, mm; 1 by default.
         """
     def _GetOutput(self) -> dict[str, typing.Any]:
+        ...
+    def _SetCounterparts(self, counterparts: typing.Any) -> None:
         ...
     def _SetLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
         ...

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from . import _settings
+    from ._pose_inputs import LandmarkCounterpart
 
 
 class RegistrationFinding(NamedTuple):
@@ -123,18 +124,29 @@ class LandmarkProjections(NamedTuple):
 class LandmarkProjectionFilter(ProcessObject, _core.LandmarkProjectionFilter):
     """Landmarks of the scans as a pose registration places them on the radiograph, with their uncertainty."""
 
-    def Execute(self, solution: _core.PoseSolution, landmarks: LandmarksLike) -> LandmarkProjections:
+    def Execute(
+        self,
+        solution: _core.PoseSolution,
+        landmarks: Optional[LandmarksLike] = None,
+        counterparts: Optional[Dict[str, LandmarkCounterpart]] = None,
+    ) -> LandmarkProjections:
         """Projects the landmarks of the jaws that were registered.
 
         Parameters
         ----------
         solution : PoseSolution
-        landmarks : landmarks-like
+        landmarks : landmarks-like, optional
             ``{"UR1_tip": (x, y, z)}`` or a file, in the frame of the mesh files; ``SetMillimetresPerUnit`` says in what
             unit.
+        counterparts : dict, optional
+            Of ``FindLandmarkCounterparts()``: points found on the scans, of which ``GetMiddles()`` tells too where
+            ``landmarks`` has none of that name. One of both must be given.
         """
+        if landmarks is None and counterparts is None:
+            raise ArgumentError("there is nothing to project: give landmarks, or counterparts of FindLandmarkCounterparts()")
         self._SetSolution(solution)
-        self._SetLandmarks(as_landmarks(landmarks, 3))
+        self._SetLandmarks({} if landmarks is None else as_landmarks(landmarks, 3))
+        self._SetCounterparts(None if counterparts is None else dict(counterparts))
         self._Update()
         positions = cast("Dict[str, Array]", self._GetOutput())
         return LandmarkProjections(

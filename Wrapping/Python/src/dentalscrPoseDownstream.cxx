@@ -276,6 +276,12 @@ WrapDownstream(py::module_ & module)
       "_SetLandmarks",
       [](ProjectionType & self, const py::dict & landmarks) { self.SetLandmarks(FromDict<3>(landmarks)); },
       py::arg("landmarks"))
+    .def(
+      "_SetCounterparts",
+      [](ProjectionType & self, const py::object & counterparts) {
+        self.SetCounterparts(counterparts.is_none() ? nullptr : ToCounterparts(counterparts).GetPointer());
+      },
+      py::arg("counterparts"))
     .dentalscrProperty(ProjectionType, MillimetresPerUnit, "the length of the scan landmarks' unit, mm; 1 by default.")
     .dentalscrBoolean(ProjectionType,
                       Bisected,
@@ -313,7 +319,19 @@ WrapDownstream(py::module_ & module)
         }
         return middles;
       },
-      "{\"U6_MB\": ((u, v), (2, 2) square pixels)} between each right landmark's image and its left one's.")
+      "{\"U6_MB\": ((u, v), (2, 2) square pixels)} between each right landmark's image and its left one's; of "
+      "counterparts, too, where the landmarks have none of that name.")
+    .def(
+      "GetMiddleSources",
+      [](const ProjectionType & self) {
+        py::dict sources;
+        for (const auto & middle : self.GetMiddles())
+        {
+          sources[py::str(middle.name)] = middle.source;
+        }
+        return sources;
+      },
+      "{\"U6_MB\": \"landmarks_3d\"}: how the points of each middle were found on the scan.")
     .def(
       "GetMiddleCovariance",
       [](const ProjectionType & self, const std::string & name) {

@@ -89,6 +89,7 @@ VisitFields(itk::PoseJawResult & jaw, TField && field)
   {
     field(landmark.name);
     field(landmark.residual);
+    field(landmark.sigma);
     field(landmark.distance);
     field(landmark.weight);
   }

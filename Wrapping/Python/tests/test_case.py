@@ -62,6 +62,26 @@ def test_nothing_that_registers_sees_the_marked_landmarks(ds, sample, case, resu
         assert other.jaws[name].error["mean_px"] > 50.0
 
 
+def test_middles_of_a_scan_without_landmarks(ds, sample, case, result):
+    """Tips and cusps that the scan's shape shows, where nobody marked the scan; of one that is marked all are landmarks."""
+    assert result.middles == {} and set(result.upper.landmarks) > {"UR1_tip", "UL6_MB"}
+    memory = ds.Case(
+        upper=case.upper, lower=case.lower, contours=sample / "contours.json", geometry=case.geometry,
+        landmarks2D=sample / "landmarks2d.json",
+    )
+    other = ds.register(memory)
+    marked = ds.ReadLandmarks(sample / "landmarks2d.json")
+    assert list(other.middles) == ["U1_tip", "U6_MB", "L1_tip", "L6_MB"]
+    assert list(other.upper.middles) == ["U1_tip", "U6_MB"]
+    for name, middle in other.middles.items():
+        truth = 0.5 * (np.array(marked[name[0] + "R" + name[1:]]) + np.array(marked[name[0] + "L" + name[1:]]))
+        assert middle.found_by == "its place along the arch"
+        assert np.linalg.norm(middle.position - truth) < 2.448 * middle.sigma, name
+        assert 0.5 < middle.sigma < 12.0
+    assert other.upper.error["mean_px"] > 0.0 and set(other.upper.error["found_by"]) == set(other.upper.error["landmarks"])
+    assert pickle.loads(pickle.dumps(other)).middles["U6_MB"].sigma == other.middles["U6_MB"].sigma
+
+
 def test_result_pickles_with_its_pictures(result):
     copy = pickle.loads(pickle.dumps(result))
     assert copy.to_dict() == result.to_dict()

@@ -239,6 +239,33 @@ def test_middles_are_between_the_sides(ds, phantom, solution):
     assert np.array_equal(covariance, process.GetMiddleCovariance("UR6_MB"))
 
 
+def test_middles_of_points_that_were_found(ds, phantom, axes, solution):
+    """Without landmarks of the scan, by the scan's shape: where these are, within what the covariance says."""
+    found = ds.FindLandmarkCounterparts(
+        {"U1_tip": (0, 0), "U6_MB": (0, 0)},
+        upperMesh=phantom.upper.mesh,
+        upperFrame=axes.upperTransform,
+    )
+    process = ds.LandmarkProjectionFilter()
+    projected = process.Execute(solution, counterparts=found)
+    assert projected.positions == {}
+    middles = process.GetMiddles()
+    assert list(middles) == ["U1_tip", "U6_MB"]
+    assert set(process.GetMiddleSources().values()) == {"its place along the arch"}
+    process.Execute(solution, phantom.upper.landmarks3D)
+    clicked = process.GetMiddles()
+    assert process.GetMiddleSources()["U6_MB"] == "landmarks_3d"
+    for name, (place, covariance) in middles.items():
+        sigma = np.sqrt(0.5 * np.trace(covariance))
+        assert np.hypot(*np.subtract(place, clicked[name][0])) < 2.448 * sigma
+        assert sigma > np.sqrt(0.5 * np.trace(clicked[name][1]))
+    # What was clicked goes before what was found.
+    process.Execute(solution, phantom.upper.landmarks3D, counterparts=found)
+    assert set(process.GetMiddleSources().values()) == {"landmarks_3d"}
+    with pytest.raises(ds.ArgumentError, match="nothing to project"):
+        process.Execute(solution)
+
+
 def test_landmarks_alone_register_by_hand_as_the_case_does(ds, phantom, axes, solution):
     """Middles of tips and cusps where the tracing's registration has them, and no tracing."""
     meshes = (phantom.upper.mesh, phantom.lower.mesh)

@@ -215,6 +215,9 @@ private:
   /** Whether the picture is the one that was drawn on. */
   void
   CheckPicture();
+  /** Whether outlines of whole teeth and landmarks of the same teeth are of one place. */
+  void
+  CheckOutlinesByLandmarks();
   /** Drafts that nobody mended, where they are too few for a finding. */
   void
   WarnOfDrafts();

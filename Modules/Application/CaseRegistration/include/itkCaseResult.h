@@ -60,6 +60,9 @@ struct LandmarkFigures
   std::map<std::string, double> groups; /**< Mean distance a tooth group, by its name in the result file. */
   /** One a landmark (of the middle of two sides where the tracing was bisected). */
   std::vector<std::pair<std::string, double>> landmarks;
+  /** How their points were found on the scan, by name, where nobody marked them there: that the points may be elsewhere
+   * is in the errors then. */
+  std::map<std::string, std::string> sources;
   /** Where each of them was marked and predicted, pixels, in the same order. */
   std::vector<std::array<double, 2>> marked;
   std::vector<std::array<double, 2>> predicted;
@@ -82,14 +85,18 @@ struct LandmarkPrediction
   GetMiddleSigma() const;
 };
 
-/** The middle of a right and a left landmark's images, where that is what was drawn. */
+/** The middle of a right and a left landmark's images, where that is what was drawn, or where nobody marked the scan.
+ */
 struct MiddlePrediction
 {
   /** Without a side: "U6_MB". */
   std::string           name;
   std::array<double, 2> position{ { 0.0, 0.0 } };
-  /** Standard deviation an axis, pixels. */
+  /** Standard deviation an axis, pixels: of the jaw's place, and of the point's on the scan where it was found by other
+   * means than landmarks_3d. */
   double sigma{ 0.0 };
+  /** "landmarks_3d", "tooth labels", "its place along the arch", as a landmark that was registered with. */
+  std::string source;
 };
 
 /** A landmark that was registered with. */
@@ -200,7 +207,8 @@ struct JawResult
   /** The first is the one that presets are compared on, "whole". */
   std::vector<std::pair<std::string, ContourFigures>> metrics;
   std::vector<LandmarkPrediction>                     landmarks;
-  /** Of every pair of landmarks, where the drawing is of the middle of both sides. */
+  /** Of every pair of landmarks, where the drawing is of the middle of both sides, and of tips and cusps that were
+   * found on the scan where it has none. */
   std::vector<MiddlePrediction> middles;
   /** In the order of their file; empty where only contours were registered. */
   std::vector<UsedLandmark> usedLandmarks;

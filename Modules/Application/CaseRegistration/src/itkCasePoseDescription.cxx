@@ -236,16 +236,122 @@ MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw)
   }
 }
 
-void
-ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseResult & result)
+namespace
+{
+bool
+HasLandmarks(const DentalCaseData & data, JawEnum jaw)
 {
   if (data.landmarks3D.IsNull())
+  {
+    return false;
+  }
+  const auto & all = data.landmarks3D->GetLandmarks();
+  return std::any_of(all.begin(), all.end(), [jaw](const auto & landmark) { return landmark.tooth.GetJaw() == jaw; });
+}
+
+/** The filter that finds points of a case on its scans. */
+LandmarkCounterpartFilter::Pointer
+MakeCounterpartFilter(const DentalCaseData &           data,
+                      CaseAxisType *                   axis,
+                      const std::vector<std::string> & unusableLandmarks)
+{
+  auto filter = LandmarkCounterpartFilter::New();
+  if (data.landmarks3D.IsNotNull())
+  {
+    filter->SetScanLandmarks(data.landmarks3D);
+    filter->SetUnusableLandmarks(unusableLandmarks);
+    filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+  }
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    if (data.GetJaw(jaw).mesh.IsNull())
+    {
+      continue;
+    }
+    filter->SetLabels(jaw, data.GetJaw(jaw).labels);
+    if (jaw == JawEnum::Upper)
+    {
+      filter->SetUpperMesh(data.upper.mesh);
+      filter->SetUpperFrame(FrameOf(axis, jaw));
+    }
+    else
+    {
+      filter->SetLowerMesh(data.lower.mesh);
+      filter->SetLowerFrame(FrameOf(axis, jaw));
+    }
+  }
+  filter->SetExcludedTeeth(data.description.excludedTeeth);
+  return filter;
+}
+
+/** Points whose middles a person asks for, found on the scans: the incisal edge and the mesiobuccal cusp of the first
+ * molar, and whatever was marked. Of a jaw with landmarks these are told where the drawing is of middles. Null where
+ * there is nothing to look for. */
+LandmarkCounterpartSet::Pointer
+FindMiddlePoints(const DentalCaseData &           data,
+                 const PoseSolution *             solution,
+                 CaseAxisType *                   axis,
+                 const std::vector<std::string> & unusableLandmarks)
+{
+  using MeaningType = CephalometricLandmarkSet::MeaningType;
+  using FeatureEnum = CephalometricLandmarkSet::FeatureEnum;
+  const bool bisected = IsBisected(data.description.tracedSide);
+  auto       wanted = CephalometricLandmarkSet::New();
+  const auto want = [&](MeaningType meaning) {
+    if (!solution->IsRegistered(meaning.jaw) || (HasLandmarks(data, meaning.jaw) && !bisected))
+    {
+      return;
+    }
+    // The place does not matter: it is the point of the tooth that is looked for, of both sides.
+    meaning.tooth = ToothCode();
+    const std::string name = CephalometricLandmarkSet::MakeName(meaning);
+    if (wanted->Find(name) == nullptr)
+    {
+      wanted->AddLandmark(name, CephalometricLandmarkSet::PointType());
+    }
+  };
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    want({ jaw, 1, ToothCode(), FeatureEnum::Tip });
+    want({ jaw, 6, ToothCode(), FeatureEnum::MesiobuccalCusp });
+  }
+  if (data.cephalometricLandmarks.IsNotNull())
+  {
+    for (const auto & landmark : data.cephalometricLandmarks->GetLandmarks())
+    {
+      if (landmark.meaning.feature != FeatureEnum::Apex)
+      {
+        want(landmark.meaning);
+      }
+    }
+  }
+  if (wanted->GetNumberOfLandmarks() == 0)
+  {
+    return nullptr;
+  }
+  const auto filter = MakeCounterpartFilter(data, axis, unusableLandmarks);
+  filter->SetCephalometricLandmarks(wanted);
+  filter->IgnoreSidesOn();
+  filter->Update();
+  LandmarkCounterpartSet::Pointer found = filter->GetOutput();
+  found->DisconnectPipeline();
+  return found;
+}
+} // namespace
+
+void
+ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseAxisType * axis, CaseResult & result)
+{
+  const auto found = axis != nullptr ? FindMiddlePoints(data, solution, axis, result.unusableLandmarks)
+                                     : LandmarkCounterpartSet::Pointer();
+  if (data.landmarks3D.IsNull() && found.IsNull())
   {
     return;
   }
   auto projection = LandmarkProjectionFilter::New();
   projection->SetSolution(solution);
   projection->SetLandmarks(data.landmarks3D);
+  projection->SetCounterparts(found);
   projection->SetMillimetresPerUnit(data.description.millimetresPerUnit);
   projection->SetBisected(IsBisected(data.description.tracedSide));
   projection->Update();
@@ -282,12 +388,23 @@ ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, Cas
   }
   for (const auto & middle : projection->GetMiddles())
   {
-    if (projection->GetBisected())
+    if (projection->GetBisected() || !HasLandmarks(data, middle.jaw))
     {
       result.jaws[middle.jaw].middles.push_back({ middle.name,
                                                   { { middle.point[0], middle.point[1] } },
-                                                  LandmarkProjectionFilter::ToSigma(middle.covariance) });
+                                                  LandmarkProjectionFilter::ToSigma(middle.covariance),
+                                                  middle.source });
     }
+  }
+}
+
+void
+LeaveOutBoundlessError(const std::array<unsigned int, 2> & imageSize, JawResult & jaw)
+{
+  const auto largest = static_cast<double>(std::max(imageSize[0], imageSize[1]));
+  if (jaw.expectedError && largest > 0.0 && *jaw.expectedError > largest)
+  {
+    jaw.expectedError.reset();
   }
 }
 
@@ -300,33 +417,8 @@ FindCaseCounterparts(const DentalCaseData &               data,
                      const std::string &                  prefix,
                      CaseResult &                         result)
 {
-  auto filter = LandmarkCounterpartFilter::New();
+  const auto filter = MakeCounterpartFilter(data, axis, result.unusableLandmarks);
   filter->SetCephalometricLandmarks(landmarks);
-  if (data.landmarks3D.IsNotNull())
-  {
-    filter->SetScanLandmarks(data.landmarks3D);
-    filter->SetUnusableLandmarks(result.unusableLandmarks);
-    filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
-  }
-  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
-  {
-    if (data.GetJaw(jaw).mesh.IsNull())
-    {
-      continue;
-    }
-    filter->SetLabels(jaw, data.GetJaw(jaw).labels);
-    if (jaw == JawEnum::Upper)
-    {
-      filter->SetUpperMesh(data.upper.mesh);
-      filter->SetUpperFrame(FrameOf(axis, jaw));
-    }
-    else
-    {
-      filter->SetLowerMesh(data.lower.mesh);
-      filter->SetLowerFrame(FrameOf(axis, jaw));
-    }
-  }
-  filter->SetExcludedTeeth(data.description.excludedTeeth);
   filter->SetDirection(direction);
   filter->SetIgnoreSides(ignoreSides);
   filter->Update();

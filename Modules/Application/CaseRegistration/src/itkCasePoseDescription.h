@@ -95,10 +95,14 @@ MeasureMatched(DentalContour * tracing, const PoseSolution & solution, ToothCode
 void
 MeasureTeeth(DentalContour * tracing, DentalContour * contour, JawResult & jaw);
 
-/** Of the jaws that are there, registered or not, with how far off they are expected to be. */
+/** Of the jaws that are there, registered or not, with how far off they are expected to be. By the scans' axes tips and
+ * cusps are found where nobody marked them on the scans; null: not. */
 void
-ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseResult & result);
-
+ProjectLandmarks(const DentalCaseData & data, const PoseSolution * solution, CaseAxisType * axis, CaseResult & result);
+/** A jaw that may lie anywhere on the radiograph and beyond has no expected error: its finding "undetermined" says so,
+ * and a number of that size says less. */
+void
+LeaveOutBoundlessError(const std::array<unsigned int, 2> & imageSize, JawResult & jaw);
 } // namespace itk
 
 #endif

@@ -478,7 +478,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
     contourProbe.Stop();
     jaw.seconds.emplace_back("contour", contourProbe.GetTotal() + silhouetteProbe.GetTotal());
   }
-  ProjectLandmarks(data, solution, result);
+  ProjectLandmarks(data, solution, axis, result);
   views.Describe(*solution, *verdict, settings, result);
   for (const auto & entry : jaws)
   {
@@ -490,6 +490,7 @@ RegisterCaseByPose(const DentalCaseData & data, AxisType * axis, const CasePoseS
       jaw.expectedError = LandmarkProjectionFilter::ToMeanDistance(traced ? solution->GetTracingSigma(entry.first)
                                                                           : solution->GetMiddleSigma(entry.first));
     }
+    LeaveOutBoundlessError(data.imageSize, jaw);
   }
   for (auto & entry : result.jaws)
   {

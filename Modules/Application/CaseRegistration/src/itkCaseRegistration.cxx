@@ -21,6 +21,7 @@
 #include "itkCaseJaws.h"
 #include "itkCasePoseRegistration.h"
 #include "itkCaseSimilarityRegistration.h"
+#include "itkCheckWholeTeeth.h"
 #include "itkCompareJawDrawings.h"
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
@@ -416,6 +417,36 @@ CaseRegistration::CheckScans()
 }
 
 void
+CaseRegistration::CheckOutlinesByLandmarks()
+{
+  if (m_Data->cephalometricLandmarks.IsNull())
+  {
+    return;
+  }
+  for (const auto & entry : m_Result.jaws)
+  {
+    const auto & jaw = entry.second;
+    if (!jaw.registered || jaw.usedOutlines.empty())
+    {
+      continue;
+    }
+    const auto finding = FindOutlinesApartFromLandmarks(
+      *m_Data->GetJaw(entry.first).contour, entry.first, *m_Data->cephalometricLandmarks, *m_Result.geometry);
+    if (finding)
+    {
+      // Jaws in one frame have one pose, which what is wrong with the drawing of either moves.
+      for (auto & other : m_Result.jaws)
+      {
+        if (other.first == entry.first || m_Result.jawsShareFrame)
+        {
+          other.second.AddFinding(*finding);
+        }
+      }
+    }
+  }
+}
+
+void
 CaseRegistration::CheckPicture()
 {
   auto check = PictureCheckFilter::New();
@@ -539,6 +570,7 @@ CaseRegistration::GenerateData()
   if (m_Preset == CasePresetEnum::Robust)
   {
     this->RegisterByPose();
+    this->CheckOutlinesByLandmarks();
     // The other presets may be millimetres beside the tracing themselves.
     AppendTexts(m_Result.warnings, DescribeLandmarksOffTeeth(*m_Data, m_Result));
   }
@@ -675,6 +707,10 @@ CaseRegistration::RegisterBySimilarity()
         ToRows(*PlaceInCephalostat(frameOf(entry.first), result.similarity, m_Result.geometry));
     }
     PredictLandmarks(*m_Data, entry.first, result);
+    if (const auto wholeTeeth = FindWholeTeeth(*m_Data->GetJaw(entry.first).contour, entry.first, *m_Result.geometry))
+    {
+      result.AddFinding(*wholeTeeth);
+    }
     if (const auto drafts = RegistrationVerdict::JudgeDrafts(DraftedShareOf(*m_Data, entry.first), {}))
     {
       result.AddFinding(*drafts);

@@ -329,6 +329,10 @@ AddErrors(const JawResult & jaw, Json & json)
                       { "std_px", jaw.error->standardDeviation },
                       { "groups", groups },
                       { "landmarks", each } };
+    for (const auto & source : jaw.error->sources)
+    {
+      json["error"]["found_by"][source.first] = source.second;
+    }
     for (std::size_t i = 0; i < jaw.error->marked.size(); ++i)
     {
       json["error"]["places_px"][jaw.error->landmarks[i].first] = { { "marked", jaw.error->marked[i] },
@@ -393,7 +397,9 @@ JawToJson(const JawResult & jaw)
     }
     for (const MiddlePrediction & middle : jaw.middles)
     {
-      json["middles"][middle.name] = { { "position", middle.position }, { "sigma_px", middle.sigma } };
+      json["middles"][middle.name] = { { "position", middle.position },
+                                       { "sigma_px", middle.sigma },
+                                       { "found_by", middle.source } };
     }
     AddOutlines(jaw, json);
     AddErrors(jaw, json);

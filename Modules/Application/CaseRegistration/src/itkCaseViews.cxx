@@ -249,13 +249,15 @@ CaseViews::Describe(const PoseSolution &              solution,
                                   " tracing is not used: " + poseJaw.tracingFailure);
       }
     }
-    ProjectLandmarks(*shown.data, own, shown);
+    // A view's own landmarks_px are of landmarks_3d; tips and cusps without them are told of the first radiograph.
+    ProjectLandmarks(*shown.data, own, nullptr, shown);
     for (auto & entry : shown.jaws)
     {
       if (!entry.second.expectedError)
       {
         entry.second.expectedError = LandmarkProjectionFilter::ToMeanDistance(own->GetMiddleSigma(entry.first));
       }
+      LeaveOutBoundlessError(shown.data->imageSize, entry.second);
     }
     result.views.push_back(std::move(view));
   }

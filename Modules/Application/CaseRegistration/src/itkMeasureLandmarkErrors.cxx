@@ -19,6 +19,7 @@
 
 #include "itkCephalometricLandmarkSet.h"
 #include "itkLandmarkErrorFilter.h"
+#include "itkLeaveOutUsedLandmarks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,38 +33,38 @@ namespace itk
 {
 namespace
 {
-/** What was marked, less what was registered with: a landmark of the case never scores, nor does either side's where it
- * has none. */
+/** What was marked, less what the case was registered with. */
 DentalLandmarkSet<2>::Pointer
 WithoutUsed(const DentalLandmarkSet<2> & marked, const DentalCaseData & data)
 {
-  auto       kept = DentalLandmarkSet<2>::New();
-  const bool ignoreSides = data.description.tracedSide == TracedSideEnum::Standard;
-  for (const auto & landmark : marked.GetLandmarks())
+  std::vector<CephalometricLandmarkSet::MeaningType> used;
+  if (data.cephalometricLandmarks.IsNotNull())
   {
-    const auto own =
-      CephalometricLandmarkSet::ParseName(landmark.tooth.GetName() + landmark.name.substr(landmark.name.find('_')));
-    bool used = false;
-    if (data.cephalometricLandmarks.IsNotNull())
+    for (const auto & landmark : data.cephalometricLandmarks->GetLandmarks())
     {
-      for (const auto & other : data.cephalometricLandmarks->GetLandmarks())
-      {
-        const auto & meaning = other.meaning;
-        const bool   sameSide = ignoreSides || !meaning.tooth.IsKnown() || meaning.tooth == own.tooth;
-        // A molar's point of which the name does not say which was registered with as its mesiobuccal cusp.
-        const bool samePoint =
-          meaning.feature == own.feature || (meaning.feature == CephalometricLandmarkSet::FeatureEnum::Unspecified &&
-                                             own.feature == CephalometricLandmarkSet::FeatureEnum::MesiobuccalCusp);
-        used = used || (meaning.jaw == own.jaw && meaning.position == own.position && sameSide && samePoint);
-      }
-    }
-    if (!used)
-    {
-      kept->AddLandmark(landmark.name, landmark.point);
+      used.push_back(landmark.meaning);
     }
   }
-  return kept;
+  return LeaveOutUsedLandmarks(marked, used, data.description.tracedSide == TracedSideEnum::Standard);
 }
+
+/** The middles of a jaw without landmarks on its scan, as if both sides lay there, where both are marked. */
+void
+AddFoundMiddles(const JawResult & jaw, const DentalLandmarkSet<2> & marked, DentalLandmarkSet<2> & predicted)
+{
+  for (const MiddlePrediction & middle : jaw.middles)
+  {
+    const auto names = NamesOfSides(middle.name);
+    if (marked.Find(names[0]) != nullptr && marked.Find(names[1]) != nullptr)
+    {
+      for (const std::string & name : names)
+      {
+        predicted.AddLandmark(name, DentalLandmarkSet<2>::PointType(middle.position.data()));
+      }
+    }
+  }
+}
+
 /** What hands and registrations are never off by, mm on the detector. */
 constexpr double GrossError = 5.0;
 /** A factor on all marks explains their errors where so much of them is left; below this share it is no factor. */
@@ -130,6 +131,11 @@ DescribeStrays(const std::vector<const LandmarkFigures *> & all, double pixelSpa
   double                largest = 0.0;
   for (const LandmarkFigures * figures : all)
   {
+    // A textbook's place may be as far off as a gross error: that says nothing against the mark.
+    if (!figures->sources.empty())
+    {
+      continue;
+    }
     std::vector<double> distances;
     for (const auto & landmark : figures->landmarks)
     {
@@ -218,11 +224,17 @@ MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked)
       point[1] = landmark.position[1];
       predicted->AddLandmark(landmark.name, point);
     }
+    const auto reference = WithoutUsed(*marked, *result.data);
+    const bool isFound = jaw.landmarks.empty();
+    if (isFound)
+    {
+      AddFoundMiddles(jaw, *reference, *predicted);
+    }
     auto filter = FilterType::New();
     filter->SetPredictedLandmarks(predicted);
-    filter->SetReferenceLandmarks(WithoutUsed(*marked, *result.data));
+    filter->SetReferenceLandmarks(reference);
     filter->SetJaw(entry.first);
-    filter->SetBisectSides(IsBisected(result.data->description.tracedSide));
+    filter->SetBisectSides(isFound || IsBisected(result.data->description.tracedSide));
     filter->Update();
     const auto & statistics = filter->GetStatistics();
     if (statistics.GetCount() == 0)
@@ -250,6 +262,16 @@ MeasureLandmarkErrors(CaseResult & result, const DentalLandmarkSet<2> * marked)
       figures.landmarks.emplace_back(error.name, error.distance);
       figures.marked.push_back({ { error.reference[0], error.reference[1] } });
       figures.predicted.push_back({ { error.predicted[0], error.predicted[1] } });
+    }
+    for (const auto & landmark : figures.landmarks)
+    {
+      const auto middle = std::find_if(jaw.middles.begin(), jaw.middles.end(), [&](const MiddlePrediction & each) {
+        return landmark.first == NamesOfSides(each.name)[0] + '+' + NamesOfSides(each.name)[1];
+      });
+      if (isFound && middle != jaw.middles.end())
+      {
+        figures.sources[landmark.first] = middle->source;
+      }
     }
     jaw.error = figures;
   }

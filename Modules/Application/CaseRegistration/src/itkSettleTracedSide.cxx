@@ -19,6 +19,7 @@
 
 #include "itkTracedSideFilter.h"
 
+#include <algorithm>
 #include <string>
 
 // Which side was traced, where the case does not say it.
@@ -37,6 +38,17 @@ WarnOfSide(const TracedSideFilter & filter, DentalCaseData & data)
   if (reason == ReasonEnum::Given || reason == ReasonEnum::Nothing || reason == ReasonEnum::SidesOfLandmarks)
   {
     return;
+  }
+  // Landmarks whose names have no sides mean what they always mean. Beside names with sides, these are what is ignored.
+  if (reason == ReasonEnum::LandmarksAlone)
+  {
+    const auto & landmarks = data.cephalometricLandmarks->GetLandmarks();
+    if (std::none_of(landmarks.begin(), landmarks.end(), [](const CephalometricLandmarkSet::LandmarkType & landmark) {
+          return landmark.meaning.tooth.IsKnown();
+        }))
+    {
+      return;
+    }
   }
   data.warnings.push_back(data.description.fileName + ": traced_side: is not given; taken as \"" +
                           ToString(filter.GetSettledSide()) + "\", because " + ToString(reason));

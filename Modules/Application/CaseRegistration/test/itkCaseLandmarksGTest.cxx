@@ -94,6 +94,161 @@ TEST(CaseLandmarks, AScanWithoutLandmarksIsMatchedByItsShape)
   EXPECT_LT(sum, 3.5);
 }
 
+namespace
+{
+/** Labels of the phantom's teeth, as whoever segmented the scan has them. */
+void
+LabelTeeth(PhantomCase & phantom)
+{
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    auto & labels = phantom.data->GetJaw(jaw).labels;
+    labels.clear();
+    const auto * values = phantom.source->GetMesh(jaw == JawEnum::Upper ? 0 : 1)->GetPointData();
+    for (auto it = values->Begin(); it != values->End(); ++it)
+    {
+      labels.push_back(static_cast<std::uint8_t>(it.Value()));
+    }
+  }
+}
+
+/** How many middles of a result lie in their 95 % circles about the truth, of how many, and their errors' sum. */
+struct CoverageType
+{
+  unsigned int covered{ 0 };
+  unsigned int middles{ 0 };
+  double       sum{ 0.0 };
+
+  void
+  Add(const PhantomCase & phantom, const itk::CaseResult & result, const std::string & source)
+  {
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      ASSERT_TRUE(result.jaws.at(jaw).registered);
+      const std::string name = jaw == JawEnum::Upper ? "U" : "L";
+      ASSERT_EQ(result.jaws.at(jaw).middles.size(), 2u);
+      EXPECT_EQ(result.jaws.at(jaw).middles[0].name, name + "1_tip");
+      EXPECT_EQ(result.jaws.at(jaw).middles[1].name, name + "6_MB");
+      for (const auto & middle : result.jaws.at(jaw).middles)
+      {
+        EXPECT_EQ(middle.source, source);
+        const auto   right = phantom.marked->Find(name + "R" + middle.name.substr(1))->point;
+        const auto   left = phantom.marked->Find(name + "L" + middle.name.substr(1))->point;
+        const double error =
+          std::hypot(middle.position[0] - 0.5 * (right[0] + left[0]), middle.position[1] - 0.5 * (right[1] + left[1]));
+        covered += error < 2.448 * middle.sigma ? 1 : 0;
+        sum += error;
+        ++middles;
+      }
+    }
+  }
+};
+} // namespace
+
+TEST(CaseLandmarks, MiddlesOfAScanWithoutLandmarksAreFoundByLabelsAndByShape)
+{
+  // On the same drawings a scan with labels tells them better than one without, and both say how well.
+  using EvidenceEnum = LandmarkCase::EvidenceEnum;
+  CoverageType byShape;
+  CoverageType byLabels;
+  for (std::uint64_t seed = 9001; seed < 9005; ++seed)
+  {
+    for (const EvidenceEnum evidence : { EvidenceEnum::Landmarks, EvidenceEnum::Outlines, EvidenceEnum::Both })
+    {
+      LandmarkCase phantom(seed, "standard", 1.0, evidence);
+      phantom.data->landmarks3D = nullptr;
+      byShape.Add(phantom, phantom.Run(), "its place along the arch");
+      LabelTeeth(phantom);
+      byLabels.Add(phantom, phantom.Run(), "tooth labels");
+    }
+  }
+  ASSERT_EQ(byShape.middles, 48u);
+  ASSERT_EQ(byLabels.middles, 48u);
+  EXPECT_GE(byShape.covered, 44u);
+  EXPECT_GE(byLabels.covered, 44u);
+  EXPECT_LT(byLabels.sum / byLabels.middles, 3.0);
+  EXPECT_LT(byLabels.sum, byShape.sum);
+}
+
+TEST(CaseLandmarks, ATracingOfCrownsTellsMiddlesOfAScanWithoutLandmarks)
+{
+  CoverageType byLabels;
+  for (std::uint64_t seed = 3; seed < 9; ++seed)
+  {
+    PhantomCase phantom(seed);
+    EXPECT_TRUE(Register(phantom).jaws.at(JawEnum::Upper).middles.empty()) << "one side was drawn, and both are known";
+    phantom.data->landmarks3D = nullptr;
+    LabelTeeth(phantom);
+    const auto result = Register(phantom);
+    byLabels.Add(phantom, result, "tooth labels");
+    // They are what is measured then: nothing of them was registered with.
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      const auto & error = result.jaws.at(jaw).error;
+      ASSERT_TRUE(error.has_value());
+      const std::string name = jaw == JawEnum::Upper ? "U" : "L";
+      ASSERT_EQ(error->count, 2u);
+      EXPECT_EQ(error->sources.size(), 2u);
+      EXPECT_EQ(error->sources.at(name + "R6_MB+" + name + "L6_MB"), "tooth labels");
+    }
+    EXPECT_FALSE(HasLineWith(result.warnings, "from where the rest of the jaw says"));
+  }
+  ASSERT_EQ(byLabels.middles, 24u);
+  EXPECT_GE(byLabels.covered, 21u);
+  EXPECT_LT(byLabels.sum / byLabels.middles, 3.0);
+}
+
+TEST(CaseLandmarks, AMarkedPointHasAMiddleOfItsOwn)
+{
+  LandmarkCase phantom(9002);
+  phantom.data->landmarks3D = nullptr;
+  LabelTeeth(phantom);
+  auto marks = itk::CephalometricLandmarkSet::New();
+  for (const auto & landmark : phantom.data->cephalometricLandmarks->GetLandmarks())
+  {
+    auto point = landmark.point;
+    if (landmark.meaning.position == 6)
+    {
+      // 2.4 mm before the cusp and 2.5 mm below it, of pixels of a quarter of a millimetre at 1.1 times the size.
+      point[0] += 2.4 * 4.4;
+      point[1] += (landmark.meaning.jaw == JawEnum::Upper ? -2.5 : 2.5) * 4.4;
+    }
+    marks->AddLandmark(
+      landmark.meaning.position == 6 ? (landmark.meaning.jaw == JawEnum::Upper ? "Ms" : "Mi") : landmark.name, point);
+  }
+  phantom.data->cephalometricLandmarks = marks;
+  auto result = phantom.Run();
+  itk::MeasureLandmarkErrors(result, phantom.marked);
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    std::map<std::string, double> sigmas;
+    for (const auto & middle : result.jaws.at(jaw).middles)
+    {
+      sigmas[middle.name.substr(1)] = middle.sigma;
+    }
+    ASSERT_EQ(sigmas.size(), 3u);
+    EXPECT_GT(sigmas.at("6_mesial"), 0.0);
+    EXPECT_GT(sigmas.at("6_MB"), 0.0);
+    // The contact was registered with, the cusp was not and scores.
+    ASSERT_TRUE(result.jaws.at(jaw).error.has_value());
+    EXPECT_EQ(result.jaws.at(jaw).error->count, 1u);
+    EXPECT_NE(result.jaws.at(jaw).error->landmarks.front().first.find("6_MB"), std::string::npos);
+  }
+}
+
+TEST(CaseLandmarks, OneLandmarkHasNoExpectedError)
+{
+  LandmarkCase phantom(9001);
+  phantom.Keep({ "U1_tip" });
+  const auto result = phantom.Run();
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    EXPECT_EQ(result.jaws.at(jaw).status, itk::RegistrationStatusEnum::Failed);
+    EXPECT_TRUE(result.jaws.at(jaw).HasFinding("undetermined"));
+    EXPECT_FALSE(result.jaws.at(jaw).expectedError.has_value());
+  }
+}
+
 TEST(CaseLandmarks, ThoseThatWereUsedAreDrawnWithTheirCounterparts)
 {
   const LandmarkCase phantom(3);

@@ -229,6 +229,99 @@ TEST(CaseOutlines, ARootAloneIsSaidAndNeverGuessed)
   }
 }
 
+TEST(CaseOutlines, ARootBesideTheLandmarksOfItsToothIsNamedByThem)
+{
+  const auto findingOf = [](const itk::JawResult & jaw) {
+    const auto found = std::find_if(jaw.findings.begin(), jaw.findings.end(), [](const auto & finding) {
+      return finding.code == "outline-off-landmark";
+    });
+    return found != jaw.findings.end() ? found->text : std::string();
+  };
+  const LandmarkCase whole(9006, "standard", 1.0, EvidenceEnum::Both);
+  for (const auto & entry : whole.Run().jaws)
+  {
+    EXPECT_EQ(findingOf(entry.second), "");
+  }
+  for (const JawEnum rootJaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    for (const unsigned int position : { 1u, 6u })
+    {
+      LandmarkCase phantom(9006, "standard", 1.0, EvidenceEnum::Both);
+      auto         outlines = itk::DentalContour::New();
+      for (auto polyline : phantom.data->GetJaw(rootJaw).contour->GetPolylines())
+      {
+        if (polyline.code.GetPosition() == position)
+        {
+          KeepRoot(polyline, rootJaw);
+        }
+        outlines->AddPolyline(polyline);
+      }
+      phantom.data->GetJaw(rootJaw).contour = outlines;
+      const auto        result = phantom.Run();
+      const std::string name = (rootJaw == JawEnum::Upper ? "U" : "L") + std::to_string(position);
+      // Both jaws have one pose.
+      for (const auto & entry : result.jaws)
+      {
+        EXPECT_NE(entry.second.status, itk::RegistrationStatusEnum::Ok) << name;
+        EXPECT_EQ(findingOf(entry.second).find("outline " + name + " does not reach landmark " + name), 0u)
+          << name << ": " << Join(entry.second.GetReasons());
+        EXPECT_NE(findingOf(entry.second).find("is it a root without its crown"), std::string::npos) << name;
+      }
+    }
+  }
+}
+
+TEST(CaseOutlines, APresetOfContoursSaysThatWholeTeethAreMostlyRoot)
+{
+  const auto findingOf = [](const itk::JawResult & jaw) {
+    const auto found = std::find_if(
+      jaw.findings.begin(), jaw.findings.end(), [](const auto & finding) { return finding.code == "whole-teeth"; });
+    return found != jaw.findings.end() ? *found : itk::RegistrationFinding();
+  };
+  LandmarkCase phantom(9006, "standard", 1.0, EvidenceEnum::Outlines);
+  const auto   result = Register(phantom, itk::CasePresetEnum::BoundingBox);
+  for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+  {
+    // All of the drawing: no place of the scan is one of roots.
+    const auto finding = findingOf(result.jaws.at(jaw));
+    EXPECT_EQ(result.jaws.at(jaw).status, itk::RegistrationStatusEnum::Failed);
+    EXPECT_EQ(finding.severity, itk::RegistrationStatusEnum::Failed);
+    EXPECT_EQ(finding.value, 1.0);
+    EXPECT_NE(finding.text.find(jaw == JawEnum::Upper ? "the outlines UR1 and UR6" : "the outlines LR1 and LR6"),
+              std::string::npos)
+      << finding.text;
+  }
+  // Preset robust knows what they are.
+  EXPECT_FALSE(Register(phantom).jaws.at(JawEnum::Upper).HasFinding("whole-teeth"));
+
+  // Crowns are none, drawn open or closed; what a file says goes before the shape; one among crowns is a suspicion.
+  PhantomCase crowns(3);
+  const auto  plain = Register(crowns, itk::CasePresetEnum::BoundingBox);
+  auto        closed = itk::DentalContour::New();
+  for (auto polyline : crowns.data->upper.contour->GetPolylines())
+  {
+    polyline.closed = polyline.points.size() > 3;
+    closed->AddPolyline(polyline);
+  }
+  crowns.data->upper.contour = closed;
+  EXPECT_FALSE(plain.jaws.at(JawEnum::Upper).HasFinding("whole-teeth"));
+  EXPECT_FALSE(Register(crowns, itk::CasePresetEnum::BoundingBox).jaws.at(JawEnum::Upper).HasFinding("whole-teeth"));
+  auto said = itk::DentalContour::New();
+  for (auto polyline : closed->GetPolylines())
+  {
+    if (polyline.code.GetPosition() == 1)
+    {
+      polyline.outline = itk::DentalContour::OutlineEnum::Tooth;
+    }
+    said->AddPolyline(polyline);
+  }
+  crowns.data->upper.contour = said;
+  const auto one = Register(crowns, itk::CasePresetEnum::BoundingBox);
+  EXPECT_EQ(findingOf(one.jaws.at(JawEnum::Upper)).severity, itk::RegistrationStatusEnum::Suspect);
+  EXPECT_LT(findingOf(one.jaws.at(JawEnum::Upper)).value, 0.5);
+  EXPECT_NE(findingOf(one.jaws.at(JawEnum::Upper)).text.find("the outline UR1 is of a whole tooth"), std::string::npos);
+}
+
 TEST(CaseOutlines, SpacingAndPrincipalPointMayBeUnknown)
 {
   LandmarkCase phantom(9003, "standard", 0.0, EvidenceEnum::Outlines);

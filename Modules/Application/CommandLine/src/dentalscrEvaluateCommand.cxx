@@ -23,6 +23,7 @@
 #include "itkJsonDocument.h"
 #include "itkLandmarkErrorFilter.h"
 #include "itkLandmarkErrorStatistics.h"
+#include "itkLeaveOutUsedLandmarks.h"
 #include "itkTextFile.h"
 
 #include <algorithm>
@@ -47,6 +48,49 @@ struct EvaluateOptions
   std::string              csv;
 };
 
+itk::DentalLandmarkSet<2>::PointType
+ReadPlace(const itk::JsonNode & node)
+{
+  const std::vector<double> numbers = node.AsNumbers(2, "[u, v]");
+  return itk::DentalLandmarkSet<2>::PointType(numbers.data());
+}
+
+/** Marks that were not registered with: a landmark that was never scores. */
+itk::DentalLandmarkSet<2>::Pointer
+LeaveOutUsed(const itk::DentalLandmarkSet<2> & marked, const itk::JsonNode & jaw, bool ignoreSides)
+{
+  std::vector<itk::CephalometricLandmarkSet::MeaningType> used;
+  if (const auto node = jaw.Find("landmarks_used"))
+  {
+    for (const auto & member : node->GetMembers())
+    {
+      used.push_back(itk::CephalometricLandmarkSet::ParseName(member.first));
+    }
+  }
+  return itk::LeaveOutUsedLandmarks(marked, used, ignoreSides);
+}
+
+/** Middles of a jaw without landmarks on its scan, as if both sides lay there, where both are marked. */
+void
+AddFoundMiddles(const itk::JsonNode &             jaw,
+                const itk::DentalLandmarkSet<2> & marked,
+                itk::DentalLandmarkSet<2> &       predicted)
+{
+  if (const auto node = jaw.Find("middles"))
+  {
+    for (const auto & member : node->GetMembers())
+    {
+      const auto names = itk::NamesOfSides(member.first);
+      if (marked.Find(names[0]) != nullptr && marked.Find(names[1]) != nullptr)
+      {
+        const auto place = ReadPlace(member.second.Get("position"));
+        predicted.AddLandmark(names[0], place);
+        predicted.AddLandmark(names[1], place);
+      }
+    }
+  }
+}
+
 itk::DentalLandmarkSet<2>::Pointer
 ReadPredictions(const itk::JsonNode & jaw)
 {
@@ -55,10 +99,7 @@ ReadPredictions(const itk::JsonNode & jaw)
   {
     for (const auto & member : node->GetMembers())
     {
-      const std::vector<double>            numbers = member.second.AsNumbers(2, "[u, v]");
-      itk::DentalLandmarkSet<2>::PointType point;
-      point[0] = numbers[0];
-      point[1] = numbers[1];
+      const itk::DentalLandmarkSet<2>::PointType point = ReadPlace(member.second);
       try
       {
         landmarks->AddLandmark(member.first, point);
@@ -221,7 +262,8 @@ Evaluate(const EvaluateOptions & options, const CommonOptions & common)
     auto reader = itk::DentalLandmarkFileReader<2>::New();
     reader->SetFileName(marked);
     reader->Update();
-    const auto side = root.Find("traced_side");
+    const auto        sideNode = root.Find("traced_side");
+    const std::string side = sideNode ? sideNode->AsString() : "";
     for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
     {
       const auto node = root.Get("jaws").Find(itk::ToString(jaw));
@@ -229,11 +271,19 @@ Evaluate(const EvaluateOptions & options, const CommonOptions & common)
       {
         continue;
       }
+      // As the result's own "error" is made.
+      const auto reference = LeaveOutUsed(*reader->GetOutput(), *node, side == "standard");
+      const auto predicted = ReadPredictions(*node);
+      const bool isFound = predicted->GetLandmarks().empty();
+      if (isFound)
+      {
+        AddFoundMiddles(*node, *reference, *predicted);
+      }
       auto filter = itk::LandmarkErrorFilter::New();
-      filter->SetPredictedLandmarks(ReadPredictions(*node));
-      filter->SetReferenceLandmarks(reader->GetOutput());
+      filter->SetPredictedLandmarks(predicted);
+      filter->SetReferenceLandmarks(reference);
       filter->SetJaw(jaw);
-      filter->SetBisectSides(side && side->AsString() == "mean");
+      filter->SetBisectSides(isFound || side == "mean" || side == "standard");
       filter->Update();
       WriteRow(table, results[i], jaw, filter->GetStatistics(), false);
       WriteRow(csv, results[i], jaw, filter->GetStatistics(), true);

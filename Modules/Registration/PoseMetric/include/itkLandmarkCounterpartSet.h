@@ -53,6 +53,11 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(LandmarkCounterpartSet, DataObject);
 
+  /** How far the image of the other side's tooth may be from that of this one's, standard deviations, mm: arches are
+   * not symmetric, heads turn by two degrees, and 45 mm lie between first molars. */
+  static constexpr double OneSideSigmaAlong = 1.2;
+  static constexpr double OneSideSigmaAcross = 0.6;
+
   /** What is imaged of two points. */
   enum class RuleEnum : uint8_t
   {

@@ -176,6 +176,8 @@ public:
     std::string name; /**< As the landmarks of the radiograph name it. */
     /** Marked minus projected, pixels. */
     double difference[2];
+    /** Of the difference: the mark's error and that of its place on the scan, standard deviations along u and v. */
+    double sigma[2];
     /** In standard deviations: sqrt(d' C^-1 d). */
     double distance;
     /** Of the robust kernel, 1 to 0. */

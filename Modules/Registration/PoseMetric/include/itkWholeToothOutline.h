@@ -61,6 +61,12 @@ public:
   {
     return m_Length;
   }
+  /** Length over width. */
+  double
+  GetElongation() const
+  {
+    return m_Elongation;
+  }
   /** Unit vector from the root to the crown. */
   const PointType &
   GetAxis() const
@@ -71,6 +77,7 @@ public:
 private:
   PointType m_Axis{};
   double    m_Length{ 0.0 };
+  double    m_Elongation{ 0.0 };
 };
 } // namespace itk
 

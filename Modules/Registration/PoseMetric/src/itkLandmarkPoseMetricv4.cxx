@@ -307,8 +307,12 @@ LandmarkPoseMetricv4::ComputeLandmarkResiduals(const PositionType & x) const
     this->ComputeDifference(*transform, i, whitened, nullptr);
     const double squared = whitened[0] * whitened[0] + whitened[1] * whitened[1];
     const auto   difference = pairs[i].fixed - this->ProjectPair(*transform, i);
+    // The whitening is the inverse of the covariance's lower triangular root.
+    const auto & whitening = pairs[i].whitening;
+    const double lower = whitening[1] / whitening[0];
     residuals.push_back({ pairs[i].name,
                           { difference[0], difference[1] },
+                          { 1.0 / whitening[0], std::hypot(1.0, lower) / whitening[2] },
                           std::sqrt(squared),
                           m_RobustKernel->GetWeight(squared, m_KernelWidthInSigmas) });
   }

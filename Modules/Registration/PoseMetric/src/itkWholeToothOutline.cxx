@@ -146,15 +146,15 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     front = std::max(front, across(p));
   }
   m_Length = high - low;
-  const bool   isFront = m_Position <= LastFrontPosition;
-  const double elongation = m_Length / (front - back);
+  const bool isFront = m_Position <= LastFrontPosition;
+  m_Elongation = m_Length / (front - back);
   const double tilt = std::acos(std::min(1.0, std::abs(m_Axis[1]))) * DegreesPerRadian;
   std::string  doubt;
-  if (elongation < SmallestElongation)
+  if (m_Elongation < SmallestElongation)
   {
     doubt = "it is about as wide as it is long";
   }
-  else if (isFront && elongation < SmallestFrontElongation)
+  else if (isFront && m_Elongation < SmallestFrontElongation)
   {
     doubt = "it is too wide for its length";
   }

@@ -21,6 +21,7 @@
 #include "itkPoseSolution.h"
 
 #include "itkDentalLandmarkSet.h"
+#include "itkLandmarkCounterpartSet.h"
 #include "itkProcessObject.h"
 
 #include <map>
@@ -37,7 +38,9 @@ namespace itk
  * pixels). GetSigma() is the standard deviation an axis, the root of half the covariance's trace.
  *
  * Of the middle between a right and its left landmark, which is all that a bisected tracing determines,
- * GetMiddles() knows as well. GetExpectedError() sums a jaw up.
+ * GetMiddles() knows as well. Points that were found on the scans by other means (SetCounterparts(), as
+ * LandmarkCounterpartFilter finds them) have middles too where the landmarks have none of that name; that they may lie
+ * elsewhere on the tooth is in their covariance. GetExpectedError() sums a jaw up, by its landmarks.
  *
  * \ingroup PoseRegistration
  */
@@ -61,11 +64,14 @@ public:
   using Superclass::MakeOutput;
   using DataObjectPointer = Superclass::DataObjectPointer;
   using DataObjectPointerArraySizeType = Superclass::DataObjectPointerArraySizeType;
-  /** What a registration found, and landmarks of the scans in their own unit and frame. Both must be set. */
+  /** What a registration found, which must be set, and landmarks of the scans in their own unit and frame. */
   itkSetInputMacro(Solution, PoseSolution);
   itkGetInputMacro(Solution, PoseSolution);
   itkSetInputMacro(Landmarks, LandmarksType);
   itkGetInputMacro(Landmarks, LandmarksType);
+  /** Points found on the scans, frames of the meshes, mm: they or the landmarks must be set. */
+  itkSetInputMacro(Counterparts, LandmarkCounterpartSet);
+  itkGetInputMacro(Counterparts, LandmarkCounterpartSet);
   /** Unit of the landmarks, mm; 1 by default. */
   itkSetMacro(MillimetresPerUnit, double);
   itkGetConstMacro(MillimetresPerUnit, double);
@@ -91,9 +97,14 @@ public:
     std::string           name;
     JawEnum               jaw{ JawEnum::Upper };
     OutputType::PointType point;
-    CovarianceType        covariance;
+    /** Of the middle that a person would mark: of the pose and, for a counterpart, of its place on the scan. */
+    CovarianceType covariance;
+    /** How the points were found on the scan: "landmarks_3d", or what the counterpart says, with "one side" where one
+     * of the two was found. */
+    std::string source;
   };
-  /** Of every pair in the output, in the order of the right ones; valid after Update(). */
+  /** Of every pair in the output, in the order of the right ones, then of the counterparts whose names are not among
+   * these; valid after Update(). */
   const std::vector<MiddleType> &
   GetMiddles() const
   {
@@ -127,6 +138,8 @@ protected:
   LandmarkProjectionFilter();
   ~LandmarkProjectionFilter() override = default;
   void
+  VerifyPreconditions() ITKv5_CONST override;
+  void
   GenerateData() override;
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
@@ -138,6 +151,10 @@ private:
   /** Of the landmarks of a jaw, or of its middles. */
   std::vector<double>
   CollectSigmas(JawEnum jaw) const;
+  void
+  ProjectLandmarks(const LandmarksType & landmarks);
+  void
+  AddMiddle(const LandmarkCounterpartSet::CounterpartType & counterpart);
 
   double                                m_MillimetresPerUnit{ 1.0 };
   bool                                  m_Bisected{ false };

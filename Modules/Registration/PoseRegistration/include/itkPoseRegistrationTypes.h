@@ -210,7 +210,9 @@ struct PoseLandmarkFit
   std::string name;
   /** Marked minus predicted, pixels of the radiograph. */
   std::array<double, 2> residual{ { 0.0, 0.0 } };
-  /** The same in standard deviations. */
+  /** Standard deviation of that along u and v, pixels: of the mark, and of its place on the scan. */
+  std::array<double, 2> sigma{ { 0.0, 0.0 } };
+  /** The residual in standard deviations. */
   double distance{ 0.0 };
   /** What the robust kernel leaves of it, 1 to 0. */
   double weight{ 1.0 };

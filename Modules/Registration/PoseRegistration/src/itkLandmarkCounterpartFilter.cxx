@@ -29,11 +29,6 @@ namespace
 {
 using JawEnum = ToothCode::JawEnum;
 using FeatureEnum = CephalometricLandmarkSet::FeatureEnum;
-
-/** The image of the other side's tooth, where only one was found: arches are not symmetric, heads turn by two degrees,
- * and 45 mm lie between first molars. */
-constexpr double OneSideSigmaAlong = 1.2;
-constexpr double OneSideSigmaAcross = 0.6;
 } // namespace
 
 LandmarkCounterpartFilter::LandmarkCounterpartFilter()
@@ -194,8 +189,8 @@ LandmarkCounterpartFilter::GenerateData()
     }
     if (both && counterpart.points.size() == 1 && meaning.position > 1)
     {
-      counterpart.sigmaAlong = std::hypot(counterpart.sigmaAlong, OneSideSigmaAlong);
-      counterpart.sigmaAcross = std::hypot(counterpart.sigmaAcross, OneSideSigmaAcross);
+      counterpart.sigmaAlong = std::hypot(counterpart.sigmaAlong, OutputType::OneSideSigmaAlong);
+      counterpart.sigmaAcross = std::hypot(counterpart.sigmaAcross, OutputType::OneSideSigmaAcross);
     }
     output->Add(counterpart);
   }

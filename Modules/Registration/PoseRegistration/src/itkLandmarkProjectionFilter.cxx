@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkLandmarkProjectionFilter.h"
 
+#include "itkCephalometricLandmarkSet.h"
+
 #include "itkMath.h"
 
 #include <algorithm>
@@ -52,7 +54,8 @@ FindOtherSide(const TLandmarks & landmarks, const typename TLandmarks::LandmarkT
 LandmarkProjectionFilter::LandmarkProjectionFilter()
 {
   this->AddRequiredInputName("Solution", 0);
-  this->AddRequiredInputName("Landmarks", 1);
+  this->AddOptionalInputName("Landmarks", 1);
+  this->AddOptionalInputName("Counterparts", 2);
   this->SetNumberOfRequiredOutputs(1);
   this->SetNthOutput(0, this->MakeOutput(0));
 }
@@ -81,16 +84,124 @@ LandmarkProjectionFilter::ToMillimetres(const LandmarksType::PointType & point) 
 }
 
 void
+LandmarkProjectionFilter::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  if (this->GetLandmarks() == nullptr && this->GetCounterparts() == nullptr)
+  {
+    itkExceptionMacro("There is nothing to project: call SetLandmarks() with landmarks of the scans, or "
+                      "SetCounterparts() with what a LandmarkCounterpartFilter found on them.");
+  }
+}
+
+void
 LandmarkProjectionFilter::GenerateData()
 {
-  const PoseSolution *  solution = this->GetSolution();
-  const LandmarksType * landmarks = this->GetLandmarks();
-  OutputType *          output = this->GetOutput();
-  output->Initialize();
+  this->GetOutput()->Initialize();
   m_Covariances.clear();
   m_MiddleCovariances.clear();
   m_Middles.clear();
-  for (const auto & landmark : landmarks->GetLandmarks())
+  if (const LandmarksType * landmarks = this->GetLandmarks())
+  {
+    this->ProjectLandmarks(*landmarks);
+  }
+  if (const LandmarkCounterpartSet * counterparts = this->GetCounterparts())
+  {
+    const auto ofLandmarks = static_cast<std::ptrdiff_t>(m_Middles.size());
+    for (const auto & counterpart : counterparts->GetCounterparts())
+    {
+      const bool isThere = std::any_of(m_Middles.begin(),
+                                       m_Middles.begin() + ofLandmarks,
+                                       [&](const MiddleType & middle) { return middle.name == counterpart.name; });
+      // The place of a tooth of one side is no middle.
+      const bool hasSide = CephalometricLandmarkSet::ParseName(counterpart.name).tooth.IsKnown();
+      if (!isThere && !hasSide && this->GetSolution()->IsRegistered(counterpart.jaw))
+      {
+        this->AddMiddle(counterpart);
+      }
+    }
+  }
+}
+
+void
+LandmarkProjectionFilter::AddMiddle(const LandmarkCounterpartSet::CounterpartType & counterpart)
+{
+  const PoseSolution *    solution = this->GetSolution();
+  const bool              isOneSided = counterpart.points.size() == 1;
+  PoseSolution::PointType place;
+  place.SetToMidPoint(counterpart.points.front(), counterpart.points.back());
+  MiddleType middle;
+  middle.name = counterpart.name;
+  middle.jaw = counterpart.jaw;
+  middle.source = counterpart.source + (isOneSided ? ", one side" : "");
+  const auto right = solution->ProjectPoint(counterpart.jaw, counterpart.points.front());
+  const auto left = solution->ProjectPoint(counterpart.jaw, counterpart.points.back());
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    middle.point[d] = 0.5 * (right[d] + left[d]);
+  }
+  const CovarianceType ofPose = solution->ComputeCovariance(counterpart.jaw, place);
+  const PoseGeometry & geometry = solution->GetResult().geometry;
+  const double         magnification = geometry.sourceToDetector / geometry.sourceToMidsagittal;
+  // Of a posterior tooth the counterpart's errors know already that its other side is not there; of an incisor the
+  // foremost was looked for, which is one tooth anyway.
+  const bool   isWider = isOneSided && counterpart.rule == LandmarkCounterpartSet::RuleEnum::Foremost;
+  const double along =
+    isWider ? std::hypot(counterpart.sigmaAlong, LandmarkCounterpartSet::OneSideSigmaAlong) : counterpart.sigmaAlong;
+  const double across =
+    isWider ? std::hypot(counterpart.sigmaAcross, LandmarkCounterpartSet::OneSideSigmaAcross) : counterpart.sigmaAcross;
+  const double own[2] = { magnification * along / geometry.pixelSpacing[0],
+                          magnification * across / geometry.pixelSpacing[1] };
+  middle.covariance = ofPose;
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    middle.covariance(d, d) += own[d] * own[d];
+  }
+  // Where this very point was marked, the pose has followed the mark and with it the error of the point's place on the
+  // scan: prediction and mark then lie together however far off the place is. With the pose's covariance S at the
+  // point, that of the place C and that of the mark's residual R (all of the image), pose and place covary by S R^-1 C.
+  const auto & used = solution->GetJaw(counterpart.jaw).landmarks;
+  const auto   mark = std::find_if(
+    used.begin(), used.end(), [&](const PoseLandmarkFit & landmark) { return landmark.name == counterpart.name; });
+  if (mark != used.end() && mark->sigma[0] > 0.0 && mark->sigma[1] > 0.0)
+  {
+    CovarianceType gain;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      for (unsigned int k = 0; k < 2; ++k)
+      {
+        gain(d, k) = ofPose(d, k) * mark->weight * own[k] * own[k] / (mark->sigma[k] * mark->sigma[k]);
+      }
+    }
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      for (unsigned int k = 0; k < 2; ++k)
+      {
+        middle.covariance(d, k) -= gain(d, k) + gain(k, d);
+      }
+    }
+    // The better of place and mark is the best that both together can be; a covariance that is larger than the mark
+    // alone would leave it, for example by the bite of a jaw that another one placed, must not go below.
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const double place2 = own[d] * own[d];
+      const double least = std::min(place2, std::max(0.0, mark->sigma[d] * mark->sigma[d] - place2));
+      if (middle.covariance(d, d) < least)
+      {
+        middle.covariance(d, d) = least;
+        middle.covariance(0, 1) = middle.covariance(1, 0) = 0.0;
+      }
+    }
+  }
+  m_Middles.push_back(middle);
+}
+
+void
+LandmarkProjectionFilter::ProjectLandmarks(const LandmarksType & landmarks)
+{
+  const PoseSolution * solution = this->GetSolution();
+  OutputType *         output = this->GetOutput();
+  for (const auto & landmark : landmarks.GetLandmarks())
   {
     const auto jaw = landmark.tooth.GetJaw();
     if (!solution->IsRegistered(jaw))
@@ -110,7 +221,7 @@ LandmarkProjectionFilter::GenerateData()
     }
     output->AddLandmark(landmark.name, place);
     m_Covariances[landmark.name] = solution->ComputeCovariance(jaw, point);
-    if (const auto * other = FindOtherSide(*landmarks, landmark))
+    if (const auto * other = FindOtherSide(landmarks, landmark))
     {
       // The middle of two projections is the projection of the middle but for the perspective between them.
       PoseSolution::PointType middle;
@@ -129,6 +240,7 @@ LandmarkProjectionFilter::GenerateData()
         (middle.jaw == JawEnum::Upper ? "U" : "L") + std::to_string(right.tooth.GetPosition()) + KindOf(right.name);
       middle.point.SetToMidPoint(right.point, left->point);
       middle.covariance = m_MiddleCovariances[right.name];
+      middle.source = "landmarks_3d";
       m_Middles.push_back(middle);
     }
   }

@@ -134,8 +134,11 @@ DescribeLandmarks(const LandmarkPoseMetricv4 &               metric,
 {
   for (const auto & residual : metric.ComputeLandmarkResiduals(x))
   {
-    jaw.landmarks.push_back(
-      { residual.name, { { residual.difference[0], residual.difference[1] } }, residual.distance, residual.weight });
+    jaw.landmarks.push_back({ residual.name,
+                              { { residual.difference[0], residual.difference[1] } },
+                              { { residual.sigma[0], residual.sigma[1] } },
+                              residual.distance,
+                              residual.weight });
   }
 }
 

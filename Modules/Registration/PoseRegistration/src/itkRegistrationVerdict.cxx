@@ -291,8 +291,9 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
     Add(verdict,
         StatusEnum::Suspect,
         "landmark-apart",
-        JoinNames(apart) + (apart.size() == 1 ? " lies" : " lie") +
-          " far from where everything else puts it and was left out: is it the right tooth and point?",
+        JoinNames(apart) + (apart.size() == 1 ? " lies" : " lie") + " far from where everything else puts " +
+          (apart.size() == 1 ? "it and was left out: is it the right tooth and point?"
+                             : "them and were left out: are they the right teeth and points?"),
         { tally.GetLargest(), thresholds.landmarkApart, "sd" });
   }
   const double ratio = tally.GetRatio();
@@ -349,18 +350,23 @@ JudgeOutlines(const PoseRegistrationResult &          result,
   }
 }
 
-/** What to mark besides, by the names of what was marked. */
-std::string
-DescribeMissingMarks(const PoseRegistrationResult & result, const PoseGroupResult & group)
+/** Whether front teeth and teeth behind them were marked. */
+struct MarkedTeeth
 {
-  bool       isFront = false;
-  bool       isBack = false;
-  const auto note = [&](const std::string & name) {
+  bool isFront{ false };
+  bool isBack{ false };
+};
+
+MarkedTeeth
+FindMarkedTeeth(const PoseRegistrationResult & result, const PoseGroupResult & group)
+{
+  MarkedTeeth marked;
+  const auto  note = [&marked](const std::string & name) {
     // "U1_tip", "L6": the tooth's position. Milk teeth have a letter.
     const std::size_t digit = name.find_first_of("12345678");
     if (digit != std::string::npos)
     {
-      (name[digit] <= '3' ? isFront : isBack) = true;
+      (name[digit] <= '3' ? marked.isFront : marked.isBack) = true;
     }
   };
   for (const std::size_t j : group.jaws)
@@ -374,9 +380,29 @@ DescribeMissingMarks(const PoseRegistrationResult & result, const PoseGroupResul
       note(outline.name);
     }
   }
-  return isFront && !isBack   ? "front teeth alone do not tell how the head is tipped: mark molars as well"
-         : isBack && !isFront ? "posterior teeth alone do not tell how the head is tipped: mark incisors as well"
-                              : "mark incisors and molars of both jaws";
+  return marked;
+}
+
+/** What to mark besides, by the names of what was marked. */
+std::string
+DescribeMissingMarks(const PoseRegistrationResult & result, const PoseGroupResult & group)
+{
+  const MarkedTeeth marked = FindMarkedTeeth(result, group);
+  return marked.isFront && !marked.isBack ? "front teeth alone do not tell how the head is tipped: mark molars as well"
+         : marked.isBack && !marked.isFront
+           ? "posterior teeth alone do not tell how the head is tipped: mark incisors as well"
+           : "mark incisors and molars of both jaws";
+}
+
+/** Whether what was drawn tells how the head is tipped: marks of front teeth alone, or of posterior teeth alone, do
+ * not, and whatever pitch comes out of them means nothing. */
+bool
+TellsPitch(const PoseRegistrationResult & result, const PoseGroupResult & group)
+{
+  const MarkedTeeth marked = FindMarkedTeeth(result, group);
+  return marked.isFront == marked.isBack || std::any_of(group.jaws.begin(), group.jaws.end(), [&](std::size_t j) {
+           return result.jaws[j].fit.numberOfPoints > 0;
+         });
 }
 
 /** What drawings that are of no side determine: the middle of both. */
@@ -992,27 +1018,24 @@ RegistrationVerdict::Evaluate(const PoseRegistrationResult & result,
     }
     JudgeMargin(result, group, thresholds, verdict);
     JudgePriors(group, !result.views.empty(), thresholds, verdict);
-    if (std::abs(group.parameters[PosePitch]) > thresholds.failedPitch)
+    const double pitch = TellsPitch(result, group) ? group.parameters[PosePitch] : 0.0;
+    if (std::abs(pitch) > thresholds.failedPitch)
     {
-      Add(
-        verdict,
-        StatusEnum::Failed,
-        "upside-down",
-        "the patient would stand on the head, tipped by " +
-          FormatNumber(group.parameters[PosePitch] * DegreesPerRadian, 0) +
-          " degrees: check `facing`, a mirrored or turned image, and exchanged names",
-        { std::abs(group.parameters[PosePitch]) * DegreesPerRadian, thresholds.failedPitch * DegreesPerRadian, "deg" });
+      Add(verdict,
+          StatusEnum::Failed,
+          "upside-down",
+          "the patient would stand on the head, tipped by " + FormatNumber(pitch * DegreesPerRadian, 0) +
+            " degrees: check `facing`, a mirrored or turned image, and exchanged names",
+          { std::abs(pitch) * DegreesPerRadian, thresholds.failedPitch * DegreesPerRadian, "deg" });
     }
-    else if (std::abs(group.parameters[PosePitch]) > thresholds.suspectPitch)
+    else if (std::abs(pitch) > thresholds.suspectPitch)
     {
       Add(verdict,
           StatusEnum::Suspect,
           "search-limit",
-          "the head would be tipped by " + FormatNumber(group.parameters[PosePitch] * DegreesPerRadian, 0) +
+          "the head would be tipped by " + FormatNumber(pitch * DegreesPerRadian, 0) +
             " degrees, at or beyond what is searched",
-          { std::abs(group.parameters[PosePitch]) * DegreesPerRadian,
-            thresholds.suspectPitch * DegreesPerRadian,
-            "deg" });
+          { std::abs(pitch) * DegreesPerRadian, thresholds.suspectPitch * DegreesPerRadian, "deg" });
     }
     // In another unit nothing fits, whatever else is tried.
     if (wrongUnit)

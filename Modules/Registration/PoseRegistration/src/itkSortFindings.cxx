@@ -26,16 +26,18 @@ namespace
 {
 /** The heaviest first: of the scans, of what was drawn, the readings of the drawing that fit where the given one does
  * not, and what is wrong with landmarks that only measure. */
-const std::array<const char *, 23> Causes{ { "no-arch",
+const std::array<const char *, 25> Causes{ { "no-arch",
                                              "same-scan",
                                              "both-jaws",
                                              "spikes",
                                              "partial-arch",
                                              "arch-width",
+                                             "outline-off-landmark",
                                              "jaws-exchanged",
                                              "not-drawn",
                                              "few-points",
                                              "no-evidence",
+                                             "whole-teeth",
                                              "landmarks-exchanged",
                                              "landmarks-mm",
                                              "pixel-spacing",

@@ -102,6 +102,48 @@ ExerciseBasicObjectMethods()
   return EXIT_SUCCESS;
 }
 
+/** A point that was found on the scan, at the places of both incisors' tips or one. */
+itk::LandmarkCounterpartSet::Pointer
+MakeCounterparts(const std::vector<std::string> &      places,
+                 itk::LandmarkCounterpartSet::RuleEnum rule = itk::LandmarkCounterpartSet::RuleEnum::Foremost)
+{
+  itk::LandmarkCounterpartSet::CounterpartType counterpart;
+  counterpart.name = "U1_mesial";
+  counterpart.jaw = JawEnum::Upper;
+  counterpart.rule = rule;
+  counterpart.sigmaAlong = 2.0;
+  counterpart.sigmaAcross = 0.5;
+  counterpart.source = "tooth labels";
+  for (const std::string & place : places)
+  {
+    counterpart.points.emplace_back(Points.at(place).data());
+  }
+  auto set = itk::LandmarkCounterpartSet::New();
+  set->Add(counterpart);
+  counterpart.name = "UR1_mesial";
+  set->Add(counterpart);
+  return set;
+}
+
+FilterType::Pointer
+ProjectCounterparts(const itk::PoseRegistrationResult & result, const itk::LandmarkCounterpartSet * counterparts)
+{
+  auto filter = FilterType::New();
+  filter->SetSolution(MakeSolution(result));
+  filter->SetCounterparts(counterparts);
+  filter->Update();
+  return filter;
+}
+
+/** What a length at the midsagittal plane is on the detector, square pixels. */
+double
+ToSquarePixels(const itk::PoseRegistrationResult & result, double millimetres, unsigned int axis)
+{
+  const auto & g = result.geometry;
+  const double pixels = millimetres * g.sourceToDetector / g.sourceToMidsagittal / g.pixelSpacing[axis];
+  return pixels * pixels;
+}
+
 void
 ExpectNear(const FilterType::CovarianceType & actual, const vnl_matrix<double> & expected, const std::string & what)
 {
@@ -274,4 +316,122 @@ TEST(LandmarkProjectionFilter, ALandmarkWithoutAPlaceIsAnErrorNotAnInfinitePlace
   const std::string message = MessageOfCall([&] { filter->Update(); });
   EXPECT_TRUE(Contains(message, "The solution projects landmark LL6_DB to ")) << message;
   EXPECT_TRUE(Contains(message, "SetMillimetresPerUnit()")) << message;
+}
+
+TEST(LandmarkProjectionFilter, MiddlesOfPointsThatWereFoundKnowTheirPlacesOnTheScan)
+{
+  const auto result = MakeResult();
+  const auto filter = ProjectCounterparts(result, MakeCounterparts({ "UR1_tip", "UL1_tip" }));
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfLandmarks(), 0u) << "they are no landmarks of the scan";
+  EXPECT_FALSE(filter->HasExpectedError(JawEnum::Upper));
+  ASSERT_EQ(filter->GetMiddles().size(), 1u) << "a point of one side is no middle";
+  const auto & middle = filter->GetMiddles().front();
+  EXPECT_EQ(middle.name, "U1_mesial");
+  EXPECT_EQ(middle.jaw, JawEnum::Upper);
+  EXPECT_EQ(middle.source, "tooth labels");
+  const auto both = Project(result)->GetMiddles();
+  ASSERT_EQ(both.size(), 1u);
+  EXPECT_EQ(both.front().source, "landmarks_3d");
+  vnl_matrix<double> expected = ExpectedCovariance(result, 0, { { 21.0, -11.0, 4.5 } });
+  expected(0, 0) += ToSquarePixels(result, 2.0, 0);
+  expected(1, 1) += ToSquarePixels(result, 0.5, 1);
+  ExpectNear(middle.covariance, expected, "two");
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    EXPECT_NEAR(middle.point[d], both.front().point[d], 1e-9);
+  }
+}
+
+TEST(LandmarkProjectionFilter, AMiddleOfOneSideMayBeElsewhere)
+{
+  using SetType = itk::LandmarkCounterpartSet;
+  const auto result = MakeResult();
+  for (const auto rule : { SetType::RuleEnum::Foremost, SetType::RuleEnum::Middle })
+  {
+    const auto filter = ProjectCounterparts(result, MakeCounterparts({ "UR1_tip" }, rule));
+    ASSERT_EQ(filter->GetMiddles().size(), 1u);
+    const auto & middle = filter->GetMiddles().front();
+    EXPECT_EQ(middle.source, "tooth labels, one side");
+    // Of posterior teeth the counterpart's own errors know it.
+    const bool   wider = rule == SetType::RuleEnum::Foremost;
+    const double along = wider ? std::hypot(2.0, SetType::OneSideSigmaAlong) : 2.0;
+    const double across = wider ? std::hypot(0.5, SetType::OneSideSigmaAcross) : 0.5;
+    auto         expected = ExpectedCovariance(result, 0, Points.at("UR1_tip"));
+    expected(0, 0) += ToSquarePixels(result, along, 0);
+    expected(1, 1) += ToSquarePixels(result, across, 1);
+    ExpectNear(middle.covariance, expected, "one");
+  }
+}
+
+TEST(LandmarkProjectionFilter, WhereThePointWasMarkedTheErrorOfItsPlaceIsInThePoseAlready)
+{
+  auto result = MakeResult();
+  // A mark that alone says where the point's image is: the pose has followed it, with the error of the point's place on
+  // the scan, so that what is left is the mark's error. S = R, and S + C - 2 S C / R = R - C.
+  const auto             pose = ExpectedCovariance(result, 0, { { 21.0, -11.0, 4.5 } });
+  itk::PoseLandmarkFit   mark;
+  constexpr unsigned int dimension = 2;
+  mark.name = "U1_mesial";
+  double place[dimension] = { ToSquarePixels(result, 2.0, 0), ToSquarePixels(result, 0.5, 1) };
+  for (unsigned int d = 0; d < dimension; ++d)
+  {
+    // The covariance that the test's pose has anyway is taken for the residual's.
+    ASSERT_GT(pose(d, d), 0.0);
+    mark.sigma[d] = std::sqrt(pose(d, d) + 2.0 * place[d]);
+  }
+  result.jaws[0].landmarks = { mark };
+  const auto filter = ProjectCounterparts(result, MakeCounterparts({ "UR1_tip", "UL1_tip" }));
+  ASSERT_EQ(filter->GetMiddles().size(), 1u);
+  const auto & covariance = filter->GetMiddles().front().covariance;
+  for (unsigned int d = 0; d < dimension; ++d)
+  {
+    const double residual = mark.sigma[d] * mark.sigma[d];
+    EXPECT_NEAR(
+      covariance(d, d), pose(d, d) + place[d] - 2.0 * pose(d, d) * place[d] / residual, 1e-5 * (pose(d, d) + place[d]));
+    EXPECT_LT(covariance(d, d), pose(d, d) + place[d]);
+  }
+  EXPECT_NEAR(covariance(0, 1),
+              pose(0, 1) *
+                (1.0 - place[0] / (mark.sigma[0] * mark.sigma[0]) - place[1] / (mark.sigma[1] * mark.sigma[1])),
+              1e-5 * std::sqrt(pose(0, 0) * pose(1, 1)));
+  EXPECT_DOUBLE_EQ(covariance(0, 1), covariance(1, 0));
+  // What the kernel has let go tells nothing.
+  result.jaws[0].landmarks[0].weight = 0.0;
+  const auto apart = ProjectCounterparts(result, MakeCounterparts({ "UR1_tip", "UL1_tip" }));
+  for (unsigned int d = 0; d < dimension; ++d)
+  {
+    EXPECT_NEAR(apart->GetMiddles().front().covariance(d, d), pose(d, d) + place[d], 1e-5 * (pose(d, d) + place[d]));
+  }
+  // A pose that is known worse than its own mark leaves it: never below the better of place and mark.
+  result.jaws[0].landmarks[0].weight = 1.0;
+  result.jaws[0].landmarks[0].sigma = { { 1.01 * std::sqrt(place[0]), 1.01 * std::sqrt(place[1]) } };
+  const auto better = ProjectCounterparts(result, MakeCounterparts({ "UR1_tip", "UL1_tip" }));
+  for (unsigned int d = 0; d < dimension; ++d)
+  {
+    EXPECT_GE(better->GetMiddles().front().covariance(d, d), (1.01 * 1.01 - 1.0) * place[d] * (1.0 - 1e-9));
+  }
+}
+
+TEST(LandmarkProjectionFilter, LandmarksGoBeforePointsThatWereFound)
+{
+  auto                                         set = itk::LandmarkCounterpartSet::New();
+  itk::LandmarkCounterpartSet::CounterpartType counterpart;
+  counterpart.name = "U1_tip";
+  counterpart.jaw = JawEnum::Upper;
+  counterpart.sigmaAlong = counterpart.sigmaAcross = 3.0;
+  counterpart.source = "its place along the arch";
+  counterpart.points.resize(1);
+  set->Add(counterpart);
+  auto filter = Project(MakeResult());
+  filter->SetCounterparts(set);
+  filter->Update();
+  ASSERT_EQ(filter->GetMiddles().size(), 1u);
+  EXPECT_EQ(filter->GetMiddles().front().source, "landmarks_3d");
+}
+
+TEST(LandmarkProjectionFilter, ThereMustBeSomethingToProject)
+{
+  auto filter = FilterType::New();
+  filter->SetSolution(MakeSolution(MakeResult()));
+  EXPECT_TRUE(Contains(MessageOfCall([&] { filter->Update(); }), "SetCounterparts()"));
 }

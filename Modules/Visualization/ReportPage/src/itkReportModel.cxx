@@ -346,22 +346,35 @@ MakeLandmarks(const std::string & name, const Json & jaw, double millimetres)
                      { "error", Figure(errors, key, 2) },
                      { "error_mm", millimetres > 0.0 ? Figure(errors, key, 2, millimetres) : std::string() } });
   }
+  // Errors of middles have the names of both sides: "UR6_MB+UL6_MB".
+  const auto nameOfError = [](const std::string & middle) {
+    return middle.substr(0, 1) + 'R' + middle.substr(1) + '+' + middle.substr(0, 1) + 'L' + middle.substr(1);
+  };
   for (const auto & middle : JsonMember(jaw, "middles").items())
   {
-    const Json & place = middle.value().at("position");
-    list.push_back({ { "jaw", JawTitle(name) },
-                     { "name", middle.key() + " (middle of both sides)" },
-                     { "u", FormatForPage(place.at(0).get<double>(), 1) },
-                     { "v", FormatForPage(place.at(1).get<double>(), 1) },
-                     { "sigma", Figure(middle.value(), "sigma_px", 2) },
-                     { "sigma_mm", Figure(middle.value(), "sigma_px", 2, millimetres) },
-                     { "error", "" },
-                     { "error_mm", "" } });
+    const Json &      place = middle.value().at("position");
+    const std::string foundBy = middle.value().value("found_by", "");
+    list.push_back(
+      { { "jaw", JawTitle(name) },
+        { "name",
+          middle.key() + " (middle of both sides" +
+            (foundBy.empty() || foundBy == "landmarks_3d" ? "" : ", found by " + foundBy) + ")" },
+        { "u", FormatForPage(place.at(0).get<double>(), 1) },
+        { "v", FormatForPage(place.at(1).get<double>(), 1) },
+        { "sigma", Figure(middle.value(), "sigma_px", 2) },
+        { "sigma_mm", Figure(middle.value(), "sigma_px", 2, millimetres) },
+        { "error", Figure(errors, nameOfError(middle.key()), 2) },
+        { "error_mm",
+          millimetres > 0.0 ? Figure(errors, nameOfError(middle.key()), 2, millimetres) : std::string() } });
   }
   for (const auto & error : errors.items())
   {
-    // Of the middle of two sides: a row of its own.
-    if (!JsonMember(jaw, "landmarks_px").contains(error.key()))
+    // Of the middle of two sides that has none yet: a row of its own.
+    const Json & middles = JsonMember(jaw, "middles");
+    const bool   isMiddle = std::any_of(middles.items().begin(), middles.items().end(), [&](const auto & middle) {
+      return nameOfError(middle.key()) == error.key();
+    });
+    if (!isMiddle && !JsonMember(jaw, "landmarks_px").contains(error.key()))
     {
       list.push_back({ { "jaw", JawTitle(name) },
                        { "name", error.key() },
