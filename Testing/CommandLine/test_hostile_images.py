@@ -125,7 +125,7 @@ def read(program, is_sanitized):
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_a_hostile_image_is_an_error(read, case, tmp_path, name):
+def test_a_hostile_image_is_an_error(read, is_sanitized, case, tmp_path, name):
     file_name, make = HOSTILE[name]
     image = case.folder / file_name
     image.write_bytes(make())
@@ -137,7 +137,9 @@ def test_a_hostile_image_is_an_error(read, case, tmp_path, name):
         done = read(*arguments)
         # What a decoder makes a picture of all the same is a picture, of the wrong size for this case and without a label.
         assert done.returncode == 2, (done.returncode, done.stderr)
-        assert file_name in done.stderr or "the image is 8 x 8" in done.stderr, done.stderr
+        # A decoder that writes behind its buffer ends by it; not in the sanitizer's heap, where nothing stands behind a buffer.
+        pictures = ("the image is 8 x 8", "the image is 64 x 64") if is_sanitized else ("the image is 8 x 8",)
+        assert file_name in done.stderr or any(picture in done.stderr for picture in pictures), done.stderr
 
 
 def test_scans_of_a_jpeg_are_counted(read, tmp_path, case):
