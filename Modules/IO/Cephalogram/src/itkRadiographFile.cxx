@@ -165,9 +165,13 @@ RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette
     std::string bytes = ReadRadiographBytes(fileName);
     m_Format = DetectRadiographFileFormat(fileName, bytes);
     VerifyRadiographFileIsComplete(fileName, bytes, m_Format, CephalogramFileReader::MaximumNumberOfPixels);
-    if (m_Format == Format::PNG && palette == PaletteEnum::Numbers)
+    if (m_Format == Format::JPEG || m_Format == Format::PNG)
     {
-      DropPaletteTransparency(bytes);
+      m_Orientation = ReadExifOrientation(bytes);
+    }
+    if (m_Format == Format::PNG)
+    {
+      KeepChunksOfPixels(bytes, palette == PaletteEnum::Colours);
     }
     if (bytes.size() > MemoryFile::GetLargestSize())
     {
@@ -202,17 +206,20 @@ RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
   {
     m_TextHeader = GetRadiographTextHeader(bytes);
   }
-  if (m_Format == Format::JPEG || m_Format == Format::PNG)
-  {
-    m_Orientation = ReadExifOrientation(bytes);
-  }
-  else if (m_Format == Format::TIFF)
+  if (m_Format == Format::TIFF)
   {
     m_TIFF = LoadTIFFReader().readLayout(m_Memory.GetName());
     m_Orientation = m_TIFF ? m_TIFF->orientation : 1;
   }
   if (m_TIFF && m_TIFF->HasNumbers() && (m_TIFF->isGrey || palette == PaletteEnum::Numbers))
   {
+    if (!m_TIFF->isCodedAsUsual)
+    {
+      itkDentalInputErrorMacro(m_FileName,
+                               "",
+                               "is a TIFF compressed in an unusual way, which is not read",
+                               "save it with LZW, or uncompressed");
+    }
     m_StoredSize = { { m_TIFF->width, m_TIFF->height } };
     m_Frames = m_TIFF->pages;
     m_Components = m_TIFF->samples;

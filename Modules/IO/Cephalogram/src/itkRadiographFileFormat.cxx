@@ -620,26 +620,44 @@ DetectRadiographFileFormat(const std::string & fileName, std::string_view bytes)
 }
 
 void
-DropPaletteTransparency(std::string & bytes)
+KeepChunksOfPixels(std::string & bytes, bool hasTransparency)
 {
   // The header, whose chunk is the first, has the kind of colours in its tenth byte.
   constexpr std::size_t kind = 8 + 8 + 9;
-  if (bytes.size() <= kind || bytes[kind] != 3)
+  std::size_t           kept = std::min<std::size_t>(bytes.size(), 8);
+  std::size_t           colours = 0;
+  for (std::size_t position = kept; position + 12 <= bytes.size();)
   {
-    return;
-  }
-  for (std::size_t position = 8; position + 12 <= bytes.size();)
-  {
-    const std::size_t length = std::size_t{ BigEndian32(Bytes(bytes), position) } + 12;
-    if (bytes.compare(position + 4, 4, "tRNS") == 0)
+    const std::size_t      count = BigEndian32(Bytes(bytes), position);
+    const std::size_t      length = std::min(count + 12, bytes.size() - position);
+    const std::string_view type = std::string_view(bytes).substr(position + 4, 4);
+    bool                   isKept = type == "IHDR" || type == "PLTE" || type == "IDAT" || type == "IEND";
+    if (type == "PLTE")
     {
-      bytes.erase(position, length);
+      colours = count / 3;
     }
-    else
+    else if (type == "pHYs")
     {
-      position += length;
+      isKept = count == 9;
     }
+    else if (type == "tRNS" && hasTransparency)
+    {
+      isKept = bytes[kind] == 0   ? count == 2
+               : bytes[kind] == 2 ? count == 6
+                                  : bytes[kind] == 3 && count > 0 && count <= colours;
+      hasTransparency = !isKept;
+    }
+    if (isKept)
+    {
+      // In place and forward, so that any number of chunks is one walk.
+      std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(position),
+                  length,
+                  bytes.begin() + static_cast<std::ptrdiff_t>(kept));
+      kept += length;
+    }
+    position += length;
   }
+  bytes.resize(kept);
 }
 
 void

@@ -66,10 +66,11 @@ VerifyRadiographFileIsComplete(const std::string &      fileName,
                                RadiographFileFormatEnum format,
                                std::size_t              maximumNumberOfPixels);
 
-/** Takes the entries of a palette that are transparent out of a whole PNG: ITK's reader makes colours of a palette that
- * has such, though its numbers were asked for. Programs of labels write their background so. */
+/** Leaves of a whole PNG what its pixels are made of: libpng prints the names of what else there is as they are, and
+ * unpacks megabytes of it a chunk. Without its transparency, too, where that is not wanted: ITK's reader makes colours
+ * of a palette that has such, though its numbers were asked for. Programs of labels write their background so. */
 void
-DropPaletteTransparency(std::string & bytes);
+KeepChunksOfPixels(std::string & bytes, bool hasTransparency);
 
 /** The header of a NRRD or MetaImage, a line "key: value" or "key = value" each, in lower case, at most 64 KiB. */
 std::string
