@@ -92,8 +92,13 @@ elif [ "${1:-}" = readers ] || [ "${1:-}" = libraries ]; then
       archive cephalometric contours image labelmap landmarks2d landmarks3d mask scan session || status=1
   else
     # With a path of libraries: the sanitizer's dlopen() knows nothing of the run path of who has called it.
-    LD_LIBRARY_PATH="$sanitized_build/lib" /usr/bin/python3 -m pytest -q -p no:cacheprovider Testing/CommandLine \
-      --build-dir "$sanitized_build" || status=1
+    # Of pictures in space without leaks: the program, which has the sanitizer in it, lets the driver of OpenGL go (stay.so is
+    # of the drivers alone, which look for leaks of these libraries), and VTK leaks what it can't write.
+    export LD_LIBRARY_PATH="$sanitized_build/lib"
+    commands=(/usr/bin/python3 -m pytest -q -p no:cacheprovider --build-dir "$sanitized_build")
+    "${commands[@]}" Testing/CommandLine --ignore Testing/CommandLine/test_view.py || status=1
+    ASAN_OPTIONS="$ASAN_OPTIONS:detect_leaks=0" "${commands[@]}" Testing/CommandLine/test_view.py || status=1
+    unset LD_LIBRARY_PATH
     FUZZ_RUNNER=sanitized Utilities/fuzz.sh 5 build/test || status=1
   fi
 else
