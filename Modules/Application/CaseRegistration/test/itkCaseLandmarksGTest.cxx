@@ -132,10 +132,12 @@ struct CoverageType
       for (const auto & middle : result.jaws.at(jaw).middles)
       {
         EXPECT_EQ(middle.source, source);
-        const auto   right = phantom.marked->Find(name + "R" + middle.name.substr(1))->point;
-        const auto   left = phantom.marked->Find(name + "L" + middle.name.substr(1))->point;
-        const double error =
-          std::hypot(middle.position[0] - 0.5 * (right[0] + left[0]), middle.position[1] - 0.5 * (right[1] + left[1]));
+        const auto * right = phantom.marked->Find(name + "R" + middle.name.substr(1));
+        const auto * left = phantom.marked->Find(name + "L" + middle.name.substr(1));
+        ASSERT_NE(right, nullptr);
+        ASSERT_NE(left, nullptr);
+        const double error = std::hypot(middle.position[0] - 0.5 * (right->point[0] + left->point[0]),
+                                        middle.position[1] - 0.5 * (right->point[1] + left->point[1]));
         covered += error < 2.448 * middle.sigma ? 1 : 0;
         sum += error;
         ++middles;
@@ -175,8 +177,10 @@ TEST(CaseLandmarks, ATracingOfCrownsTellsMiddlesOfAScanWithoutLandmarks)
   CoverageType byLabels;
   for (std::uint64_t seed = 3; seed < 9; ++seed)
   {
-    PhantomCase phantom(seed);
-    EXPECT_TRUE(Register(phantom).jaws.at(JawEnum::Upper).middles.empty()) << "one side was drawn, and both are known";
+    // Marks of both sides are there where both were traced.
+    PhantomCase phantom(seed, PhantomCase::SideEnum::Both);
+    phantom.data->description.tracedSide = itk::TracedSideEnum::Both;
+    EXPECT_TRUE(Register(phantom).jaws.at(JawEnum::Upper).middles.empty()) << "no middle was drawn";
     phantom.data->landmarks3D = nullptr;
     LabelTeeth(phantom);
     const auto result = Register(phantom);

@@ -283,7 +283,9 @@ LandmarkProjectionFilter::CollectSigmas(JawEnum jaw) const
   {
     for (const MiddleType & middle : m_Middles)
     {
-      if (middle.jaw == jaw)
+      // How far off the jaw is, and not how far off the places of points are that were found on its scan.
+      const std::string right = middle.name.substr(0, 1) + "R" + middle.name.substr(1);
+      if (middle.jaw == jaw && m_MiddleCovariances.count(right) != 0)
       {
         sigmas.push_back(ToSigma(middle.covariance));
       }

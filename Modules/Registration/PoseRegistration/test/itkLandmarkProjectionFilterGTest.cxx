@@ -323,7 +323,9 @@ TEST(LandmarkProjectionFilter, MiddlesOfPointsThatWereFoundKnowTheirPlacesOnTheS
   const auto result = MakeResult();
   const auto filter = ProjectCounterparts(result, MakeCounterparts({ "UR1_tip", "UL1_tip" }));
   EXPECT_EQ(filter->GetOutput()->GetNumberOfLandmarks(), 0u) << "they are no landmarks of the scan";
-  EXPECT_FALSE(filter->HasExpectedError(JawEnum::Upper));
+  filter->BisectedOn();
+  filter->Update();
+  EXPECT_FALSE(filter->HasExpectedError(JawEnum::Upper)) << "that of a jaw knows nothing of places on the scan";
   ASSERT_EQ(filter->GetMiddles().size(), 1u) << "a point of one side is no middle";
   const auto & middle = filter->GetMiddles().front();
   EXPECT_EQ(middle.name, "U1_mesial");
