@@ -1,6 +1,7 @@
 """What the tests of many registrations and those of faults share."""
 import os
 import pathlib
+import shlex
 import shutil
 import subprocess
 
@@ -20,6 +21,19 @@ def runs(program, shared_folder, tmp_path_factory):
 def is_sanitized(build_dir):
     """Whether the program keeps its books in terabytes of addresses, and its memory several times."""
     return "-fsanitize" in (build_dir / "CMakeCache.txt").read_text()
+
+
+@pytest.fixture(scope="session")
+def program_of_slicer(program, is_sanitized, tmp_path_factory):
+    """The program as the modules of Slicer run it: without LD_LIBRARY_PATH, which is of Slicer's libraries."""
+    if not is_sanitized:
+        return program
+    # A sanitizer's dlopen() looks there alone for the libraries that the program loads when it needs them.
+    wrapper = tmp_path_factory.mktemp("slicer") / "dentalscr"
+    path = shlex.quote(os.environ["LD_LIBRARY_PATH"])
+    wrapper.write_text(f'#!/bin/sh\nLD_LIBRARY_PATH={path} exec {shlex.quote(str(program))} "$@"\n')
+    wrapper.chmod(0o755)
+    return wrapper
 
 
 @pytest.fixture(scope="session")
