@@ -928,6 +928,42 @@ TEST(RegistrationVerdict, ASpacingNearOneMillimetreIsAskedForMillimetres)
   EXPECT_TRUE(Contains(textAt(MakeResultOfLandmarks(), std::exp(0.101)), "on a copy of the radiograph"));
 }
 
+TEST(RegistrationVerdict, APitchThatTheMarksDoNotTellIsNotJudged)
+{
+  const Thresholds limits;
+  for (const double pitch : { limits.failedPitch + 0.01, -limits.failedPitch - 0.01, limits.suspectPitch + 0.01 })
+  {
+    auto result = MakeResultOfLandmarks();
+    result.groups[0].parameters[itk::PosePitch] = pitch;
+    const bool isFailed = std::abs(pitch) > limits.failedPitch;
+    EXPECT_EQ(NamesOf(Verdict::Evaluate(result).at(0)),
+              isFailed ? (Named{ { "upside-down", Failed } }) : (Named{ { "search-limit", Suspect } }));
+    // Incisors or molars alone, which turn about any axis without contradiction.
+    for (const char * kept : { "1_tip", "6_MB" })
+    {
+      auto some = result;
+      for (auto & jaw : some.jaws)
+      {
+        auto & marks = jaw.landmarks;
+        marks.erase(std::remove_if(marks.begin(),
+                                   marks.end(),
+                                   [&](const auto & mark) { return mark.name.find(kept) == std::string::npos; }),
+                    marks.end());
+      }
+      EXPECT_TRUE(NamesOf(Verdict::Evaluate(some).at(0)).empty()) << kept;
+      // A tracing beside them tells it.
+      some.jaws[0].fit = MakeGoodResult(2).jaws[0].fit;
+      const auto names = NamesOf(Verdict::Evaluate(some).at(0));
+      EXPECT_EQ(
+        std::count_if(names.begin(),
+                      names.end(),
+                      [&](const auto & name) { return name.first == (isFailed ? "upside-down" : "search-limit"); }),
+        1)
+        << kept;
+    }
+  }
+}
+
 TEST(RegistrationVerdict, LandmarksAloneAreJudgedByTheMiddlesThatTheyDetermine)
 {
   const Thresholds limits;
