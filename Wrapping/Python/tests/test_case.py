@@ -180,7 +180,10 @@ def test_landmarks_to_register_with_from_memory_and_from_a_file(ds, sample, tmp_
     assert np.array_equal(taken["U1_tip"]["position"], [570.0, 643.0]) and "sigma_px" not in taken["U1_tip"]
     assert taken["Ms"]["sigma_px"] == 2.0 and taken["Ms"]["confidence"] == 0.5
     # Names of an analysis are its own convention, unless something else is said.
-    assert memory.tracedSide == "standard" and "traced_side" in memory.warnings[0]
+    assert memory.tracedSide == "standard" and memory.warnings == []
+    # Beside names without sides, those with sides are taken for the middle: that is said.
+    mixed = make({"U1_tip": (570, 643), "UR6_MB": (464, 613)})
+    assert mixed.tracedSide == "standard" and "traced_side" in mixed.warnings[0]
     assert make({"U1_tip": (570, 643)}, tracedSide="right").tracedSide == "right"
     assert make({"U1_tip": (570, 643)}, tracedSide="standard").warnings == []
     file = make(tmp_path / "aariz.json")
