@@ -22,8 +22,10 @@
 
 #include "itkImage.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace itk
 {
@@ -37,6 +39,20 @@ namespace itk
  * \ingroup Cephalogram */
 Cephalogram_EXPORT Image<std::uint16_t, 2>::Pointer
                    ReadLabelImage(const std::string & fileName);
+
+/** Weights of the points of a tooth's outline in a label map of FDI numbers: 0 where it runs along a tooth of the other
+ * jaw. A pixel has one label, so that where the jaws overlap, as front teeth do in a bite, one of both teeth ends where
+ * the other one begins and not where it ends; nothing says which. Empty where there is no such point.
+ *
+ * \param labels The label map.
+ * \param points Of one outline, continuous pixel index.
+ * \param isUpper Whether the tooth is of the upper jaw.
+ *
+ * \ingroup Cephalogram */
+Cephalogram_EXPORT std::vector<double>
+                   ComputeLabelBorderWeights(const Image<std::uint16_t, 2> *            labels,
+                                             const std::vector<std::array<double, 2>> & points,
+                                             bool                                       isUpper);
 
 /** A picture of two tones, a mask or drawn lines, as 1 where something is drawn and 0 elsewhere. The rarer tone is what
  * is drawn, so that white on black and black on white are read alike; colours count by their luminance. Throws as
