@@ -157,39 +157,28 @@ LandmarkProjectionFilter::AddMiddle(const LandmarkCounterpartSet::CounterpartTyp
   {
     middle.covariance(d, d) += own[d] * own[d];
   }
-  // Where this very point was marked, the pose has followed the mark and with it the error of the point's place on the
-  // scan: prediction and mark then lie together however far off the place is. With the pose's covariance S at the
-  // point, that of the place C and that of the mark's residual R (all of the image), pose and place covary by S R^-1 C.
+  // Where this very point was marked, the mark tells of its place as well: of the residual r, with covariance R, the
+  // place's error C takes the share A = C / R, and what is left of it is (1 - A) C, beside the share 1 - A of the
+  // pose's. What the mark says that the place is off is in the second moment about it. A mark that the kernel has let
+  // go by 1 - w tells nothing by as much.
   const auto & used = solution->GetJaw(counterpart.jaw).landmarks;
   const auto   mark = std::find_if(
     used.begin(), used.end(), [&](const PoseLandmarkFit & landmark) { return landmark.name == counterpart.name; });
   if (mark != used.end() && mark->sigma[0] > 0.0 && mark->sigma[1] > 0.0)
   {
-    CovarianceType gain;
+    double share[2];
     for (unsigned int d = 0; d < 2; ++d)
     {
-      for (unsigned int k = 0; k < 2; ++k)
-      {
-        gain(d, k) = ofPose(d, k) * mark->weight * own[k] * own[k] / (mark->sigma[k] * mark->sigma[k]);
-      }
+      share[d] = std::min(1.0, own[d] * own[d] / (mark->sigma[d] * mark->sigma[d]));
     }
     for (unsigned int d = 0; d < 2; ++d)
     {
       for (unsigned int k = 0; k < 2; ++k)
       {
-        middle.covariance(d, k) -= gain(d, k) + gain(k, d);
-      }
-    }
-    // The better of place and mark is the best that both together can be; a covariance that is larger than the mark
-    // alone would leave it, for example by the bite of a jaw that another one placed, must not go below.
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      const double place2 = own[d] * own[d];
-      const double least = std::min(place2, std::max(0.0, mark->sigma[d] * mark->sigma[d] - place2));
-      if (middle.covariance(d, d) < least)
-      {
-        middle.covariance(d, d) = least;
-        middle.covariance(0, 1) = middle.covariance(1, 0) = 0.0;
+        const double told = (1.0 - share[d]) * ofPose(d, k) * (1.0 - share[k]) +
+                            (d == k ? (1.0 - share[d]) * own[d] * own[d] : 0.0) +
+                            share[d] * mark->residual[d] * share[k] * mark->residual[k];
+        middle.covariance(d, k) += mark->weight * (told - middle.covariance(d, k));
       }
     }
   }

@@ -365,52 +365,57 @@ TEST(LandmarkProjectionFilter, AMiddleOfOneSideMayBeElsewhere)
   }
 }
 
-TEST(LandmarkProjectionFilter, WhereThePointWasMarkedTheErrorOfItsPlaceIsInThePoseAlready)
+TEST(LandmarkProjectionFilter, AMarkOfThePointTellsOfItsPlaceAsWell)
 {
-  auto result = MakeResult();
-  // A mark that alone says where the point's image is: the pose has followed it, with the error of the point's place on
-  // the scan, so that what is left is the mark's error. S = R, and S + C - 2 S C / R = R - C.
-  const auto             pose = ExpectedCovariance(result, 0, { { 21.0, -11.0, 4.5 } });
-  itk::PoseLandmarkFit   mark;
-  constexpr unsigned int dimension = 2;
+  auto           result = MakeResult();
+  const auto     pose = ExpectedCovariance(result, 0, { { 21.0, -11.0, 4.5 } });
+  const double   place[2] = { ToSquarePixels(result, 2.0, 0), ToSquarePixels(result, 0.5, 1) };
+  constexpr auto near = 1e-5;
+
+  itk::PoseLandmarkFit mark;
   mark.name = "U1_mesial";
-  double place[dimension] = { ToSquarePixels(result, 2.0, 0), ToSquarePixels(result, 0.5, 1) };
-  for (unsigned int d = 0; d < dimension; ++d)
+  // Of the residual's variance the place has two thirds along and a third across.
+  const double share[2] = { 2.0 / 3.0, 1.0 / 3.0 };
+  mark.sigma = { { std::sqrt(place[0] / share[0]), std::sqrt(place[1] / share[1]) } };
+  const auto covarianceOf = [&](const itk::PoseLandmarkFit & landmark) {
+    result.jaws[0].landmarks = { landmark };
+    const auto middles = ProjectCounterparts(result, MakeCounterparts({ "UR1_tip", "UL1_tip" }))->GetMiddles();
+    EXPECT_EQ(middles.size(), 1u);
+    return middles.front().covariance;
+  };
+  // The mark lies where the place is: it bears it out.
+  vnl_matrix<double> told(2, 2);
+  for (unsigned int d = 0; d < 2; ++d)
   {
-    // The covariance that the test's pose has anyway is taken for the residual's.
-    ASSERT_GT(pose(d, d), 0.0);
-    mark.sigma[d] = std::sqrt(pose(d, d) + 2.0 * place[d]);
+    for (unsigned int k = 0; k < 2; ++k)
+    {
+      told(d, k) = (1.0 - share[d]) * (1.0 - share[k]) * pose(d, k) + (d == k ? (1.0 - share[d]) * place[d] : 0.0);
+    }
   }
-  result.jaws[0].landmarks = { mark };
-  const auto filter = ProjectCounterparts(result, MakeCounterparts({ "UR1_tip", "UL1_tip" }));
-  ASSERT_EQ(filter->GetMiddles().size(), 1u);
-  const auto & covariance = filter->GetMiddles().front().covariance;
-  for (unsigned int d = 0; d < dimension; ++d)
+  ExpectNear(covarianceOf(mark), told, "on it");
+  // Beside it, it says that the place is off by its share of that.
+  mark.residual = { { 12.0, -3.0 } };
+  const double off[2] = { share[0] * 12.0, share[1] * -3.0 };
+  auto         beside = told;
+  for (unsigned int d = 0; d < 2; ++d)
   {
-    const double residual = mark.sigma[d] * mark.sigma[d];
-    EXPECT_NEAR(
-      covariance(d, d), pose(d, d) + place[d] - 2.0 * pose(d, d) * place[d] / residual, 1e-5 * (pose(d, d) + place[d]));
-    EXPECT_LT(covariance(d, d), pose(d, d) + place[d]);
+    for (unsigned int k = 0; k < 2; ++k)
+    {
+      beside(d, k) += off[d] * off[k];
+    }
   }
-  EXPECT_NEAR(covariance(0, 1),
-              pose(0, 1) *
-                (1.0 - place[0] / (mark.sigma[0] * mark.sigma[0]) - place[1] / (mark.sigma[1] * mark.sigma[1])),
-              1e-5 * std::sqrt(pose(0, 0) * pose(1, 1)));
-  EXPECT_DOUBLE_EQ(covariance(0, 1), covariance(1, 0));
-  // What the kernel has let go tells nothing.
-  result.jaws[0].landmarks[0].weight = 0.0;
-  const auto apart = ProjectCounterparts(result, MakeCounterparts({ "UR1_tip", "UL1_tip" }));
-  for (unsigned int d = 0; d < dimension; ++d)
+  ExpectNear(covarianceOf(mark), beside, "beside it");
+  // What the kernel has let go tells nothing, and by half half of it.
+  auto unmarked = pose;
+  unmarked(0, 0) += place[0];
+  unmarked(1, 1) += place[1];
+  mark.weight = 0.0;
+  ExpectNear(covarianceOf(mark), unmarked, "let go");
+  mark.weight = 0.5;
+  const auto half = covarianceOf(mark);
+  for (unsigned int d = 0; d < 2; ++d)
   {
-    EXPECT_NEAR(apart->GetMiddles().front().covariance(d, d), pose(d, d) + place[d], 1e-5 * (pose(d, d) + place[d]));
-  }
-  // A pose that is known worse than its own mark leaves it: never below the better of place and mark.
-  result.jaws[0].landmarks[0].weight = 1.0;
-  result.jaws[0].landmarks[0].sigma = { { 1.01 * std::sqrt(place[0]), 1.01 * std::sqrt(place[1]) } };
-  const auto better = ProjectCounterparts(result, MakeCounterparts({ "UR1_tip", "UL1_tip" }));
-  for (unsigned int d = 0; d < dimension; ++d)
-  {
-    EXPECT_GE(better->GetMiddles().front().covariance(d, d), (1.01 * 1.01 - 1.0) * place[d] * (1.0 - 1e-9));
+    EXPECT_NEAR(half(d, d), 0.5 * (unmarked(d, d) + beside(d, d)), near * half(d, d));
   }
 }
 
