@@ -148,8 +148,11 @@ def test_millimetres_said_to_be_inches_fail_with_a_word(run, case, tmp_path):
     assert done.returncode == 1, done.stderr
     for jaw in load(tmp_path / "out")["jaws"].values():
         assert jaw["status"] == "failed"
-        (width,) = [finding for finding in jaw["findings"] if finding["code"] == "arch-width"]
-        assert '"mesh_unit": "mm" would fit' in width["text"]
+        # Before what comes of it: no arch is recognised in a scan of three metres.
+        width = jaw["findings"][0]
+        assert width["code"] == "arch-width" and '"mesh_unit": "mm" would fit' in width["text"], jaw["findings"]
+        assert width["text"] == jaw["reasons"][0]
+    assert done.stderr.index("would fit") < done.stderr.index("no recognisable dental arch")
 
 
 def test_a_speck_far_away_is_not_the_scan(run, case, plain, tmp_path):
@@ -816,6 +819,54 @@ def test_going_on_says_what_it_misses(run, case, plain, tmp_path):
         "register", case.folder / "moved.json", "--from", tmp_path / "first", "--output", tmp_path / "again", "--no-report"
     )
     assert done.returncode == 0, done.stderr
+
+
+def test_a_case_of_options_is_gone_on_from_without_them(run, case, tmp_path):
+    """result.json holds what they said; the case's files are where they were, or the one that is not is named."""
+    options = options_of(case.load(), case.folder)
+    done = run("register", *options, "--exclude", "UR8", "--output", tmp_path / "first", "--no-report")
+    assert done.returncode == 0, done.stderr
+    first = load(tmp_path / "first")
+    assert "case" not in first["inputs"] and not any(str(case.folder) in str(value) for value in first["case_fields"].values())
+    for name, start in (("second", "first"), ("third", "second")):
+        done = run("register", "--from", tmp_path / start, "--exclude", "UR6", "--output", tmp_path / name, "--no-report")
+        assert done.returncode == 0 and "has changed" not in done.stderr, done.stderr
+        made = load(tmp_path / name)
+        assert made["case_fields"] == first["case_fields"] and made["inputs"] == first["inputs"]
+        assert made["control"] == {"exclude": ["UR6"], "init": True}
+        assert made["geometry"] == first["geometry"] and made["traced_side"] == first["traced_side"]
+    # As with all that the options said, given again.
+    done = run(
+        "register", *options, "--from", tmp_path / "first", "--exclude", "UR6", "--output", tmp_path / "given", "--no-report"
+    )
+    assert done.returncode == 0, done.stderr
+    assert max(moved(load(tmp_path / "given"), load(tmp_path / "second"))) == 0.0
+    assert max(moved(first, load(tmp_path / "second"))) > 0.01
+    # A tracing may be corrected: it is used as it is now, and that is said.
+    case.change("contours.json", corrected=True)
+    done = run("register", "--from", tmp_path / "first", "--output", tmp_path / "corrected", "--no-report")
+    assert done.returncode == 0, done.stderr
+    (said,) = [line for line in load(tmp_path / "corrected")["warnings"] if "has changed since" in line]
+    assert said.startswith("contours: ") and "contours.json" in said and said in done.stderr
+    (case.folder / "lower.stl").rename(case.folder / "moved.stl")
+    done = run("register", "--from", tmp_path / "first", "--output", tmp_path / "none", "--no-report")
+    assert done.returncode == 2 and "inputs.lower.path" in done.stderr and "lower.stl" in done.stderr
+    assert len(done.stderr.strip().splitlines()) == 1 and not (tmp_path / "none").exists()
+
+
+def test_a_case_of_options_that_cannot_be_made_again_is_said(run, sample, tmp_path):
+    options = options_of(json.loads((sample / "case.json").read_text()), sample)
+    done = run("register", *options, "--anonymous", "--output", tmp_path / "first", "--no-report")
+    assert done.returncode == 0, done.stderr
+    done = run("register", "--from", tmp_path / "first", "--output", tmp_path / "second", "--no-report")
+    assert done.returncode == 2 and "anonymous" in done.stderr, done.stderr
+    done = run("register", *options, "--from", tmp_path / "first", "--output", tmp_path / "second", "--no-report")
+    assert done.returncode == 0, done.stderr
+    # As versions without the field have written them.
+    result = {name: value for name, value in load(tmp_path / "first").items() if name != "case_fields"}
+    (tmp_path / "first" / "result.json").write_text(json.dumps(result))
+    done = run("register", "--from", tmp_path / "first", "--output", tmp_path / "third", "--no-report")
+    assert done.returncode == 2 and "case_fields" in done.stderr, done.stderr
 
 
 @pytest.mark.parametrize(

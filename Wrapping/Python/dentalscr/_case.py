@@ -152,13 +152,13 @@ class Case:
     def _again(self, exclude: Optional[Sequence[str]], fix: Optional[Sequence[str]], start: Tuple[str, str]) -> Case:
         """The same case from another start, and where given with other teeth left out and other things held."""
         kind, words = self._made_of
-        if kind == "file":
+        if kind != "parts":
             words = (
                 list(words[0] if exclude is None else exclude or ["none"]),
                 list(words[1] if fix is None else fix or ["none"]),
                 *start,
             )
-            return Case._of(_core._Case._Read(self._native._GetFileName(), *words), *words)
+            return Case._read(self._get_source(), words)
         case = Case.__new__(Case)
         parts = list(words[0])
         if exclude is not None:
@@ -200,6 +200,19 @@ class Case:
         case._made_of = ("file", words or ([], [], "", ""))
         return case
 
+    @classmethod
+    def _read(cls, source: Tuple[str, str], words: Tuple[Any, ...]) -> "Case":
+        """A case of its file, or of a "result" that options of the program made."""
+        kind, name = source
+        case = cls._of((_core._Case._ReadOfResult if kind == "result" else _core._Case._Read)(name, *words), *words)
+        case._made_of = (kind, words)
+        case._result_file = name if kind == "result" else ""
+        return case
+
+    def _get_source(self) -> Tuple[str, str]:
+        kind = self._made_of[0]
+        return kind, self._result_file if kind == "result" else self._native._GetFileName()
+
     def __copy__(self) -> "Case":
         case = Case.__new__(Case)
         case.__dict__.update(self.__dict__)
@@ -212,15 +225,14 @@ class Case:
         # Files are named and not carried along; what was in them is held against them where they are read again.
         exclude, fix, init, text = words
         init = os.path.abspath(init) if init and not text else init
-        files = [os.path.abspath(self._native._GetFileName()), list(exclude), list(fix), init, text]
+        files = [os.path.abspath(self._get_source()[1]), list(exclude), list(fix), init, text]
         return {"kind": kind, "words": files, "inputs": [hashed for _, hashed in self._native._GetInputs()]}
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
         if state["kind"] == "parts":
             self._make(*state["words"])
             return
-        self._native = _core._Case._Read(*state["words"])
-        self._made_of = ("file", tuple(state["words"][1:]))
+        self.__dict__.update(Case._read((state["kind"], state["words"][0]), tuple(state["words"][1:])).__dict__)
         now = self._native._GetInputs()
         if [hashed for _, hashed in now] != state["inputs"]:
             changed = [name for (name, hashed), then in zip(now, state["inputs"]) if hashed != then]
@@ -579,24 +591,27 @@ def register_from(
             raise ArgumentError("a result that was pickled has no case with it; give case, or the folder of the result")
         control = before.get("control", {})
         excluded, fixed, earlier = control.get("exclude", []), control.get("fix", []), before.get("options", [])
-        landmarks = ""
+        landmarks, source = "", ("", "")
     else:
         found = _core._ReadContinuation(start[0], case is None)
         excluded, fixed, earlier, given = found["exclude"], found["fix"], found["options"], None
         landmarks = found["landmarks"]
-        case = found["case"] if case is None else case
+        source = ("file", found["case"]) if found["case"] else ("result", found["result"])
     # An empty list takes back what the case file says, too, as "none" does on the command line.
     exclude = (list(excluded) or None) if exclude is None else list(exclude)
     fix = (list(fixed) or None) if fix is None else list(fix)
-    if case is None:
-        again = cast(Case, given)._again(exclude, fix, start)
+    if case is None and given is not None:
+        again = given._again(exclude, fix, start)
     elif isinstance(case, Case):
         again = case._again(exclude, fix, start)
     elif isinstance(case, Mapping):
         again = Case(**{**case, "exclude": exclude or [], "fix": fix or [], "init": result})
     else:
         words = ([] if exclude is None else exclude or ["none"], [] if fix is None else fix or ["none"], *start)
-        again = Case._of(_core._Case._Read(as_path(case), *words, landmarks), *words)
+        if case is None and source[0] == "result":
+            again = Case._read(source, words)
+        else:
+            again = Case._of(_core._Case._Read(source[1] if case is None else as_path(case), *words, landmarks), *words)
     merged: Dict[str, Any] = dict(assignment.split("=", 1) for assignment in earlier)
     merged.update(options or {})
     return register(again, output, options=merged, threads=threads, progress=progress, page=page, anonymous=anonymous)

@@ -8173,6 +8173,9 @@ class _Case:
     @staticmethod
     def _Read(fileName: str, exclude: typing.Sequence[str], fix: typing.Sequence[str], init: str, initText: str, landmarks: str = '') -> _Case:
         ...
+    @staticmethod
+    def _ReadOfResult(result: str, exclude: typing.Sequence[str], fix: typing.Sequence[str], init: str, initText: str) -> _Case:
+        ...
     def _AddView(self, name: str, geometry: CephalometricGeometry | None, upperContour: Contour | None, lowerContour: Contour | None, cephalometricLandmarks: typing.Any, image: Image | None, imageSize: typing.Sequence[int], sameHeadPosition: bool, principalPointSigma: float) -> None:
         ...
     def _GetCephalometricLandmarks(self) -> dict[str, typing.Any]:

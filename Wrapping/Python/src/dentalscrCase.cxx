@@ -36,6 +36,7 @@
 #include "itkFirstViewName.h"
 
 #include <sstream>
+#include <utility>
 
 namespace dentalscr
 {
@@ -81,17 +82,12 @@ StartFrom(itk::DentalCase & description, const std::string & init, const std::st
 }
 
 std::shared_ptr<Case>
-ReadCase(const std::string &              fileName,
+LoadCase(itk::DentalCase                  description,
          const std::vector<std::string> & exclude,
          const std::vector<std::string> & fix,
          const std::string &              init,
-         const std::string &              initText,
-         const std::string &              landmarks)
+         const std::string &              initText)
 {
-  itk::DentalCase       description = itk::ReadDentalCase(fileName);
-  itk::CaseContinuation continuation;
-  continuation.cephalometricLandmarksFile = landmarks;
-  continuation.SetLandmarks(description);
   StartFrom(description, init, initText);
   for (const std::string & code : exclude)
   {
@@ -114,6 +110,38 @@ ReadCase(const std::string &              fileName,
   auto result = std::make_shared<Case>();
   result->data = itk::LoadDentalCase(description);
   return result;
+}
+
+std::shared_ptr<Case>
+ReadCase(const std::string &              fileName,
+         const std::vector<std::string> & exclude,
+         const std::vector<std::string> & fix,
+         const std::string &              init,
+         const std::string &              initText,
+         const std::string &              landmarks)
+{
+  itk::DentalCase       description = itk::ReadDentalCase(fileName);
+  itk::CaseContinuation continuation;
+  continuation.cephalometricLandmarksFile = landmarks;
+  continuation.SetLandmarks(description);
+  return LoadCase(std::move(description), exclude, fix, init, initText);
+}
+
+/** The case of an earlier result that options of the program made. */
+std::shared_ptr<Case>
+ReadCaseOfResult(const std::string &              resultFile,
+                 const std::vector<std::string> & exclude,
+                 const std::vector<std::string> & fix,
+                 const std::string &              init,
+                 const std::string &              initText)
+{
+  const itk::CaseContinuation found = itk::ReadCaseContinuation(resultFile, true);
+  if (!found.description)
+  {
+    itkDentalInputErrorMacro(
+      found.resultFile, "inputs.case", "a case file stands here now", "was the result replaced? Read it again");
+  }
+  return LoadCase(*found.description, exclude, fix, init, initText);
 }
 
 /** The landmarks of a dict or of a file, which are checked against the radiograph; null for None. */
@@ -492,6 +520,14 @@ WrapCase(py::module_ & module)
                 py::arg("initText"),
                 py::arg("landmarks") = "",
                 py::call_guard<py::gil_scoped_release>())
+    .def_static("_ReadOfResult",
+                &ReadCaseOfResult,
+                py::arg("result"),
+                py::arg("exclude"),
+                py::arg("fix"),
+                py::arg("init"),
+                py::arg("initText"),
+                py::call_guard<py::gil_scoped_release>())
     .def(
       "_StartFrom",
       [](Case & self, const std::string & init, const std::string & text) {
@@ -534,6 +570,7 @@ WrapCase(py::module_ & module)
       const itk::CaseContinuation found = itk::ReadCaseContinuation(result, needsCase);
       py::dict                    values;
       values["case"] = found.caseFile;
+      values["result"] = found.resultFile;
       values["exclude"] = found.excludedTeeth;
       values["fix"] = found.fixed;
       values["options"] = found.options;

@@ -1,8 +1,12 @@
 """A case through the whole chain, from files and from memory."""
 import copy
 import json
+import os
 import pathlib
 import pickle
+import shutil
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -423,6 +427,37 @@ def test_a_result_is_gone_on_from_on_disk_and_in_memory(ds, sample, case, result
         assert freed.to_dict()["control"] == {"init": True}
         # Given back, the teeth leave no trace.
         assert moved(result, freed) < 0.02
+
+
+def test_a_case_of_options_is_gone_on_from(ds, sample, tmp_path):
+    """The program's result holds what its options said."""
+    folder = tmp_path / "case"
+    shutil.copytree(sample, folder)
+    content = json.loads((folder / "case.json").read_text())
+    options = [word for field in ("upper", "lower", "contours") for word in (f"--{field}", str(folder / content[field]))]
+    options += ["--landmarks-3d", str(folder / content["landmarks_3d"]), "--facing", content["cephalogram"]["facing"]]
+    options += ["--image", str(folder / content["cephalogram"]["image"]), "--traced-side", "right", "--numbering", "UR"]
+    options += ["--spacing", *map(str, content["cephalogram"]["pixel_spacing_mm"])]
+    words = ["register", *options, "--no-report", "--output", str(tmp_path / "first")]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
+    done = subprocess.run([sys.executable, "-m", "dentalscr", *words], capture_output=True, text=True, env=environment)
+    assert done.returncode == 0, done.stderr
+    first = json.loads((tmp_path / "first" / "result.json").read_text())
+    again = ds.register_from(tmp_path / "first", exclude=["UR6"], output=tmp_path / "second")
+    made = again.to_dict()
+    assert made["case_fields"] == first["case_fields"] and made["case_fields"]["numbering"] == "UR"
+    assert made["inputs"] == first["inputs"] and made["control"] == {"exclude": ["UR6"], "init": True}
+    assert made["geometry"]["pixel_spacing_mm"] == first["geometry"]["pixel_spacing_mm"]
+    # From there on in memory, and from the folder that Python has written.
+    third = {name: ds.register_from(start, exclude=[]) for name, start in (("memory", again), ("disk", tmp_path / "second"))}
+    for one in third.values():
+        assert one.to_dict()["case_fields"] == first["case_fields"] and one.to_dict()["control"] == {"init": True}
+    assert moved(third["memory"], third["disk"]) == 0.0
+    copied = pickle.loads(pickle.dumps(again._case))
+    assert moved(ds.register(copied), again) == 0.0
+    (folder / content["lower"]).unlink()
+    with pytest.raises(ds.InputError, match=r"inputs\.lower\.path"):
+        ds.register_from(tmp_path / "first")
 
 
 def test_a_case_in_memory_is_gone_on_with_and_may_be_corrected(ds, sample, case):

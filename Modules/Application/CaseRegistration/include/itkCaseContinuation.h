@@ -21,6 +21,7 @@
 #include "CaseRegistrationExport.h"
 #include "itkDentalCase.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct CaseRegistration_EXPORT CaseContinuation
   std::string resultFile;
   /** "" of a case that came out of no file, and where the case file is not there any more. */
   std::string caseFile;
+  /** Of a case that options made: the case again, of the same files. Its warnings name those that have changed. */
+  std::optional<DentalCase> description;
   /** Whether the case file is another than it was. */
   bool                     caseHasChanged{ false };
   std::vector<std::string> excludedTeeth;
@@ -55,7 +58,7 @@ struct CaseRegistration_EXPORT CaseContinuation
 };
 
 /** Reads it from a result.json, or the folder that has one. `needsCase`: a case file that the result does not name, or
- * that is not there, is a DentalInputError. \ingroup CaseRegistration */
+ * that is not there, is a DentalInputError, and so is a file of a case that options made. \ingroup CaseRegistration */
 CaseRegistration_EXPORT CaseContinuation
 ReadCaseContinuation(const std::string & name, bool needsCase);
 } // namespace itk

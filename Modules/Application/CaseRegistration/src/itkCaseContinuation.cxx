@@ -19,7 +19,10 @@
 
 #include "itkCaseInputFile.h"
 #include "itkCaseResultDocument.h"
+#include "itkDentalCaseFileReader.h"
 #include "itkDentalInputError.h"
+
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -41,6 +44,49 @@ ReadWords(const std::optional<JsonNode> & list)
   return words;
 }
 
+/** The case that options made, of what the result holds of them and of the files where they are now. */
+DentalCase
+MakeCaseAgain(const CaseResultDocument & document)
+{
+  using Json = nlohmann::ordered_json;
+  const JsonNode & root = document.GetRoot();
+  const auto       fields = root.Find("case_fields");
+  const auto       inputs = root.Find("inputs");
+  if (!fields || !fields->IsObject() || !inputs)
+  {
+    itkDentalInputErrorMacro(document.GetFileName(),
+                             "case_fields",
+                             "missing: the case was made in memory, or by an earlier version without a case file",
+                             "give the case, or its options, again");
+  }
+  Json                     json = Json::parse(document.GetText()).at("case_fields");
+  std::vector<std::string> changed;
+  for (const auto & member : inputs->GetMembers())
+  {
+    const std::string & field = member.first;
+    if (!member.second.Find("path"))
+    {
+      member.second.Fail("does not say where it is: the result is anonymous", "give the case's options again");
+    }
+    const std::string found = document.FindInput(field);
+    if (found.empty())
+    {
+      const JsonNode path = member.second.Get("path");
+      path.Fail("\"" + path.AsString() + "\" is not there, seen from here",
+                "put it back, run from the folder that the first run was started in, or give the case's options again");
+    }
+    if (ComputeFileSHA256(found) != member.second.Get("sha256").AsString())
+    {
+      changed.push_back(field + ": " + found + " has changed since " + document.GetFileName());
+    }
+    const std::size_t dot = field.find('.');
+    (dot == std::string::npos ? json[field] : json[field.substr(0, dot)][field.substr(dot + 1)]) = found;
+  }
+  DentalCase description = ParseDentalCase(json.dump(), "command line", "");
+  description.warnings.insert(description.warnings.end(), changed.begin(), changed.end());
+  return description;
+}
+
 void
 FindCase(const CaseResultDocument & document, bool needsCase, CaseContinuation & continuation)
 {
@@ -50,10 +96,7 @@ FindCase(const CaseResultDocument & document, bool needsCase, CaseContinuation &
   {
     if (needsCase)
     {
-      itkDentalInputErrorMacro(document.GetFileName(),
-                               "inputs.case",
-                               "missing: it was made without a case file",
-                               "give the case's options again");
+      continuation.description = MakeCaseAgain(document);
     }
     return;
   }

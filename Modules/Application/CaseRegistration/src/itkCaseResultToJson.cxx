@@ -18,6 +18,7 @@
 #include "itkCaseResultToJson.h"
 
 #include "itkCaseResultDocument.h"
+#include "itkDentalCaseFileReader.h"
 #include "itkDentalSCRVersion.h"
 
 #include "itkMath.h"
@@ -114,6 +115,65 @@ ControlToJson(const DentalCase & description)
   {
     json["init"] = true;
   }
+  return json;
+}
+
+/** Whether the case lies in no file, as one of options, and files and fields are all that it is. */
+bool
+IsMadeOfFilesAlone(const DentalCase & description)
+{
+  const bool hasScan = !description.upperFile.empty() || !description.lowerFile.empty();
+  const bool hasObjects = description.cephalometricLandmarksFile.empty() && description.cephalometricLandmarks;
+  return description.fileSHA256.empty() && hasScan && !hasObjects && description.views.empty();
+}
+
+/** What was given of such a case, but its files and what "control" has: with them another run is the same. */
+Json
+CaseFieldsToJson(const DentalCase & description)
+{
+  using GeometryType = CephalometricGeometry;
+  Json       json = Json::object();
+  const auto setPair = [](Json & parent, const char * name, const auto & pair) {
+    if (pair)
+    {
+      parent[name] = *pair;
+    }
+  };
+  json["mesh_unit"] = description.meshUnit;
+  json["occlusion"] = ToString(description.occlusion);
+  json["crowns"] = ToString(description.crowns);
+  if (description.tracedSideIsGiven)
+  {
+    json["traced_side"] = ToString(description.tracedSide);
+  }
+  if (description.numbering)
+  {
+    std::ostringstream numbering;
+    numbering << *description.numbering;
+    json["numbering"] = numbering.str();
+  }
+  setPair(json, "markups_spacing_mm", description.markupsSpacing);
+  Json cephalogram = Json::object();
+  setPair(cephalogram, "image_size", description.imageSize);
+  setPair(cephalogram, "pixel_spacing_mm", description.pixelSpacing);
+  if (description.spacingPlaneIsGiven)
+  {
+    cephalogram["spacing_plane"] = description.spacingAtMidsagittalPlane ? "midsagittal" : "detector";
+  }
+  if (description.facing)
+  {
+    cephalogram["facing"] = *description.facing == GeometryType::FacingEnum::Right ? "right" : "left";
+  }
+  Json geometry = Json::object();
+  setPair(geometry, "source_to_midsagittal_mm", description.sourceToMidsagittal);
+  setPair(geometry, "source_to_detector_mm", description.sourceToDetector);
+  if (description.sourceSide)
+  {
+    geometry["source_side"] = *description.sourceSide == GeometryType::SourceSideEnum::Right ? "right" : "left";
+  }
+  setPair(geometry, "principal_point_px", description.principalPoint);
+  json["cephalogram"] = cephalogram;
+  json["geometry"] = geometry;
   return json;
 }
 
@@ -489,6 +549,10 @@ CaseResultToJson(const CaseResult & result)
       json["inputs"][input.field]["path"] = input.path;
     }
     json["inputs"][input.field]["sha256"] = input.sha256;
+  }
+  if (IsMadeOfFilesAlone(result.data->description))
+  {
+    json["case_fields"] = CaseFieldsToJson(result.data->description);
   }
   json["skipped"] = Json::object();
   for (const auto & skipped : result.skipped)

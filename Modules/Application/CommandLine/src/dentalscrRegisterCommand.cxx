@@ -145,12 +145,12 @@ PrintReasons(const itk::CaseResult & result)
   }
 }
 
-/** A case file, or the options that take its place. */
+/** A case file, or the options that take its place; `known`: the case of an earlier run, which lies in no file. */
 itk::DentalCase
-ReadCase(const RegisterOptions & options)
+ReadCase(const RegisterOptions & options, const std::optional<itk::DentalCase> & known)
 {
   const std::string given = options.fields.GetFirstGiven();
-  if (options.caseFile.empty())
+  if (options.caseFile.empty() && !known)
   {
     if (given.empty())
     {
@@ -161,7 +161,7 @@ ReadCase(const RegisterOptions & options)
     }
     return options.fields.Read();
   }
-  itk::DentalCase description = itk::ReadDentalCase(options.caseFile);
+  itk::DentalCase description = known ? *known : itk::ReadDentalCase(options.caseFile);
   if (given == "--cephalometric-landmarks" && options.fields.CountGiven() == 1)
   {
     description.cephalometricLandmarksFile = options.fields.GetValue(given);
@@ -218,7 +218,7 @@ Register(const RegisterOptions & givenOptions, const CommonOptions & common)
 {
   itk::CaseContinuation continuation;
   const RegisterOptions options = givenOptions.from.empty() ? givenOptions : ContinueFrom(givenOptions, continuation);
-  itk::DentalCase       description = ReadCase(options);
+  itk::DentalCase       description = ReadCase(options, continuation.description);
   continuation.SetLandmarks(description);
   if (!options.init.empty())
   {

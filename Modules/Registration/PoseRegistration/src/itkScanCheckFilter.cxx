@@ -23,6 +23,7 @@
 #include "itkMakeTriangleSurface.h"
 #include "itkMillimetresPerUnit.h"
 #include "itkRegistrationVerdict.h"
+#include "itkSortFindings.h"
 #include "itkSurfaceParts.h"
 #include "itkSurfaceSpikes.h"
 
@@ -224,9 +225,10 @@ CheckBothJaws(Scan & scan)
   }
 }
 
-/** Points that stand out of the scan, each by itself: the outline runs to their ends, and so do boxes and lengths. */
+/** Points that stand out of the scan, each by itself: the outline runs to their ends, and so do boxes and lengths.
+ * `excess`: how much wider than any arch the scan is, mm. */
 void
-CheckSpikes(Scan & scan)
+CheckSpikes(Scan & scan, double excess)
 {
   const auto spikes = FindSurfaceSpikes(scan.surface, scan.parts->GetWeldedPoints(), LongestSpike);
   if (spikes.empty())
@@ -235,6 +237,11 @@ CheckSpikes(Scan & scan)
   }
   const auto longest = std::max_element(
     spikes.begin(), spikes.end(), [](const SurfaceSpike & a, const SurfaceSpike & b) { return a.length < b.length; });
+  // Two of them, on either side, do not make it so wide: it is in another unit, and what seem to be mm are none.
+  if (2.0 * longest->length < excess)
+  {
+    return;
+  }
   const bool isOne = spikes.size() == 1;
   scan.Add(Suspect,
            "spikes",
@@ -247,8 +254,8 @@ CheckSpikes(Scan & scan)
            "mm");
 }
 
-/** Whether the scan is as large as a whole arch. */
-void
+/** Whether the scan is as large as a whole arch; returns how much wider than any it is, mm. */
+double
 CheckSize(Scan & scan, double millimetresPerUnit)
 {
   const std::array<double, 3> lengths = PrincipalLengths(scan);
@@ -262,7 +269,7 @@ CheckSize(Scan & scan, double millimetresPerUnit)
              lengths[1],
              DepthOfPart,
              "mm");
-    return;
+    return 0.0;
   }
   double width = std::sqrt(lengths[0] * lengths[0] + lengths[1] * lengths[1] + lengths[2] * lengths[2]);
   if (scan.frame->valid)
@@ -272,7 +279,7 @@ CheckSize(Scan & scan, double millimetresPerUnit)
   }
   if (width >= NarrowestArch && width <= WidestArch)
   {
-    return;
+    return 0.0;
   }
   std::string text =
     "the arch is " + Number(width) + " mm wide, not " + Number(NarrowestArch) + " to " + Number(WidestArch);
@@ -292,6 +299,7 @@ CheckSize(Scan & scan, double millimetresPerUnit)
     text += (i == 0 ? "; \"mesh_unit\": \"" : ", or \"") + fitting[i].second + (i == 0 ? "\" would fit" : "\"");
   }
   scan.Add(Suspect, "arch-width", text, width, width < NarrowestArch ? NarrowestArch : WidestArch, "mm");
+  return std::max(0.0, width - WidestArch);
 }
 
 /** Distances from points to the nearest vertex of a scan, mm, in one pass over it. */
@@ -797,8 +805,7 @@ ScanCheckFilter::GenerateData()
     if (scan.IsThere())
     {
       CheckBothJaws(scan);
-      CheckSpikes(scan);
-      CheckSize(scan, m_MillimetresPerUnit);
+      CheckSpikes(scan, CheckSize(scan, m_MillimetresPerUnit));
     }
     if (scan.IsThere() && scan.frame->valid)
     {
@@ -817,6 +824,7 @@ ScanCheckFilter::GenerateData()
       }
     }
     m_UnusableLandmarks.insert(m_UnusableLandmarks.end(), scan.unusable.begin(), scan.unusable.end());
+    SortFindings(scan.findings);
     this->GetFindingsOutput(scan.jaw)->Set(scan.IsThere() ? scan.findings : FindingsType());
   }
 }

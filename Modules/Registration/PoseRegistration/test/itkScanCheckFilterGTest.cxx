@@ -208,6 +208,10 @@ TEST(ScanCheckFilter, NamesTheUnitThatWouldFit)
       }
     }
     EXPECT_TRUE(found) << unit.second;
+    // Before what comes of it; and what seems to stand out by millimetres does so in another unit.
+    EXPECT_EQ(filter->GetFindings(JawEnum::Upper).front().code, "arch-width") << unit.second;
+    const auto codes = CodesOf(filter, JawEnum::Upper);
+    EXPECT_EQ(std::count(codes.begin(), codes.end(), "spikes"), 0) << unit.second;
   }
 }
 
