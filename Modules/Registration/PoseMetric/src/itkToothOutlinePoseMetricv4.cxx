@@ -514,19 +514,16 @@ ToothOutlinePoseMetricv4::Evaluate(std::size_t number, const PositionType & x, E
     Match(*tooth.outline, index, shift, at);
     // Matched in position and direction, an edge's point lies beside its sample's normal as well as along it. Along
     // that normal the residual changes as the match slides, by the edge's curvature times that offset, of which the
-    // Jacobian knows nothing, and steps end before the minimum. Along the middle of both normals a match that slides on
-    // an arc changes nothing (Rusinkiewicz, A symmetric objective function for ICP, 2019). The few points of an edge
-    // that is drawn from the front have no normals to speak of.
+    // Jacobian knows nothing, and steps end before the minimum. The drawing's own normal does not turn as the pose
+    // moves. (The middle of both would change least, but draws a jaw alone toward its roots:
+    // Documentation/RobustStudies.md.) The few points of an edge that is drawn from the front have no normals to speak
+    // of.
     for (std::size_t i = 0; i < n && !this->IsFrontal(); ++i)
     {
       if (at.match[i] != NoMatch && at.facing[i] > 0.0)
       {
-        const auto & direction = index.GetDirection(at.match[i]);
-        const double u = direction[0] + tooth.outline->GetNormals()[i][0];
-        const double v = direction[1] + tooth.outline->GetNormals()[i][1];
-        const double length = std::hypot(u, v);
-        at.nu[i] = u / length;
-        at.nv[i] = v / length;
+        at.nu[i] = tooth.outline->GetNormals()[i][0];
+        at.nv[i] = tooth.outline->GetNormals()[i][1];
       }
     }
   }
