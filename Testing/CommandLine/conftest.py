@@ -1,6 +1,7 @@
 """What the tests of many registrations and those of faults share."""
 import os
 import pathlib
+import shlex
 import shutil
 import subprocess
 
@@ -23,18 +24,34 @@ def is_sanitized(build_dir):
 
 
 @pytest.fixture(scope="session")
+def program_of_slicer(program, is_sanitized, tmp_path_factory):
+    """The program as the modules of Slicer run it: without LD_LIBRARY_PATH, which is of Slicer's libraries."""
+    if not is_sanitized:
+        return program
+    # A sanitizer's dlopen() looks there alone for the libraries that the program loads when it needs them.
+    wrapper = tmp_path_factory.mktemp("slicer") / "dentalscr"
+    path = shlex.quote(os.environ["LD_LIBRARY_PATH"])
+    wrapper.write_text(f'#!/bin/sh\nLD_LIBRARY_PATH={path} exec {shlex.quote(str(program))} "$@"\n')
+    wrapper.chmod(0o755)
+    return wrapper
+
+
+@pytest.fixture(scope="session")
 def faults(is_sanitized, tmp_path_factory):
     """The environment of a program that meets a fault (Support/dentalscrFaults.c says which there are)."""
-    if is_sanitized:
-        pytest.skip("the sanitizer has to be loaded first, where the faults are")
     compiler = shutil.which("cc") or shutil.which("gcc")
     assert compiler, "no C compiler, which has built the program"
     source = pathlib.Path(__file__).resolve().parent.parent / "Support" / "dentalscrFaults.c"
     library = tmp_path_factory.mktemp("faults") / "faults.so"
     subprocess.run([compiler, "-O2", "-shared", "-fPIC", "-o", str(library), str(source), "-ldl"], check=True)
+    preload = [str(library)]
+    if is_sanitized:
+        # A sanitizer wants to be the first; what it calls then is what the faults stand before.
+        sanitizer = subprocess.run([compiler, "-print-file-name=libasan.so"], check=True, capture_output=True, text=True)
+        preload.insert(0, sanitizer.stdout.strip())
 
     def environment(**variables):
-        return dict(os.environ, LD_PRELOAD=str(library), **{f"DENTALSCR_{key}": str(value) for key, value in variables.items()})
+        return dict(os.environ, LD_PRELOAD=":".join(preload), **{f"DENTALSCR_{key}": str(value) for key, value in variables.items()})
 
     return environment
 

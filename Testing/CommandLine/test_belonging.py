@@ -8,6 +8,7 @@ import matplotlib.image
 import numpy
 import pytest
 
+from nifti_file import nifti
 from png_file import png
 
 
@@ -896,6 +897,7 @@ def test_new_names_what_it_cannot_use_and_takes_a_label_map(run, sample, tmp_pat
     labels[300:340, 400:430] = 16
     (tmp_path / "segmentation.png").write_bytes(png(labels.tolist()))
     (tmp_path / "mask.png").write_bytes(png((255 * (labels > 0)).tolist()))
+    (tmp_path / "cut_label.nii.gz").write_bytes(nifti(labels.tolist(), packed=True)[:-10])
     assert run("new", tmp_path).returncode == 0
     made = json.loads((tmp_path / "case.json").read_text())
     assert made["contours"] == "segmentation.png" and made["cephalogram"]["image"] == "ceph.png"
@@ -906,9 +908,36 @@ def test_new_names_what_it_cannot_use_and_takes_a_label_map(run, sample, tmp_pat
         "photo.jpg: not used: it is a GIF picture; save it as PNG",
         "mask.png: not used: by its name it was made of a radiograph",
         "segmentation.png: a tracing: a label map with teeth",
+        "cut_label.nii.gz: not used: by its name it was made of a radiograph and is none; as a label map it has this fault: the NIfTI file is truncated",
         "points.csv: not used: neither a tracing nor landmarks can be read from it; as a tracing it has this fault: line 2",
     ):
         assert any(line.startswith(note) for line in made["_notes"]), (note, made["_notes"])
+
+
+@pytest.mark.parametrize("name", ["labels.nii", "ceph.nii.gz", "patient_017.nii.gz", "ceph.seg.NII.GZ"])
+def test_new_takes_a_label_map_of_nifti_whatever_it_is_called(run, sample, tmp_path, name):
+    """nnU-Net gives what it makes of a picture the name of the picture."""
+    for file in ("upper.stl", "ceph.png"):
+        (tmp_path / file).write_bytes((sample / file).read_bytes())
+    height, width = matplotlib.image.imread(sample / "ceph.png").shape[:2]
+    labels = numpy.zeros((height, width), dtype=int)
+    labels[300:340, 400:430] = 16
+    (tmp_path / name).write_bytes(nifti(labels.tolist(), packed=name.lower().endswith(".gz")))
+    assert run("new", tmp_path).returncode == 0
+    made = json.loads((tmp_path / "case.json").read_text())
+    assert made["contours"] == name and made["cephalogram"]["image"] == "ceph.png", made["_notes"]
+    assert any(line.startswith(name + ": a tracing: a label map with teeth") for line in made["_notes"])
+
+
+def test_new_takes_a_radiograph_of_nifti(run, sample, tmp_path):
+    (tmp_path / "upper.stl").write_bytes((sample / "upper.stl").read_bytes())
+    picture = (255 * matplotlib.image.imread(sample / "ceph.png")).round().astype(int).tolist()
+    (tmp_path / "lateral.nii.gz").write_bytes(nifti(picture, spacing=(0.1, 0.1), packed=True))
+    assert run("new", tmp_path).returncode == 0
+    made = json.loads((tmp_path / "case.json").read_text())
+    assert made["cephalogram"]["image"] == "lateral.nii.gz", made["_notes"]
+    # Its header tells how long a pixel is.
+    assert not any("pixel_spacing_mm" in note for note in made["_notes"]), made["_notes"]
 
 
 def test_new_leaves_out_the_spacing_that_a_ruler_tells(run, sample, tmp_path):

@@ -1,4 +1,5 @@
 """Files as people have them: every form of one tracing gives the answer that contours.json gives."""
+import gzip
 import io
 import json
 import struct
@@ -6,9 +7,11 @@ import zipfile
 import zlib
 
 import matplotlib.image
+import matplotlib.path
 import numpy
 import pytest
 
+from nifti_file import nifti
 from png_file import png
 
 WIDTH, HEIGHT = 703, 938
@@ -59,6 +62,39 @@ def test_labels_are_numbers_whatever_the_file_keeps_them_in(run, tmp_path):
     nrrd = b"NRRD0004\ntype: uint16\ndimension: 2\nsizes: 100 80\nencoding: raw\nendian: little\n\n"
     nrrd += b"".join(struct.pack("<100H", *row) for row in rows)
     assert contours_of(run, tmp_path, "labels.nrrd", nrrd) == grey
+
+
+@pytest.mark.parametrize("kind", "BhifdbHIqQ")
+def test_labels_of_nifti_are_those_of_the_picture(run, tmp_path, kind):
+    """As nnU-Net, ITK-SNAP, 3D Slicer and SimpleITK write them: one slice, columns to the left, rows to the back."""
+    rows = two_discs()
+    grey = contours_of(run, tmp_path, "grey.png", png(rows))
+    assert contours_of(run, tmp_path, "labels.nii", nifti(rows, kind)) == grey
+    assert contours_of(run, tmp_path, "labels.nii.gz", nifti(rows, kind, packed=True)) == grey
+    # With another name, in the other byte order, and of a program that says nothing about directions.
+    assert contours_of(run, tmp_path, "labels.dat", nifti(rows, kind, ">")) == grey
+    assert contours_of(run, tmp_path, "none.nii.gz", nifti(rows, kind, code=0, spacing=(0.2, 0.3), packed=True)) == grey
+    # Turned over by a program that has all volumes run to the right and to the front.
+    turned = ((1, 0, 0, -99), (0, 1, 0, -79), (0, 0, 1, 0))
+    assert contours_of(run, tmp_path, "turned.nii.gz", nifti([row[::-1] for row in rows[::-1]], kind, affine=turned)) == grey
+
+
+def test_nifti_that_is_no_label_map_of_a_picture_is_refused_in_words(run, tmp_path):
+    rows = two_discs()
+    identity = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0))
+    whole = nifti(rows, packed=True)
+    for name, content, words in (
+        ("a.nii.gz", nifti(rows, affine=identity, packed=True), "columns run to R and rows to A"),
+        ("a.nii", nifti(rows, slices=40), "has 40 frames, pages or slices"),
+        ("a.nii.gz", whole[:-30], "truncated or damaged"),
+        ("a.nii", gzip.decompress(whole)[:-1], "8351 of 8352 bytes are there"),
+        ("a.nii", nifti([[0.0, 0.5]], "f"), "value 0.5, which is no label"),
+        ("a.hdr", nifti(rows)[:344] + b"ni1\0", "no radiograph; save it as NIfTI-1 in one file (.nii, .nii.gz)"),
+    ):
+        (tmp_path / name).write_bytes(content)
+        done = run("contour", "--labels", tmp_path / name, "--output", tmp_path / "c.json")
+        assert done.returncode == 2 and name in done.stderr and words in done.stderr, (words, done.stderr)
+        assert "Traceback" not in done.stderr and done.stderr.count("\n") == 1, done.stderr
 
 
 def test_labels_that_are_none_are_refused_in_words(run, tmp_path):
@@ -209,6 +245,44 @@ def test_a_tracing_gives_one_answer_in_every_form(run, case, tmp_path, landmarks
     result = json.loads((tmp_path / "out" / "result.json").read_text())
     # The same numbers but for the last digits that per cent and half pixels cost.
     assert difference(landmarks, result) < 1e-3
+
+
+def as_labels(size, polylines):
+    """What each line encloses, filled with the tooth's FDI number."""
+    quadrants = {"UR": 10, "UL": 20, "LL": 30, "LR": 40}
+    grid = numpy.stack(numpy.meshgrid(numpy.arange(size[0]), numpy.arange(size[1])), axis=-1).reshape(-1, 2)
+    labels = numpy.zeros(size[0] * size[1], int)
+    for code, points in polylines:
+        labels[matplotlib.path.Path(points).contains_points(grid)] = quadrants[code[:2]] + int(code[2])
+    return labels.reshape(size[1], size[0]).tolist()
+
+
+def test_a_label_map_and_a_radiograph_of_nifti_register_as_those_of_png_do(run, case, tmp_path):
+    rows = as_labels(*tracing_of(case))
+    picture = [[int(round(255 * value)) for value in row] for row in matplotlib.image.imread(case.folder / "ceph.png").tolist()]
+    cephalogram = case.load()["cephalogram"]
+    results = {}
+    for name, image, content in (
+        ("labels.png", "ceph.png", png(rows)),
+        ("labels.nii", "ceph.png", nifti(rows, "i")),
+        ("labels.nii.gz", "ceph.nii.gz", nifti(rows, "f", packed=True)),
+    ):
+        (case.folder / name).write_bytes(content)
+        if image != "ceph.png":
+            (case.folder / image).write_bytes(nifti(picture, packed=True))
+        case.change(contours=name, cephalogram=dict(cephalogram, image=image))
+        done = run("register", case.file, "--output", tmp_path / name, "--no-report")
+        assert done.returncode in (0, 1), done.stderr
+        results[name] = json.loads((tmp_path / name / "result.json").read_text())["jaws"]
+        for jaw in results[name].values():
+            jaw.pop("seconds")
+    assert results["labels.nii"] == results["labels.png"]
+    assert results["labels.nii.gz"] == results["labels.png"]
+    assert len(results["labels.png"]["upper"]["landmarks_px"]) > 5
+    (case.folder / "labels.nii").write_bytes(nifti([row[:-1] for row in rows]))
+    case.change(contours="labels.nii")
+    done = run("register", case.file, "--output", tmp_path / "small", "--no-report")
+    assert done.returncode == 2 and "labels.nii" in done.stderr and "702" in done.stderr, done.stderr
 
 
 def test_a_slip_of_the_mouse_does_not_refuse_the_file(run, case, tmp_path):

@@ -1,5 +1,6 @@
 """Images made to break their decoders: an error in words, within seconds and 1 GB, whatever the decoder does. Those that
 need one run it in a process of its own (dentalscr-decode, Documentation/Robustness.md)."""
+import gzip
 import io
 import os
 import random
@@ -12,6 +13,9 @@ import zlib
 import pytest
 
 from dicom_file import dicom
+from jpeg_file import progressive
+from nifti_file import nifti
+from png_file import png as grey_png
 from program_faults import measure
 
 
@@ -36,11 +40,23 @@ def png(width, height, rows=None):
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
 
 
+def tiff(width, height, coding, data):
+    """Grey, of 8 bits, in one strip."""
+    entries = ((256, 4, width), (257, 4, height), (258, 3, 8), (259, 3, coding), (262, 3, 1), (273, 4, 122), (277, 3, 1), (278, 4, height), (279, 4, len(data)))
+    directory = b"".join(struct.pack("<HHII", tag, kind, 1, value) for tag, kind, value in entries)
+    return struct.pack("<2sHIH", b"II", 42, 8, len(entries)) + directory + bytes(4) + data
+
+
 def jpeg2000(width, height):
     image = pytest.importorskip("PIL.Image")
     stream = io.BytesIO()
     image.new("L", (width, height), 77).save(stream, "JPEG2000", no_jp2=True)
     return stream.getvalue()
+
+
+def put_size(content, *size):
+    """A NIfTI with another size in its header."""
+    return content[:42] + struct.pack("<3h", *size) + content[48:]
 
 
 J2K = b"1.2.840.10008.1.2.4.90"
@@ -71,9 +87,12 @@ HOSTILE = {
     ),
     "two bytes": ("a.jpg", lambda: b"\xff\xd8"),
     "JPEG signature": ("a.jpg", lambda: b"\xff\xd8\xff"),
+    # Without a bound a minute for each 0.4 MB.
+    "JPEG of a thousand scans": ("a.jpg", lambda: progressive(11000, 11000, 1000)),
     "PNG signature": ("a.png", lambda: b"\x89PNG\r\n\x1a\n"),
     "PNG of 30000 x 30000": ("a.png", lambda: png(30000, 30000, 200)),
     "TIFF of nothing": ("a.tif", lambda: b"II*\0\x08\0\0\0\0\0"),
+    "TIFF of a rare codec": ("a.tif", lambda: tiff(50, 50, 34712, bytes(2500))),
     "MetaImage that names another's file": (
         "a.mha",
         lambda: b"ObjectType = Image\nNDims = 2\nDimSize = 8 8\nElementType = MET_UCHAR\nElementDataFile = ../../../../etc/passwd\n",
@@ -86,6 +105,10 @@ HOSTILE = {
         "a.nhdr",
         lambda: b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 8 8\nencoding: raw\ndata file: /etc/passwd\n\n",
     ),
+    "NIfTI bomb": ("a.nii.gz", lambda: gzip.compress(nifti([[0] * 8] * 8) + bytes(1 << 29), 9)),
+    "NIfTI of many slices": ("a.nii.gz", lambda: gzip.compress(put_size(nifti([[0] * 8] * 8), 32767, 32767, 32767), 9)),
+    "NIfTI of a gigabyte": ("a.nii", lambda: put_size(nifti([[0] * 8] * 8), 32767, 32767, 1)),
+    "NIfTI of more than is read": ("a.nii.gz", lambda: gzip.compress(put_size(nifti([[0] * 8] * 8, "d"), 10000, 10000, 1), 9)),
     "NRRD that lists files": (
         "a.nhdr",
         lambda: b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 8 8\nencoding: raw\ndata file: LIST\n/etc/passwd\n\n",
@@ -113,7 +136,7 @@ def read(program, is_sanitized):
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_a_hostile_image_is_an_error(read, case, tmp_path, name):
+def test_a_hostile_image_is_an_error(read, is_sanitized, case, tmp_path, name):
     file_name, make = HOSTILE[name]
     image = case.folder / file_name
     image.write_bytes(make())
@@ -125,7 +148,51 @@ def test_a_hostile_image_is_an_error(read, case, tmp_path, name):
         done = read(*arguments)
         # What a decoder makes a picture of all the same is a picture, of the wrong size for this case and without a label.
         assert done.returncode == 2, (done.returncode, done.stderr)
-        assert file_name in done.stderr or "the image is 8 x 8" in done.stderr, done.stderr
+        # A decoder that writes behind its buffer ends by it; not in the sanitizer's heap, where nothing stands behind a buffer.
+        pictures = ("the image is 8 x 8", "the image is 64 x 64") if is_sanitized else ("the image is 8 x 8",)
+        assert file_name in done.stderr or any(picture in done.stderr for picture in pictures), done.stderr
+
+
+def test_scans_of_a_jpeg_are_counted(read, tmp_path, case):
+    """As many as pictures have are read; one more than the bound is an error that says what is too many."""
+    for scans, words in ((63, "the image is 80 x 80"), (64, "more than 64 scans")):
+        (case.folder / "a.jpg").write_bytes(progressive(80, 80, scans))
+        case.change(cephalogram=dict(case.load()["cephalogram"], image="a.jpg"))
+        done = read("register", case.file, "--output", tmp_path / "out")
+        assert done.returncode == 2 and words in done.stderr, done.stderr
+
+
+def test_what_is_no_pixel_of_a_png_is_not_looked_at(read, tmp_path):
+    """Libpng prints the name of a profile as it is, and unpacks megabytes of each of many texts."""
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    whole = grey_png([[11 if 10 < x < 40 and 10 < y < 40 else 0 for x in range(50)] for y in range(50)])
+    outlines = []
+    text = chunk(b"zTXt", b"Comment\0\0" + zlib.compress(bytes(1 << 26), 9))
+    profile = chunk(b"iCCP", b"\x1b]0;mine\x07\0\0" + zlib.compress(bytes(5)))
+    for name, more in {"plain": b"", "odd": profile + chunk(b"tRNS", b"\0") + text * 40 + chunk(b"tRNS", b"\0\x0b") * 1000}.items():
+        image = tmp_path / f"{name}.png"
+        image.write_bytes(whole[:33] + more + whole[33:])
+        done = read("contour", "--labels", image, "--output", tmp_path / f"{name}.json")
+        assert done.returncode == 0 and done.stderr == "", done.stderr
+        outlines.append((tmp_path / f"{name}.json").read_text().replace(name, ""))
+    assert outlines[0] == outlines[1]
+
+
+def test_a_tiff_of_a_usual_codec_is_read(read, tmp_path):
+    """The bound on codecs takes none away that scanners and editors write."""
+    rows = bytes(11 if 10 < x < 40 and 10 < y < 40 else 0 for y in range(50) for x in range(50))
+    # Rows as they are: 50 bytes, with a number before them that says so.
+    packed = b"".join(b"\x31" + rows[i : i + 50] for i in range(0, len(rows), 50))
+    for coding, data in ((1, rows), (8, zlib.compress(rows)), (32946, zlib.compress(rows)), (32773, packed)):
+        (tmp_path / "a.tif").write_bytes(tiff(50, 50, coding, data))
+        done = read("contour", "--labels", tmp_path / "a.tif", "--output", tmp_path / "out.json")
+        assert done.returncode == 0, (coding, done.stderr)
+    (tmp_path / "a.tif").write_bytes(tiff(50, 50, 50000, rows))
+    done = read("contour", "--labels", tmp_path / "a.tif", "--output", tmp_path / "out.json")
+    assert done.returncode == 2 and "unusual" in done.stderr and "LZW" in done.stderr, done.stderr
 
 
 def test_a_pipe_beside_a_header_is_not_waited_for(read, case, tmp_path):
@@ -161,6 +228,8 @@ def seeds():
         "a.mha": mha,
         "a.dcm": dicom(32, 32, bytes(range(256)) * 4),
         "a.bmp": bitmap(compression=1, width=32, height=32, data=(b"\x20\x07\x00\x00" * 32) + b"\x00\x01"),
+        "a.nii": nifti([range(32 * row % 256, 32 * row % 256 + 32) for row in range(32)]),
+        "a.nii.gz": nifti([range(32 * row % 256, 32 * row % 256 + 32) for row in range(32)], "h", packed=True),
         "b.bmp": bitmap(compression=0, width=32, height=32, data=bytes(range(256)) * 4),
     }
     return found
@@ -226,7 +295,7 @@ def test_a_bomb_in_a_scan_is_an_error(read, tmp_path):
     assert done.returncode == 2 and "512 MiB as numbers" in done.stderr, done.stderr
 
 
-def test_a_film_of_a_hundred_million_pixels_registers_within_a_gigabyte(program, case, tmp_path):
+def test_a_film_of_a_hundred_million_pixels_registers_within_a_gigabyte(program, is_sanitized, case, tmp_path):
     """8 x 10 inches at 1200 dots per inch are 115 million; the same drawing, as many times as large."""
     side = 10000
     (case.folder / "film.png").write_bytes(png(side, side))
@@ -248,7 +317,7 @@ def test_a_film_of_a_hundred_million_pixels_registers_within_a_gigabyte(program,
     done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"])
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "out" / "report.html").exists() and (tmp_path / "out" / "overlay_upper.png").exists()
-    assert done.kibibytes < 10**9 / 1024, f"{done.kibibytes} KiB"
+    assert is_sanitized or done.kibibytes < 10**9 / 1024, f"{done.kibibytes} KiB"
 
 
 def test_a_picture_of_more_bytes_than_are_read_is_refused(read, case, tmp_path):

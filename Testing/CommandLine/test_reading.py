@@ -87,6 +87,29 @@ def test_a_coordinate_that_no_radiograph_has(program, case, tmp_path, value):
     assert done.seconds < 5
 
 
+def scribble(count):
+    """Points all over the radiograph, each line of which crosses a third of the others."""
+    return [[x % 700, x * 7 % 900] for x in range(count)]
+
+
+def test_a_tracing_of_more_points_than_any_has_is_an_error(program, case, tmp_path):
+    content = case.load("contours.json")
+    content["contours"]["upper"][0]["points"] += scribble(200000)
+    case.save(content, "contours.json")
+    done = measure([program, "register", case.file, "--output", tmp_path / "out"])
+    assert done.returncode == 2 and "contours.json: has 200" in done.stderr and "more than the 200000" in done.stderr, done.stderr
+
+
+def test_a_scribble_is_drawn_as_well(program, case, tmp_path):
+    """Cairo looks for all crossings of a path's lines: a million points took hours, after the registration had ended."""
+    content = case.load("contours.json")
+    content["contours"]["upper"][0]["points"] += scribble(100000)
+    case.save(content, "contours.json")
+    done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"])
+    assert done.returncode == 1, done.stderr
+    assert (tmp_path / "out" / "overlay_upper.png").stat().st_size > 10000
+
+
 @pytest.mark.parametrize("value", [1e12, -1e30, 1e38])
 def test_a_point_of_a_scan_that_no_scan_has(program, case, tmp_path, value):
     (case.folder / "upper.obj").write_text(f"v 0 0 0\nv 1 0 0\nv 0 1 0\nv {value:.0f} 0 1\nf 1 2 3\nf 2 3 4\n")

@@ -157,8 +157,8 @@ class Slicer:
 
 
 @pytest.fixture
-def slicer(program, tmp_path):
-    return Slicer(program, tmp_path)
+def slicer(program_of_slicer, tmp_path):
+    return Slicer(program_of_slicer, tmp_path)
 
 
 def write_vtp(file, corners):

@@ -100,7 +100,7 @@ class Scene:
 
 
 @pytest.fixture
-def form(program, monkeypatch, lib):  # noqa: F811
+def form(program_of_slicer, monkeypatch, lib):  # noqa: F811
     scene = Scene()
     qt = types.ModuleType("qt")
     for name in ("QFormLayout", "QLabel", "QDoubleSpinBox", "QHBoxLayout", "QComboBox", "QPushButton"):
@@ -124,7 +124,7 @@ def form(program, monkeypatch, lib):  # noqa: F811
         setattr(loadable, "ScriptedLoadableModule" + end, type("ScriptedLoadableModule" + end, (), {"layout": Widget(), "setup": lambda self: None}))
     for module in (qt, ctk, slicer, loadable, types.ModuleType("vtk")):
         monkeypatch.setitem(sys.modules, module.__name__, module)
-    monkeypatch.setenv("DENTALSCR_PROGRAM", str(program))
+    monkeypatch.setenv("DENTALSCR_PROGRAM", str(program_of_slicer))
     spec = importlib.util.spec_from_file_location("DentalSCR", FOLDER / "DentalSCR.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)

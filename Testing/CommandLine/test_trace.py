@@ -260,6 +260,30 @@ def test_drafts_are_where_the_crowns_are(program, sample, undrawn, tmp_path):
             assert away[len(away) // 2] < 3.0, (code, away)
 
 
+def test_drafts_do_not_follow_landmarks_that_are_at_another_tooth(program, sample, undrawn):
+    """Names of two teeth exchanged, as the registration tells it: without them teeth are found by place along the arch."""
+    contours = json.loads((sample / "contours.json").read_text())
+    drawn = json.dumps({"contours": contours, "landmarks": None})
+    middles = {}
+    for kind in ("right", "exchanged", "none"):
+        marks = json.loads((sample / "landmarks3d.json").read_text())
+        if kind == "exchanged":
+            marks["UR4_B"], marks["UR5_B"] = marks["UR5_B"], marks["UR4_B"]
+        if kind == "none":
+            marks = {name: place for name, place in marks.items() if name[:3] not in ("UR4", "UR5")}
+        undrawn.save(marks, "landmarks3d.json")
+        with served(program, "--case", undrawn.file) as address:
+            status, text = ask(address, "POST", "1/register", drawn)
+            assert status == 200, text
+        drafts = {draft["code"]: draft["points"] for draft in json.loads(text)["drafts"]["upper"]}
+        middles[kind] = {code: sum(u for u, _ in drafts[code]) / len(drafts[code]) for code in ("UR4", "UR5") if code in drafts}
+    # The premolar behind lies behind, and where it lies without these landmarks.
+    backward = middles["right"]["UR5"] - middles["right"]["UR4"]
+    assert abs(backward) > 10
+    assert (middles["exchanged"]["UR5"] - middles["exchanged"]["UR4"]) * backward > 0, middles
+    assert middles["exchanged"] == pytest.approx(middles["none"], abs=1e-9), middles
+
+
 def segment_distance(p, a, b):
     dx, dy = b[0] - a[0], b[1] - a[1]
     t = max(0.0, min(1.0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / ((dx * dx + dy * dy) or 1.0)))

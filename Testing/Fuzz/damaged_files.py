@@ -1,11 +1,13 @@
 """Files that are damaged or mistaken in one way each, of every format that is read, with what has to come of each: that it
 is read, or the words of its error, which name what is wrong in it. test_damage.py has them read."""
+import gzip
 import json
 import struct
 import zipfile
 
 import make_seeds as seeds
 from dicom_file import dicom
+from nifti_file import nifti
 
 
 def edit(content, *changes):
@@ -345,6 +347,40 @@ def images():
     yield "MetaImage: a size of words", "a.mha", edit(mha, "DimSize = 32 32", "DimSize = a b"), ("DimSize", '"a b" is no list of numbers')
     yield "MetaImage: no pixels are named", "a.mha", mha[: mha.index(b"ElementDataFile")], ("ElementDataFile", "missing field")
     yield "MetaImage: its pixels are missing", "a.mhd", IMAGES["detached.mhd"], ("ElementDataFile", '"a.raw": there is no such file')
+    nii, packed = IMAGES["a.nii"], IMAGES["a.nii.gz"]
+    yield "NIfTI: as it is", "a.nii", nii, READ
+    yield "NIfTI: as it is, compressed", "a.nii.gz", packed, READ
+    yield "NIfTI: its name is another", "a.png", nii, READ
+    yield "NIfTI: compressed twice, one behind the other", "a.nii.gz", gzip.compress(nii[:400]) + gzip.compress(nii[400:]), READ
+    yield "NIfTI: a few bytes follow it", "a.nii", nii + bytes(100), READ
+    yield "NIfTI: cut in its pixels", "a.nii", nii[:-100], ("the NIfTI file is truncated or damaged: 1276 of 1376 bytes are there",)
+    yield "NIfTI: cut in its header", "a.nii", nii[:300], ("is no image of a known format",)
+    yield "NIfTI: cut where it is compressed", "a.nii.gz", packed[:-20], ("is truncated or damaged:", "its compressed bytes end too early")
+    yield "NIfTI: cut in its checksum", "a.nii.gz", packed[:-2], ("is truncated or damaged: 2400 of 2400 bytes are there, and its compressed bytes end too early",)
+    yield "NIfTI: its checksum is another", "a.nii.gz", put(packed, len(packed) - 8, "<I", 1), ("is truncated or damaged:", "its compressed bytes are damaged")
+    yield "NIfTI: more pixels than it says", "a.nii.gz", gzip.compress(nii + bytes(100000)), ("dim", "the file has more pixels than its header says")
+    yield "NIfTI: a size of 0", "a.nii", put(nii, 44, "<h", 0), ("dim", '"32 x 0 x 1" is no image size')
+    yield "NIfTI: a negative size", "a.nii", put(nii, 42, "<h", -32), ("dim", '"-32 x 32 x 1" is no image size')
+    yield "NIfTI: one dimension", "a.nii", put(nii, 40, "<h", 1), ("dim", "is no picture: it has 1 dimensions")
+    yield "NIfTI: 900 dimensions", "a.nii", put(nii, 40, "<h", 900), ("dim", "is no picture: it has 900 dimensions")
+    yield "NIfTI: slices", "a.nii", put(nii, 46, "<h", 4), ("has 4 frames, pages or slices",)
+    yield "NIfTI: a picture across the slices", "a.nii", put(nii, 42, "<3h", 1, 32, 32), ("dim", '"1 x 32 x 32" is a picture across the slices')
+    yield "NIfTI: vectors", "a.nii", put(nii, 40, "<6h", 5, 32, 32, 1, 1, 3), ("dim", "has 3 values a pixel (32 x 32 x 1 x 1 x 3), not one")
+    yield "NIfTI: colours", "a.nii", put(nii, 70, "<2h", 128, 24), ("datatype", "128 is no type of a grey pixel")
+    yield "NIfTI: bits of another type", "a.nii", put(nii, 72, "<h", 16), ("bitpix", "is 16, and 8 of its datatype 2")
+    yield "NIfTI: pixels at no place", "a.nii", put(nii, 108, "<f", NAN), ("vox_offset", "is not where pixels can begin")
+    yield "NIfTI: pixels in its header", "a.nii", put(nii, 108, "<f", 0), ("vox_offset", "is not where pixels can begin")
+    yield "NIfTI: pixels behind its end", "a.nii", put(nii, 108, "<f", 1e6), ("is truncated or damaged: 1376 of 1001024 bytes are there",)
+    yield "NIfTI: turned over by what nobody knows", "a.nii", put(nii, 280, "<f", 1), ("srow_x, srow_y", "columns run to R and rows to P")
+    yield "NIfTI: seen from the front", "a.nii", put(nii, 296, "<12f", 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0), ("srow_x, srow_y", "which is no picture from left to right")
+    yield "NIfTI: an affine of no numbers", "a.nii", put(nii, 280, "<f", NAN), ("srow_x, srow_y", "which is no picture from left to right")
+    yield "NIfTI: an affine of noughts", "a.nii", put(nii, 280, "<8f", *[0] * 8), ("srow_x, srow_y", "which is no picture from left to right")
+    yield "NIfTI: a slope that is no number", "a.nii", put(nii, 112, "<f", NAN), READ
+    yield "NIfTI: pixels in another file", "a.hdr", put(nii, 344, "3s", b"ni1")[:348], ("is a NIfTI header, whose pixels are in another file (.img)",)
+    two = struct.pack("<i", 540) + b"n+2\0" + bytes(700)
+    yield "NIfTI: version 2", "a.nii", two, ("is a NIfTI-2 image",)
+    yield "NIfTI: version 2, compressed", "a.nii.gz", gzip.compress(two), ("unpacked it doesn't begin as NIfTI-1 in one file",)
+    yield "NIfTI: another thing by that name", "a.nii.gz", gzip.compress(b"labels"), ("unpacked it doesn't begin as NIfTI-1 in one file",)
     pixels = bytes(range(256)) * 4
     whole = dicom(32, 32, pixels)
     yield "DICOM: as it is", "a.dcm", whole, READ
@@ -365,6 +401,11 @@ def labelmaps():
     yield "cut", "a.png", IMAGES["a.png"][:-20], ("the PNG file of 51 bytes is truncated or damaged",)
     yield "no image", "a.nrrd", "no image", ("is no image of a known format",)
     yield "labels that are no teeth", "a.mha", IMAGES["a.mha"], READ
+
+
+    yield "NIfTI: turned over by what nobody knows", "a.nii", put(IMAGES["a.nii"], 280, "<f", 1), ("srow_x, srow_y", "columns run to R and rows to P")
+    yield "NIfTI: colours", "a.nii", put(IMAGES["a.nii"], 70, "<2h", 128, 24), ("datatype", "128 is no type of a grey pixel")
+    yield "NIfTI: half a label", "a.nii", nifti([[0, 0.5]], "f"), ("has a pixel of value 0.5, which is no label",)
 
 
 def masks():

@@ -1753,7 +1753,7 @@ class CephalogramFileReader(ProcessObject):
         """
     def GetFileFormat(self) -> str:
         """
-        The format that was read: "PNG", "JPEG", "TIFF", "BMP", "NRRD", "MetaImage" or "DICOM".
+        The format that was read: "PNG", "JPEG", "TIFF", "BMP", "NRRD", "MetaImage", "NIfTI" or "DICOM".
         """
     def GetFileName(self) -> str:
         """

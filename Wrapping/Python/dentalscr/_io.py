@@ -277,7 +277,7 @@ class CephalogramFileReader(ProcessObject, _core.CephalogramFileReader):
 
 
 def ReadCephalogram(fileName: PathLike, spacing: Optional[Any] = None) -> _core.Image:
-    """Reads a radiograph: PNG, JPEG, TIFF, BMP, NRRD, MetaImage or DICOM.
+    """Reads a radiograph: PNG, JPEG, TIFF, BMP, NRRD, MetaImage, NIfTI or DICOM.
 
     Parameters
     ----------

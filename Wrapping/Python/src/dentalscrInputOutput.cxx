@@ -421,8 +421,8 @@ WrapInputOutput(py::module_ & module)
     .def("GetWarnings", &CephalogramReaderType::GetWarnings, "What a person should know of the file, a sentence each.")
     .def("GetFileFormat",
          &CephalogramReaderType::GetFileFormat,
-         "The format that was read: \"PNG\", \"JPEG\", \"TIFF\", \"BMP\", \"NRRD\", \"MetaImage\" or "
-         "\"DICOM\".")
+         "The format that was read: \"PNG\", \"JPEG\", \"TIFF\", \"BMP\", \"NRRD\", \"MetaImage\", "
+         "\"NIfTI\" or \"DICOM\".")
     .def("_TakeOutput", [](CephalogramReaderType & self) { return Detach(self.GetOutput()); });
 
   ProcessClass<LabelReaderType>(module, "ToothLabelFileReader", "Reads tooth labels of a mesh's points.")

@@ -75,6 +75,37 @@ def test_label_image_of_simpleitk_becomes_a_contour(ds):
     assert abs(np.linalg.norm(smooth.points - [90, 70], axis=1) - 30.0).max() < 0.4
 
 
+@pytest.mark.parametrize("kind", ["sitkUInt8", "sitkInt16", "sitkUInt16", "sitkInt32", "sitkFloat32", "sitkFloat64", "sitkInt64"])
+@pytest.mark.parametrize("end", [".nii", ".nii.gz"])
+def test_label_map_that_simpleitk_writes_as_nifti_is_that_of_the_picture(ds, tmp_path, kind, end):
+    """Read from a PNG and written again, in two dimensions and as one slice, which is what nnU-Net works with."""
+    sitk = pytest.importorskip("SimpleITK")
+    labels = np.zeros((60, 50), np.uint8)
+    labels[5:20, 8:16] = 11
+    labels[30:52, 21:40] = 46
+    labels[30:34, 21:25] = 0
+    sitk.WriteImage(sitk.GetImageFromArray(labels), str(tmp_path / "labels.png"))
+    expected = ds.ReadContours(tmp_path / "labels.png")
+    picture = sitk.Cast(sitk.ReadImage(str(tmp_path / "labels.png")), getattr(sitk, kind))
+    slice_ = sitk.JoinSeries(picture)
+    slice_.SetSpacing((1, 1, 999))
+    placed = sitk.Image(picture)
+    placed.SetSpacing((0.1, 0.2))
+    placed.SetOrigin((-12.0, 7.0))
+    for image in (picture, slice_, placed):
+        sitk.WriteImage(image, str(tmp_path / ("labels" + end)))
+        contours = ds.ReadContours(tmp_path / ("labels" + end))
+        assert contours.imageSize == (50, 60)
+        for jaw in ("upper", "lower"):
+            assert np.array_equal(getattr(contours, jaw).points, getattr(expected, jaw).points)
+            assert [line.code for line in getattr(contours, jaw).polylines] == [line.code for line in getattr(expected, jaw).polylines]
+    # The same as SimpleITK's own reader has the pixels, and so as a radiograph, whose spacing counts.
+    reader = ds.CephalogramFileReader()
+    image = reader.Execute(tmp_path / ("labels" + end))
+    assert reader.GetFileFormat() == "NIfTI"
+    assert np.array_equal(np.asarray(image), labels) and image.GetSpacing() == pytest.approx((0.1, 0.2), rel=1e-6)
+
+
 def test_simpleitks_event_constants_serve(ds, case):
     sitk = pytest.importorskip("SimpleITK")
     method = ds.SilhouetteToContourRegistrationMethod()

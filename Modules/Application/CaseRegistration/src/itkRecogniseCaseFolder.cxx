@@ -117,6 +117,17 @@ EndsLikeITero(const Words & words, const char * letter)
   return n >= 3 && words[n - 3] == "shell" && words[n - 2] == "occlusion" && words[n - 1] == letter;
 }
 
+/** A NIfTI image, by the end of its name, of which the usual extension is a part alone. */
+bool
+IsNifti(const std::string & file)
+{
+  const std::string name = LowerCase(fs::path(file).filename().string());
+  const auto        endsWith = [&name](const std::string & end) {
+    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+  };
+  return endsWith(".nii") || endsWith(".nii.gz");
+}
+
 /** What a reader makes of a file; nothing where it refuses it. \param problem  gets what it says then. */
 template <typename TRead>
 bool
@@ -241,7 +252,7 @@ public:
       {
         this->LookAtScan(file);
       }
-      else if (PictureExtensions.count(extension) != 0)
+      else if (PictureExtensions.count(extension) != 0 || IsNifti(file))
       {
         this->LookAtPicture(file);
       }
@@ -334,7 +345,8 @@ private:
       return;
     }
     const Words words = SplitWords(fs::path(file).stem().string());
-    if (HasAny(words, DerivedWords))
+    // Programs of segmentation write NIfTI, and call it as the radiograph is called.
+    if (HasAny(words, DerivedWords) || (IsNifti(file) && this->HoldsTeeth(file)))
     {
       m_Derived.push_back(file);
       return;
@@ -505,25 +517,32 @@ private:
     }
   }
 
-  /** It may be a label map, whose numbers are teeth. */
-  void
-  LookAtDerivedPicture(const std::string & file)
+  /** Whether a picture is a label map, whose numbers are teeth, in the grid of the radiograph where that is known. */
+  bool
+  HoldsTeeth(const std::string & file, std::string * problem = nullptr) const
   {
-    const bool isLabelMap = Reads([&]() {
+    const auto read = [&]() {
       auto reader = DentalContourFileReader::New();
       reader->SetFileName(file);
       reader->SetImageSize(m_ImageSize);
       reader->Update();
       return reader->GetUpperOutput()->GetNumberOfPoints() + reader->GetLowerOutput()->GetNumberOfPoints() > 0;
-    });
-    if (isLabelMap)
+    };
+    return Reads(read, problem);
+  }
+
+  void
+  LookAtDerivedPicture(const std::string & file)
+  {
+    std::string problem;
+    if (this->HoldsTeeth(file, &problem))
     {
       this->Add("contours", file, "a tracing: a label map with teeth");
+      return;
     }
-    else
-    {
-      this->Note(file, "not used: by its name it was made of a radiograph and is none");
-    }
+    this->Note(file,
+               "not used: by its name it was made of a radiograph and is none" +
+                 (problem.empty() ? problem : "; as a label map it has this fault: " + problem));
   }
 
   /** One candidate is taken, of several none. */

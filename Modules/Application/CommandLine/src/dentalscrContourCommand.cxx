@@ -100,8 +100,17 @@ ContoursOfLabels(const ContourOptions & options, itk::DentalContour * contours[2
       options.labels, "", "has no label: all its pixels are 0", "name the label map of the teeth");
   }
   const auto contour = Resample(filter->GetOutput(), options.points);
-  for (const auto & polyline : contour->GetPolylines())
+  for (auto polyline : contour->GetPolylines())
   {
+    if (polyline.code.IsKnown())
+    {
+      std::vector<std::array<double, 2>> points;
+      for (const auto & point : polyline.points)
+      {
+        points.push_back({ { point[0], point[1] } });
+      }
+      polyline.weights = itk::ComputeLabelBorderWeights(labels, points, polyline.code.GetJaw() == JawEnum::Upper);
+    }
     const JawEnum jaw =
       polyline.code.IsKnown() ? polyline.code.GetJaw() : (options.jaw == "upper" ? JawEnum::Upper : JawEnum::Lower);
     contours[jaw == JawEnum::Upper ? 0 : 1]->AddPolyline(polyline);

@@ -20,6 +20,7 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkMakeTriangleSurface.h"
 #include "itkOpenSilhouette.h"
+#include "itkScanCheckFilter.h"
 #include "itkToothCrownFilter.h"
 #include "itkUMidlineDentalAxisFilter.h"
 
@@ -28,7 +29,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace itk
 {
@@ -244,6 +247,19 @@ CrownDraftSource::CrownDraftSource(const DentalCaseData & data)
   axis->RequireArchesOff();
   axis->TransformMeshesOff();
   axis->Update();
+  // Of landmarks at another tooth's place, off the scan or all at one place, a draft would get another tooth's code.
+  std::vector<std::string> unusable;
+  if (data.landmarks3D.IsNotNull())
+  {
+    auto checks = ScanCheckFilter::New();
+    checks->SetUpperMesh(data.upper.mesh);
+    checks->SetLowerMesh(data.lower.mesh);
+    checks->SetFrames(axis->GetFrameOutput());
+    checks->SetLandmarks(data.landmarks3D);
+    checks->SetMillimetresPerUnit(data.description.millimetresPerUnit);
+    checks->Update();
+    unusable = checks->GetUnusableLandmarks();
+  }
   for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
   {
     const bool upper = jaw == JawEnum::Upper;
@@ -271,6 +287,7 @@ CrownDraftSource::CrownDraftSource(const DentalCaseData & data)
     if (data.landmarks3D.IsNotNull())
     {
       filter->SetScanLandmarks(data.landmarks3D);
+      filter->SetUnusableLandmarks(unusable);
       filter->SetMillimetresPerUnit(data.description.millimetresPerUnit);
     }
     filter->SetExcludedTeeth(data.description.excludedTeeth);

@@ -46,7 +46,7 @@ enum class PlaceEnum : uint8_t
   Compressed,
   /** Anywhere in the first bytes of a text of JSON objects, one a line. */
   JsonLines,
-  /** Where NIfTI has its signature, by the length that its header begins with. */
+  /** Where NIfTI of that version has its signature, which also tells whether its pixels are in the same file. */
   NIfTI
 };
 
@@ -72,10 +72,9 @@ const std::string Nul(1, '\0');
 
 /** What to do about meshes of other kinds. */
 constexpr const char * ExportMesh = "export STL, PLY or OBJ";
-/** And about images that only scientific programs write. */
+/** And about images of NIfTI that are not read. */
 constexpr const char * SaveImage =
-  "save a label map or radiograph as NRRD or PNG, in the radiograph's pixel grid (3D Slicer, ITK-SNAP and SimpleITK "
-  "do), a scan as STL, PLY or OBJ";
+  "save it as NIfTI-1 in one file (.nii, .nii.gz), as NRRD or PNG, in the radiograph's pixel grid";
 
 /** In the order in which they are tried. */
 const Kind Kinds[] = {
@@ -96,8 +95,11 @@ const Kind Kinds[] = {
   { PlaceEnum::Start, "PK\x03\x04", Any, "a ZIP archive", "unpack it and name the file in it" },
   { PlaceEnum::Start, "Rar!", Any, "a RAR archive", "unpack it and name the file in it" },
   { PlaceEnum::Start, "7z\xbc\xaf\x27\x1c", Any, "a 7-Zip archive", "unpack it and name the file in it" },
-  { PlaceEnum::Compressed, ".nii", Any, "a NIfTI image (.nii.gz), which is not read", SaveImage },
-  { PlaceEnum::NIfTI, "", Any, "a NIfTI image, which is not read", SaveImage },
+  { PlaceEnum::Compressed, ".nii", Scan | Landmarks, "a NIfTI image (.nii.gz)", nullptr },
+  { PlaceEnum::NIfTI, "n+1", Scan | Landmarks, "a NIfTI image", nullptr },
+  { PlaceEnum::NIfTI, "ni1", Any, "a NIfTI header, whose pixels are in another file (.img)", SaveImage },
+  { PlaceEnum::NIfTI, "n+2", Any, "a NIfTI-2 image", SaveImage },
+  { PlaceEnum::NIfTI, "ni2", Any, "a NIfTI-2 header, whose pixels are in another file (.img)", SaveImage },
   { PlaceEnum::Start, "\x1f\x8b", Any, "a gzip archive", "unpack it and name the file in it" },
   { PlaceEnum::Start, "\xd0\xcf\x11\xe0", Any, "an old Excel or Office document", "save the table as CSV (label,x,y)" },
   { PlaceEnum::Start, "%PDF", Any, "a PDF document", nullptr },
@@ -220,7 +222,7 @@ RemedyOf(FilePurposeEnum purpose)
     case FilePurposeEnum::Scan:
       return "name the scan as STL, PLY, OBJ, OFF, VTK or VTP";
     case FilePurposeEnum::Radiograph:
-      return "name the radiograph as PNG, JPEG, TIFF, BMP, NRRD, MetaImage or DICOM";
+      return "name the radiograph as PNG, JPEG, TIFF, BMP, NRRD, MetaImage, NIfTI or DICOM";
     case FilePurposeEnum::Tracing:
       return "name the tracing: JSON (own, labelme, COCO, VIA, Label Studio, Supervisely, 3D Slicer), CVAT XML, CSV "
              "with "
@@ -266,18 +268,15 @@ IsJsonLines(const std::string & text)
   return last > 0 && text[last] == '}' && next != std::string::npos && text[next] == '{';
 }
 
-/** Both versions, in one file or with its pixels in another, in either byte order. */
+/** In either byte order. */
 bool
-IsNIfTI(const std::string & head)
+IsNIfTI(const std::string & head, const std::string & magic)
 {
-  const auto hasLength = [&head](const std::string & length) {
-    return head.compare(0, 4, length) == 0 || head.compare(0, 4, std::string(length.rbegin(), length.rend())) == 0;
-  };
-  const auto hasMagic = [&head](std::size_t place, const char * one, const char * two) {
-    return head.size() > place + 3 && (head.compare(place, 3, one) == 0 || head.compare(place, 3, two) == 0);
-  };
-  return (hasLength("\x5c\x01" + Nul + Nul) && hasMagic(344, "n+1", "ni1")) ||
-         (hasLength("\x1c\x02" + Nul + Nul) && hasMagic(4, "n+2", "ni2"));
+  const bool        isSecond = magic.back() == '2';
+  const std::string length = (isSecond ? "\x1c\x02" : "\x5c\x01") + Nul + Nul;
+  const std::size_t place = isSecond ? 4 : 344;
+  return (head.compare(0, 4, length) == 0 || head.compare(0, 4, std::string(length.rbegin(), length.rend())) == 0) &&
+         head.size() > place && head.compare(place, magic.size() + 1, magic + Nul) == 0;
 }
 
 bool
@@ -331,7 +330,7 @@ RefuseForeignFile(const std::string & fileName, FilePurposeEnum purpose)
       case PlaceEnum::JsonLines:
         return jsonLines && text.find(kind.signature) != std::string::npos;
       case PlaceEnum::NIfTI:
-        return IsNIfTI(head);
+        return IsNIfTI(head, kind.signature);
       default:
         return archive && names.find(kind.signature) != std::string::npos;
     }

@@ -103,11 +103,10 @@ TEST(ForeignFile, IsNamedForWhatItIsWithWhatToExportInstead)
     { "export.ndjson", "{\"data_row\":{\"id\":\"c\"},\"projects\":{}}", "Labelbox", "COCO" },
     { "more.ndjson", "{\"id\":1,\"data_row\":{}}\n{\"id\":2,\"data_row\":{}}\n", "Labelbox", "COCO" },
     { "lines.jsonl", "{\"a\": 1}\r\n\r\n{\"a\": 2}\r\n", "NDJSON", "COCO" },
-    { "labels.nii", NIfTI(348, 344, "n+1", false), "NIfTI", "NRRD or PNG" },
-    { "big.nii", NIfTI(348, 344, "ni1", true), "NIfTI", "NRRD or PNG" },
-    { "two.nii", NIfTI(540, 4, "n+2", false), "NIfTI", "NRRD or PNG" },
-    { "Labels.NII.gz", std::string("\x1f\x8b\x08\0\0\0\0\0\2\xff\xab", 11), "NIfTI", "NRRD or PNG" },
-    { "renamed.gz", std::string("\x1f\x8b\x08\x08\0\0\0\0\2\xfflabels.nii\0\xab", 22), "NIfTI", "NRRD or PNG" },
+    { "pair.hdr", NIfTI(348, 344, "ni1", false), "another file (.img)", "in one file (.nii" },
+    { "big.hdr", NIfTI(348, 344, "ni1", true), "another file (.img)", "in one file (.nii" },
+    { "two.nii", NIfTI(540, 4, "n+2", false), "a NIfTI-2 image", "NIfTI-1" },
+    { "two.hdr", NIfTI(540, 4, "ni2", true), "a NIfTI-2 header", "NIfTI-1" },
     { "scan.stl.gz", std::string("\x1f\x8b\x08\x08\0\0\0\0\2\xffscan.stl\0\xab", 20), "gzip", "unpack" },
   };
   for (const Row & row : rows)
@@ -134,6 +133,11 @@ TEST(ForeignFile, WhatServesThePurposeIsLetThrough)
   EXPECT_EQ(Refusal("pretty.json", "{\n  \"contours\": {}\n}\n", Purpose::Tracing), "");
   EXPECT_EQ(Refusal("one.json", "{\"contours\": {}}\n", Purpose::Tracing), "");
   EXPECT_EQ(Refusal("inner.json", "{\"contours\": {},\n{", Purpose::Tracing), "");
+  for (const Purpose purpose : { Purpose::Tracing, Purpose::Radiograph })
+  {
+    EXPECT_EQ(Refusal("labels.nii", NIfTI(348, 344, "n+1", false), purpose), "");
+    EXPECT_EQ(Refusal("Labels.NII.gz", std::string("\x1f\x8b\x08\0\0\0\0\0\2\xff\xab", 11), purpose), "");
+  }
   // A length alone makes no NIfTI.
   EXPECT_EQ(Refusal("few.stl", NIfTI(348, 344, "abc", false), Purpose::Scan), "");
   // No WebP, though it begins as one.
@@ -147,6 +151,16 @@ TEST(ForeignFile, WhatServesAnotherPurposeIsNamed)
   EXPECT_TRUE(itk::Contains(Refusal("a", "\x89PNG\r\n\x1a\n", Purpose::Scan), "a PNG picture, no scan"));
   EXPECT_TRUE(itk::Contains(Refusal("b", "{\"contours\": {}}", Purpose::Radiograph), "a JSON file, no radiograph"));
   EXPECT_TRUE(itk::Contains(Refusal("c", "ply\nformat ascii 1.0\n", Purpose::Tracing), "a PLY mesh, no tracing"));
+  for (const Purpose purpose : { Purpose::Scan, Purpose::Landmarks })
+  {
+    EXPECT_TRUE(itk::Contains(Refusal("labels.nii", NIfTI(348, 344, "n+1", true), purpose), "a NIfTI image, no "));
+    EXPECT_TRUE(itk::Contains(Refusal("L.NII.gz", std::string("\x1f\x8b\x08\0\0\0\0\0\2\xff\xab", 11), purpose),
+                              "a NIfTI image (.nii.gz), no "));
+    // The name that gzip notes inside.
+    EXPECT_TRUE(
+      itk::Contains(Refusal("renamed.gz", std::string("\x1f\x8b\x08\x08\0\0\0\0\2\xfflabels.nii\0\xab", 22), purpose),
+                    "a NIfTI image"));
+  }
   EXPECT_TRUE(itk::Contains(Refusal("d", std::string(128, '\0') + "DICM" + std::string(10, '\0'), Purpose::Scan),
                             "a DICOM image"));
 }

@@ -426,7 +426,9 @@ AnnotationFormatFromFile(const std::string & fileName)
   {
     return Format::Automatic;
   }
-  return first == '<' ? Format::CVAT : IsImageFile(fileName) ? Format::LabelImage : Format::Automatic;
+  // Of what gzip has compressed only a NIfTI image comes so far, and what is wrong with it is said by its reader.
+  const bool isCompressed = first == '\x1f';
+  return first == '<' ? Format::CVAT : isCompressed || IsImageFile(fileName) ? Format::LabelImage : Format::Automatic;
 }
 
 AnnotationFileFormatEnum
@@ -443,8 +445,10 @@ AnnotationFormatFromContent(const JsonNode & root)
   return RecognizeForeignAnnotation(root);
 }
 
+namespace
+{
 AnnotationRecords
-ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName)
+ReadAnyContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName)
 {
   RefuseCephalometricFormat(fileName, format);
   RefuseForeignFile(fileName, FilePurposeEnum::Tracing);
@@ -509,6 +513,27 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
     TakeCalibrations(records);
   }
   records.warnings.insert(records.warnings.begin(), document.GetWarnings().begin(), document.GetWarnings().end());
+  return records;
+}
+} // namespace
+
+AnnotationRecords
+ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName)
+{
+  AnnotationRecords records = ReadAnyContourRecords(fileName, format, imageName);
+  std::size_t       count = 0;
+  for (const AnnotationPolyline & polyline : records.polylines)
+  {
+    count += polyline.points.size();
+  }
+  if (count > MaximumNumberOfContourPoints)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             "",
+                             "has " + std::to_string(count) + " points, more than the " +
+                               std::to_string(MaximumNumberOfContourPoints) + " that a tracing may have",
+                             "thin the outlines out to a point a pixel");
+  }
   return records;
 }
 

@@ -91,6 +91,9 @@ struct AnnotationRecords
 /** Pixels across or down that a file may state; no radiograph has a tenth of it. */
 constexpr int64_t MaximumImageSize = 1000000;
 
+/** Points of all outlines of a file together; a tracing has some hundreds, those of masks some ten thousand. */
+constexpr std::size_t MaximumNumberOfContourPoints = 200000;
+
 /** Throws DentalInputError for a coordinate, of a pixel or in the unit of a scan, that is on no radiograph and on no
  * scan: one point far away would make what follows take memory and time for all the way to it. */
 void

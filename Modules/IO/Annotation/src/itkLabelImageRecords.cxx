@@ -205,7 +205,18 @@ ReadLabelImageRecords(const std::string & fileName)
   for (const auto & [code, parts] : outlines)
   {
     // A label is an FDI number, whatever the numbering of codes.
+    const std::size_t first = records.polylines.size();
     AppendOutlines("FDI " + std::to_string(code.GetFDI()), parts, speckled, records);
+    for (std::size_t i = first; i < records.polylines.size(); ++i)
+    {
+      std::vector<std::array<double, 2>> points;
+      for (const auto & point : records.polylines[i].points)
+      {
+        points.push_back({ { point[0], point[1] } });
+      }
+      records.polylines[i].weights =
+        ComputeLabelBorderWeights(image, points, code.GetJaw() == ToothCode::JawEnum::Upper);
+    }
   }
   WarnOfSpecks(fileName, speckled, records);
   return records;

@@ -40,9 +40,9 @@ class RadiographFile;
 /** \class CephalogramFileReader
  * \brief Reads a cephalogram as a grey 2-D image and says what its pixel spacing is worth.
  *
- * PNG, JPEG, TIFF, BMP, NRRD, MetaImage and DICOM, recognised by what stands in the file; no ImageIO factory has to be
- * registered. Colour becomes luminance (Rec. 709), transparency black. DICOM's rescale is applied and MONOCHROME1 is
- * inverted, so that dense is bright. A volume of one slice is a picture; several frames or pages are an error.
+ * PNG, JPEG, TIFF, BMP, NRRD, MetaImage, NIfTI and DICOM, recognised by what stands in the file; no ImageIO factory has
+ * to be registered. Colour becomes luminance (Rec. 709), transparency black. DICOM's rescale is applied and MONOCHROME1
+ * is inverted, so that dense is bright. A volume of one slice is a picture; several frames or pages are an error.
  *
  * Spacing: a verdict (PixelSpacingVerdictEnum) by the table of DecidePixelSpacing() for DICOM. A resolution in dots per
  * inch is never a spacing: PNG, JPEG, TIFF and BMP are Unknown. An explicit spacing of a NRRD or MetaImage counts as
@@ -211,7 +211,7 @@ public:
   {
     return m_Warnings;
   }
-  /** "PNG", "JPEG", "TIFF", "BMP", "NRRD", "MetaImage" or "DICOM". */
+  /** "PNG", "JPEG", "TIFF", "BMP", "NRRD", "MetaImage", "NIfTI" or "DICOM". */
   const std::string &
   GetFileFormat() const
   {

@@ -22,14 +22,16 @@
 
 #include "itkImage.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace itk
 {
 /** A label map in the pixel grid of a radiograph: PNG (grey or palette, whose index is the label), TIFF (whole numbers
- * of up to 32 bits), BMP, NRRD, MetaImage or DICOM. What an image viewer needs colours for is a number here: a colour
- * picture is an error unless its colours are grey.
+ * of up to 32 bits), BMP, NRRD, MetaImage, NIfTI or DICOM. What an image viewer needs colours for is a number here: a
+ * colour picture is an error unless its colours are grey.
  *
  * Spacing and origin are those of pixels, whatever the file says. Throws DentalInputError for what
  * CephalogramFileReader refuses, and for pixels that are no whole number from 0 to 65535.
@@ -37,6 +39,20 @@ namespace itk
  * \ingroup Cephalogram */
 Cephalogram_EXPORT Image<std::uint16_t, 2>::Pointer
                    ReadLabelImage(const std::string & fileName);
+
+/** Weights of the points of a tooth's outline in a label map of FDI numbers: 0 where it runs along a tooth of the other
+ * jaw. A pixel has one label, so that where the jaws overlap, as front teeth do in a bite, one of both teeth ends where
+ * the other one begins and not where it ends; nothing says which. Empty where there is no such point.
+ *
+ * \param labels The label map.
+ * \param points Of one outline, continuous pixel index.
+ * \param isUpper Whether the tooth is of the upper jaw.
+ *
+ * \ingroup Cephalogram */
+Cephalogram_EXPORT std::vector<double>
+                   ComputeLabelBorderWeights(const Image<std::uint16_t, 2> *            labels,
+                                             const std::vector<std::array<double, 2>> & points,
+                                             bool                                       isUpper);
 
 /** A picture of two tones, a mask or drawn lines, as 1 where something is drawn and 0 elsewhere. The rarer tone is what
  * is drawn, so that white on black and black on white are read alike; colours count by their luminance. Throws as

@@ -326,6 +326,7 @@ CephalogramFileReader::GenerateOutputInformation()
       break;
     case Format::NRRD:
     case Format::MetaImage:
+    case Format::NIfTI:
       this->ReadHeaderSpacing();
       this->ReadHeaderGrid();
       break;

@@ -71,6 +71,21 @@ void
 PrintNothing(j_common_ptr)
 {}
 
+/** A picture that comes in steps has some ten scans, three dozen at most. A scan that changes nothing has a few hundred
+ * bytes and is gone through pixel by pixel, so that half a megabyte of them takes a minute. */
+constexpr int LargestNumberOfScans = 64;
+
+void
+CountScans(j_common_ptr info)
+{
+  if (info->is_decompressor != 0 && reinterpret_cast<j_decompress_ptr>(info)->input_scan_number > LargestNumberOfScans)
+  {
+    auto * const manager = reinterpret_cast<ErrorManager *>(info->err);
+    std::snprintf(manager->message, sizeof(manager->message), "it has more than %d scans", LargestNumberOfScans);
+    std::longjmp(manager->escape, 1);
+  }
+}
+
 /** Plain C inside, so that a jump skips no destructor. */
 void
 Decode(ErrorManager &        manager,
@@ -81,6 +96,8 @@ Decode(ErrorManager &        manager,
        std::size_t           rowSize)
 {
   jpeg_decompress_struct info;
+  jpeg_progress_mgr      progress{};
+  progress.progress_monitor = CountScans;
   info.err = jpeg_std_error(&manager.base);
   manager.base.error_exit = OnError;
   manager.base.emit_message = OnMessage;
@@ -92,6 +109,7 @@ Decode(ErrorManager &        manager,
     return;
   }
   jpeg_create_decompress(&info);
+  info.progress = &progress;
   jpeg_mem_src(&info, bytes, static_cast<unsigned long>(count));
   jpeg_read_header(&info, TRUE);
   if (info.image_height == 0 || info.image_width <= maximumNumberOfPixels / info.image_height)

@@ -20,6 +20,7 @@
 #include "itkCephalogramFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkExifOrientation.h"
+#include "itkPictureSizeCheck.h"
 #include "itkRadiographImageIO.h"
 
 #include <algorithm>
@@ -164,9 +165,13 @@ RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette
     std::string bytes = ReadRadiographBytes(fileName);
     m_Format = DetectRadiographFileFormat(fileName, bytes);
     VerifyRadiographFileIsComplete(fileName, bytes, m_Format, CephalogramFileReader::MaximumNumberOfPixels);
-    if (m_Format == Format::PNG && palette == PaletteEnum::Numbers)
+    if (m_Format == Format::JPEG || m_Format == Format::PNG)
     {
-      DropPaletteTransparency(bytes);
+      m_Orientation = ReadExifOrientation(bytes);
+    }
+    if (m_Format == Format::PNG)
+    {
+      KeepChunksOfPixels(bytes, palette == PaletteEnum::Colours);
     }
     if (bytes.size() > MemoryFile::GetLargestSize())
     {
@@ -180,7 +185,7 @@ RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette
       this->ReadInformation(bytes, palette);
     });
   }
-  this->VerifySize();
+  VerifyPictureSize(m_FileName, m_StoredSize, m_Frames, SizeValueType{ m_Components } * this->GetDepth() / 8);
   const bool mayHaveAlphaAlone = m_Format == Format::PNG || m_Format == Format::TIFF;
   if (m_Components != 1 && m_Components != 3 && m_Components != 4 && !(m_Components == 2 && mayHaveAlphaAlone))
   {
@@ -201,17 +206,20 @@ RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
   {
     m_TextHeader = GetRadiographTextHeader(bytes);
   }
-  if (m_Format == Format::JPEG || m_Format == Format::PNG)
-  {
-    m_Orientation = ReadExifOrientation(bytes);
-  }
-  else if (m_Format == Format::TIFF)
+  if (m_Format == Format::TIFF)
   {
     m_TIFF = LoadTIFFReader().readLayout(m_Memory.GetName());
     m_Orientation = m_TIFF ? m_TIFF->orientation : 1;
   }
   if (m_TIFF && m_TIFF->HasNumbers() && (m_TIFF->isGrey || palette == PaletteEnum::Numbers))
   {
+    if (!m_TIFF->isCodedAsUsual)
+    {
+      itkDentalInputErrorMacro(m_FileName,
+                               "",
+                               "is a TIFF compressed in an unusual way, which is not read",
+                               "save it with LZW, or uncompressed");
+    }
     m_StoredSize = { { m_TIFF->width, m_TIFF->height } };
     m_Frames = m_TIFF->pages;
     m_Components = m_TIFF->samples;
@@ -244,38 +252,6 @@ RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
   }
   m_Components = m_ImageIO->GetNumberOfComponents();
   m_ComponentType = m_ImageIO->GetComponentType();
-}
-
-void
-RadiographFile::VerifySize() const
-{
-  if (m_Frames > 1)
-  {
-    itkDentalInputErrorMacro(m_FileName,
-                             "",
-                             "has " + std::to_string(m_Frames) + " frames, pages or slices",
-                             "export that of the one radiograph");
-  }
-  const std::string size = std::to_string(m_StoredSize[0]) + " x " + std::to_string(m_StoredSize[1]) + " pixels";
-  if (m_StoredSize[0] == 0 || m_StoredSize[1] == 0)
-  {
-    itkDentalInputErrorMacro(m_FileName, "", "is an image of " + size, "export it again");
-  }
-  constexpr auto maximum = CephalogramFileReader::MaximumWidthAndHeight;
-  if (m_StoredSize[0] > CephalogramFileReader::MaximumNumberOfPixels / m_StoredSize[1] || m_StoredSize[0] > maximum ||
-      m_StoredSize[1] > maximum)
-  {
-    itkDentalInputErrorMacro(
-      m_FileName, "", "claims to have " + size + ", which no cephalogram has", "export it again");
-  }
-  const SizeValueType bytes = m_Components * GetTraits(m_ComponentType).bits / 8;
-  if (m_StoredSize[0] * m_StoredSize[1] > CephalogramFileReader::MaximumNumberOfBytes / (bytes + sizeof(float)))
-  {
-    itkDentalInputErrorMacro(m_FileName,
-                             "",
-                             "claims to have " + size + " of " + std::to_string(bytes) + " bytes, too many to be read",
-                             "export it in grey of 8 or 16 bits, or shrink it");
-  }
 }
 
 double

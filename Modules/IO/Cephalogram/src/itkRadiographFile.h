@@ -123,8 +123,6 @@ public:
 private:
   void
   ReadInformation(const std::string & bytes, PaletteEnum palette);
-  void
-  VerifySize() const;
 
   std::string m_FileName;
   /** What was read and checked, for decoders. */

@@ -24,6 +24,7 @@
 #include "itkInputFile.h"
 #include "itkJPEGFileCheck.h"
 #include "itkLowerCase.h"
+#include "itkNiftiPictureIO.h"
 #include "itkTrimText.h"
 
 #include <algorithm>
@@ -528,6 +529,8 @@ ToString(RadiographFileFormatEnum format)
       return "NRRD";
     case Format::MetaImage:
       return "MetaImage";
+    case Format::NIfTI:
+      return "NIfTI";
     default:
       return "DICOM";
   }
@@ -598,32 +601,63 @@ DetectRadiographFileFormat(const std::string & fileName, std::string_view bytes)
   {
     return Format::BMP;
   }
+  if (NiftiPictureIO::IsNifti(head))
+  {
+    return Format::NIfTI;
+  }
   RefuseForeignFile(fileName, FilePurposeEnum::Radiograph);
+  if (StartsWith(head, "\x1f\x8b"))
+  {
+    itkDentalInputErrorMacro(
+      fileName,
+      "",
+      "is damaged, or not the NIfTI image that its name says: unpacked it doesn't begin as NIfTI-1 "
+      "in one file",
+      "copy or export it again, as NIfTI-1 (.nii, .nii.gz), NRRD or PNG");
+  }
   itkDentalInputErrorMacro(
-    fileName, "", "is no image of a known format", "use PNG, JPEG, TIFF, BMP, NRRD, MetaImage or DICOM");
+    fileName, "", "is no image of a known format", "use PNG, JPEG, TIFF, BMP, NRRD, MetaImage, NIfTI or DICOM");
 }
 
 void
-DropPaletteTransparency(std::string & bytes)
+KeepChunksOfPixels(std::string & bytes, bool hasTransparency)
 {
   // The header, whose chunk is the first, has the kind of colours in its tenth byte.
   constexpr std::size_t kind = 8 + 8 + 9;
-  if (bytes.size() <= kind || bytes[kind] != 3)
+  std::size_t           kept = std::min<std::size_t>(bytes.size(), 8);
+  std::size_t           colours = 0;
+  for (std::size_t position = kept; position + 12 <= bytes.size();)
   {
-    return;
-  }
-  for (std::size_t position = 8; position + 12 <= bytes.size();)
-  {
-    const std::size_t length = std::size_t{ BigEndian32(Bytes(bytes), position) } + 12;
-    if (bytes.compare(position + 4, 4, "tRNS") == 0)
+    const std::size_t      count = BigEndian32(Bytes(bytes), position);
+    const std::size_t      length = std::min(count + 12, bytes.size() - position);
+    const std::string_view type = std::string_view(bytes).substr(position + 4, 4);
+    bool                   isKept = type == "IHDR" || type == "PLTE" || type == "IDAT" || type == "IEND";
+    if (type == "PLTE")
     {
-      bytes.erase(position, length);
+      colours = count / 3;
     }
-    else
+    else if (type == "pHYs")
     {
-      position += length;
+      isKept = count == 9;
     }
+    else if (type == "tRNS" && hasTransparency)
+    {
+      isKept = bytes[kind] == 0   ? count == 2
+               : bytes[kind] == 2 ? count == 6
+                                  : bytes[kind] == 3 && count > 0 && count <= colours;
+      hasTransparency = !isKept;
+    }
+    if (isKept)
+    {
+      // In place and forward, so that any number of chunks is one walk.
+      std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(position),
+                  length,
+                  bytes.begin() + static_cast<std::ptrdiff_t>(kept));
+      kept += length;
+    }
+    position += length;
   }
+  bytes.resize(kept);
 }
 
 void
@@ -635,6 +669,11 @@ VerifyRadiographFileIsComplete(const std::string &      fileName,
   if (format == Format::MetaImage)
   {
     VerifyMetaImage(fileName, bytes);
+    return;
+  }
+  if (format == Format::NIfTI)
+  {
+    NiftiPictureIO::Verify(fileName, bytes);
     return;
   }
   if (format == Format::DICOM)

@@ -34,6 +34,7 @@ enum class RadiographFileFormatEnum : uint8_t
   BMP,
   NRRD,
   MetaImage,
+  NIfTI,
   DICOM
 };
 
@@ -57,17 +58,19 @@ ReadRadiographBytes(const std::string & fileName);
  * pixels than given is not decoded.
  *
  * Whoever decodes gives these bytes to the decoder and not the file's name, by which another file may be opened
- * meanwhile. The pixels that a header of NRRD or MetaImage names in a file beside it are moved into the bytes. */
+ * meanwhile. The pixels that a header of NRRD or MetaImage names in a file beside it are moved into the bytes, and
+ * those of a NIfTI that is compressed are unpacked. */
 void
 VerifyRadiographFileIsComplete(const std::string &      fileName,
                                std::string &            bytes,
                                RadiographFileFormatEnum format,
                                std::size_t              maximumNumberOfPixels);
 
-/** Takes the entries of a palette that are transparent out of a whole PNG: ITK's reader makes colours of a palette that
- * has such, though its numbers were asked for. Programs of labels write their background so. */
+/** Leaves of a whole PNG what its pixels are made of: libpng prints the names of what else there is as they are, and
+ * unpacks megabytes of it a chunk. Without its transparency, too, where that is not wanted: ITK's reader makes colours
+ * of a palette that has such, though its numbers were asked for. Programs of labels write their background so. */
 void
-DropPaletteTransparency(std::string & bytes);
+KeepChunksOfPixels(std::string & bytes, bool hasTransparency);
 
 /** The header of a NRRD or MetaImage, a line "key: value" or "key = value" each, in lower case, at most 64 KiB. */
 std::string

@@ -19,6 +19,7 @@
 
 #include "itkDecodedImageIO.h"
 #include "itkDentalInputError.h"
+#include "itkNiftiPictureIO.h"
 
 #include "itkJPEGImageIO.h"
 #include "itkPNGImageIO.h"
@@ -86,6 +87,9 @@ MakeRadiographImageIO(RadiographFileFormatEnum format, const MemoryFile & file)
       break;
     case Format::JPEG:
       io = JPEGImageIO::New().GetPointer();
+      break;
+    case Format::NIfTI:
+      io = NiftiPictureIO::New().GetPointer();
       break;
     default: {
       const auto decoded = DecodedImageIO::New();

@@ -28,8 +28,8 @@
 
 namespace itk
 {
-/** Not installed: the decoder of a format. Those of PNG and JPEG are called here, behind checks of the whole file; all
- * others run in a process of their own. It reads the given file, which has to live as long as it. */
+/** Not installed: the decoder of a format. Those of PNG, JPEG and NIfTI are called here, behind checks of the whole
+ * file; all others run in a process of their own. It reads the given file, which has to live as long as it. */
 ImageIOBase::Pointer
 MakeRadiographImageIO(RadiographFileFormatEnum format, const MemoryFile & file);
 

@@ -128,6 +128,43 @@ ReadMaskImage(const std::string & fileName)
   return image;
 }
 
+std::vector<double>
+ComputeLabelBorderWeights(const Image<std::uint16_t, 2> *            labels,
+                          const std::vector<std::array<double, 2>> & points,
+                          bool                                       isUpper)
+{
+  const auto                  size = labels->GetLargestPossibleRegion().GetSize();
+  const std::uint16_t * const pixels = labels->GetBufferPointer();
+  const auto                  width = static_cast<long>(size[0]);
+  const auto                  height = static_cast<long>(size[1]);
+  std::vector<double>         weights(points.size(), 1.0);
+  bool                        isShared = false;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    // An outline runs half-way between pixels: those beside it are within a pixel and a half.
+    const long column = std::lround(points[i][0]);
+    const long row = std::lround(points[i][1]);
+    for (long y = std::max(row - 1, 0l); y <= std::min(row + 1, height - 1); ++y)
+    {
+      for (long x = std::max(column - 1, 0l); x <= std::min(column + 1, width - 1); ++x)
+      {
+        // FDI: the quadrants 1, 2, 5 and 6 are of the upper jaw.
+        const unsigned int quadrant = pixels[y * width + x] / 10u;
+        if (quadrant != 0 && (quadrant % 4 == 1 || quadrant % 4 == 2) != isUpper)
+        {
+          weights[i] = 0.0;
+          isShared = true;
+        }
+      }
+    }
+  }
+  if (!isShared)
+  {
+    weights.clear();
+  }
+  return weights;
+}
+
 bool
 IsImageFile(const std::string & fileName)
 {

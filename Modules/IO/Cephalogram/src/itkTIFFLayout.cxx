@@ -86,6 +86,7 @@ ReadLayout(TIFF * file)
   std::uint16_t photometric = PHOTOMETRIC_MINISBLACK;
   std::uint16_t orientation = ORIENTATION_TOPLEFT;
   std::uint16_t planes = PLANARCONFIG_CONTIG;
+  std::uint16_t coding = COMPRESSION_NONE;
   TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &width);
   TIFFGetField(file, TIFFTAG_IMAGELENGTH, &height);
   TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &bits);
@@ -94,6 +95,7 @@ ReadLayout(TIFF * file)
   TIFFGetField(file, TIFFTAG_PHOTOMETRIC, &photometric);
   TIFFGetFieldDefaulted(file, TIFFTAG_ORIENTATION, &orientation);
   TIFFGetFieldDefaulted(file, TIFFTAG_PLANARCONFIG, &planes);
+  TIFFGetFieldDefaulted(file, TIFFTAG_COMPRESSION, &coding);
   TIFFLayout layout;
   layout.width = width;
   layout.height = height;
@@ -105,6 +107,9 @@ ReadLayout(TIFF * file)
   layout.isPalette = photometric == PHOTOMETRIC_PALETTE;
   layout.isWhiteIsZero = photometric == PHOTOMETRIC_MINISWHITE;
   layout.isGrey = layout.isWhiteIsZero || photometric == PHOTOMETRIC_MINISBLACK;
+  layout.isCodedAsUsual = coding == COMPRESSION_NONE || coding == COMPRESSION_LZW || coding == COMPRESSION_PACKBITS ||
+                          coding == COMPRESSION_DEFLATE || coding == COMPRESSION_ADOBE_DEFLATE ||
+                          coding == COMPRESSION_JPEG;
   // What is no orientation is as good as none.
   layout.orientation = orientation >= 1 && orientation <= 8 ? orientation : 1;
   return layout;

@@ -42,6 +42,9 @@ struct TIFFLayout
   bool isWhiteIsZero{ false };
   /** Neither is one of colours, which have to be computed. */
   bool isGrey{ false };
+  /** Whether the pixels are packed by none, LZW, Deflate, PackBits or JPEG. Libtiff has a dozen codecs, most of them
+   * rare and other libraries; what whole numbers are decoded by in this process is what scanners and editors write. */
+  bool isCodedAsUsual{ true };
   /** How to turn the picture to see it upright: 1, as it is, to 8. */
   unsigned int orientation{ 1 };
 

@@ -304,6 +304,37 @@ TEST(ReadLabelImage, BytesThatAreCutOrChangedAreRefusedOrReadButNeverCrash)
   }
 }
 
+TEST(ReadLabelImage, ABorderOfBothJawsIsOfNeitherAndOneOfNeighboursStays)
+{
+  const auto                               labels = itk::Image<std::uint16_t, 2>::New();
+  itk::Image<std::uint16_t, 2>::RegionType region;
+  region.SetSize(0, 30);
+  region.SetSize(1, 20);
+  labels->SetRegions(region);
+  labels->Allocate(true);
+  // 11 above 41 and beside 12; 85, a primary tooth, is of the lower jaw, too.
+  const auto paint = [&](long left, long right, long top, long bottom, std::uint16_t value) {
+    for (long y = top; y < bottom; ++y)
+    {
+      for (long x = left; x < right; ++x)
+      {
+        labels->SetPixel({ { x, y } }, value);
+      }
+    }
+  };
+  paint(15, 25, 2, 10, 11);
+  paint(5, 15, 2, 10, 12);
+  paint(15, 25, 10, 18, 41);
+  paint(5, 10, 10, 18, 85);
+  const std::vector<std::array<double, 2>> points = { { { 20.0, 1.5 } }, { { 14.5, 5.0 } }, { { 20.0, 9.5 } },
+                                                      { { 7.0, 9.5 } },  { { 12.0, 9.5 } }, { { 29.5, 19.5 } } };
+  EXPECT_EQ(itk::ComputeLabelBorderWeights(labels, points, true), (std::vector<double>{ 1, 1, 0, 0, 1, 1 }));
+  // Seen from the lower jaw it is the upper teeth that are strangers.
+  EXPECT_EQ(itk::ComputeLabelBorderWeights(labels, { { { 20.0, 9.5 } }, { { 20.0, 17.5 } } }, false),
+            (std::vector<double>{ 0, 1 }));
+  EXPECT_TRUE(itk::ComputeLabelBorderWeights(labels, { { { 20.0, 1.5 } } }, true).empty());
+}
+
 TEST(ReadMaskImage, TheRarerToneIsWhatIsDrawn)
 {
   const std::string head = "NRRD0004\ntype: uchar\ndimension: 2\nsizes: 4 2\nencoding: ascii\n\n";

@@ -54,6 +54,16 @@ ComputeWeight(const DentalContour::PolylineType & polyline, std::size_t i, doubl
   return sigma > 0.0 ? weight * std::min(LargestWeight, UsualSigma * UsualSigma / (sigma * sigma)) : weight;
 }
 
+/** px of 0.25 mm: how far apart two crowns of a row may be drawn whose sides face each other. What is drawn there is
+ * the side of a tooth that its neighbour hides, where the scan's outline has nothing. */
+constexpr double ContactReach = 4.0;
+/** Steps of a half and then whole px along an outward normal: label maps give both teeth the very same border. */
+constexpr double ContactStart = 0.5;
+/** More closed outlines of one jaw than both dentitions have teeth are no row of teeth: contacts aren't looked for. */
+constexpr std::size_t MaximumOutlines = 52;
+/** Corners of a crown by which it is asked whether a point lies in it: fewer than a pixel apart are not needed. */
+constexpr std::size_t MaximumCorners = 400;
+
 struct Strand
 {
   std::vector<Point2> points;
@@ -68,9 +78,85 @@ Distance(const Point2 & a, const Point2 & b)
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/** The part of a closed polyline that can lie on the open moving contour, as one open polyline. */
+/** A closed outline as it was drawn: its corners, thinned, in the box that holds them. */
+struct ClosedOutline
+{
+  explicit ClosedOutline(const Strand & strand)
+    : tooth(strand.tooth)
+  {
+    const std::size_t step = (strand.points.size() + MaximumCorners - 1) / MaximumCorners;
+    for (std::size_t i = 0; i < strand.points.size(); i += step)
+    {
+      const Point2 & p = strand.points[i];
+      corners.push_back(p);
+      for (int k = 0; k < 2; ++k)
+      {
+        lower[k] = std::min(lower[k], p[k]);
+        upper[k] = std::max(upper[k], p[k]);
+      }
+    }
+  }
+
+  /** By the number of sides that a ray crosses. */
+  bool
+  Holds(const Point2 & p) const
+  {
+    if (p[0] < lower[0] || p[0] > upper[0] || p[1] < lower[1] || p[1] > upper[1])
+    {
+      return false;
+    }
+    bool inside = false;
+    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
+    {
+      const Point2 & a = corners[i];
+      const Point2 & b = corners[j];
+      if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]))
+      {
+        inside = !inside;
+      }
+    }
+    return inside;
+  }
+
+  std::vector<Point2> corners;
+  Point2              lower{ { std::numeric_limits<double>::max(), std::numeric_limits<double>::max() } };
+  Point2              upper{ { std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest() } };
+  std::uint8_t        tooth;
+};
+
+/** Whether a point of a tooth's outline faces another tooth beside it, or lies in it: there is no edge of the row. */
+bool
+FacesNeighbour(const Point2 &                     point,
+               const Point2 &                     normal,
+               std::size_t                        own,
+               const std::vector<ClosedOutline> & outlines)
+{
+  for (std::size_t k = 0; k < outlines.size(); ++k)
+  {
+    // A tooth that was drawn in two parts, or twice, is no neighbour of itself.
+    if (k == own || (outlines[k].tooth != 0 && outlines[k].tooth == outlines[own].tooth))
+    {
+      continue;
+    }
+    for (double t = ContactStart; t < ContactReach; t += 1.0)
+    {
+      if (outlines[k].Holds({ { point[0] + t * normal[0], point[1] + t * normal[1] } }))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/** The part of a closed polyline that can lie on the open moving contour, as one open polyline: what faces the right
+ * way, and no neighbour. outlines: all closed ones of the jaw, of which the one at own is this. */
 void
-OpenClosedPolyline(Strand & strand, ToothCode::JawEnum jaw, CephalometricDirectionEnum direction)
+OpenClosedPolyline(Strand &                           strand,
+                   std::size_t                        own,
+                   const std::vector<ClosedOutline> & outlines,
+                   ToothCode::JawEnum                 jaw,
+                   CephalometricDirectionEnum         direction)
 {
   const std::size_t n = strand.points.size();
   if (n < 3)
@@ -85,13 +171,16 @@ OpenClosedPolyline(Strand & strand, ToothCode::JawEnum jaw, CephalometricDirecti
     area += a[0] * b[1] - a[1] * b[0];
   }
   const double      sign = area > 0.0 ? 1.0 : -1.0;
+  const bool        isRow = outlines.size() > 1 && outlines.size() <= MaximumOutlines;
   std::vector<char> keep(n);
   for (std::size_t i = 0; i < n; ++i)
   {
     const Point2 & a = strand.points[(i + n - 1) % n];
     const Point2 & b = strand.points[(i + 1) % n];
     const double   length = std::max(Distance(a, b), 1e-12);
-    keep[i] = CanBeTraced(sign * (b[1] - a[1]) / length, -sign * (b[0] - a[0]) / length, jaw, direction);
+    const Point2   normal{ { sign * (b[1] - a[1]) / length, -sign * (b[0] - a[0]) / length } };
+    keep[i] = CanBeTraced(normal[0], normal[1], jaw, direction) &&
+              !(isRow && FacesNeighbour(strand.points[i], normal, own, outlines));
   }
   // Cut behind the longest run of points that do not face the right way; twice around, so that a run over the first
   // point is one.
@@ -153,7 +242,9 @@ PoseTracing::PoseTracing(const PoseGeometry &                 geometry,
                          ToothCode::JawEnum                   jaw,
                          unsigned int                         maximumPoints)
 {
-  std::vector<Strand> strands;
+  std::vector<Strand>        strands;
+  std::vector<std::size_t>   closed;
+  std::vector<ClosedOutline> outlines;
   for (const DentalContour::PolylineType & polyline : polylines)
   {
     if (polyline.points.empty())
@@ -171,13 +262,18 @@ PoseTracing::PoseTracing(const PoseGeometry &                 geometry,
     }
     if (polyline.closed)
     {
-      OpenClosedPolyline(strand, jaw, geometry.direction);
+      closed.push_back(strands.size());
+      outlines.emplace_back(strand);
     }
-    if (!strand.points.empty())
-    {
-      strands.push_back(std::move(strand));
-    }
+    strands.push_back(std::move(strand));
   }
+  for (std::size_t k = 0; k < closed.size(); ++k)
+  {
+    OpenClosedPolyline(strands[closed[k]], k, outlines, jaw, geometry.direction);
+  }
+  strands.erase(
+    std::remove_if(strands.begin(), strands.end(), [](const Strand & strand) { return strand.points.empty(); }),
+    strands.end());
   if (strands.empty())
   {
     return;

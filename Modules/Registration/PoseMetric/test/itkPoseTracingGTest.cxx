@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -98,6 +99,85 @@ TEST(PoseTracing, ClosedCrownKeepsItsOcclusalPart)
     EXPECT_TRUE(tracing.v[i] > 2.0 || tracing.u[i] > 2.0);
     EXPECT_GT(tracing.nu[i] * tracing.u[i] + tracing.nv[i] * tracing.v[i], 0.0);
   }
+}
+
+namespace
+{
+/** A crown as a box of 40 by 60 px, the corner of the front and the neck at (u, 0). Of an upper tooth: down is
+ * occlusal.
+ */
+itk::DentalContour::PolylineType
+MakeCrown(double u, unsigned int code)
+{
+  itk::DentalContour::PolylineType crown;
+  crown.closed = true;
+  crown.code = itk::ToothCode(code);
+  for (int i = 0; i < 60; ++i)
+  {
+    crown.points.push_back(MakePoint(u, i));
+  }
+  for (int i = 0; i < 40; ++i)
+  {
+    crown.points.push_back(MakePoint(u - i, 60.0));
+  }
+  for (int i = 0; i < 60; ++i)
+  {
+    crown.points.push_back(MakePoint(u - 40.0, 60.0 - i));
+  }
+  for (int i = 0; i < 40; ++i)
+  {
+    crown.points.push_back(MakePoint(u - 40.0 + i, 0.0));
+  }
+  return crown;
+}
+
+/** Points of a tooth more than 6 px above its biting edge, on its side to the front: a contact, or the labial border.
+ */
+std::size_t
+CountAtTheSide(const itk::PoseTracing & tracing, unsigned int code, double u)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < tracing.Size(); ++i)
+  {
+    count += tracing.tooth[i] == code && std::abs(tracing.u[i] - u) < 0.01 && tracing.v[i] < 54.0 ? 1 : 0;
+  }
+  return count;
+}
+} // namespace
+
+TEST(PoseTracing, SidesOfCrownsThatTheirNeighboursHideAreNoOutline)
+{
+  itk::PoseGeometry geometry;
+  geometry.pixelSpacing = { { 0.25, 0.25 } };
+  const auto Make = [&geometry](const itk::DentalContour::PolylinesType & lines) {
+    return itk::PoseTracing(geometry, lines, itk::ToothCode::JawEnum::Upper, 0);
+  };
+  // Which order and which way round is not the point: the same border, as label maps have it; a gap of half a
+  // millimetre; an overlap, as masks of each tooth by itself have it.
+  for (const double gap : { 0.0, 2.0, -6.0 })
+  {
+    const auto             front = MakeCrown(100.0, 11);
+    auto                   behind = MakeCrown(60.0 - gap, 12);
+    const itk::PoseTracing row = Make({ front, behind });
+    EXPECT_GT(CountAtTheSide(row, 11, 100.0), 50u) << gap;
+    EXPECT_EQ(CountAtTheSide(row, 12, 60.0 - gap), 0u) << gap;
+    std::reverse(behind.points.begin(), behind.points.end());
+    EXPECT_EQ(Make({ behind, front }).Size(), row.Size()) << gap;
+    // All of both biting edges is there but what lies in the other crown.
+    std::size_t edge = 0;
+    for (std::size_t i = 0; i < row.Size(); ++i)
+    {
+      edge += row.v[i] > 59.5 ? 1 : 0;
+    }
+    EXPECT_GE(edge, 80u - 2u * 6u - 2u) << gap;
+  }
+  // A gap of two millimetres between teeth is seen, and what is drawn of one tooth twice hides nothing.
+  EXPECT_GT(CountAtTheSide(Make({ MakeCrown(100.0, 11), MakeCrown(52.0, 12) }), 12, 52.0), 50u);
+  EXPECT_GT(CountAtTheSide(Make({ MakeCrown(100.0, 11), MakeCrown(98.0, 11) }), 11, 98.0), 50u);
+  // An open line ends where it was ended by hand.
+  auto open = MakeCrown(60.0, 12);
+  open.closed = false;
+  EXPECT_EQ(Make({ MakeCrown(100.0, 11), open }).Size(), Make({ MakeCrown(100.0, 11) }).Size() + open.points.size());
 }
 
 TEST(PoseTracing, ASigmaOfTheFileStandsForTheUsualJitterAndAWeightDividesIt)

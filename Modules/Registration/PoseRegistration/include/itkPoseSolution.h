@@ -41,7 +41,7 @@ namespace itk
  * Output of PoseRegistrationMethod, input of what lies downstream: RegistrationVerdictFilter, LandmarkProjectionFilter.
  * Points of a jaw's mesh are in the mesh's frame, mm; pixels are continuous indices of the radiograph.
  *
- * Errors (ExceptionObject): a question about a jaw that had no input or was not registered.
+ * Errors (ExceptionObject): a jaw without input or not registered; a result whose jaws and groups do not match.
  *
  * \ingroup PoseRegistration
  */

@@ -30,6 +30,31 @@ namespace itk
 void
 PoseSolution::SetResult(const PoseRegistrationResult & result, const PoseRegistrationOptions & options)
 {
+  // A result made by hand may name what it does not have; all that lies downstream goes by these numbers.
+  if (result.groupOfJaw.size() != result.jaws.size())
+  {
+    itkExceptionMacro("The result has " << result.jaws.size() << " jaws and groups of " << result.groupOfJaw.size()
+                                        << "; set groupOfJaw to the group of each jaw.");
+  }
+  for (std::size_t j = 0; j < result.jaws.size(); ++j)
+  {
+    if (result.jaws[j].registered && result.groupOfJaw[j] >= result.groups.size())
+    {
+      itkExceptionMacro("groupOfJaw of jaw " << j << " is " << result.groupOfJaw[j] << ", of " << result.groups.size()
+                                             << " groups; count groups from 0.");
+    }
+  }
+  for (std::size_t g = 0; g < result.groups.size(); ++g)
+  {
+    for (const std::size_t j : result.groups[g].jaws)
+    {
+      if (j >= result.jaws.size())
+      {
+        itkExceptionMacro("Group " << g << " has jaw " << j << ", of " << result.jaws.size()
+                                   << " jaws; count jaws from 0.");
+      }
+    }
+  }
   m_Result = result;
   m_Options = options;
   this->Modified();

@@ -49,10 +49,15 @@ constexpr double MajorityOfCodes = 0.5;
  * where an open shell has 0.3 to 0.6 (DentalJawFrame::openness). The size of Thresholds::suspectWinding, so that a cast
  * is either judged by its winding or said not to be. */
 constexpr double WindingOfClosedCast = 0.1;
-/** Logarithm of the ratio of two pixel spacings from which on landmarks alone tell them apart: a molar marked at its
- * other end, or the tooth behind it, is a third of the distance between incisor and molar. Copies are half as large, or
- * twice. */
+/** Logarithm of the ratio of two pixel spacings from which on landmarks, and outlines of whole teeth, tell them apart
+ * by a good fit alone: a molar marked at its other end, or the tooth behind it, is a third of the distance between
+ * incisor and molar. Copies are half as large, or twice. */
 constexpr double SpacingDifferenceOfLandmarks = 0.4;
+/** And from which on they do where all of them fit at the other spacing, by at most such a share of the score of every
+ * other reading, the given one among them. Of right drawings a free scale is off by up to 0.09; of drawings at 0.7 to
+ * 1.3 times the spacing it has 0.02 to 0.4 of the score (Documentation/RobustStudies.md). */
+constexpr double SmallSpacingDifferenceOfLandmarks = 0.15;
+constexpr double SpacingShareOfLandmarks = 0.5;
 /** Share of an outline of a tooth that has to lie on the crown of the scan. Of 3558 outlines of phantoms none had less
  * than 0.6, while roots without their crowns have 0 to 0.5. */
 constexpr double MatchedShareOfATooth = 0.5;
@@ -661,6 +666,21 @@ JudgeReadings(const PoseRegistrationResult &          registration,
   const auto   isSpacing = [](const std::string & code) { return code == OtherSpacingHypothesis::Code; };
   const auto   isTurned = [](const std::string & code) { return code.rfind(TurnedDrawingHypothesis::Code, 0) == 0; };
   const PoseHypothesisOutcome * otherSpacing = group.FindOutcome(OtherSpacingHypothesis::Code);
+  // Landmarks and outlines of four teeth have few coordinates: what tells a spacing that is off by less than a tooth's
+  // width from a mark at the wrong tooth is that no other reading comes near to it.
+  double bestOtherScore = group.score;
+  for (const auto & [code, outcome] : group.outcomes)
+  {
+    if (!isSpacing(code) && code != UpwardDrawingHypothesis::Code)
+    {
+      bestOtherScore = std::min(bestOtherScore, outcome.score);
+    }
+  }
+  const auto isOtherSpacing = [&](const PoseHypothesisOutcome & outcome) {
+    const double apart = spacingOf(outcome) > 0.0 ? std::abs(std::log(spacingOf(outcome) / given)) : 0.0;
+    return apart >= difference || (!isTraced && apart >= SmallSpacingDifferenceOfLandmarks &&
+                                   outcome.score <= SpacingShareOfLandmarks * bestOtherScore);
+  };
   const double scoreAsItIs = otherSpacing != nullptr ? std::min(otherSpacing->score, group.score) : group.score;
   using EntryType = std::pair<const std::string, PoseHypothesisOutcome>;
   const EntryType * best = nullptr;
@@ -682,7 +702,7 @@ JudgeReadings(const PoseRegistrationResult &          registration,
       continue;
     }
     // A scale that is free differs a little by itself.
-    if (isSpacing(code) && (!(spacingOf(outcome) > 0.0) || std::abs(std::log(spacingOf(outcome) / given)) < difference))
+    if (isSpacing(code) && !isOtherSpacing(outcome))
     {
       continue;
     }
@@ -770,6 +790,7 @@ JudgeReadings(const PoseRegistrationResult &          registration,
   {
     const double spacing = spacingOf(best->second);
     const bool   inMillimetres = std::abs(std::log(spacing)) < sureness && std::abs(std::log(given)) > sureness;
+    const bool   mayBeMarks = !isTraced && std::abs(std::log(spacing / given)) < SpacingDifferenceOfLandmarks;
     Add(verdict,
         StatusEnum::Failed,
         "pixel-spacing",
@@ -777,7 +798,8 @@ JudgeReadings(const PoseRegistrationResult &          registration,
           FormatNumber(given, given < 0.1 ? 3 : 2) +
           " mm: check pixel_spacing_mm and its unit, or whether it was drawn " +
           (inMillimetres ? std::string("in mm instead of pixels")
-                         : "on a copy of the radiograph " + FormatNumber(given / spacing, 2) + " times as large"),
+                         : "on a copy of the radiograph " + FormatNumber(given / spacing, 2) + " times as large") +
+          (mayBeMarks ? "; the same teeth of both jaws drawn at their neighbours look alike" : ""),
         { spacing, given, "mm" });
   }
   else if (code == UpwardDrawingHypothesis::Code)

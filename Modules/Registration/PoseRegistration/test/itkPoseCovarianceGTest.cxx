@@ -413,6 +413,22 @@ TEST(PoseCovariance, IsTheInverseOfDenseInformationAndPriorsWithTheLongerCorrela
   }
 }
 
+TEST(PoseCovariance, AModelOfTheCallersIsTakenInThePlaceOfItsOwn)
+{
+  const Scene                   scene;
+  const itk::ContourNoiseLevels levels{ 1.1, 0.5 };
+  const auto                    metric = scene.MakeMetric(levels);
+  const auto                    strands = MakeStrands(scene, *metric, KernelWidth(levels));
+  const auto                    inflated = Inflate(levels, 0.2);
+  const auto                    model = itk::CorrelatedNoiseModel::New();
+  model->SetCorrelationLength(9.0);
+  const auto information = Reference::Information(
+    strands, 9.0, inflated.smooth, inflated.white, MakePrecision(scene, Reference::VariancePrecisionOfT));
+  ExpectNear(itk::ComputePoseCovariance(*metric, scene.options, scene.MakePriors(), model),
+             Reference::Covariance(information, {}, {}, 1.3),
+             "correlation length of the caller's model");
+}
+
 TEST(PoseCovariance, LeavesTheMetricAsItIs)
 {
   Scene scene;

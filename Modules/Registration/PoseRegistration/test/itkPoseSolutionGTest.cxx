@@ -269,8 +269,24 @@ TEST(PoseSolution, AJawOfNoUseIsAnErrorThatSaysWhy)
   }
   result.jaws.resize(1);
   result.groupOfJaw.resize(1);
+  result.groups.resize(1);
   EXPECT_TRUE(Contains(MessageOfCall([&] { MakeSolution(result)->GetJaw(JawEnum::Lower); }),
                        "The lower jaw had no input: give the registration its mesh and its contour."));
+}
+
+TEST(PoseSolution, AResultThatNamesWhatItDoesNotHaveIsRefused)
+{
+  auto result = MakeResult();
+  result.groups[1].jaws = { 2 };
+  EXPECT_TRUE(Contains(MessageOfCall([&] { MakeSolution(result); }), "Group 1 has jaw 2, of 2 jaws"));
+  result = MakeResult();
+  result.groupOfJaw[0] = 2;
+  EXPECT_TRUE(Contains(MessageOfCall([&] { MakeSolution(result); }), "groupOfJaw of jaw 0 is 2, of 2 groups"));
+  // A jaw that was not registered has no group.
+  result.jaws[0].registered = false;
+  EXPECT_EQ(MakeSolution(result)->GetIndex(JawEnum::Upper), 0);
+  result.groupOfJaw.pop_back();
+  EXPECT_TRUE(Contains(MessageOfCall([&] { MakeSolution(result); }), "2 jaws and groups of 1"));
 }
 
 TEST(PoseSolution, AJawThatTheOtherOnePlacedIsAsUncertainAsTheBiteToo)

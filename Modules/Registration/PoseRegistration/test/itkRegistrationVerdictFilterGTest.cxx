@@ -74,7 +74,9 @@ TEST(RegistrationVerdictFilter, AJawWithoutInputIsNoReasonToWorry)
 {
   auto result = MakeResult();
   result.jaws.erase(result.jaws.begin());
-  result.groupOfJaw = { 1 };
+  result.groups.erase(result.groups.begin());
+  result.groups[0].jaws = { 0 };
+  result.groupOfJaw = { 0 };
   result.jaws[0].registered = false;
   result.jaws[0].failure = "nothing to match";
   const auto filter = Judge(result);

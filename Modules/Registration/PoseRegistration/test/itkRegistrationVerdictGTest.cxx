@@ -1013,6 +1013,37 @@ TEST(RegistrationVerdict, AsManyLandmarksApartAsTogetherDisagree)
   EXPECT_TRUE(Contains(verdicts.at(0).findings.front().text, "exchanged"));
 }
 
+/** A quarter off, of landmarks or outlines of four teeth: named, and first, where they fit at the other spacing and at
+ * nothing else. */
+TEST(RegistrationVerdict, ASpacingThatIsOffByAQuarterIsNamedOfLandmarksWhereNothingElseComesNear)
+{
+  const auto codesAt = [](double difference, double share) {
+    auto result = MakeResultOfLandmarks();
+    result.geometry.pixelSpacing = { { 0.25, 0.25 } };
+    result.geometry.pixelSpacingKnown = true;
+    result.groups[0].score = 0.4;
+    result.groups[0].outcomes["jaws-exchanged"].score = 0.28;
+    result.groups[0].outcomes["landmarks-exchanged"].score = 0.3;
+    const double spacing = 0.25 * std::exp(difference);
+    result.groups[0].outcomes["pixel-spacing"] = { 0.28 * share, 0.0, { { spacing, spacing } } };
+    return Verdict::Evaluate(result).at(0);
+  };
+  for (const double sign : { -1.0, 1.0 })
+  {
+    const auto verdict = codesAt(0.26 * sign, 0.49);
+    EXPECT_EQ(NamesOf(verdict), (Named{ { "pixel-spacing", Failed } }));
+    EXPECT_NEAR(*verdict.findings.front().value, 0.25 * std::exp(0.26 * sign), 1e-12);
+    EXPECT_TRUE(Contains(verdict.findings.front().text, "drawn at their neighbours look alike"));
+    // What is no better than half of another reading's score is that reading's.
+    EXPECT_EQ(codesAt(0.26 * sign, 0.51).findings.front().code, "jaws-exchanged");
+    // A free scale is off by less than that.
+    EXPECT_EQ(codesAt(0.151 * sign, 0.2).findings.front().code, "pixel-spacing");
+    EXPECT_EQ(codesAt(0.149 * sign, 0.2).findings.front().code, "jaws-exchanged");
+    // No tooth has a neighbour so far away.
+    EXPECT_FALSE(Contains(codesAt(0.41 * sign, 0.2).findings.front().text, "neighbours"));
+  }
+}
+
 /** Of few points a scale that is a little off looks like exchanged jaws or names; a tracing is not asked of it. */
 TEST(RegistrationVerdict, ExchangesOfLandmarksAskForThePixelSpacing)
 {

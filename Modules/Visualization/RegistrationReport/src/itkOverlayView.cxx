@@ -32,10 +32,23 @@ namespace
 {
 using RoleEnum = OverlayScene::RoleEnum;
 
-/** Adds the strokes of a contour to the path, clipped: the library's coordinates are of 24 bits. */
+/** A path of more segments than any outline has is drawn in pieces: the library looks for all crossings of a path's
+ * segments, which of a scribble of a million points takes hours. */
+constexpr std::size_t LongestPath = 20000;
+constexpr std::size_t PieceOfPath = 1000;
+
+/** Draws the strokes of a contour, clipped: the library's coordinates are of 24 bits. */
 void
-TraceContour(Canvas & canvas, const OverlayScene::ContourType & contour, const Mapping & map, const Box & box)
+StrokeContour(Canvas & canvas, const OverlayScene::ContourType & contour, const Mapping & map, const Box & box)
 {
+  std::size_t total = 0;
+  for (const OverlayScene::StrokeType & stroke : contour.strokes)
+  {
+    total += stroke.points.size();
+  }
+  const std::size_t longest = total > LongestPath ? PieceOfPath : LongestPath;
+  std::size_t       segments = 0;
+  cairo_new_path(canvas.Get());
   for (const OverlayScene::StrokeType & stroke : contour.strokes)
   {
     const std::size_t count = stroke.points.size();
@@ -54,6 +67,12 @@ TraceContour(Canvas & canvas, const OverlayScene::ContourType & contour, const M
       {
         continue;
       }
+      if (++segments > longest)
+      {
+        cairo_stroke(canvas.Get());
+        segments = 1;
+        pen = { -1e9, -1e9 };
+      }
       if (a != pen)
       {
         cairo_move_to(canvas.Get(), a[0], a[1]);
@@ -62,6 +81,7 @@ TraceContour(Canvas & canvas, const OverlayScene::ContourType & contour, const M
       pen = b;
     }
   }
+  cairo_stroke(canvas.Get());
 }
 
 /** Points without a neighbour. */
@@ -121,11 +141,9 @@ DrawContours(Canvas & canvas, const OverlayScene & scene, const Mapping & map, c
         {
           continue;
         }
-        cairo_new_path(canvas.Get());
-        TraceContour(canvas, contour, map, box.Grown(64.0));
         canvas.SetColour(halo ? Black : pen.colour, halo ? 0.4 : pen.alpha);
         cairo_set_line_width(canvas.Get(), thickness * (pen.width + (halo ? 1.6 : 0.0)));
-        cairo_stroke(canvas.Get());
+        StrokeContour(canvas, contour, map, box.Grown(64.0));
         if (!halo)
         {
           DotLonePoints(canvas, contour, map, box, thickness * 2.5, pen.colour);
