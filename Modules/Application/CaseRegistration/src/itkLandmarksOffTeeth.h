@@ -29,7 +29,8 @@ namespace itk
 /** Landmarks of the scan that the result puts on another tooth of the tracing than their own, one by one: a sentence a
  * jaw. A landmark is looked at where the tracing has a line with its tooth's code, of one side and not of the middle
  * between both. Along the row of teeth it lies in the middle of that line's extent, a molar's cusps before or behind
- * it, or off by no more than half a tooth. */
+ * it, or off by no more than half a tooth. So are middles of posterior teeth that were found on the scan by their place
+ * along the arch, a sentence each. */
 std::vector<std::string>
 DescribeLandmarksOffTeeth(const DentalCaseData & data, const CaseResult & result);
 } // namespace itk
