@@ -146,6 +146,7 @@ class Case:
             self._native._AddView(*view)
         if any(start):
             self._native._StartFrom(*start)
+        self._result_file = ""
         # What it is made of, from which a pickle makes it again.
         self._made_of: Tuple[str, Tuple[Any, ...]] = ("parts", (parts, views, start))
 
@@ -198,6 +199,7 @@ class Case:
         case = cls.__new__(cls)
         case._native = native
         case._made_of = ("file", words or ([], [], "", ""))
+        case._result_file = ""
         return case
 
     @classmethod

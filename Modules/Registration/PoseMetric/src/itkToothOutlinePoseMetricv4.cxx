@@ -512,20 +512,6 @@ ToothOutlinePoseMetricv4::Evaluate(std::size_t number, const PositionType & x, E
       shift = ComputeShift(*tooth.outline, at);
     }
     Match(*tooth.outline, index, shift, at);
-    // Matched in position and direction, an edge's point lies beside its sample's normal as well as along it. Along
-    // that normal the residual changes as the match slides, by the edge's curvature times that offset, of which the
-    // Jacobian knows nothing, and steps end before the minimum. The drawing's own normal does not turn as the pose
-    // moves. (The middle of both would change least, but draws a jaw alone toward its roots:
-    // Documentation/RobustStudies.md.) The few points of an edge that is drawn from the front have no normals to speak
-    // of.
-    for (std::size_t i = 0; i < n && !this->IsFrontal(); ++i)
-    {
-      if (at.match[i] != NoMatch && at.facing[i] > 0.0)
-      {
-        at.nu[i] = tooth.outline->GetNormals()[i][0];
-        at.nv[i] = tooth.outline->GetNormals()[i][1];
-      }
-    }
   }
   for (std::size_t i = 0; i < n; ++i)
   {
