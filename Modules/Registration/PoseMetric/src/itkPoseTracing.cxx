@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkPoseTracing.h"
 
+#include "itkIsoContourTracer.h"
 #include "itkOpenSilhouette.h"
 #include "itkPoseModel.h"
 
@@ -97,25 +98,10 @@ struct ClosedOutline
     }
   }
 
-  /** By the number of sides that a ray crosses. */
   bool
   Holds(const Point2 & p) const
   {
-    if (p[0] < lower[0] || p[0] > upper[0] || p[1] < lower[1] || p[1] > upper[1])
-    {
-      return false;
-    }
-    bool inside = false;
-    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
-    {
-      const Point2 & a = corners[i];
-      const Point2 & b = corners[j];
-      if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]))
-      {
-        inside = !inside;
-      }
-    }
-    return inside;
+    return p[0] >= lower[0] && p[0] <= upper[0] && p[1] >= lower[1] && p[1] <= upper[1] && IsInsideLoop(corners, p);
   }
 
   std::vector<Point2> corners;
