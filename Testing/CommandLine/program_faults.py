@@ -1,12 +1,13 @@
 """What the tests of faults share: a moment that is waited for and not guessed, what one run used, and faults at a moment
 that is chosen (Support/dentalscrFaults.c)."""
 import dataclasses
+import json
 import os
 import pathlib
 import signal
 import subprocess
+import sys
 import tempfile
-import threading
 import time
 
 
@@ -44,27 +45,27 @@ class Measured:
     kibibytes: int
 
 
-def measure(command, timeout=120, **keywords):
-    """Runs a command. Unlike RUSAGE_CHILDREN, what it used is its own and not the most of all that ran before."""
-    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-        process = subprocess.Popen([*map(str, command)], stdout=out, stderr=err, **keywords)
-        late = threading.Event()
-
-        def end():
-            late.set()
-            os.kill(process.pid, signal.SIGKILL)
-
-        timer = threading.Timer(timeout, end)
-        timer.start()
-        _, status, usage = os.wait4(process.pid, 0)
-        timer.cancel()
-        process.returncode = os.waitstatus_to_exitcode(status)
-        assert not late.is_set(), f"{command} hangs: it was ended after {timeout} seconds"
+def measure(command, timeout=120, env=None, **keywords):
+    """Runs a command. Unlike RUSAGE_CHILDREN, what it used is its own and not the most of all that ran before, nor what the
+    process had that started it (measured_command.py)."""
+    job = json.dumps({"command": [*map(str, command)], "env": dict(os.environ if env is None else env), "timeout": timeout})
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err, tempfile.TemporaryFile() as usage:
+        subprocess.run(
+            # Itself it has none of the faults, which are the command's.
+            [sys.executable, "-I", "-S", pathlib.Path(__file__).with_name("measured_command.py"), str(usage.fileno()), job],
+            stdout=out,
+            stderr=err,
+            pass_fds=[usage.fileno()],
+            check=True,
+            **keywords,
+        )
         texts = []
-        for stream in (out, err):
+        for stream in (out, err, usage):
             stream.seek(0)
             texts.append(stream.read().decode(errors="replace"))
-    return Measured(process.returncode, *texts, usage.ru_utime + usage.ru_stime, usage.ru_maxrss)
+    used = json.loads(texts.pop())
+    assert not used["late"], f"{command} hangs: it was ended after {timeout} seconds"
+    return Measured(used["returncode"], *texts, used["seconds"], used["kibibytes"])
 
 
 # By these a user, a terminal or a system asks a program to end.
