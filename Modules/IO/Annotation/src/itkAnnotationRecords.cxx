@@ -26,6 +26,7 @@
 #include "itkInputFile.h"
 #include "itkJsonDocument.h"
 #include "itkLabelImageRecords.h"
+#include "itkLandmarkEntries.h"
 #include "itkLowerCase.h"
 #include "itkReadLabelImage.h"
 #include "itkSlicerMarkups.h"
@@ -288,6 +289,7 @@ ReadOwnContours(const JsonNode & root, AnnotationRecords & records)
 {
   if (!root.IsObject() || !root.Find("contours"))
   {
+    RefuseUnknownAnnotation(root);
     std::vector<std::string> names;
     if (root.IsObject() || (root.GetSize() > 0 && root.At(0).IsObject()))
     {
@@ -333,19 +335,26 @@ ReadOwnContours(const JsonNode & root, AnnotationRecords & records)
 void
 ReadOwnLandmarks(const JsonNode & root, AnnotationRecords & records, unsigned int dimension)
 {
-  for (const auto & [name, node] : root.GetMembers())
+  RefuseUnknownAnnotation(root);
+  for (const LandmarkEntry & entry : FindLandmarkEntries(root, dimension))
   {
-    AnnotationLandmark landmark{ node.GetPath(), name, {} };
+    const auto        known = std::find_if(entry.names.begin(), entry.names.end(), NamesPointOfTooth);
+    const std::string name = known != entry.names.end() ? *known
+                             : !entry.names.empty()     ? entry.names.front()
+                                                        : entry.node.Get("name").AsString();
     // Anything may stand beside the landmarks, such as a comment: the reader warns about names that are none.
-    if (node.IsArray() || node.IsNumber())
+    if (!IsLandmarkPlace(entry.node))
     {
-      const std::vector<double> point = node.AsNumbers(dimension, dimension == 2 ? "[u, v]" : "[x, y, z]");
-      std::copy(point.begin(), point.end(), landmark.point.begin());
-      records.landmarks.push_back(landmark);
+      entry.node.Warn("is no landmark, ignored");
+      continue;
+    }
+    if (const auto point = ReadLandmarkPlace(entry.node, dimension, nullptr))
+    {
+      records.landmarks.push_back({ entry.node.GetPath(), name, *point });
     }
     else
     {
-      node.Warn("is no landmark, ignored");
+      entry.node.Warn("\"" + name + "\" is not marked");
     }
   }
 }

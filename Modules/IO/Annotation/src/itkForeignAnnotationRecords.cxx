@@ -609,6 +609,46 @@ RecognizeForeignAnnotation(const JsonNode & root)
 }
 
 void
+RefuseUnknownAnnotation(const JsonNode & root)
+{
+  const JsonNode first = root.IsArray() && root.GetSize() > 0 ? root.At(0) : root;
+  if (!first.IsObject())
+  {
+    return;
+  }
+  const auto   has = [&first](const char * name) { return first.Find(name).has_value(); };
+  const auto   type = first.Find("type");
+  const char * program = nullptr;
+  if (type && type->IsString() && has(type->AsString() == "FeatureCollection" ? "features" : "geometry"))
+  {
+    program = "GeoJSON, as QuPath writes it";
+  }
+  else if (has("categories") && has("items"))
+  {
+    program = "Datumaro's JSON";
+  }
+  else if (has("annotations") && has("item"))
+  {
+    program = "JSON of V7 Darwin";
+  }
+  else if (has("Labeled Data") || (has("data_row") && has("projects")))
+  {
+    program = "JSON of Labelbox";
+  }
+  else if (has("data_units") && has("label_hash"))
+  {
+    program = "JSON of Encord";
+  }
+  if (program != nullptr)
+  {
+    itkDentalInputErrorMacro(root.GetFileName(),
+                             "",
+                             std::string("is ") + program + ", which is not read",
+                             "export COCO, CVAT for images 1.1 or labelme, or write a table .csv with label,x,y");
+  }
+}
+
+void
 ReadForeignAnnotation(const JsonNode & root, const std::string & imageName, AnnotationRecords & records)
 {
   switch (records.format)
