@@ -422,6 +422,42 @@ VerifyCoordinate(const std::string & fileName, const std::string & field, double
   }
 }
 
+void
+VerifyAreNoShares(const std::string & fileName, const AnnotationRecords & records)
+{
+  std::size_t count = 0;
+  std::size_t between = 0;
+  bool        areShares = true;
+  std::string field;
+  const auto  look = [&](const std::string & where, const std::array<double, 3> & point) {
+    field = count++ == 0 ? where : field;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      areShares = areShares && point[i] >= 0.0 && point[i] <= 1.0;
+      between += point[i] > 0.0 && point[i] < 1.0 ? 1 : 0;
+    }
+  };
+  for (const AnnotationLandmark & landmark : records.landmarks)
+  {
+    look(landmark.field, landmark.point);
+  }
+  for (const AnnotationPolyline & polyline : records.polylines)
+  {
+    for (const auto & point : polyline.points)
+    {
+      look(polyline.field, point);
+    }
+  }
+  // Two points, as one may be a slip at the corner; and not where all lie at 0, which is another fault.
+  if (areShares && count >= 2 && between >= count)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             field,
+                             "all coordinates are from 0 to 1: shares of the picture's size, and no pixels",
+                             "multiply x by the picture's width and y by its height");
+  }
+}
+
 AnnotationFileFormatEnum
 AnnotationFormatFromFile(const std::string & fileName)
 {
@@ -543,6 +579,7 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
                                std::to_string(MaximumNumberOfContourPoints) + " that a tracing may have",
                              "thin the outlines out to a point a pixel");
   }
+  VerifyAreNoShares(fileName, records);
   return records;
 }
 

@@ -99,6 +99,11 @@ constexpr std::size_t MaximumNumberOfContourPoints = 200000;
 void
 VerifyCoordinate(const std::string & fileName, const std::string & field, double coordinate);
 
+/** Throws where all coordinates are shares of the picture's size, as detectors and YOLO write them: everything would
+ * lie in its first pixel. */
+void
+VerifyAreNoShares(const std::string & fileName, const AnnotationRecords & records);
+
 /** Every polyline of a file. Where the file is of several pictures, imageName tells which is meant. Throws
  * DentalInputError. */
 AnnotationRecords

@@ -132,7 +132,8 @@ ReadEntries(const JsonNode & root, AnnotationRecords & records, const IsDentalLa
                                                         : entry.node.Get("name").AsString();
     if (known == entry.names.end())
     {
-      records.leftOut.push_back(name);
+      // What stands under a name is called by it.
+      records.leftOut.push_back(entry.isListed ? name : entry.names.back());
       continue;
     }
     const bool isObject = entry.node.IsObject();
@@ -391,11 +392,6 @@ ReadCephalometricLandmarkRecords(const JsonNode &             root,
                          records.format != Format::DentalSCR && records.format != Format::Automatic;
   if (!isForeign)
   {
-    const bool isList = root.IsArray() && root.GetSize() > 0 && (root.At(0).IsObject() || root.At(0).IsArray());
-    if (!root.IsObject() && !isList)
-    {
-      root.Fail("is no JSON object", R"(landmarks are {"U1_tip": [u, v], "L1_tip": [u, v]})");
-    }
     if (records.format == Format::Automatic)
     {
       RefuseUnknownAnnotation(root);

@@ -20,6 +20,7 @@
 #include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkDrawnLines.h"
+#include "itkLowerCase.h"
 #include "itkReadLabelImage.h"
 #include "itkSilhouetteContourFilter.h"
 
@@ -27,6 +28,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <sstream>
 
 namespace itk
 {
@@ -185,6 +187,74 @@ TakeTeethAlone(const std::string & fileName, LabelImageType * image, AnnotationR
       pixels, pixels + count, [&](std::uint16_t value) { return foreign[value]; }, std::uint16_t{ 0 });
   }
 }
+/** Whether both are teeth, without regard to the spelling, and not the same one. */
+bool
+AreOtherTeeth(const std::string & left, const std::string & right)
+{
+  try
+  {
+    return ToothCode::JawFromString(left) == ToothCode::JawEnum::Unknown &&
+           ToothCode::JawFromString(right) == ToothCode::JawEnum::Unknown &&
+           !ToothCode::FromSidelessString(left).IsKnown() && !ToothCode::FromSidelessString(right).IsKnown() &&
+           ToothCode::FromString(left) != ToothCode::FromString(right);
+  }
+  catch (const std::invalid_argument &)
+  {
+    // A number of the universal numbering: what it means is known where the labels are read.
+    return LowerCase(left) != LowerCase(right);
+  }
+}
+
+/** What a program drew of one tooth or jaw, as 3D Slicer saves each curve in a file of its own. */
+void
+AppendDrawing(const std::string & label,
+              const std::string & fileName,
+              const std::string & imageName,
+              AnnotationRecords & records)
+{
+  AnnotationRecords drawn = ReadContourRecords(fileName, AnnotationFileFormatEnum::Automatic, imageName);
+  // What a format counts from is one for all that was read.
+  if (records.format != AnnotationFileFormatEnum::LabelImage && records.format != drawn.format)
+  {
+    std::ostringstream problem;
+    problem << "is of format " << drawn.format << ", and a file before it of " << records.format;
+    itkDentalInputErrorMacro(
+      fileName, "contours." + label, problem.str(), "save the drawings of all teeth with one program");
+  }
+  records.format = drawn.format;
+  if (drawn.imageSize)
+  {
+    if (records.imageSize && *records.imageSize != *drawn.imageSize)
+    {
+      itkDentalInputErrorMacro(fileName,
+                               drawn.imageSizeField,
+                               "is another size than that of a file before it",
+                               "draw all teeth on the same radiograph");
+    }
+    records.imageSize = drawn.imageSize;
+    records.imageSizeField = drawn.imageSizeField;
+  }
+  for (AnnotationPolyline & polyline : drawn.polylines)
+  {
+    // What the file itself says may contradict; a name that is no tooth's does not.
+    const bool namesTooth = NamesToothOrJaw(polyline.label);
+    if (namesTooth && AreOtherTeeth(polyline.label, label))
+    {
+      itkDentalInputErrorMacro(fileName,
+                               polyline.codeField,
+                               "is \"" + polyline.label + "\", and the case names the file for \"" + label + '"',
+                               "name it for its own tooth, or draw each tooth in a file of its own");
+    }
+    polyline.label = namesTooth ? polyline.label : label;
+    polyline.codeField = "contours." + label;
+    records.polylines.push_back(std::move(polyline));
+  }
+  for (std::string & warning : drawn.warnings)
+  {
+    records.warnings.push_back(std::move(warning));
+  }
+  records.calibrations.insert(records.calibrations.end(), drawn.calibrations.begin(), drawn.calibrations.end());
+}
 } // namespace
 
 AnnotationRecords
@@ -223,12 +293,17 @@ ReadLabelImageRecords(const std::string & fileName)
 }
 
 AnnotationRecords
-ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & files)
+ReadClassRecords(const std::vector<std::pair<std::string, std::string>> & files, const std::string & imageName)
 {
   AnnotationRecords records;
   records.format = AnnotationFileFormatEnum::LabelImage;
   for (const auto & [label, fileName] : files)
   {
+    if (AnnotationFormatFromFile(fileName) != AnnotationFileFormatEnum::LabelImage)
+    {
+      AppendDrawing(label, fileName, imageName, records);
+      continue;
+    }
     const MaskImageType::Pointer image = ReadMaskImage(fileName);
     if (records.imageSize && *records.imageSize != GetSize(*image))
     {
@@ -247,6 +322,7 @@ ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & f
       for (const auto & line : DrawnLines::Trace(image))
       {
         AppendPolyline("contours." + label, label, line.closed, line.points, records);
+        records.polylines.back().isPixelIndex = true;
       }
     }
     else
@@ -261,6 +337,7 @@ ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & f
       for (std::size_t i = first; i < records.polylines.size(); ++i)
       {
         records.polylines[i].codeField = "contours." + label;
+        records.polylines[i].isPixelIndex = true;
       }
     }
   }

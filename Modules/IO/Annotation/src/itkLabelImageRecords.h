@@ -34,10 +34,10 @@ namespace itk
 AnnotationRecords
 ReadLabelImageRecords(const std::string & fileName);
 
-/** Pictures of one class each, a label and a file: the outline of what is filled, or thin lines as they were drawn.
- * Throws DentalInputError. */
+/** Files of one class each, a label and a file: of a picture the outline of what is filled, or thin lines as they were
+ * drawn; of a program's file what was drawn with it. Throws DentalInputError. */
 AnnotationRecords
-ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & files);
+ReadClassRecords(const std::vector<std::pair<std::string, std::string>> & files, const std::string & imageName);
 
 /** Appends the outlines of a mask as closed polylines, without the specks that a brush left; returns whether there were
  * some.

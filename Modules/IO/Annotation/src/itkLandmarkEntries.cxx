@@ -146,6 +146,16 @@ FindList(const JsonNode & root)
 std::vector<LandmarkEntry>
 FindLandmarkEntries(const JsonNode & root, unsigned int dimension)
 {
+  // Places alone say nothing of what lies there.
+  const auto hasNames = [](const JsonNode & entry) {
+    return entry.IsObject() || (entry.IsArray() && entry.GetSize() > 1 && entry.At(0).IsString());
+  };
+  if (!root.IsObject() && !(root.IsArray() && root.GetSize() > 0 && hasNames(root.At(0))))
+  {
+    root.Fail("is no JSON object",
+              dimension == 2 ? R"(landmarks are {"U1_tip": [u, v], "L1_tip": [u, v]})"
+                             : R"(landmarks are {"UR1_tip": [x, y, z], "UR6_MB": [x, y, z]})");
+  }
   std::vector<LandmarkEntry> entries;
   const auto                 list = FindList(root);
   AppendEntries(list ? *list : root, entries);
