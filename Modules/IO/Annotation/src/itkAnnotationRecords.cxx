@@ -493,7 +493,10 @@ AnnotationFormatFromContent(const JsonNode & root)
 namespace
 {
 AnnotationRecords
-ReadAnyContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName)
+ReadAnyContourRecords(const std::string &                fileName,
+                      AnnotationFileFormatEnum           format,
+                      const std::string &                imageName,
+                      const std::array<std::size_t, 2> & imageSize)
 {
   RefuseCephalometricFormat(fileName, format);
   RefuseForeignFile(fileName, FilePurposeEnum::Tracing);
@@ -515,7 +518,7 @@ ReadAnyContourRecords(const std::string & fileName, AnnotationFileFormatEnum for
       }
       return records;
     case Format::LabelImage:
-      return ReadLabelImageRecords(fileName);
+      return ReadLabelImageRecords(fileName, imageSize);
     case Format::CVAT:
       records = ReadCVATRecords(fileName, imageName);
       TakeCalibrations(records);
@@ -563,9 +566,12 @@ ReadAnyContourRecords(const std::string & fileName, AnnotationFileFormatEnum for
 } // namespace
 
 AnnotationRecords
-ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName)
+ReadContourRecords(const std::string &                fileName,
+                   AnnotationFileFormatEnum           format,
+                   const std::string &                imageName,
+                   const std::array<std::size_t, 2> & imageSize)
 {
-  AnnotationRecords records = ReadAnyContourRecords(fileName, format, imageName);
+  AnnotationRecords records = ReadAnyContourRecords(fileName, format, imageName, imageSize);
   std::size_t       count = 0;
   for (const AnnotationPolyline & polyline : records.polylines)
   {

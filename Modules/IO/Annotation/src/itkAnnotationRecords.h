@@ -105,9 +105,14 @@ void
 VerifyAreNoShares(const std::string & fileName, const AnnotationRecords & records);
 
 /** Every polyline of a file. Where the file is of several pictures, imageName tells which is meant. Throws
- * DentalInputError. */
+ * DentalInputError.
+ *
+ * \param imageSize Width and height of the radiograph, 0 where they are not known. */
 AnnotationRecords
-ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName);
+ReadContourRecords(const std::string &                fileName,
+                   AnnotationFileFormatEnum           format,
+                   const std::string &                imageName,
+                   const std::array<std::size_t, 2> & imageSize = { { 0, 0 } });
 
 /** Every landmark of a file, with `dimension` coordinates. Throws DentalInputError. */
 AnnotationRecords

@@ -251,9 +251,11 @@ DentalContourFileReader::GenerateData()
   m_NumberOfSidelessCodes = 0;
   m_Calibrations.clear();
   const std::string fileName = m_ClassFiles.empty() ? this->GetFileName() : m_ClassFiles.front().second;
-  AnnotationRecords records = m_ClassFiles.empty()
-                                ? ReadContourRecords(fileName, this->GetFileFormat(), this->GetImageFileName())
-                                : ReadClassRecords(m_ClassFiles, this->GetImageFileName());
+  AnnotationRecords records =
+    m_ClassFiles.empty()
+      ? ReadContourRecords(
+          fileName, this->GetFileFormat(), this->GetImageFileName(), { { m_ImageSize[0], m_ImageSize[1] } })
+      : ReadClassRecords(m_ClassFiles, this->GetImageFileName(), { { m_ImageSize[0], m_ImageSize[1] } });
   m_ReadNumbering = CombineNumberings(fileName, records, this->GetNumbering());
   this->StartReading(records.format, std::move(records.warnings));
 

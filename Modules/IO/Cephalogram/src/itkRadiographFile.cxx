@@ -20,6 +20,7 @@
 #include "itkCephalogramFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkExifOrientation.h"
+#include "itkNiftiPictureIO.h"
 #include "itkPictureSizeCheck.h"
 #include "itkRadiographImageIO.h"
 
@@ -206,6 +207,7 @@ RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
   {
     m_TextHeader = GetRadiographTextHeader(bytes);
   }
+  m_IsOfPlainArray = m_Format == Format::NIfTI && NiftiPictureIO::IsOfPlainArray(bytes);
   if (m_Format == Format::TIFF)
   {
     m_TIFF = LoadTIFFReader().readLayout(m_Memory.GetName());
