@@ -354,6 +354,79 @@ TEST(Supervisely, JointsOfAGraphAreLandmarks)
             -0.5);
 }
 
+namespace
+{
+/** A segmentation as 3D Slicer saves it: label 1 fills columns 2 to 7 and rows 3 to 9 of 12 x 14 pixels, label 2 the
+ * same columns from row 11 on. */
+std::string
+Segmentation(const std::string & header)
+{
+  std::string text = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 12 14 1\nencoding: raw\n" + header + "\n";
+  for (int y = 0; y < 14; ++y)
+  {
+    for (int x = 0; x < 12; ++x)
+    {
+      const bool inside = x >= 2 && x <= 7;
+      text += inside && y >= 3 && y <= 9 ? '\1' : inside && y >= 11 && y <= 12 ? '\2' : '\0';
+    }
+  }
+  return text;
+}
+
+std::string
+Segment(int number, const std::string & name)
+{
+  const std::string key = "Segment" + std::to_string(number);
+  return key + "_ID:=s\n" + key + "_Name:=" + name + "\n" + key + "_LabelValue:=" + std::to_string(number + 1) + "\n";
+}
+} // namespace
+
+TEST(LabelImages, SegmentsOf3DSlicerAreCalledAsTheirNamesSay)
+{
+  const std::string name = "Segmentation.seg.nrrd";
+  const auto        whole = Contours(name, Segmentation(Segment(0, "UR1") + Segment(1, "Bone")));
+  whole->SetImageSize({ { 12, 14 } });
+  const auto polylines = Updated(whole)->GetOutput(itk::ToothCode::JawEnum::Upper)->GetPolylines();
+  ASSERT_EQ(polylines.size(), 1u);
+  EXPECT_EQ(polylines[0].code.GetName(), "UR1");
+  EXPECT_TRUE(Contains(whole->GetWarnings().at(0), "segments: no teeth, left out: bone"));
+
+  // A jaw, and a tooth without a side.
+  const auto jaw = Contours(name, Segmentation(Segment(0, "Maxilla") + Segment(1, "L6")));
+  jaw->SetImageSize({ { 12, 14 } });
+  Updated(jaw);
+  EXPECT_FALSE(jaw->GetUpperOutput()->GetPolylines().at(0).code.IsKnown());
+  EXPECT_EQ(jaw->GetNumberOfSidelessCodes(), 1u);
+
+  // The part of the radiograph that has something in it.
+  const std::string part = "Segmentation_ReferenceImageExtentOffset:=50 60 0\n" + Segment(0, "11");
+  const auto        cropped = Contours(name, Segmentation(part));
+  const auto        moved = Updated(cropped)->GetOutput(itk::ToothCode::JawEnum::Upper)->GetPolylines();
+  ASSERT_EQ(moved.size(), 1u);
+  double left = 1e9;
+  double top = 1e9;
+  for (const auto & point : moved[0].points)
+  {
+    left = std::min(left, point[0]);
+    top = std::min(top, point[1]);
+  }
+  EXPECT_DOUBLE_EQ(left, 51.5);
+  EXPECT_DOUBLE_EQ(top, 62.5);
+
+  // It may say how large the radiograph is: another one is an error.
+  const std::string geometry = "Segmentation_ConversionParameters:=Smoothing factor|0.5|x&Reference image "
+                               "geometry|-1;0;0;0;0;-1;0;0;0;0;1;0;0;0;0;1;0;99;0;199;0;0;|y\n";
+  EXPECT_EQ(Updated(Contours(name, Segmentation(geometry + part)))->GetReadImageSize()[1], 200u);
+  const auto other = Contours(name, Segmentation(geometry + part));
+  other->SetImageSize({ { 50, 100 } });
+  const auto error = itk::ExpectInputError([&] { other->Update(); });
+  EXPECT_TRUE(Contains(error.GetOneLine(), "is 100 x 200, but the image is 50 x 100"));
+
+  // Names that Slicer made up say nothing: numbers are teeth then, or an error.
+  EXPECT_TRUE(
+    Contains(ContourError(name, Segmentation(Segment(0, "Segment_1"))).GetOneLine(), "no FDI tooth numbers: 1, 2"));
+}
+
 TEST(AnnotationTools, AFileWithoutAnOutlineIsNoTracing)
 {
   const auto points = ContourError("a.json",

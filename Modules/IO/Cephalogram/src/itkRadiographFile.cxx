@@ -213,6 +213,14 @@ RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
     m_TIFF = LoadTIFFReader().readLayout(m_Memory.GetName());
     m_Orientation = m_TIFF ? m_TIFF->orientation : 1;
   }
+  if (m_TIFF && m_TIFF->isInteger && m_TIFF->bits > 32)
+  {
+    // numpy's whole numbers, where nobody says otherwise.
+    itkDentalInputErrorMacro(m_FileName,
+                             "BitsPerSample",
+                             "is " + std::to_string(m_TIFF->bits) + ", and whole numbers of up to 32 bits are read",
+                             "save it with 8, 16 or 32 bits (numpy: astype(\"uint16\"))");
+  }
   if (m_TIFF && m_TIFF->HasNumbers() && (m_TIFF->isGrey || palette == PaletteEnum::Numbers))
   {
     if (!m_TIFF->isCodedAsUsual)

@@ -122,12 +122,6 @@ CallRadiographImageIO(const std::string & fileName, const std::string & format, 
   }
   catch (const ExceptionObject & error)
   {
-    // libtiff's own words; numpy makes whole numbers of 64 bits where nobody says otherwise.
-    if (std::string(error.GetDescription()).find("64-bit samples") != std::string::npos)
-    {
-      itkDentalInputErrorMacro(
-        fileName, "BitsPerSample", "64 bits a pixel are not read", "save it with 8, 16 or 32 bits (numpy: uint16)");
-    }
     itkDentalInputErrorMacro(fileName, "", problem + ": " + HideMemory(error.GetDescription()).substr(0, 200), remedy);
   }
   catch (const std::exception & error)
