@@ -422,6 +422,13 @@ TEST(LabelImages, SegmentsOf3DSlicerAreCalledAsTheirNamesSay)
   const auto error = itk::ExpectInputError([&] { other->Update(); });
   EXPECT_TRUE(Contains(error.GetOneLine(), "is 100 x 200, but the image is 50 x 100"));
 
+  // Two segments that overlap have a layer each.
+  const auto layers = ContourError(name,
+                                   "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 3\nkinds: list domain domain\n"
+                                   "encoding: raw\n" +
+                                     Segment(0, "UR1") + Segment(1, "UR2") + "\n" + std::string(12, '\1'));
+  EXPECT_TRUE(Contains(layers.GetOneLine(), "segments that overlap, in 2 layers")) << layers.GetOneLine();
+
   // Names that Slicer made up say nothing: numbers are teeth then, or an error.
   EXPECT_TRUE(
     Contains(ContourError(name, Segmentation(Segment(0, "Segment_1"))).GetOneLine(), "no FDI tooth numbers: 1, 2"));

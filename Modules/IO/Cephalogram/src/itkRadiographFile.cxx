@@ -187,6 +187,14 @@ RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette
     });
   }
   VerifyPictureSize(m_FileName, m_StoredSize, m_Frames, SizeValueType{ m_Components } * this->GetDepth() / 8);
+  if (m_Components > 1 && m_TextHeader.find("\nsegment0_") != std::string::npos)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             "Segment0_Layer",
+                             "has segments that overlap, in " + std::to_string(m_Components) + " layers",
+                             "export them from 3D Slicer as one label map, or one file a segment: \"contours\": "
+                             "{\"UR1\": \"ur1.nrrd\"}");
+  }
   const bool mayHaveAlphaAlone = m_Format == Format::PNG || m_Format == Format::TIFF;
   if (m_Components != 1 && m_Components != 3 && m_Components != 4 && !(m_Components == 2 && mayHaveAlphaAlone))
   {
