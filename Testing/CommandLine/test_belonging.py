@@ -980,6 +980,26 @@ def test_new_takes_a_label_map_of_nifti_whatever_it_is_called(run, sample, tmp_p
     assert any(line.startswith(name + ": a tracing: a label map with teeth") for line in made["_notes"])
 
 
+def test_landmarks_at_another_tooth_are_told_beside_others_that_cannot_be_used(run, case, tmp_path):
+    """A jaw that is suspect for some landmarks alone stands where it stands, and the others are looked at one by one."""
+    landmarks = case.load("landmarks3d.json")
+    # Each a tooth too far back, so that the last two have one place.
+    moved = {**landmarks, "UR4_B": landmarks["UR5_B"], "UR5_B": landmarks["UR6_MB"], "UR6_MB": landmarks["UR7_MB"]}
+    case.save(moved, "landmarks3d.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    assert result["jaws"]["upper"]["status"] == "suspect"
+    assert all(finding["code"].startswith("landmarks-") for finding in result["jaws"]["upper"]["findings"]), done.stderr
+    told = [line for line in result["warnings"] if "traced tooth of that code" in line]
+    named = told[0] if told else ""
+    named += " ".join(finding["text"] for finding in result["jaws"]["upper"]["findings"])
+    assert told and all(name in named for name in ("UR4_B", "UR5_B", "UR6_MB")), (result["warnings"], result["jaws"]["upper"]["reasons"])
+    # One whose place is in doubt says nothing of names.
+    case.save({**case.load("case.json"), "cephalogram": {**case.load("case.json")["cephalogram"], "facing": "left"}})
+    done = run("register", case.file, "--output", tmp_path / "other", "--no-report")
+    assert "traced tooth of that code" not in done.stderr, done.stderr
+
+
 def test_new_puts_files_of_one_tooth_each_together(run, sample, tmp_path):
     """As 3D Slicer saves curves, and programs of segmentation masks; of two files of one tooth neither is taken."""
     tracing = json.loads((sample / "contours.json").read_text())["contours"]

@@ -285,6 +285,26 @@ IsRowOfTooth(const std::vector<std::string> & cells, const TableColumns & column
          (NamesToothOrJaw(label) || NamesPointOfTooth(label));
 }
 
+/** What to do with a table whose first line is neither a row nor a header. */
+std::string
+DescribeTable(const std::vector<std::string> & cells, const std::string & form)
+{
+  const auto has = [&cells](const char * name) {
+    return std::any_of(
+      cells.begin(), cells.end(), [name](const std::string & cell) { return LowerCase(cell) == name; });
+  };
+  if (has("annotation_id") && has("annotator"))
+  {
+    return "Label Studio's CSV has shapes as text in its cells: export JSON";
+  }
+  const auto pairs = std::count_if(cells.begin(), cells.end(), [](const std::string & cell) {
+    const std::string name = LowerCase(cell);
+    return EndsWith(name, "_x") || EndsWith(name, ".x") || EndsWith(name, "_y") || EndsWith(name, ".y");
+  });
+  return pairs >= 2 ? "write a line a landmark, " + form + ", not a column"
+                    : "write lines " + form + ", or name the columns in the first line";
+}
+
 /** A class number and shares of a picture's size, all parted by blanks. */
 bool
 IsYolo(const std::string & line)
@@ -464,7 +484,7 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
                                field,
                                "has " + std::to_string(cells.size()) + " columns, expected " +
                                  (columns.named ? "those of the header" : form + " and perhaps a unit"),
-                               "correct the line");
+                               first ? DescribeTable(cells, form) : "correct the line");
     }
     AnnotationTableRow row{ field, cells[columns.label], {} };
     unsigned int       numbers = 0;

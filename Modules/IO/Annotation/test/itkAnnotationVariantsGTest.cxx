@@ -227,6 +227,15 @@ TEST(AnnotationTable, TitlesEmptyRowsBlanksAndRowsOfMakeSense)
   EXPECT_EQ(LandmarkError("a.csv", "U1_tip,10,20,30,40,50\n").GetField(), "line 1");
 }
 
+TEST(AnnotationTable, ATableOfAnotherFormSaysWhatToWrite)
+{
+  const auto remedy = [](const std::string & text) { return LandmarkError("a.csv", text).GetRemedy(); };
+  EXPECT_TRUE(Contains(remedy("image,id,kp,annotator,annotation_id\na.png,1,[],1,3\n"), "export JSON"));
+  EXPECT_TRUE(Contains(remedy("file,U1_tip_x,U1_tip_y,L6_x,L6_y\na.png,1,2,3,4\n"), "a line a landmark, label,x,y"));
+  EXPECT_TRUE(Contains(remedy("a,b,c,d,e,f\n1,2,3,4,5,6\n"), "name the columns in the first line"));
+  EXPECT_EQ(remedy("U1_tip,1,2\nL6_MB,3\n"), "correct the line");
+}
+
 TEST(SlicerMarkups, CurvesWithoutANameAreCalledAsTheirPoints)
 {
   const auto upper = [](const DentalContourFileReader::Pointer & reader) {
