@@ -980,6 +980,72 @@ def test_new_takes_a_label_map_of_nifti_whatever_it_is_called(run, sample, tmp_p
     assert any(line.startswith(name + ": a tracing: a label map with teeth") for line in made["_notes"])
 
 
+def test_landmarks_at_another_tooth_are_told_beside_others_that_cannot_be_used(run, case, tmp_path):
+    """A jaw that is suspect for some landmarks alone stands where it stands, and the others are looked at one by one."""
+    landmarks = case.load("landmarks3d.json")
+    # Each a tooth too far back, so that the last two have one place.
+    moved = {**landmarks, "UR4_B": landmarks["UR5_B"], "UR5_B": landmarks["UR6_MB"], "UR6_MB": landmarks["UR7_MB"]}
+    case.save(moved, "landmarks3d.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    assert result["jaws"]["upper"]["status"] == "suspect"
+    assert all(finding["code"].startswith("landmarks-") for finding in result["jaws"]["upper"]["findings"]), done.stderr
+    told = [line for line in result["warnings"] if "traced tooth of that code" in line]
+    named = told[0] if told else ""
+    named += " ".join(finding["text"] for finding in result["jaws"]["upper"]["findings"])
+    assert told and all(name in named for name in ("UR4_B", "UR5_B", "UR6_MB")), (result["warnings"], result["jaws"]["upper"]["reasons"])
+    # One whose place is in doubt says nothing of names.
+    case.save({**case.load("case.json"), "cephalogram": {**case.load("case.json")["cephalogram"], "facing": "left"}})
+    done = run("register", case.file, "--output", tmp_path / "other", "--no-report")
+    assert "traced tooth of that code" not in done.stderr, done.stderr
+
+
+def test_new_puts_files_of_one_tooth_each_together(run, sample, tmp_path):
+    """As 3D Slicer saves curves, and programs of segmentation masks; of two files of one tooth neither is taken."""
+    tracing = json.loads((sample / "contours.json").read_text())["contours"]
+    for name in ("upper.stl", "ceph.png"):
+        (tmp_path / name).write_bytes((sample / name).read_bytes())
+
+    def save(name, points):
+        control = [{"label": f"C-{i}", "position": [u, v, 0]} for i, (u, v) in enumerate(points)]
+        (tmp_path / name).write_text(json.dumps({"markups": [{"type": "Curve", "controlPoints": control}]}))
+
+    teeth = [(polyline["code"], polyline["points"]) for polyline in tracing["upper"] if polyline["points"]]
+    for code, points in teeth:
+        save(f"{code}.mrk.json", points)
+    assert run("new", tmp_path).returncode == 0
+    made = json.loads((tmp_path / "case.json").read_text())
+    assert made["contours"] == {code: f"{code}.mrk.json" for code, _ in teeth}, made["_notes"]
+    # Their unit is one thing that only a person knows.
+    assert any("still to be given: \"markups_spacing_mm\"" in note for note in made["_notes"])
+    save("tooth.mrk.json", teeth[0][1])
+    (tmp_path / "tooth.mrk.json").write_text((tmp_path / "tooth.mrk.json").read_text().replace("C-", teeth[0][0] + "-"))
+    assert run("new", tmp_path, "--force").returncode == 0
+    made = json.loads((tmp_path / "case.json").read_text())
+    assert "contours" not in made and any(f"one of {len(teeth) + 1} that could be" in note for note in made["_notes"])
+
+
+def test_new_takes_masks_whose_names_tell_their_teeth(run, sample, tmp_path):
+    for name in ("upper.stl", "ceph.png"):
+        (tmp_path / name).write_bytes((sample / name).read_bytes())
+    height, width = matplotlib.image.imread(sample / "ceph.png").shape[:2]
+
+    def save(name, left):
+        mask = numpy.zeros((height, width), dtype=int)
+        mask[300:340, left : left + 30] = 255
+        (tmp_path / name).write_bytes(png(mask.tolist()))
+
+    save("mask_11.png", 400)
+    assert run("new", tmp_path).returncode == 0
+    assert json.loads((tmp_path / "case.json").read_text())["contours"] == {"UR1": "mask_11.png"}
+    save("LR6-mask.png", 440)
+    save("seg_tooth.png", 500)
+    assert run("new", tmp_path, "--force").returncode == 0
+    made = json.loads((tmp_path / "case.json").read_text())
+    assert made["contours"] == {"UR1": "mask_11.png", "LR6": "LR6-mask.png"}, made["_notes"]
+    assert any(note.startswith("seg_tooth.png: not used") for note in made["_notes"])
+
+
 def test_new_takes_a_radiograph_of_nifti(run, sample, tmp_path):
     (tmp_path / "upper.stl").write_bytes((sample / "upper.stl").read_bytes())
     picture = (255 * matplotlib.image.imread(sample / "ceph.png")).round().astype(int).tolist()

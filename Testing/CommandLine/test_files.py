@@ -81,10 +81,10 @@ def test_labels_of_nifti_are_those_of_the_picture(run, tmp_path, kind):
 
 def test_nifti_that_is_no_label_map_of_a_picture_is_refused_in_words(run, tmp_path):
     rows = two_discs()
-    identity = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0))
+    elsewhere = ((1, 0, 0, 40), (0, 1, 0, 0), (0, 0, 1, 0))
     whole = nifti(rows, packed=True)
     for name, content, words in (
-        ("a.nii.gz", nifti(rows, affine=identity, packed=True), "columns run to R and rows to A"),
+        ("a.nii.gz", nifti(rows, affine=elsewhere, packed=True), "columns run to R and rows to A"),
         ("a.nii", nifti(rows, slices=40), "has 40 frames, pages or slices"),
         ("a.nii.gz", whole[:-30], "truncated or damaged"),
         ("a.nii", gzip.decompress(whole)[:-1], "8351 of 8352 bytes are there"),
@@ -95,6 +95,32 @@ def test_nifti_that_is_no_label_map_of_a_picture_is_refused_in_words(run, tmp_pa
         done = run("contour", "--labels", tmp_path / name, "--output", tmp_path / "c.json")
         assert done.returncode == 2 and name in done.stderr and words in done.stderr, (words, done.stderr)
         assert "Traceback" not in done.stderr and done.stderr.count("\n") == 1, done.stderr
+
+
+def test_an_array_that_nibabel_wrote_without_directions_is_taken_as_it_is_stored(run, case, tmp_path):
+    """numpy.eye(4): whether a row of the array is one of the picture only the radiograph's size tells."""
+    identity = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0))
+    rows = two_discs()
+    grey = contours_of(run, tmp_path, "grey.png", png(rows))
+    assert contours_of(run, tmp_path, "plain.nii.gz", nifti(rows, affine=identity, packed=True)) == grey
+    labels = numpy.array(as_labels(*tracing_of(case)))
+    answers = []
+    for name, array in (
+        ("labels.png", None),
+        ("columns_rows.nii", labels.tolist()),
+        ("rows_columns.nii", labels.T.tolist()),
+        ("upside_down.nii", labels[::-1].tolist()),
+    ):
+        (case.folder / name).write_bytes(png(labels.tolist()) if array is None else nifti(array, affine=identity))
+        case.change(contours=name)
+        done = run("register", case.file, "--output", tmp_path / name, "--no-report")
+        assert (array is None) != ("say nothing of how the picture lies" in done.stderr), done.stderr
+        jaws = json.loads((tmp_path / name / "result.json").read_text())["jaws"]
+        assert (name == "rows_columns.nii") == ("taken for an array [row, column]" in done.stderr)
+        answers.append([(jaw["status"], jaw["projection_3x4"]) for jaw in jaws.values()])
+    assert answers[1] == answers[0] and answers[2] == answers[0]
+    # What was turned over is no answer that anybody takes.
+    assert all(status != "ok" for status, _ in answers[3])
 
 
 def test_labels_that_are_none_are_refused_in_words(run, tmp_path):
@@ -225,8 +251,41 @@ def there_and_back(points):
     return points + points[-2:0:-1]
 
 
+def as_via3(size, polylines):
+    """Version 3 numbers pictures, views and attributes; 6 is a polyline."""
+    shapes = {
+        f"1_{i}": {"vid": "1", "flg": 0, "z": [], "xy": [6] + [x for point in from_corner(points) for x in point], "av": {"1": code}}
+        for i, (code, points) in enumerate(polylines)
+    }
+    return json.dumps(
+        {
+            "project": {"pname": "c", "vid_list": ["1"]},
+            "config": {},
+            "attribute": {"1": {"aname": "tooth", "anchor_id": "FILE1_Z0_XY1", "type": 1, "options": {}}},
+            "file": {"1": {"fid": "1", "fname": "ceph.png", "type": 2, "loc": 1, "src": ""}},
+            "metadata": shapes,
+            "view": {"1": {"fid_list": ["1"]}},
+        }
+    )
+
+
+def as_export_with_a_title(size, polylines):
+    """Lines about the patient, a count of the lines, and rows as wide as the widest one."""
+    lines = ["Patient:;Test, A;;;", "Date:;2024-01-02;;;", ";;;;", "No;tooth_code;x_px;y_px;"]
+    rows = [(code, u, v) for code, points in polylines for u, v in points]
+    lines += [f"{i};{code};{u!r};{v!r};" for i, (code, u, v) in enumerate(rows)]
+    return "\ufeff" + "\r\n".join(lines + [";;;;", ""])
+
+
+def as_words_and_blanks(size, polylines):
+    return "".join(f"tooth {code}   {u!r} {v!r}\n" for code, points in polylines for u, v in points)
+
+
 FORMS = {
     "cvat.xml": as_cvat,
+    "via3.json": as_via3,
+    "title.csv": as_export_with_a_title,
+    "blanks.txt": as_words_and_blanks,
     "via.json": as_via,
     "label_studio.json": as_label_studio,
     "supervisely.json": as_supervisely,
@@ -245,6 +304,26 @@ def test_a_tracing_gives_one_answer_in_every_form(run, case, tmp_path, landmarks
     result = json.loads((tmp_path / "out" / "result.json").read_text())
     # The same numbers but for the last digits that per cent and half pixels cost.
     assert difference(landmarks, result) < 1e-3
+
+
+def curve_of_slicer(points):
+    """As 3D Slicer saves a curve: without its name, which is the file's and the beginning of its points' labels."""
+    control = [{"id": str(i + 1), "label": f"C-{i + 1}", "position": [0.25 * u, 0.25 * v, 0.0]} for i, (u, v) in enumerate(points)]
+    return {"markups": [{"type": "Curve", "coordinateSystem": "LPS", "coordinateUnits": "mm", "labelFormat": "%N-%d", "controlPoints": control}]}
+
+
+def test_curves_of_slicer_a_file_each_are_one_tracing(run, case, tmp_path, landmarks):
+    _, polylines = tracing_of(case)
+    files = {}
+    for code, points in polylines:
+        files[code] = f"curve_{code}.mrk.json"
+        (case.folder / files[code]).write_text(json.dumps(curve_of_slicer(points)))
+    case.change(contours=files, markups_spacing_mm=[0.25, 0.25])
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 0, done.stderr
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    assert difference(landmarks, result) < 1e-3
+    assert result["inputs"]["contours.UR1"]["path"] == "curve_UR1.mrk.json"
 
 
 def as_labels(size, polylines):
@@ -302,7 +381,8 @@ def test_a_slip_of_the_mouse_does_not_refuse_the_file(run, case, tmp_path):
 
 
 def test_a_header_without_a_column_of_labels_is_an_error_that_names_it(run, case, tmp_path):
-    (case.folder / "table.csv").write_text("Zahn,Nummer,x,y\nUR1,1,5,6\n")
+    # Of several columns the one that names teeth is theirs; where none does, which it is has to be said.
+    (case.folder / "table.csv").write_text("Patient,Nummer,x,y\nA,1,5,6\n")
     case.change(contours="table.csv")
     done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
     assert done.returncode == 2 and 'name that column "label"' in done.stderr, done.stderr
@@ -497,8 +577,9 @@ def test_a_tracing_of_no_known_form_is_named_for_how_it_begins(run, case, tmp_pa
         ("t.yaml", "UR1:\n  - [1, 2]\n", 'begins with "UR1:"'),
         ("t.bin", "\x01\x02\x03", "nor is it text"),
         ("t.txt", "0 0.71 0.52 0.72 0.53 0.74 0.52\n", "YOLO"),
-        ("t.geojson", '{"type": "FeatureCollection", "features": []}', "type, features"),
-        ("t.json", '[{"Labeled Data": "ceph.png", "Label": {}}]', "Labeled Data, Label"),
+        ("t.geojson", '{"type": "FeatureCollection", "features": []}', "is GeoJSON, as QuPath writes it"),
+        ("t.json", '[{"Labeled Data": "ceph.png", "Label": {}}]', "is JSON of Labelbox"),
+        ("t.json", '[{"drawn": "ceph.png", "Lines": {}}]', "drawn, Lines"),
     ):
         (case.folder / name).write_text(content)
         case.change(contours=name)

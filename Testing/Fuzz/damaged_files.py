@@ -291,7 +291,7 @@ def cephalometric():
     yield "a sigma of 0", "a.json", '{"U1_tip": {"position": [1, 2], "sigma_px": 0}}', ("U1_tip.sigma_px", "0 is no standard deviation")
     yield "a confidence of 2", "a.json", '{"U1_tip": {"position": [1, 2], "confidence": 2}}', ("U1_tip.confidence", "2 is not from 0 to 1")
     yield "no position", "a.json", '{"U1_tip": {"sigma_px": 2}}', ("U1_tip.position", "missing field")
-    yield "Aariz: no value", "a.json", '{"ceph_id": "a", "landmarks": [{"title": "t", "symbol": "UIT"}]}', ("landmarks[0].name", "missing field")
+    yield "Aariz: no value", "a.json", '{"ceph_id": "a", "landmarks": [{"title": "t", "symbol": "UIT"}]}', ("landmarks[0].x", "missing field")
     yield "Aariz: x is a word", "a.json", '{"ceph_id": "a", "landmarks": [{"title": "t", "symbol": "UIT", "value": {"x": "a", "y": 1}}]}', ("landmarks[0].value.x", 'is "a", expected a number')
     yield "a detector: nothing was found", "a.json", '{"landmarks": [{"name": "U1_tip", "x": null, "y": null}]}', ("has no dental landmark",)
     yield "a detector: a confidence that is no word of its own", "a.json", '{"landmarks": [{"name": "U1_tip", "x": 1, "y": 2, "confidence": "huge"}]}', ("landmarks[0].confidence", '"huge" is no confidence')

@@ -154,6 +154,18 @@ DescribeMiddlesOffTeeth(const JawResult &          jaw,
   }
 }
 
+/** Whether the jaw is where its result says: nothing is doubted, or nothing but other landmarks of the scan, which are
+ * not registered with where they cannot be used. */
+bool
+IsInPlace(const JawResult & jaw)
+{
+  return jaw.registered && jaw.status != RegistrationStatusEnum::Failed &&
+         std::all_of(jaw.findings.begin(), jaw.findings.end(), [](const RegistrationFinding & finding) {
+           return finding.code == "landmarks-coincide" || finding.code == "landmarks-off-scan" ||
+                  finding.code == "landmarks-order";
+         });
+}
+
 /** The row of teeth runs in the direction in which the points are spread most. */
 DirectionType
 FindRow(const DentalContour::PolylinesType & polylines)
@@ -204,7 +216,7 @@ DescribeLandmarksOffTeeth(const DentalCaseData & data, const CaseResult & result
     const JawResult & jaw = entry.second;
     const auto &      contour = data.GetJaw(entry.first).contour;
     // A jaw that is in doubt may be elsewhere, and no name is wrong for that.
-    if (!jaw.registered || jaw.status != RegistrationStatusEnum::Ok || contour.IsNull())
+    if (!IsInPlace(jaw) || contour.IsNull())
     {
       continue;
     }

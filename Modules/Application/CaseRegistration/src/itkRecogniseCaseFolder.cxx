@@ -193,6 +193,56 @@ DirectionOfDicom(const std::string & file)
   return direction;
 }
 
+/** The one tooth that a tracing is of; "" where it is of several or of a jaw. */
+std::string
+FindOnlyTooth(const DentalContourFileReader & reader)
+{
+  std::set<std::string> teeth;
+  for (const auto jaw : { ToothCode::JawEnum::Upper, ToothCode::JawEnum::Lower })
+  {
+    for (const auto & polyline : reader.GetOutput(jaw)->GetPolylines())
+    {
+      if (!polyline.points.empty())
+      {
+        teeth.insert(polyline.code.IsKnown() ? polyline.code.GetName() : std::string());
+      }
+    }
+  }
+  return teeth.size() == 1 ? *teeth.begin() : std::string();
+}
+
+/** The tooth or jaw that a word of a name is; "" where none is, or several are. */
+std::string
+FindToothOfName(const std::string & file)
+{
+  std::set<std::string> found;
+  const Words           words = SplitWords(fs::path(file).stem().string());
+  if (HasAny(words, UpperWords))
+  {
+    found.insert("upper");
+  }
+  if (HasAny(words, LowerWords))
+  {
+    found.insert("lower");
+  }
+  for (const std::string & word : words)
+  {
+    try
+    {
+      if (ToothCode::IsWrittenAsCode(word) && ToothCode::FromString(word).IsKnown())
+      {
+        found.insert(ToothCode::FromString(word).GetName());
+      }
+    }
+    catch (const std::invalid_argument &)
+    {
+      // A number of something else.
+      continue;
+    }
+  }
+  return found.size() == 1 ? *found.begin() : std::string();
+}
+
 /** Candidates for one field. */
 struct Candidates
 {
@@ -456,6 +506,8 @@ private:
             spacing.Fill(1.0);
             reader->SetMarkupsSpacing(spacing);
             reader->Update();
+            m_HasMarkups = m_HasMarkups || reader->GetReadFileFormat() == AnnotationFileFormatEnum::SlicerMarkups;
+            m_ToothOf[file] = FindOnlyTooth(*reader);
             m_HasRuler = m_HasRuler || (!isFrontal && !reader->GetCalibrations().empty());
             return reader->GetUpperOutput()->GetNumberOfPoints() + reader->GetLowerOutput()->GetNumberOfPoints() > 0;
           },
@@ -480,6 +532,7 @@ private:
                reader->SetFileName(file);
                reader->SetImageFileName(m_Case.Find("cephalogram.image"));
                reader->Update();
+               m_HasMarkups = m_HasMarkups || reader->GetReadFileFormat() == AnnotationFileFormatEnum::SlicerMarkups;
                const auto & landmarks = reader->GetOutput()->GetLandmarks();
                sided = std::all_of(landmarks.begin(), landmarks.end(), [](const auto & landmark) {
                  return landmark.meaning.tooth.IsKnown();
@@ -531,6 +584,42 @@ private:
     return Reads(read, problem);
   }
 
+  /** Whether a picture shows something of two tones in the grid of the radiograph. */
+  bool
+  IsMask(const std::string & file, const std::string & tooth) const
+  {
+    return Reads([&]() {
+      auto reader = DentalContourFileReader::New();
+      reader->SetClassFiles({ { tooth, file } });
+      reader->SetImageSize(m_ImageSize);
+      reader->Update();
+      return reader->GetUpperOutput()->GetNumberOfPoints() + reader->GetLowerOutput()->GetNumberOfPoints() > 0;
+    });
+  }
+
+  /** Where every candidate is of one tooth or jaw, each of another: together they are the tracing. */
+  bool
+  SettleParts(const std::string & field)
+  {
+    const Candidates &    candidates = m_Candidates[field];
+    std::set<std::string> teeth;
+    for (const std::string & file : candidates.files)
+    {
+      teeth.insert(m_ToothOf[file]);
+    }
+    if (candidates.files.size() < 2 || teeth.size() != candidates.files.size() || teeth.count(std::string()) != 0)
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < candidates.files.size(); ++i)
+    {
+      const std::string & file = candidates.files[i];
+      m_Case.files.emplace_back(field + "." + m_ToothOf[file], file);
+      this->Note(file, candidates.reasons[i] + "; of " + m_ToothOf[file] + " alone, as the other files are of others");
+    }
+    return true;
+  }
+
   void
   LookAtDerivedPicture(const std::string & file)
   {
@@ -538,6 +627,14 @@ private:
     if (this->HoldsTeeth(file, &problem))
     {
       this->Add("contours", file, "a tracing: a label map with teeth");
+      return;
+    }
+    const std::string tooth = FindToothOfName(file);
+    if (!tooth.empty() && this->IsMask(file, tooth))
+    {
+      m_ToothOf[file] = tooth;
+      m_Masks.insert(file);
+      this->Add("contours", file, "a mask or drawn lines, of which a word of its name tells the tooth or jaw");
       return;
     }
     this->Note(file,
@@ -563,8 +660,14 @@ private:
     m_Earlier[field].clear();
     if (candidates.files.size() == 1)
     {
-      m_Case.files.emplace_back(field, candidates.files.front());
+      const std::string & file = candidates.files.front();
+      // A mask says nothing of what it shows, and so its tooth has to stand beside it.
+      m_Case.files.emplace_back(m_Masks.count(file) != 0 ? field + "." + m_ToothOf[file] : field, file);
       this->Note(candidates.files.front(), candidates.reasons.front());
+      return;
+    }
+    if (field == "contours" && this->SettleParts(field))
+    {
       return;
     }
     for (const std::string & file : candidates.files)
@@ -610,7 +713,11 @@ private:
   void
   SayWhatIsMissing()
   {
-    const auto has = [this](const char * field) { return !m_Case.Find(field).empty(); };
+    const auto has = [this](const std::string & field) {
+      return std::any_of(m_Case.files.begin(), m_Case.files.end(), [&field](const auto & file) {
+        return file.first == field || file.first.compare(0, field.size() + 1, field + ".") == 0;
+      });
+    };
     if (!has("upper") && !has("lower"))
     {
       m_Case.notes.emplace_back("still to be given: \"upper\" or \"lower\", the scans");
@@ -619,6 +726,12 @@ private:
     {
       m_Case.notes.emplace_back(
         "still to be given: \"contours\" or \"cephalometric_landmarks\", what was drawn on the radiograph");
+    }
+    if (m_HasMarkups && !m_HasSpacing)
+    {
+      m_Case.notes.emplace_back(
+        "still to be given: \"markups_spacing_mm\", as markups are in mm: the spacing [u, v] that "
+        "the radiograph had in 3D Slicer, [1, 1] where its Volumes module shows none");
     }
     if (!m_HasSpacing && !m_HasRuler)
     {
@@ -635,6 +748,10 @@ private:
   std::vector<std::string> m_FrontalRadiographs;
   std::vector<std::string> m_OtherPictures;
   std::vector<std::string> m_Derived;
+  /** The one tooth or jaw that a candidate is of. */
+  std::map<std::string, std::string> m_ToothOf;
+  std::set<std::string>              m_Masks;
+  bool                               m_HasMarkups{ false };
   /** A line of known length in a tracing is the pixel spacing. */
   bool m_HasRuler{ false };
   /** Pictures whose tags tell from where they were taken. */

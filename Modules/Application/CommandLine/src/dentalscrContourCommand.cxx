@@ -19,6 +19,7 @@
 #include "dentalscrScanOptions.h"
 
 #include "itkContourResampleFilter.h"
+#include "itkDentalContourFileReader.h"
 #include "itkDentalContourFileWriter.h"
 #include "itkDentalInputError.h"
 #include "itkImage.h"
@@ -73,7 +74,33 @@ void
 ContoursOfLabels(const ContourOptions & options, itk::DentalContour * contours[2], itk::Size<2> & size)
 {
   using LabelType = itk::Image<std::uint16_t, 2>;
-  const LabelType::Pointer labels = itk::ReadLabelImage(options.labels);
+  itk::LabelImageNotes     notes;
+  const LabelType::Pointer labels = itk::ReadLabelImage(options.labels, notes);
+  if (!options.wholeLabels && (!notes.segments.empty() || notes.isOfPlainArray))
+  {
+    // What a segmentation calls its labels, and where its part of the picture lies, is read as a case's tracing is.
+    auto reader = itk::DentalContourFileReader::New();
+    reader->SetFileName(options.labels);
+    if (notes.isPart && notes.pictureSize[0] == 0)
+    {
+      reader->SetImageSize({ { notes.offset[0] + labels->GetLargestPossibleRegion().GetSize()[0],
+                               notes.offset[1] + labels->GetLargestPossibleRegion().GetSize()[1] } });
+    }
+    reader->Update();
+    for (const std::string & warning : reader->GetWarnings())
+    {
+      std::cerr << "dentalscr: warning: " << warning << std::endl;
+    }
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      for (const auto & polyline : Resample(reader->GetOutput(jaw), options.points)->GetPolylines())
+      {
+        contours[jaw == JawEnum::Upper ? 0 : 1]->AddPolyline(polyline);
+      }
+    }
+    size = { { reader->GetReadImageSize()[0], reader->GetReadImageSize()[1] } };
+    return;
+  }
   size = labels->GetLargestPossibleRegion().GetSize();
   using FilterType = itk::SilhouetteContourFilter<LabelType>;
   auto filter = FilterType::New();

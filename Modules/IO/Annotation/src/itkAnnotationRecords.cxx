@@ -26,6 +26,7 @@
 #include "itkInputFile.h"
 #include "itkJsonDocument.h"
 #include "itkLabelImageRecords.h"
+#include "itkLandmarkEntries.h"
 #include "itkLowerCase.h"
 #include "itkReadLabelImage.h"
 #include "itkSlicerMarkups.h"
@@ -288,6 +289,7 @@ ReadOwnContours(const JsonNode & root, AnnotationRecords & records)
 {
   if (!root.IsObject() || !root.Find("contours"))
   {
+    RefuseUnknownAnnotation(root);
     std::vector<std::string> names;
     if (root.IsObject() || (root.GetSize() > 0 && root.At(0).IsObject()))
     {
@@ -333,19 +335,26 @@ ReadOwnContours(const JsonNode & root, AnnotationRecords & records)
 void
 ReadOwnLandmarks(const JsonNode & root, AnnotationRecords & records, unsigned int dimension)
 {
-  for (const auto & [name, node] : root.GetMembers())
+  RefuseUnknownAnnotation(root);
+  for (const LandmarkEntry & entry : FindLandmarkEntries(root, dimension))
   {
-    AnnotationLandmark landmark{ node.GetPath(), name, {} };
+    const auto        known = std::find_if(entry.names.begin(), entry.names.end(), NamesPointOfTooth);
+    const std::string name = known != entry.names.end() ? *known
+                             : !entry.names.empty()     ? entry.names.front()
+                                                        : entry.node.Get("name").AsString();
     // Anything may stand beside the landmarks, such as a comment: the reader warns about names that are none.
-    if (node.IsArray() || node.IsNumber())
+    if (!IsLandmarkPlace(entry.node))
     {
-      const std::vector<double> point = node.AsNumbers(dimension, dimension == 2 ? "[u, v]" : "[x, y, z]");
-      std::copy(point.begin(), point.end(), landmark.point.begin());
-      records.landmarks.push_back(landmark);
+      entry.node.Warn("is no landmark, ignored");
+      continue;
+    }
+    if (const auto point = ReadLandmarkPlace(entry.node, dimension, nullptr))
+    {
+      records.landmarks.push_back({ entry.node.GetPath(), name, *point });
     }
     else
     {
-      node.Warn("is no landmark, ignored");
+      entry.node.Warn("\"" + name + "\" is not marked");
     }
   }
 }
@@ -413,6 +422,42 @@ VerifyCoordinate(const std::string & fileName, const std::string & field, double
   }
 }
 
+void
+VerifyAreNoShares(const std::string & fileName, const AnnotationRecords & records)
+{
+  std::size_t count = 0;
+  std::size_t between = 0;
+  bool        areShares = true;
+  std::string field;
+  const auto  look = [&](const std::string & where, const std::array<double, 3> & point) {
+    field = count++ == 0 ? where : field;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      areShares = areShares && point[i] >= 0.0 && point[i] <= 1.0;
+      between += point[i] > 0.0 && point[i] < 1.0 ? 1 : 0;
+    }
+  };
+  for (const AnnotationLandmark & landmark : records.landmarks)
+  {
+    look(landmark.field, landmark.point);
+  }
+  for (const AnnotationPolyline & polyline : records.polylines)
+  {
+    for (const auto & point : polyline.points)
+    {
+      look(polyline.field, point);
+    }
+  }
+  // Two points, as one may be a slip at the corner; and not where all lie at 0, which is another fault.
+  if (areShares && count >= 2 && between >= count)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             field,
+                             "all coordinates are from 0 to 1: shares of the picture's size, and no pixels",
+                             "multiply x by the picture's width and y by its height");
+  }
+}
+
 AnnotationFileFormatEnum
 AnnotationFormatFromFile(const std::string & fileName)
 {
@@ -448,7 +493,10 @@ AnnotationFormatFromContent(const JsonNode & root)
 namespace
 {
 AnnotationRecords
-ReadAnyContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName)
+ReadAnyContourRecords(const std::string &                fileName,
+                      AnnotationFileFormatEnum           format,
+                      const std::string &                imageName,
+                      const std::array<std::size_t, 2> & imageSize)
 {
   RefuseCephalometricFormat(fileName, format);
   RefuseForeignFile(fileName, FilePurposeEnum::Tracing);
@@ -470,7 +518,7 @@ ReadAnyContourRecords(const std::string & fileName, AnnotationFileFormatEnum for
       }
       return records;
     case Format::LabelImage:
-      return ReadLabelImageRecords(fileName);
+      return ReadLabelImageRecords(fileName, imageSize);
     case Format::CVAT:
       records = ReadCVATRecords(fileName, imageName);
       TakeCalibrations(records);
@@ -518,9 +566,12 @@ ReadAnyContourRecords(const std::string & fileName, AnnotationFileFormatEnum for
 } // namespace
 
 AnnotationRecords
-ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName)
+ReadContourRecords(const std::string &                fileName,
+                   AnnotationFileFormatEnum           format,
+                   const std::string &                imageName,
+                   const std::array<std::size_t, 2> & imageSize)
 {
-  AnnotationRecords records = ReadAnyContourRecords(fileName, format, imageName);
+  AnnotationRecords records = ReadAnyContourRecords(fileName, format, imageName, imageSize);
   std::size_t       count = 0;
   for (const AnnotationPolyline & polyline : records.polylines)
   {
@@ -534,6 +585,7 @@ ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format
                                std::to_string(MaximumNumberOfContourPoints) + " that a tracing may have",
                              "thin the outlines out to a point a pixel");
   }
+  VerifyAreNoShares(fileName, records);
   return records;
 }
 

@@ -99,10 +99,20 @@ constexpr std::size_t MaximumNumberOfContourPoints = 200000;
 void
 VerifyCoordinate(const std::string & fileName, const std::string & field, double coordinate);
 
+/** Throws where all coordinates are shares of the picture's size, as detectors and YOLO write them: everything would
+ * lie in its first pixel. */
+void
+VerifyAreNoShares(const std::string & fileName, const AnnotationRecords & records);
+
 /** Every polyline of a file. Where the file is of several pictures, imageName tells which is meant. Throws
- * DentalInputError. */
+ * DentalInputError.
+ *
+ * \param imageSize Width and height of the radiograph, 0 where they are not known. */
 AnnotationRecords
-ReadContourRecords(const std::string & fileName, AnnotationFileFormatEnum format, const std::string & imageName);
+ReadContourRecords(const std::string &                fileName,
+                   AnnotationFileFormatEnum           format,
+                   const std::string &                imageName,
+                   const std::array<std::size_t, 2> & imageSize = { { 0, 0 } });
 
 /** Every landmark of a file, with `dimension` coordinates. Throws DentalInputError. */
 AnnotationRecords

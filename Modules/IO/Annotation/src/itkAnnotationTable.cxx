@@ -29,6 +29,7 @@
 #include <initializer_list>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace itk
@@ -52,29 +53,110 @@ IsOneOf(const std::string & text, std::initializer_list<const char *> words)
   return std::any_of(words.begin(), words.end(), [&](const char * word) { return text == word; });
 }
 
-/** Takes the columns from a header; false where the line is none. */
+/** Whether a header's cell names a column of labels, "landmark_name" as well as "Landmark". */
 bool
-ReadHeader(const std::string &              fileName,
-           const std::string &              field,
-           const std::vector<std::string> & cells,
-           unsigned int                     dimension,
-           TableColumns &                   columns)
+IsWordForLabels(const std::string & cell)
 {
-  std::optional<std::size_t> label;
+  std::string word = cell;
+  for (const char * const end : { "_name", " name", "name", "_code", " code", "_label", " label" })
+  {
+    // But of a file's name, or of a patient's.
+    const std::size_t length = std::string(end).size();
+    if (word.size() > length && EndsWith(word, end))
+    {
+      word.resize(word.size() - length);
+      break;
+    }
+  }
+  return IsOneOf(word, { "label", "name", "code", "tooth", "landmark", "point", "symbol", "class", "title" });
+}
+
+/** Whether a column has numbers, all of them of FDI: what counts lines, and what was measured, has others. */
+bool
+HasNumbersOfTeeth(std::size_t column, const std::vector<std::vector<std::string>> & lines)
+{
+  return std::all_of(lines.begin(), lines.end(), [column](const std::vector<std::string> & cells) {
+    double value = 0.0;
+    if (column >= cells.size() || cells[column].empty())
+    {
+      return true;
+    }
+    try
+    {
+      return ParseNumber(cells[column], value) && ToothCode::FromString(cells[column]).IsKnown();
+    }
+    catch (const std::invalid_argument &)
+    {
+      return false;
+    }
+  });
+}
+
+/** Which of several columns holds the labels: of those in which a line names a tooth, a jaw or a landmark the one that
+ * does so in most lines, words before numbers. Nothing where there is none. */
+std::optional<std::size_t>
+FindColumnOfNames(const std::vector<std::size_t> & candidates, const std::vector<std::vector<std::string>> & lines)
+{
+  std::optional<std::size_t> found;
+  for (const bool isNumber : { false, true })
+  {
+    std::ptrdiff_t most = 0;
+    for (const std::size_t column : candidates)
+    {
+      if (isNumber && !HasNumbersOfTeeth(column, lines))
+      {
+        continue;
+      }
+      const std::ptrdiff_t names =
+        std::count_if(lines.begin(), lines.end(), [&](const std::vector<std::string> & cells) {
+          double value = 0.0;
+          return column < cells.size() && ParseTableNumber(cells[column], value) == isNumber &&
+                 (NamesToothOrJaw(cells[column]) || NamesPointOfTooth(cells[column]));
+        });
+      if (names > most)
+      {
+        most = names;
+        found = column;
+      }
+    }
+    if (found)
+    {
+      break;
+    }
+  }
+  return found;
+}
+
+/** Takes the columns from a header; false where the line is none.
+ *
+ * \param lines What follows it. */
+bool
+ReadHeader(const std::string &                           fileName,
+           const std::string &                           field,
+           const std::vector<std::string> &              cells,
+           unsigned int                                  dimension,
+           const std::vector<std::vector<std::string>> & lines,
+           TableColumns &                                columns)
+{
+  std::vector<std::size_t>   labels;
   std::optional<std::size_t> axes[3];
   std::optional<std::size_t> unit;
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     const std::string cell = LowerCase(cells[i]);
     // Of an axis "x", "x_px", "x (px)", "x [mm]" are read; what follows is its unit.
-    const std::size_t end = cell.find_first_of(" _([");
+    const std::size_t end = cell.find_first_of(" _-([");
     const std::string axis = cell.substr(0, end);
     // None where nothing follows: "x (".
-    const std::size_t unitBegin = end == std::string::npos ? end : cell.find_first_not_of(" _([", end);
+    const std::size_t unitBegin = end == std::string::npos ? end : cell.find_first_not_of(" _-([", end);
     const std::string rest = unitBegin == std::string::npos ? std::string() : cell.substr(unitBegin);
-    const bool        pixels = IsOneOf(rest, { "", "px", "px)", "px]", "pixel", "pixels" });
-    const bool        millimetres = IsOneOf(rest, { "mm", "mm)", "mm]" });
-    const int         number = IsOneOf(axis, { "x", "u" }) ? 0 : IsOneOf(axis, { "y", "v" }) ? 1 : axis == "z" ? 2 : -1;
+    const bool        pixels =
+      IsOneOf(rest, { "", "px", "px)", "px]", "pixel", "pixels", "pixel)", "pixels)", "coord", "coordinate", "pos" });
+    const bool millimetres = IsOneOf(rest, { "mm", "mm)", "mm]" });
+    const int  number = IsOneOf(axis, { "x", "u", "column", "col" }) ? 0
+                        : IsOneOf(axis, { "y", "v", "row" })         ? 1
+                        : axis == "z"                                ? 2
+                                                                     : -1;
     if (number >= 0 && (pixels || millimetres) && !axes[number])
     {
       if (dimension == 2 && millimetres)
@@ -86,10 +168,9 @@ ReadHeader(const std::string &              fileName,
       }
       axes[number] = i;
     }
-    else if (IsOneOf(cell, { "label", "name", "code", "tooth", "landmark", "point", "symbol", "class", "title" }) &&
-             !label)
+    else if (IsWordForLabels(cell))
     {
-      label = i;
+      labels.push_back(i);
     }
     else if (IsOneOf(cell, { "unit", "units" }))
     {
@@ -100,9 +181,15 @@ ReadHeader(const std::string &              fileName,
   {
     return false;
   }
+  std::optional<std::size_t> label = FindColumnOfNames(labels, lines);
+  if (!label && !labels.empty())
+  {
+    label = labels.front();
+  }
   if (!label)
   {
-    // In whatever language it is: a single column that is neither a coordinate nor a unit can only be the labels'.
+    // In whatever language it is: a single column that is neither a coordinate nor a unit can only be the labels', and
+    // of several the one that names teeth or landmarks.
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
@@ -111,11 +198,11 @@ ReadHeader(const std::string &              fileName,
         others.push_back(i);
       }
     }
-    if (others.size() != 1)
+    label = others.size() == 1 ? others.front() : FindColumnOfNames(others, lines);
+    if (!label)
     {
       itkDentalInputErrorMacro(fileName, field, "is a header without a column of labels", "name that column \"label\"");
     }
-    label = others.front();
   }
   columns.label = *label;
   for (unsigned int d = 0; d < dimension; ++d)
@@ -131,12 +218,45 @@ ReadHeader(const std::string &              fileName,
 char
 FindSeparator(const std::string & line)
 {
-  char separator = ',';
-  for (const char candidate : { ';', '\t' })
+  for (const char candidate : { '\t', ';', ',' })
   {
-    separator = line.find(candidate) != std::string::npos ? candidate : separator;
+    if (line.find(candidate) != std::string::npos)
+    {
+      return candidate;
+    }
   }
-  return separator;
+  return TrimText(line).find(' ') != std::string::npos ? ' ' : ',';
+}
+
+/** The cells of a line. Where blanks part them a label may have some as well, "U1 tip 569.6 643.5": what stands before
+ * the coordinates is one cell. */
+std::vector<std::string>
+SplitLine(const std::string & line, char separator, unsigned int dimension)
+{
+  if (separator != ' ')
+  {
+    return Split(line, separator);
+  }
+  std::vector<std::string> words;
+  std::istringstream       stream(line);
+  for (std::string word; stream >> word;)
+  {
+    words.push_back(Trim(word));
+  }
+  double     number = 0.0;
+  const bool isRow =
+    words.size() > dimension + 1 &&
+    std::all_of(words.end() - dimension, words.end(), [&](auto & word) { return ParseTableNumber(word, number); });
+  if (isRow && !ParseTableNumber(words.front(), number))
+  {
+    std::string label;
+    std::for_each(words.begin(), words.end() - dimension, [&](const std::string & word) {
+      label += (label.empty() ? "" : " ") + word;
+    });
+    words.erase(words.begin(), words.end() - dimension);
+    words.insert(words.begin(), label);
+  }
+  return words;
 }
 
 /** Whether a line begins with '#', in quotes or not: a comment, or a tooth as dentists write it, "#11". */
@@ -165,6 +285,26 @@ IsRowOfTooth(const std::vector<std::string> & cells, const TableColumns & column
          (NamesToothOrJaw(label) || NamesPointOfTooth(label));
 }
 
+/** What to do with a table whose first line is neither a row nor a header. */
+std::string
+DescribeTable(const std::vector<std::string> & cells, const std::string & form)
+{
+  const auto has = [&cells](const char * name) {
+    return std::any_of(
+      cells.begin(), cells.end(), [name](const std::string & cell) { return LowerCase(cell) == name; });
+  };
+  if (has("annotation_id") && has("annotator"))
+  {
+    return "Label Studio's CSV has shapes as text in its cells: export JSON";
+  }
+  const auto pairs = std::count_if(cells.begin(), cells.end(), [](const std::string & cell) {
+    const std::string name = LowerCase(cell);
+    return EndsWith(name, "_x") || EndsWith(name, ".x") || EndsWith(name, "_y") || EndsWith(name, ".y");
+  });
+  return pairs >= 2 ? "write a line a landmark, " + form + ", not a column"
+                    : "write lines " + form + ", or name the columns in the first line";
+}
+
 /** A class number and shares of a picture's size, all parted by blanks. */
 bool
 IsYolo(const std::string & line)
@@ -180,6 +320,73 @@ IsYolo(const std::string & line)
     }
   }
   return count >= 5 && count % 2 == 1;
+}
+/** The lines from a place on, with what is no blank line. */
+std::vector<std::vector<std::string>>
+SplitLines(const std::string & text, std::size_t begin, char separator, unsigned int dimension)
+{
+  std::vector<std::vector<std::string>> lines;
+  // So many tell which column is which.
+  constexpr std::size_t most = 1000;
+  while (begin < text.size() && lines.size() < most)
+  {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(SplitLine(text.substr(begin, end - begin), separator, dimension));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/** The number of the line that is a header, where lines with other numbers of cells and no row stand before it, as
+ * programs write the patient and the date; 0 where there is none. */
+std::size_t
+FindHeaderLine(const std::string & fileName, const std::string & text, unsigned int dimension)
+{
+  constexpr std::size_t most = 40;
+  std::size_t           number = 0;
+  bool                  hasTitle = false;
+  for (std::size_t begin = 0; begin < text.size() && number < most;)
+  {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = text.substr(begin, end - begin);
+    begin = end + 1;
+    ++number;
+    const char                     separator = FindSeparator(line);
+    const std::vector<std::string> cells = SplitLine(line, separator, dimension);
+    if (IsRowOfTooth(cells, TableColumns(), dimension))
+    {
+      return 0;
+    }
+    // What the lines below are is asked where the header is read: here a word for labels, or any cell, will do.
+    TableColumns columns;
+    const bool   hasAxes = std::any_of(cells.begin(), cells.end(), [](const std::string & cell) {
+      const std::string word = LowerCase(cell).substr(0, 1);
+      return word == "x" || word == "u" || word == "c";
+    });
+    if (hasTitle && hasAxes && cells.size() > dimension &&
+        ReadHeader(fileName,
+                   "line " + std::to_string(number),
+                   cells,
+                   dimension,
+                   SplitLines(text, begin, separator, dimension),
+                   columns))
+    {
+      return number;
+    }
+    hasTitle = hasTitle || !Trim(line).empty();
+  }
+  return 0;
+}
+
+/** A row of makesense.ai, which has no header: label, x, y, the picture's name, its width and height. */
+bool
+IsRowOfMakeSense(const std::vector<std::string> & cells)
+{
+  double number = 0.0;
+  return cells.size() == 6 && !ParseTableNumber(cells[0], number) && ParseTableNumber(cells[1], number) &&
+         ParseTableNumber(cells[2], number) && cells[3].find('.') != std::string::npos &&
+         !ParseTableNumber(cells[3], number) && ParseNumber(cells[4], number) && number >= 1.0 &&
+         ParseNumber(cells[5], number) && number >= 1.0;
 }
 } // namespace
 
@@ -200,6 +407,7 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
   std::size_t                     lineNumber = 0;
   std::string                     firstWithNumberSign;
   bool                            allWithNumberSign = true;
+  const std::size_t               headerLine = FindHeaderLine(fileName, text, dimension);
   for (std::size_t begin = 0; begin < text.size();)
   {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -207,13 +415,24 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
     begin = end + 1;
     ++lineNumber;
     const std::string trimmed = Trim(line);
-    if (trimmed.empty())
+    // A spreadsheet writes its empty rows with all their separators.
+    if (trimmed.find_first_not_of(" \t\r;,") == std::string::npos)
     {
+      continue;
+    }
+    if (lineNumber < headerLine)
+    {
+      // Excel's own word is no title.
+      if (LowerCase(trimmed.substr(0, 4)) != "sep=" && !BeginsWithNumberSign(line))
+      {
+        warnings.push_back(fileName + ": line " + std::to_string(lineNumber) +
+                           ": taken for a title, as a header follows");
+      }
       continue;
     }
     const char mark = separator != 0 ? separator : givenSeparator != 0 ? givenSeparator : FindSeparator(line);
     const bool hasNumberSign = BeginsWithNumberSign(line);
-    if (hasNumberSign && !IsRowOfTooth(Split(line, mark), columns, dimension))
+    if (hasNumberSign && !IsRowOfTooth(SplitLine(line, mark, dimension), columns, dimension))
     {
       continue;
     }
@@ -229,10 +448,14 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
     {
       separator = mark;
     }
-    const std::vector<std::string> cells = Split(line, separator);
-    if (first && ReadHeader(fileName, field, cells, dimension, columns))
+    const std::vector<std::string> cells = SplitLine(line, separator, dimension);
+    if (first && ReadHeader(fileName, field, cells, dimension, SplitLines(text, begin, separator, dimension), columns))
     {
       continue;
+    }
+    if (first && dimension == 2 && IsRowOfMakeSense(cells))
+    {
+      columns.named = true;
     }
     const std::size_t last = columns.named ? std::max({ columns.label,
                                                         columns.first[0],
@@ -249,13 +472,19 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
         "which are no teeth",
         "export COCO or labelme, where classes have names");
     }
-    if (columns.named ? cells.size() <= last : cells.size() != dimension + 1 && cells.size() != dimension + 2)
+    // A spreadsheet ends each row with the separators of its widest one.
+    std::size_t width = cells.size();
+    while (width > dimension + 1 && cells[width - 1].empty())
+    {
+      --width;
+    }
+    if (columns.named ? cells.size() <= last : width != dimension + 1 && width != dimension + 2)
     {
       itkDentalInputErrorMacro(fileName,
                                field,
                                "has " + std::to_string(cells.size()) + " columns, expected " +
                                  (columns.named ? "those of the header" : form + " and perhaps a unit"),
-                               "correct the line");
+                               first ? DescribeTable(cells, form) : "correct the line");
     }
     AnnotationTableRow row{ field, cells[columns.label], {} };
     unsigned int       numbers = 0;

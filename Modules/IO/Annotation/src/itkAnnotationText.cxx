@@ -200,4 +200,11 @@ ChooseLabel(const std::vector<std::string> & labels)
   const auto tooth = std::find_if(labels.begin(), labels.end(), NamesToothOrJaw);
   return tooth != labels.end() ? *tooth : labels.empty() ? std::string() : labels.front();
 }
+
+std::string
+ChoosePointLabel(const std::vector<std::string> & labels)
+{
+  const auto point = std::find_if(labels.begin(), labels.end(), NamesPointOfTooth);
+  return point != labels.end() ? *point : ChooseLabel(labels);
+}
 } // namespace itk

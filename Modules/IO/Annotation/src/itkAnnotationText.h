@@ -74,6 +74,10 @@ NamesPointOfTooth(const std::string & name);
 /** Of several labels of one thing the first that names a tooth or a jaw, else the first; "" where there is none. */
 std::string
 ChooseLabel(const std::vector<std::string> & labels);
+
+/** The same of a point: the first that names a point of a tooth goes before one that names a tooth. */
+std::string
+ChoosePointLabel(const std::vector<std::string> & labels);
 /** @} */
 } // namespace itk
 

@@ -20,25 +20,29 @@
 #include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkForeignAnnotationRecords.h"
+#include "itkLabelImageRecords.h"
+#include "itkRunLengthMask.h"
 #include "itkTextFile.h"
 
 #include <expat.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <exception>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 
 namespace itk
 {
 namespace
 {
-using AttributesType = std::map<std::string, std::string>;
-
 /** As deep as JSON may be nested; CVAT nests four elements. */
 constexpr int MaximumElementDepth = 64;
+
+using AttributesType = std::map<std::string, std::string>;
 
 struct Shape
 {
@@ -46,6 +50,7 @@ struct Shape
   std::string              field;
   std::string              points;
   std::vector<std::string> labels;
+  AttributesType           attributes;
 };
 
 struct Picture
@@ -205,13 +210,23 @@ private:
     else if (m_InPicture && m_Depth == 3)
     {
       // A tag is of the whole picture, and so are its attributes.
-      m_InShape = name != "tag";
+      m_InSkeleton = name == "skeleton";
+      m_InShape = name != "tag" && !m_InSkeleton;
       if (m_InShape)
       {
-        m_Pictures.back().shapes.push_back({ name, this->GetField(), attributes["points"], { attributes["label"] } });
+        this->AddShape(name, attributes);
       }
     }
-    else if (m_InShape && m_Depth == 4 && name == "attribute")
+    else if (m_InSkeleton && m_Depth == 4 && name == "points")
+    {
+      // One that lies outside the picture is CVAT's for a point that was not marked.
+      m_InShape = attributes["outside"] != "1";
+      if (m_InShape)
+      {
+        this->AddShape(name, attributes);
+      }
+    }
+    else if (m_InShape && m_Depth == (m_InSkeleton ? 5 : 4) && name == "attribute")
     {
       m_InAttribute = true;
       m_Value.clear();
@@ -219,14 +234,23 @@ private:
   }
 
   void
+  AddShape(const std::string & name, AttributesType & attributes)
+  {
+    m_Pictures.back().shapes.push_back(
+      { name, this->GetField(), attributes["points"], { attributes["label"] }, attributes });
+  }
+
+  void
   EndElement(const std::string & name)
   {
-    if (m_InAttribute && m_Depth == 4)
+    const int shapeDepth = m_InSkeleton ? 4 : 3;
+    if (m_InAttribute && m_Depth == shapeDepth + 1)
     {
       m_Pictures.back().shapes.back().labels.push_back(Trim(m_Value));
       m_InAttribute = false;
     }
-    m_InShape = m_InShape && m_Depth != 3;
+    m_InShape = m_InShape && m_Depth != shapeDepth;
+    m_InSkeleton = m_InSkeleton && m_Depth != 3;
     if (m_Depth == 2 && name == "image")
     {
       m_InPicture = false;
@@ -243,7 +267,9 @@ private:
   int                  m_Depth{ 0 };
   bool                 m_InPicture{ false };
   bool                 m_InShape{ false };
-  bool                 m_InAttribute{ false };
+  /** A shape whose points are elements of their own. */
+  bool m_InSkeleton{ false };
+  bool m_InAttribute{ false };
 };
 
 std::vector<std::array<double, 3>>
@@ -264,6 +290,49 @@ ReadPoints(const std::string & fileName, const Shape & shape)
     points.push_back(point);
   }
   return points;
+}
+
+int64_t
+ReadWholeNumber(const std::string & text)
+{
+  double value = 0.0;
+  if (!ParseNumber(text, value) || value != std::floor(value) ||
+      std::abs(value) > static_cast<double>(MaximumImageSize) * static_cast<double>(MaximumImageSize))
+  {
+    throw std::invalid_argument("\"" + text.substr(0, 40) + "\" is no number of pixels");
+  }
+  return static_cast<int64_t>(value);
+}
+
+/** The outline of what was painted with a brush. */
+void
+ReadMask(const std::string & fileName, const Shape & shape, const std::string & label, AnnotationRecords & records)
+{
+  try
+  {
+    const auto attribute = [&shape](const char * name) {
+      const auto found = shape.attributes.find(name);
+      return found == shape.attributes.end() ? std::string() : found->second;
+    };
+    std::vector<int64_t> runs;
+    for (const std::string & run : Split(attribute("rle"), ','))
+    {
+      runs.push_back(ReadWholeNumber(run));
+    }
+    const std::array<int64_t, 4> box{ { ReadWholeNumber(attribute("left")),
+                                        ReadWholeNumber(attribute("top")),
+                                        ReadWholeNumber(attribute("width")),
+                                        ReadWholeNumber(attribute("height")) } };
+    const RunLengthMask          mask(runs, box, *records.imageSize);
+    if (AppendMaskOutlines(mask.GetImage(), mask.GetOffset(), shape.field, label, records))
+    {
+      records.warnings.push_back(fileName + ": " + shape.field + ": specks are left out beside the mask");
+    }
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkDentalInputErrorMacro(fileName, shape.field, error.what(), "export the masks again, or draw polygons");
+  }
 }
 
 std::size_t
@@ -314,13 +383,18 @@ ReadCVATRecords(const std::string & fileName, const std::string & imageName)
     }
     else if (shape.kind == "points")
     {
-      const auto points = ReadPoints(fileName, shape);
+      const auto        points = ReadPoints(fileName, shape);
+      const std::string name = ChoosePointLabel(shape.labels);
       if (points.size() > 1)
       {
-        records.warnings.push_back(fileName + ": " + shape.field + ": \"" + label + "\" is " +
+        records.warnings.push_back(fileName + ": " + shape.field + ": \"" + name + "\" is " +
                                    std::to_string(points.size()) + " points, the first is taken");
       }
-      records.landmarks.push_back({ shape.field, label, points.front() });
+      records.landmarks.push_back({ shape.field, name, points.front() });
+    }
+    else if (shape.kind == "mask")
+    {
+      ReadMask(fileName, shape, label, records);
     }
     else
     {

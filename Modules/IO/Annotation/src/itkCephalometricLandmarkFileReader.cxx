@@ -79,6 +79,7 @@ CephalometricLandmarkFileReader::GenerateData()
     m_JsonNode ? ReadCephalometricLandmarkRecords(*m_JsonNode, this->GetFileFormat(), isDental, imageName)
                : ReadCephalometricLandmarkRecords(fileName, this->GetFileFormat(), isDental, imageName);
   this->StartReading(records.format, std::move(records.warnings));
+  VerifyAreNoShares(fileName, records);
 
   const auto landmarks = CephalometricLandmarkSet::New();
   for (const AnnotationLandmark & record : records.landmarks)

@@ -20,8 +20,10 @@
 #include "itkAnnotationText.h"
 #include "itkCVATRecords.h"
 #include "itkDentalInputError.h"
+#include "itkForeignAnnotationRecords.h"
 #include "itkForeignFile.h"
 #include "itkJsonDocument.h"
+#include "itkLandmarkEntries.h"
 #include "itkLowerCase.h"
 #include "itkTextFile.h"
 #include "itkVIATable.h"
@@ -118,91 +120,47 @@ ReadSigma(const JsonNode & node)
 
 // ---- JSON ---------------------------------------------------------------------------------------------------------
 
+/** Landmarks by name or as a list, as this toolkit, Aariz, detectors and everybody's own scripts write them. */
 void
-ReadOwn(const JsonNode & root, AnnotationRecords & records, const IsDentalLandmarkType & isDental)
+ReadEntries(const JsonNode & root, AnnotationRecords & records, const IsDentalLandmarkType & isDental)
 {
-  for (const auto & [name, node] : root.GetMembers())
+  for (const LandmarkEntry & entry : FindLandmarkEntries(root, 2))
   {
-    if (!isDental(name))
+    const auto        known = std::find_if(entry.names.begin(), entry.names.end(), isDental);
+    const std::string name = known != entry.names.end() ? *known
+                             : !entry.names.empty()     ? entry.names.front()
+                                                        : entry.node.Get("name").AsString();
+    if (known == entry.names.end())
     {
-      records.leftOut.push_back(name);
+      // What stands under a name is called by it.
+      records.leftOut.push_back(entry.isListed ? name : entry.names.back());
       continue;
     }
-    if (node.IsNull())
+    const bool isObject = entry.node.IsObject();
+    const auto point =
+      entry.node.IsNull() ? std::nullopt : ReadLandmarkPlace(entry.node, 2, entry.isListed ? nullptr : "position");
+    if (!point)
     {
-      node.Warn("is not marked");
+      entry.node.Warn(entry.isListed ? "\"" + name + "\" was not found" : std::string("is not marked"));
       continue;
     }
-    AnnotationLandmark landmark{ node.GetPath(), name, {} };
-    JsonNode           position = node;
-    if (node.IsObject())
+    AnnotationLandmark landmark{ entry.node.GetPath(), name, *point };
+    if (isObject)
     {
-      node.WarnAboutUnknownFields({ "position", "sigma_px", "confidence", "peak" });
-      position = node.Get("position");
-      if (const auto sigma = node.Find("sigma_px"))
+      if (!entry.isListed && entry.node.Find("position"))
+      {
+        entry.node.WarnAboutUnknownFields({ "position", "sigma_px", "confidence", "peak" });
+      }
+      // Of lists no program is known to write a sigma, but who adds it by hand means it.
+      if (const auto sigma = entry.node.Find("sigma_px"))
       {
         landmark.sigma = ReadSigma(*sigma);
       }
-      landmark.confidence = ReadConfidence(node);
-    }
-    const std::vector<double> point = position.AsNumbers(2, R"([u, v] or {"position": [u, v], "sigma_px": s})");
-    std::copy(point.begin(), point.end(), landmark.point.begin());
-    records.landmarks.push_back(std::move(landmark));
-  }
-}
-
-/** The member that names a landmark: of several, the first that is a dental landmark's. */
-JsonNode
-FindName(const JsonNode & landmark, std::initializer_list<const char *> members, const IsDentalLandmarkType & isDental)
-{
-  std::optional<JsonNode> first;
-  for (const char * member : members)
-  {
-    const auto name = landmark.Find(member);
-    if (name && name->IsString())
-    {
-      if (isDental(name->AsString()))
+      // Aariz has one tracing by people, and whatever it may call confidence is not known.
+      if (records.format != Format::Aariz)
       {
-        return *name;
+        landmark.confidence = ReadConfidence(entry.node);
       }
-      first = first ? first : name;
-    }
-  }
-  return first ? *first : landmark.Get(*members.begin());
-}
-
-void
-ReadList(const JsonNode & root, AnnotationRecords & records, const IsDentalLandmarkType & isDental)
-{
-  const bool     aariz = records.format == Format::Aariz;
-  const JsonNode list = root.Get("landmarks");
-  for (std::size_t i = 0; i < list.GetSize(); ++i)
-  {
-    const JsonNode entry = list.At(i);
-    const JsonNode name =
-      aariz ? FindName(entry, { "symbol", "title" }, isDental) : FindName(entry, { "name", "label" }, isDental);
-    if (!isDental(name.AsString()))
-    {
-      records.leftOut.push_back(name.AsString());
-      continue;
-    }
-    const JsonNode place = aariz ? entry.Get("value") : entry;
-    const JsonNode x = place.Get("x");
-    const JsonNode y = place.Get("y");
-    if (x.IsNull() || y.IsNull())
-    {
-      entry.Warn("\"" + name.AsString() + "\" was not found");
-      continue;
-    }
-    AnnotationLandmark landmark{ entry.GetPath(), name.AsString(), { { x.AsNumber(), y.AsNumber(), 0.0 } } };
-    if (!aariz)
-    {
-      landmark.confidence = ReadConfidence(entry);
-    }
-    // No program is known to write one, but who adds it by hand means it.
-    if (const auto sigma = entry.Find("sigma_px"))
-    {
-      landmark.sigma = ReadSigma(*sigma);
     }
     records.landmarks.push_back(std::move(landmark));
   }
@@ -430,20 +388,21 @@ ReadCephalometricLandmarkRecords(const JsonNode &             root,
   {
     records.format = AnnotationFormatFromContent(root);
   }
+  const bool isForeign = records.format != Format::Aariz && records.format != Format::LandmarkDetector &&
+                         records.format != Format::DentalSCR && records.format != Format::Automatic;
+  if (!isForeign)
+  {
+    if (records.format == Format::Automatic)
+    {
+      RefuseUnknownAnnotation(root);
+      records.format = HasListOfLandmarks(root) ? Format::LandmarkDetector : Format::DentalSCR;
+    }
+    ReadEntries(root, records, isDental);
+    return records;
+  }
   if (!root.IsObject() && records.format != Format::LabelStudio)
   {
     root.Fail("is no JSON object", R"(landmarks are {"U1_tip": [u, v], "L1_tip": [u, v]})");
-  }
-  if (records.format == Format::Aariz || records.format == Format::LandmarkDetector)
-  {
-    ReadList(root, records, isDental);
-    return records;
-  }
-  if (records.format == Format::DentalSCR || records.format == Format::Automatic)
-  {
-    records.format = Format::DentalSCR;
-    ReadOwn(root, records, isDental);
-    return records;
   }
   records = ReadLandmarkRecords(root, records.format, 2, imageName);
   LeaveOutOthers(records, isDental);

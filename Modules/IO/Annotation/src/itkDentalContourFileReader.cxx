@@ -251,9 +251,11 @@ DentalContourFileReader::GenerateData()
   m_NumberOfSidelessCodes = 0;
   m_Calibrations.clear();
   const std::string fileName = m_ClassFiles.empty() ? this->GetFileName() : m_ClassFiles.front().second;
-  AnnotationRecords records = m_ClassFiles.empty()
-                                ? ReadContourRecords(fileName, this->GetFileFormat(), this->GetImageFileName())
-                                : ReadClassImageRecords(m_ClassFiles);
+  AnnotationRecords records =
+    m_ClassFiles.empty()
+      ? ReadContourRecords(
+          fileName, this->GetFileFormat(), this->GetImageFileName(), { { m_ImageSize[0], m_ImageSize[1] } })
+      : ReadClassRecords(m_ClassFiles, this->GetImageFileName(), { { m_ImageSize[0], m_ImageSize[1] } });
   m_ReadNumbering = CombineNumberings(fileName, records, this->GetNumbering());
   this->StartReading(records.format, std::move(records.warnings));
 
@@ -354,6 +356,22 @@ DentalContourFileReader::GenerateData()
     polylines.emplace_back(jaw, std::move(polyline));
   }
 
+  if (records.format != FileFormatEnum::DentalSCR && records.polylines.empty())
+  {
+    // In our own format empty contours say "not traced"; of another program's file it is no tracing then, and what it
+    // holds instead was warned of.
+    const auto &      warnings = this->GetWarnings();
+    const std::string prefix = fileName + ": ";
+    const std::string first = warnings.empty() ? std::string() : warnings.front();
+    itkDentalInputErrorMacro(
+      fileName,
+      "contours",
+      "has no outline" +
+        (first.empty()
+           ? std::string(": nothing is drawn in it but points, or nothing at all")
+           : " (" + (first.compare(0, prefix.size(), prefix) == 0 ? first.substr(prefix.size()) : first) + ")"),
+      "draw or export polygons or lines, or save masks as pictures, one a tooth");
+  }
   if (!others.empty() && polylines.empty())
   {
     itkDentalInputErrorMacro(fileName,

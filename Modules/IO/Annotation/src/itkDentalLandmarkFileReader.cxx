@@ -92,6 +92,10 @@ DentalLandmarkFileReader<VDimension>::GenerateData()
   AnnotationRecords records =
     ReadLandmarkRecords(fileName, this->GetFileFormat(), VDimension, this->GetImageFileName());
   this->StartReading(records.format, std::move(records.warnings));
+  if (VDimension == 2)
+  {
+    VerifyAreNoShares(fileName, records);
+  }
 
   const auto landmarks = LandmarkSetType::New();
   for (const AnnotationLandmark & record : records.landmarks)

@@ -275,7 +275,7 @@ ReadVIARegion(const JsonNode & region, AnnotationRecords & records)
   }
   else if (kind == "point")
   {
-    AddLandmark(region, label, shape.Get("cx").AsNumber(), shape.Get("cy").AsNumber(), records);
+    AddLandmark(region, ChoosePointLabel(labels), shape.Get("cx").AsNumber(), shape.Get("cy").AsNumber(), records);
   }
   else
   {
@@ -285,9 +285,109 @@ ReadVIARegion(const JsonNode & region, AnnotationRecords & records)
 
 namespace
 {
+bool
+IsVIA3(const JsonNode & root)
+{
+  return root.IsObject() && root.Find("metadata") && root.Find("file") && root.Find("view") && root.Find("attribute");
+}
+
+/** The texts of an attribute's value in version 3: what was written, or of choices, "0,2", what they are called. */
+void
+AppendVIA3Labels(const JsonNode &           attributes,
+                 const std::string &        id,
+                 const JsonNode &           value,
+                 std::vector<std::string> & labels)
+{
+  if (!value.IsString())
+  {
+    return;
+  }
+  const auto attribute = attributes.IsObject() ? attributes.Find(id) : std::nullopt;
+  const auto options = attribute && attribute->IsObject() ? attribute->Find("options") : std::nullopt;
+  for (const std::string & choice : Split(value.AsString(), ','))
+  {
+    const auto option = options && options->IsObject() ? options->Find(choice) : std::nullopt;
+    if (option && option->IsString())
+    {
+      labels.push_back(option->AsString());
+    }
+  }
+  labels.push_back(value.AsString());
+}
+
+/** Version 3 numbers pictures, their views and attributes, and writes a shape as one list of numbers, the first of
+ * which is its kind. */
+void
+ReadVIA3(const JsonNode & root, const std::string & imageName, AnnotationRecords & records)
+{
+  const auto               files = root.Get("file").GetMembers();
+  std::vector<std::string> names;
+  for (const auto & [id, file] : files)
+  {
+    names.push_back(FindText(file, "fname"));
+  }
+  const std::string        fileId = files[ChooseImage(root.GetFileName(), "file", names, imageName)].first;
+  const JsonNode           attributes = root.Get("attribute");
+  std::vector<std::string> views;
+  for (const auto & [id, view] : root.Get("view").GetMembers())
+  {
+    const JsonNode list = view.Get("fid_list");
+    for (std::size_t i = 0; i < list.GetSize(); ++i)
+    {
+      const std::string listed =
+        list.At(i).IsString() ? list.At(i).AsString() : std::to_string(list.At(i).AsInteger(0, INT64_MAX));
+      if (listed == fileId)
+      {
+        views.push_back(id);
+      }
+    }
+  }
+  for (const auto & [id, region] : root.Get("metadata").GetMembers())
+  {
+    const JsonNode shape = region.Get("xy");
+    if (std::find(views.begin(), views.end(), FindText(region, "vid")) == views.end() || shape.GetSize() == 0)
+    {
+      // Of another picture, or a word about the whole of it.
+      continue;
+    }
+    std::vector<std::string> labels;
+    for (const auto & [attribute, value] : region.Get("av").GetMembers())
+    {
+      AppendVIA3Labels(attributes, attribute, value, labels);
+    }
+    PointsType points;
+    for (std::size_t i = 1; i + 1 < shape.GetSize(); i += 2)
+    {
+      points.push_back({ { shape.At(i).AsNumber(), shape.At(i + 1).AsNumber(), 0.0 } });
+    }
+    constexpr int64_t point = 1;
+    constexpr int64_t line = 5;
+    constexpr int64_t polyline = 6;
+    constexpr int64_t polygon = 7;
+    const int64_t     kind = shape.At(0).AsInteger(0, 100);
+    if (kind == point && !points.empty())
+    {
+      AddLandmark(region, ChoosePointLabel(labels), points[0][0], points[0][1], records);
+    }
+    else if (kind == line || kind == polyline || kind == polygon)
+    {
+      AddPolyline(region, ChooseLabel(labels), kind == polygon, std::move(points), records);
+    }
+    else
+    {
+      region.Warn("a region of VIA's shape " + std::to_string(kind) + " is no contour, ignored");
+    }
+  }
+}
+
 void
 ReadVIA(const JsonNode & root, const std::string & imageName, AnnotationRecords & records)
 {
+  if (IsVIA3(root))
+  {
+    ReadVIA3(root, imageName, records);
+    return;
+  }
   const auto               images = FindVIAImages(root).GetMembers();
   std::vector<std::string> names;
   for (const auto & [key, image] : images)
@@ -447,7 +547,8 @@ ReadLabelStudioResult(const JsonNode & result, AnnotationRecords & records)
   }
   else
   {
-    AddLandmark(result, label, scale[0] * x->AsNumber(), scale[1] * value.Get("y").AsNumber(), records);
+    AddLandmark(
+      result, ChoosePointLabel(labels), scale[0] * x->AsNumber(), scale[1] * value.Get("y").AsNumber(), records);
   }
 }
 
@@ -515,7 +616,16 @@ ReadSupervisely(const JsonNode & root, AnnotationRecords & records)
       const PointsType points = ReadPairs(object.Get("points").Get("exterior"));
       if (!points.empty())
       {
-        AddLandmark(object, label, points[0][0], points[0][1], records);
+        AddLandmark(object, ChoosePointLabel(labels), points[0][0], points[0][1], records);
+      }
+    }
+    else if (kind == "graph")
+    {
+      // A skeleton: its joints are points with names.
+      for (const auto & [name, node] : object.Get("nodes").GetMembers())
+      {
+        const std::vector<double> point = node.Get("loc").AsNumbers(2, "[x, y]");
+        AddLandmark(node, name, point[0], point[1], records);
       }
     }
     else
@@ -592,7 +702,7 @@ RecognizeForeignAnnotation(const JsonNode & root)
   {
     return Format::Supervisely;
   }
-  if (root.Find("_via_img_metadata"))
+  if (root.Find("_via_img_metadata") || IsVIA3(root))
   {
     return Format::VIA;
   }
@@ -606,6 +716,46 @@ RecognizeForeignAnnotation(const JsonNode & root)
     return Format::VIA;
   }
   return Format::DentalSCR;
+}
+
+void
+RefuseUnknownAnnotation(const JsonNode & root)
+{
+  const JsonNode first = root.IsArray() && root.GetSize() > 0 ? root.At(0) : root;
+  if (!first.IsObject())
+  {
+    return;
+  }
+  const auto   has = [&first](const char * name) { return first.Find(name).has_value(); };
+  const auto   type = first.Find("type");
+  const char * program = nullptr;
+  if (type && type->IsString() && has(type->AsString() == "FeatureCollection" ? "features" : "geometry"))
+  {
+    program = "GeoJSON, as QuPath writes it";
+  }
+  else if (has("categories") && has("items"))
+  {
+    program = "Datumaro's JSON";
+  }
+  else if (has("annotations") && has("item"))
+  {
+    program = "JSON of V7 Darwin";
+  }
+  else if (has("Labeled Data") || (has("data_row") && has("projects")))
+  {
+    program = "JSON of Labelbox";
+  }
+  else if (has("data_units") && has("label_hash"))
+  {
+    program = "JSON of Encord";
+  }
+  if (program != nullptr)
+  {
+    itkDentalInputErrorMacro(root.GetFileName(),
+                             "",
+                             std::string("is ") + program + ", which is not read",
+                             "export COCO, CVAT for images 1.1 or labelme, or write a table .csv with label,x,y");
+  }
 }
 
 void

@@ -32,6 +32,10 @@ class JsonNode;
 AnnotationFileFormatEnum
 RecognizeForeignAnnotation(const JsonNode & root);
 
+/** Throws where JSON is a program's whose files are not read, with what to export instead. */
+void
+RefuseUnknownAnnotation(const JsonNode & root);
+
 /** Every polyline and every point of such a file (records.format says which), of one picture of it. Throws
  * DentalInputError. */
 void

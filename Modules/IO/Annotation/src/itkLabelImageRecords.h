@@ -30,14 +30,20 @@
 
 namespace itk
 {
-/** The outlines of the teeth in a label map of FDI numbers; not installed. Throws DentalInputError. */
+/** The outlines of the teeth in a label map of FDI numbers, or of a segmentation of 3D Slicer, whose segments have
+ * names; not installed. Throws DentalInputError.
+ *
+ * \param imageSize Width and height of the radiograph, 0 where they are not known: of a NIfTI file that says nothing of
+ * directions it tells columns from rows. */
 AnnotationRecords
-ReadLabelImageRecords(const std::string & fileName);
+ReadLabelImageRecords(const std::string & fileName, const std::array<std::size_t, 2> & imageSize);
 
-/** Pictures of one class each, a label and a file: the outline of what is filled, or thin lines as they were drawn.
- * Throws DentalInputError. */
+/** Files of one class each, a label and a file: of a picture the outline of what is filled, or thin lines as they were
+ * drawn; of a program's file what was drawn with it. Throws DentalInputError. */
 AnnotationRecords
-ReadClassImageRecords(const std::vector<std::pair<std::string, std::string>> & files);
+ReadClassRecords(const std::vector<std::pair<std::string, std::string>> & files,
+                 const std::string &                                      imageName,
+                 const std::array<std::size_t, 2> &                       imageSize);
 
 /** Appends the outlines of a mask as closed polylines, without the specks that a brush left; returns whether there were
  * some.

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -161,5 +162,66 @@ RunLengthMask::RunLengthMask(const JsonNode & node, const std::array<std::size_t
       *pixel = 1;
     }
   });
+}
+
+RunLengthMask::RunLengthMask(const std::vector<int64_t> &       runs,
+                             const std::array<int64_t, 4> &     box,
+                             const std::array<std::size_t, 2> & size)
+{
+  // Each is compared before they are added, so that none overflows.
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const auto extent = static_cast<int64_t>(size[i]);
+    if (box[i] < 0 || box[i + 2] < 1 || box[i] > extent || box[i + 2] > extent - box[i])
+    {
+      throw std::invalid_argument("the mask does not lie in the picture");
+    }
+  }
+  if (size[0] > CephalogramFileReader::MaximumNumberOfPixels / size[1])
+  {
+    throw std::invalid_argument("the picture is of more pixels than any cephalogram has");
+  }
+  int64_t total = 0;
+  int64_t marked = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+  {
+    if (runs[i] < 0 || runs[i] > box[2] * box[3] - total)
+    {
+      throw std::invalid_argument("the mask has runs of more pixels than its box");
+    }
+    total += runs[i];
+    marked += i % 2 != 0 ? runs[i] : 0;
+  }
+  if (total != box[2] * box[3])
+  {
+    throw std::invalid_argument("the mask has runs of " + std::to_string(total) + " pixels, and its box " +
+                                std::to_string(box[2] * box[3]));
+  }
+  if (marked == 0)
+  {
+    throw std::invalid_argument("the mask marks no pixel");
+  }
+  ImageType::SizeType imageSize;
+  int64_t             first[2];
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    first[i] = std::max<int64_t>(box[i] - 1, 0);
+    const int64_t last = std::min(box[i] + box[i + 2], static_cast<int64_t>(size[i]) - 1);
+    imageSize[i] = static_cast<SizeValueType>(last - first[i] + 1);
+    m_Offset[i] = static_cast<double>(first[i]);
+  }
+  m_Image = ImageType::New();
+  m_Image->SetRegions(ImageType::RegionType(imageSize));
+  m_Image->Allocate(true);
+  const auto           stride = static_cast<int64_t>(imageSize[0]);
+  std::uint8_t * const origin = m_Image->GetBufferPointer() + (box[1] - first[1]) * stride + (box[0] - first[0]);
+  int64_t              at = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+  {
+    for (const int64_t end = at + runs[i]; at < end; ++at)
+    {
+      origin[(at / box[2]) * stride + at % box[2]] = i % 2 != 0 ? 1 : 0;
+    }
+  }
 }
 } // namespace itk

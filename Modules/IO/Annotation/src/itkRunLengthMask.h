@@ -23,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace itk
 {
@@ -41,6 +42,14 @@ public:
    *
    * \param size The picture's width and height as the file says them. */
   RunLengthMask(const JsonNode & node, const std::array<std::size_t, 2> & size);
+
+  /** Of a mask as CVAT writes it: runs along the rows of a box of the picture. Throws std::invalid_argument that says
+   * what is wrong, where they are not those of the box, it does not lie in the picture, or there is no mark.
+   *
+   * \param box Column and row of its first pixel, width and height. */
+  RunLengthMask(const std::vector<int64_t> &       runs,
+                const std::array<int64_t, 4> &     box,
+                const std::array<std::size_t, 2> & size);
 
   /** The marks, 1, with a margin of a pixel around them where the picture has one: most masks are a small part of it.
    */

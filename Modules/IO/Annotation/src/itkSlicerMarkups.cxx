@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkSlicerMarkups.h"
 
+#include "itkAnnotationText.h"
 #include "itkJsonDocument.h"
 
 #include <array>
@@ -53,6 +54,44 @@ ReadCoordinateSystem(const JsonNode & markup)
     system->Fail("is \"" + name + "\", expected \"LPS\" or \"RAS\"", "save the markups in one of them");
   }
   return name == "LPS" ? 1.0 : -1.0;
+}
+
+/** What the control points are called without their numbers: Slicer writes no name of a curve, but names its points
+ * after it, "UR1-1", "UR1-2". "" where they are not alike. */
+std::string
+NameFromControlPoints(const JsonNode & markup)
+{
+  std::string name;
+  const auto  points = markup.Find("controlPoints");
+  for (std::size_t i = 0; points && i < points->GetSize(); ++i)
+  {
+    const auto  label = points->At(i).Find("label");
+    std::string text = label && label->IsString() ? label->AsString() : std::string();
+    const auto  end = text.find_last_not_of("0123456789");
+    // Only behind Slicer's hyphen: "UR1" itself ends with a number.
+    if (end != std::string::npos && end > 0 && end + 1 < text.size() && text[end] == '-')
+    {
+      text.resize(end);
+    }
+    if (i > 0 && text != name)
+    {
+      return std::string();
+    }
+    name = text;
+  }
+  return name;
+}
+
+/** The beginning of the file's name, which is that of the node that Slicer saved in it, where it is a tooth or a jaw.
+ */
+std::string
+NameFromFile(const JsonNode & root)
+{
+  const std::string path = root.GetFileName();
+  const std::size_t slash = path.find_last_of("/\\");
+  const std::string name = path.substr(slash == std::string::npos ? 0 : slash + 1);
+  const std::string stem = name.substr(0, name.find('.'));
+  return NamesToothOrJaw(stem) ? stem : std::string();
 }
 
 template <typename TFunction>
@@ -93,7 +132,12 @@ ReadSlicerContours(const JsonNode & root, AnnotationRecords & records)
     polyline.closed = type == "ClosedCurve";
     const auto name = markup.Find("name");
     polyline.codeField = markup.GetPath() + ".name";
-    polyline.label = name ? name->AsString() : std::string();
+    polyline.label = name ? name->AsString() : NameFromControlPoints(markup);
+    if (!NamesToothOrJaw(polyline.label) && markups.GetSize() == 1)
+    {
+      const std::string fromFile = NameFromFile(root);
+      polyline.label = fromFile.empty() ? polyline.label : fromFile;
+    }
     ForEachControlPoint(markup, [&](const JsonNode & point, const std::array<double, 3> & position) {
       // A radiograph lies in one plane; half a pixel off it is no longer rounding.
       constexpr double tolerance = 0.05;

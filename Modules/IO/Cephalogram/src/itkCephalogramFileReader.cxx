@@ -343,6 +343,13 @@ CephalogramFileReader::GenerateOutputInformation()
                  " in the file turns the picture upright, as viewers show it; pixels of the file as it is stored are "
                  "elsewhere");
   }
+  if (m_File->IsOfPlainArray())
+  {
+    this->Warn(
+      "srow_x, srow_y",
+      "say nothing of how the picture lies (the affine of numpy.eye(4)); taken for an array [column, row] from "
+      "the picture's upper left corner");
+  }
   if (m_File->IsWhiteIsZero())
   {
     m_Provenance["photometric"] = "TIFF PhotometricInterpretation WhiteIsZero, inverted on reading";

@@ -352,7 +352,8 @@ private:
     require(samples == 1 || samples == 3, 0x00280002u, std::to_string(samples) + " samples a pixel are not read");
     require(allocated == 8 || allocated == 16 || allocated == 32,
             0x00280100u,
-            std::to_string(allocated) + " bits a sample are not read");
+            std::to_string(allocated) + " bits a sample are not read" +
+              (allocated == 1 ? ": a DICOM segmentation is to be exported as a label map (NRRD, NIfTI, PNG)" : ""));
     require(stored >= 1 && stored <= allocated, 0x00280101u, "more bits stored than allocated");
     require(highBit + 1 >= stored && highBit < allocated, 0x00280102u, "is no high bit of the bits stored");
     require(this->GetNumber(0x00280103u, 0) <= 1, 0x00280103u, "is no pixel representation");

@@ -322,13 +322,36 @@ NameAxis(const double (&axis)[3])
   return (*largest > 0.0 ? "LPS" : "RAI")[largest - axis];
 }
 
+/** Whether columns run to the right and rows to the front, from a first pixel at the origin: numpy.eye(4), with a
+ * spacing or without. What programs write of a picture has other signs, and what was turned over begins elsewhere. */
+bool
+HasAxesOfPlainArray(const Header & header)
+{
+  if (header.sform <= 0 && header.qform <= 0)
+  {
+    return false;
+  }
+  const auto & axes = header.sform > 0 ? header.matrix : header.quaternion;
+  bool         isPlain = true;
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const double * const axis = axes[i];
+    const double         length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    const double         pixel = header.sform > 0 ? length : header.spacing[i];
+    // A quarter of a degree, as in FindTurns(). A picture of one pixel a side begins where it ends.
+    isPlain =
+      isPlain && -axis[i] >= (1.0 - 1e-5) * length && std::abs(axes[2][i]) < 0.5 * pixel && header.dimensions[i] > 1;
+  }
+  return isPlain;
+}
+
 /** Where a picture's upper left pixel is: whether columns and rows run from there or to it. Throws where that is not
  * known. */
 std::array<bool, 2>
 FindTurns(const std::string & fileName, const Header & header)
 {
   std::array<bool, 2> turned{ { false, false } };
-  if (header.sform <= 0 && header.qform <= 0)
+  if ((header.sform <= 0 && header.qform <= 0) || HasAxesOfPlainArray(header))
   {
     return turned;
   }
@@ -392,6 +415,15 @@ NiftiPictureIO::IsNifti(std::string_view bytes)
   }
   std::string problem;
   return HasHeader(Unpack(bytes, HeaderSize, problem));
+}
+
+bool
+NiftiPictureIO::IsOfPlainArray(std::string_view bytes)
+{
+  std::string       problem;
+  const std::string head =
+    IsCompressed(bytes) ? Unpack(bytes, HeaderSize, problem) : std::string(bytes.substr(0, HeaderSize));
+  return HasHeader(head) && HasAxesOfPlainArray(ReadHeader(std::string_view(head)));
 }
 
 void

@@ -38,8 +38,10 @@ namespace itk
  * NIfTI was made for volumes, and says where the patient's right, front and top are. ITK, and so ITK-SNAP, 3D Slicer,
  * SimpleITK and nnU-Net, write a picture as if its columns ran to the patient's left and its rows to the back; so it is
  * read, as is a file that says nothing about directions. One that was turned over, so that the axes run to the right
- * or the front, and whose last pixel therefore lies where the first one of a picture does, is turned back. Of all
- * others it is not known how they lie on the radiograph, and they are refused. */
+ * or the front, and whose last pixel therefore lies where the first one of a picture does, is turned back. Axes that
+ * run to the right and the front from a first pixel at the origin are those of an array that was given numpy.eye(4), or
+ * only a spacing: they say nothing, and the pixels are taken as they are stored. Of all others it is not known how they
+ * lie on the radiograph, and they are refused. */
 class NiftiPictureIO : public ImageIOBase
 {
 public:
@@ -56,6 +58,10 @@ public:
   /** Whether the bytes begin, compressed by gzip or not, as a NIfTI-1 file that has its pixels in it. */
   static bool
   IsNifti(std::string_view bytes);
+
+  /** Whether the axes of a file that IsNifti() are those of an array whose directions nobody knew. */
+  static bool
+  IsOfPlainArray(std::string_view bytes);
 
   /** Throws DentalInputError for a file that is not whole or not one picture; unpacks what is compressed, as many bytes
    * as its header asks for. */

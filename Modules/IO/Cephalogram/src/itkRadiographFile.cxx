@@ -20,6 +20,7 @@
 #include "itkCephalogramFileReader.h"
 #include "itkDentalInputError.h"
 #include "itkExifOrientation.h"
+#include "itkNiftiPictureIO.h"
 #include "itkPictureSizeCheck.h"
 #include "itkRadiographImageIO.h"
 
@@ -186,6 +187,14 @@ RadiographFile::RadiographFile(const std::string & fileName, PaletteEnum palette
     });
   }
   VerifyPictureSize(m_FileName, m_StoredSize, m_Frames, SizeValueType{ m_Components } * this->GetDepth() / 8);
+  if (m_Components > 1 && m_TextHeader.find("\nsegment0_") != std::string::npos)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             "Segment0_Layer",
+                             "has segments that overlap, in " + std::to_string(m_Components) + " layers",
+                             "export them from 3D Slicer as one label map, or one file a segment: \"contours\": "
+                             "{\"UR1\": \"ur1.nrrd\"}");
+  }
   const bool mayHaveAlphaAlone = m_Format == Format::PNG || m_Format == Format::TIFF;
   if (m_Components != 1 && m_Components != 3 && m_Components != 4 && !(m_Components == 2 && mayHaveAlphaAlone))
   {
@@ -206,10 +215,19 @@ RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
   {
     m_TextHeader = GetRadiographTextHeader(bytes);
   }
+  m_IsOfPlainArray = m_Format == Format::NIfTI && NiftiPictureIO::IsOfPlainArray(bytes);
   if (m_Format == Format::TIFF)
   {
     m_TIFF = LoadTIFFReader().readLayout(m_Memory.GetName());
     m_Orientation = m_TIFF ? m_TIFF->orientation : 1;
+  }
+  if (m_TIFF && m_TIFF->isInteger && m_TIFF->bits > 32)
+  {
+    // numpy's whole numbers, where nobody says otherwise.
+    itkDentalInputErrorMacro(m_FileName,
+                             "BitsPerSample",
+                             "is " + std::to_string(m_TIFF->bits) + ", and whole numbers of up to 32 bits are read",
+                             "save it with 8, 16 or 32 bits (numpy: astype(\"uint16\"))");
   }
   if (m_TIFF && m_TIFF->HasNumbers() && (m_TIFF->isGrey || palette == PaletteEnum::Numbers))
   {

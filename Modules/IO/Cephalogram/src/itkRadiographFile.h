@@ -104,6 +104,12 @@ public:
   {
     return m_TextHeader;
   }
+  /** Whether it is the NIfTI file of an array whose directions nobody knew, which may have rows for columns. */
+  bool
+  IsOfPlainArray() const
+  {
+    return m_IsOfPlainArray;
+  }
   /** For the header of formats that have one, which TIFF has not; may be null. */
   ImageIOBase *
   GetImageIO() const
@@ -136,6 +142,7 @@ private:
   Size<2>         m_StoredSize{ { 0, 0 } };
   Size<2>         m_Size{ { 0, 0 } };
   unsigned int    m_Orientation{ 1 };
+  bool            m_IsOfPlainArray{ false };
   SizeValueType   m_Frames{ 1 };
   unsigned int    m_Components{ 1 };
   IOComponentEnum m_ComponentType{ IOComponentEnum::UNKNOWNCOMPONENTTYPE };

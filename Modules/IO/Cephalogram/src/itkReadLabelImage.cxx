@@ -18,7 +18,10 @@
 #include "itkReadLabelImage.h"
 
 #include "itkDentalInputError.h"
+#include "itkInputFile.h"
+#include "itkNiftiPictureIO.h"
 #include "itkRadiographFile.h"
+#include "itkRadiographText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,8 +71,115 @@ TakeLabel(const std::string & fileName, const double * value, unsigned int compo
 }
 } // namespace
 
+namespace
+{
+/** Whole numbers parted by a character; nothing where one of them is none. */
+std::vector<int>
+SplitNumbers(const std::string & text, char separator)
+{
+  std::vector<int>   numbers;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, separator);)
+  {
+    double number = 0.0;
+    if (RadiographText::ParseNumber(word, number) && std::abs(number) < 1e6)
+    {
+      numbers.push_back(static_cast<int>(number));
+    }
+    else if (!RadiographText::Trim(word).empty())
+    {
+      return {};
+    }
+  }
+  return numbers;
+}
+
+/** What 3D Slicer writes into the header of a segmentation, "segment0_name:=ur1". */
+void
+ReadSegmentation(const std::string & header, LabelImageNotes & notes)
+{
+  std::map<std::string, std::string> names;
+  std::map<std::string, std::string> labels;
+  std::istringstream                 lines(header);
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t end = line.find(":=");
+    if (end == std::string::npos || line.compare(0, 7, "segment") != 0)
+    {
+      continue;
+    }
+    const std::string key = line.substr(0, end);
+    const std::string value = RadiographText::Trim(line.substr(end + 2));
+    const std::size_t underscore = key.find('_');
+    const std::string number = key.substr(0, underscore);
+    const std::string field = underscore == std::string::npos ? std::string() : key.substr(underscore + 1);
+    if (key == "segmentation_referenceimageextentoffset")
+    {
+      const std::vector<int> offset = SplitNumbers(value, ' ');
+      if (offset.size() == 3)
+      {
+        notes.offset = { { offset[0], offset[1] } };
+        notes.isPart = offset[0] != 0 || offset[1] != 0;
+      }
+    }
+    else if (key == "segmentation_conversionparameters")
+    {
+      // "reference image geometry|" and a matrix of 16 numbers, then first and last index along each axis.
+      const std::string word = "reference image geometry|";
+      const std::size_t begin = value.find(word);
+      if (begin != std::string::npos)
+      {
+        const std::size_t   first = begin + word.size();
+        std::istringstream  stream(value.substr(first, value.find('|', first) - first));
+        std::vector<double> numbers;
+        for (std::string text; std::getline(stream, text, ';');)
+        {
+          double value1 = 0.0;
+          if (RadiographText::ParseNumber(text, value1))
+          {
+            numbers.push_back(value1);
+          }
+        }
+        const auto isSize = [&numbers](std::size_t at) {
+          return numbers[at] == 0.0 && numbers[at + 1] >= 0.0 && numbers[at + 1] < 1e6;
+        };
+        if (numbers.size() >= 22 && isSize(16) && isSize(18))
+        {
+          notes.pictureSize = { { static_cast<std::size_t>(numbers[17]) + 1,
+                                  static_cast<std::size_t>(numbers[19]) + 1 } };
+        }
+      }
+    }
+    else if (field == "name")
+    {
+      names[number] = value;
+    }
+    else if (field == "labelvalue")
+    {
+      labels[number] = value;
+    }
+  }
+  for (const auto & [number, label] : labels)
+  {
+    const std::vector<int> values = SplitNumbers(label, ' ');
+    const auto             name = names.find(number);
+    if (values.size() == 1 && values[0] > 0 && values[0] <= 65535 && name != names.end())
+    {
+      notes.segments[static_cast<std::uint16_t>(values[0])] = name->second;
+    }
+  }
+}
+} // namespace
+
 Image<std::uint16_t, 2>::Pointer
 ReadLabelImage(const std::string & fileName)
+{
+  LabelImageNotes notes;
+  return ReadLabelImage(fileName, notes);
+}
+
+Image<std::uint16_t, 2>::Pointer
+ReadLabelImage(const std::string & fileName, LabelImageNotes & notes)
 {
   if (DetectRadiographFileFormat(fileName) == RadiographFileFormatEnum::JPEG)
   {
@@ -82,7 +192,15 @@ ReadLabelImage(const std::string & fileName)
   const std::vector<char> pixels = file.Decode();
   const unsigned int      components = file.GetNumberOfComponents();
   const auto              image = MakeImage<Image<std::uint16_t, 2>>(file.GetSize());
-  std::uint16_t *         label = image->GetBufferPointer();
+  notes = LabelImageNotes();
+  notes.isOfPlainArray = file.IsOfPlainArray();
+  ReadSegmentation(file.GetTextHeader(), notes);
+  if (notes.pictureSize[0] > 0)
+  {
+    notes.isPart =
+      notes.isPart || notes.pictureSize[0] != file.GetSize()[0] || notes.pictureSize[1] != file.GetSize()[1];
+  }
+  std::uint16_t * label = image->GetBufferPointer();
   file.ForEachRow(pixels, [&](const double * values) {
     for (SizeValueType u = 0; u < file.GetSize()[0]; ++u)
     {
@@ -163,6 +281,21 @@ ComputeLabelBorderWeights(const Image<std::uint16_t, 2> *            labels,
     weights.clear();
   }
   return weights;
+}
+
+bool
+IsImageOfPlainArray(const std::string & fileName)
+{
+  try
+  {
+    // Its header is 348 bytes, also where it is compressed.
+    const std::string head = ReadFileHead(fileName, 4096);
+    return NiftiPictureIO::IsNifti(head) && NiftiPictureIO::IsOfPlainArray(head);
+  }
+  catch (const DentalInputError &)
+  {
+    return false;
+  }
 }
 
 bool

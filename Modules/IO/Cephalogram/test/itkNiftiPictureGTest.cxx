@@ -245,11 +245,11 @@ TEST(NiftiPicture, RowsRunDownwardsOrTheFileIsRefused)
   turned.quaternion = { { 0.0f, 0.0f, 0.0f, -1.0f, -0.25f, 0.0f } };
   EXPECT_EQ(ReadLabels(turned.Make<unsigned char>()), (std::vector<int>{ 50, 40, 30, 20, 10, 0 }));
 
-  // The affine diag(1, 1, 1, 1), which programs write that know nothing of directions: turned over, or in the order of
-  // a picture, nobody knows.
+  // Axes to the right and the front from a first pixel that is elsewhere: turned over about something else, nobody
+  // knows what.
   turned.sform = 1;
   turned.matrix = {
-    { { { 1.0f, 0.0f, 0.0f, 0.0f } }, { { 0.0f, 1.0f, 0.0f, 0.0f } }, { { 0.0f, 0.0f, 1.0f, 0.0f } } }
+    { { { 1.0f, 0.0f, 0.0f, 40.0f } }, { { 0.0f, 1.0f, 0.0f, 0.0f } }, { { 0.0f, 0.0f, 1.0f, 0.0f } } }
   };
   EXPECT_TRUE(Contains(ReadProblem(turned.Make<unsigned char>()), "srow_x, srow_y: columns run to R and rows to A"));
   // Seen from the side: columns to the back, rows downward.
@@ -269,7 +269,7 @@ TEST(NiftiPicture, RowsRunDownwardsOrTheFileIsRefused)
   turned.matrix[1][0] = 0.035f;
   EXPECT_TRUE(Contains(ReadProblem(turned.Make<unsigned char>()), "which is no picture"));
   turned.sform = 0;
-  turned.quaternion = { { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f } };
+  turned.quaternion = { { 0.0f, 0.0f, 0.0f, 0.0f, 40.0f, 0.0f } };
   EXPECT_TRUE(Contains(ReadProblem(turned.Make<unsigned char>()), "quatern: columns run to R and rows to A"));
 }
 
@@ -306,6 +306,42 @@ TEST(NiftiPicture, SpacingOfARadiographIsMillimetresOfTheDetector)
   const auto reader = ReadInformation(NiftiTestFile());
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetBufferPointer()[4], 40.0f);
+}
+
+TEST(NiftiPicture, AnArrayWhoseDirectionsNobodyKnewIsTakenAsItIsStored)
+{
+  // numpy.eye(4), with a spacing or without: no program of pictures writes it, and none that turns volumes over.
+  for (const float spacing : { 1.0f, 0.25f })
+  {
+    NiftiTestFile file;
+    file.sform = 1;
+    file.matrix = {
+      { { { spacing, 0.0f, 0.0f, 0.0f } }, { { 0.0f, spacing, 0.0f, 0.0f } }, { { 0.0f, 0.0f, 1.0f, 0.0f } } }
+    };
+    for (const std::string & content : { file.Make<unsigned char>(), Compress(file.Make<unsigned char>()) })
+    {
+      EXPECT_EQ(ReadLabels(content), Stored);
+      const std::string    path = itk::WriteTestFile("a.nii", content);
+      itk::LabelImageNotes notes;
+      itk::ReadLabelImage(path, notes);
+      EXPECT_TRUE(notes.isOfPlainArray);
+      EXPECT_TRUE(itk::IsImageOfPlainArray(path));
+    }
+    const auto reader = ReadInformation(file);
+    ASSERT_EQ(reader->GetWarnings().size(), 1u);
+    EXPECT_TRUE(Contains(reader->GetWarnings()[0], "say nothing of how the picture lies"));
+  }
+  // The same by the quaternion of no rotation.
+  NiftiTestFile file;
+  file.sform = 0;
+  file.qform = 1;
+  file.quaternion = { { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f } };
+  EXPECT_EQ(ReadLabels(file.Make<unsigned char>()), Stored);
+  // One that says something, and one that says nothing at all.
+  itk::LabelImageNotes notes;
+  itk::ReadLabelImage(itk::WriteTestFile("a.nii", NiftiTestFile().Make<unsigned char>()), notes);
+  EXPECT_FALSE(notes.isOfPlainArray);
+  EXPECT_FALSE(itk::IsImageOfPlainArray(itk::WriteTestFile("b.nii", "no image")));
 }
 
 TEST(NiftiPicture, BytesThatAreCutOrChangedAreRefusedOrReadButNeverCrash)
