@@ -104,7 +104,7 @@ public:
   {
     return m_TextHeader;
   }
-  /** For the header of formats that have one, which TIFF has not; may be null. */
+  /** For the header of formats that have one. */
   ImageIOBase *
   GetImageIO() const
   {
@@ -130,12 +130,13 @@ private:
   std::string               m_TextHeader;
   RadiographFileFormatEnum  m_Format{ RadiographFileFormatEnum::PNG };
   std::optional<TIFFLayout> m_TIFF;
-  /** Null where the pixels are read without it. */
-  ImageIOBase::Pointer m_ImageIO;
+  ImageIOBase::Pointer      m_ImageIO;
   /** As it is stored, then upright. */
-  Size<2>         m_StoredSize{ { 0, 0 } };
-  Size<2>         m_Size{ { 0, 0 } };
-  unsigned int    m_Orientation{ 1 };
+  Size<2>      m_StoredSize{ { 0, 0 } };
+  Size<2>      m_Size{ { 0, 0 } };
+  unsigned int m_Orientation{ 1 };
+  /** Whether ITK has turned the picture already, as far as it does. */
+  bool            m_IsTurnedByITK{ false };
   SizeValueType   m_Frames{ 1 };
   unsigned int    m_Components{ 1 };
   IOComponentEnum m_ComponentType{ IOComponentEnum::UNKNOWNCOMPONENTTYPE };
