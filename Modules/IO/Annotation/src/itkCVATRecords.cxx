@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkCVATRecords.h"
 
+#include "itkAppendWarning.h"
 #include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkForeignAnnotationRecords.h"
@@ -317,15 +318,18 @@ ReadCVATRecords(const std::string & fileName, const std::string & imageName)
       const auto points = ReadPoints(fileName, shape);
       if (points.size() > 1)
       {
-        records.warnings.push_back(fileName + ": " + shape.field + ": \"" + label + "\" is " +
-                                   std::to_string(points.size()) + " points, the first is taken");
+        AppendWarning(records.warnings,
+                      fileName,
+                      shape.field + ": \"" + label + "\" is " + std::to_string(points.size()) +
+                        " points, the first is taken");
       }
       records.landmarks.push_back({ shape.field, label, points.front() });
     }
     else
     {
-      records.warnings.push_back(fileName + ": " + shape.field + ": a shape <" + shape.kind.substr(0, 40) +
-                                 "> is no contour, ignored");
+      AppendWarning(records.warnings,
+                    fileName,
+                    shape.field + ": a shape <" + shape.kind.substr(0, 40) + "> is no contour, ignored");
     }
   }
   return records;
