@@ -2,6 +2,7 @@
 import json
 import os
 import random
+import struct
 
 import pytest
 
@@ -131,6 +132,20 @@ def test_a_file_of_millions_of_empty_arrays_is_an_error(program, is_sanitized, c
     done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"])
     assert done.returncode == 2 and "contours.json: contours: has more than 3000000" in done.stderr, done.stderr
     assert is_sanitized or done.kibibytes < 1 << 19, done.kibibytes
+
+
+def test_a_scan_whose_edges_cross_all_over_is_none(program, is_sanitized, case, tmp_path):
+    """Where its outline is looked for each edge was held against all that cross it: 10 MB took 6 GB and minutes."""
+    places = random.Random(1)
+    triangles = b"".join(
+        struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 10, 0, 0, 40 * places.random(), 40 * places.random(), 10 * places.random(), 0)
+        for _ in range(100000)
+    )
+    (case.folder / "fan.stl").write_bytes(bytes(80) + struct.pack("<I", 100000) + triangles)
+    case.change(upper="fan.stl")
+    done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"])
+    assert done.returncode == 1 and "upper: failed: the edges of its outline cross each other all over" in done.stderr, done.stderr
+    assert is_sanitized or (done.seconds < 20 and done.kibibytes < 1 << 19), (done.seconds, done.kibibytes)
 
 
 @pytest.mark.parametrize("value", [1e12, -1e30, 1e38])
