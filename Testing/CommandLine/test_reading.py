@@ -146,6 +146,9 @@ def test_a_scan_whose_edges_cross_all_over_is_none(program, is_sanitized, case, 
     done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"])
     assert done.returncode == 1 and "upper: failed: the edges of its outline cross each other all over" in done.stderr, done.stderr
     assert is_sanitized or (done.seconds < 20 and done.kibibytes < 1 << 19), (done.seconds, done.kibibytes)
+    scan = case.folder / "fan.stl"
+    done = measure([program, "contour", "--upper", scan, "--spacing", "0.25", "0.25", "--output", tmp_path / "out.json", "--quiet"])
+    assert done.returncode == 2 and f"{scan}: the edges of its outline cross" in done.stderr, done.stderr
 
 
 @pytest.mark.parametrize("value", [1e12, -1e30, 1e38])

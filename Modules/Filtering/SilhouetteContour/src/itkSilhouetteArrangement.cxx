@@ -39,8 +39,8 @@ VerifyNumberOfMeetings(std::size_t meetings, std::size_t segments)
   if (meetings > 1000000 + 16 * segments)
   {
     itkGenericExceptionMacro(
-      "the edges of its outline cross each other all over: this is no surface of teeth. Repair the "
-      "mesh, or export the scan again");
+      "the edges of its outline cross each other all over, which no surface of teeth does: repair "
+      "the mesh, or export the scan again");
   }
 }
 
