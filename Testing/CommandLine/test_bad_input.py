@@ -150,7 +150,6 @@ def test_a_number_of_300_digits_is_shown_by_its_first_ones(run, case, tmp_path):
         (("register", case.file, "--threads", "9" * 300), "Value 999999999999... (300 digits) not in range 0 to 1024"),
         (("phantom", "--seed", "0." + "1" * 300), "--seed = 0.1111111111... (302 digits)"),
         (("render", "--upper", case.folder / "upper.stl", "--attenuation", "-1"), "Value -1 not in range"),
-        (("register", case.file, "--spacing", "1e300", "1e300"), "pixel_spacing_mm: 1e+300 mm a pixel is not possible"),
     ):
         done = run(*arguments, "--output", tmp_path / "out")
         assert done.returncode == 2 and words in done.stderr and len(done.stderr) < 400, done.stderr
