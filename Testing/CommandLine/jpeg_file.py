@@ -22,8 +22,8 @@ def _scan(first, last, data):
     return b"\xff\xda" + struct.pack(">HBBBBBB", 8, 1, 1, 0, first, last, 0) + data
 
 
-def progressive(width, height, scans):
-    """A grey picture, all of it 128, with so many scans behind the first that change nothing."""
+def progressive(width, height, scans, colours=1):
+    """A picture, all of it 128, grey if it has one colour, with so many scans behind the first that change nothing."""
     blocks = -(-width // 8) * -(-height // 8)
     runs = []
     left = blocks
@@ -34,7 +34,8 @@ def progressive(width, height, scans):
         left -= long if long >= 1 << 14 else 1
     return (
         b"\xff\xd8\xff\xdb" + struct.pack(">HB", 67, 0) + bytes([1] * 64)
-        + b"\xff\xc2" + struct.pack(">HBHHBBBB", 11, 8, height, width, 1, 1, 0x11, 0)
+        + b"\xff\xc2" + struct.pack(">HBHHB", 8 + 3 * colours, 8, height, width, colours)
+        + b"".join(bytes((colour, 0x11, 0)) for colour in range(1, colours + 1))
         + _table(0x00, 0) + _table(0x10, 0xE0, 0x00)
         + _scan(0, 0, _pack([(0, 1)] * blocks))
         + _scan(1, 63, _pack(runs)) * scans

@@ -145,6 +145,20 @@ def test_no_scan_at_all(run, case, tmp_path):
     reject(run, case, tmp_path, "case.json", "upper", "lower")
 
 
+def test_a_number_of_300_digits_is_shown_by_its_first_ones(run, case, tmp_path):
+    for arguments, words in (
+        (("register", case.file, "--threads", "9" * 300), "Value 999999999999... (300 digits) not in range 0 to 1024"),
+        (("phantom", "--seed", "0." + "1" * 300), "--seed = 0.1111111111... (302 digits)"),
+        (("render", "--upper", case.folder / "upper.stl", "--attenuation", "-1"), "Value -1 not in range"),
+    ):
+        done = run(*arguments, "--output", tmp_path / "out")
+        assert done.returncode == 2 and words in done.stderr and len(done.stderr) < 400, done.stderr
+    # The name of a file may be as long: it is said whole.
+    name = "1.2.840.113619.2.55.3.604688119.868.1249343483.504.png"
+    done = run("contour", "--labels", tmp_path / name, "--output", tmp_path / "out.json")
+    assert done.returncode == 2 and name in done.stderr, done.stderr
+
+
 def test_unknown_field_is_a_warning(run, case, tmp_path):
     case.change(colour="blue")
     done = run("register", case.file, "--output", tmp_path / "out", "--preset", "bounding-box")

@@ -47,6 +47,18 @@ def tiff(width, height, coding, data):
     return struct.pack("<2sHIH", b"II", 42, 8, len(entries)) + directory + bytes(4) + data
 
 
+def tiles(width, height, side, coding, data):
+    """Grey, of 8 bits, in square tiles that all have the same bytes."""
+    count = -(-width // side) * -(-height // side)
+    offsets, lengths = 8 + len(data), 8 + len(data) + 4 * count
+    entries = ((256, width), (257, height), (258, 8), (259, coding), (262, 1), (277, 1), (322, side), (323, side))
+    entries = [struct.pack("<HHII", tag, 4, 1, value) for tag, value in entries]
+    entries += [struct.pack("<HHII", tag, 4, count, at) for tag, at in ((324, offsets), (325, lengths))]
+    lists = struct.pack(f"<{count}I", *[8] * count) + struct.pack(f"<{count}I", *[len(data)] * count)
+    directory = struct.pack("<H", len(entries)) + b"".join(entries) + bytes(4)
+    return struct.pack("<2sHI", b"II", 42, 8 + len(data) + len(lists)) + data + lists + directory
+
+
 def jpeg2000(width, height):
     image = pytest.importorskip("PIL.Image")
     stream = io.BytesIO()
@@ -89,10 +101,14 @@ HOSTILE = {
     "JPEG signature": ("a.jpg", lambda: b"\xff\xd8\xff"),
     # Without a bound a minute for each 0.4 MB.
     "JPEG of a thousand scans": ("a.jpg", lambda: progressive(11000, 11000, 1000)),
+    "JPEG of 4 colours in steps": ("a.jpg", lambda: progressive(16384, 8192, 1, colours=4)),
     "PNG signature": ("a.png", lambda: b"\x89PNG\r\n\x1a\n"),
     "PNG of 30000 x 30000": ("a.png", lambda: png(30000, 30000, 200)),
     "TIFF of nothing": ("a.tif", lambda: b"II*\0\x08\0\0\0\0\0"),
     "TIFF of a rare codec": ("a.tif", lambda: tiff(50, 50, 34712, bytes(2500))),
+    # Minutes, of 5 MB: each tile is a megabyte of codes for nothing, and the same one.
+    "TIFF of tiles that share their bytes": ("a.tif", lambda: tiles(16384, 8192, 16, 32773, b"\x80" * 1000000 + b"\x81\0" * 2)),
+    "TIFF in the corner of a tile": ("a.tif", lambda: tiles(1024, 1024, 20480, 8, zlib.compress(bytes(20480 * 20480)))),
     "MetaImage that names another's file": (
         "a.mha",
         lambda: b"ObjectType = Image\nNDims = 2\nDimSize = 8 8\nElementType = MET_UCHAR\nElementDataFile = ../../../../etc/passwd\n",
@@ -106,6 +122,8 @@ HOSTILE = {
         lambda: b"NRRD0004\ntype: uint8\ndimension: 2\nsizes: 8 8\nencoding: raw\ndata file: /etc/passwd\n\n",
     ),
     "NIfTI bomb": ("a.nii.gz", lambda: gzip.compress(nifti([[0] * 8] * 8) + bytes(1 << 29), 9)),
+    # Each of a million parts cleared a megabyte.
+    "NIfTI of parts without a byte": ("a.nii.gz", lambda: gzip.compress(put_size(nifti([[0] * 8] * 8), 8000, 8000, 1)) + gzip.compress(b"") * 1000000),
     "NIfTI of many slices": ("a.nii.gz", lambda: gzip.compress(put_size(nifti([[0] * 8] * 8), 32767, 32767, 32767), 9)),
     "NIfTI of a gigabyte": ("a.nii", lambda: put_size(nifti([[0] * 8] * 8), 32767, 32767, 1)),
     "NIfTI of more than is read": ("a.nii.gz", lambda: gzip.compress(put_size(nifti([[0] * 8] * 8, "d"), 10000, 10000, 1), 9)),
@@ -172,17 +190,25 @@ def test_what_is_no_pixel_of_a_png_is_not_looked_at(read, tmp_path):
     outlines = []
     text = chunk(b"zTXt", b"Comment\0\0" + zlib.compress(bytes(1 << 26), 9))
     profile = chunk(b"iCCP", b"\x1b]0;mine\x07\0\0" + zlib.compress(bytes(5)))
-    for name, more in {"plain": b"", "odd": profile + chunk(b"tRNS", b"\0") + text * 40 + chunk(b"tRNS", b"\0\x0b") * 1000}.items():
+    # Of these, too, libpng prints what it thinks: 100,000 lines of the same.
+    spacing = chunk(b"pHYs", bytes(9)) * 100000
+    for name, more in {"plain": b"", "talk": chunk(b"PLTE", bytes(9)) + spacing + chunk(b"tRNS", b"\xff\xff"), "odd": profile + chunk(b"tRNS", b"\0") + text * 40 + chunk(b"tRNS", b"\0\x0b") * 1000}.items():
         image = tmp_path / f"{name}.png"
         image.write_bytes(whole[:33] + more + whole[33:])
         done = read("contour", "--labels", image, "--output", tmp_path / f"{name}.json")
         assert done.returncode == 0 and done.stderr == "", done.stderr
         outlines.append((tmp_path / f"{name}.json").read_text().replace(name, ""))
-    assert outlines[0] == outlines[1]
+    assert outlines[0] == outlines[1] == outlines[2]
+    # A chunk longer than all pixels; and what stands behind them.
+    for name, data, code in (("long", zlib.compress(bytes(51 * 50)) + bytes(9000000), 2), ("late", whole[41:-16], 0)):
+        content = whole[:33] + chunk(b"IDAT", data) + spacing + chunk(b"tRNS", b"\0\x0b") + chunk(b"IEND", b"")
+        (tmp_path / "a.png").write_bytes(content)
+        done = read("contour", "--labels", tmp_path / "a.png", "--output", tmp_path / f"{name}.json")
+        assert done.returncode == code and done.stderr.count("\n") == code // 2 and "libpng" not in done.stderr, done.stderr
 
 
 def test_a_tiff_of_a_usual_codec_is_read(read, tmp_path):
-    """The bound on codecs takes none away that scanners and editors write."""
+    """By the decoder's process, as all others are."""
     rows = bytes(11 if 10 < x < 40 and 10 < y < 40 else 0 for y in range(50) for x in range(50))
     # Rows as they are: 50 bytes, with a number before them that says so.
     packed = b"".join(b"\x31" + rows[i : i + 50] for i in range(0, len(rows), 50))
@@ -190,9 +216,6 @@ def test_a_tiff_of_a_usual_codec_is_read(read, tmp_path):
         (tmp_path / "a.tif").write_bytes(tiff(50, 50, coding, data))
         done = read("contour", "--labels", tmp_path / "a.tif", "--output", tmp_path / "out.json")
         assert done.returncode == 0, (coding, done.stderr)
-    (tmp_path / "a.tif").write_bytes(tiff(50, 50, 50000, rows))
-    done = read("contour", "--labels", tmp_path / "a.tif", "--output", tmp_path / "out.json")
-    assert done.returncode == 2 and "unusual" in done.stderr and "LZW" in done.stderr, done.stderr
 
 
 def test_a_pipe_beside_a_header_is_not_waited_for(read, case, tmp_path):

@@ -1,6 +1,8 @@
 """What is no regular file, what changes while it is read, and numbers that no case has: an error, and at once."""
 import json
 import os
+import random
+import struct
 
 import pytest
 
@@ -89,7 +91,8 @@ def test_a_coordinate_that_no_radiograph_has(program, case, tmp_path, value):
 
 def scribble(count):
     """Points all over the radiograph, each line of which crosses a third of the others."""
-    return [[x % 700, x * 7 % 900] for x in range(count)]
+    places = random.Random(1)
+    return [[places.randrange(700), places.randrange(900)] for _ in range(count)]
 
 
 def test_a_tracing_of_more_points_than_any_has_is_an_error(program, case, tmp_path):
@@ -100,14 +103,52 @@ def test_a_tracing_of_more_points_than_any_has_is_an_error(program, case, tmp_pa
     assert done.returncode == 2 and "contours.json: has 200" in done.stderr and "more than the 200000" in done.stderr, done.stderr
 
 
-def test_a_scribble_is_drawn_as_well(program, case, tmp_path):
-    """Cairo looks for all crossings of a path's lines: a million points took hours, after the registration had ended."""
+@pytest.mark.parametrize("count", [19000, 199000])
+def test_a_scribble_is_drawn_as_well(program, is_sanitized, case, tmp_path, count):
+    """Cairo looks for all crossings of a path's lines: a million points took hours, after the registration had ended, and
+    20,000 minutes."""
     content = case.load("contours.json")
-    content["contours"]["upper"][0]["points"] += scribble(100000)
+    content["contours"]["upper"][0]["points"] += scribble(count)
     case.save(content, "contours.json")
-    done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"])
+    done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"], timeout=600 if is_sanitized else 120)
     assert done.returncode == 1, done.stderr
+    assert is_sanitized or done.seconds < 30, f"{done.seconds} s"
     assert (tmp_path / "out" / "overlay_upper.png").stat().st_size > 10000
+
+
+def test_a_file_of_a_million_odd_rows_is_warned_of_in_a_page(program, is_sanitized, case, tmp_path):
+    """Each row had a line of its own on the terminal, and copies of all of them took 7 GB."""
+    rows = "".join(f"L{i},1,2,3\n" for i in range(300000))
+    (case.folder / "odd.csv").write_text("label,x,y,z\n" + rows)
+    case.change(landmarks_3d="odd.csv")
+    done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"])
+    lines = [line for line in done.stderr.splitlines() if "odd.csv" in line]
+    assert len(lines) == 101 and "line 2:" in lines[0] and "more to say than these 100 warnings" in lines[100], lines[-2:]
+    assert is_sanitized or done.kibibytes < 1 << 19, done.kibibytes
+
+
+def test_a_file_of_millions_of_empty_arrays_is_an_error(program, is_sanitized, case, tmp_path):
+    (case.folder / "contours.json").write_text('{"contours":[' + "[]," * 11000000 + "1]}")
+    done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"])
+    assert done.returncode == 2 and "contours.json: contours: has more than 3000000" in done.stderr, done.stderr
+    assert is_sanitized or done.kibibytes < 1 << 19, done.kibibytes
+
+
+def test_a_scan_whose_edges_cross_all_over_is_none(program, is_sanitized, case, tmp_path):
+    """Where its outline is looked for each edge was held against all that cross it: 10 MB took 6 GB and minutes."""
+    places = random.Random(1)
+    triangles = b"".join(
+        struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 10, 0, 0, 40 * places.random(), 40 * places.random(), 10 * places.random(), 0)
+        for _ in range(100000)
+    )
+    (case.folder / "fan.stl").write_bytes(bytes(80) + struct.pack("<I", 100000) + triangles)
+    case.change(upper="fan.stl")
+    done = measure([program, "register", case.file, "--output", tmp_path / "out", "--quiet"])
+    assert done.returncode == 1 and "upper: failed: the edges of its outline cross each other all over" in done.stderr, done.stderr
+    assert is_sanitized or (done.seconds < 20 and done.kibibytes < 1 << 19), (done.seconds, done.kibibytes)
+    scan = case.folder / "fan.stl"
+    done = measure([program, "contour", "--upper", scan, "--spacing", "0.25", "0.25", "--output", tmp_path / "out.json", "--quiet"])
+    assert done.returncode == 2 and f"{scan}: the edges of its outline cross" in done.stderr, done.stderr
 
 
 @pytest.mark.parametrize("value", [1e12, -1e30, 1e38])

@@ -257,7 +257,7 @@ WrapOutlines(py::module_ & module)
       "Outlines that are not used and why: name (\"U6\"; of a frontal radiograph \"UR6\") to a sentence.")
     .def("_GetOutlineResiduals", [](const OutlineType & self) {
       py::list list;
-      for (const auto & residual : self.ComputeOutlineResiduals(self.GetState().GetValues()))
+      for (const auto & residual : self.ComputeOutlineResiduals(Ready(self).GetState().GetValues()))
       {
         std::vector<double> crown;
         for (const auto & point : residual.crown)
@@ -304,7 +304,7 @@ moved: a ParameterPriorMetricv4 on the second block.)")
       "GetView", [](const ViewType & self) { return std::string(self.GetView()); }, "Name of the view.")
     .def(
       "GetTermValues",
-      [](const ViewType & self) { return MakeArray(ViewType::MakeTermPosition(self.GetState().GetValues())); },
+      [](const ViewType & self) { return MakeArray(ViewType::MakeTermPosition(Ready(self).GetState().GetValues())); },
       "Where the scan is in the view: pitch, roll, yaw (rad), tx, ty, tz (mm), kappa, by the values of the state.");
 }
 } // namespace

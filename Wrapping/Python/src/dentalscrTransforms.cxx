@@ -26,8 +26,12 @@
 #include "itkTransformFileWriter.h"
 #include "itkVersorRigid3DTransform.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace dentalscr
@@ -44,6 +48,25 @@ ToVector(const itk::OptimizerParameters<double> & parameters)
   return { parameters.begin(), parameters.end() };
 }
 
+/** What is no number would end the process where a matrix of it is inverted: VNL calls abort(). */
+template <typename TValues>
+const TValues &
+Finite(const TValues & values)
+{
+  if (!std::all_of(std::begin(values), std::end(values), [](double value) { return std::isfinite(value); }))
+  {
+    throw std::invalid_argument("a transform is of finite numbers; one of these is NaN or infinite");
+  }
+  return values;
+}
+
+double
+Finite(double value)
+{
+  Finite(std::array<double, 1>{ { value } });
+  return value;
+}
+
 template <typename TTransform>
 void
 SetParameters(TTransform & self, const std::vector<double> & values, bool fixed)
@@ -56,6 +79,7 @@ SetParameters(TTransform & self, const std::vector<double> & values, bool fixed)
     throw std::invalid_argument(std::string(self.GetNameOfClass()) + " has " + std::to_string(count) +
                                 (fixed ? " fixed" : "") + " parameters, not " + std::to_string(values.size()));
   }
+  Finite(values);
   if (fixed)
   {
     std::copy(values.begin(), values.end(), fixedParameters.begin());
@@ -96,7 +120,7 @@ DefineTransform(py::class_<TTransform, BaseType, itk::SmartPointer<TTransform>> 
       "GetDimension", [](const TTransform &) { return dimension; }, "Number of axes of the points.")
     .def(
       "SetCenter",
-      [](TTransform & self, const PointType & center) { self.SetCenter(center); },
+      [](TTransform & self, const PointType & center) { self.SetCenter(Finite(center)); },
       py::arg("center"),
       "Sets the centre of rotation and scale, in the unit of the points.")
     .def(
@@ -105,7 +129,9 @@ DefineTransform(py::class_<TTransform, BaseType, itk::SmartPointer<TTransform>> 
       "Returns the centre of rotation and scale, in the unit of the points.")
     .def(
       "SetTranslation",
-      [](TTransform & self, const itk::Vector<double, dimension> & translation) { self.SetTranslation(translation); },
+      [](TTransform & self, const itk::Vector<double, dimension> & translation) {
+        self.SetTranslation(Finite(translation));
+      },
       py::arg("translation"),
       "Sets the translation, in the unit of the points.")
     .def(
@@ -127,7 +153,9 @@ DefineTransform(py::class_<TTransform, BaseType, itk::SmartPointer<TTransform>> 
       "GetInverse",
       [](const TTransform & self) {
         auto inverse = TTransform::New();
-        if (!self.GetInverse(inverse))
+        // Finite parameters may have products that are not.
+        const auto & matrix = self.GetMatrix().GetVnlMatrix();
+        if (!matrix.is_finite() || !self.GetInverse(inverse))
         {
           throw std::invalid_argument("the transform has no inverse");
         }
@@ -269,20 +297,28 @@ translation, center : pair of numbers, optional)");
                      const itk::Vector<double, 2> & translation,
                      const itk::Point<double, 2> &  center) {
            auto transform = SimilarityType::New();
-           transform->SetCenter(center);
-           transform->SetScale(scale);
-           transform->SetAngle(angle);
-           transform->SetTranslation(translation);
+           transform->SetCenter(Finite(center));
+           transform->SetScale(Finite(scale));
+           transform->SetAngle(Finite(angle));
+           transform->SetTranslation(Finite(translation));
            return transform;
          }),
          py::arg("scale") = 1.0,
          py::arg("angle") = 0.0,
          py::arg("translation") = itk::Vector<double, 2>(0.0),
          py::arg("center") = itk::Point<double, 2>(0.0))
-    .def("SetScale", &SimilarityType::SetScale, py::arg("scale"), "Sets the scale factor, no unit.")
+    .def(
+      "SetScale",
+      [](SimilarityType & self, double scale) { self.SetScale(Finite(scale)); },
+      py::arg("scale"),
+      "Sets the scale factor, no unit.")
     .def(
       "GetScale", [](const SimilarityType & self) { return self.GetScale(); }, "Returns the scale factor, no unit.")
-    .def("SetAngle", &SimilarityType::SetAngle, py::arg("angle"), "Sets the angle of rotation, rad.")
+    .def(
+      "SetAngle",
+      [](SimilarityType & self, double angle) { self.SetAngle(Finite(angle)); },
+      py::arg("angle"),
+      "Sets the angle of rotation, rad.")
     .def(
       "GetAngle", [](const SimilarityType & self) { return self.GetAngle(); }, "Returns the angle of rotation, rad.");
   DefineTransform(similarity);
@@ -311,9 +347,9 @@ matrix : (4, 4) or (3, 4) array, optional
                 {
                   for (unsigned int column = 0; column < 3; ++column)
                   {
-                    rotation(row, column) = values.at(row, column);
+                    rotation(row, column) = Finite(values.at(row, column));
                   }
-                  translation[row] = values.at(row, 3);
+                  translation[row] = Finite(values.at(row, 3));
                 }
                 transform->SetMatrix(rotation);
                 transform->SetTranslation(translation);

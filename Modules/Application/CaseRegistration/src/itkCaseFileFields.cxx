@@ -18,6 +18,7 @@
 #include "itkCaseFileFields.h"
 
 #include "itkCephalometricLandmarkFileReader.h"
+#include "itkShortNumber.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +119,7 @@ ReadSpacing(const JsonNode & node, const char * key, const char * remedy)
     // radiograph.
     if (!(number > 0.001 && number < 5.0))
     {
-      spacing->Fail(std::to_string(number) + " mm a pixel is not possible", remedy);
+      spacing->Fail(ShortNumber(number) + " mm a pixel is not possible", remedy);
     }
   }
   return { { numbers[0], numbers[1] } };

@@ -23,6 +23,7 @@
 #include "itkDentalCaseFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
+#include "itkDescribePlainly.h"
 #include "itkProjectionRows.h"
 #include "itkReadDentalMesh.h"
 #include "itkVisitCaseFiles.h"
@@ -385,9 +386,25 @@ CaseSceneFileReader::GenerateData()
                              "name the case file with --case, or register again without --no-report");
   }
   result.data = data;
-  auto scene = MakeCaseScene(result);
-  scene->Update();
-  this->GetOutput()->Graft(scene->GetOutput());
+  try
+  {
+    auto scene = MakeCaseScene(result);
+    scene->Update();
+    this->GetOutput()->Graft(scene->GetOutput());
+  }
+  catch (const ProcessAborted &)
+  {
+    throw;
+  }
+  catch (const DentalInputError &)
+  {
+    throw;
+  }
+  catch (const ExceptionObject & problem)
+  {
+    // Numbers that somebody has changed, a matrix that is no rigid map for one.
+    itkDentalInputErrorMacro(fileName, "", DescribePlainly(problem), "register the case again");
+  }
 }
 
 void

@@ -27,6 +27,7 @@
 #include "itkRegistrationFinding.h"
 #include "itkRigidTransformRows.h"
 #include "itkTextFile.h"
+#include "itkShortNumber.h"
 
 #include <algorithm>
 #include <array>
@@ -47,7 +48,7 @@ PositiveNumber(const JsonNode & node, const char * remedy)
   const double value = node.AsNumber();
   if (!(value > 0.0))
   {
-    node.Fail(std::to_string(value) + " is not positive", remedy);
+    node.Fail(ShortNumber(value) + " is not positive", remedy);
   }
   return value;
 }

@@ -21,6 +21,7 @@
 #include "itkCephalometricLandmarkFileReader.h"
 #include "itkDentalCaseLoader.h"
 #include "itkDentalInputError.h"
+#include "itkShortNumber.h"
 
 #include <algorithm>
 #include <cmath>
@@ -417,7 +418,7 @@ DentalRadiographLoader::SettleCalibration(const DentalContourFileReader & contou
   {
     itkDentalInputErrorMacro(contourReader.GetFileName(),
                              longest->label,
-                             "makes a pixel " + std::to_string(found) + " mm, which is not possible",
+                             "makes a pixel " + ShortNumber(found) + " mm, which is not possible",
                              "draw the line from end to end of the ruler that its label names");
   }
   CephalometricGeometry::PixelSpacingType spacing;

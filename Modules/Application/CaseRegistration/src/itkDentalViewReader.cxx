@@ -21,6 +21,7 @@
 #include "itkCaseFileFields.h"
 #include "itkCephalogramFileReader.h"
 #include "itkFirstViewName.h"
+#include "itkShortNumber.h"
 
 #include <algorithm>
 
@@ -150,7 +151,7 @@ ReadViewGeometry(const JsonNode & node, DentalView & view)
     const double value = sigma->AsNumber();
     if (!(value >= 0.0 && value < 10000.0))
     {
-      sigma->Fail(std::to_string(value) + " px is not possible", "give pixels, 1 sd an axis: 4 where nothing is known");
+      sigma->Fail(ShortNumber(value) + " px is not possible", "give pixels, 1 sd an axis: 4 where nothing is known");
     }
     view.principalPointSigma = value;
   }

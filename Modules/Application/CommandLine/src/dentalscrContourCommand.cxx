@@ -22,6 +22,7 @@
 #include "itkDentalContourFileReader.h"
 #include "itkDentalContourFileWriter.h"
 #include "itkDentalInputError.h"
+#include "itkDescribePlainly.h"
 #include "itkImage.h"
 #include "itkMeshSilhouetteContourSource.h"
 #include "itkReadLabelImage.h"
@@ -206,7 +207,16 @@ ContoursOfScans(const ContourOptions & options, itk::DentalContour * contours[2]
     source->SetInput(data->GetJaw(jaw).mesh);
     source->SetGeometry(geometry);
     source->SetNumberOfPoints(options.points);
-    source->Update();
+    try
+    {
+      source->Update();
+    }
+    catch (const itk::ExceptionObject & error)
+    {
+      const auto & description = data->description;
+      itkDentalInputErrorMacro(
+        jaw == JawEnum::Upper ? description.upperFile : description.lowerFile, "", itk::DescribePlainly(error), "");
+    }
     for (const auto & polyline : source->GetOutput()->GetPolylines())
     {
       contours[jaw == JawEnum::Upper ? 0 : 1]->AddPolyline(polyline);

@@ -87,6 +87,26 @@ AddSelfDescription(CLI::App & program)
     ->group(SelfGroup);
 }
 
+/** Numbers of more digits than any that means something, given or the parser's own bounds, by their first ones. */
+std::string
+ShortenNumbers(const std::string & text)
+{
+  constexpr std::size_t longest = 24;
+  constexpr std::size_t shown = 12;
+  std::string           shortened;
+  for (std::size_t begin = 0; begin < text.size();)
+  {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.", begin), text.size());
+    const std::size_t count = end - begin;
+    shortened += count > longest ? text.substr(begin, shown) + "... (" + std::to_string(count) + " digits)"
+                                 : text.substr(begin, count);
+    const std::size_t next = std::min(text.find_first_of("0123456789.", end), text.size());
+    shortened += text.substr(end, next - end);
+    begin = next;
+  }
+  return shortened;
+}
+
 /** What is wrong with the words of a call, and whose help to read. */
 std::string
 DescribeMistake(const CLI::App & program, const CLI::ParseError & error)
@@ -109,7 +129,10 @@ DescribeMistake(const CLI::App & program, const CLI::ParseError & error)
       }
     }
   }
-  return error.what() + help;
+  // Not where it is a file that is wrong: names of DICOM files are numbers as long.
+  const std::string text = error.what();
+  const bool isNumber = text.find(" not in range ") != std::string::npos || text.rfind("Could not convert", 0) == 0;
+  return (isNumber ? ShortenNumbers(text) : text) + help;
 }
 
 int

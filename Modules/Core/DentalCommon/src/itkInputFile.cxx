@@ -115,6 +115,10 @@ DescribeProblem(const InputFile & file, const std::string & what)
     case ProblemEnum::Empty:
       return InputFileError("the file is empty (0 bytes)", "export or copy it again");
     default:
+      if (file.GetSystemError() == ELOOP)
+      {
+        return InputFileError("it is a link that leads back to itself", "name the file itself");
+      }
       // Not strerror: it speaks the locale's language and is not safe with threads.
       return InputFileError("it cannot be opened (system error " + std::to_string(file.GetSystemError()) + ')',
                             "check the path and the permissions");

@@ -16,8 +16,11 @@
  *
  *=========================================================================*/
 #include "itkDentalInputError.h"
+#include "itkShortNumber.h"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 TEST(DentalInputError, IsOneLineThatNamesFileFieldAndRemedy)
 {
@@ -35,4 +38,14 @@ TEST(DentalInputError, LeavesOutWhatIsEmpty)
 TEST(DentalInputError, IsCaughtAsAnItkException)
 {
   EXPECT_THROW(itkDentalInputErrorMacro("a", "b", "c", "d"), itk::ExceptionObject);
+}
+
+TEST(ShortNumber, HasFewDigitsWhateverItIs)
+{
+  EXPECT_EQ(itk::ShortNumber(0.25), "0.25");
+  EXPECT_EQ(itk::ShortNumber(-1.0), "-1");
+  EXPECT_EQ(itk::ShortNumber(1674.123456), "1674.12");
+  EXPECT_EQ(itk::ShortNumber(1e300), "1e+300");
+  EXPECT_EQ(itk::ShortNumber(-4.9e-324), "-4.94066e-324");
+  EXPECT_EQ(itk::ShortNumber(std::numeric_limits<double>::infinity()), "inf");
 }

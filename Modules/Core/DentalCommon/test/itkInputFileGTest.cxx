@@ -70,8 +70,11 @@ TEST(InputFile, SaysWhyNothingIsRead)
   const std::string pipe = itk::TestFolder() + "/pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const std::string whole = itk::WriteTestFile("whole", "0123456789");
+  const std::string ring = itk::TestFolder() + "/ring";
+  ASSERT_EQ(symlink("ring", ring.c_str()), 0);
   for (const auto & [path, words] :
        { std::pair<std::string, std::string>{ pipe, "this is not a regular file but a pipe" },
+         { ring, "it is a link that leads back to itself" },
          { itk::TestFolder(), "this is a directory, not a scan" },
          { itk::TestFolder() + "/none", "there is no such file" },
          { whole + "/none", "there is no such file" },

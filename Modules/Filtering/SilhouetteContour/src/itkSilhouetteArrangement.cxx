@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkSilhouetteArrangement.h"
 
+#include "itkMacro.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,6 +30,19 @@ using namespace SilhouetteGrid;
 namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
+
+/** Edges of a surface meet their neighbours and cross few others, so that each has some four of what is counted here.
+ * Of a file that says it is a scan and has 200,000 edges that cross all over it would be gigabytes. */
+void
+VerifyNumberOfMeetings(std::size_t meetings, std::size_t segments)
+{
+  if (meetings > 1000000 + 16 * segments)
+  {
+    itkGenericExceptionMacro(
+      "the edges of its outline cross each other all over, which no surface of teeth does: repair "
+      "the mesh, or export the scan again");
+  }
+}
 
 bool
 Less(const GridPoint & a, const GridPoint & b)
@@ -108,6 +123,7 @@ SilhouetteArrangement::BuildCells()
       ++m_CellStarts[cell];
       entries.push_back({ static_cast<std::uint32_t>(cell), s });
     });
+    VerifyNumberOfMeetings(entries.size(), count);
   }
   std::uint32_t sum = 0;
   for (std::uint32_t & start : m_CellStarts)
@@ -295,6 +311,7 @@ SilhouetteArrangement::EventsOf(std::uint32_t s) -> Span
     const Fraction here = MakeFraction(side2, side2 - side3);
     m_Events.push_back({ here.Value(), here, MakeFraction(side0, side0 - side1), r });
   }
+  VerifyNumberOfMeetings(m_Events.size(), m_Segments.size());
   std::sort(m_Events.begin() + begin, m_Events.end(), [](const Event & x, const Event & y) {
     // The values are good to 1e-15.
     if (std::abs(x.t - y.t) > 1e-13)

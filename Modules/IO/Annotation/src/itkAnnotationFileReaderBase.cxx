@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkAnnotationFileReaderBase.h"
 
+#include "itkAppendWarning.h"
+
 #include <utility>
 
 namespace itk
@@ -76,7 +78,7 @@ AnnotationFileReaderBase::StartReading(FileFormatEnum readFormat, std::vector<st
 void
 AnnotationFileReaderBase::Warn(const std::string & field, const std::string & text)
 {
-  m_Warnings.push_back(m_FileName + ": " + field + ": " + text);
+  AppendWarning(m_Warnings, m_FileName, field + ": " + text);
 }
 
 double

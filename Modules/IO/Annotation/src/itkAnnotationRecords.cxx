@@ -32,6 +32,7 @@
 #include "itkSlicerMarkups.h"
 #include "itkTextFile.h"
 #include "itkVIATable.h"
+#include "itkShortNumber.h"
 
 #include <algorithm>
 #include <cmath>
@@ -261,7 +262,7 @@ ReadPolyline(const JsonNode & node, const std::string & jaw)
     {
       if (!(polyline.weights[i] >= 0.0 && polyline.weights[i] <= 1.0))
       {
-        weights->At(i).Fail("is " + std::to_string(polyline.weights[i]) + ", not in [0, 1]",
+        weights->At(i).Fail("is " + ShortNumber(polyline.weights[i]) + ", not in [0, 1]",
                             "use 1 for a certain point and 0 for one to be ignored");
       }
     }

@@ -19,6 +19,7 @@
 
 #include "itkASCIICharacter.h"
 #include "itkAnnotationText.h"
+#include "itkAppendWarning.h"
 #include "itkDentalInputError.h"
 #include "itkLowerCase.h"
 #include "itkTextFile.h"
@@ -425,8 +426,8 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
       // Excel's own word is no title.
       if (LowerCase(trimmed.substr(0, 4)) != "sep=" && !BeginsWithNumberSign(line))
       {
-        warnings.push_back(fileName + ": line " + std::to_string(lineNumber) +
-                           ": taken for a title, as a header follows");
+        AppendWarning(
+          warnings, fileName, "line " + std::to_string(lineNumber) + ": taken for a title, as a header follows");
       }
       continue;
     }

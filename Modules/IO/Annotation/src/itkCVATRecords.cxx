@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkCVATRecords.h"
 
+#include "itkAppendWarning.h"
 #include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkForeignAnnotationRecords.h"
@@ -326,7 +327,7 @@ ReadMask(const std::string & fileName, const Shape & shape, const std::string & 
     const RunLengthMask          mask(runs, box, *records.imageSize);
     if (AppendMaskOutlines(mask.GetImage(), mask.GetOffset(), shape.field, label, records))
     {
-      records.warnings.push_back(fileName + ": " + shape.field + ": specks are left out beside the mask");
+      AppendWarning(records.warnings, fileName, shape.field + ": specks are left out beside the mask");
     }
   }
   catch (const std::invalid_argument & error)
@@ -387,8 +388,10 @@ ReadCVATRecords(const std::string & fileName, const std::string & imageName)
       const std::string name = ChoosePointLabel(shape.labels);
       if (points.size() > 1)
       {
-        records.warnings.push_back(fileName + ": " + shape.field + ": \"" + name + "\" is " +
-                                   std::to_string(points.size()) + " points, the first is taken");
+        AppendWarning(records.warnings,
+                      fileName,
+                      shape.field + ": \"" + name + "\" is " + std::to_string(points.size()) +
+                        " points, the first is taken");
       }
       records.landmarks.push_back({ shape.field, name, points.front() });
     }
@@ -398,8 +401,9 @@ ReadCVATRecords(const std::string & fileName, const std::string & imageName)
     }
     else
     {
-      records.warnings.push_back(fileName + ": " + shape.field + ": a shape <" + shape.kind.substr(0, 40) +
-                                 "> is no contour, ignored");
+      AppendWarning(records.warnings,
+                    fileName,
+                    shape.field + ": a shape <" + shape.kind.substr(0, 40) + "> is no contour, ignored");
     }
   }
   return records;

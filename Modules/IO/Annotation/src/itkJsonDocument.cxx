@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkJsonDocument.h"
 
+#include "itkAppendWarning.h"
 #include "itkDentalInputError.h"
 #include "itkTextFile.h"
 
@@ -65,6 +66,9 @@ struct JsonNode::Storage
 namespace
 {
 constexpr std::size_t MaximumDepth = 64;
+/** Of texts, arrays and objects. A tracing of the most points has a tenth; of a file of empty ones each takes 120
+ * bytes. */
+constexpr std::size_t MaximumNumberOfParts = 3000000;
 constexpr std::size_t MaximumQuote = 60;
 
 /** What may stand in a one-line message: printable, short. */
@@ -230,6 +234,14 @@ private:
   TValue &
   Add(TKind kind)
   {
+    const bool isPart = kind == TKind::String || kind == TKind::Array || kind == TKind::Object;
+    if (isPart && ++m_NumberOfParts > MaximumNumberOfParts)
+    {
+      itkDentalInputErrorMacro(m_FileName,
+                               this->Path(),
+                               "has more than " + std::to_string(MaximumNumberOfParts) + " texts, arrays and objects",
+                               "check that this is the right file");
+    }
     TValue * value = &m_Root;
     if (!m_Open.empty())
     {
@@ -275,6 +287,7 @@ private:
   }
 
   TValue &                           m_Root;
+  std::size_t                        m_NumberOfParts{ 0 };
   const std::string &                m_Text;
   const std::string &                m_FileName;
   std::vector<TValue *>              m_Open;
@@ -466,7 +479,7 @@ JsonNode::Fail(const std::string & problem, const std::string & remedy) const
 void
 JsonNode::Warn(const std::string & text) const
 {
-  m_Storage->warnings.push_back(m_Storage->fileName + (m_Path.empty() ? "" : ": " + m_Path) + ": " + text);
+  AppendWarning(m_Storage->warnings, m_Storage->fileName, (m_Path.empty() ? "" : m_Path + ": ") + text);
 }
 
 JsonDocument

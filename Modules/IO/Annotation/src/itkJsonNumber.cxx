@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkJsonNumber.h"
 
+#include "itkShortNumber.h"
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -28,7 +29,7 @@ JsonNumber(double value)
 {
   if (!std::isfinite(value))
   {
-    throw std::invalid_argument("JSON has no number for " + std::to_string(value));
+    throw std::invalid_argument("JSON has no number for " + ShortNumber(value));
   }
   char       buffer[32];
   const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value);

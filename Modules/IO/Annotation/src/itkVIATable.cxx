@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkVIATable.h"
 
+#include "itkAppendWarning.h"
 #include "itkAnnotationText.h"
 #include "itkDentalInputError.h"
 #include "itkForeignAnnotationRecords.h"
@@ -145,7 +146,7 @@ ReadRegion(const std::string & fileName, const Row & row, AnnotationRecords & re
     ReadVIARegion(document.GetRoot(), records);
     for (const std::string & warning : document.GetWarnings())
     {
-      records.warnings.push_back(fileName + ": " + row.field + warning.substr(fileName.size()));
+      AppendWarning(records.warnings, fileName, row.field + warning.substr(fileName.size()));
     }
   }
   catch (const DentalInputError & error)

@@ -21,12 +21,12 @@
 
 #include "itkDecoderProtocol.h"
 #include "itkDicomImageIO.h"
+#include "itkTIFFPictureIO.h"
 
 #include "itkBMPImageIO.h"
 #include "itkMetaDataObject.h"
 #include "itkMetaImageIO.h"
 #include "itkNrrdImageIO.h"
-#include "itkTIFFImageIO.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -131,7 +131,7 @@ MakeDecoder(const std::string & format)
 {
   if (format == "TIFF")
   {
-    return itk::TIFFImageIO::New().GetPointer();
+    return itk::TIFFPictureIO::New().GetPointer();
   }
   if (format == "BMP")
   {

@@ -34,6 +34,7 @@ struct ErrorManager
   std::jmp_buf   escape;
   char           message[JMSG_LENGTH_MAX];
   bool           isDamaged;
+  bool           needsMemory;
 };
 
 /** libjpeg wants this not to return; nothing with a destructor lies between here and the setjmp. */
@@ -86,6 +87,25 @@ CountScans(j_common_ptr info)
   }
 }
 
+/** A picture that comes in steps is put together in memory, two bytes a value of each of its colours before it is one:
+ * 10,000 x 10,000 in three colours fit, of which all that is done with them fits into a gigabyte. */
+constexpr std::size_t LargestCoefficients = std::size_t{ 600 } << 20;
+
+std::size_t
+CountBytesOfCoefficients(jpeg_decompress_struct & info)
+{
+  std::size_t bytes = 0;
+  if (jpeg_has_multiple_scans(&info) != FALSE)
+  {
+    for (int i = 0; i < info.num_components; ++i)
+    {
+      const jpeg_component_info & component = info.comp_info[i];
+      bytes += std::size_t{ component.width_in_blocks } * component.height_in_blocks * sizeof(JBLOCK);
+    }
+  }
+  return bytes;
+}
+
 /** Plain C inside, so that a jump skips no destructor. */
 void
 Decode(ErrorManager &        manager,
@@ -112,7 +132,16 @@ Decode(ErrorManager &        manager,
   info.progress = &progress;
   jpeg_mem_src(&info, bytes, static_cast<unsigned long>(count));
   jpeg_read_header(&info, TRUE);
-  if (info.image_height == 0 || info.image_width <= maximumNumberOfPixels / info.image_height)
+  const std::size_t coefficients = CountBytesOfCoefficients(info);
+  if (coefficients > LargestCoefficients)
+  {
+    manager.needsMemory = true;
+    std::snprintf(manager.message,
+                  sizeof(manager.message),
+                  "comes in steps, which take %lu MiB to be put together (one that is not progressive takes none)",
+                  static_cast<unsigned long>(coefficients >> 20));
+  }
+  else if (info.image_height == 0 || info.image_width <= maximumNumberOfPixels / info.image_height)
   {
     jpeg_start_decompress(&info);
     if (std::size_t{ info.output_width } * static_cast<std::size_t>(info.output_components) <= rowSize)
@@ -136,6 +165,8 @@ FindDefectOfJPEG(const unsigned char * bytes, std::size_t count, std::size_t max
   std::vector<unsigned char> row(65535u * 10u);
   ErrorManager               manager{};
   Decode(manager, bytes, count, maximumNumberOfPixels, row.data(), row.size());
-  return manager.isDamaged ? std::string(manager.message) : std::string();
+  return manager.needsMemory ? std::string(manager.message)
+         : manager.isDamaged ? "is damaged: " + std::string(manager.message)
+                             : std::string();
 }
 } // namespace itk

@@ -201,15 +201,19 @@ Unpack(std::string_view packed, std::size_t most, std::string & problem)
   stream.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(packed.data()));
   stream.avail_in = static_cast<uInt>(packed.size());
   problem.clear();
-  int result = Z_OK;
-  while (unpacked.size() < most)
+  int         result = Z_OK;
+  std::size_t count = 0;
+  while (count < most)
   {
-    const std::size_t before = unpacked.size();
-    unpacked.resize(std::min(most, before + (std::size_t{ 1 } << 20)));
-    stream.next_out = reinterpret_cast<Bytef *>(&unpacked[before]);
-    stream.avail_out = static_cast<uInt>(unpacked.size() - before);
+    if (count == unpacked.size())
+    {
+      unpacked.resize(std::min(most, count + (std::size_t{ 1 } << 20)));
+    }
+    // What room there is stays from part to part: a million parts without a byte would clear it as often.
+    stream.next_out = reinterpret_cast<Bytef *>(&unpacked[count]);
+    stream.avail_out = static_cast<uInt>(unpacked.size() - count);
     result = ::inflate(&stream, Z_NO_FLUSH);
-    unpacked.resize(unpacked.size() - stream.avail_out);
+    count = unpacked.size() - stream.avail_out;
     if (result == Z_STREAM_END)
     {
       // What follows is a further part, or what somebody has added, which gzip leaves out.
@@ -226,6 +230,7 @@ Unpack(std::string_view packed, std::size_t most, std::string & problem)
     }
   }
   ::inflateEnd(&stream);
+  unpacked.resize(count);
   return unpacked;
 }
 

@@ -23,6 +23,7 @@
 #include "itkNiftiPictureIO.h"
 #include "itkPictureSizeCheck.h"
 #include "itkRadiographImageIO.h"
+#include "itkTIFFLayoutEntry.h"
 
 #include <algorithm>
 #include <limits>
@@ -50,20 +51,6 @@ GetOrientationBehindITK(unsigned int orientation)
 {
   constexpr unsigned int left[] = { 1, 1, 1, 1, 5, 7, 5, 7 };
   return left[orientation - 1];
-}
-
-IOComponentEnum
-GetComponentTypeOf(const TIFFLayout & layout)
-{
-  switch (layout.bits)
-  {
-    case 8:
-      return layout.isSigned ? IOComponentEnum::CHAR : IOComponentEnum::UCHAR;
-    case 16:
-      return layout.isSigned ? IOComponentEnum::SHORT : IOComponentEnum::USHORT;
-    default:
-      return layout.isSigned ? IOComponentEnum::INT : IOComponentEnum::UINT;
-  }
 }
 
 /** Where the pixels of an upright row stand among those of the file. */
@@ -216,46 +203,31 @@ RadiographFile::ReadInformation(const std::string & bytes, PaletteEnum palette)
     m_TextHeader = GetRadiographTextHeader(bytes);
   }
   m_IsOfPlainArray = m_Format == Format::NIfTI && NiftiPictureIO::IsOfPlainArray(bytes);
-  if (m_Format == Format::TIFF)
-  {
-    m_TIFF = LoadTIFFReader().readLayout(m_Memory.GetName());
-    m_Orientation = m_TIFF ? m_TIFF->orientation : 1;
-  }
-  if (m_TIFF && m_TIFF->isInteger && m_TIFF->bits > 32)
-  {
-    // numpy's whole numbers, where nobody says otherwise.
-    itkDentalInputErrorMacro(m_FileName,
-                             "BitsPerSample",
-                             "is " + std::to_string(m_TIFF->bits) + ", and whole numbers of up to 32 bits are read",
-                             "save it with 8, 16 or 32 bits (numpy: astype(\"uint16\"))");
-  }
-  if (m_TIFF && m_TIFF->HasNumbers() && (m_TIFF->isGrey || palette == PaletteEnum::Numbers))
-  {
-    if (!m_TIFF->isCodedAsUsual)
-    {
-      itkDentalInputErrorMacro(m_FileName,
-                               "",
-                               "is a TIFF compressed in an unusual way, which is not read",
-                               "save it with LZW, or uncompressed");
-    }
-    m_StoredSize = { { m_TIFF->width, m_TIFF->height } };
-    m_Frames = m_TIFF->pages;
-    m_Components = m_TIFF->samples;
-    m_ComponentType = GetComponentTypeOf(*m_TIFF);
-    return;
-  }
-  if (m_TIFF && m_TIFF->isGrey && m_TIFF->samples > 1)
-  {
-    // ITK takes the values of one pixel for those of several.
-    itkDentalInputErrorMacro(m_FileName,
-                             "",
-                             "is grey with " + std::to_string(m_TIFF->samples) +
-                               " values a pixel of a kind that is not read",
-                             "export it in grey alone");
-  }
   m_ImageIO = MakeRadiographImageIO(m_Format, m_Memory);
   m_ImageIO->SetExpandRGBPalette(palette == PaletteEnum::Colours);
   m_ImageIO->ReadImageInformation();
+  if (m_Format == Format::TIFF)
+  {
+    m_TIFF = FindTIFFLayout(m_ImageIO->GetMetaDataDictionary());
+    m_Orientation = m_TIFF ? m_TIFF->orientation : 1;
+    m_IsTurnedByITK = !m_TIFF || !m_TIFF->IsReadAsNumbers(palette == PaletteEnum::Colours);
+    if (m_TIFF && m_TIFF->IsOfMoreBits())
+    {
+      // numpy's whole numbers, where nobody says otherwise.
+      itkDentalInputErrorMacro(m_FileName,
+                               "BitsPerSample",
+                               "is " + std::to_string(m_TIFF->bits) + ", and whole numbers of up to 32 bits are read",
+                               "save it with 8, 16 or 32 bits (numpy: astype(\"uint16\"))");
+    }
+    if (m_TIFF && m_TIFF->IsOfUnreadValues())
+    {
+      itkDentalInputErrorMacro(m_FileName,
+                               "",
+                               "is grey with " + std::to_string(m_TIFF->samples) +
+                                 " values a pixel of a kind that is not read",
+                               "export it in grey alone");
+    }
+  }
   for (unsigned int i = 0; i < m_ImageIO->GetNumberOfDimensions(); ++i)
   {
     const SizeValueType count = m_ImageIO->GetDimensions(i);
@@ -289,11 +261,6 @@ RadiographFile::Decode() const
 {
   std::vector<char> pixels;
   CallRadiographImageIO(m_FileName, ToString(m_Format), [&] {
-    if (!m_ImageIO)
-    {
-      pixels = LoadTIFFReader().readNumbers(m_Memory.GetName(), *m_TIFF);
-      return;
-    }
     if (GetTraits(m_ComponentType).copy == nullptr)
     {
       throw std::invalid_argument("unknown pixel type");
@@ -321,8 +288,7 @@ void
 RadiographFile::ForEachRow(const std::vector<char> & pixels, const RowFunctionType & take) const
 {
   const auto          copy = GetTraits(m_ComponentType).copy;
-  const bool          byITK = m_Format == Format::TIFF && m_ImageIO;
-  const unsigned int  orientation = byITK ? GetOrientationBehindITK(m_Orientation) : m_Orientation;
+  const unsigned int  orientation = m_IsTurnedByITK ? GetOrientationBehindITK(m_Orientation) : m_Orientation;
   std::vector<double> row(m_Size[0] * m_Components);
   for (std::size_t v = 0; v < m_Size[1]; ++v)
   {

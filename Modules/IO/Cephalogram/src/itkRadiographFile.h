@@ -110,7 +110,7 @@ public:
   {
     return m_IsOfPlainArray;
   }
-  /** For the header of formats that have one, which TIFF has not; may be null. */
+  /** For the header of formats that have one. */
   ImageIOBase *
   GetImageIO() const
   {
@@ -136,8 +136,7 @@ private:
   std::string               m_TextHeader;
   RadiographFileFormatEnum  m_Format{ RadiographFileFormatEnum::PNG };
   std::optional<TIFFLayout> m_TIFF;
-  /** Null where the pixels are read without it. */
-  ImageIOBase::Pointer m_ImageIO;
+  ImageIOBase::Pointer      m_ImageIO;
   /** As it is stored, then upright. */
   Size<2>         m_StoredSize{ { 0, 0 } };
   Size<2>         m_Size{ { 0, 0 } };

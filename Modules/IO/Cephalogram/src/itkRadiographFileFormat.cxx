@@ -118,6 +118,7 @@ PNGIsComplete(Bytes bytes)
   bool               hasData = false;
   unsigned int       depth = 0;
   unsigned int       colourType = 0;
+  std::size_t        longestData = 0;
   while (position + 12 <= bytes.size())
   {
     const std::size_t length = BigEndian32(bytes, position);
@@ -150,6 +151,16 @@ PNGIsComplete(Bytes bytes)
       {
         return false;
       }
+      // Of one chunk, as libpng has it, which prints about a longer one: all pixels as they are, and what packing adds.
+      const std::size_t row = std::size_t{ width } *
+                                (colourType == 2   ? 3
+                                 : colourType == 4 ? 2
+                                 : colourType == 6 ? 4
+                                                   : 1) *
+                                (depth > 8 ? 2 : 1) +
+                              (bytes[position + 20] == 1 ? 7 : 1);
+      const std::size_t pixels = row * height;
+      longestData = std::max<std::size_t>(8000000, pixels + 6 + 5 * (pixels / std::min<std::size_t>(row, 32566) + 1));
     }
     else if (type == "PLTE")
     {
@@ -162,7 +173,7 @@ PNGIsComplete(Bytes bytes)
     }
     else if (type == "IDAT")
     {
-      if (colourType == 3 && colours == 0)
+      if ((colourType == 3 && colours == 0) || length > longestData)
       {
         return false;
       }
@@ -622,28 +633,40 @@ DetectRadiographFileFormat(const std::string & fileName, std::string_view bytes)
 void
 KeepChunksOfPixels(std::string & bytes, bool hasTransparency)
 {
-  // The header, whose chunk is the first, has the kind of colours in its tenth byte.
+  // The header, whose chunk is the first, has the bits of a value in its ninth byte and the kind of colours in its
+  // tenth.
   constexpr std::size_t kind = 8 + 8 + 9;
+  const unsigned int    largest = bytes.size() > kind && bytes[kind - 1] < 16 ? (1u << bytes[kind - 1]) - 1 : 65535u;
   std::size_t           kept = std::min<std::size_t>(bytes.size(), 8);
   std::size_t           colours = 0;
+  bool                  hasData = false;
+  bool                  hasSpacing = false;
   for (std::size_t position = kept; position + 12 <= bytes.size();)
   {
-    const std::size_t      count = BigEndian32(Bytes(bytes), position);
+    const Bytes            view(bytes);
+    const std::size_t      count = BigEndian32(view, position);
     const std::size_t      length = std::min(count + 12, bytes.size() - position);
-    const std::string_view type = std::string_view(bytes).substr(position + 4, 4);
-    bool                   isKept = type == "IHDR" || type == "PLTE" || type == "IDAT" || type == "IEND";
+    const std::string_view type = view.substr(position + 4, 4);
+    bool                   isKept = type == "IHDR" || type == "IDAT" || type == "IEND";
+    hasData = hasData || type == "IDAT";
+    // What libpng finds odd it prints: a palette of no use, values beyond the largest, what is there twice or too late.
     if (type == "PLTE")
     {
+      isKept = bytes[kind] == 3;
       colours = count / 3;
     }
     else if (type == "pHYs")
     {
-      isKept = count == 9;
+      isKept = count == 9 && !hasSpacing && !hasData;
+      hasSpacing = hasSpacing || isKept;
     }
-    else if (type == "tRNS" && hasTransparency)
+    else if (type == "tRNS" && hasTransparency && !hasData)
     {
-      isKept = bytes[kind] == 0   ? count == 2
-               : bytes[kind] == 2 ? count == 6
+      const auto isInRange = [&view, position, largest](std::size_t i) {
+        return (unsigned{ view[position + 8 + 2 * i] } << 8) + view[position + 9 + 2 * i] <= largest;
+      };
+      isKept = bytes[kind] == 0   ? count == 2 && isInRange(0)
+               : bytes[kind] == 2 ? count == 6 && isInRange(0) && isInRange(1) && isInRange(2)
                                   : bytes[kind] == 3 && count > 0 && count <= colours;
       hasTransparency = !isKept;
     }
@@ -708,7 +731,7 @@ VerifyRadiographFileIsComplete(const std::string &      fileName,
       FindDefectOfJPEG(reinterpret_cast<const unsigned char *>(bytes.data()), bytes.size(), maximumNumberOfPixels);
     if (!defect.empty())
     {
-      itkDentalInputErrorMacro(fileName, "", "the JPEG file is damaged: " + defect, "copy or export it again");
+      itkDentalInputErrorMacro(fileName, "", "the JPEG file " + defect, "copy or export it again");
     }
   }
   if (!complete)

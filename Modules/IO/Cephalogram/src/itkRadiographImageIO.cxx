@@ -20,6 +20,7 @@
 #include "itkDecodedImageIO.h"
 #include "itkDentalInputError.h"
 #include "itkNiftiPictureIO.h"
+#include "itkTrimText.h"
 
 #include "itkJPEGImageIO.h"
 #include "itkPNGImageIO.h"
@@ -72,7 +73,7 @@ HideMemory(std::string text)
     const std::size_t end = text.find_first_not_of("0123456789", at + folder.size());
     text.replace(at, std::min(end, text.size()) - at, "it");
   }
-  return text;
+  return TrimText(text);
 }
 } // namespace
 

@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace itk
 {
@@ -42,9 +41,6 @@ struct TIFFLayout
   bool isWhiteIsZero{ false };
   /** Neither is one of colours, which have to be computed. */
   bool isGrey{ false };
-  /** Whether the pixels are packed by none, LZW, Deflate, PackBits or JPEG. Libtiff has a dozen codecs, most of them
-   * rare and other libraries; what whole numbers are decoded by in this process is what scanners and editors write. */
-  bool isCodedAsUsual{ true };
   /** How to turn the picture to see it upright: 1, as it is, to 8. */
   unsigned int orientation{ 1 };
 
@@ -59,18 +55,41 @@ struct TIFFLayout
     const bool hasOpacity = samples == 2 && isGrey && isInterleaved && bits <= 16;
     return (isOne || hasOpacity) && isInteger && (bits == 8 || bits == 16 || bits == 32);
   }
+
+  /** Whether ReadTIFFNumbers() reads it, and not ITK, which makes colours of it. \param expandsPalette  the number of a
+   * palette's colour is not wanted, but the colour */
+  bool
+  IsReadAsNumbers(bool expandsPalette) const
+  {
+    return this->HasNumbers() && (isGrey || !expandsPalette);
+  }
+
+  /** Whether a whole number has more bits than any here reads: ITK 5.2 opens no such file. */
+  bool
+  IsOfMoreBits() const
+  {
+    return isInteger && bits > 32;
+  }
+
+  /** Whether it is grey with values a pixel that nothing here reads: ITK takes those of one pixel for those of several.
+   */
+  bool
+  IsOfUnreadValues() const
+  {
+    return isGrey && samples > 1 && !this->HasNumbers();
+  }
 };
 
 /** \struct TIFFReader
  * \brief What is wanted of libtiff, in a library of its own: it brings seven libraries of codecs, and few radiographs
- * are TIFF files, so that it is loaded for one alone. */
+ * are TIFF files, so that the decoder loads it for one alone. */
 struct TIFFReader
 {
   /** None where libtiff cannot open the file. */
   std::optional<TIFFLayout> (*readLayout)(const std::string & fileName);
-  /** The numbers of such a file as it has them, row by row, those of a pixel side by side. Throws an ExceptionObject
-   * where the file is not whole or has become another one. */
-  std::vector<char> (*readNumbers)(const std::string & fileName, const TIFFLayout & layout);
+  /** The numbers of such a file as it has them, row by row, those of a pixel side by side; there has to be room for all
+   * of them. Throws an ExceptionObject where the file is not whole or has become another one. */
+  void (*readNumbers)(const std::string & fileName, const TIFFLayout & layout, char * values);
 };
 
 /** Loads libtiff on the first call, for as long as the process lasts. Throws an ExceptionObject where it cannot. */

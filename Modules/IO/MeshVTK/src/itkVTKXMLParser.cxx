@@ -103,6 +103,11 @@ DecodeBase64(const std::string & text, std::size_t & position, std::size_t large
   return bytes;
 }
 
+/** The elements of a surface are some dozens, five within each other. Expat has a hundred bytes for each that is open.
+ */
+constexpr unsigned int MaximumDepth = 64;
+constexpr std::size_t  MaximumNumberOfElements = 100000;
+
 class XMLParser
 {
 public:
@@ -140,11 +145,17 @@ public:
     XML_SetUserData(m_Parser, this);
     XML_SetElementHandler(m_Parser, Start, End);
     XML_SetCharacterDataHandler(m_Parser, Text);
+    XML_SetStartDoctypeDeclHandler(m_Parser, DocumentType);
     bool                  good = true;
-    constexpr std::size_t piece = std::size_t{ 1 } << 24;
+    constexpr std::size_t piece = std::size_t{ 1 } << 20;
     for (std::size_t at = 0; good && at < end; at += piece)
     {
       good = XML_Parse(m_Parser, m_Bytes.data() + at, static_cast<int>(std::min(piece, end - at)), 0) == XML_STATUS_OK;
+      // Expat keeps what it has not understood yet, a tag of a hundred million attributes say, and then all of these.
+      if (good && static_cast<std::size_t>(XML_GetCurrentByteIndex(m_Parser)) + 4 * piece < at)
+      {
+        throw VTKFileError("line " + std::to_string(XML_GetCurrentLineNumber(m_Parser)), "holds a tag of megabytes");
+      }
     }
     good = good && XML_Parse(m_Parser, tail.data(), static_cast<int>(tail.size()), 1) == XML_STATUS_OK;
     if (m_Error)
@@ -173,6 +184,12 @@ private:
   End(void * self, const XML_Char * name)
   {
     static_cast<XMLParser *>(self)->Guard([&](XMLParser & p) { p.EndElement(name); });
+  }
+  static void XMLCALL
+  DocumentType(void * self, const XML_Char *, const XML_Char *, const XML_Char *, int)
+  {
+    static_cast<XMLParser *>(self)->Guard(
+      [](XMLParser &) { throw VTKFileError("DOCTYPE", "is there, which no VTK file has"); });
   }
   static void XMLCALL
   Text(void * self, const XML_Char * text, int length)
@@ -208,6 +225,13 @@ private:
   void
   StartElement(const std::string & name, const XML_Char ** list)
   {
+    if (++m_Depth > MaximumDepth || ++m_Elements > MaximumNumberOfElements)
+    {
+      throw VTKFileError("line " + std::to_string(XML_GetCurrentLineNumber(m_Parser)),
+                         m_Depth > MaximumDepth
+                           ? "is nested deeper than " + std::to_string(MaximumDepth) + " elements"
+                           : "has more than " + std::to_string(MaximumNumberOfElements) + " elements");
+    }
     AttributesType attributes;
     for (; *list != nullptr; list += 2)
     {
@@ -259,6 +283,7 @@ private:
   void
   EndElement(const std::string & name)
   {
+    --m_Depth;
     if (m_Inner > 0)
     {
       --m_Inner;
@@ -618,6 +643,8 @@ private:
   VTKSurfaceParts::CellsType m_Cells;
   bool                       m_InArray{ false };
   unsigned int               m_Inner{ 0 };
+  unsigned int               m_Depth{ 0 };
+  std::size_t                m_Elements{ 0 };
   AttributesType             m_Array;
   std::string                m_Text;
   std::string                m_Field;

@@ -859,8 +859,9 @@ ToothOutlinePoseMetricv4::AddSquaredMotion(const PositionType & from,
 std::vector<ToothOutlinePoseMetricv4::ResidualType>
 ToothOutlinePoseMetricv4::ComputeOutlineResiduals(const PositionType & x) const
 {
-  const PoseGeometry &      geometry = this->GetTransform()->GetPoseGeometry();
+  // First what says that the metric isn't prepared: one that is has a transform.
   const auto &              teeth = this->EvaluateAll(x);
+  const PoseGeometry &      geometry = this->GetTransform()->GetPoseGeometry();
   const auto                noises = this->ComputeNoises(teeth, 0.0);
   std::vector<ResidualType> residuals;
   for (std::size_t t = 0; t < teeth.size(); ++t)
@@ -888,8 +889,9 @@ std::vector<std::pair<ToothOutlinePoseMetricv4::TransformType::InputPointType,
 ToothOutlinePoseMetricv4::GetCorrespondences() const
 {
   std::vector<std::pair<TransformType::InputPointType, TransformType::OutputPointType>> correspondences;
+  const TeethType &                                                                     teeth = this->GetTeeth();
   const PoseGeometry & geometry = this->GetTransform()->GetPoseGeometry();
-  for (const ToothType & tooth : this->GetTeeth())
+  for (const ToothType & tooth : teeth)
   {
     std::array<double, 2> middle{};
     for (const auto & p : tooth.outline->GetPoints())

@@ -19,6 +19,7 @@
 
 #include "itkPoseFrameOperations.h"
 #include "itkSurfaceParts.h"
+#include "itkShortNumber.h"
 
 #include <algorithm>
 #include <cmath>
@@ -254,9 +255,9 @@ CheckGeometry(const PoseGeometry & geometry)
 {
   if (!(geometry.sourceToMidsagittal > 0.0) || !(geometry.sourceToDetector > geometry.sourceToMidsagittal))
   {
-    throw PoseGeometryError("source-to-midsagittal distance " + std::to_string(geometry.sourceToMidsagittal) +
+    throw PoseGeometryError("source-to-midsagittal distance " + ShortNumber(geometry.sourceToMidsagittal) +
                             " mm must be positive and smaller than the source-to-detector distance " +
-                            std::to_string(geometry.sourceToDetector) + " mm");
+                            ShortNumber(geometry.sourceToDetector) + " mm");
   }
   if (!(geometry.pixelSpacing[0] > 0.0) || !(geometry.pixelSpacing[1] > 0.0))
   {

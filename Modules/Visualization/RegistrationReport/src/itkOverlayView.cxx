@@ -32,22 +32,38 @@ namespace
 {
 using RoleEnum = OverlayScene::RoleEnum;
 
-/** A path of more segments than any outline has is drawn in pieces: the library looks for all crossings of a path's
- * segments, which of a scribble of a million points takes hours. */
-constexpr std::size_t LongestPath = 20000;
-constexpr std::size_t PieceOfPath = 1000;
+/** A path of more segments than a person draws is drawn in pieces: the library looks for all crossings of a path's
+ * segments, which of a scribble of 10,000 take a minute, and of a million hours. */
+constexpr std::size_t LongestPath = 2000;
+constexpr std::size_t PieceOfPath = 50;
+/** Pixels along all contours of a role; outlines of all teeth have a twentieth. The lines of as many cover a picture,
+ * and what would be drawn over them takes minutes. */
+constexpr double LongestInk = 1e6;
 
-/** Draws the strokes of a contour, clipped: the library's coordinates are of 24 bits. */
+/** Draws the strokes of a contour, clipped: the library's coordinates are of 24 bits. \param ink  how long all is that
+ * was drawn so far */
 void
-StrokeContour(Canvas & canvas, const OverlayScene::ContourType & contour, const Mapping & map, const Box & box)
+StrokeContour(Canvas &                          canvas,
+              const OverlayScene::ContourType & contour,
+              const Mapping &                   map,
+              const Box &                       box,
+              const Colour &                    colour,
+              double                            alpha,
+              double &                          ink)
 {
   std::size_t total = 0;
   for (const OverlayScene::StrokeType & stroke : contour.strokes)
   {
     total += stroke.points.size();
   }
-  const std::size_t longest = total > LongestPath ? PieceOfPath : LongestPath;
-  std::size_t       segments = 0;
+  const bool isInPieces = total > LongestPath;
+  if (isInPieces)
+  {
+    // Opaque first and all of it made lighter then, so that where pieces overlap is not to be seen.
+    cairo_push_group(canvas.Get());
+  }
+  canvas.SetColour(colour, isInPieces ? 1.0 : alpha);
+  std::size_t segments = 0;
   cairo_new_path(canvas.Get());
   for (const OverlayScene::StrokeType & stroke : contour.strokes)
   {
@@ -63,14 +79,16 @@ StrokeContour(Canvas & canvas, const OverlayScene::ContourType & contour, const 
       }
       PixelPoint a = map(from);
       PixelPoint b = map(to);
-      if (!ClipSegment(a, b, box))
+      if (ink > LongestInk || !ClipSegment(a, b, box))
       {
         continue;
       }
-      if (++segments > longest)
+      ink += std::hypot(b[0] - a[0], b[1] - a[1]);
+      if (isInPieces && segments == PieceOfPath)
       {
         cairo_stroke(canvas.Get());
-        segments = 1;
+        segments = 0;
+        // Ends and corners are round both, so that a corner between two pieces is one.
         pen = { -1e9, -1e9 };
       }
       if (a != pen)
@@ -78,10 +96,16 @@ StrokeContour(Canvas & canvas, const OverlayScene::ContourType & contour, const 
         cairo_move_to(canvas.Get(), a[0], a[1]);
       }
       cairo_line_to(canvas.Get(), b[0], b[1]);
+      ++segments;
       pen = b;
     }
   }
   cairo_stroke(canvas.Get());
+  if (isInPieces)
+  {
+    cairo_pop_group_to_source(canvas.Get());
+    cairo_paint_with_alpha(canvas.Get(), alpha);
+  }
 }
 
 /** Points without a neighbour. */
@@ -135,15 +159,15 @@ DrawContours(Canvas & canvas, const OverlayScene & scene, const Mapping & map, c
     const PenType pen = PenOf(role);
     for (const bool halo : { true, false })
     {
+      double ink = 0.0;
       for (const OverlayScene::ContourType & contour : scene.contours)
       {
         if (contour.role != role)
         {
           continue;
         }
-        canvas.SetColour(halo ? Black : pen.colour, halo ? 0.4 : pen.alpha);
         cairo_set_line_width(canvas.Get(), thickness * (pen.width + (halo ? 1.6 : 0.0)));
-        StrokeContour(canvas, contour, map, box.Grown(64.0));
+        StrokeContour(canvas, contour, map, box.Grown(64.0), halo ? Black : pen.colour, halo ? 0.4 : pen.alpha, ink);
         if (!halo)
         {
           DotLonePoints(canvas, contour, map, box, thickness * 2.5, pen.colour);

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkSceneDetector.h"
 
+#include "itkShortNumber.h"
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -29,7 +30,7 @@ SceneDetector::SceneDetector(const ProjectionType & projection, double sourceToD
 {
   if (!(sourceToDetector > 0.0) || !std::isfinite(sourceToDetector))
   {
-    throw std::invalid_argument("the source-to-detector distance is " + std::to_string(sourceToDetector) +
+    throw std::invalid_argument("the source-to-detector distance is " + ShortNumber(sourceToDetector) +
                                 " mm, not above 0");
   }
   auto &       p = m_Projection;
