@@ -138,9 +138,11 @@ private:
   std::optional<TIFFLayout> m_TIFF;
   ImageIOBase::Pointer      m_ImageIO;
   /** As it is stored, then upright. */
-  Size<2>         m_StoredSize{ { 0, 0 } };
-  Size<2>         m_Size{ { 0, 0 } };
-  unsigned int    m_Orientation{ 1 };
+  Size<2>      m_StoredSize{ { 0, 0 } };
+  Size<2>      m_Size{ { 0, 0 } };
+  unsigned int m_Orientation{ 1 };
+  /** Whether ITK has turned the picture already, as far as it does. */
+  bool            m_IsTurnedByITK{ false };
   bool            m_IsOfPlainArray{ false };
   SizeValueType   m_Frames{ 1 };
   unsigned int    m_Components{ 1 };
