@@ -17,6 +17,9 @@
  *=========================================================================*/
 #include "itkAnnotationFileReaderBase.h"
 
+#include "itkMakeUTF8.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace itk
@@ -71,12 +74,14 @@ AnnotationFileReaderBase::StartReading(FileFormatEnum readFormat, std::vector<st
 {
   m_ReadFileFormat = readFormat;
   m_Warnings = std::move(warnings);
+  // They repeat what stands in files.
+  std::transform(m_Warnings.begin(), m_Warnings.end(), m_Warnings.begin(), MakeUTF8);
 }
 
 void
 AnnotationFileReaderBase::Warn(const std::string & field, const std::string & text)
 {
-  m_Warnings.push_back(m_FileName + ": " + field + ": " + text);
+  m_Warnings.push_back(MakeUTF8(m_FileName + ": " + field + ": " + text));
 }
 
 double
