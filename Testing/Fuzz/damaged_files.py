@@ -334,7 +334,7 @@ def images():
     yield "TIFF: a directory behind the end", "a.tif", put(tif, 4, "<I", 10**9), ("the TIFF file of 1146 bytes is truncated or damaged",)
     yield "TIFF: a strip behind the end", "a.tif", edit(tif, struct.pack("<HHII", 273, 4, 1, 8), struct.pack("<HHII", 273, 4, 1, 10**6)), ("the TIFF file of 1146 bytes is truncated or damaged",)
     yield "TIFF: a width of 0", "a.tif", edit(tif, struct.pack("<HHII", 256, 3, 1, 32), struct.pack("<HHII", 256, 3, 1, 0)), ("cannot be read as TIFF: TIFFImageIO: Cannot open file",)
-    yield "TIFF: 77 bits", "a.tif", edit(tif, struct.pack("<HHII", 258, 3, 1, 8), struct.pack("<HHII", 258, 3, 1, 77)), ("cannot be read as TIFF: TIFFImageIO: Unable to read",)
+    yield "TIFF: 77 bits", "a.tif", edit(tif, struct.pack("<HHII", 258, 3, 1, 8), struct.pack("<HHII", 258, 3, 1, 77)), ("BitsPerSample", "is 77, and whole numbers of up to 32 bits are read", "save it with 8, 16 or 32 bits")
     yield "TIFF: a compression that is none", "a.tif", edit(tif, struct.pack("<HHII", 259, 3, 1, 1), struct.pack("<HHII", 259, 3, 1, 999)), ("cannot be read as TIFF: row 0 cannot be read",)
     nrrd = IMAGES["a.nrrd"]
     yield "NRRD: cut in its pixels", "a.nrrd", nrrd[:-100], ("cannot be read as NRRD: NrrdImageIO: Read: Error",)

@@ -1347,7 +1347,7 @@ class DentalContourFileReader(ProcessObject):
         """
     def GetClassFiles(self) -> list[tuple[str, str]]:
         """
-        Returns the masks or drawn lines by tooth or jaw that are read in place of one file; none by default.
+        Returns the files of one tooth or jaw each (masks, drawn lines, what a program drew) that are read in place of one file; none by default.
         """
     def GetFileFormat(self) -> AnnotationFileFormat:
         """
@@ -1411,7 +1411,7 @@ class DentalContourFileReader(ProcessObject):
         """
     def SetClassFiles(self, files: typing.Sequence[tuple[str, str]]) -> None:
         """
-        Sets the masks or drawn lines by tooth or jaw that are read in place of one file; none by default.
+        Sets the files of one tooth or jaw each (masks, drawn lines, what a program drew) that are read in place of one file; none by default.
         """
     def SetFileFormat(self, format: AnnotationFileFormat | str) -> None:
         """

@@ -84,8 +84,8 @@ def ReadContours(
     ----------
     fileName : path, or a dictionary of paths
         contours.json, files of labelme, CVAT, COCO, VIA, Label Studio, Supervisely or 3D Slicer, a .csv of
-        ``label,x,y``, or a label map of FDI numbers. A dictionary names masks or drawn lines of one tooth or jaw each:
-        ``{"UR1": "mask_ur1.png"}``.
+        ``label,x,y``, or a label map of FDI numbers. A dictionary names files of one tooth or jaw each,
+        masks, drawn lines or what a program drew: ``{"UR1": "mask_ur1.png"}``, ``{"UR1": "UR1.mrk.json"}``.
     imageSize : (width, height), optional
         Of the radiograph, for files that do not say it.
     **settings

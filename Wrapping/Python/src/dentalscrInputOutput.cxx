@@ -245,12 +245,12 @@ WrapInputOutput(py::module_ & module)
     .def("SetClassFiles",
          &ContourReaderType::SetClassFiles,
          py::arg("files"),
-         "Sets the masks or drawn lines by tooth or jaw that are read in place of one file; none by "
-         "default.")
+         "Sets the files of one tooth or jaw each (masks, drawn lines, what a program drew) that are "
+         "read in place of one file; none by default.")
     .def("GetClassFiles",
          &ContourReaderType::GetClassFiles,
-         "Returns the masks or drawn lines by tooth or jaw that are read in place of one file; none "
-         "by default.")
+         "Returns the files of one tooth or jaw each (masks, drawn lines, what a program drew) that "
+         "are read in place of one file; none by default.")
     .def("SetSidelessCodesAreLeft",
          &ContourReaderType::SetSidelessCodesAreLeft,
          py::arg("on"),

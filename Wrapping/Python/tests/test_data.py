@@ -1,5 +1,6 @@
 """Meshes, images, contours, transforms, geometry: what is copied, what is a view, what is refused."""
 import copy
+import json
 import pickle
 
 import numpy as np
@@ -275,6 +276,21 @@ def test_contours_of_other_programs_and_of_masks(ds, tmp_path):
     (tmp_path / "mask.nrrd").write_text(mask)
     contours = ds.ReadContours({"UR1": tmp_path / "mask.nrrd"})
     assert contours.upper.polylines[0].code == "UR1" and contours.upper.polylines[0].closed
+
+    # A curve of 3D Slicer, which saves each in a file of its own and without its name.
+    control = [{"label": f"C-{i}", "position": [i, 2 * i, 0]} for i in range(1, 4)]
+    (tmp_path / "curve.mrk.json").write_text(json.dumps({"markups": [{"type": "Curve", "controlPoints": control}]}))
+    curves = ds.ReadContours({"LR6": tmp_path / "curve.mrk.json"}, imageSize=(100, 200), markupsSpacing=(0.5, 0.5))
+    assert curves.lower.polylines[0].code == "LR6" and curves.lower.points[0].tolist() == [2.0, 4.0]
+
+    # As a spreadsheet of western Europe saves it: neither a warning nor an error has bytes that are no text.
+    (tmp_path / "marks.csv").write_bytes("Punkt;X;Y\nHöcker;1,5;2,5\nU1_tip;10,0;20,0\n".encode("latin-1"))
+    marks = ds.CephalometricLandmarkFileReader()
+    assert len(marks.Execute(tmp_path / "marks.csv")) == 1
+    assert "Höcker" in marks.GetWarnings()[0]
+    (tmp_path / "teeth.csv").write_bytes("Zähne,1,2\n".encode("latin-1"))
+    with pytest.raises(ds.InputError, match="Zähne"):
+        ds.ReadContours(tmp_path / "teeth.csv", imageSize=(100, 200))
 
     # A file that is named afterwards is what is read.
     reader.SetClassFiles([("UR1", str(tmp_path / "mask.nrrd"))])

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkDentalInputError.h"
 
+#include "itkMakeUTF8.h"
+
 namespace itk
 {
 namespace
@@ -46,7 +48,7 @@ JoinToOneLine(const std::string & file,
       character = ' ';
     }
   }
-  return line;
+  return MakeUTF8(line);
 }
 } // namespace
 
@@ -58,9 +60,9 @@ DentalInputError::DentalInputError(const char *        sourceFile,
                                    const std::string & remedy)
   : ExceptionObject(sourceFile, sourceLine, JoinToOneLine(file, field, problem, remedy))
   , m_InputFile(file)
-  , m_Field(field)
-  , m_Problem(problem)
-  , m_Remedy(remedy)
+  , m_Field(MakeUTF8(field))
+  , m_Problem(MakeUTF8(problem))
+  , m_Remedy(MakeUTF8(remedy))
 {}
 
 DentalInputError::~DentalInputError() = default;

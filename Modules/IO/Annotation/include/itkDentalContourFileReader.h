@@ -36,7 +36,7 @@ namespace itk
  * Reads contours.json (Documentation/FileFormats.md) and, as far as they hold curves, Slicer markups, the files of
  * labelme, CVAT, COCO, VIA, Label Studio and Supervisely, CSV with a line `label,x,y` a point, and label maps of FDI
  * numbers. In these a curve's label is its tooth code, which also tells its jaw, or a jaw ("upper", "mandible").
- * SetClassFiles() takes pictures of one tooth or jaw each instead. Labels are read as ToothCode::FromString() does;
+ * SetClassFiles() takes files of one tooth or jaw each instead. Labels are read as ToothCode::FromString() does;
  * curves that are neither tooth nor jaw are left out with a warning that names them, and a file of which nothing is a
  * tooth is an error.
  *
@@ -95,7 +95,8 @@ public:
   void
   SetFileName(const char * fileName) override;
 
-  /** Masks or drawn lines, one a tooth or jaw, in place of one file, whose name is left for messages. Default none. */
+  /** Files of one tooth or jaw each, in place of one file, whose name is left for messages: masks, drawn lines, or what
+   * a program drew, as 3D Slicer saves a curve in a file of its own. Default none. */
   void
   SetClassFiles(const ClassFilesType & files);
   const ClassFilesType &

@@ -18,7 +18,9 @@
 #include "itkAnnotationFileReaderBase.h"
 
 #include "itkAppendWarning.h"
+#include "itkMakeUTF8.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace itk
@@ -73,12 +75,14 @@ AnnotationFileReaderBase::StartReading(FileFormatEnum readFormat, std::vector<st
 {
   m_ReadFileFormat = readFormat;
   m_Warnings = std::move(warnings);
+  // They repeat what stands in files.
+  std::transform(m_Warnings.begin(), m_Warnings.end(), m_Warnings.begin(), MakeUTF8);
 }
 
 void
 AnnotationFileReaderBase::Warn(const std::string & field, const std::string & text)
 {
-  AppendWarning(m_Warnings, m_FileName, field + ": " + text);
+  AppendWarning(m_Warnings, m_FileName, MakeUTF8(field + ": " + text));
 }
 
 double

@@ -22,6 +22,7 @@
 #include "itkAppendWarning.h"
 #include "itkDentalInputError.h"
 #include "itkLowerCase.h"
+#include "itkMakeUTF8.h"
 #include "itkTextFile.h"
 #include "itkTrimText.h"
 
@@ -394,7 +395,7 @@ IsRowOfMakeSense(const std::vector<std::string> & cells)
 std::vector<AnnotationTableRow>
 ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::vector<std::string> & warnings)
 {
-  std::string text = ReadTextFile(fileName, "a CSV file");
+  std::string text = MakeUTF8(ReadTextFile(fileName, "a CSV file"));
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0)
   {
     text.erase(0, 3);

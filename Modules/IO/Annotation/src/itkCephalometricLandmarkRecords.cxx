@@ -25,6 +25,7 @@
 #include "itkJsonDocument.h"
 #include "itkLandmarkEntries.h"
 #include "itkLowerCase.h"
+#include "itkMakeUTF8.h"
 #include "itkTextFile.h"
 #include "itkVIATable.h"
 #include "itkWebCephRecords.h"
@@ -196,7 +197,7 @@ struct Line
 std::vector<Line>
 ReadLines(const std::string & fileName)
 {
-  std::string text = ReadTextFile(fileName, "a text file");
+  std::string text = MakeUTF8(ReadTextFile(fileName, "a text file"));
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0)
   {
     text.erase(0, 3);

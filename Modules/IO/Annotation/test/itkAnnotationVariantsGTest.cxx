@@ -227,6 +227,18 @@ TEST(AnnotationTable, TitlesEmptyRowsBlanksAndRowsOfMakeSense)
   EXPECT_EQ(LandmarkError("a.csv", "U1_tip,10,20,30,40,50\n").GetField(), "line 1");
 }
 
+TEST(AnnotationTable, LettersOfWesternEuropeAreReadAsSpreadsheetsSaveThem)
+{
+  const auto reader = MakeReader<CephalometricLandmarkFileReader>("a.csv",
+                                                                  "Punkt;X;Y\r\nH\xf6"
+                                                                  "cker;1,5;2,5\r\nU1_tip;10,0;20,0\r\n");
+  reader->Update();
+  EXPECT_TRUE(Contains(reader->GetWarnings().at(0),
+                       "left out: H\xc3\xb6"
+                       "cker"));
+  EXPECT_TRUE(Contains(ContourError("a.csv", "Z\xe4hne;1;2\n").GetOneLine(), "Z\xc3\xa4hne"));
+}
+
 TEST(AnnotationTable, ATableOfAnotherFormSaysWhatToWrite)
 {
   const auto remedy = [](const std::string & text) { return LandmarkError("a.csv", text).GetRemedy(); };

@@ -822,7 +822,10 @@ JudgeReadings(const PoseRegistrationResult &          registration,
         StatusEnum::Failed,
         "turned-image",
         "the drawing fits when it is turned by " + code.substr(std::string(TurnedDrawingHypothesis::Code).size()) +
-          " degrees clockwise: was the radiograph turned after, or before, it was drawn on?",
+          " degrees clockwise: was the radiograph turned after, or before, it was drawn on?" +
+          (code == std::string(TurnedDrawingHypothesis::Code) + "180"
+             ? ""
+             : " Or was the row written before the column in its coordinates?"),
         gain);
   }
   else
@@ -832,7 +835,8 @@ JudgeReadings(const PoseRegistrationResult &          registration,
         StatusEnum::Failed,
         "facing",
         std::string("the patient seems to face the other way: check `facing`") +
-          (isTraced ? "" : ", and that v is counted from the top of the radiograph"),
+          (isTraced ? ""
+                    : ", that v is counted from the top of the radiograph, and that u, the column, is written first"),
         gain);
   }
 }
