@@ -134,6 +134,27 @@ def test_a_file_of_millions_of_empty_arrays_is_an_error(program, is_sanitized, c
     assert is_sanitized or done.kibibytes < 1 << 19, done.kibibytes
 
 
+# What stands in the table, and what is said of it as a tracing and as a list of cases.
+LARGE_TABLES = {
+    "commas": (lambda: "," * 30000000, "30000001 columns", "cells"),
+    "a comment of commas": (lambda: "#" + "," * 30000000, "30000001 columns", "cells"),
+    "rows": (lambda: "a,b\n" * 300000, "columns", "300001 rows"),
+}
+
+
+@pytest.mark.parametrize("name", LARGE_TABLES)
+def test_a_table_of_empty_cells_is_an_error(program, is_sanitized, case, tmp_path, name):
+    """Each cell takes memory, empty or not: 32 MiB of commas took 2 GB."""
+    make, *words = LARGE_TABLES[name]
+    table = case.folder / "table.csv"
+    table.write_text("label,x,y\n" + make())
+    case.change(contours="table.csv")
+    for arguments, word in zip((["register", case.file], ["batch", table]), words):
+        done = measure([program, *arguments, "--output", tmp_path / "out", "--quiet"])
+        assert done.returncode == 2 and "table.csv" in done.stderr and word in done.stderr and len(done.stderr) < 600, done.stderr
+        assert is_sanitized or done.kibibytes < 1 << 19, done.kibibytes
+
+
 def test_a_scan_whose_edges_cross_all_over_is_none(program, is_sanitized, case, tmp_path):
     """Where its outline is looked for each edge was held against all that cross it: 10 MB took 6 GB and minutes."""
     places = random.Random(1)

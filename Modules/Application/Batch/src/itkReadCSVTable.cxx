@@ -56,6 +56,21 @@ public:
     {
       itkDentalInputErrorMacro(fileName, "", "is no text: it has bytes of zero", "save it as CSV in UTF-8");
     }
+    // A cell takes thirty bytes, empty or not: of 32 MiB of commas it would be gigabytes.
+    constexpr std::ptrdiff_t mostRows = 200000;
+    constexpr std::ptrdiff_t mostCells = 4000000;
+    const auto               lines = std::count(text.begin(), text.end(), '\n');
+    const auto               parts =
+      std::count_if(text.begin(), text.end(), [](char letter) { return letter == ',' || letter == ';'; });
+    if (lines > mostRows || lines + parts > mostCells)
+    {
+      itkDentalInputErrorMacro(fileName,
+                               "",
+                               "has " + std::to_string(lines) + " rows of " + std::to_string(lines + parts) +
+                                 " cells, more than the " + std::to_string(mostRows) + " rows and " +
+                                 std::to_string(mostCells) + " cells that are read",
+                               "split it into several tables");
+    }
     csv_parser parser;
     if (csv_init(&parser, CSV_APPEND_NULL) != 0)
     {

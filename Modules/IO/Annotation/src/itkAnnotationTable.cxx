@@ -433,6 +433,16 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
       continue;
     }
     const char mark = separator != 0 ? separator : givenSeparator != 0 ? givenSeparator : FindSeparator(line);
+    // A cell takes thirty bytes, empty or not: of 32 MiB of commas it would be a gigabyte.
+    constexpr std::ptrdiff_t mostColumns = 100000;
+    if (const auto parts = std::count(line.begin(), line.end(), mark); parts >= mostColumns)
+    {
+      itkDentalInputErrorMacro(fileName,
+                               "line " + std::to_string(lineNumber),
+                               "has " + std::to_string(parts + 1) + " columns, more than the " +
+                                 std::to_string(mostColumns) + " that are read",
+                               "leave those of the label and its coordinates");
+    }
     const bool hasNumberSign = BeginsWithNumberSign(line);
     if (hasNumberSign && !IsRowOfTooth(SplitLine(line, mark, dimension), columns, dimension))
     {
