@@ -121,12 +121,16 @@ public:
     double templateAcross{ 0.4 };
     /** mm on the detector. */
     double lingual{ 0.5 };
-    /** Along the line, px of 0.25 mm: a drift that is correlated over DriftLength px, and each point's own. */
+    /** Along the line, px of 0.25 mm: a drift that is correlated over DriftLength px, and each point's own, which is
+     * mostly that of its match. Points are matched anew at each position, and between the cusps of a molar, in its
+     * fissures and where the middle of two crowns has a step the match jumps, and its residual with it, by up to a
+     * pixel. With the 0.4 px of a hand alone each such jump would count as evidence: two pixels of the pose change the
+     * squares of a molar by 1, jumps did by 9, and registrations ended in hollows between them. What a tooth says of
+     * the pose is limited by the errors of the whole of it, not by this. */
     double drift{ 1.0 };
-    double jitter{ 0.4 };
-    /** Each point's own on a frontal radiograph. A few points of an edge are matched anew with a curved outline at each
-     * position, which moves their residuals by the hand's distance from it, half a millimetre. With the jitter of a
-     * hand alone each such jump would count as evidence, and steps toward the solution as steps away from it. */
+    double jitter{ 1.0 };
+    /** Each point's own on a frontal radiograph, where a few points of an edge are matched with a curved outline and
+     * jumps are of the hand's distance from it, half a millimetre. */
     double frontalJitter{ 1.5 };
   };
   static constexpr double DriftLength = 15.0; /**< Length over which a hand's drift keeps its sign, px of 0.25 mm. */
@@ -319,16 +323,11 @@ private:
   struct EvaluationType
   {
     PoseContour contour;
-    /** Sample of the contour that each point is matched with, and the one beside it on the way to which its match lies,
-     * by what share of it. */
+    /** Sample of the contour that each point is matched with. */
     std::vector<std::size_t> match;
-    std::vector<std::size_t> beside;
-    std::vector<double>      share;
-    /** The tooth's own errors that are taken from its points before they are matched. */
-    std::array<double, 6> errors{};
-    std::vector<double>   residual;
-    std::vector<double>   nu;
-    std::vector<double>   nv;
+    std::vector<double>      residual;
+    std::vector<double>      nu;
+    std::vector<double>      nv;
     /** 1 where contour and outline face the same way. */
     std::vector<double> facing;
   };
@@ -342,8 +341,6 @@ private:
     std::vector<double> basis;
     /** The tooth's own errors as far as can be told. */
     std::array<double, 6> errors{};
-    /** The same of a tooth that counts as much as it does. */
-    std::array<double, 6> widened{};
     double                weight{ 1.0 };
     /** Which of the tooth's ways. */
     std::size_t way{ 0 };
@@ -353,40 +350,14 @@ private:
     double deviance{ 0.0 };
   };
 
-  /** The contour alone. */
   void
   Evaluate(std::size_t tooth, const PositionType & x, EvaluationType & at) const;
-  /** Matches the outline's points, less the tooth's own errors, with the contour's samples by position and direction.
-   */
+  /** Matches the outline's points, moved back by a shift, with the contour. */
   static void
-  Match(const ToothType & tooth, const PoseContourIndex & index, std::size_t way, EvaluationType & at);
-  /** Of a lateral radiograph: by what a noise says of the tooth's own errors, if there is one. */
-  void
-  MatchOfTooth(const ToothType &        tooth,
-               const PoseContourIndex & index,
-               const NoiseType *        noise,
-               EvaluationType &         at) const;
-  /** Slides each match to the foot of the perpendicular of its point less the tooth's own errors. */
-  static void
-  Slide(const ToothType & tooth, std::size_t way, EvaluationType & at);
-  /** A point less the tooth's own errors. */
-  static std::array<double, 2>
-  ComputeCorrected(const ToothType & tooth, std::size_t way, const std::array<double, 6> & errors, std::size_t point);
-  /** Where the contour a point is matched with. */
-  static std::array<double, 2>
-  GetMatch(const EvaluationType & at, std::size_t point);
-  static void
-  ComputeResidual(const ToothOutline & outline, EvaluationType & at);
-  /** The residuals with the columns of B as they are held: what the tooth's own errors are by the matches' normals is
-   * exchanged for what they are by those of B. */
-  static std::vector<double>
-  ComputeHeldResidual(const ToothType & tooth, const EvaluationType & at, const NoiseType & noise);
-  /** S B' K^-1 r: the tooth's own errors given the residuals. */
-  static std::array<double, 6>
-  ComputeErrors(const ToothType & tooth, const NoiseType & noise, const std::vector<double> & residual);
-  /** Matches and noises that agree with each other. */
-  std::vector<NoiseType>
-  Settle(std::vector<EvaluationType> & at, double widest) const;
+  Match(const ToothOutline &          outline,
+        const PoseContourIndex &      index,
+        const std::array<double, 2> & shift,
+        EvaluationType &              at);
   /** How far the outline lies beside the contour by its matches, px of 0.25 mm. */
   static std::array<double, 2>
   ComputeShift(const ToothOutline & outline, const EvaluationType & at);

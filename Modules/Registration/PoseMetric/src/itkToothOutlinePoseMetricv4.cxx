@@ -60,10 +60,6 @@ constexpr double ShiftRidge = 1.0 / 144.0;
 constexpr std::size_t FewestTeethWithASpread = 4;
 /** No weight is quite 0: the covariance is inverted. */
 constexpr double SmallestToothWeight = 1e-4;
-/** Of matches and of a tooth's own errors, in turn, at one position: each settles the other. */
-constexpr int SlideRounds = 3;
-/** Samples to either side of a match among which a nearer one is looked for: the middle of two outlines has steps. */
-constexpr std::size_t SlideReach = 4;
 /** Component along the arch of a normal above which its point is at an end of the tooth. */
 constexpr double CutFacing = 0.5;
 /** By which the deviance of a jaw's templates has to be less: three of ten readers use templates, and what is not quite
@@ -430,26 +426,26 @@ ToothOutlinePoseMetricv4::GetNumberOfResiduals() const
 }
 
 void
-ToothOutlinePoseMetricv4::Match(const ToothType &        tooth,
-                                const PoseContourIndex & index,
-                                std::size_t              way,
-                                EvaluationType &         at)
+ToothOutlinePoseMetricv4::Match(const ToothOutline &          outline,
+                                const PoseContourIndex &      index,
+                                const std::array<double, 2> & shift,
+                                EvaluationType &              at)
 {
-  const auto &      normals = tooth.outline->GetNormals();
-  const std::size_t n = normals.size();
+  const auto &      points = outline.GetPoints();
+  const auto &      normals = outline.GetNormals();
+  const std::size_t n = points.size();
   at.match.assign(n, NoMatch);
-  at.beside.assign(n, NoMatch);
-  at.share.assign(n, 0.0);
   at.nu.assign(n, 0.0);
   at.nv.assign(n, 1.0);
   at.facing.assign(n, 0.0);
   for (std::size_t i = 0; i < n && !index.Empty(); ++i)
   {
-    const std::array<double, 2> p = ComputeCorrected(tooth, way, at.errors, i);
-    const std::size_t           j =
-      index.Nearest(p[0], p[1], normals[i][0], normals[i][1], OrientationWeight * OrientationWeight);
+    const std::size_t j = index.Nearest(points[i][0] - shift[0],
+                                        points[i][1] - shift[1],
+                                        normals[i][0],
+                                        normals[i][1],
+                                        OrientationWeight * OrientationWeight);
     at.match[i] = j;
-    at.beside[i] = j;
     at.nu[i] = at.contour.nu[j];
     at.nv[i] = at.contour.nv[j];
     const auto & direction = index.GetDirection(j);
@@ -479,200 +475,6 @@ ToothOutlinePoseMetricv4::ComputeShift(const ToothOutline & outline, const Evalu
   return { { (vv * bu - uv * bv) / determinant, (uu * bv - uv * bu) / determinant } };
 }
 
-std::array<double, 2>
-ToothOutlinePoseMetricv4::ComputeCorrected(const ToothType &             tooth,
-                                           std::size_t                   way,
-                                           const std::array<double, 6> & errors,
-                                           std::size_t                   point)
-{
-  const auto & p = tooth.outline->GetPoints()[point];
-  const double a = p[0] - tooth.ways[way].origin[0];
-  const double b = p[1] - tooth.ways[way].origin[1];
-  return { { p[0] - errors[0] + errors[2] * b - errors[3] * a, p[1] - errors[1] - errors[2] * a - errors[3] * b } };
-}
-
-std::array<double, 2>
-ToothOutlinePoseMetricv4::GetMatch(const EvaluationType & at, std::size_t point)
-{
-  const std::size_t j = at.match[point];
-  const std::size_t k = at.beside[point];
-  const double      f = at.share[point];
-  return { { (1.0 - f) * at.contour.u[j] + f * at.contour.u[k], (1.0 - f) * at.contour.v[j] + f * at.contour.v[k] } };
-}
-
-void
-ToothOutlinePoseMetricv4::Slide(const ToothType & tooth, std::size_t way, EvaluationType & at)
-{
-  const PoseContour & contour = at.contour;
-  for (std::size_t i = 0; i < at.match.size(); ++i)
-  {
-    if (at.match[i] == NoMatch)
-    {
-      continue;
-    }
-    const std::array<double, 2> p = ComputeCorrected(tooth, way, at.errors, i);
-    const auto                  after = std::upper_bound(contour.runs.begin(), contour.runs.end(), at.match[i]);
-    const std::size_t           begin = *(after - 1);
-    const std::size_t           end = after == contour.runs.end() ? contour.Size() : *after;
-    const auto                  distance = [&](std::size_t j) {
-      const double du = contour.u[j] - p[0];
-      const double dv = contour.v[j] - p[1];
-      return du * du + dv * dv;
-    };
-    std::size_t nearest = at.match[i];
-    double      least = distance(nearest);
-    for (bool moved = true; moved;)
-    {
-      moved = false;
-      const std::size_t from = nearest > begin + SlideReach ? nearest - SlideReach : begin;
-      const std::size_t to = std::min(end, nearest + SlideReach + 1);
-      for (std::size_t j = from; j < to; ++j)
-      {
-        const double d = distance(j);
-        if (d < least)
-        {
-          least = d;
-          nearest = j;
-          moved = true;
-        }
-      }
-    }
-    at.match[i] = nearest;
-    at.beside[i] = nearest;
-    at.share[i] = 0.0;
-    // On the way to one of the samples beside it.
-    for (const int step : { -1, 1 })
-    {
-      if ((step < 0 && nearest == begin) || (step > 0 && nearest + 1 == end))
-      {
-        continue;
-      }
-      const std::size_t k = step < 0 ? nearest - 1 : nearest + 1;
-      const double      tu = contour.u[k] - contour.u[nearest];
-      const double      tv = contour.v[k] - contour.v[nearest];
-      const double      length2 = tu * tu + tv * tv;
-      if (length2 < 1e-12)
-      {
-        continue;
-      }
-      const double f = std::min(1.0, ((p[0] - contour.u[nearest]) * tu + (p[1] - contour.v[nearest]) * tv) / length2);
-      const double du = contour.u[nearest] + f * tu - p[0];
-      const double dv = contour.v[nearest] + f * tv - p[1];
-      const double d = du * du + dv * dv;
-      if (f > 0.0 && d < least)
-      {
-        least = d;
-        at.beside[i] = k;
-        at.share[i] = f;
-      }
-    }
-    const double f = at.share[i];
-    const double nu = (1.0 - f) * contour.nu[nearest] + f * contour.nu[at.beside[i]];
-    const double nv = (1.0 - f) * contour.nv[nearest] + f * contour.nv[at.beside[i]];
-    const double length = std::hypot(nu, nv);
-    at.nu[i] = length > 1e-9 ? nu / length : contour.nu[nearest];
-    at.nv[i] = length > 1e-9 ? nv / length : contour.nv[nearest];
-  }
-}
-
-void
-ToothOutlinePoseMetricv4::ComputeResidual(const ToothOutline & outline, EvaluationType & at)
-{
-  const auto & points = outline.GetPoints();
-  at.residual.assign(points.size(), 0.0);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (at.match[i] != NoMatch)
-    {
-      const std::array<double, 2> c = GetMatch(at, i);
-      at.residual[i] = at.nu[i] * (points[i][0] - c[0]) + at.nv[i] * (points[i][1] - c[1]);
-    }
-  }
-}
-
-std::vector<double>
-ToothOutlinePoseMetricv4::ComputeHeldResidual(const ToothType &      tooth,
-                                              const EvaluationType & at,
-                                              const NoiseType &      noise)
-{
-  const std::size_t   n = at.residual.size();
-  std::vector<double> residual = at.residual;
-  const auto &        origin = tooth.ways[noise.way].origin;
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const double a = tooth.outline->GetPoints()[i][0] - origin[0];
-    const double b = tooth.outline->GetPoints()[i][1] - origin[1];
-    const auto & e = at.errors;
-    residual[i] += (noise.basis[i] - at.nu[i]) * e[0] + (noise.basis[n + i] - at.nv[i]) * e[1] +
-                   (noise.basis[2 * n + i] - (at.nv[i] * a - at.nu[i] * b)) * e[2] +
-                   (noise.basis[3 * n + i] - (at.nu[i] * a + at.nv[i] * b)) * e[3];
-  }
-  return residual;
-}
-
-std::array<double, 6>
-ToothOutlinePoseMetricv4::ComputeErrors(const ToothType &           tooth,
-                                        const NoiseType &           noise,
-                                        const std::vector<double> & residual)
-{
-  const std::size_t     n = residual.size();
-  std::vector<double>   z = residual;
-  std::array<double, 6> errors{};
-  ContourNoiseModel::Whiten(noise.factor.data(), n, z.data(), 1);
-  ContourNoiseModel::WhitenTransposed(noise.factor.data(), n, z.data(), 1);
-  for (std::size_t c = 0; c < NumberOfErrors; ++c)
-  {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      sum += noise.basis[c * n + i] * z[i];
-    }
-    errors[c] = tooth.ways[noise.way].variances[c] / noise.weight * sum;
-  }
-  return errors;
-}
-
-void
-ToothOutlinePoseMetricv4::MatchOfTooth(const ToothType &        tooth,
-                                       const PoseContourIndex & index,
-                                       const NoiseType *        noise,
-                                       EvaluationType &         at) const
-{
-  at.errors = {};
-  if (this->IsFrontal())
-  {
-    // From the side a start has brought the jaw to its outlines; from the front none has.
-    for (int round = 0; round < ShiftRounds; ++round)
-    {
-      Match(tooth, index, 0, at);
-      const std::array<double, 2> shift = ComputeShift(*tooth.outline, at);
-      at.errors = { { shift[0], shift[1], 0.0, 0.0, 0.0, 0.0 } };
-    }
-    Match(tooth, index, 0, at);
-    at.errors = {};
-    ComputeResidual(*tooth.outline, at);
-    return;
-  }
-  if (noise == nullptr)
-  {
-    Match(tooth, index, 0, at);
-    Slide(tooth, 0, at);
-    ComputeResidual(*tooth.outline, at);
-    return;
-  }
-  at.errors = noise->widened;
-  Match(tooth, index, noise->way, at);
-  for (int round = 0; round < SlideRounds; ++round)
-  {
-    if (round > 0)
-    {
-      at.errors = ComputeErrors(tooth, *noise, ComputeHeldResidual(tooth, at, *noise));
-    }
-    Slide(tooth, noise->way, at);
-    ComputeResidual(*tooth.outline, at);
-  }
-}
-
 void
 ToothOutlinePoseMetricv4::Evaluate(std::size_t number, const PositionType & x, EvaluationType & at) const
 {
@@ -681,44 +483,50 @@ ToothOutlinePoseMetricv4::Evaluate(std::size_t number, const PositionType & x, E
   const PoseModel      model(geometry, ToPoseParameters(x));
   if (m_Hold != HoldEnum::Nothing)
   {
-    at = m_Held[number];
+    at.contour = m_Held[number].contour;
     PoseContourModel::Reproject(at.contour, PoseModel(geometry, ToPoseParameters(m_HeldPosition)), model);
-    if (m_Hold == HoldEnum::Matches)
-    {
-      ComputeResidual(*tooth.outline, at);
-    }
   }
   else
   {
     at.contour = tooth.model->Compute(model);
   }
-}
-
-std::vector<ToothOutlinePoseMetricv4::NoiseType>
-ToothOutlinePoseMetricv4::Settle(std::vector<EvaluationType> & at, double widest) const
-{
+  const auto &      points = tooth.outline->GetPoints();
+  const std::size_t n = points.size();
+  at.residual.assign(n, 0.0);
   if (m_Hold == HoldEnum::Matches)
   {
-    return this->ComputeNoises(at, widest);
+    at.match = m_Held[number].match;
+    at.nu = m_Held[number].nu;
+    at.nv = m_Held[number].nv;
+    at.facing = m_Held[number].facing;
   }
-  std::vector<NoiseType> noises;
-  const int              rounds = this->IsFrontal() ? 1 : SlideRounds;
-  for (int round = 0; round < rounds; ++round)
+  else
   {
-    for (std::size_t t = 0; t < at.size(); ++t)
+    const PoseContourIndex index(at.contour);
+    std::array<double, 2>  shift{};
+    // From the side a start has brought the jaw to its outlines; from the front none has.
+    const int rounds = this->IsFrontal() ? ShiftRounds : 0;
+    for (int round = 0; round < rounds; ++round)
     {
-      this->MatchOfTooth(this->GetTeeth()[t], PoseContourIndex(at[t].contour), round > 0 ? &noises[t] : nullptr, at[t]);
+      Match(*tooth.outline, index, shift, at);
+      shift = ComputeShift(*tooth.outline, at);
     }
-    noises = this->ComputeNoises(at, widest);
+    Match(*tooth.outline, index, shift, at);
   }
-  return noises;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (at.match[i] != NoMatch)
+    {
+      at.residual[i] =
+        at.nu[i] * (points[i][0] - at.contour.u[at.match[i]]) + at.nv[i] * (points[i][1] - at.contour.v[at.match[i]]);
+    }
+  }
 }
 
 const std::vector<ToothOutlinePoseMetricv4::EvaluationType> &
 ToothOutlinePoseMetricv4::EvaluateAll(const PositionType & x) const
 {
-  const bool isElsewhere = m_LastPosition != x || m_Last.size() != this->GetTeeth().size();
-  if (isElsewhere)
+  if (m_LastPosition != x || m_Last.size() != this->GetTeeth().size())
   {
     m_LastPosition.clear();
     m_Last.resize(this->GetTeeth().size());
@@ -726,18 +534,12 @@ ToothOutlinePoseMetricv4::EvaluateAll(const PositionType & x) const
     {
       this->Evaluate(t, x, m_Last[t]);
     }
+    m_LastPosition = x;
   }
-  // Matches are those of the noise that is held.
-  const bool isMatched = !isElsewhere && !m_Noise.empty();
   if (m_Noise.empty())
   {
-    m_Noise = this->Settle(m_Last, m_Reach);
+    m_Noise = this->ComputeNoises(m_Last, m_Reach);
   }
-  for (std::size_t t = 0; t < m_Last.size() && !isMatched && m_Hold != HoldEnum::Matches; ++t)
-  {
-    this->MatchOfTooth(this->GetTeeth()[t], PoseContourIndex(m_Last[t].contour), &m_Noise[t], m_Last[t]);
-  }
-  m_LastPosition = x;
   return m_Last;
 }
 
@@ -934,11 +736,11 @@ ToothOutlinePoseMetricv4::ComputeNoise(const ToothType & tooth, const Evaluation
       double beyond = 0.0;
       if (at.match[i] != NoMatch)
       {
-        const std::array<double, 2> p = ComputeCorrected(tooth, way, at.errors, i);
-        const std::array<double, 2> c = GetMatch(at, i);
-        beyond = PoseMatching::BeyondEnd(at.nu[i] * (p[1] - c[1]) - at.nv[i] * (p[0] - c[0]));
+        const auto & p = outline.GetPoints()[i];
+        beyond = PoseMatching::BeyondEnd(at.nu[i] * (p[1] - at.contour.v[at.match[i]]) -
+                                         at.nv[i] * (p[0] - at.contour.u[at.match[i]]));
         // As far as the tooth is shifted its points may be.
-        beyond = std::max(0.0, beyond - std::hypot(noise.errors[0] - at.errors[0], noise.errors[1] - at.errors[1]));
+        beyond = std::max(0.0, beyond - std::hypot(noise.errors[0], noise.errors[1]));
       }
       noise.weights[i] = at.facing[i] * GemanMcClureKernel::Weight(left[i] * left[i] + beyond * beyond, width);
     }
@@ -956,7 +758,6 @@ ToothOutlinePoseMetricv4::WidenErrors(const ToothType &      tooth,
   noise.weight = weight;
   this->Factorize(tooth, noise);
   noise.charge = ComputeLogDeterminant(noise) - tooth.logDeterminant;
-  noise.widened = ComputeErrors(tooth, noise, at.residual);
   // With what the kernel leaves of the tooth: a gross error is none of the other way's successes.
   std::vector<double> z = at.residual;
   ContourNoiseModel::Whiten(noise.factor.data(), n, z.data(), 1);
@@ -989,7 +790,7 @@ ToothOutlinePoseMetricv4::ComputeResiduals(const PositionType & x, VectorType & 
   {
     const EvaluationType & at = teeth[t];
     const std::size_t      n = at.residual.size();
-    std::vector<double>    whitened = ComputeHeldResidual(this->GetTeeth()[t], at, m_Noise[t]);
+    std::vector<double>    whitened = at.residual;
     ContourNoiseModel::Whiten(m_Noise[t].factor.data(), n, whitened.data(), 1);
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -1006,15 +807,6 @@ ToothOutlinePoseMetricv4::ComputeResiduals(const PositionType & x, VectorType & 
         }
         double own[14];
         PoseMatching::ComputeSampleJacobian(model, at.contour, at.match[i], own);
-        if (at.share[i] > 0.0)
-        {
-          double other[14];
-          PoseMatching::ComputeSampleJacobian(model, at.contour, at.beside[i], other);
-          for (int a = 0; a < 14; ++a)
-          {
-            own[a] += at.share[i] * (other[a] - own[a]);
-          }
-        }
         for (std::size_t a = 0; a < NumberOfPoseParameters; ++a)
         {
           columns[a * n + i] = -(at.nu[i] * own[a] + at.nv[i] * own[7 + a]);
@@ -1068,8 +860,8 @@ std::vector<ToothOutlinePoseMetricv4::ResidualType>
 ToothOutlinePoseMetricv4::ComputeOutlineResiduals(const PositionType & x) const
 {
   const PoseGeometry &      geometry = this->GetTransform()->GetPoseGeometry();
-  auto                      teeth = this->EvaluateAll(x);
-  const auto                noises = this->Settle(teeth, 0.0);
+  const auto &              teeth = this->EvaluateAll(x);
+  const auto                noises = this->ComputeNoises(teeth, 0.0);
   std::vector<ResidualType> residuals;
   for (std::size_t t = 0; t < teeth.size(); ++t)
   {
@@ -1124,8 +916,7 @@ ToothOutlinePoseMetricv4::ComputeKnownDeviance(const PositionType & x, bool) con
 {
   constexpr double unit = ToothWidthInSigmas * ToothWidthInSigmas;
   double           deviance = 0.0;
-  auto             teeth = this->EvaluateAll(x);
-  const auto       noises = this->Settle(teeth, 0.0);
+  const auto       noises = this->ComputeNoises(this->EvaluateAll(x), 0.0);
   for (std::size_t t = 0; t < noises.size(); ++t)
   {
     const double distance = ComputeDistance(this->GetTeeth()[t], noises[t]);
