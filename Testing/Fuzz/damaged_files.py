@@ -224,7 +224,7 @@ def contours():
     labelme = CONTOURS["labelme.json"]
     yield "labelme: a label of no tooth", "a.json", edit(labelme, '"label": "11"', '"label": "chin"'), ("shapes[0].label", '"chin" is no tooth')
     yield "labelme: a code that is none", "a.json", edit(labelme, '"label": "11"', '"label": "19"'), ("shapes[0].label", 'FDI has no tooth "19" (11-18, 21-28, 31-38, 41-48')
-    yield "labelme: a circle", "a.json", edit(labelme, '"polygon"', '"circle"'), READ
+    yield "labelme: a circle", "a.json", edit(labelme, '"polygon"', '"circle"'), ("has no outline", "a shape of type circle is no contour", "draw or export polygons")
     yield "labelme: no points", "a.json", edit(labelme, str(seeds.LINE), "[]"), READ
     yield "labelme: points of words", "a.json", edit(labelme, "[40, 12]", '["a", "b"]'), ("shapes[0].points[1][0]", 'is "a", expected a number')
     yield "labelme: a size of words", "a.json", edit(labelme, '"imageWidth": 50', '"imageWidth": "50"'), ("imageWidth", 'is "50", expected a number')
@@ -237,25 +237,25 @@ def contours():
     yield "COCO: no categories", "a.json", edit(coco, '"categories": [{"id": 1, "name": "11"}], ', ""), ("contours", "JSON in no form that is known")
     via = CONTOURS["via.json"]
     yield "VIA: more x than y", "a.json", edit(via, "[10, 40, 38, 12]", "[10, 40, 38]"), ("a.png1.regions[0].shape_attributes.all_points_y", "has another number of values than all_points_x")
-    yield "VIA: no shape", "a.json", edit(via, '"name": "polygon"', '"name": "ellipse"'), READ
+    yield "VIA: no shape", "a.json", edit(via, '"name": "polygon"', '"name": "ellipse"'), ("has no outline", "the shape ellipse is no contour", "draw or export polygons")
     yield "Supervisely: no exterior", "a.json", edit(CONTOURS["supervisely.json"], '"exterior": ' + str(seeds.LINE) + ", ", ""), ("objects[0].points.exterior", "missing field")
     yield "Supervisely: a size of one number", "a.json", edit(CONTOURS["supervisely.json"], '{"height": 50, "width": 50}', '{"height": 50}'), ("size.width", "missing field")
     yield "Label Studio: a size of none", "a.json", edit(CONTOURS["labelstudio.json"], '"original_width": 50, ', ""), ("[0].annotations[0].result[0].original_width", "missing field")
-    yield "Label Studio: no result", "a.json", '[{"data": {"image": "a.png"}, "annotations": [{"result": []}]}]', READ
+    yield "Label Studio: no result", "a.json", '[{"data": {"image": "a.png"}, "annotations": [{"result": []}]}]', ("has no outline: nothing is drawn in it", "draw or export polygons")
     cvat = CONTOURS["cvat.xml"]
     yield "CVAT: a point of one number", "a.xml", edit(cvat, "40,12;", "40;"), ("line 1", 'has the point "40", expected x,y')
     yield "CVAT: a point of words", "a.xml", edit(cvat, "40,12;", "a,b;"), ("line 1", 'has the point "a,b", expected x,y')
     yield "CVAT: no width", "a.xml", edit(cvat, ' width="50"', ""), ("line 1", "the picture's width \"\" is no number of pixels")
     yield "CVAT: a tag is not closed", "a.xml", edit(cvat, "</image>", ""), ("line 1", "is no well-formed XML (mismatched tag)")
-    yield "CVAT: runs that are too many", "a.xml", edit(cvat, "3, 4, 3", "3, 4, 3000"), READ
-    yield "CVAT: a mask outside", "a.xml", edit(cvat, 'left="2"', 'left="48"'), READ
+    yield "CVAT: runs that are too many", "a.xml", edit(cvat, "3, 4, 3", "3, 4, 3000"), ("line 1", "the mask has runs of more pixels than its box", "export the masks again")
+    yield "CVAT: a mask outside", "a.xml", edit(cvat, 'left="2"', 'left="48"'), ("line 1", "the mask does not lie in the picture", "export the masks again")
     yield "CVAT: cut", "a.xml", cut(cvat, 0.7), ("line 1", "is no well-formed XML (unclosed token)")
     table = CONTOURS["table.csv"]
     yield "CSV: a cell is a word", "a.csv", edit(table, "UR1,40,12", "UR1,forty,12"), ("line 3", '"forty" is no number')
     yield "CSV: a cell too many", "a.csv", edit(table, "UR1,40,12", "UR1,40,12,7"), READ
     yield "CSV: a cell too few", "a.csv", edit(table, "UR1,40,12", "UR1,40"), ("line 3", "has 2 columns, expected those of the header")
     yield "CSV: no column y", "a.csv", edit(table, "label,x,y", "label,x,z"), READ
-    yield "CSV: a header alone", "a.csv", "label,x,y\n", READ
+    yield "CSV: a header alone", "a.csv", "label,x,y\n", ("has no outline: nothing is drawn in it", "draw or export polygons")
     yield "CSV: a quote is not closed", "a.csv", edit(table, "UR1,40", '"UR1,40'), READ
     yield "CSV: a coordinate is not a number", "a.csv", edit(table, "UR1,40,12", "UR1,nan,12"), ("line 3", '"nan" is no number')
     yield "CSV: a tooth that is none", "a.csv", table.replace("UR1", "UR9"), ("line 2", '"UR9" is no tooth code (UR1-UR8, UL, LL, LR, or digits')

@@ -230,6 +230,31 @@ FindSeparator(const std::string & line)
   return TrimText(line).find(' ') != std::string::npos ? ' ' : ',';
 }
 
+/** A cell takes thirty bytes, empty or not: of 32 MiB of commas it would be a gigabyte. */
+void
+VerifyNumberOfColumns(const std::string & fileName, const std::string & text)
+{
+  constexpr std::ptrdiff_t most = 100000;
+  std::size_t              number = 0;
+  for (auto begin = text.begin(); begin != text.end();)
+  {
+    const auto end = std::find(begin, text.end(), '\n');
+    ++number;
+    for (const char separator : { '\t', ';', ',', ' ' })
+    {
+      if (const auto parts = std::count(begin, end, separator); parts >= most)
+      {
+        itkDentalInputErrorMacro(fileName,
+                                 "line " + std::to_string(number),
+                                 "has " + std::to_string(parts + 1) + " columns, more than the " +
+                                   std::to_string(most) + " that are read",
+                                 "leave those of the label and its coordinates");
+      }
+    }
+    begin = end == text.end() ? end : std::next(end);
+  }
+}
+
 /** The cells of a line. Where blanks part them a label may have some as well, "U1 tip 569.6 643.5": what stands before
  * the coordinates is one cell. */
 std::vector<std::string>
@@ -330,10 +355,13 @@ SplitLines(const std::string & text, std::size_t begin, char separator, unsigned
   std::vector<std::vector<std::string>> lines;
   // So many tell which column is which.
   constexpr std::size_t most = 1000;
-  while (begin < text.size() && lines.size() < most)
+  constexpr std::size_t mostCells = 1000000;
+  std::size_t           cells = 0;
+  while (begin < text.size() && lines.size() < most && cells < mostCells)
   {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     lines.push_back(SplitLine(text.substr(begin, end - begin), separator, dimension));
+    cells += lines.back().size();
     begin = end + 1;
   }
   return lines;
@@ -400,6 +428,7 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
   {
     text.erase(0, 3);
   }
+  VerifyNumberOfColumns(fileName, text);
   const std::string               form = dimension == 2 ? "label,x,y" : "label,x,y,z";
   const std::string               unit = dimension == 2 ? "px" : "mm";
   std::vector<AnnotationTableRow> rows;
@@ -433,16 +462,6 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
       continue;
     }
     const char mark = separator != 0 ? separator : givenSeparator != 0 ? givenSeparator : FindSeparator(line);
-    // A cell takes thirty bytes, empty or not: of 32 MiB of commas it would be a gigabyte.
-    constexpr std::ptrdiff_t mostColumns = 100000;
-    if (const auto parts = std::count(line.begin(), line.end(), mark); parts >= mostColumns)
-    {
-      itkDentalInputErrorMacro(fileName,
-                               "line " + std::to_string(lineNumber),
-                               "has " + std::to_string(parts + 1) + " columns, more than the " +
-                                 std::to_string(mostColumns) + " that are read",
-                               "leave those of the label and its coordinates");
-    }
     const bool hasNumberSign = BeginsWithNumberSign(line);
     if (hasNumberSign && !IsRowOfTooth(SplitLine(line, mark, dimension), columns, dimension))
     {
