@@ -108,7 +108,8 @@ TEST(CaseOutlines, ExactOnesPlaceAJawAloneAndNotTowardItsRoots)
 {
   // Two outlines that err toward the roots cancel where upper and lower jaw are registered together. Alone, jaws came
   // to lie half a millimetre too near to their roots, since what is drawn of a tooth beyond its cut crown found a match
-  // there; they are 1.4 px off on average, half a pixel of it in that direction.
+  // there, and half a pixel where jumps of single matches were taken for evidence; they are 0.9 px off on average, a
+  // tenth of a pixel in that direction.
   double       sum = 0.0;
   double       towardRoots = 0.0;
   unsigned int count = 0;
@@ -127,8 +128,8 @@ TEST(CaseOutlines, ExactOnesPlaceAJawAloneAndNotTowardItsRoots)
       ++count;
     }
   }
-  EXPECT_LT(sum / count, 1.6);
-  EXPECT_LT(std::abs(towardRoots / count), 0.8);
+  EXPECT_LT(sum / count, 1.2);
+  EXPECT_LT(std::abs(towardRoots / count), 0.4);
 }
 
 TEST(CaseOutlines, OutlinesOfAReaderAddToLandmarks)

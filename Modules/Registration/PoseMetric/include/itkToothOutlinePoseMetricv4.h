@@ -121,12 +121,16 @@ public:
     double templateAcross{ 0.4 };
     /** mm on the detector. */
     double lingual{ 0.5 };
-    /** Along the line, px of 0.25 mm: a drift that is correlated over DriftLength px, and each point's own. */
+    /** Along the line, px of 0.25 mm: a drift that is correlated over DriftLength px, and each point's own, which is
+     * mostly that of its match. Points are matched anew at each position, and between the cusps of a molar, in its
+     * fissures and where the middle of two crowns has a step the match jumps, and its residual with it, by up to a
+     * pixel. With the 0.4 px of a hand alone each such jump would count as evidence: two pixels of the pose change the
+     * squares of a molar by 1, jumps did by 9, and registrations ended in hollows between them. What a tooth says of
+     * the pose is limited by the errors of the whole of it, not by this. */
     double drift{ 1.0 };
-    double jitter{ 0.4 };
-    /** Each point's own on a frontal radiograph. A few points of an edge are matched anew with a curved outline at each
-     * position, which moves their residuals by the hand's distance from it, half a millimetre. With the jitter of a
-     * hand alone each such jump would count as evidence, and steps toward the solution as steps away from it. */
+    double jitter{ 1.0 };
+    /** Each point's own on a frontal radiograph, where a few points of an edge are matched with a curved outline and
+     * jumps are of the hand's distance from it, half a millimetre. */
     double frontalJitter{ 1.5 };
   };
   static constexpr double DriftLength = 15.0; /**< Length over which a hand's drift keeps its sign, px of 0.25 mm. */

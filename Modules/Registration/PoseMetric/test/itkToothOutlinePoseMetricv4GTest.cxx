@@ -288,6 +288,55 @@ TEST(ToothOutlinePoseMetricv4, DerivativesAreThoseOfTheResiduals)
   LeastSquaresMetricChecker::Check(*metric);
 }
 
+TEST(ToothOutlinePoseMetricv4, StepsEndWhereNoneIsLeftToTake)
+{
+  // Hands that have turned and scaled both teeth as well as moved them: points are matched beside the normals of their
+  // samples, and slide along the edges as the pose moves. Where a point by itself counts as if its match did not, a
+  // registration ends a fifth of a standard deviation beside where its steps lead.
+  const auto redrawn = [](const PointsType & points, double turn, double scale, double u, double v) {
+    itk::DentalContour::PointType centre;
+    centre.Fill(0.0);
+    for (const auto & p : points)
+    {
+      centre[0] += p[0] / static_cast<double>(points.size());
+      centre[1] += p[1] / static_cast<double>(points.size());
+    }
+    PointsType drawn = points;
+    for (auto & p : drawn)
+    {
+      const double a = p[0] - centre[0];
+      const double b = p[1] - centre[1];
+      p[0] = centre[0] + u + scale * (std::cos(turn) * a - std::sin(turn) * b);
+      p[1] = centre[1] + v + scale * (std::sin(turn) * a + std::cos(turn) * b);
+    }
+    return drawn;
+  };
+  double largest = 0.0;
+  for (const double sign : { -1.0, 1.0 })
+  {
+    const auto metric = MakeMetric(MakeTracing(redrawn(MakeDrawing(false), 0.06 * sign, 1.05, 3.0, -4.0 * sign),
+                                               redrawn(MakeDrawing(true), -0.05 * sign, 0.96, -3.0 * sign, 4.0)));
+    const auto x = Register(metric);
+    metric->UpdateNoiseCorrelation(x);
+    MetricType::VectorType residuals;
+    MetricType::MatrixType jacobian;
+    metric->ComputeResiduals(x, residuals, &jacobian);
+    // Pitch, tx and tz: the step that the residuals ask for, in standard deviations of the parameter.
+    for (const unsigned int a : { 0u, 3u, 5u })
+    {
+      double slope = 0.0;
+      double size = 0.0;
+      for (unsigned int i = 0; i < residuals.size(); ++i)
+      {
+        slope += residuals[i] * jacobian(i, a);
+        size += jacobian(i, a) * jacobian(i, a);
+      }
+      largest = std::max(largest, std::abs(slope) / std::sqrt(size));
+    }
+  }
+  EXPECT_LT(largest, 0.05);
+}
+
 TEST(ToothOutlinePoseMetricv4, PointsOfAToothAreNotAsManyMeasurements)
 {
   const auto metric = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true)));
