@@ -88,6 +88,21 @@ def test_middles_of_a_scan_without_landmarks(ds, sample, case, result):
     assert pickle.loads(pickle.dumps(other)).middles["U6_MB"].sigma == other.middles["U6_MB"].sigma
 
 
+def test_a_jaw_without_a_drawing_says_which_placed_it(ds, sample, case, result):
+    """Jaws in occlusion: the lower one goes along with the upper one's tracing."""
+    assert result.upper.placed_by is None and result.lower.placed_by is None
+    contours = ds.ReadContours(sample / "contours.json", imageSize=(703, 938))
+    memory = ds.Case(
+        upper=case.upper, lower=case.lower, upperContour=contours.upper, geometry=case.geometry, imageSize=(703, 938),
+        occlusion=True,
+    )
+    other = ds.register(memory)
+    assert other.upper.placed_by is None and other.lower.placed_by == "upper"
+    assert other.lower.status != "failed" and "placed by the upper jaw" in repr(other.lower)
+    assert other.lower.expected_error is None or other.lower.expected_error > other.upper.expected_error
+    assert pickle.loads(pickle.dumps(other)).lower.placed_by == "upper"
+
+
 def test_result_pickles_with_its_pictures(result):
     copy = pickle.loads(pickle.dumps(result))
     assert copy.to_dict() == result.to_dict()
