@@ -199,14 +199,30 @@ TEST(CaseWarnings, NameAMiddleThatLiesOnAnotherTracedTooth)
       {
         if (isAnother && polyline.code.GetPosition() == 6)
         {
-          // Of next to no weight, so that the jaw lies where it did.
-          polyline.weights.assign(polyline.points.size(), 1e-3);
-          for (auto & point : polyline.points)
+          // The line itself stays, so that the jaw lies where it did, by its neighbour's code; its own is that of one
+          // beyond the last tooth.
+          itk::DentalContour::PolylineType elsewhere;
+          elsewhere.code = polyline.code;
+          for (unsigned int k = 0; k < 10; ++k)
           {
-            point[0] -= 200.0;
+            elsewhere.points.push_back(polyline.points.front());
+            elsewhere.points.back()[0] -= 200.0 + 2.0 * k;
           }
+          elsewhere.weights.assign(elsewhere.points.size(), 1e-3);
+          moved->AddPolyline(elsewhere);
+          polyline.code = itk::ToothCode(polyline.code.GetFDI() + 1u);
         }
-        moved->AddPolyline(polyline);
+        // Twice as many points, beside which the others are few.
+        auto dense = polyline;
+        dense.points.clear();
+        for (std::size_t i = 0; i + 1 < polyline.points.size(); ++i)
+        {
+          itk::DentalContour::PointType between;
+          between.SetToMidPoint(polyline.points[i], polyline.points[i + 1]);
+          dense.points.push_back(polyline.points[i]);
+          dense.points.push_back(between);
+        }
+        moved->AddPolyline(dense);
       }
       phantom.data->GetJaw(jaw).contour = moved;
     }
