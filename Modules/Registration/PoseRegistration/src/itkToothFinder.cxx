@@ -57,6 +57,9 @@ constexpr double WithoutCusp = 4.0;
 constexpr double TracedSigmaAlong = 0.6;
 /** Teeth of the other side stand as far along the arch, but for what arches are asymmetric, and midlines off. */
 constexpr double OtherSideSigma = 1.5;
+/** Half the distance of the two sides' images along a bisected row: a degree and a half of yaw are 0.6 mm of it, and the
+ * rest is asymmetry. */
+constexpr double HalfDistanceOfSidesSigma = 2.5;
 /** No cusp is further from its place than so many standard deviations. */
 constexpr double ReachInSigmas = 4.0;
 /** mm to either side within which cusps are looked for: half a molar and its neighbours' nearest cusps. */
@@ -639,7 +642,7 @@ ToothFinder::FindOnBisectedLine(const ToothCode & tooth, FeatureEnum feature) co
     {
       const double middle = 0.5 * (places[0][i] + places[1][k]);
       const double off = (middle - pattern->target) / LineSigma;
-      const double apart = 0.5 * (places[0][i] - places[1][k]) / OtherSideSigma;
+      const double apart = 0.5 * (places[0][i] - places[1][k]) / HalfDistanceOfSidesSigma;
       if (std::abs(off) < ReachInSigmas)
       {
         pairs.push_back({ peaks[0][i], middle, off * off + apart * apart + matches[0][i] + matches[1][k] });
