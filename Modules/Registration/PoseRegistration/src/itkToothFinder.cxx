@@ -57,8 +57,8 @@ constexpr double WithoutCusp = 4.0;
 constexpr double TracedSigmaAlong = 0.6;
 /** Teeth of the other side stand as far along the arch, but for what arches are asymmetric, and midlines off. */
 constexpr double OtherSideSigma = 1.5;
-/** Half the distance of the two sides' images along a bisected row: a degree and a half of yaw are 0.6 mm of it, and the
- * rest is asymmetry. */
+/** Half the distance of the two sides' images along a bisected row: a degree and a half of yaw are 0.6 mm of it, and
+ * the rest is asymmetry. */
 constexpr double HalfDistanceOfSidesSigma = 2.5;
 /** No cusp is further from its place than so many standard deviations. */
 constexpr double ReachInSigmas = 4.0;
