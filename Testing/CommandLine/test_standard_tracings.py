@@ -218,3 +218,29 @@ def test_one_landmark_has_no_expected_error(run, standard_case, tmp_path):
         assert "undetermined" in [finding["code"] for finding in result["jaws"][jaw]["findings"]]
         assert "expected_error_px" not in result["jaws"][jaw]
     assert "expected error" not in said
+
+
+@pytest.mark.parametrize("jaw", ["upper", "lower"])
+def test_rows_counted_from_below_are_told_by_the_principal_point(run, standard_case, tmp_path, jaw):
+    """Two marks of one jaw fit mirrored as well as they are: the jaw lies above the ear rods then, 300 px off."""
+    content = standard_case.load()
+    content.pop("lower" if jaw == "upper" else "upper")
+    marks = json.loads((standard_case.folder / content["cephalometric_landmarks"]).read_text())
+    height = 938
+    content["cephalogram"].pop("image", None)
+    content["cephalogram"]["image_size"] = [703, height]
+    for upward in (False, True):
+        content["cephalometric_landmarks"] = {
+            name: [point[0], height - 1 - point[1] if upward else point[1]]
+            for name, mark in marks.items()
+            if name[0].lower() == jaw[0]
+            for point in [mark["position"] if isinstance(mark, dict) else mark]
+        }
+        standard_case.save(content)
+        result, _ = register(run, standard_case, tmp_path / str(upward))
+        findings = {each["code"]: each for each in result["jaws"][jaw]["findings"]}
+        assert ("upward-drawing" in findings) == upward, findings
+        if upward:
+            assert result["jaws"][jaw]["status"] == "suspect"
+            assert "above the principal point" in findings["upward-drawing"]["text"]
+            assert "Count v from its top" in findings["upward-drawing"]["text"]

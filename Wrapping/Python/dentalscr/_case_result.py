@@ -28,7 +28,8 @@ class Middle:
     position: Array
     #: Standard deviation an axis, pixels: of the jaw's place, and of the point's on the scan where nobody marked it there.
     sigma: float
-    #: How the points were found on the scan: "landmarks_3d", "tooth labels", "its place along the arch".
+    #: How the points were found on the scan: "landmarks_3d", "tooth labels", "the traced tooth", "its place on the other
+    #: side", "its place along the arch".
     found_by: str
 
 
@@ -62,6 +63,8 @@ class JawResult:
     fit: Optional[float]
     #: Distance that a landmark is expected to be off by, pixels; None where the method has no covariance.
     expected_error: Optional[float]
+    #: The jaw that placed this one, "upper" or "lower", where nothing was drawn of it and the scans share a frame; else None.
+    placed_by: Optional[str]
     #: Landmark errors, pixels; None without 2-D landmarks.
     error: Optional[Dict[str, Any]]
     #: Aligned contours in the radiograph by name, "whole" among them.
@@ -72,6 +75,8 @@ class JawResult:
 
     def _figures(self) -> str:
         text = self.status
+        if self.placed_by is not None:
+            text += f", placed by the {self.placed_by} jaw"
         if self.fit is not None:
             text += f", fit {self.fit:.2f} px"
         elif self.registered and self.metrics and self.expected_error is None:
@@ -155,6 +160,7 @@ class CaseResult:
             },
             fit=entry.get("metrics_matched", {}).get("chamfer_px"),
             expected_error=entry.get("expected_error_px"),
+            placed_by=entry.get("placed_by"),
             error=entry.get("error"),
             contours=dict(values["contours"]),
         )

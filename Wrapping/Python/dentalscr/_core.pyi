@@ -6939,6 +6939,18 @@ class LandmarkCounterpartFilter(ProcessObject):
     """
     Where the landmarks of a cephalometric analysis are on the scans.
     """
+    def BisectedOff(self) -> None:
+        """
+        The same as SetBisected(False). It sets whether the tracings are the middle between both sides' images. Off by default.
+        """
+    def BisectedOn(self) -> None:
+        """
+        The same as SetBisected(True). It sets whether the tracings are the middle between both sides' images. Off by default.
+        """
+    def GetBisected(self) -> bool:
+        """
+        Returns whether the tracings are the middle between both sides' images. Off by default.
+        """
     def GetDirection(self) -> CephalometricGeometry.Direction:
         """
         Returns the direction of the radiograph. A frontal one shows both sides beside each other: there only a central incisor's landmark may do without a side, and is the middle of both. Lateral by default.
@@ -6966,6 +6978,10 @@ class LandmarkCounterpartFilter(ProcessObject):
     def IgnoreSidesOn(self) -> None:
         """
         The same as SetIgnoreSides(True). It sets whether the side in a name is ignored, so that "UR6_MB" is the middle of both as in a standard tracing. Off by default.
+        """
+    def SetBisected(self, value: bool) -> None:
+        """
+        Sets whether the tracings are the middle between both sides' images. Off by default.
         """
     def SetDirection(self, value: CephalometricGeometry.Direction | str) -> None:
         """
@@ -6995,11 +7011,17 @@ class LandmarkCounterpartFilter(ProcessObject):
         ...
     def _SetLowerMesh(self, mesh: Mesh | None) -> None:
         ...
+    def _SetLowerTracing(self, contour: Contour | None) -> None:
+        ...
     def _SetScanLandmarks(self, landmarks: dict[str, typing.Any]) -> None:
+        ...
+    def _SetSolution(self, solution: PoseSolution) -> None:
         ...
     def _SetUpperFrame(self, transform: VersorRigid3DTransform | None) -> None:
         ...
     def _SetUpperMesh(self, mesh: Mesh | None) -> None:
+        ...
+    def _SetUpperTracing(self, contour: Contour | None) -> None:
         ...
     def __init__(self) -> None:
         ...

@@ -99,7 +99,8 @@ class LandmarkCounterpart(NamedTuple):
     sigmaAlong: float
     #: Standard deviation across it, mm.
     sigmaAcross: float
-    #: How it was found: "landmarks_3d", "tooth labels", "its place along the arch".
+    #: How it was found: "landmarks_3d", "tooth labels", "the traced tooth", "its place on the other side", "its place along
+    #: the arch".
     source: str
 
 
@@ -115,6 +116,9 @@ class LandmarkCounterpartFilter(ProcessObject, _core.LandmarkCounterpartFilter):
         lowerFrame: Optional[TransformLike] = None,
         scanLandmarks: Optional[LandmarksLike] = None,
         direction: Any = None,
+        solution: Optional[_core.PoseSolution] = None,
+        upperTracing: Optional[ContourLike] = None,
+        lowerTracing: Optional[ContourLike] = None,
     ) -> Dict[str, LandmarkCounterpart]:
         """Finds a counterpart of each landmark; ``GetUnused`` lists those without one, and why.
 
@@ -130,6 +134,10 @@ class LandmarkCounterpartFilter(ProcessObject, _core.LandmarkCounterpartFilter):
             Landmarks of the scans in the frame of the mesh files; ``SetMillimetresPerUnit`` says in what unit.
         direction : Direction or str, optional
             Of the radiograph, "Lateral" or "Frontal"; as it was set where it is not given.
+        solution : PoseSolution, optional
+            Of :func:`PoseRegistration`. With it and a tracing a premolar or molar is found by the traced tooth of its code.
+        upperTracing, lowerTracing : contour-like, optional
+            The tracings of that registration, pixels; ``BisectedOn`` where they are the middle between both sides.
         """
         if direction is not None:
             self.SetDirection(direction)
@@ -140,6 +148,9 @@ class LandmarkCounterpartFilter(ProcessObject, _core.LandmarkCounterpartFilter):
         self._SetLowerMesh(None if lowerMesh is None else as_mesh(lowerMesh))
         self._SetUpperFrame(as_rigid(upperFrame))
         self._SetLowerFrame(as_rigid(lowerFrame))
+        self._SetSolution(solution)
+        self._SetUpperTracing(None if upperTracing is None else as_contour(upperTracing, "upper"))
+        self._SetLowerTracing(None if lowerTracing is None else as_contour(lowerTracing, "lower"))
         self._Update()
         return {name: LandmarkCounterpart(*found) for name, found in self._GetCounterparts().items()}
 

@@ -55,9 +55,12 @@ class FindLandmarkCounterpartsSettings(TypedDict, total=False):
     direction: Any
     lowerFrame: Optional[TransformLike]
     lowerMesh: Optional[MeshLike]
+    lowerTracing: Optional[ContourLike]
     scanLandmarks: Optional[LandmarksLike]
+    solution: Optional[_core.PoseSolution]
     upperFrame: Optional[TransformLike]
     upperMesh: Optional[MeshLike]
+    upperTracing: Optional[ContourLike]
 
 class FindToothCrownsSettings(TypedDict, total=False):
     lowerContour: Optional[ContourLike]

@@ -393,6 +393,11 @@ WrapDownstream(py::module_ & module)
       "_SetLowerFrame",
       [](CounterpartType & self, const RigidType * transform) { self.SetLowerFrame(ToFrame(transform)); },
       py::arg("transform"))
+    .def("_SetSolution", &CounterpartType::SetSolution, py::arg("solution"))
+    .def("_SetUpperTracing", &CounterpartType::SetUpperTracing, py::arg("contour"))
+    .def("_SetLowerTracing", &CounterpartType::SetLowerTracing, py::arg("contour"))
+    .dentalscrBoolean(
+      CounterpartType, Bisected, "whether the tracings are the middle between both sides' images. Off by default.")
     .def("SetLabels",
          &CounterpartType::SetLabels,
          py::arg("jaw"),

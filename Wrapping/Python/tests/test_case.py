@@ -80,12 +80,29 @@ def test_middles_of_a_scan_without_landmarks(ds, sample, case, result):
         # The pose is the same: what is left is how far the points that were found are from those that were clicked.
         clicked = result.upper.landmarks if name[0] == "U" else result.lower.landmarks
         place = 0.5 * (clicked[name[0] + "R" + name[1:]] + clicked[name[0] + "L" + name[1:]])
-        assert middle.found_by == "its place along the arch"
+        assert middle.found_by == (
+            "its place along the arch" if name[1] == "1" else "the traced tooth and its place on the other side"
+        )
         assert np.linalg.norm(middle.position - place) < 2.448 * middle.sigma, name
         assert 0.5 < middle.sigma < 12.0
     # One side was marked to measure by, which is no middle.
     assert other.upper.error is None
     assert pickle.loads(pickle.dumps(other)).middles["U6_MB"].sigma == other.middles["U6_MB"].sigma
+
+
+def test_a_jaw_without_a_drawing_says_which_placed_it(ds, sample, case, result):
+    """Jaws in occlusion: the lower one goes along with the upper one's tracing."""
+    assert result.upper.placed_by is None and result.lower.placed_by is None
+    contours = ds.ReadContours(sample / "contours.json", imageSize=(703, 938))
+    memory = ds.Case(
+        upper=case.upper, lower=case.lower, upperContour=contours.upper, geometry=case.geometry, imageSize=(703, 938),
+        occlusion="true",
+    )
+    other = ds.register(memory)
+    assert other.upper.placed_by is None and other.lower.placed_by == "upper"
+    assert other.lower.status != "failed" and "placed by the upper jaw" in repr(other.lower)
+    assert other.lower.expected_error is None or other.lower.expected_error > other.upper.expected_error
+    assert pickle.loads(pickle.dumps(other)).lower.placed_by == "upper"
 
 
 def test_result_pickles_with_its_pictures(result):

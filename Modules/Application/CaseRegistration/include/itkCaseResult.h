@@ -95,7 +95,8 @@ struct MiddlePrediction
   /** Standard deviation an axis, pixels: of the jaw's place, and of the point's on the scan where it was found by other
    * means than landmarks_3d. */
   double sigma{ 0.0 };
-  /** "landmarks_3d", "tooth labels", "its place along the arch", as a landmark that was registered with. */
+  /** "landmarks_3d", "tooth labels", "its place along the arch", as a landmark that was registered with; beside a
+   * tracing "the traced tooth" and "its place on the other side". */
   std::string source;
 };
 

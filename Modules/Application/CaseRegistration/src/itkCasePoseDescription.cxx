@@ -332,6 +332,15 @@ FindMiddlePoints(const DentalCaseData &           data,
   const auto filter = MakeCounterpartFilter(data, axis, unusableLandmarks);
   filter->SetCephalometricLandmarks(wanted);
   filter->IgnoreSidesOn();
+  // Whole teeth of a cephalometric analysis were compared with crowns that stand at the textbook's places: they place
+  // the jaw and not the tooth.
+  if (data.description.tracedSide != TracedSideEnum::Standard)
+  {
+    filter->SetSolution(solution);
+    filter->SetUpperTracing(data.upper.contour);
+    filter->SetLowerTracing(data.lower.contour);
+    filter->SetBisected(bisected);
+  }
   filter->Update();
   LandmarkCounterpartSet::Pointer found = filter->GetOutput();
   found->DisconnectPipeline();

@@ -103,7 +103,11 @@ JudgePrincipalPoint(const DentalCaseData & data, CaseResult & result)
     seen.forward = middle[0];
     seen.down = -middle[2];
     seen.occlusalSlope = std::atan2(-axis[2], axis[0]);
-    if (const auto finding = CheckPrincipalPoint(result.geometry, data.imageSize, seen))
+    if (const auto rows = CheckRowOrder(result.geometry, data.imageSize, seen))
+    {
+      jaw.AddFinding(*rows);
+    }
+    else if (const auto finding = CheckPrincipalPoint(result.geometry, data.imageSize, seen))
     {
       jaw.AddFinding(*finding);
     }

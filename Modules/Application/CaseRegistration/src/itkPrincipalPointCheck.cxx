@@ -42,6 +42,10 @@ constexpr double NearDistance = 40.0;
 constexpr double RodDistances[2] = { 50.0, 120.0 };
 constexpr double RodDirections[2] = { 5.0, 60.0 };
 
+/** Above the ear rods, by whatever angle, are no teeth of a head that stands: with rows counted from the lower edge
+ * they seem to be. */
+constexpr double DirectionOfAnotherRowOrder = 0.0;
+
 struct SightOfJaw
 {
   double distance;
@@ -63,6 +67,13 @@ DescribePlace(double u, double v, double forward, double down)
        << (forward >= 0.0 ? "behind" : "in front of") << " and " << std::lround(std::abs(down)) << " mm "
        << (down >= 0.0 ? "above" : "below") << " the middle of the jaw";
   return text.str();
+}
+
+bool
+IsOfRods(const SightOfJaw & sight)
+{
+  return sight.distance >= RodDistances[0] && sight.distance <= RodDistances[1] &&
+         sight.direction >= RodDirections[0] && sight.direction <= RodDirections[1];
 }
 
 bool
@@ -93,8 +104,7 @@ CheckPrincipalPoint(const CephalometricGeometry *       geometry,
   const bool isSteep = given.direction > SteepestDirection && toOcclusal > SteepestToOcclusal;
   const bool isHigh = given.direction < HighestDirection && toOcclusal < HighestToOcclusal;
   const bool isElsewhere = isFar || (given.distance > NearDistance && (isSteep || isHigh));
-  const bool isOfRods = exchanged.distance >= RodDistances[0] && exchanged.distance <= RodDistances[1] &&
-                        exchanged.direction >= RodDirections[0] && exchanged.direction <= RodDirections[1];
+  const bool isOfRods = IsOfRods(exchanged);
   const bool isExchangedMiddle =
     IsTheMiddle(point, imageSize[1], imageSize[0]) && !IsTheMiddle(point, imageSize[0], imageSize[1]);
   if (!isElsewhere && !isExchangedMiddle)
@@ -122,5 +132,36 @@ CheckPrincipalPoint(const CephalometricGeometry *       geometry,
   }
   finding.text = text;
   return finding;
+}
+
+std::optional<RegistrationFinding>
+CheckRowOrder(const CephalometricGeometry *       geometry,
+              const std::array<unsigned int, 2> & imageSize,
+              const JawSeenFromPrincipalPoint &   seen)
+{
+  const auto       point = geometry->GetPrincipalPoint();
+  const double     spacing = geometry->GetPixelSpacing()[1];
+  const double     magnification = geometry->GetSourceToDetectorDistance() / geometry->GetSourceToMidsagittalDistance();
+  const SightOfJaw given = SightFrom(seen.forward, seen.down);
+  if (imageSize[1] == 0 || !(given.distance > NearDistance) || !(given.direction < DirectionOfAnotherRowOrder))
+  {
+    return std::nullopt;
+  }
+  const double row = point[1] + seen.down * magnification / spacing;
+  const double down = (imageSize[1] - 1.0 - row - point[1]) * spacing / magnification;
+  if (!IsOfRods(SightFrom(seen.forward, down)))
+  {
+    return std::nullopt;
+  }
+  std::ostringstream text;
+  text
+    << "the jaw lies " << std::lround(-seen.down)
+    << " mm above the principal point, where no head has its teeth; with rows counted from the other edge it would lie "
+    << std::lround(down)
+    << " mm below it: was what was drawn counted from the radiograph's lower edge? Count v from its top: its height "
+       "less what was written";
+  return RegistrationFinding{
+    RegistrationStatusEnum::Suspect, "upward-drawing", text.str(), given.direction, DirectionOfAnotherRowOrder, "deg"
+  };
 }
 } // namespace itk

@@ -45,6 +45,13 @@ std::optional<RegistrationFinding>
 CheckPrincipalPoint(const CephalometricGeometry *       geometry,
                     const std::array<unsigned int, 2> & imageSize,
                     const JawSeenFromPrincipalPoint &   seen);
+
+/** Whether the jaw lies above a given principal point, more than 40 mm from it, and would lie where teeth are below ear
+ * rods with rows counted from the other edge: few marks fit mirrored as well as they are. */
+std::optional<RegistrationFinding>
+CheckRowOrder(const CephalometricGeometry *       geometry,
+              const std::array<unsigned int, 2> & imageSize,
+              const JawSeenFromPrincipalPoint &   seen);
 } // namespace itk
 
 #endif

@@ -172,6 +172,56 @@ TEST(CaseLandmarks, MiddlesOfAScanWithoutLandmarksAreFoundByLabelsAndByShape)
   EXPECT_LT(byLabels.sum, byShape.sum);
 }
 
+TEST(CaseLandmarks, AMolarIsFoundByTheTracedTooth)
+{
+  // Of these seeds a textbook's place is the tooth in front in one jaw or both (77010, 77014, 77016), 28 px off.
+  using SideEnum = PhantomCase::SideEnum;
+  unsigned int sure = 0;
+  for (const std::uint64_t seed : { 77010u, 77011u, 77014u, 77016u })
+  {
+    for (const SideEnum side : { SideEnum::Right, SideEnum::Left, SideEnum::Both, SideEnum::Mean })
+    {
+      PhantomCase phantom(seed, side);
+      phantom.data->description.tracedSide = side == SideEnum::Right  ? itk::TracedSideEnum::Right
+                                             : side == SideEnum::Left ? itk::TracedSideEnum::Left
+                                             : side == SideEnum::Both ? itk::TracedSideEnum::Both
+                                                                      : itk::TracedSideEnum::Mean;
+      const auto clicked = Register(phantom);
+      phantom.data->landmarks3D = nullptr;
+      const auto result = Register(phantom);
+      EXPECT_FALSE(HasLineWith(result.warnings, "middles: ")) << seed;
+      for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+      {
+        const std::string name = jaw == JawEnum::Upper ? "U" : "L";
+        const auto        find = [&](const std::string & of) {
+          const auto & all = clicked.jaws.at(jaw).landmarks;
+          return std::find_if(all.begin(), all.end(), [&](const auto & landmark) { return landmark.name == of; });
+        };
+        const auto right = find(name + "R6_MB");
+        const auto left = find(name + "L6_MB");
+        ASSERT_NE(right, clicked.jaws.at(jaw).landmarks.end());
+        ASSERT_NE(left, clicked.jaws.at(jaw).landmarks.end());
+        const auto & middle = result.jaws.at(jaw).middles.at(1);
+        ASSERT_EQ(middle.name, name + "6_MB");
+        EXPECT_NE(middle.source.find("the traced tooth"), std::string::npos) << middle.source;
+        EXPECT_EQ(middle.source.find("its place along the arch"), std::string::npos) << middle.source;
+        EXPECT_EQ(middle.source.find("its place on the other side") != std::string::npos,
+                  side == SideEnum::Right || side == SideEnum::Left)
+          << middle.source;
+        // The pose is the same: what is left is the cusp that was found, which the next one is 10 px from.
+        const double error = std::hypot(middle.position[0] - 0.5 * (right->position[0] + left->position[0]),
+                                        middle.position[1] - 0.5 * (right->position[1] + left->position[1]));
+        // Where two cusps will do nearly as well sigma says so.
+        EXPECT_LT(error, 2.448 * middle.sigma) << seed << ' ' << middle.name;
+        const bool isSure = middle.sigma < 5.0;
+        EXPECT_LT(error, isSure ? 4.0 : 12.0) << seed << ' ' << middle.name;
+        sure += isSure ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GE(sure, 27u) << "of 32";
+}
+
 TEST(CaseLandmarks, ATracingOfCrownsTellsMiddlesOfAScanWithoutLandmarks)
 {
   CoverageType byLabels;

@@ -22,7 +22,9 @@
 #include "itkCephalometricGeometry.h"
 #include "itkCephalometricLandmarkSet.h"
 #include "itkDentalLandmarkSet.h"
+#include "itkDentalContour.h"
 #include "itkLandmarkCounterpartSet.h"
+#include "itkPoseSolution.h"
 
 #include "itkDataObjectDecorator.h"
 #include "itkMesh.h"
@@ -43,6 +45,11 @@ namespace itk
  * (SetLabels()), its geometry: the incisal edge at the midline, a molar by its place along the arch after textbook
  * widths. Each has an error of its own, which widens the landmark's. A mesial contact and an occlusal middle, which
  * scan landmarks have no name for, are derived from the cusps.
+ *
+ * After a registration with a tracing of tooth codes a premolar or molar is found by the traced tooth of its code
+ * instead of a textbook's width: the cusp, among those of the traced row, that comes to lie where the line has it, and
+ * of the other side, which was not traced, the one as far along the arch among the same cusps. A cusp beside it that
+ * will do nearly as well widens the error.
  *
  * Where a name tells no side, both teeth are looked for; where only one is found, the other's image may lie a way from
  * it, and the error says so. On a frontal radiograph (SetDirection()) both stand beside each other: there only a
@@ -88,6 +95,19 @@ public:
   itkGetInputMacro(UpperFrame, FrameType);
   itkSetInputMacro(LowerFrame, FrameType);
   itkGetInputMacro(LowerFrame, FrameType);
+
+  /** What a registration found, and the tracings that it was of, continuous pixel indices of the same radiograph: with
+   * both a posterior tooth that neither scan landmarks nor labels name is found by the traced tooth of its code. */
+  itkSetInputMacro(Solution, PoseSolution);
+  itkGetInputMacro(Solution, PoseSolution);
+  itkSetInputMacro(UpperTracing, DentalContour);
+  itkGetInputMacro(UpperTracing, DentalContour);
+  itkSetInputMacro(LowerTracing, DentalContour);
+  itkGetInputMacro(LowerTracing, DentalContour);
+  /** Whether the tracings are the middle between both sides' images; off by default. */
+  itkSetMacro(Bisected, bool);
+  itkGetConstMacro(Bisected, bool);
+  itkBooleanMacro(Bisected);
 
   /** FDI number by point of the mesh, 0 gingiva; empty: none. */
   void
@@ -163,6 +183,7 @@ private:
   double                    m_MillimetresPerUnit{ 1.0 };
   std::vector<std::string>  m_UnusableLandmarks;
   bool                      m_IgnoreSides{ false };
+  bool                      m_Bisected{ false };
   DirectionEnum             m_Direction{ DirectionEnum::Lateral };
   std::array<LabelsType, 2> m_Labels;
   std::vector<ToothCode>    m_ExcludedTeeth;

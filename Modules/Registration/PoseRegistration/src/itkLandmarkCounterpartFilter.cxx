@@ -39,6 +39,9 @@ LandmarkCounterpartFilter::LandmarkCounterpartFilter()
   this->AddOptionalInputName("LowerMesh", 3);
   this->AddOptionalInputName("UpperFrame", 4);
   this->AddOptionalInputName("LowerFrame", 5);
+  this->AddOptionalInputName("Solution", 6);
+  this->AddOptionalInputName("UpperTracing", 7);
+  this->AddOptionalInputName("LowerTracing", 8);
   this->SetNumberOfRequiredOutputs(1);
   this->SetNthOutput(0, this->MakeOutput(0));
 }
@@ -120,6 +123,22 @@ LandmarkCounterpartFilter::GenerateData()
   for (ToothFinder & scan : scans)
   {
     scan.SetUnusableLandmarks(m_UnusableLandmarks);
+  }
+  if (const PoseSolution * solution = this->GetSolution())
+  {
+    for (const JawEnum jaw : { JawEnum::Upper, JawEnum::Lower })
+    {
+      const DentalContour * tracing = jaw == JawEnum::Upper ? this->GetUpperTracing() : this->GetLowerTracing();
+      if (tracing != nullptr && solution->IsRegistered(jaw))
+      {
+        scans[ToIndex(jaw)].SetTracing({ TracedToothRow(tracing->GetPolylines()),
+                                         [solution, jaw](const ToothFinder::PointType & point) {
+                                           const auto pixel = solution->ProjectPoint(jaw, point);
+                                           return std::array<double, 2>{ { pixel[0], pixel[1] } };
+                                         },
+                                         m_Bisected });
+      }
+    }
   }
   for (const auto & landmark : this->GetCephalometricLandmarks()->GetLandmarks())
   {
@@ -203,6 +222,7 @@ LandmarkCounterpartFilter::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "MillimetresPerUnit: " << m_MillimetresPerUnit << std::endl;
   os << indent << "UnusableLandmarks: " << m_UnusableLandmarks.size() << std::endl;
   os << indent << "IgnoreSides: " << (m_IgnoreSides ? "On" : "Off") << std::endl;
+  os << indent << "Bisected: " << (m_Bisected ? "On" : "Off") << std::endl;
   os << indent << "Direction: " << m_Direction << std::endl;
   os << indent << "UpperLabels: " << m_Labels[0].size() << std::endl;
   os << indent << "LowerLabels: " << m_Labels[1].size() << std::endl;

@@ -44,6 +44,29 @@ constexpr double EdgeSigmaAcross = 0.5;
  * crowding move it as well. */
 constexpr double ArchSigmaAlong = 2.2;
 constexpr double ArchSigmaAcross = 0.7;
+// A tooth that was traced is the right one.
+/** mm along the row: how far all cusps of a traced row may be from where they are expected on their lines, by the pose
+ * and by the hand. */
+constexpr double LineSigma = 1.5;
+/** Of one cusp beside the others, and how far off one counts as missing. */
+constexpr double CuspSigma = 1.0;
+constexpr double MissingCusp = 2.0;
+/** Against a tooth without the cusp that was marked, in squared standard deviations. */
+constexpr double WithoutCusp = 4.0;
+/** What is left of the place along the row. */
+constexpr double TracedSigmaAlong = 0.6;
+/** Teeth of the other side stand as far along the arch, but for what arches are asymmetric, and midlines off. */
+constexpr double OtherSideSigma = 1.5;
+/** Half the distance of the two sides' images along a bisected row: a degree and a half of yaw are 0.6 mm of it, and
+ * the rest is asymmetry. */
+constexpr double HalfDistanceOfSidesSigma = 2.5;
+/** No cusp is further from its place than so many standard deviations. */
+constexpr double ReachInSigmas = 4.0;
+/** mm to either side within which cusps are looked for: half a molar and its neighbours' nearest cusps. */
+constexpr double PatternReach = 12.0;
+/** As a share of a bisected line's extent: a middle is no further from its place. */
+constexpr double       ReachShare = 0.3;
+constexpr unsigned int FirstPremolar = 4;
 /** Edges and cusps are not lower than this below the highest point near them, mm; gingiva and palate are. */
 constexpr double CuspRange = 2.5;
 /** A contact derived from the cusps, and the middle of an occlusal surface. */
@@ -125,6 +148,25 @@ ShareBehindMiddle(FeatureEnum feature)
          : feature == FeatureEnum::DistobuccalCusp || feature == FeatureEnum::DistolingualCusp ? BuccalCuspShare
                                                                                                : 0.0;
 }
+
+bool
+IsBuccal(FeatureEnum feature)
+{
+  return feature == FeatureEnum::MesiobuccalCusp || feature == FeatureEnum::DistobuccalCusp ||
+         feature == FeatureEnum::Cusp;
+}
+
+/** Where the buccal cusps of a premolar or molar are, in widths from its middle toward the back. */
+std::vector<double>
+BuccalCuspShares(const ToothCode & tooth)
+{
+  if (tooth.GetPosition() < 6)
+  {
+    return { 0.0 };
+  }
+  const bool five = tooth.GetJaw() == ToothCode::JawEnum::Lower && tooth.GetPosition() == 6;
+  return { -BuccalCuspShare, five ? BuccalCuspShare - 2.0 * FiveCuspShare : BuccalCuspShare };
+}
 } // namespace
 
 ToothFinder::ToothFinder(const MeshType *          mesh,
@@ -162,7 +204,15 @@ ToothFinder::Find(const ToothCode & tooth, FeatureEnum feature)
   {
     return labelled;
   }
-  return this->IsAbsent(tooth) ? std::nullopt : this->FindAlongArch(tooth, feature);
+  if (this->IsAbsent(tooth))
+  {
+    return {};
+  }
+  if (auto traced = this->FindTraced(tooth, feature))
+  {
+    return traced;
+  }
+  return this->FindAlongArch(tooth, feature);
 }
 
 bool
@@ -336,7 +386,7 @@ ToothFinder::FindLabelled(const ToothCode & tooth, FeatureEnum feature)
     if (m_Labels[i] == tooth.GetFDI())
     {
       points.push_back(i);
-      arcs.push_back(std::abs(m_Arch.Arc(m_Surface->points[i][0], m_Surface->points[i][1])));
+      arcs.push_back(this->ArcOf(i));
     }
   }
   if (points.size() < 10)
@@ -347,8 +397,295 @@ ToothFinder::FindLabelled(const ToothCode & tooth, FeatureEnum feature)
   const double middle = 0.5 * (*range.first + *range.second);
   const double width = *range.second - *range.first;
   const double share = ShareBehindMiddle(feature);
-  return this->FindPeak(
-    points, arcs, middle + share * width, feature, LabelSigmaAlong, LabelSigmaAcross, "tooth labels");
+  return this->FindPeak(points, middle + share * width, feature, LabelSigmaAlong, LabelSigmaAcross, "tooth labels");
+}
+
+double
+ToothFinder::ToRow(std::size_t i) const
+{
+  const auto pixel = m_Tracing->project(this->ToMesh(i));
+  return m_Tracing->row.ToRow(pixel[0], pixel[1]);
+}
+
+template <typename TFunction>
+std::vector<std::size_t>
+ToothFinder::CollectPoints(const ToothCode & tooth, double low, double high, const TFunction & placeOf) const
+{
+  std::vector<std::size_t> points;
+  for (std::size_t i = 0; i < m_Surface->points.size(); ++i)
+  {
+    // Right is the side of negative y.
+    if ((m_Surface->points[i][1] < 0.0F) == tooth.IsRight())
+    {
+      const double place = placeOf(i);
+      if (place > low && place < high)
+      {
+        points.push_back(i);
+      }
+    }
+  }
+  return points;
+}
+
+template <typename TFunction>
+std::vector<std::size_t>
+ToothFinder::CollectRowPoints(const ToothCode & tooth, double low, double high, const TFunction & placeOf) const
+{
+  auto points = this->CollectPoints(tooth, low, high, placeOf);
+  points.erase(std::remove_if(points.begin(),
+                              points.end(),
+                              [this](std::size_t i) {
+                                const auto & p = m_Surface->points[i];
+                                return std::abs(m_Arch.Offset(p[0], p[1])) > MolarCutReach;
+                              }),
+               points.end());
+  return points;
+}
+
+double
+ToothFinder::RowPatternType::Match(const std::vector<double> & places, double shift) const
+{
+  double cost = 0.0;
+  for (const double cusp : cusps)
+  {
+    double nearest = MissingCusp;
+    for (const double place : places)
+    {
+      nearest = std::min(nearest, std::abs(place - cusp - shift));
+    }
+    cost += nearest * nearest / (CuspSigma * CuspSigma);
+  }
+  return cost;
+}
+
+template <typename TFunction>
+std::optional<ToothFinder::PlaceType>
+ToothFinder::FindByPattern(const std::vector<std::size_t> & points,
+                           const RowPatternType &           pattern,
+                           FeatureEnum                      feature,
+                           const TFunction &                placeOf,
+                           double                           sigmaAlong,
+                           const char *                     source) const
+{
+  const auto          peaks = this->CollectPeaks(points, feature);
+  std::vector<double> places;
+  for (const std::size_t peak : peaks)
+  {
+    places.push_back(placeOf(peak));
+  }
+  // What speaks against the pattern being moved by so much, in squared standard deviations.
+  const auto costOf = [&](double shift) {
+    return shift * shift / (pattern.sigma * pattern.sigma) + pattern.Match(places, shift);
+  };
+  std::vector<double>        costs;
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    costs.push_back(costOf(places[k] - pattern.target));
+    if (std::abs(places[k] - pattern.target) < ReachInSigmas * pattern.sigma && (!best || costs[k] < costs[*best]))
+    {
+      best = k;
+    }
+  }
+  if (best && costs[*best] < costOf(0.0) + WithoutCusp)
+  {
+    double sum = 0.0;
+    double moment = 0.0;
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+      const double weight = std::exp(0.5 * (costs[*best] - costs[k]));
+      sum += weight;
+      moment += weight * (places[k] - places[*best]) * (places[k] - places[*best]);
+    }
+    return PlaceType{
+      this->ToMesh(peaks[*best]), std::hypot(sigmaAlong, std::sqrt(moment / sum)), LabelSigmaAcross, source
+    };
+  }
+  const bool lingual = feature == FeatureEnum::MesiolingualCusp || feature == FeatureEnum::DistolingualCusp;
+  std::optional<std::size_t> highest;
+  for (const std::size_t i : points)
+  {
+    const auto & p = m_Surface->points[i];
+    if (std::abs(placeOf(i) - pattern.target) < CuspSigma && (m_Arch.Offset(p[0], p[1]) < 0.0) == lingual &&
+        (!highest || this->Height(i) > this->Height(*highest)))
+    {
+      highest = i;
+    }
+  }
+  return highest ? std::optional<PlaceType>(PlaceType{
+                     this->ToMesh(*highest), std::hypot(sigmaAlong, pattern.sigma), ArchSigmaAcross, source })
+                 : std::nullopt;
+}
+
+std::optional<TracedToothRow::SpanType>
+ToothFinder::FindLine(const ToothCode & tooth) const
+{
+  if (!m_Tracing->bisected)
+  {
+    return m_Tracing->row.FindWithin(tooth);
+  }
+  const auto * line = m_Tracing->row.FindPosition(tooth.GetPosition());
+  return line != nullptr ? std::optional<TracedToothRow::SpanType>(*line) : std::nullopt;
+}
+
+std::optional<ToothFinder::RowPatternType>
+ToothFinder::MakeLinePattern(const ToothCode & tooth, FeatureEnum feature) const
+{
+  const auto line = this->FindLine(tooth);
+  if (!line)
+  {
+    return {};
+  }
+  const TracedToothRow & row = m_Tracing->row;
+  RowPatternType         pattern;
+  pattern.pixelsPerMillimetre = line->GetExtent() / PoseArch::ExpectedWidth(tooth.GetFDI());
+  pattern.target = row.GetPlace(*line, ShareBehindMiddle(feature)) / pattern.pixelsPerMillimetre;
+  pattern.sigma = LineSigma;
+  if (!IsBuccal(feature))
+  {
+    pattern.cusps = { pattern.target };
+    return pattern;
+  }
+  for (const int step : { -1, 0, 1 })
+  {
+    const ToothCode other(static_cast<std::uint8_t>(tooth.GetFDI() + step));
+    const auto      span = other.GetPosition() < FirstPremolar ? std::nullopt : this->FindLine(other);
+    for (const double share : span ? BuccalCuspShares(other) : std::vector<double>())
+    {
+      pattern.cusps.push_back(row.GetPlace(*span, share) / pattern.pixelsPerMillimetre);
+    }
+  }
+  return pattern;
+}
+
+std::optional<ToothFinder::PlaceType>
+ToothFinder::FindOnLine(const ToothCode & tooth, FeatureEnum feature) const
+{
+  const auto pattern = this->MakeLinePattern(tooth, feature);
+  if (!pattern)
+  {
+    return {};
+  }
+  const auto placeOf = [&](std::size_t i) { return this->ToRow(i) / pattern->pixelsPerMillimetre; };
+  return this->FindByPattern(
+    this->CollectRowPoints(tooth, pattern->target - PatternReach, pattern->target + PatternReach, placeOf),
+    *pattern,
+    feature,
+    placeOf,
+    TracedSigmaAlong,
+    "the traced tooth");
+}
+
+std::optional<ToothFinder::PlaceType>
+ToothFinder::FindBesideFellow(const ToothCode & tooth, FeatureEnum feature) const
+{
+  const ToothCode fellow = tooth.GetContralateral();
+  const auto      place = this->FindOnLine(fellow, feature);
+  if (!place)
+  {
+    return {};
+  }
+  const auto     placeOf = [this](std::size_t i) { return this->ArcOf(i); };
+  RowPatternType pattern;
+  pattern.target = std::abs(this->Arc(place->point));
+  pattern.sigma = OtherSideSigma;
+  const double low = pattern.target - PatternReach;
+  const double high = pattern.target + PatternReach;
+  for (const std::size_t peak : this->CollectPeaks(this->CollectRowPoints(fellow, low, high, placeOf), feature))
+  {
+    pattern.cusps.push_back(this->ArcOf(peak));
+  }
+  return this->FindByPattern(this->CollectRowPoints(tooth, low, high, placeOf),
+                             pattern,
+                             feature,
+                             placeOf,
+                             place->sigmaAlong,
+                             "its place on the other side");
+}
+
+std::optional<ToothFinder::PlaceType>
+ToothFinder::FindOnBisectedLine(const ToothCode & tooth, FeatureEnum feature) const
+{
+  const auto pattern = this->MakeLinePattern(tooth, feature);
+  if (!pattern)
+  {
+    return {};
+  }
+  const auto               placeOf = [&](std::size_t i) { return this->ToRow(i) / pattern->pixelsPerMillimetre; };
+  std::vector<std::size_t> peaks[2];
+  std::vector<double>      places[2];
+  std::vector<double>      matches[2];
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    const ToothCode of = side == 0 ? tooth : tooth.GetContralateral();
+    peaks[side] = this->CollectPeaks(
+      this->CollectRowPoints(of, pattern->target - PatternReach, pattern->target + PatternReach, placeOf), feature);
+    for (const std::size_t peak : peaks[side])
+    {
+      places[side].push_back(placeOf(peak));
+    }
+    for (const double place : places[side])
+    {
+      matches[side].push_back(pattern->Match(places[side], place - pattern->target));
+    }
+  }
+  struct PairType
+  {
+    std::size_t own;
+    double      middle;
+    double      cost;
+  };
+  std::vector<PairType> pairs;
+  for (std::size_t i = 0; i < places[0].size(); ++i)
+  {
+    for (std::size_t k = 0; k < places[1].size(); ++k)
+    {
+      const double middle = 0.5 * (places[0][i] + places[1][k]);
+      const double off = (middle - pattern->target) / LineSigma;
+      const double apart = 0.5 * (places[0][i] - places[1][k]) / HalfDistanceOfSidesSigma;
+      if (std::abs(off) < ReachInSigmas)
+      {
+        pairs.push_back({ peaks[0][i], middle, off * off + apart * apart + matches[0][i] + matches[1][k] });
+      }
+    }
+  }
+  const auto best = std::min_element(
+    pairs.begin(), pairs.end(), [](const PairType & a, const PairType & b) { return a.cost < b.cost; });
+  if (best == pairs.end())
+  {
+    return {};
+  }
+  double sum = 0.0;
+  double moment = 0.0;
+  for (const PairType & pair : pairs)
+  {
+    const double weight = std::exp(0.5 * (best->cost - pair.cost));
+    sum += weight;
+    moment += weight * (pair.middle - best->middle) * (pair.middle - best->middle);
+  }
+  return PlaceType{
+    this->ToMesh(best->own), std::hypot(TracedSigmaAlong, std::sqrt(moment / sum)), LabelSigmaAcross, "the traced tooth"
+  };
+}
+
+std::optional<ToothFinder::PlaceType>
+ToothFinder::FindTraced(const ToothCode & tooth, FeatureEnum feature)
+{
+  if (!m_Tracing || tooth.IsPrimary() || tooth.GetPosition() < FirstPremolar ||
+      !(PoseArch::ExpectedWidth(tooth.GetFDI()) > 0.0))
+  {
+    return {};
+  }
+  this->Prepare();
+  if (!m_Surface || !m_Arch.IsValid())
+  {
+    return {};
+  }
+  if (m_Tracing->bisected)
+  {
+    return this->FindOnBisectedLine(tooth, feature);
+  }
+  return m_Tracing->row.FindWithin(tooth) ? this->FindOnLine(tooth, feature) : this->FindBesideFellow(tooth, feature);
 }
 
 std::optional<ToothFinder::PlaceType>
@@ -366,26 +703,11 @@ ToothFinder::FindAlongArch(const ToothCode & tooth, FeatureEnum feature)
   }
   const double target =
     PoseArch::CurveShare * (PoseArch::ExpectedArc(tooth.GetFDI()) + ShareBehindMiddle(feature) * width);
-  std::vector<std::size_t> points;
-  std::vector<double>      arcs;
-  for (std::size_t i = 0; i < m_Surface->points.size(); ++i)
-  {
-    const auto & p = m_Surface->points[i];
-    // Right is the side of negative y.
-    if ((p[1] < 0.0F) != tooth.IsRight())
-    {
-      continue;
-    }
-    const double arc = std::abs(m_Arch.Arc(p[0], p[1]));
-    if (std::abs(arc - target) < (feature == FeatureEnum::Tip ? 0.25 : 0.5) * width)
-    {
-      points.push_back(i);
-      arcs.push_back(arc);
-    }
-  }
+  const double reach = (feature == FeatureEnum::Tip ? 0.25 : 0.5) * width;
+  const auto   points =
+    this->CollectPoints(tooth, target - reach, target + reach, [this](std::size_t i) { return this->ArcOf(i); });
   const bool incisor = tooth.GetPosition() == 1;
   return this->FindPeak(points,
-                        arcs,
                         target,
                         feature,
                         incisor ? EdgeSigmaAlong : ArchSigmaAlong * target / 36.0,
@@ -393,40 +715,30 @@ ToothFinder::FindAlongArch(const ToothCode & tooth, FeatureEnum feature)
                         "its place along the arch");
 }
 
-std::optional<ToothFinder::PlaceType>
-ToothFinder::FindPeak(const std::vector<std::size_t> & points,
-                      const std::vector<double> &      arcs,
-                      double                           target,
-                      FeatureEnum                      feature,
-                      double                           sigmaAlong,
-                      double                           sigmaAcross,
-                      const char *                     source) const
+std::vector<std::size_t>
+ToothFinder::CollectPeaks(const std::vector<std::size_t> & points, FeatureEnum feature) const
 {
   // Half the distance of two cusps.
   constexpr double         neighbourhood = 1.7;
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::vector<std::size_t> order = points;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const double first = this->Height(points[a]);
-    const double second = this->Height(points[b]);
-    return first > second || (first == second && points[a] < points[b]);
+    const double first = this->Height(a);
+    const double second = this->Height(b);
+    return first > second || (first == second && a < b);
   });
-  const bool buccal =
-    feature == FeatureEnum::MesiobuccalCusp || feature == FeatureEnum::DistobuccalCusp || feature == FeatureEnum::Cusp;
-  const bool  lingual = feature == FeatureEnum::MesiolingualCusp || feature == FeatureEnum::DistolingualCusp;
-  const auto  none = m_Surface->points.size();
-  std::size_t best = none;
-  double      bestDistance = 0.0;
+  const bool buccal = IsBuccal(feature);
+  const bool lingual = feature == FeatureEnum::MesiolingualCusp || feature == FeatureEnum::DistolingualCusp;
+  std::vector<std::size_t> peaks;
   for (std::size_t k = 0; k < order.size(); ++k)
   {
-    const auto & p = m_Surface->points[points[order[k]]];
-    if (this->Height(points[order[k]]) < this->Height(points[order.front()]) - CuspRange)
+    const auto & p = m_Surface->points[order[k]];
+    if (this->Height(order[k]) < this->Height(order.front()) - CuspRange)
     {
       break;
     }
     const bool isPeak =
       std::none_of(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k), [&](std::size_t other) {
-        const auto & q = m_Surface->points[points[other]];
+        const auto & q = m_Surface->points[other];
         return std::hypot(q[0] - p[0], q[1] - p[1]) < neighbourhood;
       });
     if (!isPeak)
@@ -436,26 +748,40 @@ ToothFinder::FindPeak(const std::vector<std::size_t> & points,
     // Of an incisor's edge the highest is meant, whatever its place.
     if (feature == FeatureEnum::Tip)
     {
-      best = points[order[k]];
-      break;
+      return { order[k] };
     }
     const double offset = m_Arch.Offset(p[0], p[1]);
-    if ((buccal && offset < 0.0) || (lingual && offset > 0.0))
+    if (!(buccal && offset < 0.0) && !(lingual && offset > 0.0))
     {
-      continue;
-    }
-    const double distance = std::abs(arcs[order[k]] - target);
-    if (best == none || distance < bestDistance)
-    {
-      best = points[order[k]];
-      bestDistance = distance;
+      peaks.push_back(order[k]);
     }
   }
-  if (best == none)
+  return peaks;
+}
+
+std::optional<ToothFinder::PlaceType>
+ToothFinder::FindPeak(const std::vector<std::size_t> & points,
+                      double                           target,
+                      FeatureEnum                      feature,
+                      double                           sigmaAlong,
+                      double                           sigmaAcross,
+                      const char *                     source) const
+{
+  const auto peaks = this->CollectPeaks(points, feature);
+  const auto best = std::min_element(peaks.begin(), peaks.end(), [&](std::size_t a, std::size_t b) {
+    return std::abs(this->ArcOf(a) - target) < std::abs(this->ArcOf(b) - target);
+  });
+  if (best == peaks.end())
   {
     return {};
   }
-  return PlaceType{ this->ToMesh(best), sigmaAlong, sigmaAcross, source };
+  return PlaceType{ this->ToMesh(*best), sigmaAlong, sigmaAcross, source };
+}
+
+double
+ToothFinder::ArcOf(std::size_t i) const
+{
+  return std::abs(m_Arch.Arc(m_Surface->points[i][0], m_Surface->points[i][1]));
 }
 
 double
