@@ -10,7 +10,7 @@ text = open(sys.argv[1]).read()
 ENUMERATIONS = re.findall(r"^(?: {4})?class (\w+):(?:(?!^(?: {4})?class ).)*?__members__", text, re.M | re.S)
 DATA = (
     "Mesh", "Image", "Contour", "CephalometricGeometry", "Similarity2DTransform", "VersorRigid3DTransform",
-    "ContourToContourMetricv4", "RobustKernel", "ResidualNoiseModel",
+    "ContourToContourMetricv4", "RobustKernel", "ResidualNoiseModel", "PoseSolution",
 )
 # Outputs that need not be there.
 OPTIONAL_OUTPUTS = ("_GetMesh", "_GetContour", "_GetImage", "_GetRadiograph", "_GetTransform")
