@@ -385,7 +385,7 @@ ReadHeader(const std::string &                           fileName,
         others.push_back(i);
       }
     }
-    label = others.size() == 1 ? others.front() : FindColumnOfNames(others, lines);
+    label = others.size() == 1 && !columns.picture ? others.front() : FindColumnOfNames(others, lines);
     if (!label)
     {
       itkDentalInputErrorMacro(fileName, field, "is a header without a column of labels", "name that column \"label\"");
@@ -635,10 +635,12 @@ public:
   void
   Add(const std::string & picture, std::size_t row)
   {
-    const auto [entry, isNew] = m_Numbers.try_emplace(picture, m_Names.size());
+    // A spreadsheet has what is the same in many lines in the first of them alone.
+    const std::string & name = picture.empty() && !m_Names.empty() ? m_Names[m_OfRows.back()] : picture;
+    const auto [entry, isNew] = m_Numbers.try_emplace(name, m_Names.size());
     if (isNew)
     {
-      m_Names.push_back(picture);
+      m_Names.push_back(name);
     }
     m_OfRows.resize(row, entry->second);
     m_OfRows.push_back(entry->second);

@@ -296,6 +296,8 @@ TEST(AnnotationTable, OfManyFilmsTheRadiographsOwnLinesAreRead)
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetNumberOfLandmarks(), 2u);
   EXPECT_DOUBLE_EQ(reader->GetOutput()->Find("U1_tip")->point[0], 10.0);
+  // As a spreadsheet has it: a name in the first of its lines alone.
+  ExpectTwo("t.csv", "patient,label,x,y\nMiller,U1_tip,10,20\n,L6_MB,30,40\n");
   // Points of two films are never put together.
   for (const char * const text : { "image,label,x,y\nb.png,U1_tip,50,60\na.png,L6_MB,30,40\n",
                                    "patient_id;label;x;y\nb;U1_tip;50;60\na;L6_MB;30;40\n",
