@@ -55,7 +55,7 @@ constexpr double DegreesPerRadian = 57.29577951308232;
 /** px over which the lingual side begins behind the incisal edge, 1.5 mm. */
 constexpr double EdgeLength = 6.0;
 /** Points of a crown, 2.5 px apart, that say where it lies. */
-constexpr std::size_t FewestPoints = 5;
+constexpr std::size_t FewestCrownPoints = 5;
 /** Position of the canine. */
 constexpr unsigned int LastFrontPosition = 3;
 
@@ -218,7 +218,7 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     }
     this->AddPoint(points[i], normal, lingual);
   }
-  if (m_Points.size() < FewestPoints)
+  if (m_Points.size() < FewestCrownPoints)
   {
     m_Failure = "next to nothing of its crown's border is its own: the rest has no weight, as where it lies against a "
                 "tooth of the other jaw";
