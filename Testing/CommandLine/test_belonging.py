@@ -385,6 +385,16 @@ def test_landmarks_of_another_copy_are_told_as_such(run, standard_case, tmp_path
             assert "a copy of the radiograph 0.5" in finding["text"] and finding["value"] == pytest.approx(2 * spacing, rel=0.05)
 
 
+def test_landmarks_in_per_cent_are_asked_for(run, standard_case, tmp_path):
+    case = standard_case
+    height, width = matplotlib.image.imread(case.folder / "ceph.png").shape[:2]
+    places = case.load("cephalometric.json")
+    case.save({name: [100.0 * u / width, 100.0 * v / height] for name, (u, v) in places.items()}, "cephalometric.json")
+    done = run("register", case.file, "--output", tmp_path / "out", "--no-report")
+    assert done.returncode == 1
+    assert any("are they per cent of the picture's size" in line for line in load(tmp_path / "out")["warnings"]), done.stderr
+
+
 def test_a_molar_marked_at_its_other_end_is_no_other_spacing(run, standard_case, tmp_path):
     """The mesial cusps called mesial contacts: all distances from the incisors are a tenth too short, as at another scale."""
     case = standard_case

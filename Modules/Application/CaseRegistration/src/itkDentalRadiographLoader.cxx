@@ -505,5 +505,19 @@ DentalRadiographLoader::LoadLandmarks()
                         m_Data.imageSize,
                         own ? m_Case.fileName : m_Description.cephalometricLandmarksFile,
                         own ? this->Field("cephalometric_landmarks.") : "");
+  // Teeth are nowhere within 100 px of a corner of a whole radiograph.
+  constexpr unsigned int smallest = 400;
+  const auto &           marked = m_Data.cephalometricLandmarks->GetLandmarks();
+  const bool             areWithin = std::all_of(marked.begin(), marked.end(), [](const auto & landmark) {
+    constexpr double whole = 100.0;
+    return landmark.point[0] >= 0.0 && landmark.point[0] <= whole && landmark.point[1] >= 0.0 &&
+           landmark.point[1] <= whole;
+  });
+  if (marked.size() > 1 && areWithin && std::min(m_Data.imageSize[0], m_Data.imageSize[1]) >= smallest)
+  {
+    m_Warnings.push_back((own ? m_Case.fileName : m_Description.cephalometricLandmarksFile) +
+                         ": all landmarks are from 0 to 100: are they per cent of the picture's size? Then multiply u "
+                         "by a hundredth of its width and v by one of its height");
+  }
 }
 } // namespace itk

@@ -506,7 +506,7 @@ ReadAnyContourRecords(const std::string &                fileName,
   switch (records.format)
   {
     case Format::CSV:
-      for (AnnotationTableRow & row : ReadAnnotationTable(fileName, 2, records.warnings))
+      for (AnnotationTableRow & row : ReadAnnotationTable(fileName, 2, imageName, records.warnings))
       {
         if (records.polylines.empty() || records.polylines.back().label != row.label)
         {
@@ -606,7 +606,7 @@ ReadLandmarkRecords(const std::string &      fileName,
   records.format = format;
   if (format == Format::CSV)
   {
-    for (AnnotationTableRow & row : ReadAnnotationTable(fileName, dimension, records.warnings))
+    for (AnnotationTableRow & row : ReadAnnotationTable(fileName, dimension, imageName, records.warnings))
     {
       records.landmarks.push_back({ row.field, row.label, row.point });
     }

@@ -21,6 +21,7 @@
 #include "itkAnnotationText.h"
 #include "itkAppendWarning.h"
 #include "itkDentalInputError.h"
+#include "itkForeignAnnotationRecords.h"
 #include "itkLowerCase.h"
 #include "itkMakeUTF8.h"
 #include "itkTextFile.h"
@@ -29,6 +30,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -45,6 +47,12 @@ struct TableColumns
   std::size_t first[3] = { 1, 2, 3 };
   /** Where there is one; else as many columns as coordinates. */
   std::optional<std::size_t> unit;
+  /** Of the picture's name, as a table of many films has. */
+  std::optional<std::size_t> picture;
+  /** Of width and height beside a place: a box's, or the picture's. */
+  std::optional<std::size_t> box[2];
+  /** Of the depth where two coordinates are wanted. */
+  std::optional<std::size_t> depth;
   /** Named by a header: further columns are nobody's business. */
   bool named{ false };
 };
@@ -129,6 +137,190 @@ FindColumnOfNames(const std::vector<std::size_t> & candidates, const std::vector
   return found;
 }
 
+/** The words of a header's cell: "Y (px)" is y and px, "pos_x" pos and x. */
+std::vector<std::string>
+SplitWords(const std::string & cell)
+{
+  std::vector<std::string> words;
+  std::istringstream       stream(LowerCase(cell));
+  for (std::string word; std::getline(stream, word, ' ');)
+  {
+    std::size_t begin = 0;
+    while (begin < word.size())
+    {
+      const std::size_t end = std::min(word.find_first_of("_-.()[]:/", begin), word.size());
+      if (end > begin)
+      {
+        words.push_back(word.substr(begin, end - begin));
+      }
+      begin = end + 1;
+    }
+  }
+  return words;
+}
+
+/** The ways to call the axes. What stands for an axis in one of them may be another thing beside a complete other one:
+ * a row's number, a landmark's visibility. */
+enum class AxisNames
+{
+  XY,
+  UV,
+  ColumnRow
+};
+constexpr std::size_t NumberOfAxisNames = 3;
+
+/** What a column of coordinates is called after. */
+struct AxisColumn
+{
+  AxisNames names{ AxisNames::XY };
+  int       axis{ -1 };
+  bool      millimetres{ false };
+  bool      saysPixels{ false };
+  /** A word that is neither a unit of pixels nor one of places, "error" or "%". */
+  std::string unknown;
+};
+
+/** What a header's cell says of an axis; an axis of -1 where it says nothing. */
+AxisColumn
+ReadAxis(const std::string & cell)
+{
+  AxisColumn column;
+  for (const std::string & word : SplitWords(cell))
+  {
+    const int xy = IsOneOf(word, { "x", "cx", "xcoord" })   ? 0
+                   : IsOneOf(word, { "y", "cy", "ycoord" }) ? 1
+                   : IsOneOf(word, { "z", "cz", "zcoord" }) ? 2
+                                                            : -1;
+    const int uv = word == "u" ? 0 : word == "v" ? 1 : -1;
+    const int columnRow = IsOneOf(word, { "column", "col" }) ? 0 : word == "row" ? 1 : -1;
+    const int axis = std::max({ xy, uv, columnRow });
+    if (axis >= 0 && column.axis < 0)
+    {
+      column.axis = axis;
+      column.names = xy >= 0 ? AxisNames::XY : uv >= 0 ? AxisNames::UV : AxisNames::ColumnRow;
+    }
+    else if (word == "mm")
+    {
+      column.millimetres = true;
+    }
+    else if (IsOneOf(word, { "px", "pixel", "pixels" }))
+    {
+      column.saysPixels = true;
+    }
+    else if (!IsOneOf(word,
+                      { "coord",
+                        "coords",
+                        "coordinate",
+                        "koordinate",
+                        "pos",
+                        "position",
+                        "location",
+                        "center",
+                        "centre",
+                        "point",
+                        "landmark",
+                        "value",
+                        "axis" }))
+    {
+      column.unknown = word;
+    }
+  }
+  return column;
+}
+
+/** Finds the columns of coordinates, each axis once and all in one way to call them; false where there are none. Throws
+ * where more than one would do: which one is meant is known to nobody. */
+bool
+FindAxes(const std::string &              fileName,
+         const std::string &              field,
+         const std::vector<std::string> & cells,
+         unsigned int                     dimension,
+         std::optional<std::size_t> (&axes)[3])
+{
+  std::optional<std::size_t> chosen;
+  std::string                secondOfTwo;
+  std::optional<std::size_t> millimetres;
+  for (std::size_t names = 0; names < NumberOfAxisNames; ++names)
+  {
+    std::optional<std::size_t> found[3];
+    bool                       said[3] = { false, false, false };
+    std::string                again;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      const AxisColumn column = ReadAxis(cells[i]);
+      if (column.axis < 0 || !column.unknown.empty() || static_cast<std::size_t>(column.names) != names)
+      {
+        continue;
+      }
+      if (dimension == 2 && column.millimetres)
+      {
+        millimetres = millimetres ? millimetres : i;
+        continue;
+      }
+      // Of "x" and "x_px" the one that says so.
+      const bool says = dimension == 2 ? column.saysPixels : column.millimetres;
+      if (!found[column.axis] || (says && !said[column.axis]))
+      {
+        found[column.axis] = i;
+        said[column.axis] = says;
+      }
+      else if (says == said[column.axis])
+      {
+        again = cells[i];
+      }
+    }
+    if (!found[0] || !found[1] || (dimension == 3 && !found[2]))
+    {
+      continue;
+    }
+    if (chosen || !again.empty())
+    {
+      secondOfTwo = again.empty() ? cells[*found[0]] : again;
+      break;
+    }
+    chosen = names;
+    std::copy(found, found + 3, axes);
+  }
+  if (!secondOfTwo.empty())
+  {
+    itkDentalInputErrorMacro(fileName,
+                             field,
+                             "has more than one column of an axis, \"" + secondOfTwo.substr(0, 40) +
+                               "\" beside another",
+                             "keep the coordinates in pixels alone");
+  }
+  if (!chosen && millimetres)
+  {
+    itkDentalInputErrorMacro(fileName,
+                             field,
+                             "the column \"" + cells[*millimetres].substr(0, 40) + "\" is in mm",
+                             "convert the coordinates to pixels");
+  }
+  return chosen.has_value();
+}
+
+/** Whether a header's cell names a column of pictures, or of patients with a picture each. */
+bool
+IsWordForPictures(const std::string & cell)
+{
+  const std::vector<std::string> words = SplitWords(cell);
+  return !words.empty() &&
+         IsOneOf(words.front(),
+                 { "image",
+                   "imagename",
+                   "img",
+                   "file",
+                   "filename",
+                   "picture",
+                   "radiograph",
+                   "film",
+                   "case",
+                   "patient",
+                   "patientid",
+                   "subject" }) &&
+         (words.size() == 1 || IsOneOf(words[1], { "name", "id", "path", "file", "filename", "no", "number" }));
+}
+
 /** Takes the columns from a header; false where the line is none.
  *
  * \param lines What follows it. */
@@ -143,32 +335,20 @@ ReadHeader(const std::string &                           fileName,
   std::vector<std::size_t>   labels;
   std::optional<std::size_t> axes[3];
   std::optional<std::size_t> unit;
+  if (!FindAxes(fileName, field, cells, dimension, axes))
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     const std::string cell = LowerCase(cells[i]);
-    // Of an axis "x", "x_px", "x (px)", "x [mm]" are read; what follows is its unit.
-    const std::size_t end = cell.find_first_of(" _-([");
-    const std::string axis = cell.substr(0, end);
-    // None where nothing follows: "x (".
-    const std::size_t unitBegin = end == std::string::npos ? end : cell.find_first_not_of(" _-([", end);
-    const std::string rest = unitBegin == std::string::npos ? std::string() : cell.substr(unitBegin);
-    const bool        pixels =
-      IsOneOf(rest, { "", "px", "px)", "px]", "pixel", "pixels", "pixel)", "pixels)", "coord", "coordinate", "pos" });
-    const bool millimetres = IsOneOf(rest, { "mm", "mm)", "mm]" });
-    const int  number = IsOneOf(axis, { "x", "u", "column", "col" }) ? 0
-                        : IsOneOf(axis, { "y", "v", "row" })         ? 1
-                        : axis == "z"                                ? 2
-                                                                     : -1;
-    if (number >= 0 && (pixels || millimetres) && !axes[number])
+    if (i == axes[0] || i == axes[1] || i == axes[2])
     {
-      if (dimension == 2 && millimetres)
-      {
-        itkDentalInputErrorMacro(fileName,
-                                 field,
-                                 "the column \"" + cells[i].substr(0, 40) + "\" is in mm",
-                                 "convert the coordinates to pixels");
-      }
-      axes[number] = i;
+      continue;
+    }
+    if (IsWordForPictures(cell) && !columns.picture)
+    {
+      columns.picture = i;
     }
     else if (IsWordForLabels(cell))
     {
@@ -178,11 +358,16 @@ ReadHeader(const std::string &                           fileName,
     {
       unit = i;
     }
+    else if (IsOneOf(cell, { "width", "w" }))
+    {
+      columns.box[0] = i;
+    }
+    else if (IsOneOf(cell, { "height", "h" }))
+    {
+      columns.box[1] = i;
+    }
   }
-  if (!axes[0] || !axes[1] || (dimension == 3 && !axes[2]))
-  {
-    return false;
-  }
+  columns.depth = dimension == 2 ? axes[2] : std::nullopt;
   std::optional<std::size_t> label = FindColumnOfNames(labels, lines);
   if (!label && !labels.empty())
   {
@@ -195,12 +380,12 @@ ReadHeader(const std::string &                           fileName,
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      if (i != axes[0] && i != axes[1] && i != axes[2] && i != unit)
+      if (i != axes[0] && i != axes[1] && i != axes[2] && i != unit && i != columns.picture)
       {
         others.push_back(i);
       }
     }
-    label = others.size() == 1 ? others.front() : FindColumnOfNames(others, lines);
+    label = others.size() == 1 && !columns.picture ? others.front() : FindColumnOfNames(others, lines);
     if (!label)
     {
       itkDentalInputErrorMacro(fileName, field, "is a header without a column of labels", "name that column \"label\"");
@@ -408,6 +593,120 @@ FindHeaderLine(const std::string & fileName, const std::string & text, unsigned 
   return 0;
 }
 
+/** Throws where a header that was not understood says that its columns are no label and coordinates in their order. */
+void
+VerifyHeaderIsNoOther(const std::string &              fileName,
+                      const std::string &              field,
+                      const std::vector<std::string> & cells,
+                      const TableColumns &             columns,
+                      unsigned int                     dimension)
+{
+  for (unsigned int i = 0; i < dimension; ++i)
+  {
+    const std::string &            cell = cells[columns.first[i]];
+    const AxisColumn               column = ReadAxis(cell);
+    const std::vector<std::string> words = SplitWords(cell);
+    const bool                     hasUnit = std::any_of(words.begin(), words.end(), [](const std::string & word) {
+      return IsOneOf(word, { "cm", "inch", "in", "%", "percent", "norm", "normalized", "relative", "mm" });
+    });
+    const bool                     isOfOther =
+      IsOneOf(LowerCase(cell),
+              { "dx", "dy", "xerror", "yerror", "r", "rho", "theta", "angle", "distance", "radius", "i", "j" });
+    const bool isOtherAxis =
+      (column.axis >= 0 && column.axis != static_cast<int>(i)) ||
+      std::any_of(words.begin(), words.end(), [i](const std::string & word) {
+        return IsOneOf(word, { "vertical", "height" }) ? i != 1 : IsOneOf(word, { "horizontal", "width" }) && i != 0;
+      });
+    if (isOtherAxis || isOfOther || (dimension == 2 && hasUnit) || (column.axis >= 0 && !column.unknown.empty()))
+    {
+      itkDentalInputErrorMacro(fileName,
+                               field,
+                               "the column \"" + cell.substr(0, 40) + "\" is not known to be the coordinate \"" +
+                                 "xyz"[i] + "\"" + (dimension == 2 ? " in pixels" : ""),
+                               std::string("convert it where it is another thing, and call it \"") + "xyz"[i] + '"');
+    }
+  }
+}
+
+/** The pictures of a table's rows: a table of many films has points of each. */
+class TablePictures
+{
+public:
+  void
+  Add(const std::string & picture, std::size_t row)
+  {
+    // A spreadsheet has what is the same in many lines in the first of them alone.
+    const std::string & name = picture.empty() && !m_Names.empty() ? m_Names[m_OfRows.back()] : picture;
+    const auto [entry, isNew] = m_Numbers.try_emplace(name, m_Names.size());
+    if (isNew)
+    {
+      m_Names.push_back(name);
+    }
+    m_OfRows.resize(row, entry->second);
+    m_OfRows.push_back(entry->second);
+  }
+
+  /** Keeps the rows of the radiograph; throws where there are several pictures and none is it. */
+  void
+  Choose(const std::string & fileName, const std::string & imageName, std::vector<AnnotationTableRow> & rows) const
+  {
+    if (m_Names.size() < 2)
+    {
+      return;
+    }
+    const std::size_t               chosen = ChooseImage(fileName, "", m_Names, imageName);
+    std::vector<AnnotationTableRow> kept;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      if (i >= m_OfRows.size() || m_OfRows[i] == chosen)
+      {
+        kept.push_back(std::move(rows[i]));
+      }
+    }
+    rows = std::move(kept);
+  }
+
+private:
+  std::map<std::string, std::size_t> m_Numbers;
+  std::vector<std::string>           m_Names;
+  std::vector<std::size_t>           m_OfRows;
+};
+
+/** Width and height beside a place. Of boxes a place is the corner, which no landmark has. */
+class TableBoxes
+{
+public:
+  void
+  Add(const TableColumns & columns, const std::vector<std::string> & cells, const AnnotationTableRow & row)
+  {
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      double size = 0.0;
+      if (columns.box[0] && columns.box[1] && *columns.box[i] < cells.size() &&
+          ParseTableNumber(cells[*columns.box[i]], size) && row.point[i] > size && m_Field.empty())
+      {
+        // The picture's size would hold the place.
+        m_Field = row.field;
+      }
+    }
+  }
+
+  void
+  Verify(const std::string & fileName) const
+  {
+    if (!m_Field.empty())
+    {
+      itkDentalInputErrorMacro(fileName,
+                               m_Field,
+                               "has a width and a height: a box, of which x and y are a corner",
+                               "write the middle of each box, and leave width and height out");
+    }
+  }
+
+private:
+  std::string m_Field;
+};
+
 /** A row of makesense.ai, which has no header: label, x, y, the picture's name, its width and height. */
 bool
 IsRowOfMakeSense(const std::vector<std::string> & cells)
@@ -421,7 +720,10 @@ IsRowOfMakeSense(const std::vector<std::string> & cells)
 } // namespace
 
 std::vector<AnnotationTableRow>
-ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::vector<std::string> & warnings)
+ReadAnnotationTable(const std::string &        fileName,
+                    unsigned int               dimension,
+                    const std::string &        imageName,
+                    std::vector<std::string> & warnings)
 {
   std::string text = MakeUTF8(ReadTextFile(fileName, "a CSV file"));
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0)
@@ -439,6 +741,8 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
   std::string                     firstWithNumberSign;
   bool                            allWithNumberSign = true;
   const std::size_t               headerLine = FindHeaderLine(fileName, text, dimension);
+  TablePictures                   pictures;
+  TableBoxes                      boxes;
   for (std::size_t begin = 0; begin < text.size();)
   {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -487,6 +791,7 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
     if (first && dimension == 2 && IsRowOfMakeSense(cells))
     {
       columns.named = true;
+      columns.picture = 3;
     }
     const std::size_t last = columns.named ? std::max({ columns.label,
                                                         columns.first[0],
@@ -525,7 +830,9 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
     }
     if (first && numbers == 0 && !NamesToothOrJaw(row.label))
     {
-      warnings.push_back(fileName + ": " + field + ": taken for a header, as it has no numbers");
+      VerifyHeaderIsNoOther(fileName, field, cells, columns, dimension);
+      warnings.push_back(fileName + ": " + field + ": taken for a header, as it has no numbers; columns are read as " +
+                         form);
       continue;
     }
     for (unsigned int i = 0; i < dimension; ++i)
@@ -552,6 +859,22 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
                                  "convert the coordinates");
       }
     }
+    if (columns.depth && *columns.depth < cells.size())
+    {
+      double depth = 0.0;
+      if (ParseTableNumber(cells[*columns.depth], depth) && depth != 0.0)
+      {
+        itkDentalInputErrorMacro(fileName,
+                                 field,
+                                 "has a third coordinate, and points of a radiograph have two",
+                                 "name the landmarks of a scan as \"landmarks_3d\", or delete that column");
+      }
+    }
+    if (columns.picture && *columns.picture < cells.size())
+    {
+      pictures.Add(cells[*columns.picture], rows.size());
+    }
+    boxes.Add(columns, cells, row);
     if (hasNumberSign && firstWithNumberSign.empty())
     {
       firstWithNumberSign = field + ": \"" + row.label.substr(0, 40) + '"';
@@ -566,6 +889,8 @@ ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::v
                        " is read as a tooth, as its coordinates follow, though other lines have no #; delete a line "
                        "that is not meant");
   }
+  boxes.Verify(fileName);
+  pictures.Choose(fileName, imageName, rows);
   return rows;
 }
 } // namespace itk

@@ -33,9 +33,14 @@ struct AnnotationTableRow
 };
 
 /** Every line of a table (CSV, by comma, semicolon or tab) with a label and as many coordinates as wanted, 2 in pixels
- * or 3 in mm; the columns are those of a header where there is one. Throws DentalInputError. */
+ * or 3 in mm; the columns are those of a header where there is one. Throws DentalInputError.
+ *
+ * \param imageName Whose lines are taken of a table of many pictures */
 std::vector<AnnotationTableRow>
-ReadAnnotationTable(const std::string & fileName, unsigned int dimension, std::vector<std::string> & warnings);
+ReadAnnotationTable(const std::string &        fileName,
+                    unsigned int               dimension,
+                    const std::string &        imageName,
+                    std::vector<std::string> & warnings);
 } // namespace itk
 
 #endif

@@ -35,14 +35,59 @@ constexpr const char * Coordinates[][3] = { { "x", "u", "X" }, { "y", "v", "Y" }
 std::optional<JsonNode>
 FindAxis(const JsonNode & place, unsigned int axis)
 {
+  std::optional<JsonNode> found;
   for (const char * const name : Coordinates[axis])
   {
-    if (const auto member = place.Find(name))
+    const auto member = place.Find(name);
+    // Of "x" in mm and "u" in pixels nothing says which is meant. That "z" is tried twice is no contradiction.
+    if (member && found && member->IsNumber() && found->IsNumber() && member->AsNumber() != found->AsNumber())
     {
-      return member;
+      member->Fail("is another coordinate than \"" + std::string(Coordinates[axis][0]) + "\"",
+                   "keep the coordinates in pixels alone");
+    }
+    found = found ? found : member;
+  }
+  return found;
+}
+
+/** Whether an entry says that its landmark is not there, as detectors and programs for skeletons write it, often with a
+ * place at 0, 0. */
+bool
+SaysItIsMissing(const JsonNode & entry)
+{
+  const auto says = [&entry](const char * name, bool value) {
+    const auto member = entry.Find(name);
+    return member && ((member->GetKind() == JsonNode::KindEnum::Boolean && member->AsBoolean() == value) ||
+                      (member->IsNumber() && (member->AsNumber() != 0.0) == value));
+  };
+  return says("visible", false) || says("visibility", false) || says("detected", false) || says("missing", true) ||
+         says("outside", true);
+}
+
+/** Throws where a place of a radiograph has a depth, or is the corner of a box: both would be read as another point. */
+void
+VerifyIsPointOfPicture(const JsonNode & entry, const JsonNode & place, const std::array<double, 3> & point)
+{
+  const auto depth = FindAxis(place, 2);
+  if (depth && depth->IsNumber() && depth->AsNumber() != 0.0)
+  {
+    depth->Fail("is a third coordinate, and points of a radiograph have two",
+                "name the landmarks of a scan as \"landmarks_3d\", or leave it out");
+  }
+  constexpr const char * sizes[][2] = { { "width", "w" }, { "height", "h" } };
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    for (const char * const name : sizes[i])
+    {
+      const auto size = entry.Find(name);
+      // The picture's size would hold the place.
+      if (size && size->IsNumber() && point[i] > size->AsNumber())
+      {
+        size->Fail("is the size of a box, of which x and y are a corner",
+                   "write the middle of each box, and leave its size out");
+      }
     }
   }
-  return std::nullopt;
 }
 
 /** The member of an entry that is its place; the entry itself where it has none. */
@@ -168,6 +213,14 @@ FindLandmarkEntries(const JsonNode & root, unsigned int dimension)
         VerifyUnit(node);
       }
     }
+    for (const char * const name : { "metadata", "meta", "info", "image" })
+    {
+      const auto about = list && root.IsObject() ? root.Find(name) : std::nullopt;
+      if (about && about->IsObject())
+      {
+        VerifyUnit(*about);
+      }
+    }
     for (const LandmarkEntry & entry : entries)
     {
       if (entry.node.IsObject())
@@ -202,7 +255,7 @@ ReadLandmarkPlace(const JsonNode & node, unsigned int dimension, const char * mi
 {
   std::array<double, 3> point{ { 0.0, 0.0, 0.0 } };
   const JsonNode        place = node.IsObject() ? FindPlace(node) : node;
-  if (place.IsNull())
+  if (place.IsNull() || (node.IsObject() && SaysItIsMissing(node)))
   {
     return std::nullopt;
   }
@@ -219,6 +272,10 @@ ReadLandmarkPlace(const JsonNode & node, unsigned int dimension, const char * mi
       return std::nullopt;
     }
     std::transform(axes.begin(), axes.end(), point.begin(), [](const JsonNode & axis) { return axis.AsNumber(); });
+    if (dimension == 2)
+    {
+      VerifyIsPointOfPicture(node, place, point);
+    }
     return point;
   }
   // ["U1_tip", u, v]

@@ -24,6 +24,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 using itk::CephalometricLandmarkFileReader;
 using itk::Contains;
 using itk::DentalContourFileReader;
@@ -147,6 +149,29 @@ TEST(LandmarkJSON, WhatIsMissingOrInAnotherUnitIsNamed)
   EXPECT_TRUE(Contains(reader->GetWarnings().at(0), "landmarks.U1_tip: is not marked"));
 }
 
+TEST(LandmarkJSON, WhatIsNoPointOfThePictureIsNotReadAsOne)
+{
+  // Not there, whatever place it has.
+  ExpectTwo("a.json",
+            R"([{"name": "U1_tip", "x": 10, "y": 20, "visible": true}, {"name": "L6_MB", "x": 30, "y": 40, "z": 0},
+                {"name": "L1_tip", "x": 0, "y": 0, "visible": 0}, {"name": "U6_MB", "x": 0, "y": 0, "missing": true}])");
+  // The picture's size beside a place is no box.
+  ExpectTwo(
+    "a.json",
+    R"([{"name": "U1_tip", "x": 10, "y": 20, "width": 703, "height": 938}, {"name": "L6_MB", "x": 30, "y": 40}])");
+  const std::pair<const char *, const char *> files[] = {
+    { R"([{"name": "U1_tip", "x": 100, "y": 20, "width": 40, "height": 50}])", "[0].width: is the size of a box" },
+    { R"([{"name": "U1_tip", "x": 1, "y": 2, "z": 3}])", "[0].z: is a third coordinate" },
+    { R"([{"name": "U1_tip", "x": 1, "y": 2, "u": 10, "v": 20}])", "[0].u: is another coordinate than \"x\"" },
+    { R"({"metadata": {"unit": "mm"}, "landmarks": {"U1_tip": [10, 20]}})", "metadata.unit: is \"mm\"" },
+  };
+  for (const auto & [text, problem] : files)
+  {
+    const auto error = LandmarkError("a.json", text).GetOneLine();
+    EXPECT_TRUE(Contains(error, problem)) << error;
+  }
+}
+
 TEST(LandmarkJSON, OfScansAndForMeasuring)
 {
   const auto scan = MakeReader<Landmarks3D>(
@@ -225,6 +250,77 @@ TEST(AnnotationTable, TitlesEmptyRowsBlanksAndRowsOfMakeSense)
   ExpectTwo("a.csv", "U1_tip,10,20,,\nL6_MB,30,40,,\n");
   ExpectTwo("a.csv", "U1_tip,10,20,ceph.png,703,938\nL6_MB,30,40,ceph.png,703,938\n");
   EXPECT_EQ(LandmarkError("a.csv", "U1_tip,10,20,30,40,50\n").GetField(), "line 1");
+}
+
+TEST(AnnotationTable, AColumnOfAnotherThingIsNoCoordinate)
+{
+  // A line's number and a visibility beside x and y; axes in any order and spelling; of two columns the one in pixels.
+  ExpectTwo("a.csv", "row,label,x,y\n0,U1_tip,10,20\n1,L6_MB,30,40\n");
+  ExpectTwo("a.csv", "label,v,x,y\nU1_tip,2,10,20\nL6_MB,2,30,40\n");
+  ExpectTwo("a.csv", "label,pos_y,pos_x\nU1_tip,20,10\nL6_MB,40,30\n");
+  ExpectTwo("a.csv", "label,cy,cx\nU1_tip,20,10\nL6_MB,40,30\n");
+  ExpectTwo("a.csv", "label,x,y,x_px,y_px\nU1_tip,1,2,10,20\nL6_MB,3,4,30,40\n");
+  ExpectTwo("a.csv", "label,x_mm,y_mm,x_px,y_px\nU1_tip,1,2,10,20\nL6_MB,3,4,30,40\n");
+  ExpectTwo("a.csv", "label,x,y,x_error,y_error\nU1_tip,10,20,1,2\nL6_MB,30,40,3,4\n");
+  ExpectTwo("a.csv", "label,x,y,z\nU1_tip,10,20,0\nL6_MB,30,40,0\n");
+  ExpectTwo("a.csv", "label,x,y,width,height\nU1_tip,10,20,703,938\nL6_MB,30,40,703,938\n");
+
+  const std::pair<const char *, const char *> tables[] = {
+    { "label,x,y,u,v\nU1_tip,1,2,10,20\n", "line 1: has more than one column of an axis, \"u\"" },
+    { "label,x,y,x,y\nU1_tip,1,2,10,20\n", "more than one column of an axis" },
+    { "label,x_mm,y_mm\nU1_tip,1,2\n", "the column \"x_mm\" is in mm" },
+    { "label,x (%),y (%)\nU1_tip,55,60\n", "the column \"x (%)\" is not known to be the coordinate \"x\" in pixels" },
+    { "label,x (cm),y (cm)\nU1_tip,5,6\n", "the column \"x (cm)\"" },
+    { "label,x_error,y_error\nU1_tip,5,6\n", "the column \"x_error\"" },
+    { "label,vertical,horizontal\nU1_tip,5,6\n", "the column \"vertical\"" },
+    { "label,r,theta\nU1_tip,5,6\n", "the column \"r\"" },
+    { "label,x,y,z\nU1_tip,5,6,7\n", "line 2: has a third coordinate" },
+    { "label,x,y,width,height\nU1_tip,500,600,40,50\n", "line 2: has a width and a height: a box" },
+  };
+  for (const auto & [text, problem] : tables)
+  {
+    const auto error = LandmarkError("a.csv", text).GetOneLine();
+    EXPECT_TRUE(Contains(error, problem)) << error;
+  }
+  // What is in a language of its own is read in the order of the columns, and said.
+  const auto other = MakeReader<CephalometricLandmarkFileReader>("a.csv", "Punkt,Breite,Hoehe\nU1_tip,5,6\n");
+  other->Update();
+  EXPECT_TRUE(Contains(other->GetWarnings().at(0), "taken for a header, as it has no numbers; columns are read as"));
+}
+
+TEST(AnnotationTable, OfManyFilmsTheRadiographsOwnLinesAreRead)
+{
+  const std::string films = "image,label,x,y\nb.png,U1_tip,50,60\na.png,U1_tip,10,20\na.png,L6_MB,30,40\n";
+  const auto        reader = MakeReader<CephalometricLandmarkFileReader>("t.csv", films);
+  reader->SetImageFileName("folder/A.png");
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfLandmarks(), 2u);
+  EXPECT_DOUBLE_EQ(reader->GetOutput()->Find("U1_tip")->point[0], 10.0);
+  // As a spreadsheet has it: a name in the first of its lines alone.
+  ExpectTwo("t.csv", "patient,label,x,y\nMiller,U1_tip,10,20\n,L6_MB,30,40\n");
+  // Points of two films are never put together.
+  for (const char * const text : { "image,label,x,y\nb.png,U1_tip,50,60\na.png,L6_MB,30,40\n",
+                                   "patient_id;label;x;y\nb;U1_tip;50;60\na;L6_MB;30;40\n",
+                                   "U1_tip,50,60,b.png,703,938\nL6_MB,30,40,a.png,703,938\n" })
+  {
+    const auto error = LandmarkError("t.csv", text).GetOneLine();
+    EXPECT_TRUE(Contains(error, "has 2 pictures (b")) << error;
+  }
+  std::string outlines = "image,label,x,y\n";
+  for (const char * const picture : { "b.png", "a.png" })
+  {
+    for (const char * const point : { "10,10", "30,10", "40,30", "30,60", "10,60" })
+    {
+      outlines += std::string(picture) + ",UR1," + (picture[0] == 'b' ? "2" : "") + point + '\n';
+    }
+  }
+  EXPECT_TRUE(Contains(ContourError("t.csv", outlines).GetOneLine(), "has 2 pictures"));
+  const auto contours = Contours("t.csv", outlines);
+  contours->SetImageFileName("a.png");
+  const auto polylines = Updated(contours)->GetOutput(itk::ToothCode::JawEnum::Upper)->GetPolylines();
+  ASSERT_EQ(polylines.size(), 1u);
+  EXPECT_EQ(polylines[0].points.size(), 5u);
+  EXPECT_DOUBLE_EQ(polylines[0].points[0][0], 10.0);
 }
 
 TEST(AnnotationTable, LettersOfWesternEuropeAreReadAsSpreadsheetsSaveThem)

@@ -54,6 +54,8 @@ constexpr double LargestBackTilt = 50.0;
 constexpr double DegreesPerRadian = 57.29577951308232;
 /** px over which the lingual side begins behind the incisal edge, 1.5 mm. */
 constexpr double EdgeLength = 6.0;
+/** Points of a crown, 2.5 px apart, that say where it lies. */
+constexpr std::size_t FewestCrownPoints = 5;
 /** Position of the canine. */
 constexpr unsigned int LastFrontPosition = 3;
 
@@ -189,10 +191,21 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
     area += a[0] * b[1] - a[1] * b[0];
   }
   const double sign = area > 0.0 ? 1.0 : -1.0;
+  // Of a label map the border of one jaw against the other is the other tooth's edge, and has no weight.
+  const auto isHidden = [&](const PointType & p) {
+    if (polyline.weights.empty())
+    {
+      return false;
+    }
+    const auto nearest = std::min_element(drawn.begin(), drawn.end(), [&p](const PointType & a, const PointType & b) {
+      return std::hypot(a[0] - p[0], a[1] - p[1]) < std::hypot(b[0] - p[0], b[1] - p[1]);
+    });
+    return !(polyline.weights[static_cast<std::size_t>(nearest - drawn.begin())] > 0.0);
+  };
   const double neck = high - std::min(FreeShare * ShareOf(jaw, m_Position) * m_Length, ScannedShare * scanned);
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (along(points[i]) < neck)
+    if (along(points[i]) < neck || isHidden(points[i]))
     {
       continue;
     }
@@ -204,6 +217,12 @@ WholeToothOutline::WholeToothOutline(const PoseGeometry &                geometr
       lingual = std::min(1.0, (high - along(points[i])) / EdgeLength);
     }
     this->AddPoint(points[i], normal, lingual);
+  }
+  if (m_Points.size() < FewestCrownPoints)
+  {
+    m_Failure = "next to nothing of its crown's border is its own: the rest has no weight, as where it lies against a "
+                "tooth of the other jaw";
+    return;
   }
   m_Reference = *std::max_element(
     m_Points.begin(), m_Points.end(), [&](const PointType & a, const PointType & b) { return along(a) < along(b); });

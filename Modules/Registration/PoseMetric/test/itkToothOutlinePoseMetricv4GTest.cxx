@@ -24,6 +24,7 @@
 #include "itkLevenbergMarquardtOptimizerv4.h"
 #include "itkMeshSilhouette.h"
 #include "itkPoseModel.h"
+#include "itkWholeToothOutline.h"
 
 #include <gtest/gtest.h>
 
@@ -795,4 +796,38 @@ TEST(ToothOutlinePoseMetricv4, ACrownWithoutItsRootIsNoWholeTooth)
   const std::string crowns = reasons(cut(MakeDrawing(false), 0.42), cut(MakeDrawing(true), 0.38));
   EXPECT_NE(crowns.find("U1: it is too wide for its length: is it a crown"), std::string::npos) << crowns;
   EXPECT_NE(crowns.find("U6: its long axis lies along the arch: is it a crown"), std::string::npos) << crowns;
+}
+
+TEST(WholeToothOutline, PointsWithoutWeightAreNoBorder)
+{
+  // As of a label map, where a tooth of the other jaw covers the front of the crown.
+  const auto                       geometry = MakeTransform(Truth)->GetPoseGeometry();
+  itk::DentalContour::PolylineType polyline = MakeTracing(MakeDrawing(false), MakeDrawing(true))->GetPolylines()[1];
+  constexpr double                 scanned = 40.0;
+  const itk::WholeToothOutline     whole(geometry, polyline, JawEnum::Upper, scanned);
+  ASSERT_EQ(whole.GetFailure(), "");
+  const auto & middle = whole.GetCentroid();
+  for (const auto & p : polyline.points)
+  {
+    const auto at = itk::PoseModel::ToWorkingPlane(geometry, { { p[0], p[1] } });
+    polyline.weights.push_back(at[1] > middle[1] ? 0.0 : 1.0);
+  }
+  const itk::WholeToothOutline half(geometry, polyline, JawEnum::Upper, scanned);
+  ASSERT_EQ(half.GetFailure(), "");
+  std::size_t behind = 0;
+  for (const auto & p : whole.GetPoints())
+  {
+    behind += p[1] < middle[1] - 5.0 ? 1 : 0;
+  }
+  EXPECT_GE(half.GetPoints().size(), behind);
+  EXPECT_LT(half.GetPoints().size(), whole.GetPoints().size());
+  for (const auto & p : half.GetPoints())
+  {
+    EXPECT_LT(p[1], middle[1] + 5.0);
+  }
+  // The tooth is as long as before: what is left out is still drawn.
+  EXPECT_DOUBLE_EQ(half.GetCentroid()[0], whole.GetCentroid()[0]);
+  polyline.weights.assign(polyline.points.size(), 0.0);
+  const itk::WholeToothOutline none(geometry, polyline, JawEnum::Upper, scanned);
+  EXPECT_NE(none.GetFailure().find("next to nothing of its crown's border is its own"), std::string::npos);
 }
