@@ -202,8 +202,10 @@ FindOutlinesShortOfTheBite(const DentalContour &         upper,
   text
     << "outlines " << JoinNames(pairs) << " end " << std::fixed << std::setprecision(1) << largest
     << " mm short of each other, and the jaws are in occlusion: are they roots without their crowns? Draw whole teeth";
-  const auto severity = pairs.size() == compared ? RegistrationStatusEnum::Failed : RegistrationStatusEnum::Suspect;
-  return RegistrationFinding{ severity, "outline-off-bite", text.str(), largest, LargestGap, "mm" };
+  using StatusEnum = RegistrationStatusEnum;
+  return pairs.size() == compared
+           ? RegistrationFinding{ StatusEnum::Failed, "outline-off-bite", text.str(), largest, LargestGap, "mm" }
+           : RegistrationFinding{ StatusEnum::Suspect, "outline-off-bite", text.str(), largest, LargestGap, "mm" };
 }
 
 std::optional<RegistrationFinding>
