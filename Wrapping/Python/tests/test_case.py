@@ -252,6 +252,42 @@ def test_counterparts_of_landmarks_tell_how_they_were_found(ds, case):
     assert ds.FindLandmarkCounterparts(marks, upperMesh=case.upper, scanLandmarks={"UR1_tip": (500, 2, 3)}) == {}
 
 
+def test_a_molar_s_counterpart_is_that_of_the_traced_tooth(ds, sample, case):
+    """With a solution and its tracings; by a textbook's place without them, which is another point of the scan."""
+    axes = ds.UMidlineDentalAxis(case.upper, case.lower)
+    solution = ds.PoseRegistration(case.geometry, case.upper, case.upperContour, case.lower, case.lowerContour, frames=axes)
+    marks = {"U6_MB": (100, 100), "L6_MB": (100, 100), "U1_tip": (100, 100)}
+    inputs = {
+        "upperMesh": case.upper,
+        "lowerMesh": case.lower,
+        "upperFrame": axes.upperTransform,
+        "lowerFrame": axes.lowerTransform,
+    }
+    tracings = {"upperTracing": case.upperContour, "lowerTracing": case.lowerContour}
+    by_place = ds.FindLandmarkCounterparts(marks, **inputs)
+    by_tooth = ds.FindLandmarkCounterparts(marks, **inputs, solution=solution, **tracings)
+    places = json.loads((sample / "landmarks3d.json").read_text())
+    for name, jaw in (("U6_MB", "U"), ("L6_MB", "L")):
+        assert by_place[name].source == "its place along the arch"
+        assert "the traced tooth" in by_tooth[name].source and by_tooth[name].rule == "middle"
+        assert by_tooth[name].sigmaAlong < by_place[name].sigmaAlong
+        truth = [places[f"{jaw}{side}6_MB"] for side in "RL"]
+        # The right side was traced. The left one's cusp is as far along the arch, and in the error that is stated.
+        right, left = by_tooth[name].points - truth
+        assert np.linalg.norm(right) < 0.5
+        assert np.linalg.norm(0.5 * (right + left)) < 2.448 * by_tooth[name].sigmaAlong
+    # A front tooth is no matter of the traced tooth, and neither the solution nor a tracing alone tells of one.
+    assert by_tooth["U1_tip"].source == by_place["U1_tip"].source
+    for alone in ({"solution": solution}, tracings):
+        found = ds.FindLandmarkCounterparts(marks, **inputs, **alone)
+        assert found["U6_MB"].source == "its place along the arch"
+        assert np.array_equal(found["U6_MB"].points, by_place["U6_MB"].points)
+    # What was set before does not stay.
+    process = ds.LandmarkCounterpartFilter()
+    process.Execute(marks, **inputs, solution=solution, **tracings)
+    assert process.Execute(marks, **inputs)["U6_MB"].source == "its place along the arch"
+
+
 @pytest.fixture
 def two_views():
     """A sample with a radiograph from the front, beside the project."""

@@ -423,6 +423,21 @@ CaseRegistration::CheckScans()
 void
 CaseRegistration::CheckOutlinesByLandmarks()
 {
+  const auto hasOutlines = [this](ToothCode::JawEnum jaw) {
+    const auto found = m_Result.jaws.find(jaw);
+    return found != m_Result.jaws.end() && found->second.registered && !found->second.usedOutlines.empty();
+  };
+  if (m_Result.jawsShareFrame && hasOutlines(ToothCode::JawEnum::Upper) && hasOutlines(ToothCode::JawEnum::Lower))
+  {
+    if (const auto finding =
+          FindOutlinesShortOfTheBite(*m_Data->upper.contour, *m_Data->lower.contour, *m_Result.geometry))
+    {
+      for (auto & entry : m_Result.jaws)
+      {
+        entry.second.AddFinding(*finding);
+      }
+    }
+  }
   if (m_Data->cephalometricLandmarks.IsNull())
   {
     return;

@@ -26,6 +26,7 @@
 #include <iomanip>
 #include <limits>
 #include <locale>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -44,6 +45,10 @@ using PointType = DentalContour::PointType;
  * up for 372 of them, those further are gross errors of the outline. A root without its crown misses it by the crown's
  * height. */
 constexpr double LargestMiss = 4.0;
+/** mm by which outlines of a tooth and its antagonist may end short of each other, of teeth behind the canines and of
+ * front teeth, which an open bite parts. Without its crown a tooth ends some 7 mm short of it. */
+constexpr double LargestGap = 4.0;
+constexpr double LargestGapOfFrontTeeth = 6.0;
 /** mm; what is further from a tooth is of another picture. */
 constexpr double LongestTooth = 40.0;
 
@@ -139,6 +144,68 @@ FindWholeTeeth(const DentalContour & tracing, JawEnum jaw, const CephalometricGe
                            "alone draw the scan toward them; use preset robust, or trace the crowns";
   return share > most ? RegistrationFinding{ RegistrationStatusEnum::Failed, "whole-teeth", text, share, most, "" }
                       : RegistrationFinding{ RegistrationStatusEnum::Suspect, "whole-teeth", text, share, most, "" };
+}
+
+std::optional<RegistrationFinding>
+FindOutlinesShortOfTheBite(const DentalContour &         upper,
+                           const DentalContour &         lower,
+                           const CephalometricGeometry & geometry)
+{
+  constexpr unsigned int firstPremolar = 4;
+  const double magnification = geometry.GetSourceToDetectorDistance() / geometry.GetSourceToMidsagittalDistance();
+  const double scale = geometry.GetPixelSpacing()[1] / magnification;
+  // The lowest row of the upper and the highest of the lower outlines of each tooth, of either side.
+  std::map<unsigned int, double> ends[2];
+  const DentalContour * const    tracings[2] = { &upper, &lower };
+  for (unsigned int j = 0; j < 2; ++j)
+  {
+    for (const auto & polyline : tracings[j]->GetPolylines())
+    {
+      const unsigned int position = polyline.code.GetPosition();
+      // Of an open line nobody knows which end is missing.
+      if (!polyline.closed || position == 0 || polyline.points.size() < 3)
+      {
+        continue;
+      }
+      for (const auto & point : polyline.points)
+      {
+        const auto end = ends[j].emplace(position, point[1]).first;
+        end->second = j == 0 ? std::max(end->second, point[1]) : std::min(end->second, point[1]);
+      }
+    }
+  }
+  std::vector<std::string> pairs;
+  unsigned int             compared = 0;
+  double                   largest = 0.0;
+  for (const auto & end : ends[0])
+  {
+    const auto antagonist = ends[1].find(end.first);
+    if (antagonist == ends[1].end())
+    {
+      continue;
+    }
+    ++compared;
+    const double gap = scale * (antagonist->second - end.second);
+    if (gap > (end.first < firstPremolar ? LargestGapOfFrontTeeth : LargestGap))
+    {
+      largest = std::max(largest, gap);
+      pairs.push_back(NameWithoutSide(JawEnum::Upper, end.first) + " and " +
+                      NameWithoutSide(JawEnum::Lower, end.first));
+    }
+  }
+  if (pairs.empty())
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text
+    << "outlines " << JoinNames(pairs) << " end " << std::fixed << std::setprecision(1) << largest
+    << " mm short of each other, and the jaws are in occlusion: are they roots without their crowns? Draw whole teeth";
+  using StatusEnum = RegistrationStatusEnum;
+  return pairs.size() == compared
+           ? RegistrationFinding{ StatusEnum::Failed, "outline-off-bite", text.str(), largest, LargestGap, "mm" }
+           : RegistrationFinding{ StatusEnum::Suspect, "outline-off-bite", text.str(), largest, LargestGap, "mm" };
 }
 
 std::optional<RegistrationFinding>

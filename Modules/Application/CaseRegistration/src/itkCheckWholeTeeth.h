@@ -40,6 +40,13 @@ FindOutlinesApartFromLandmarks(const DentalContour &            tracing,
                                ToothCode::JawEnum               jaw,
                                const CephalometricLandmarkSet & landmarks,
                                const CephalometricGeometry &    geometry);
+
+/** What is wrong where closed outlines of the same tooth of jaws in occlusion end short of each other: of teeth that
+ * touch, or nearly, both or one are roots without their crowns. Failed where all that have an antagonist do. */
+std::optional<RegistrationFinding>
+FindOutlinesShortOfTheBite(const DentalContour &         upper,
+                           const DentalContour &         lower,
+                           const CephalometricGeometry & geometry);
 } // namespace itk
 
 #endif

@@ -26,12 +26,13 @@ namespace
 {
 /** The heaviest first: of the scans, where each other one may be why there is no arch in it, of what was drawn, the
  * readings of the drawing that fit where the given one does not, and what is wrong with landmarks that only measure. */
-const std::array<const char *, 25> Causes{ { "same-scan",
+const std::array<const char *, 26> Causes{ { "same-scan",
                                              "both-jaws",
                                              "spikes",
                                              "partial-arch",
                                              "arch-width",
                                              "no-arch",
+                                             "outline-off-bite",
                                              "outline-off-landmark",
                                              "jaws-exchanged",
                                              "not-drawn",
