@@ -175,9 +175,9 @@ public:
    * and 1 are known to be wrong, as a tip is placed by the line that is drawn through it, and with 0.3 the sigma of
    * what is registered with both is a seventh too wide or a tenth too narrow where it is 0 or 0.6. */
   static constexpr double SharedErrorShare = 0.3;
-  /** Teeth whose landmarks are registered with as well. Two measurements that share a part of
-   * their error are worth as much as two independent ones whose variances are larger by that part. On a lateral
-   * radiograph the side does not matter. */
+  /** Teeth whose landmarks are registered with as well, which share a part of the hand's error in a shift: two such
+   * measurements are worth two independent ones whose variances are larger by that part, but not where a crown was cut
+   * or a template was placed. On a lateral radiograph the side does not matter. */
   void
   SetMarkedTeeth(const std::vector<ToothCode> & teeth);
 

@@ -124,6 +124,13 @@ ComputeSigma(const DentalContour::PolylineType & polyline, const PoseGeometry & 
                      : 0.0;
 }
 
+/** What of a shift's error is the hand's: the square of it, without what crown and outline differ by anyway. */
+double
+ComputeHandVariance(double error)
+{
+  return std::max(0.0, error * error - OutlineSigma * OutlineSigma);
+}
+
 /** The errors of a hand of which the file says how far it is off with the tooth: what the points of one tooth share,
  * they do not average away, and who is off in place is off in turn and size. */
 ToothOutlinePoseMetricv4::ErrorsType
@@ -131,13 +138,13 @@ WithSigma(ToothOutlinePoseMetricv4::ErrorsType errors, double sigma)
 {
   if (sigma > 0.0)
   {
-    const auto   own = [](double error) { return std::max(0.0, error * error - OutlineSigma * OutlineSigma); };
-    const double usual = std::sqrt(0.5 * (own(errors.along) + own(errors.across)));
+    const double along = ComputeHandVariance(errors.along), across = ComputeHandVariance(errors.across);
+    const double usual = std::sqrt(0.5 * (along + across));
     if (usual > 0.0)
     {
       const double share = sigma / usual;
-      errors.along = std::hypot(share * std::sqrt(own(errors.along)), OutlineSigma);
-      errors.across = std::hypot(share * std::sqrt(own(errors.across)), OutlineSigma);
+      errors.along = std::hypot(share * std::sqrt(along), OutlineSigma);
+      errors.across = std::hypot(share * std::sqrt(across), OutlineSigma);
       errors.turn *= share;
       errors.size *= share;
     }
@@ -308,19 +315,24 @@ ToothOutlinePoseMetricv4::Prepare()
                                         << " Read or build its mesh again.");
     }
     const ErrorsType errors = WithSigma(m_Errors, ComputeSigma(polyline, geometry));
-    const double     shared = marked ? 1.0 + SharedErrorShare : 1.0;
-    const double     ofArch = isFrontal ? ArchAlongFilm[position - 1] : 1.0;
-    const double     along = std::hypot(errors.along, magnification * ofArch * sigmaAlong) * perMillimetre;
-    const double     across = errors.across * perMillimetre;
-    const double     lingual = m_Errors.lingual * perMillimetre;
-    const double     width = magnification * sigmaWidth * perMillimetre;
-    const auto       makeWay = [&](const std::array<double, 2> & origin, const std::array<double, 4> & sigmas) {
+    // A mark shares what the hand got wrong; where the crown was cut and what a template is placed by it does not.
+    const auto sharedVariance = [&](double error) {
+      return marked ? SharedErrorShare * ComputeHandVariance(error) * perMillimetre * perMillimetre : 0.0;
+    };
+    const double ofArch = isFrontal ? ArchAlongFilm[position - 1] : 1.0;
+    const double along = std::hypot(errors.along, magnification * ofArch * sigmaAlong) * perMillimetre;
+    const double across = errors.across * perMillimetre;
+    const double lingual = m_Errors.lingual * perMillimetre;
+    const double width = magnification * sigmaWidth * perMillimetre;
+    const auto   makeWay = [&](const std::array<double, 2> & origin, const std::array<double, 4> & sigmas) {
       WayType way;
       way.origin = origin;
       for (std::size_t c = 0; c < 4; ++c)
       {
-        way.variances[c] = (c < 2 ? shared : 1.0) * sigmas[c] * sigmas[c];
+        way.variances[c] = sigmas[c] * sigmas[c];
       }
+      way.variances[0] += sharedVariance(errors.along);
+      way.variances[1] += sharedVariance(errors.across);
       way.variances[4] = lingual * lingual;
       way.variances[5] = width * width;
       return way;

@@ -91,15 +91,16 @@ MakeEllipsoid(const Tooth & tooth, double keptShare)
   return surface;
 }
 
+/** Cut out of the scan with so much of error along the arch, mm. */
 itk::ToothCrownSet::Pointer
-MakeCrowns()
+MakeCrowns(double sigmaAlong = 0.0)
 {
   auto crowns = itk::ToothCrownSet::New();
   for (const Tooth & tooth : Teeth)
   {
     crowns->Add({ itk::ToothCode(tooth.fdi),
                   std::make_shared<const itk::TriangleSurface>(MakeEllipsoid(tooth, 0.5)),
-                  0.0,
+                  sigmaAlong,
                   0.0,
                   "made" });
   }
@@ -380,6 +381,37 @@ TEST(ToothOutlinePoseMetricv4, AToothThatIsMarkedAsWellCountsLess)
   const double ratio = squares(*marked) / squares(*alone);
   EXPECT_LT(ratio, 1.0);
   EXPECT_GT(ratio, 1.0 / (1.0 + MetricType::SharedErrorShare) - 0.01);
+}
+
+TEST(ToothOutlinePoseMetricv4, AMarkSharesTheHandsErrorAlone)
+{
+  // Where the crown was cut is no error of the hand: with 4 mm of that along the arch a mark takes next to nothing of
+  // what the outline says along it, and as much as ever across.
+  const auto information = [](double sigmaAlong, bool isMarked, unsigned int parameter) {
+    const auto metric = MakeMetric(MakeTracing(MakeDrawing(false), MakeDrawing(true)));
+    metric->SetCrowns(MakeCrowns(sigmaAlong));
+    if (isMarked)
+    {
+      metric->SetMarkedTeeth({ itk::ToothCode(21), itk::ToothCode(26) });
+    }
+    metric->Initialize();
+    MetricType::VectorType residuals;
+    MetricType::MatrixType jacobian;
+    metric->ComputeResiduals(metric->GetState().GetValues(), residuals, &jacobian);
+    return jacobian.get_column(parameter).squared_magnitude();
+  };
+  constexpr unsigned int along = 3, across = 5;
+  const double           share = MetricType::SharedErrorShare;
+  EXPECT_GT(information(4.0, true, along) / information(4.0, false, along), 0.99);
+  EXPECT_LT(information(0.0, true, along) / information(0.0, false, along), 0.9);
+  for (const double sigmaAlong : { 0.0, 4.0 })
+  {
+    const double ratio = information(sigmaAlong, true, across) / information(sigmaAlong, false, across);
+    EXPECT_LT(ratio, 0.9);
+    // No more than all of the hand's part, which is what is left of an error of 0.70 mm without a quarter of a one.
+    const double hand = 1.0 - std::pow(0.25 / MetricType::ErrorsType{}.across, 2);
+    EXPECT_GT(ratio, 1.0 / (1.0 + share * hand) - 0.001);
+  }
 }
 
 TEST(ToothOutlinePoseMetricv4, AGrossErrorOfOneOutlineIsToldAndBounded)

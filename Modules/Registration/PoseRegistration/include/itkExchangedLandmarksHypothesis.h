@@ -27,7 +27,8 @@ namespace itk
  * tried as the same point of the other one.
  *
  * The tips of upper and lower incisors are 2 to 5 mm apart, and so are the first molars' cusps, in directions that no
- * turn of the head undoes. A single jaw, or jaws apart, fit either way: two points fit anything.
+ * turn of the head undoes. A single jaw, or jaws apart, fit either way: two points fit anything. So do front teeth
+ * alone, or those behind alone, whose turn is free.
  *
  * \ingroup PoseRegistration
  */
@@ -55,6 +56,9 @@ public:
   GetCode() const override;
   bool
   IsWorthTrying(const PoseProblem & problem, const PoseGroupResult & result) const override;
+  /** Marks of front teeth alone or of those behind alone. */
+  std::string
+  GetObstacle(const PoseProblem & problem) const override;
   PoseProblem
   Apply(const PoseProblem & problem) const override;
 

@@ -23,6 +23,9 @@ namespace itk
 {
 namespace
 {
+/** Position of the last of the front teeth, the canine. */
+constexpr unsigned int LastFrontTooth = 3;
+
 /** The same point of the other jaw. */
 std::string
 NameOfOtherJaw(const CephalometricLandmarkSet::LandmarkType & landmark)
@@ -47,6 +50,29 @@ ExchangedLandmarksHypothesis::IsWorthTrying(const PoseProblem & problem, const P
          std::all_of(problem.jaws.begin(), problem.jaws.end(), [](const PoseJawInput & jaw) {
            return jaw.tracing.IsNull() && jaw.landmarks.IsNotNull() && jaw.counterparts.IsNotNull();
          });
+}
+
+std::string
+ExchangedLandmarksHypothesis::GetObstacle(const PoseProblem & problem) const
+{
+  bool isFrontMarked = false, isBackMarked = false;
+  for (const PoseJawInput & jaw : problem.jaws)
+  {
+    if (jaw.landmarks.IsNull())
+    {
+      continue;
+    }
+    for (const auto & landmark : jaw.landmarks->GetLandmarks())
+    {
+      if (landmark.meaning.feature != CephalometricLandmarkSet::FeatureEnum::Apex)
+      {
+        (landmark.meaning.position <= LastFrontTooth ? isFrontMarked : isBackMarked) = true;
+      }
+    }
+  }
+  return isFrontMarked && isBackMarked
+           ? ""
+           : "as front teeth alone, or teeth behind alone, fit with the names of the other jaw as well";
 }
 
 PoseProblem

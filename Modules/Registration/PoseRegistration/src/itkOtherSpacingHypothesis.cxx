@@ -48,7 +48,12 @@ HasEnoughLandmarks(const PoseProblem & problem)
     {
       return false;
     }
-    count += jaw.landmarks->GetNumberOfLandmarks();
+    // Each jaw is given the marks of both, and some have no place on a scan.
+    const auto & marks = jaw.landmarks->GetLandmarks();
+    count += static_cast<std::size_t>(std::count_if(marks.begin(), marks.end(), [&](const auto & mark) {
+      return mark.meaning.jaw == jaw.jaw &&
+             jaw.counterparts->Find(CephalometricLandmarkSet::MakeName(mark.meaning)) != nullptr;
+    }));
   }
   return problem.jaws.size() == 2 && count >= MinimumNumberOfLandmarks;
 }

@@ -302,7 +302,7 @@ JudgeLandmarks(const PoseRegistrationResult &          result,
     Add(verdict,
         StatusEnum::Suspect,
         "landmarks-rough",
-        "the landmarks lie " + FormatNumber(ratio, 1) +
+        std::string(hasLandmarks ? "the landmarks lie " : "the outlines lie ") + FormatNumber(ratio, 1) +
           " times as far from their places as their errors tell: another patient, jaw or unit?",
         { ratio, thresholds.suspectLandmarkRatio, "sd" });
   }

@@ -681,6 +681,45 @@ TEST(PoseRegistrationParts, HypothesesTurnTheQuestionIntoAnother)
   untraced.jaws[0].tracing = nullptr;
   untraced.jaws[1].tracing = nullptr;
   EXPECT_TRUE(landmarks->IsWorthTrying(untraced, result));
+  EXPECT_EQ(landmarks->GetObstacle(untraced), "");
+  auto incisors = itk::CephalometricLandmarkSet::New();
+  incisors->AddLandmark("Is", point);
+  incisors->AddLandmark("Ii", point);
+  incisors->AddLandmark("U1_root", point);
+  auto inFront = untraced;
+  for (auto & jaw : inFront.jaws)
+  {
+    jaw.landmarks = incisors;
+  }
+  EXPECT_NE(landmarks->GetObstacle(inFront), "") << "a turn of the head makes up for it";
+  // Each jaw is given the marks of both: two are two, and fit at any spacing.
+  const auto spacing = itk::OtherSpacingHypothesis::New();
+  const auto isSpacingAsked = [&](std::initializer_list<const char *> names) {
+    auto asked = untraced;
+    asked.nominal.pixelSpacingKnown = true;
+    auto all = itk::CephalometricLandmarkSet::New();
+    auto places = itk::LandmarkCounterpartSet::New();
+    for (const char * name : names)
+    {
+      all->AddLandmark(name, point);
+      places->Add({ name,
+                    itk::ToothCode::JawEnum::Unknown,
+                    { {} },
+                    itk::LandmarkCounterpartSet::RuleEnum::Middle,
+                    0.2,
+                    0.2,
+                    "made" });
+    }
+    for (auto & jaw : asked.jaws)
+    {
+      jaw.landmarks = all;
+      jaw.counterparts = places;
+    }
+    return spacing->IsWorthTrying(asked, result);
+  };
+  EXPECT_TRUE(isSpacingAsked({ "U1_tip", "U6_MB", "L1_tip", "L6_MB" }));
+  EXPECT_FALSE(isSpacingAsked({ "U1_tip", "L1_tip" }));
+  EXPECT_FALSE(isSpacingAsked({ "U1_tip", "U6_MB", "L1_tip" }));
   const auto renamed = landmarks->Apply(untraced).jaws[1].landmarks;
   ASSERT_EQ(renamed->GetNumberOfLandmarks(), 2u);
   ASSERT_NE(renamed->Find("L1_tip"), nullptr);
