@@ -254,7 +254,7 @@ def contours():
     yield "CSV: a cell is a word", "a.csv", edit(table, "UR1,40,12", "UR1,forty,12"), ("line 3", '"forty" is no number')
     yield "CSV: a cell too many", "a.csv", edit(table, "UR1,40,12", "UR1,40,12,7"), READ
     yield "CSV: a cell too few", "a.csv", edit(table, "UR1,40,12", "UR1,40"), ("line 3", "has 2 columns, expected those of the header")
-    yield "CSV: no column y", "a.csv", edit(table, "label,x,y", "label,x,z"), READ
+    yield "CSV: no column y", "a.csv", edit(table, "label,x,y", "label,x,z"), ("line 1", 'the column "z" is not known to be the coordinate "y" in pixels', 'call it "y"')
     yield "CSV: a header alone", "a.csv", "label,x,y\n", ("has no outline: nothing is drawn in it", "draw or export polygons")
     yield "CSV: a quote is not closed", "a.csv", edit(table, "UR1,40", '"UR1,40'), READ
     yield "CSV: a coordinate is not a number", "a.csv", edit(table, "UR1,40,12", "UR1,nan,12"), ("line 3", '"nan" is no number')

@@ -842,20 +842,20 @@ TEST(WholeToothOutline, PointsWithoutWeightAreNoBorder)
   for (const auto & p : polyline.points)
   {
     const auto at = itk::PoseModel::ToWorkingPlane(geometry, { { p[0], p[1] } });
-    polyline.weights.push_back(at[1] > middle[1] ? 0.0 : 1.0);
+    polyline.weights.push_back(at[0] > middle[0] ? 0.0 : 1.0);
   }
   const itk::WholeToothOutline half(geometry, polyline, JawEnum::Upper, scanned);
   ASSERT_EQ(half.GetFailure(), "");
   std::size_t behind = 0;
   for (const auto & p : whole.GetPoints())
   {
-    behind += p[1] < middle[1] - 5.0 ? 1 : 0;
+    behind += p[0] < middle[0] - 5.0 ? 1 : 0;
   }
   EXPECT_GE(half.GetPoints().size(), behind);
   EXPECT_LT(half.GetPoints().size(), whole.GetPoints().size());
   for (const auto & p : half.GetPoints())
   {
-    EXPECT_LT(p[1], middle[1] + 5.0);
+    EXPECT_LT(p[0], middle[0] + 5.0);
   }
   // The tooth is as long as before: what is left out is still drawn.
   EXPECT_DOUBLE_EQ(half.GetCentroid()[0], whole.GetCentroid()[0]);
