@@ -293,10 +293,7 @@ AppendDrawing(const std::string & label,
   }
   records.calibrations.insert(records.calibrations.end(), drawn.calibrations.begin(), drawn.calibrations.end());
 }
-} // namespace
 
-namespace
-{
 /** Of a segmentation of 3D Slicer: numbers its segments by the teeth that they are called after, and returns what each
  * tooth was called. A segment that is a jaw, or a tooth in another numbering, becomes an outline at once. */
 std::map<ToothCode, std::string>
