@@ -69,22 +69,19 @@ TakeLabel(const std::string & fileName, const double * value, unsigned int compo
   }
   return static_cast<std::uint16_t>(value[0]);
 }
-} // namespace
 
-namespace
-{
-/** Whole numbers parted by a character; nothing where one of them is none. */
-std::vector<int>
+/** Numbers parted by a character; nothing where one of them is none. */
+std::vector<double>
 SplitNumbers(const std::string & text, char separator)
 {
-  std::vector<int>   numbers;
-  std::istringstream stream(text);
+  std::vector<double> numbers;
+  std::istringstream  stream(text);
   for (std::string word; std::getline(stream, word, separator);)
   {
     double number = 0.0;
-    if (RadiographText::ParseNumber(word, number) && std::abs(number) < 1e6)
+    if (RadiographText::ParseNumber(word, number))
     {
-      numbers.push_back(static_cast<int>(number));
+      numbers.push_back(number);
     }
     else if (!RadiographText::Trim(word).empty())
     {
@@ -92,6 +89,13 @@ SplitNumbers(const std::string & text, char separator)
     }
   }
   return numbers;
+}
+
+/** Whether it is a whole number that an index of a picture may be. */
+bool
+IsIndex(double number)
+{
+  return std::abs(number) < 1e6 && number == std::trunc(number);
 }
 
 /** What 3D Slicer writes into the header of a segmentation, "segment0_name:=ur1". */
@@ -115,10 +119,10 @@ ReadSegmentation(const std::string & header, LabelImageNotes & notes)
     const std::string field = underscore == std::string::npos ? std::string() : key.substr(underscore + 1);
     if (key == "segmentation_referenceimageextentoffset")
     {
-      const std::vector<int> offset = SplitNumbers(value, ' ');
-      if (offset.size() == 3)
+      const std::vector<double> offset = SplitNumbers(value, ' ');
+      if (offset.size() == 3 && IsIndex(offset[0]) && IsIndex(offset[1]))
       {
-        notes.offset = { { offset[0], offset[1] } };
+        notes.offset = { { static_cast<int>(offset[0]), static_cast<int>(offset[1]) } };
         notes.isPart = offset[0] != 0 || offset[1] != 0;
       }
     }
@@ -129,18 +133,9 @@ ReadSegmentation(const std::string & header, LabelImageNotes & notes)
       const std::size_t begin = value.find(word);
       if (begin != std::string::npos)
       {
-        const std::size_t   first = begin + word.size();
-        std::istringstream  stream(value.substr(first, value.find('|', first) - first));
-        std::vector<double> numbers;
-        for (std::string text; std::getline(stream, text, ';');)
-        {
-          double value1 = 0.0;
-          if (RadiographText::ParseNumber(text, value1))
-          {
-            numbers.push_back(value1);
-          }
-        }
-        const auto isSize = [&numbers](std::size_t at) {
+        const std::size_t         first = begin + word.size();
+        const std::vector<double> numbers = SplitNumbers(value.substr(first, value.find('|', first) - first), ';');
+        const auto                isSize = [&numbers](std::size_t at) {
           return numbers[at] == 0.0 && numbers[at + 1] >= 0.0 && numbers[at + 1] < 1e6;
         };
         if (numbers.size() >= 22 && isSize(16) && isSize(18))
@@ -161,9 +156,9 @@ ReadSegmentation(const std::string & header, LabelImageNotes & notes)
   }
   for (const auto & [number, label] : labels)
   {
-    const std::vector<int> values = SplitNumbers(label, ' ');
-    const auto             name = names.find(number);
-    if (values.size() == 1 && values[0] > 0 && values[0] <= 65535 && name != names.end())
+    const std::vector<double> values = SplitNumbers(label, ' ');
+    const auto                name = names.find(number);
+    if (values.size() == 1 && IsIndex(values[0]) && values[0] > 0.0 && values[0] <= 65535.0 && name != names.end())
     {
       notes.segments[static_cast<std::uint16_t>(values[0])] = name->second;
     }
